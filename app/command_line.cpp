@@ -1,0 +1,48 @@
+#include "app/command_line.h"
+
+#include "app/verbs/verb.h"
+
+#include <fmt/core.h>
+
+namespace tractus {
+
+static constexpr int kExitFailure = 1;
+static constexpr int kExitUsage = 2;
+
+static char const* prefix(Fault fault)
+{
+    switch (fault) {
+    case Fault::User:
+        return "error";
+    case Fault::Device:
+        return "device error";
+    case Fault::Station:
+        return "station error";
+    }
+    return "error";
+}
+
+int run_command_line(int argc, char const* const* argv)
+{
+    CLI::App root { "tractus: a 3D sketching station for plants", "tractus" };
+    root.require_subcommand(0, 1);
+    Action action;
+    // Each verb registers itself here, in the order that --help lists them.
+
+    try {
+        root.parse(argc, argv);
+    } catch (CLI::ParseError const& error) {
+        return root.exit(error) == 0 ? 0 : kExitUsage;
+    }
+    if (!action) {
+        fmt::print("{}", root.help());
+        return kExitUsage;
+    }
+    if (auto const result = action(); !result) {
+        fmt::print(stderr, "{}: {}\n", prefix(result.error().fault), result.error().message);
+        return kExitFailure;
+    }
+    return 0;
+}
+
+} // namespace tractus

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace tractus {
+
+// The whole program: parses the command line, runs the verb it names, and returns the exit code:
+// 0 done, 1 a failure that a line on standard error explains, 2 wrong usage.
+int run_command_line(int argc, char const* const* argv);
+
+} // namespace tractus

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "engine/base/result.h"
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <ostream>
+#include <string>
+
+namespace tractus {
+
+// The whole file as bytes. Fails, as the user's fault, if it cannot be opened or read, or if it is
+// larger than `max_bytes`.
+Result<std::string> read_file(std::filesystem::path const& path, std::size_t max_bytes = std::size_t { 1 } << 30);
+
+// Calls `write` with a stream to a temporary file beside `path`, then renames it to `path`, so that
+// under its final name the file is always whole: the old one or the new one. When `write` or the
+// disk fails, the temporary file is removed, the old file stays, and the error says why.
+// The stream is seekable and binary.
+Result<void> write_file(std::filesystem::path const& path,
+                        std::function<Result<void>(std::ostream&)> const& write);
+
+// The same for bytes at hand.
+Result<void> write_file(std::filesystem::path const& path, std::string_view bytes);
+
+} // namespace tractus

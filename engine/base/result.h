@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+#include <type_traits>
+#include <utility>
+
+namespace tractus {
+
+// Who has to act for an error to go away.
+enum class Fault {
+    User,    // The command line, a file, a missing permission.
+    Device,  // Hardware or firmware broke its own contract.
+    Station, // Our bug.
+};
+
+struct Error {
+    Fault fault = Fault::Station;
+    std::string message; // One sentence: what failed, on which device or file, and what to do.
+};
+
+// A value or the reason why there is none. Never ignored: the compiler warns.
+template<typename T>
+class [[nodiscard]] Result : public tl::expected<T, Error> {
+public:
+    using tl::expected<T, Error>::expected;
+};
+
+inline tl::unexpected<Error> fail(Fault fault, std::string message)
+{
+    return tl::unexpected<Error>(Error { fault, std::move(message) });
+}
+
+namespace detail {
+
+template<typename T>
+T take(Result<T>&& result)
+{
+    if constexpr (!std::is_void_v<T>)
+        return *std::move(result);
+}
+
+template<typename T>
+T take(Result<T>& result)
+{
+    return take(std::move(result));
+}
+
+} // namespace detail
+
+// The value of a Result; when there is none, returns its error from the enclosing function.
+// A statement expression: g++ and clang. Do not nest it: -Wshadow will say so.
+#define TRY(expression)                                           \
+    __extension__({                                               \
+        auto&& try_result = (expression);                         \
+        if (!try_result)                                          \
+            return tl::unexpected(std::move(try_result).error()); \
+        ::tractus::detail::take(std::move(try_result));           \
+    })
+
+} // namespace tractus

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace tractus {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+using Quat = Eigen::Quaterniond;
+
+// For bulk data that goes to a graphics card or a file.
+using Vec2f = Eigen::Vector2f;
+using Vec3f = Eigen::Vector3f;
+using Quatf = Eigen::Quaternionf;
+
+constexpr double kPi = 3.14159265358979323846;
+
+constexpr double radians(double degrees)
+{
+    return degrees * (kPi / 180.0);
+}
+
+constexpr double degrees(double radians)
+{
+    return radians * (180.0 / kPi);
+}
+
+} // namespace tractus

@@ -1,0 +1,69 @@
+#include "drivers/file.h"
+
+#include <filesystem>
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+
+class File : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        auto const* const test = ::testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::path(::testing::TempDir()) / (std::string("tractus_file_") + test->name());
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::size_t file_count() const
+    {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(File, WritesAndReadsBytes)
+{
+    std::string const bytes("a\0b\n", 4);
+    ASSERT_TRUE(write_file(folder_ / "x", bytes));
+    EXPECT_EQ(read_file(folder_ / "x").value(), bytes);
+    EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(File, KeepsTheOldFileWhenTheWriterFails)
+{
+    ASSERT_TRUE(write_file(folder_ / "x", "old"));
+    auto const result = write_file(folder_ / "x", [](std::ostream& out) -> Result<void> {
+        out << "half of the ne";
+        return fail(Fault::User, "no more");
+    });
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().message, "no more");
+    EXPECT_EQ(read_file(folder_ / "x").value(), "old");
+    EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(File, SaysWhyAFileCannotBeWritten)
+{
+    auto const result = write_file(folder_ / "missing" / "x", "bytes");
+    ASSERT_FALSE(result);
+    EXPECT_NE(result.error().message.find("No such file or directory"), std::string::npos)
+        << result.error().message;
+}
+
+TEST_F(File, SaysWhyAFileCannotBeRead)
+{
+    EXPECT_NE(read_file(folder_ / "x").error().message.find("No such file"), std::string::npos);
+    EXPECT_NE(read_file(folder_).error().message.find("it is a folder"), std::string::npos);
+    ASSERT_TRUE(write_file(folder_ / "x", "12345"));
+    EXPECT_NE(read_file(folder_ / "x", 4).error().message.find("larger than 4 bytes"),
+              std::string::npos);
+}
+
+} // namespace
+} // namespace tractus

@@ -1,0 +1,63 @@
+#include "engine/base/random.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+// Known answers published with the reference implementation (Random123, kat_vectors, philox4x32 10).
+TEST(Random, GivesTheWordsOfPhilox)
+{
+    EXPECT_EQ(random_block({}, 0),
+              (std::array<std::uint32_t, 4> { 0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8 }));
+    EXPECT_EQ(random_block({ 0xffffffffffffffff, 0xffffffff, 0xffffffff }, 0xffffffffffffffff),
+              (std::array<std::uint32_t, 4> { 0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd }));
+}
+
+TEST(Random, ReadsTheBlocksInOrder)
+{
+    RandomKey const key { 7, 1, 2 };
+    Random random(key);
+    for (std::uint64_t block = 0; block < 3; ++block)
+        for (auto const word : random_block(key, block))
+            EXPECT_EQ(random.next_u32(), word);
+}
+
+TEST(Random, UniformStaysInItsRange)
+{
+    Random random({ 1, 0, 0 });
+    double sum = 0;
+    for (int i = 0; i < 10'000; ++i) {
+        double const value = random.uniform(-2, 4);
+        ASSERT_GE(value, -2);
+        ASSERT_LT(value, 4);
+        sum += value;
+    }
+    EXPECT_NEAR(sum / 10'000, 1, 0.06); // Standard error 0.017.
+}
+
+TEST(Random, NormalHasMeanZeroAndVarianceOne)
+{
+    Random random({ 1, 0, 0 });
+    double sum = 0;
+    double squares = 0;
+    constexpr int kCount = 40'000;
+    for (int i = 0; i < kCount; ++i) {
+        double const value = random.normal();
+        sum += value;
+        squares += value * value;
+    }
+    EXPECT_NEAR(sum / kCount, 0, 0.02);      // Standard error 0.005.
+    EXPECT_NEAR(squares / kCount, 1, 0.03);  // Standard error 0.007.
+}
+
+TEST(Random, StreamsWithDifferentKeysDiffer)
+{
+    EXPECT_NE(random_block({ 1, 0, 0 }, 0), random_block({ 2, 0, 0 }, 0));
+    EXPECT_NE(random_block({ 1, 0, 0 }, 0), random_block({ 1, 1, 0 }, 0));
+    EXPECT_NE(random_block({ 1, 0, 0 }, 0), random_block({ 1, 0, 1 }, 0));
+}
+
+} // namespace
+} // namespace tractus
