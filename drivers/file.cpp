@@ -15,17 +15,20 @@ Result<std::string> read_file(fs::path const& path, std::size_t max_bytes)
         return fail(Fault::User, fmt::format("cannot read {}: it is a folder", path.string()));
     std::ifstream in(path, std::ios::binary);
     if (!in)
-        return fail(Fault::User, fmt::format("cannot open {}: {}", path.string(), std::strerror(errno)));
+        return fail(Fault::User,
+                    fmt::format("cannot open {}: {}", path.string(), std::strerror(errno)));
     std::string bytes;
     std::string chunk(std::size_t { 1 } << 16, '\0');
     while (in.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || in.gcount() > 0) {
         bytes.append(chunk, 0, static_cast<std::size_t>(in.gcount()));
         if (bytes.size() > max_bytes)
-            return fail(Fault::User, fmt::format("cannot read {}: it is larger than {} bytes",
-                                                 path.string(), max_bytes));
+            return fail(Fault::User,
+                        fmt::format("cannot read {}: it is larger than {} bytes", path.string(),
+                                    max_bytes));
     }
     if (in.bad())
-        return fail(Fault::User, fmt::format("cannot read {}: {}", path.string(), std::strerror(errno)));
+        return fail(Fault::User,
+                    fmt::format("cannot read {}: {}", path.string(), std::strerror(errno)));
     return bytes;
 }
 
@@ -36,8 +39,9 @@ Result<void> write_file(fs::path const& path,
     auto const failed = [&](int error) {
         std::error_code ignored;
         fs::remove(temporary, ignored);
-        return fail(Fault::User, fmt::format("cannot write {}: {}", path.string(),
-                                             error ? std::strerror(error) : "the write failed"));
+        return fail(Fault::User,
+                    fmt::format("cannot write {}: {}", path.string(),
+                                error ? std::strerror(error) : "the write failed"));
     };
 
     errno = 0;

@@ -12,7 +12,8 @@ namespace tractus {
 
 // The whole file as bytes. Fails, as the user's fault, if it cannot be opened or read, or if it is
 // larger than `max_bytes`.
-Result<std::string> read_file(std::filesystem::path const& path, std::size_t max_bytes = std::size_t { 1 } << 30);
+Result<std::string> read_file(std::filesystem::path const& path,
+                              std::size_t max_bytes = std::size_t { 1 } << 30);
 
 // Calls `write` with a stream to a temporary file beside `path`, then renames it to `path`, so that
 // under its final name the file is always whole: the old one or the new one. When `write` or the

@@ -17,6 +17,6 @@ inline std::filesystem::path corpus()
 } // namespace tractus
 
 // Skips the running test, visibly, where there is no corpus.
-#define REQUIRE_CORPUS()                                                                   \
-    if (::tractus::corpus().empty())                                                       \
+#define REQUIRE_CORPUS()                                                                           \
+    if (::tractus::corpus().empty())                                                               \
     GTEST_SKIP() << "TRACTUS_CORPUS is not set: this test needs the folder of recordings"

@@ -8,8 +8,8 @@ namespace tractus::detail {
 
 // For our own mistakes, in every build: prints the condition and its place, then aborts. Never for
 // what a device, a file or a user can do: that is a Result.
-#define CHECK(condition)                                                             \
-    do {                                                                             \
-        if (!(condition)) [[unlikely]]                                               \
-            ::tractus::detail::check_failed(#condition, __FILE__, __LINE__);         \
+#define CHECK(condition)                                                                           \
+    do {                                                                                           \
+        if (!(condition)) [[unlikely]]                                                             \
+            ::tractus::detail::check_failed(#condition, __FILE__, __LINE__);                       \
     } while (false)

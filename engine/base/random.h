@@ -21,7 +21,10 @@ std::array<std::uint32_t, 4> random_block(RandomKey const& key, std::uint64_t in
 // The same words read one after another. Copying it copies its position.
 class Random {
 public:
-    explicit Random(RandomKey const& key) : key_(key) { }
+    explicit Random(RandomKey const& key)
+        : key_(key)
+    {
+    }
 
     std::uint32_t next_u32();
     std::uint64_t next_u64();

@@ -20,8 +20,7 @@ struct Error {
 };
 
 // A value or the reason why there is none. Never ignored: the compiler warns.
-template<typename T>
-class [[nodiscard]] Result : public tl::expected<T, Error> {
+template<typename T> class [[nodiscard]] Result : public tl::expected<T, Error> {
 public:
     using tl::expected<T, Error>::expected;
 };
@@ -33,15 +32,13 @@ inline tl::unexpected<Error> fail(Fault fault, std::string message)
 
 namespace detail {
 
-template<typename T>
-T take(Result<T>&& result)
+template<typename T> T take(Result<T>&& result)
 {
     if constexpr (!std::is_void_v<T>)
         return *std::move(result);
 }
 
-template<typename T>
-T take(Result<T>& result)
+template<typename T> T take(Result<T>& result)
 {
     return take(std::move(result));
 }
@@ -50,12 +47,12 @@ T take(Result<T>& result)
 
 // The value of a Result; when there is none, returns its error from the enclosing function.
 // A statement expression: g++ and clang. Do not nest it: -Wshadow will say so.
-#define TRY(expression)                                           \
-    __extension__({                                               \
-        auto&& try_result = (expression);                         \
-        if (!try_result)                                          \
-            return tl::unexpected(std::move(try_result).error()); \
-        ::tractus::detail::take(std::move(try_result));           \
+#define TRY(expression)                                                                            \
+    __extension__({                                                                                \
+        auto&& try_result = (expression);                                                          \
+        if (!try_result)                                                                           \
+            return tl::unexpected(std::move(try_result).error());                                  \
+        ::tractus::detail::take(std::move(try_result));                                            \
     })
 
 } // namespace tractus

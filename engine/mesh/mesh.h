@@ -9,14 +9,16 @@
 
 namespace tractus {
 
-// Triangles of one material. Plant frame (tubes, polygons) or organ frame (prototypes), millimetres.
-// The vertex arrays have equal sizes; indices are counter-clockwise seen from outside, three to a
-// triangle.
+// Triangles of one material. Plant frame (tubes, polygons) or organ frame (prototypes),
+// millimetres. The vertex arrays have equal sizes; indices are counter-clockwise seen from outside,
+// three to a triangle.
 struct TriangleMesh {
     MaterialId material = 0;
     std::vector<Vec3f> positions_mm;
-    std::vector<Vec3f> normals;           // Unit length.
-    std::vector<Vec2f> texture_coordinates; // Tubes: u once around, v in the same scale along the axis. Blades: the unit square, midrib at u = 0.5, base at v = 0.
+    std::vector<Vec3f> normals; // Unit length.
+    std::vector<Vec2f>
+        texture_coordinates; // Tubes: u once around, v in the same scale along the axis. Blades:
+                             // the unit square, midrib at u = 0.5, base at v = 0.
     std::vector<std::uint32_t> indices;
 
     std::size_t triangle_count() const { return indices.size() / 3; }
@@ -37,9 +39,9 @@ struct InstancedMesh {
 
 // A plant as triangles: what renderers and exporters take.
 struct Mesh {
-    std::vector<Material> materials;      // MaterialId is an index into it.
-    std::vector<TriangleMesh> surfaces;   // Tubes and polygons; at most one per material.
-    std::vector<InstancedMesh> organs;    // One per organ shape that the plant uses.
+    std::vector<Material> materials;    // MaterialId is an index into it.
+    std::vector<TriangleMesh> surfaces; // Tubes and polygons; at most one per material.
+    std::vector<InstancedMesh> organs;  // One per organ shape that the plant uses.
 
     // Triangles as drawn: every instance counted.
     std::size_t triangle_count() const;

@@ -10,7 +10,8 @@ namespace tractus {
 // Index into Plant::materials.
 using MaterialId = std::uint16_t;
 
-// How a surface looks: enough for the renderer and for glTF's metallic-roughness model (metallic 0).
+// How a surface looks: enough for the renderer and for glTF's metallic-roughness model (metallic
+// 0).
 struct Material {
     enum class Kind {
         Bark,  // Opaque tubes; the renderer and the texture maker roughen it along the axis.
@@ -24,7 +25,7 @@ struct Material {
     Kind kind = Kind::Bark;
     Vec3f base_color { 0.31f, 0.23f, 0.16f }; // sRGB as people write it, 0 to 1.
     float roughness = 0.9f;                   // 0 to 1, as in glTF 2.0 section 3.9.2.
-    float translucency = 0;                   // Share of light that passes through, 0 to 1; Leaf and Petal only.
+    float translucency = 0; // Share of light that passes through, 0 to 1; Leaf and Petal only.
 };
 
 } // namespace tractus

@@ -23,26 +23,26 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 struct Axis {
     NodeId first_node = 0;
     SegmentId first_segment = 0;
-    std::uint32_t segment_count = 0;   // At least 1; the axis has one more node than segments.
-    SegmentId parent_segment = kNone;  // The axis starts at the end of this segment; kNone: at the plant's base.
-    AxisId parent_axis = kNone;        // Whose segment that is.
-    std::uint32_t order = 0;           // 0 for the trunk; a lateral axis has its parent's order plus 1.
+    std::uint32_t segment_count = 0;  // At least 1; the axis has one more node than segments.
+    SegmentId parent_segment = kNone; // Stands on its end; kNone: stands on the ground.
+    AxisId parent_axis = kNone;       // Whose segment that is.
+    std::uint32_t order = 0; // 0 for the trunk; a lateral axis has its parent's order plus 1.
 };
 
 // A leaf, flower, fruit: an instance of one of the plant's organ shapes.
 struct Organ {
     OrganShapeId shape = 0;
-    SegmentId segment = kNone;         // Rides on the end of this segment; kNone: stands on the ground.
+    SegmentId segment = kNone; // Rides on the end of this segment; kNone: stands on the ground.
     Vec3 position_mm = Vec3::Zero();
     Quat orientation = Quat::Identity(); // Takes the organ's frame (organ_shape.h) to the plant's.
-    Vec3f scale = Vec3f::Ones();       // Along the organ's own axes.
+    Vec3f scale = Vec3f::Ones();         // Along the organ's own axes.
 };
 
 // A filled polygon that the turtle drew. Flat or nearly so; at least three vertices.
 struct Polygon {
-    std::uint32_t first_vertex = 0;    // Into Plant::polygon_vertices_mm.
+    std::uint32_t first_vertex = 0; // Into Plant::polygon_vertices_mm.
     std::uint32_t vertex_count = 0;
-    SegmentId segment = kNone;         // Rides on the end of this segment.
+    SegmentId segment = kNone; // Rides on the end of this segment.
     MaterialId material = 0;
 };
 
@@ -53,9 +53,9 @@ struct Polygon {
 // are contiguous and complete, every index is in range, every number is finite.
 struct Plant {
     std::vector<Axis> axes;
-    std::vector<Vec3> node_position_mm;        // One per node.
-    std::vector<float> node_radius_mm;         // One per node; 0 or more.
-    std::vector<MaterialId> segment_material;  // One per segment.
+    std::vector<Vec3> node_position_mm;       // One per node.
+    std::vector<float> node_radius_mm;        // One per node; 0 or more.
+    std::vector<MaterialId> segment_material; // One per segment.
     std::vector<Organ> organs;
     std::vector<Polygon> polygons;
     std::vector<Vec3> polygon_vertices_mm;
@@ -67,7 +67,8 @@ struct Plant {
     // The nodes of an axis, base first.
     std::span<Vec3 const> positions(Axis const& axis) const
     {
-        return std::span(node_position_mm).subspan(axis.first_node, axis.segment_count + std::size_t { 1 });
+        return std::span(node_position_mm)
+            .subspan(axis.first_node, axis.segment_count + std::size_t { 1 });
     }
 };
 

@@ -10,16 +10,17 @@ namespace tractus {
 // World frame: right-handed, +x right, +y away from the user, +z up, origin on the desk under the
 // tablet's centre at the rig's zero height, millimetres.
 struct TipSample {
-    Timestamp time {};                    // When the pen was there: the tablet's latency is already taken off.
-    Vec3 position_mm = Vec3::Zero();      // World frame.
-    double pressure = 0;                  // 0 to 1; 1 while touching where the tablet measures none.
-    bool touching = false;                // The tip (or the eraser's end) is down.
-    bool eraser = false;                  // The eraser's end points at the tablet.
+    Timestamp time {}; // When the pen was there: the tablet's latency is already taken off.
+    Vec3 position_mm = Vec3::Zero(); // World frame.
+    double pressure = 0;             // 0 to 1; 1 while touching where the tablet measures none.
+    bool touching = false;           // The tip (or the eraser's end) is down.
+    bool eraser = false;             // The eraser's end points at the tablet.
 
     // How the height was found.
     enum class Height {
         Interpolated, // Between two readings: final.
-        Extrapolated, // Carried on from the last one: for live ink, replaced when later readings come.
+        Extrapolated, // Carried on from the last one: for live ink, replaced when later readings
+                      // come.
     };
     Height height = Height::Interpolated;
 };

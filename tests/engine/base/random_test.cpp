@@ -6,7 +6,8 @@
 namespace tractus {
 namespace {
 
-// Known answers published with the reference implementation (Random123, kat_vectors, philox4x32 10).
+// Known answers published with the reference implementation (Random123, kat_vectors, philox4x32
+// 10).
 TEST(Random, GivesTheWordsOfPhilox)
 {
     EXPECT_EQ(random_block({}, 0),
@@ -48,8 +49,8 @@ TEST(Random, NormalHasMeanZeroAndVarianceOne)
         sum += value;
         squares += value * value;
     }
-    EXPECT_NEAR(sum / kCount, 0, 0.02);      // Standard error 0.005.
-    EXPECT_NEAR(squares / kCount, 1, 0.03);  // Standard error 0.007.
+    EXPECT_NEAR(sum / kCount, 0, 0.02);     // Standard error 0.005.
+    EXPECT_NEAR(squares / kCount, 1, 0.03); // Standard error 0.007.
 }
 
 TEST(Random, StreamsWithDifferentKeysDiffer)

@@ -1,0 +1,50 @@
+# Shared by app/run and tests/run; source it from the root of the repository.
+
+# Prints the packages of one part of app/packages.
+packages_of() {
+    sed -n "/^\[$1\]/,/^\[/{/^[a-z]/p}" app/packages
+}
+
+# True if a package is there, or what it brings: npm also comes with other builds of Node.js.
+have_package() {
+    case $1 in
+    npm) command -v npm >/dev/null ;;
+    *) [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ] ;;
+    esac
+}
+
+# Installs what is missing of the named parts; asks for root only if something is.
+install_packages() {
+    local part package missing=()
+    for part in "$@"; do
+        for package in $(packages_of "$part"); do
+            have_package "$package" || missing+=("$package")
+        done
+    done
+    [ ${#missing[@]} -gt 0 ] || return 0
+
+    local root=()
+    if [ "$(id -u)" -ne 0 ]; then
+        if ! command -v sudo >/dev/null; then
+            echo "error: these packages are missing and need root to install: ${missing[*]}" >&2
+            return 1
+        fi
+        root=(sudo)
+    fi
+    echo "Installing: ${missing[*]}"
+    "${root[@]}" apt-get update -qq
+    "${root[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# Configures a preset if it has not been, and builds the given targets, or all.
+build_preset() {
+    local preset=$1
+    shift
+    if [ ! -f "build/$preset/build.ninja" ]; then
+        cmake --preset "$preset" "${cmake_options[@]}" --log-level=WARNING >/dev/null
+    fi
+    cmake --build "build/$preset" ${1:+--target "$@"} | { grep -v 'no work to do' || true; }
+}
+
+cmake_options=() # What the caller wants to give to cmake besides the preset.
