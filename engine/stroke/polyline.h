@@ -1,0 +1,24 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/base/vectors.h"
+#include "engine/stroke/stroke.h"
+
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+// The places of a stroke's tips, in order, without those that repeat the one before.
+//
+// Refuses, in a sentence, a stroke that has no direction: one with a number in it that is not
+// finite, or with fewer than two distinct points. A stroke that ends where it began is fine.
+Result<std::vector<Vec3>> stroke_points(Stroke const& stroke);
+
+// The same for bare points.
+Result<std::vector<Vec3>> distinct_points(std::span<Vec3 const> points);
+
+// Length along the points.
+double polyline_length_mm(std::span<Vec3 const> points);
+
+} // namespace tractus

@@ -1,0 +1,63 @@
+#include "engine/stroke/resample.h"
+
+#include "engine/base/check.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace tractus {
+
+ArcLength::ArcLength(std::span<Vec3 const> points)
+    : points_(points.begin(), points.end())
+{
+    CHECK(!points_.empty());
+    length_to_mm_.reserve(points_.size());
+    length_to_mm_.push_back(0);
+    for (std::size_t i = 1; i < points_.size(); ++i)
+        length_to_mm_.push_back(length_to_mm_.back() + (points_[i] - points_[i - 1]).norm());
+}
+
+Vec3 ArcLength::at(double fraction) const
+{
+    if (fraction <= 0)
+        return points_.front();
+    if (fraction >= 1)
+        return points_.back();
+    double const wanted_mm = fraction * length_mm();
+    auto const after = std::lower_bound(length_to_mm_.begin() + 1, length_to_mm_.end(), wanted_mm);
+    if (after == length_to_mm_.end())
+        return points_.back();
+    auto const i = static_cast<std::size_t>(after - length_to_mm_.begin());
+    double const span_mm = length_to_mm_[i] - length_to_mm_[i - 1];
+    if (span_mm <= 0)
+        return points_[i];
+    double const share = (wanted_mm - length_to_mm_[i - 1]) / span_mm;
+    return points_[i - 1] + share * (points_[i] - points_[i - 1]);
+}
+
+std::vector<Vec3> resample(std::span<Vec3 const> points, std::size_t count)
+{
+    CHECK(count >= 2);
+    ArcLength const curve(points);
+    std::vector<Vec3> even(count);
+    for (std::size_t i = 0; i < count; ++i)
+        even[i] = curve.at(static_cast<double>(i) / static_cast<double>(count - 1));
+    return even;
+}
+
+std::vector<Vec3> resample_to_lengths(ArcLength const& curve, std::span<double const> lengths)
+{
+    double const total = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+    CHECK(total > 0);
+    std::vector<Vec3> points;
+    points.reserve(lengths.size() + 1);
+    points.push_back(curve.at(0));
+    double sum = 0;
+    for (auto const length : lengths) {
+        sum += length;
+        points.push_back(curve.at(sum / total));
+    }
+    return points;
+}
+
+} // namespace tractus

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "engine/base/vectors.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+// A polyline that is asked for its point at a share of its length. Repeated points do no harm.
+class ArcLength {
+public:
+    // At least one point, all finite.
+    explicit ArcLength(std::span<Vec3 const> points);
+
+    double length_mm() const { return length_to_mm_.back(); }
+
+    // The point at `fraction` of the length, 0 the first point and 1 the last; outside of that the
+    // nearest end. Where all points are equal: that point. O(log points).
+    Vec3 at(double fraction) const;
+
+private:
+    std::vector<Vec3> points_;
+    std::vector<double> length_to_mm_; // Along the polyline to each point.
+};
+
+// `count` points (at least 2) at equal distances along `points`, both ends among them.
+std::vector<Vec3> resample(std::span<Vec3 const> points, std::size_t count);
+
+// The points that divide `points` in the ratio of `lengths` (not negative, with a sum above 0): one
+// more than there are lengths, both ends among them. Matching arc lengths is how a stroke is laid
+// along a branch's segments.
+std::vector<Vec3> resample_to_lengths(ArcLength const& curve, std::span<double const> lengths);
+
+} // namespace tractus

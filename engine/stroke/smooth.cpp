@@ -1,0 +1,36 @@
+#include "engine/stroke/smooth.h"
+
+#include "engine/base/check.h"
+#include "engine/stroke/resample.h"
+#include "engine/stroke/subdivision.h"
+
+namespace tractus {
+
+// What remains of a line after all rounds backwards: enough for a helix of three turns.
+constexpr std::size_t kControlPoints = 18;
+
+std::vector<Vec3> smooth_hand(std::span<Vec3 const> points, double kept_hand)
+{
+    CHECK(points.size() >= 2);
+    CHECK(kept_hand >= 0 && kept_hand <= 1);
+    if (kept_hand == 1)
+        return { points.begin(), points.end() };
+
+    // A round takes n points to 2n - 2, so these counts come back to kControlPoints exactly.
+    int rounds = 1;
+    std::size_t count = 2 * kControlPoints - 2;
+    for (; count < points.size(); ++rounds)
+        count = 2 * count - 2;
+
+    auto const drawn = resample(points, count);
+    auto curve = drawn;
+    for (int round = 0; round < rounds; ++round)
+        curve = reverse_subdivide(curve);
+    for (int round = 0; round < rounds; ++round)
+        curve = subdivide(curve);
+    for (std::size_t i = 0; i < curve.size(); ++i)
+        curve[i] += kept_hand * (drawn[i] - curve[i]);
+    return curve;
+}
+
+} // namespace tractus

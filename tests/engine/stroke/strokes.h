@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/base/random.h"
+#include "engine/stroke/stroke.h"
+
+#include <vector>
+
+namespace tractus {
+
+// A stroke through `points`, 5 ms apart.
+inline Stroke stroke_of(std::vector<Vec3> const& points)
+{
+    Stroke stroke;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        stroke.tips.push_back({ .time = timestamp_ns(static_cast<std::int64_t>(i) * 5'000'000),
+                                .position_mm = points[i],
+                                .pressure = 0.5,
+                                .touching = true });
+    return stroke;
+}
+
+// A gentle S of about 300 mm that starts straight up.
+inline std::vector<Vec3> s_curve(int points)
+{
+    std::vector<Vec3> curve;
+    for (int i = 0; i < points; ++i) {
+        double const t = i / (points - 1.0);
+        curve.push_back({ 60 * std::sin(2 * kPi * t) * t * t, 40 * t * t * t, 280 * t });
+    }
+    return curve;
+}
+
+// `points` moved by a trembling hand: each coordinate by a normal number of `tremor_mm`.
+inline std::vector<Vec3> trembling(std::vector<Vec3> points, double tremor_mm)
+{
+    Random random({ .seed = 11 });
+    for (auto& point : points)
+        point += tremor_mm * Vec3(random.normal(), random.normal(), random.normal());
+    return points;
+}
+
+} // namespace tractus
