@@ -1,0 +1,133 @@
+#include "calib/fuser.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace tractus {
+
+Fuser::Fuser(Rig const& rig)
+    : rig_(rig)
+    , T_world_tablet_(tractus::T_world_tablet(rig))
+    , heights_(kPatience + rig.max_height_age + HeightTrack::kHalfWidth)
+{
+}
+
+Fuser::Fuser(Rig const& rig, ScriptedHeight const& height)
+    : Fuser(rig)
+{
+    scripted_ = height;
+}
+
+// Pens that report no pressure press fully while they touch.
+static double pressure(PenSample const& pen)
+{
+    return pen.pressure ? std::clamp(*pen.pressure, 0.0, 1.0) : (pen.touching ? 1.0 : 0.0);
+}
+
+TipSample Fuser::tip(PenSample const& pen, HeightTrack::Estimate const& height) const
+{
+    Vec3 const tablet_mm(pen.position_mm.x(), pen.position_mm.y(), height.height_mm);
+    return {
+        .time = instant(pen),
+        .position_mm = T_world_tablet_ * tablet_mm,
+        .pressure = pressure(pen),
+        .touching = pen.touching,
+        .eraser = pen.eraser,
+        .height = height.kind,
+    };
+}
+
+std::optional<HeightTrack::Estimate> Fuser::height_at(PenSample const& pen) const
+{
+    if (!scripted_)
+        return heights_.at(instant(pen), rig_.max_height_age);
+    double const height = height_mm(scripted_->scenario, pen.time - scripted_->first_pen,
+                                    scripted_->last_pen - scripted_->first_pen);
+    return HeightTrack::Estimate { height, TipSample::Height::Interpolated };
+}
+
+// Whether later readings, should they come in order, cannot change the height at `pen` any more.
+bool Fuser::has_all_readings(PenSample const& pen) const
+{
+    return scripted_
+        || (!heights_.empty() && heights_.newest() >= instant(pen) + HeightTrack::kHalfWidth);
+}
+
+void Fuser::push(HeightSample const& sample)
+{
+    ++counts_.heights;
+    if (scripted_)
+        return;
+    bool const ours = sample.full_scale == rig_.full_scale_counts && sample.counts >= 0
+        && sample.counts <= sample.full_scale;
+    auto const height = ours ? height_mm(rig_.height_model, sample.counts) : std::nullopt;
+    if (!height) {
+        ++counts_.heights_refused;
+        return;
+    }
+    if (sample.counts < rig_.calibrated_min_counts || sample.counts > rig_.calibrated_max_counts)
+        ++counts_.heights_uncalibrated;
+    heights_.add(sample.time - rig_.height_latency, *height);
+    settle_ready();
+}
+
+// A stroke must not lead across samples that were left out.
+static void lift_after_gap(TipSample& tip, bool& gap)
+{
+    if (std::exchange(gap, false)) {
+        tip.touching = false;
+        tip.pressure = 0;
+    }
+}
+
+std::optional<TipSample> Fuser::push(PenSample const& pen)
+{
+    ++counts_.pens;
+    pending_.push_back(pen);
+    settle_ready();
+
+    auto const height = height_at(pen);
+    if (!height) {
+        gap_before_live_ = true;
+        return std::nullopt;
+    }
+    auto live = tip(pen, *height);
+    if (!has_all_readings(pen))
+        live.height = TipSample::Height::Extrapolated;
+    lift_after_gap(live, gap_before_live_);
+    return live;
+}
+
+void Fuser::settle_ready()
+{
+    // A pen sample that has waited so long has lost its heights. (Or the clock has jumped back.)
+    auto const given_up = [&](PenSample const& pen) {
+        return std::chrono::abs(pending_.back().time - pen.time) > kPatience + rig_.max_height_age;
+    };
+    while (!pending_.empty() && (has_all_readings(pending_.front()) || given_up(pending_.front())))
+        settle_next();
+}
+
+void Fuser::settle_next()
+{
+    auto const& pen = pending_.front();
+    if (auto const height = height_at(pen)) {
+        settled_.push_back(tip(pen, *height));
+        lift_after_gap(settled_.back(), gap_before_settled_);
+        ++counts_.settled;
+    } else {
+        gap_before_settled_ = true;
+        ++counts_.pens_without_height;
+    }
+    pending_.pop_front();
+}
+
+std::vector<TipSample> Fuser::take_settled() { return std::exchange(settled_, {}); }
+
+void Fuser::flush()
+{
+    while (!pending_.empty())
+        settle_next();
+}
+
+} // namespace tractus

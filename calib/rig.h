@@ -1,0 +1,41 @@
+#pragma once
+
+#include "calib/height_model.h"
+#include "engine/base/time.h"
+#include "engine/base/vectors.h"
+
+#include <cstdint>
+
+namespace tractus {
+
+// What calibration found out about one rig: how its two sensors' readings become a place in the
+// world. rig_file.h keeps it in a file. The default is a rig that exists nowhere, for tests and for
+// logs without a height sensor.
+struct Rig {
+    // The height sensor.
+    HeightModel height_model = LinearHeight {};
+    std::int32_t full_scale_counts
+        = 4095;                       // The converter's greatest reading. Readings of a converter
+                                      // with another one are not this rig's and are refused.
+    double calibrated_min_counts = 0; // Where the model was fitted. Readings outside are used, and
+    double calibrated_max_counts = 4095; // counted by the fuser, for they are guesses.
+    Duration height_latency {};          // From the height's being so to its report's arrival.
+
+    // The tablet.
+    Vec2 tablet_size_mm = Vec2(254, 159); // Its active area.
+    Duration tablet_latency {};           // From the pen's being there to its report's arrival.
+    double rotation_deg = 0; // Of the tablet on its carriage, counterclockwise seen from above. In
+                             // degrees since the file is, and its round trip is exact.
+    Vec2 travel_shear
+        = Vec2::Zero(); // How far the carriage drifts to +x and +y per millimetre that it rises.
+
+    // How long one height reading stands for the height before and after it.
+    Duration max_height_age = std::chrono::milliseconds(50);
+};
+
+// Takes (x, y, height) to the world frame: x and y in the tablet frame, height over the carriage's
+// zero, all in millimetres. The tablet turns about its centre, which is over the world's origin at
+// height zero.
+Eigen::Affine3d T_world_tablet(Rig const& rig);
+
+} // namespace tractus

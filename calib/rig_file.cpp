@@ -1,0 +1,182 @@
+#include "calib/rig_file.h"
+
+#include "calib/toml_table.h"
+#include "drivers/file.h"
+
+#include <cmath>
+#include <fmt/core.h>
+#include <limits>
+
+namespace tractus {
+
+static constexpr std::int64_t kVersion = 1;
+static constexpr std::size_t kMaxBytes = std::size_t { 1 } << 20;
+
+// Milliseconds in files; the nearest nanosecond.
+static Duration from_milliseconds(double milliseconds)
+{
+    return Duration(std::llround(milliseconds * 1e6));
+}
+
+static double to_milliseconds(Duration duration)
+{
+    return static_cast<double>(duration.count()) / 1e6;
+}
+
+static Result<Duration> duration_ms(TomlTable& table, std::string_view key, NumberRange range)
+{
+    constexpr double kLongest_ms = 60'000;
+    double const milliseconds = TRY(table.number(key, range));
+    if (milliseconds > kLongest_ms)
+        return table.wrong(
+            key, fmt::format("is {}, expected at most a minute ({})", milliseconds, kLongest_ms));
+    return from_milliseconds(milliseconds);
+}
+
+static Result<HeightModel> parse_linear(TomlTable& table)
+{
+    LinearHeight model;
+    model.mm_per_count = TRY(table.number("mm_per_count", NumberRange::Positive));
+    model.zero_counts = TRY(table.number("zero_counts"));
+    return model;
+}
+
+static Result<HeightModel> parse_string(TomlTable& table)
+{
+    StringHeight model;
+    model.mm_per_count = TRY(table.number("mm_per_count", NumberRange::Positive));
+    model.zero_length_mm = TRY(table.number("zero_length_mm"));
+    model.offset_mm = TRY(table.number("offset_mm", NumberRange::NotNegative));
+    model.base_mm = TRY(table.number("base_mm", NumberRange::NotNegative));
+    return model;
+}
+
+// The models by their names in the file.
+struct NamedModel {
+    std::string_view name;
+    Result<HeightModel> (*parse)(TomlTable&);
+};
+
+static constexpr NamedModel kModels[] = {
+    { "linear", parse_linear },
+    { "string", parse_string },
+};
+
+static Result<HeightModel> parse_model(TomlTable& table)
+{
+    std::vector<std::string_view> names;
+    for (auto const& model : kModels)
+        names.push_back(model.name);
+    return kModels[TRY(table.word("model", names))].parse(table);
+}
+
+static Result<void> parse_height(TomlTable& table, Rig& rig)
+{
+    rig.height_model = TRY(parse_model(table));
+
+    auto const full_scale = TRY(table.integer("full_scale_counts", NumberRange::Positive));
+    if (full_scale > std::numeric_limits<std::int32_t>::max())
+        return table.wrong("full_scale_counts", "is too large, expected at most 32 bits");
+    rig.full_scale_counts = static_cast<std::int32_t>(full_scale);
+
+    auto const range = TRY(table.vec2("calibrated_counts"));
+    if (!(range.x() < range.y()))
+        return table.wrong("calibrated_counts", "is empty, expected [least, greatest]");
+    rig.calibrated_min_counts = range.x();
+    rig.calibrated_max_counts = range.y();
+
+    rig.height_latency = TRY(duration_ms(table, "latency_ms", NumberRange::NotNegative));
+    if (table.has("max_age_ms"))
+        rig.max_height_age = TRY(duration_ms(table, "max_age_ms", NumberRange::Positive));
+    return table.refuse_unknown_keys();
+}
+
+static Result<void> parse_tablet(TomlTable& table, Rig& rig)
+{
+    rig.tablet_size_mm = TRY(table.vec2("size_mm", NumberRange::Positive));
+    rig.tablet_latency = TRY(duration_ms(table, "latency_ms", NumberRange::NotNegative));
+    rig.rotation_deg = TRY(table.number_or("rotation_deg", 0));
+    rig.travel_shear = TRY(table.vec2_or("travel_shear", Vec2::Zero()));
+    return table.refuse_unknown_keys();
+}
+
+Result<Rig> parse_rig(std::string_view text, std::string const& file)
+{
+    auto root = TRY(TomlTable::parse(text, file));
+    auto const version = TRY(root.integer("version", NumberRange::Positive));
+    if (version > kVersion)
+        return root.wrong("version",
+                          fmt::format("is {}, expected at most {}: a later tractus wrote "
+                                      "this file, so use that one to read it",
+                                      version, kVersion));
+    Rig rig;
+    auto height = TRY(root.table("height"));
+    TRY(parse_height(height, rig));
+    auto tablet = TRY(root.table("tablet"));
+    TRY(parse_tablet(tablet, rig));
+    TRY(root.refuse_unknown_keys());
+    return rig;
+}
+
+static std::string print_model(LinearHeight const& model)
+{
+    return fmt::format(R"(model = "linear"     # height = mm_per_count * (counts - zero_counts)
+mm_per_count = {}
+zero_counts = {}
+)",
+                       model.mm_per_count, model.zero_counts);
+}
+
+static std::string print_model(StringHeight const& model)
+{
+    return fmt::format(
+        R"(model = "string"     # A string that runs aslant to a spool beside the carriage's way:
+                     # length = mm_per_count * counts + zero_length_mm
+                     # height = sqrt(length^2 - offset_mm^2) - base_mm
+mm_per_count = {}    # String per count.
+zero_length_mm = {}  # String at reading 0.
+offset_mm = {}       # From the spool across to the way of the string's end.
+base_mm = {}         # From the spool up to the string's end at height zero.
+)",
+        model.mm_per_count, model.zero_length_mm, model.offset_mm, model.base_mm);
+}
+
+std::string print_rig(Rig const& rig)
+{
+    auto const model
+        = std::visit([](auto const& kind) { return print_model(kind); }, rig.height_model);
+    return fmt::format(
+        R"(# A rig: what calibration found out about one tractus. Lengths are millimetres, times milliseconds,
+# angles degrees, counts what the height sensor's converter reads.
+version = {}
+
+[height]
+{}full_scale_counts = {}            # The converter's greatest reading.
+calibrated_counts = [{}, {}]  # Where the model was fitted.
+latency_ms = {}               # From the height's being so to its report's arrival.
+max_age_ms = {}               # How long a reading stands for the height.
+
+[tablet]
+size_mm = [{}, {}]            # The active area: width, depth.
+latency_ms = {}               # From the pen's being there to its report's arrival.
+rotation_deg = {}             # Of the tablet on its carriage, counterclockwise seen from above.
+travel_shear = [{}, {}]       # Drift to the right and away from the user per millimetre of rise.
+)",
+        kVersion, model, rig.full_scale_counts, rig.calibrated_min_counts,
+        rig.calibrated_max_counts, to_milliseconds(rig.height_latency),
+        to_milliseconds(rig.max_height_age), rig.tablet_size_mm.x(), rig.tablet_size_mm.y(),
+        to_milliseconds(rig.tablet_latency), rig.rotation_deg, rig.travel_shear.x(),
+        rig.travel_shear.y());
+}
+
+Result<Rig> load_rig(std::filesystem::path const& path)
+{
+    return parse_rig(TRY(read_file(path, kMaxBytes)), path.string());
+}
+
+Result<void> save_rig(Rig const& rig, std::filesystem::path const& path)
+{
+    return write_file(path, print_rig(rig));
+}
+
+} // namespace tractus

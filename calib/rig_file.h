@@ -1,0 +1,27 @@
+#pragma once
+
+#include "calib/rig.h"
+#include "engine/base/result.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace tractus {
+
+// A rig in a file (.rig.toml): TOML with the units in its keys, angles in degrees. Print a rig to
+// see all keys with what they mean; these may be left out: tablet.rotation_deg,
+// tablet.travel_shear, height.max_age_ms.
+
+// The rig that `text` describes. Fails as the user's fault, naming `file` and the line, for what is
+// not TOML, a missing, unknown or wrong key, and a version later than this program's.
+Result<Rig> parse_rig(std::string_view text, std::string const& file);
+
+// The text for a rig. parse_rig() gives the same rig back, to the last bit.
+std::string print_rig(Rig const& rig);
+
+Result<Rig> load_rig(std::filesystem::path const& path);
+
+Result<void> save_rig(Rig const& rig, std::filesystem::path const& path);
+
+} // namespace tractus

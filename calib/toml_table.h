@@ -1,0 +1,88 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/base/vectors.h"
+
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <toml++/toml.h>
+#include <vector>
+
+namespace tractus {
+
+// Which numbers a key takes; infinities and NaN never.
+enum class NumberRange {
+    Any,
+    Positive,    // Greater than 0.
+    NotNegative, // 0 or more.
+};
+
+// One table of a TOML file that people write, read key by key. Every error is the user's and names
+// the file, the line, the key, what was there and what was expected:
+//
+//     my.rig.toml:7: height.mm_per_count is -0.1, expected a number greater than 0
+//
+// Reading a key marks it as known; refuse_unknown_keys() then finds the misspelt ones.
+class TomlTable {
+public:
+    // `name` is the file's, for errors.
+    static Result<TomlTable> parse(std::string_view text, std::string name);
+
+    bool has(std::string_view key);
+
+    Result<double> number(std::string_view key, NumberRange range = NumberRange::Any);
+    Result<double> number_or(std::string_view key, double fallback,
+                             NumberRange range = NumberRange::Any);
+    Result<std::int64_t> integer(std::string_view key, NumberRange range = NumberRange::Any);
+    Result<std::string> text(std::string_view key);
+
+    // The text's place in `words`.
+    Result<std::size_t> word(std::string_view key, std::vector<std::string_view> const& words);
+
+    // An array of exactly two or three numbers.
+    Result<Vec2> vec2(std::string_view key, NumberRange range = NumberRange::Any);
+    Result<Vec2> vec2_or(std::string_view key, Vec2 const& fallback);
+    Result<Vec3> vec3(std::string_view key);
+
+    // An array of arrays of three numbers.
+    Result<std::vector<Vec3>> vec3_list(std::string_view key);
+
+    Result<TomlTable> table(std::string_view key);
+
+    // The tables [[key]], in their order; at least one. Their errors count from 1: gesture[1].
+    Result<std::vector<TomlTable>> tables(std::string_view key);
+
+    // Fails for the first key that nobody has asked for.
+    Result<void> refuse_unknown_keys() const;
+
+    // The error for a key whose value the caller does not accept: "FILE:LINE: KEY " and `problem`.
+    tl::unexpected<Error> wrong(std::string_view key, std::string_view problem) const;
+
+private:
+    struct Document {
+        std::string name;
+        toml::table root;
+    };
+
+    TomlTable(std::shared_ptr<Document const> document, toml::table const& table, std::string path)
+        : document_(std::move(document))
+        , table_(&table)
+        , path_(std::move(path))
+    {
+    }
+
+    Result<toml::node const*> find(std::string_view key, std::string_view expected);
+    std::string path_of(std::string_view key) const;
+    Result<std::vector<double>> numbers(std::string_view key, std::size_t count, NumberRange range);
+
+    std::shared_ptr<Document const>
+        document_; // Shared by the tables of one file: they all point into it.
+    toml::table const* table_ = nullptr;
+    std::string path_; // Of the table: "height", "gesture[2]"; empty for the whole file.
+    std::set<std::string, std::less<>> known_;
+};
+
+} // namespace tractus

@@ -1,0 +1,283 @@
+#include "calib/fuser.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+using namespace std::chrono_literals;
+
+// 1 count is 0.1 mm; the tablet's corner is at (-100, -50).
+Rig const kRig {
+    .height_model = LinearHeight { .mm_per_count = 0.1 },
+    .height_latency = 3ms,
+    .tablet_size_mm = { 200, 100 },
+    .tablet_latency = 8ms,
+};
+
+Timestamp at(Duration time) { return Timestamp(time); }
+
+HeightSample height(Duration time, int counts)
+{
+    return { .time = at(time), .counts = counts, .full_scale = 4095 };
+}
+
+PenSample pen(Duration time, Vec2 position_mm = { 0, 0 })
+{
+    PenSample sample;
+    sample.time = at(time);
+    sample.position_mm = position_mm;
+    sample.in_range = sample.touching = true;
+    return sample;
+}
+
+// The carriage rises 1,000 counts (100 mm) a second from time 0: readings each 2 ms.
+void push_rise(Fuser& fuser, Duration from, Duration to)
+{
+    for (auto time = from; time < to; time += 2ms)
+        fuser.push(height(time + kRig.height_latency, static_cast<int>(time / 1ms)));
+}
+
+TEST(Fuser, HasNoTipUntilAHeightHasCome)
+{
+    Fuser fuser(kRig);
+    EXPECT_FALSE(fuser.push(pen(10ms)));
+    fuser.push(height(10ms, 100));
+    EXPECT_TRUE(fuser.push(pen(11ms)));
+}
+
+TEST(Fuser, TakesBothLatenciesOff)
+{
+    Fuser fuser(kRig);
+    push_rise(fuser, 0ms, 200ms);
+    auto const tip = fuser.push(pen(108ms)); // The pen was there at 100 ms, at 100 counts.
+    ASSERT_TRUE(tip);
+    EXPECT_EQ(tip->time, at(100ms));
+    EXPECT_NEAR(tip->position_mm.z(), 10, 1e-9);
+    EXPECT_EQ(tip->height, TipSample::Height::Interpolated);
+}
+
+TEST(Fuser, PutsTheTipInTheWorld)
+{
+    auto rig = kRig;
+    rig.rotation_deg = 90;
+    rig.travel_shear = { 0.1, 0 };
+    Fuser fuser(rig);
+    fuser.push(height(8ms, 1000));
+    auto const tip = fuser.push(pen(10ms, { 200, 50 }));
+    ASSERT_TRUE(tip);
+    EXPECT_LT((tip->position_mm - Vec3(10, 100, 100)).norm(), 1e-9) << tip->position_mm.transpose();
+}
+
+TEST(Fuser, CarriesTheHeightOnForLiveInk)
+{
+    Fuser fuser(kRig);
+    push_rise(fuser, 0ms, 101ms);            // Up to 100 ms.
+    auto const tip = fuser.push(pen(118ms)); // The pen was there at 110 ms.
+    ASSERT_TRUE(tip);
+    EXPECT_NEAR(tip->position_mm.z(), 11, 1e-9);
+    EXPECT_EQ(tip->height, TipSample::Height::Extrapolated);
+}
+
+TEST(Fuser, HasNoLiveTipWhenTheLastHeightIsTooOld)
+{
+    Fuser fuser(kRig);
+    push_rise(fuser, 0ms, 101ms);
+    EXPECT_TRUE(fuser.push(pen(158ms)));
+    EXPECT_FALSE(fuser.push(pen(159ms)));
+}
+
+TEST(Fuser, SettlesATipOnceReadingsSurroundIt)
+{
+    Fuser fuser(kRig);
+    push_rise(fuser, 0ms, 100ms);
+    auto const live = fuser.push(pen(108ms));
+    EXPECT_TRUE(fuser.take_settled().empty());
+    for (int i = 0; i < 15; ++i) // The carriage stops at 100 ms, which nobody could foresee.
+        fuser.push(height(103ms + i * 2ms, 100));
+    auto const settled = fuser.take_settled();
+    ASSERT_EQ(settled.size(), 1u);
+    EXPECT_EQ(settled[0].height, TipSample::Height::Interpolated);
+    EXPECT_EQ(settled[0].time, live->time);
+    EXPECT_LT(settled[0].position_mm.z(), 10);
+    EXPECT_TRUE(fuser.take_settled().empty());
+}
+
+TEST(Fuser, SettlesTheRestAtTheEndOfALog)
+{
+    Fuser fuser(kRig);
+    push_rise(fuser, 0ms, 101ms);
+    for (auto time = 100ms; time <= 120ms; time += 5ms)
+        (void)fuser.push(pen(time));
+    fuser.flush();
+    auto const settled = fuser.take_settled();
+    ASSERT_EQ(settled.size(), 5u);
+    EXPECT_EQ(settled.front().height, TipSample::Height::Interpolated);
+    EXPECT_EQ(settled.back().height, TipSample::Height::Extrapolated);
+    EXPECT_NEAR(settled.back().position_mm.z(), 11.2, 1e-9);
+}
+
+TEST(Fuser, BreaksAStrokeWhereHeightsAreMissing)
+{
+    Fuser fuser(kRig);
+    std::vector<TipSample> live;
+    for (auto time = 0ms; time < 1000ms; time += 2ms) {
+        if (time < 300ms || time > 600ms)
+            fuser.push(height(time, 500));
+        if (auto const tip = time % 10ms == 0ms ? fuser.push(pen(time)) : std::nullopt)
+            live.push_back(*tip);
+    }
+    fuser.flush();
+    for (auto const& tips : { live, fuser.take_settled() }) {
+        ASSERT_GT(tips.size(), 60u);
+        std::size_t lifted = 0;
+        for (std::size_t i = 1; i < tips.size(); ++i) {
+            bool const after_gap = tips[i].time - tips[i - 1].time > 10ms;
+            EXPECT_EQ(tips[i].touching, !after_gap);
+            lifted += after_gap;
+        }
+        EXPECT_EQ(lifted, 1u);
+    }
+    auto const& counts = fuser.counts();
+    EXPECT_EQ(counts.pens, 100u);
+    EXPECT_GT(counts.pens_without_height, 15u);
+    EXPECT_EQ(counts.settled + counts.pens_without_height, counts.pens);
+}
+
+TEST(Fuser, GivesUpPensWhoseHeightsDoNotCome)
+{
+    Fuser fuser(kRig);
+    for (auto time = 0ms; time < 100s; time += 5ms)
+        (void)fuser.push(pen(time));
+    EXPECT_GT(fuser.counts().pens_without_height, 19'700u);
+    EXPECT_TRUE(fuser.take_settled().empty());
+}
+
+TEST(Fuser, DoesNotDependOnHowTheSensorsInterleave)
+{
+    Fuser pens_first(kRig);
+    Fuser heights_first(kRig);
+    for (auto time = 500ms; time < 900ms; time += 5ms)
+        (void)pens_first.push(pen(time));
+    push_rise(pens_first, 0ms, 1000ms);
+    push_rise(heights_first, 0ms, 1000ms);
+    for (auto time = 500ms; time < 900ms; time += 5ms)
+        (void)heights_first.push(pen(time));
+    auto const a = pens_first.take_settled();
+    auto const b = heights_first.take_settled();
+    ASSERT_EQ(a.size(), 80u);
+    ASSERT_EQ(b.size(), a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(a[i].position_mm, b[i].position_mm);
+        EXPECT_EQ(a[i].time, b[i].time);
+    }
+}
+
+TEST(Fuser, SurvivesHeightsLateTwiceAndBackwards)
+{
+    Fuser in_order(kRig);
+    Fuser shuffled(kRig);
+    push_rise(in_order, 0ms, 1000ms);
+    for (auto block = 0ms; block < 1000ms;
+         block += 10ms) // Each five backwards, the middle one twice.
+        for (auto late : { 8ms, 6ms, 4ms, 4ms, 2ms, 0ms })
+            push_rise(shuffled, block + late, block + late + 2ms);
+    EXPECT_EQ(in_order.push(pen(508ms))->position_mm, shuffled.push(pen(508ms))->position_mm);
+    EXPECT_EQ(shuffled.counts().heights_refused, 0u);
+}
+
+TEST(Fuser, SurvivesAClockThatJumpsBack)
+{
+    Fuser fuser(kRig);
+    for (auto start : { 100s, 0s }) {
+        for (auto time = 0ms; time < 3000ms; time += 5ms) {
+            fuser.push(height(start + time, 500));
+            (void)fuser.push(pen(start + time));
+        }
+    }
+    fuser.flush();
+    EXPECT_GT(fuser.take_settled().size(), 590u);
+    EXPECT_EQ(fuser.counts().settled + fuser.counts().pens_without_height, 1200u);
+}
+
+TEST(Fuser, RefusesReadingsThatAreNotTheRigs)
+{
+    Fuser fuser(kRig);
+    fuser.push({ .time = at(1ms), .counts = 10, .full_scale = 1023 });
+    fuser.push(height(2ms, -1));
+    fuser.push(height(3ms, 4096));
+    EXPECT_EQ(fuser.counts().heights_refused, 3u);
+    EXPECT_FALSE(fuser.push(pen(10ms)));
+}
+
+TEST(Fuser, RefusesReadingsOutOfTheModelsReach)
+{
+    auto rig = kRig;
+    rig.height_model = StringHeight { .mm_per_count = 0.1, .zero_length_mm = 0, .offset_mm = 100 };
+    Fuser fuser(rig);
+    fuser.push(height(1ms, 999));
+    EXPECT_EQ(fuser.counts().heights_refused, 1u);
+    fuser.push(height(3ms, 1001));
+    EXPECT_EQ(fuser.counts().heights_refused, 1u);
+}
+
+TEST(Fuser, UsesAndCountsReadingsOutsideTheCalibratedRange)
+{
+    auto rig = kRig;
+    rig.calibrated_max_counts = 3000;
+    Fuser fuser(rig);
+    fuser.push(height(3ms, 3001));
+    EXPECT_EQ(fuser.counts().heights_uncalibrated, 1u);
+    EXPECT_NEAR(fuser.push(pen(8ms))->position_mm.z(), 300.1, 1e-9);
+}
+
+TEST(Fuser, TakesThePressureThatTheTabletMeasures)
+{
+    Fuser fuser(kRig);
+    fuser.push(height(0ms, 0));
+    auto sample = pen(1ms);
+    sample.pressure = 0.25;
+    EXPECT_EQ(fuser.push(sample)->pressure, 0.25);
+}
+
+TEST(Fuser, PressesFullyWhileTouchingWhereTheTabletMeasuresNone)
+{
+    Fuser fuser(kRig);
+    fuser.push(height(0ms, 0));
+    auto sample = pen(1ms);
+    EXPECT_EQ(fuser.push(sample)->pressure, 1);
+    sample.touching = false;
+    EXPECT_EQ(fuser.push(sample)->pressure, 0);
+}
+
+TEST(Fuser, KeepsTheEraserAndTheLiftedPen)
+{
+    Fuser fuser(kRig);
+    fuser.push(height(0ms, 0));
+    auto sample = pen(1ms);
+    sample.eraser = true;
+    EXPECT_TRUE(fuser.push(sample)->eraser);
+    sample.touching = sample.in_range = false;
+    auto const tip = fuser.push(sample);
+    ASSERT_TRUE(tip);
+    EXPECT_FALSE(tip->touching);
+}
+
+TEST(Fuser, TakesHeightsFromAScenarioWhereThereIsNoSensor)
+{
+    ScriptedHeight const rise { .scenario = { .kind = HeightScenario::Kind::Rise },
+                                .first_pen = at(1s),
+                                .last_pen = at(11s) };
+    Fuser fuser(kRig, rise);
+    fuser.push(height(6s, 4000));
+    auto const live = fuser.push(pen(6s));
+    ASSERT_TRUE(live);
+    EXPECT_DOUBLE_EQ(live->position_mm.z(), 200);
+    EXPECT_EQ(live->height, TipSample::Height::Interpolated);
+    auto const settled = fuser.take_settled();
+    ASSERT_EQ(settled.size(), 1u);
+    EXPECT_EQ(settled[0].position_mm, live->position_mm);
+}
+
+} // namespace
+} // namespace tractus

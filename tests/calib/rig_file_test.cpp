@@ -1,0 +1,246 @@
+#include "calib/rig_file.h"
+
+#include <filesystem>
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::string_view kText = R"(version = 1
+[height]
+model = "string"
+mm_per_count = 0.1
+zero_length_mm = 120
+offset_mm = 110
+base_mm = 80
+full_scale_counts = 4095
+calibrated_counts = [150, 3900]
+latency_ms = 3.5
+[tablet]
+size_mm = [254, 158.75]
+latency_ms = 8
+)";
+
+// kText with its first `from` replaced.
+std::string with(std::string_view from, std::string_view to)
+{
+    std::string text(kText);
+    auto const place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    return text.replace(place, from.size(), to);
+}
+
+std::string error_of(std::string const& text)
+{
+    auto const rig = parse_rig(text, "my.rig.toml");
+    if (rig)
+        return "no error";
+    EXPECT_EQ(rig.error().fault, Fault::User);
+    return rig.error().message;
+}
+
+TEST(RigFile, ReadsARig)
+{
+    auto const rig = parse_rig(kText, "my.rig.toml").value();
+    auto const& model = std::get<StringHeight>(rig.height_model);
+    EXPECT_EQ(model.mm_per_count, 0.1);
+    EXPECT_EQ(model.zero_length_mm, 120);
+    EXPECT_EQ(model.offset_mm, 110);
+    EXPECT_EQ(model.base_mm, 80);
+    EXPECT_EQ(rig.full_scale_counts, 4095);
+    EXPECT_EQ(rig.calibrated_min_counts, 150);
+    EXPECT_EQ(rig.calibrated_max_counts, 3900);
+    EXPECT_EQ(rig.height_latency, 3500us);
+    EXPECT_EQ(rig.tablet_size_mm, Vec2(254, 158.75));
+    EXPECT_EQ(rig.tablet_latency, 8ms);
+}
+
+TEST(RigFile, FillsInWhatMayBeLeftOut)
+{
+    auto const rig = parse_rig(kText, "my.rig.toml").value();
+    EXPECT_EQ(rig.rotation_deg, 0);
+    EXPECT_EQ(rig.travel_shear, Vec2(0, 0));
+    EXPECT_EQ(rig.max_height_age, 50ms);
+}
+
+void expect_same(Rig const& a, Rig const& b)
+{
+    EXPECT_EQ(print_rig(a), print_rig(b));
+    EXPECT_EQ(a.height_model.index(), b.height_model.index());
+    EXPECT_EQ(a.full_scale_counts, b.full_scale_counts);
+    EXPECT_EQ(a.calibrated_min_counts, b.calibrated_min_counts);
+    EXPECT_EQ(a.calibrated_max_counts, b.calibrated_max_counts);
+    EXPECT_EQ(a.height_latency, b.height_latency);
+    EXPECT_EQ(a.max_height_age, b.max_height_age);
+    EXPECT_EQ(a.tablet_size_mm, b.tablet_size_mm);
+    EXPECT_EQ(a.tablet_latency, b.tablet_latency);
+    EXPECT_EQ(a.rotation_deg, b.rotation_deg);
+    EXPECT_EQ(a.travel_shear, b.travel_shear);
+}
+
+// Numbers that no short decimal gives.
+Rig awkward_rig()
+{
+    return {
+        .full_scale_counts = 65535,
+        .calibrated_min_counts = 1.0 / 3,
+        .calibrated_max_counts = 1e15 + 0.125,
+        .height_latency = Duration(3'141'593),
+        .tablet_size_mm = { 254.0 / 7, 1e-7 },
+        .tablet_latency = Duration(7'999'999'999),
+        .rotation_deg = -0.1 - 0.2,
+        .travel_shear = { 1.0 / 300, -1e-300 },
+        .max_height_age = Duration(1),
+    };
+}
+
+TEST(RigFile, GivesTheSameLinearRigBack)
+{
+    auto rig = awkward_rig();
+    LinearHeight const model { .mm_per_count = 0.1 / 3, .zero_counts = -1e22 };
+    rig.height_model = model;
+    auto const back = parse_rig(print_rig(rig), "printed").value();
+    expect_same(back, rig);
+    EXPECT_EQ(std::get<LinearHeight>(back.height_model).mm_per_count, model.mm_per_count);
+    EXPECT_EQ(std::get<LinearHeight>(back.height_model).zero_counts, model.zero_counts);
+}
+
+TEST(RigFile, GivesTheSameStringRigBack)
+{
+    auto rig = awkward_rig();
+    StringHeight const model {
+        .mm_per_count = 2.0 / 21, .zero_length_mm = -0.7, .offset_mm = 1e2 / 3, .base_mm = 5e-324
+    };
+    rig.height_model = model;
+    auto const back = parse_rig(print_rig(rig), "printed").value();
+    expect_same(back, rig);
+    auto const& read = std::get<StringHeight>(back.height_model);
+    EXPECT_EQ(read.mm_per_count, model.mm_per_count);
+    EXPECT_EQ(read.zero_length_mm, model.zero_length_mm);
+    EXPECT_EQ(read.offset_mm, model.offset_mm);
+    EXPECT_EQ(read.base_mm, model.base_mm);
+}
+
+TEST(RigFile, SavesAndLoads)
+{
+    auto const path = std::filesystem::path(::testing::TempDir()) / "tractus-rig-test.rig.toml";
+    auto const rig = parse_rig(kText, "my.rig.toml").value();
+    ASSERT_TRUE(save_rig(rig, path));
+    expect_same(load_rig(path).value(), rig);
+    std::filesystem::remove(path);
+    EXPECT_EQ(load_rig(path).error().message,
+              "cannot open " + path.string() + ": No such file or directory");
+}
+
+TEST(RigFile, NamesAMissingKey)
+{
+    EXPECT_EQ(error_of(with("mm_per_count = 0.1\n", "")),
+              "my.rig.toml:2: height.mm_per_count is missing, expected a number greater than 0");
+    EXPECT_EQ(error_of(with("size_mm = [254, 158.75]\n", "")),
+              "my.rig.toml:11: tablet.size_mm is missing, expected an array of 2 numbers, each a "
+              "number greater than 0");
+    EXPECT_EQ(error_of("version = 1\n"),
+              "my.rig.toml:1: height is missing, expected a table [height]");
+    EXPECT_EQ(error_of(""),
+              "my.rig.toml:1: version is missing, expected a whole number greater than 0");
+}
+
+TEST(RigFile, RefusesEveryKeyThatIsMissing)
+{
+    for (auto const* line :
+         { "version = 1\n", "model = \"string\"\n", "mm_per_count = 0.1\n",
+           "zero_length_mm = 120\n", "offset_mm = 110\n", "base_mm = 80\n",
+           "full_scale_counts = 4095\n", "calibrated_counts = [150, 3900]\n", "latency_ms = 3.5\n",
+           "size_mm = [254, 158.75]\n", "latency_ms = 8\n" })
+        EXPECT_NE(error_of(with(line, "")).find("is missing"), std::string::npos) << line;
+}
+
+TEST(RigFile, RefusesANegativeOrZeroScale)
+{
+    EXPECT_EQ(error_of(with("0.1", "-0.1")),
+              "my.rig.toml:4: height.mm_per_count is -0.1, expected a number greater than 0");
+    EXPECT_EQ(error_of(with("0.1", "0")),
+              "my.rig.toml:4: height.mm_per_count is 0, expected a number greater than 0");
+}
+
+TEST(RigFile, RefusesWhatIsNotANumber)
+{
+    EXPECT_EQ(error_of(with("zero_length_mm = 120", "zero_length_mm = nan")),
+              "my.rig.toml:5: height.zero_length_mm is nan, expected a number");
+    EXPECT_EQ(error_of(with("zero_length_mm = 120", "zero_length_mm = inf")),
+              "my.rig.toml:5: height.zero_length_mm is inf, expected a number");
+    EXPECT_EQ(error_of(with("158.75", "nan")),
+              "my.rig.toml:12: tablet.size_mm is [254, nan], expected an array of 2 numbers, each "
+              "a number greater than 0");
+}
+
+TEST(RigFile, RefusesAWrongType)
+{
+    EXPECT_EQ(error_of(with("base_mm = 80", "base_mm = \"80\"")),
+              "my.rig.toml:7: height.base_mm is '80', expected a number of 0 or more");
+    EXPECT_EQ(error_of(with("4095", "4095.5")),
+              "my.rig.toml:8: height.full_scale_counts is 4095.5, expected a whole number greater "
+              "than 0");
+    EXPECT_EQ(error_of("version = 1\nheight = 3\n"),
+              "my.rig.toml:2: height is 3, expected a table [height]");
+    EXPECT_EQ(error_of(with("model = \"string\"", "model = {}")),
+              "my.rig.toml:3: height.model is a table, expected one of \"linear\", \"string\"");
+}
+
+TEST(RigFile, ShowsTheStartOfALongValue)
+{
+    EXPECT_EQ(
+        error_of(with("base_mm = 80", "base_mm = [[1, 2], \"" + std::string(99, 'x') + "\"]")),
+        "my.rig.toml:7: height.base_mm is [[1, 2], '" + std::string(30, 'x')
+            + " …, expected a number of 0 or more");
+}
+
+TEST(RigFile, RefusesAnUnknownModel)
+{
+    EXPECT_EQ(error_of(with("\"string\"", "\"laser\"")),
+              "my.rig.toml:3: height.model is 'laser', expected one of \"linear\", \"string\"");
+}
+
+TEST(RigFile, RefusesANewerVersion)
+{
+    EXPECT_EQ(
+        error_of(with("version = 1", "version = 2")),
+        "my.rig.toml:1: version is 2, expected at most 1: a later tractus wrote this file, so "
+        "use that one to read it");
+}
+
+TEST(RigFile, RefusesAMisspeltKey)
+{
+    auto const message = error_of(std::string(kText) + "rotaton_deg = 3\n");
+    EXPECT_EQ(message,
+              "my.rig.toml:14: tablet.rotaton_deg is not a key of this place, expected "
+              "latency_ms, rotation_deg, size_mm, travel_shear");
+}
+
+TEST(RigFile, RefusesARangeOrTimeWithoutSense)
+{
+    EXPECT_EQ(error_of(with("[150, 3900]", "[3900, 150]")),
+              "my.rig.toml:9: height.calibrated_counts is empty, expected [least, greatest]");
+    EXPECT_EQ(error_of(with("3.5", "-1")),
+              "my.rig.toml:10: height.latency_ms is -1, expected a number of 0 or more");
+    EXPECT_EQ(error_of(with("3.5", "1e300")),
+              "my.rig.toml:10: height.latency_ms is 1e+300, expected at most a minute (60000)");
+    EXPECT_EQ(error_of(with("4095", "5000000000")),
+              "my.rig.toml:8: height.full_scale_counts is too large, expected at most 32 bits");
+}
+
+TEST(RigFile, SaysWhereItIsNotToml)
+{
+    EXPECT_EQ(error_of("version = 1\n[height\n").substr(0, 28), "my.rig.toml:2:8: not TOML: E");
+}
+
+TEST(RigFile, SurvivesEveryTruncation)
+{
+    for (std::size_t size = 0; size + 2 < kText.size(); ++size)
+        EXPECT_NE(error_of(std::string(kText.substr(0, size))), "no error") << size;
+}
+
+} // namespace
+} // namespace tractus
