@@ -14,10 +14,10 @@ namespace tractus {
 // left corner.
 struct PenSample {
     Timestamp time {}; // When the report arrived; the tablet's latency is still in it.
-    Vec2 position_mm = Vec2::Zero(); // The last known position when the pen is out of range.
-    std::optional<double> pressure;  // 0 to 1; no value where the device does not say.
-    std::optional<Vec2>
-        tilt_rad; // Towards +x and towards +y from upright; no value where the device does not say.
+    Vec2 position_mm = Vec2::Zero();   // The last known position when the pen is out of range.
+    std::optional<double> pressure {}; // 0 to 1; no value where the device does not say.
+    std::optional<Vec2> tilt_rad {};   // Towards +x and towards +y from upright; no value where the
+                                       // device does not say.
     bool in_range = false;
     bool touching = false;     // Pen's or eraser's end is down; implies in_range.
     bool eraser = false;       // The eraser's end points at the tablet.
