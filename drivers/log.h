@@ -1,0 +1,90 @@
+#pragma once
+
+#include "drivers/device_info.h"
+#include "engine/base/result.h"
+#include "engine/base/time.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tractus {
+
+// A device log as values: what was plugged in, every report with its time, and what the station
+// added. The format, line by line, where the first letter decides and unknown letters are skipped:
+//
+//   # text                        a comment
+//   D: 1                          the lines below are about device 1; 0 before the first such line
+//   R: 4 05 0d 09 02              that device's report descriptor: its length, then its bytes
+//   N: Wacom CTL-472              its name
+//   P: usb-0000:00:14.0-1/input0  the kernel's path to it
+//   I: 3 056a 037a                bus, vendor and product id, hexadecimal
+//   E: 000001.250000 3 02 80 10   a report: seconds since the start, its length, then its bytes
+//   C: max_travel_mm = 400        a line of the rig's calibration, opaque here (ours)
+//   T: 000001.250000 draw trunk   a change of tool: seconds, the tool's name, the rest is the
+//   tool's (ours)
+//
+// Without C and T lines it is the hid-recorder format, so anybody's recording is a log, and other
+// readers skip our lines. See read_log for the liberties that files in the wild take.
+
+// One report. Its bytes lie in Log::bytes.
+struct LogRecord {
+    Timestamp time {};        // Since the start of the recording.
+    std::uint32_t offset = 0; // In Log::bytes.
+    std::uint16_t size = 0;
+    std::uint16_t device = 0; // Index in Log::devices.
+};
+
+// "From now on the pen means this."
+struct LogTool {
+    Timestamp time {};
+    std::string tool {};      // "select", "draw", "indicate", …: one word.
+    std::string arguments {}; // The rest of the line; the tool knows what it means.
+    std::size_t position = 0; // How many of Log::records come before it in the file.
+};
+
+// Something odd in a log that did not keep it from being read.
+struct LogWarning {
+    std::size_t line = 0; // From 1.
+    std::string message {};
+};
+
+struct Log {
+    std::string name; // Of the file, for messages.
+    std::vector<DeviceInfo> devices;
+    std::vector<LogRecord> records;   // In the file's order.
+    std::vector<std::byte> bytes;     // The reports, one after another.
+    std::vector<LogTool> tools;       // In the file's order.
+    std::string rig_text;             // The C lines, each ended by a line break; empty if none.
+    std::vector<LogWarning> warnings; // The first kMaxLogWarnings of them.
+    std::size_t warning_count = 0;    // All of them.
+
+    std::span<std::byte const> report(LogRecord const& record) const
+    {
+        return std::span(bytes).subspan(record.offset, record.size);
+    }
+};
+
+constexpr std::size_t kMaxLogWarnings = 20;
+
+// Reads a log from text at hand; `name` is what messages call it.
+//
+// Tolerates: "D:0" without a blank, device numbers with gaps, ids in any case and unpadded, times
+// with fewer or more than six digits after the point, blank lines, unknown letters, CR LF ends.
+// Skips with a warning: reports that do not have the bytes they announce or more than 512, a last
+// line without its line break that is not whole, a second, different descriptor of the same device.
+// Fails, as the user's fault, with file and line: a text without any R line, an R line whose length
+// is not the number of its bytes, a report of a device without R line.
+Result<Log> parse_log(std::string_view text, std::string_view name);
+
+// The same from a file of at most 1 GiB.
+Result<Log> read_log(std::filesystem::path const& path);
+
+// "2 warnings, the first at line 7: …" or empty: for a person to read.
+std::string summarize_warnings(Log const&);
+
+} // namespace tractus

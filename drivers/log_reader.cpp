@@ -1,0 +1,381 @@
+#include "drivers/log.h"
+
+#include "drivers/file.h"
+#include "drivers/report_source.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fmt/core.h>
+#include <limits>
+#include <optional>
+
+namespace tractus {
+
+namespace {
+
+constexpr std::size_t kMaxReportBytes = sizeof(RawReport::storage);
+constexpr std::size_t kMaxDevices = 1024;
+constexpr std::size_t kNanosecondDigits = 9;
+
+constexpr std::array<std::int8_t, 256> make_hex_table()
+{
+    std::array<std::int8_t, 256> table {};
+    table.fill(-1);
+    for (int i = 0; i < 10; ++i)
+        table[static_cast<std::size_t>('0' + i)] = static_cast<std::int8_t>(i);
+    for (int i = 0; i < 6; ++i) {
+        table[static_cast<std::size_t>('a' + i)] = static_cast<std::int8_t>(10 + i);
+        table[static_cast<std::size_t>('A' + i)] = static_cast<std::int8_t>(10 + i);
+    }
+    return table;
+}
+constexpr auto kHex = make_hex_table();
+
+int hex_digit(char c) { return kHex[static_cast<unsigned char>(c)]; }
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+// Reads one line from left to right. Each reader skips blanks first and says whether it found
+// what it was asked for.
+class LineCursor {
+public:
+    explicit LineCursor(std::string_view line)
+        : at_(line.data())
+        , end_(line.data() + line.size())
+    {
+    }
+
+    template<typename Integer> bool integer(Integer& value, int base)
+    {
+        skip_blanks();
+        auto const [next, error] = std::from_chars(at_, end_, value, base);
+        if (error != std::errc())
+            return false;
+        at_ = next;
+        return true;
+    }
+
+    // Seconds with a fraction of any length; what is finer than a nanosecond is cut off.
+    bool time(Timestamp& time)
+    {
+        constexpr std::int64_t kMaxSeconds = 9'000'000'000;
+        std::int64_t seconds = 0;
+        if (!integer(seconds, 10) || seconds < 0 || seconds > kMaxSeconds)
+            return false;
+        std::int64_t nanoseconds = 0;
+        if (at_ != end_ && *at_ == '.') {
+            ++at_;
+            std::size_t digits = 0;
+            for (; at_ != end_ && *at_ >= '0' && *at_ <= '9'; ++at_, ++digits)
+                if (digits < kNanosecondDigits)
+                    nanoseconds = nanoseconds * 10 + (*at_ - '0');
+            for (; digits < kNanosecondDigits; ++digits)
+                nanoseconds *= 10;
+        }
+        time = timestamp_ns(seconds * 1'000'000'000 + nanoseconds);
+        return true;
+    }
+
+    // Appends every byte up to the line's end. False if something else than bytes is there.
+    bool hex_bytes(std::vector<std::byte>& bytes)
+    {
+        for (;;) {
+            skip_blanks();
+            if (at_ == end_)
+                return true;
+            if (end_ - at_ < 2)
+                return false;
+            int const high = hex_digit(at_[0]);
+            int const low = hex_digit(at_[1]);
+            if ((high | low) < 0)
+                return false;
+            bytes.push_back(static_cast<std::byte>(high << 4 | low));
+            at_ += 2;
+            if (at_ != end_ && !is_blank(*at_))
+                return false;
+        }
+    }
+
+    std::string_view word()
+    {
+        skip_blanks();
+        auto const* const begin = at_;
+        while (at_ != end_ && !is_blank(*at_))
+            ++at_;
+        return { begin, static_cast<std::size_t>(at_ - begin) };
+    }
+
+    std::string_view rest()
+    {
+        skip_blanks();
+        return { at_, static_cast<std::size_t>(end_ - at_) };
+    }
+
+private:
+    void skip_blanks()
+    {
+        while (at_ != end_ && is_blank(*at_))
+            ++at_;
+    }
+
+    char const* at_;
+    char const* end_;
+};
+
+class Reader {
+public:
+    Reader(std::string_view text, std::string_view name)
+        : text_(text)
+    {
+        log_.name = name;
+        constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+        if (text_.starts_with(kByteOrderMark))
+            text_.remove_prefix(kByteOrderMark.size());
+    }
+
+    Result<Log> read();
+
+private:
+    // What is known of one device number.
+    struct Numbered {
+        std::size_t number = 0;
+        bool has_descriptor = false;
+    };
+
+    Result<void> read_line(std::string_view line);
+    Result<void> read_report(std::string_view content);
+    Result<void> read_descriptor(std::string_view content);
+    void read_device_number(std::string_view content);
+    void read_ids(std::string_view content);
+    void read_tool(std::string_view content);
+    DeviceInfo& device();
+    void warn(std::string message);
+    tl::unexpected<Error> broken(std::string const& what) const;
+
+    std::string_view text_;
+    Log log_;
+    std::vector<Numbered> numbered_;    // Beside log_.devices.
+    std::size_t number_ = 0;            // As the last D line says.
+    std::optional<std::size_t> device_; // Index of number_; none until something is said of it.
+    std::size_t line_ = 0;
+    bool is_whole_ = true; // Does the line end with a line break?
+};
+
+tl::unexpected<Error> Reader::broken(std::string const& what) const
+{
+    return fail(Fault::User, fmt::format("{}:{}: {}", log_.name, line_, what));
+}
+
+void Reader::warn(std::string message)
+{
+    if (log_.warning_count++ < kMaxLogWarnings)
+        log_.warnings.push_back({ line_, std::move(message) });
+}
+
+Result<Log> Reader::read()
+{
+    // A report of ten bytes takes some fifty characters: one allocation for most logs.
+    log_.records.reserve(text_.size() / 48);
+    log_.bytes.reserve(text_.size() / 4);
+    for (auto left = text_; !left.empty();) {
+        auto const end = left.find('\n');
+        is_whole_ = end != std::string_view::npos;
+        auto line = left.substr(0, end);
+        left.remove_prefix(is_whole_ ? end + 1 : left.size());
+        ++line_;
+        if (line.ends_with('\r'))
+            line.remove_suffix(1);
+        TRY(read_line(line));
+    }
+    if (std::none_of(numbered_.begin(), numbered_.end(),
+                     [](auto const& n) { return n.has_descriptor; }))
+        return fail(Fault::User,
+                    fmt::format("{} is not a log: none of its {} lines is a report descriptor "
+                                "(\"R: <length> <bytes>\")",
+                                log_.name, line_));
+    for (std::size_t i = 0; i < log_.devices.size(); ++i)
+        log_.devices[i].location = fmt::format("{}:device {}", log_.name, numbered_[i].number);
+    return std::move(log_);
+}
+
+Result<void> Reader::read_line(std::string_view line)
+{
+    if (line.size() < 2 || line[1] != ':')
+        return {};
+    auto const content = line.substr(2);
+    switch (line[0]) {
+    case 'E':
+        return read_report(content);
+    case 'R':
+        return read_descriptor(content);
+    case 'D':
+        read_device_number(content);
+        break;
+    case 'N':
+        device().name = LineCursor(content).rest();
+        break;
+    case 'P':
+        device().physical_path = LineCursor(content).rest();
+        break;
+    case 'I':
+        read_ids(content);
+        break;
+    case 'T':
+        read_tool(content);
+        break;
+    case 'C':
+        if (!is_whole_) {
+            warn("the last line is cut off: a line of the rig is dropped");
+            break;
+        }
+        log_.rig_text += content.starts_with(' ') ? content.substr(1) : content;
+        log_.rig_text += '\n';
+        break;
+    default:
+        break;
+    }
+    return {};
+}
+
+Result<void> Reader::read_report(std::string_view content)
+{
+    if (!device_ || !numbered_[*device_].has_descriptor)
+        return broken(fmt::format(
+            "a report of device {}, which has no report descriptor (R line) before it", number_));
+    LineCursor cursor(content);
+    Timestamp time {};
+    std::size_t size = 0;
+    auto const offset = log_.bytes.size();
+    bool const is_report
+        = cursor.time(time) && cursor.integer(size, 10) && cursor.hex_bytes(log_.bytes);
+    auto const found = log_.bytes.size() - offset;
+    if (is_report && found == size && size > 0 && size <= kMaxReportBytes) {
+        log_.records.push_back({ .time = time,
+                                 .offset = static_cast<std::uint32_t>(offset),
+                                 .size = static_cast<std::uint16_t>(size),
+                                 .device = static_cast<std::uint16_t>(*device_) });
+        return {};
+    }
+    log_.bytes.resize(offset);
+    if (!is_whole_)
+        warn("the last line is cut off: a report is dropped");
+    else if (!is_report)
+        warn("not a report (\"E: <seconds> <length> <bytes>\"): skipped");
+    else if (found != size)
+        warn(fmt::format("a report of {} bytes that announces {}: skipped", found, size));
+    else
+        warn(fmt::format("a report of {} bytes, which is not in 1 to {}: skipped", size,
+                         kMaxReportBytes));
+    return {};
+}
+
+Result<void> Reader::read_descriptor(std::string_view content)
+{
+    LineCursor cursor(content);
+    std::size_t size = 0;
+    std::vector<std::byte> bytes;
+    if (!cursor.integer(size, 10) || !cursor.hex_bytes(bytes))
+        return broken("not a report descriptor (\"R: <length> <bytes>\")");
+    if (bytes.size() != size)
+        return broken(
+            fmt::format("a report descriptor of {} bytes that announces {}", bytes.size(), size));
+    auto& info = device();
+    auto& has_descriptor = numbered_[*device_].has_descriptor;
+    if (!has_descriptor)
+        info.report_descriptor = std::move(bytes);
+    else if (info.report_descriptor != bytes)
+        warn(fmt::format("a second, different report descriptor of device {}: skipped", number_));
+    has_descriptor = true;
+    return {};
+}
+
+void Reader::read_device_number(std::string_view content)
+{
+    std::size_t number = 0;
+    if (!LineCursor(content).integer(number, 10)) {
+        warn("not a device number (\"D: <number>\"): skipped");
+        return;
+    }
+    number_ = number;
+    auto const found = std::find_if(numbered_.begin(), numbered_.end(),
+                                    [&](auto const& n) { return n.number == number; });
+    device_.reset();
+    if (found != numbered_.end())
+        device_ = static_cast<std::size_t>(found - numbered_.begin());
+}
+
+// The device that the lines are about. The last one takes what exceeds the number of devices that
+// a sane file has.
+DeviceInfo& Reader::device()
+{
+    if (!device_) {
+        if (log_.devices.size() < kMaxDevices) {
+            log_.devices.emplace_back();
+            numbered_.push_back({ .number = number_ });
+        } else {
+            warn(fmt::format("more than {} devices", kMaxDevices));
+        }
+        device_ = log_.devices.size() - 1;
+    }
+    return log_.devices[*device_];
+}
+
+void Reader::read_ids(std::string_view content)
+{
+    LineCursor cursor(content);
+    std::uint16_t bus = 0;
+    std::uint16_t vendor = 0;
+    std::uint16_t product = 0;
+    if (!cursor.integer(bus, 16) || !cursor.integer(vendor, 16) || !cursor.integer(product, 16)) {
+        warn("not a device's ids (\"I: <bus> <vendor> <product>\"): skipped");
+        return;
+    }
+    auto& info = device();
+    info.bus = bus;
+    info.vendor_id = vendor;
+    info.product_id = product;
+}
+
+void Reader::read_tool(std::string_view content)
+{
+    LineCursor cursor(content);
+    LogTool tool { .position = log_.records.size() };
+    bool const has_time = cursor.time(tool.time);
+    tool.tool = cursor.word();
+    tool.arguments = cursor.rest();
+    if (!is_whole_)
+        warn("the last line is cut off: a change of tool is dropped");
+    else if (!has_time || tool.tool.empty())
+        warn("not a change of tool (\"T: <seconds> <tool>\"): skipped");
+    else
+        log_.tools.push_back(std::move(tool));
+}
+
+} // namespace
+
+Result<Log> parse_log(std::string_view text, std::string_view name)
+{
+    if (text.size() > std::numeric_limits<std::uint32_t>::max())
+        return fail(Fault::User, fmt::format("{} is larger than 4 GiB", name));
+    return Reader(text, name).read();
+}
+
+Result<Log> read_log(std::filesystem::path const& path)
+{
+    auto const text = TRY(read_file(path));
+    return parse_log(text, path.string());
+}
+
+std::string summarize_warnings(Log const& log)
+{
+    if (log.warnings.empty())
+        return {};
+    auto const& first = log.warnings.front();
+    if (log.warning_count == 1)
+        return fmt::format("{}:{}: {}", log.name, first.line, first.message);
+    return fmt::format("{}: {} odd lines, the first is line {}: {}", log.name, log.warning_count,
+                       first.line, first.message);
+}
+
+} // namespace tractus

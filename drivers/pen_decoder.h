@@ -1,0 +1,69 @@
+#pragma once
+
+#include "drivers/device_info.h"
+#include "drivers/pen_sample.h"
+#include "drivers/report_source.h"
+#include "engine/base/result.h"
+#include "engine/base/vectors.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace tractus {
+
+// What a pen device can say, known before its first report.
+struct PenTraits {
+    Vec2 size_mm = Vec2::Zero();  // Of the active area.
+    bool is_size_assumed = false; // The device does not tell its size; see PenLayout::Size.
+    bool has_pressure = false;
+    bool has_tilt = false;
+    bool has_in_range = false; // Without it each report counts as in range.
+    bool has_eraser = false;
+    unsigned button_count = 0; // On the pen's barrel.
+
+    // The greatest values of PenSample's raw_x, raw_y and raw_pressure.
+    std::int32_t raw_x_maximum = 0;
+    std::int32_t raw_y_maximum = 0;
+    std::int32_t raw_pressure_maximum = 0;
+};
+
+// Turns one pen device's reports into samples, in order. It knows the pen's state, so each device
+// needs its own, and each replay a new one. It reads no clock: the same reports give the same
+// samples.
+//
+// Whatever the device sends, the samples tell of one tool at a time:
+// - a touch implies in range, even where the device's in-range bit says otherwise;
+// - the eraser's end touches if the device says "eraser", or "invert" and "tip";
+// - when the other end of the pen comes without the first having left, the report that says so
+// becomes
+//   the sample in which the first one leaves, and the next report is the new end's first;
+// - a pen that leaves keeps its last position and tilt, whatever the last report has there, and
+//   releases its buttons; after that nothing comes until it is back.
+class PenDecoder {
+public:
+    virtual ~PenDecoder() = default;
+
+    virtual PenTraits const& traits() const = 0;
+
+    // No value if the report says nothing of a pen: another report id, or out of range as before.
+    // Fails, as the device's fault, if the report is shorter than its fields; the decoder stays
+    // usable, and the report counts as not sent.
+    virtual Result<std::optional<PenSample>> decode(Timestamp received,
+                                                    std::span<std::byte const> report)
+        = 0;
+
+    Result<std::optional<PenSample>> decode(RawReport const& report)
+    {
+        return decode(report.received, report.bytes());
+    }
+};
+
+// The decoder for a device, by its report descriptor. Fails, as the user's fault, with the reason
+// if the device is no pen or sends reports of its maker's own making, and as the device's fault if
+// its descriptor is broken.
+Result<std::unique_ptr<PenDecoder>> make_pen_decoder(DeviceInfo const&);
+
+} // namespace tractus

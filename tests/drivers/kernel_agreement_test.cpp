@@ -1,0 +1,91 @@
+// The recording of a person's hand on an N-trig pen display, decoded here and by Linux 3.10, which
+// evemu wrote down: an oracle that nobody of this project made.
+
+#include "drivers/file.h"
+#include "drivers/log.h"
+#include "drivers/pen_decoder.h"
+#include "tests/corpus.h"
+
+#include <charconv>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <set>
+#include <sstream>
+#include <string>
+#include <tuple>
+
+namespace tractus {
+namespace {
+
+// x, y, tip.
+using State = std::tuple<std::int32_t, std::int32_t, bool>;
+
+// The states after each EV_SYN of an evemu file: "E: <time> <type> <code> <value>", type and code
+// hexadecimal, value decimal.
+std::set<State> kernel_states(std::string const& text)
+{
+    constexpr int kSync = 0, kKey = 1, kAbsolute = 3;
+    constexpr int kAbsoluteX = 0, kAbsoluteY = 1, kTouch = 0x14A;
+    std::set<State> states;
+    State now {};
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("E:"))
+            continue;
+        std::istringstream words(line.substr(2));
+        double seconds = 0;
+        int type = 0;
+        int code = 0;
+        int value = 0;
+        words >> seconds >> std::hex >> type >> code >> std::dec >> value;
+        if (type == kAbsolute && code == kAbsoluteX)
+            std::get<0>(now) = value;
+        if (type == kAbsolute && code == kAbsoluteY)
+            std::get<1>(now) = value;
+        if (type == kKey && code == kTouch)
+            std::get<2>(now) = value != 0;
+        if (type == kSync)
+            states.insert(now);
+    }
+    return states;
+}
+
+std::set<State> our_states(Log const& log)
+{
+    auto decoder = make_pen_decoder(log.devices.front());
+    EXPECT_TRUE(decoder);
+    std::set<State> states;
+    for (auto const& record : log.records) {
+        auto const sample = (*decoder)->decode(record.time, log.report(record));
+        EXPECT_TRUE(sample) << sample.error().message;
+        if (!sample || !*sample)
+            continue;
+        // That kernel's BTN_TOUCH is the tip alone; the eraser's contact is ours to tell apart.
+        auto const& pen = **sample;
+        states.insert({ pen.raw_x, pen.raw_y, pen.touching && !pen.eraser });
+    }
+    return states;
+}
+
+TEST(KernelAgreement, SeesTheSameStatesOfAnNtrigPen)
+{
+    REQUIRE_CORPUS();
+    auto const folder = corpus() / "recordings" / "n-trig";
+    auto const log = read_log(folder / "n-trig_1b96_1000.hid");
+    ASSERT_TRUE(log) << log.error().message;
+    auto const events = read_file(folder / "n-trig_1b96_1000.pen.kernel-3.10.ev");
+    ASSERT_TRUE(events);
+
+    auto const kernel = kernel_states(*events);
+    auto const ours = our_states(*log);
+    EXPECT_GT(kernel.size(), 1000u);
+    for (auto const& [x, y, tip] : kernel)
+        EXPECT_TRUE(ours.contains({ x, y, tip }))
+            << "only the kernel: " << x << ' ' << y << ' ' << tip;
+    for (auto const& [x, y, tip] : ours)
+        EXPECT_TRUE(kernel.contains({ x, y, tip })) << "only here: " << x << ' ' << y << ' ' << tip;
+    RecordProperty("states", static_cast<int>(kernel.size()));
+}
+
+} // namespace
+} // namespace tractus
