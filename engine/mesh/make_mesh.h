@@ -1,0 +1,38 @@
+#pragma once
+
+#include "engine/mesh/mesh.h"
+#include "engine/plant/plant.h"
+
+namespace tractus {
+
+// How fine a plant's triangles are.
+struct MeshOptions {
+    // Sides of the tubes. An axis has the same number from base to tip: the plant's thickest axis
+    // has `max_sides`, the others fewer with the square root of their radius. 3 to 64 each; equal
+    // values give every axis the same.
+    int min_sides = 5;
+    int max_sides = 16;
+
+    // Into how many pieces a segment may be cut where the axis bends, so that branches look
+    // curved: a cubic through the nodes. 0 and 1 keep the segments straight. 0 to 16.
+    int subdivision = 4;
+
+    // How far a lateral axis flares where it leaves its bearer, as a share of its own radius; the
+    // bearer's radius is never exceeded. 0 for no collar. The thinnest axes (those with
+    // `min_sides`) have none.
+    double collar = 0.45;
+};
+
+// The plant as triangles, in the plant's frame. Tubes come first in each surface, then polygons.
+//
+// A tube's cross-sections follow a rotation-minimising frame and stay round through bends: a sharp
+// one gets an elbow of several sections around the node. An axis starts on its bearer's centre
+// line, ends in a dome, or in a point where its radius is zero, and is closed at the base where it
+// stands on nothing. Nodes that coincide count as one; what has no length or no area makes no
+// triangles. `plant` must pass check_plant() and have fewer than 2^32 vertices to be made per
+// material.
+//
+// Runs on all threads that oneTBB may use; the result is the same for any number of them.
+Mesh make_mesh(Plant const& plant, MeshOptions const& options = {});
+
+} // namespace tractus

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "engine/mesh/mesh.h"
+#include "engine/plant/organ_shape.h"
+
+namespace tractus {
+
+// The triangles of an organ at scale 1, in the organ frame (engine/plant/organ_shape.h).
+//
+// Blade: two halves along the midrib, 12 to 40 triangles for an entire margin and more for lobes,
+//        one layer: materials of kind Leaf and Petal are seen from both sides. Its petiole is a
+//        thin three-sided tube along +y; the curl begins where the blade does.
+// Needle: four-sided, widest in the middle, pointed.
+// Disc: faces +y: a cone from the origin to its rim, then a shallow dome up to `length_mm`.
+// Ball: an ellipsoid from the origin to `length_mm` along +y, `width_mm` across.
+//
+// Lengths below 0 count as 0; an organ without length or width has no triangles.
+TriangleMesh organ_mesh(OrganShape const& shape);
+
+} // namespace tractus

@@ -1,0 +1,287 @@
+#include "engine/mesh/spine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace tractus {
+namespace {
+
+constexpr double kSameNode_mm = 1e-4;      // Nodes closer than this are one.
+constexpr double kLeastRadius_mm = 1e-3;   // A tube's, so that its sections keep a direction.
+constexpr double kPointedShare = 0.02;     // A tip below this share of the axis' radius is a point.
+constexpr double kTurnPerPiece_rad = 0.1;  // Of a rounded bend.
+constexpr double kElbowStep_rad = 0.5;     // Between sections of an elbow.
+constexpr double kRoundable_cosine = 0.26; // Bends sharper than 75 degrees become elbows.
+constexpr double kStraight_cosine = 0.878; // The same without rounding: 0.5 radians.
+
+// What an axis starts on.
+struct Bearer {
+    double radius_mm;
+    Vec3 direction;
+    bool continued; // The axis goes on where its bearer ends: a sympodial fork.
+};
+
+void collect_nodes(Plant const& plant, Axis const& axis, std::vector<Spine::Node>& nodes)
+{
+    nodes.clear();
+    auto const positions = plant.positions(axis);
+    auto const* const radii = plant.node_radius_mm.data() + axis.first_node;
+    for (std::uint32_t i = 0; i < positions.size(); ++i) {
+        double const radius = std::max<double>(radii[i], kLeastRadius_mm);
+        SegmentId const segment = axis.first_segment + (i == 0 ? 0 : i - 1);
+        if (nodes.empty()) {
+            nodes.push_back({ positions[i], Vec3::UnitZ(), 0, radius, segment });
+            continue;
+        }
+        auto& last = nodes.back();
+        Vec3 const step = positions[i] - last.position_mm;
+        double const length = step.norm();
+        if (length < kSameNode_mm) {
+            last.radius_mm = std::max(last.radius_mm, radius);
+            continue;
+        }
+        last.direction = step / length;
+        last.length_mm = length;
+        nodes.push_back({ positions[i], last.direction, 0, radius, segment });
+    }
+}
+
+int sides_for(std::vector<Spine::Node> const& nodes, MeshOptions const& options, double thickest_mm)
+{
+    double radius = 0;
+    for (auto const& node : nodes)
+        radius = std::max(radius, node.radius_mm);
+    double const share = std::sqrt(std::min(1.0, radius / std::max(thickest_mm, kLeastRadius_mm)));
+    return std::clamp(static_cast<int>(std::lround(share * options.max_sides)),
+                      std::min(options.min_sides, options.max_sides), options.max_sides);
+}
+
+// No value where the axis stands on the ground, or away from what it should stand on.
+std::optional<Bearer> find_bearer(Plant const& plant, Axis const& axis)
+{
+    if (axis.parent_axis == kNone)
+        return std::nullopt;
+    auto const& parent = plant.axes[axis.parent_axis];
+    auto const segment = axis.parent_segment - parent.first_segment;
+    NodeId const end = parent.first_node + segment + 1;
+    double const radius = std::max<double>(plant.node_radius_mm[end], kLeastRadius_mm);
+    Vec3 const& position = plant.node_position_mm[end];
+    if ((plant.node_position_mm[axis.first_node] - position).norm() > radius + kSameNode_mm)
+        return std::nullopt;
+    Vec3 const step = position - plant.node_position_mm[end - 1];
+    double const length = step.norm();
+    bool const continued = segment + 1 == parent.segment_count
+        && plant.node_radius_mm[axis.first_node] >= 0.6 * radius;
+    return Bearer { radius, length > 0 ? Vec3(step / length) : Vec3::UnitZ(), continued };
+}
+
+class Tracer {
+public:
+    Tracer(MeshOptions const& options, Spine& spine)
+        : rounding_(options.subdivision > 1)
+        , pieces_(std::max(1, options.subdivision))
+        , nodes_(spine.nodes)
+        , stations_(spine.stations)
+    {
+    }
+
+    void trace(std::optional<Bearer> const& bearer)
+    {
+        stations_.clear();
+        Vec3 tangent = base_tangent(bearer);
+        add({ nodes_[0].position_mm, tangent, nodes_[0].radius_mm, 0, nodes_[0].segment });
+        for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
+            bool const last = i + 2 == nodes_.size();
+            bool const elbow = !last && is_elbow(i + 1);
+            Vec3 const end = last || elbow ? nodes_[i].direction : tangent_at(i + 1);
+            add_stretch(i, tangent, end);
+            tangent = end;
+            if (elbow) {
+                add_elbow(i + 1);
+                tangent = nodes_[i + 1].direction;
+            }
+        }
+    }
+
+private:
+    // Where a limb goes on, it leaves in its bearer's direction and bends into its own, so that the
+    // two limbs of a fork part slowly.
+    Vec3 base_tangent(std::optional<Bearer> const& bearer) const
+    {
+        Vec3 const& own = nodes_[0].direction;
+        bool const follows = bearer && bearer->continued && rounding_
+            && bearer->direction.dot(own) >= kRoundable_cosine;
+        return follows ? bearer->direction : own;
+    }
+
+    bool is_elbow(std::size_t node) const
+    {
+        double const cosine = nodes_[node - 1].direction.dot(nodes_[node].direction);
+        return cosine < (rounding_ ? kRoundable_cosine : kStraight_cosine);
+    }
+
+    // The bisector without rounding; with it, nearer to the shorter neighbour, as on a circle
+    // through the three nodes.
+    Vec3 tangent_at(std::size_t node) const
+    {
+        auto const& before = nodes_[node - 1];
+        auto const& after = nodes_[node];
+        if (!rounding_)
+            return (before.direction + after.direction).normalized();
+        return (after.length_mm * before.direction + before.length_mm * after.direction)
+            .normalized();
+    }
+
+    void add(Station station)
+    {
+        if (!stations_.empty())
+            station.arc_mm
+                = stations_.back().arc_mm + (station.center_mm - stations_.back().center_mm).norm();
+        stations_.push_back(station);
+    }
+
+    // From node `i` to the next: a cubic Hermite curve in as many pieces as its turn needs.
+    void add_stretch(std::size_t i, Vec3 const& start, Vec3 const& end)
+    {
+        auto const& from = nodes_[i];
+        auto const& to = nodes_[i + 1];
+        double const turn = (start - from.direction).norm() + (end - from.direction).norm();
+        int const pieces
+            = std::clamp(static_cast<int>(std::ceil(turn / kTurnPerPiece_rad)), 1, pieces_);
+        for (int k = 1; k < pieces; ++k) {
+            double const u = static_cast<double>(k) / pieces;
+            double const w = 1 - u;
+            Vec3 const center = w * w * (1 + 2 * u) * from.position_mm
+                + u * u * (3 - 2 * u) * to.position_mm
+                + from.length_mm * u * w * (w * start - u * end);
+            Vec3 const derivative
+                = 6 * u * w * from.direction + w * (1 - 3 * u) * start + u * (3 * u - 2) * end;
+            double const speed = derivative.norm();
+            add({ center, speed > 1e-6 ? Vec3(derivative / speed) : from.direction,
+                  w * from.radius_mm + u * to.radius_mm, 0, to.segment });
+        }
+        add({ to.position_mm, end, to.radius_mm, 0, to.segment });
+    }
+
+    // Sections around a node, from the direction before it to the one after it. Outside the bend
+    // they make a rounded corner; inside it they lie within the two tubes that meet.
+    void add_elbow(std::size_t node)
+    {
+        Vec3 const& before = nodes_[node - 1].direction;
+        Vec3 const& after = nodes_[node].direction;
+        double const angle = std::acos(std::clamp(before.dot(after), -1.0, 1.0));
+        Vec3 side = after - before * before.dot(after);
+        if (side.norm() < 1e-6) // Straight back: any way round will do.
+            side = before.unitOrthogonal();
+        side.normalize();
+        int const steps = std::max(1, static_cast<int>(std::ceil(angle / kElbowStep_rad)));
+        for (int k = 1; k <= steps; ++k) {
+            double const turn = angle * k / steps;
+            add({ nodes_[node].position_mm,
+                  (std::cos(turn) * before + std::sin(turn) * side).normalized(),
+                  nodes_[node].radius_mm, 0, nodes_[node].segment });
+        }
+    }
+
+    bool rounding_;
+    int pieces_;
+    std::vector<Spine::Node> const& nodes_;
+    std::vector<Station>& stations_;
+};
+
+// Puts a station at `arc_mm`, unless one is nearer than `spacing_mm` or the spine ends before.
+void insert_station(std::vector<Station>& stations, double arc_mm, double spacing_mm)
+{
+    auto const after
+        = std::lower_bound(stations.begin(), stations.end(), arc_mm,
+                           [](Station const& station, double arc) { return station.arc_mm < arc; });
+    if (after == stations.begin() || after == stations.end())
+        return;
+    auto const before = after - 1;
+    if (after->arc_mm - arc_mm < spacing_mm || arc_mm - before->arc_mm < spacing_mm)
+        return;
+    double const share = (arc_mm - before->arc_mm) / (after->arc_mm - before->arc_mm);
+    Vec3 const blend = (1 - share) * before->tangent + share * after->tangent;
+    Station const station { (1 - share) * before->center_mm + share * after->center_mm,
+                            blend.norm() > 1e-6 ? Vec3(blend.normalized()) : after->tangent,
+                            (1 - share) * before->radius_mm + share * after->radius_mm, arc_mm,
+                            after->segment };
+    stations.insert(after, station);
+}
+
+// The base of an axis on its bearer: constant inside it, then falling to the axis' own radius. A
+// lateral axis falls fast at first, as the swelling around a real branch does; one that continues
+// its bearer leaves with the bearer's own slope.
+struct Collar {
+    double base_radius_mm; // At the bearer's centre line.
+    double level_mm;       // So far along the axis it keeps that radius.
+    double fall_mm;        // Over this length it falls to the axis' own.
+    bool soft;             // The fall begins gently, too.
+
+    // How much of the swelling is left at a place, 1 to 0.
+    double share(double arc_mm) const
+    {
+        double const x = std::clamp((arc_mm - level_mm) / fall_mm, 0.0, 1.0);
+        return soft ? (1 - x) * (1 - x) * (1 + 2 * x) : (1 - x) * (1 - x);
+    }
+};
+
+Collar collar_on(Bearer const& bearer, Spine const& spine, MeshOptions const& options)
+{
+    double const radius = spine.nodes[0].radius_mm;
+    double const length = spine.stations.back().arc_mm;
+    if (bearer.continued)
+        return { bearer.radius_mm, 0, std::min(4 * bearer.radius_mm, 0.8 * length), true };
+    double const cosine = bearer.direction.dot(spine.nodes[0].direction);
+    double const sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+    double const inside = bearer.radius_mm / std::max(0.4, sine);
+    return { std::min(0.95 * bearer.radius_mm, radius * (1 + options.collar)),
+             std::min(inside, 0.5 * length), std::min(4.5 * radius, 0.4 * length), false };
+}
+
+void apply_collar(Spine& spine, Collar const& collar)
+{
+    auto& stations = spine.stations;
+    double const spacing = 0.15 * collar.fall_mm;
+    insert_station(stations, collar.level_mm, spacing);
+    for (double const share : { 0.2, 0.5, 1.0 })
+        insert_station(stations, collar.level_mm + share * collar.fall_mm, spacing);
+    double const rise = collar.base_radius_mm - spine.nodes[0].radius_mm;
+    for (auto& station : stations) {
+        double const share = collar.share(station.arc_mm);
+        if (share <= 0)
+            break;
+        station.radius_mm = std::max(kLeastRadius_mm, station.radius_mm + rise * share);
+    }
+}
+
+} // namespace
+
+void trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& options,
+                 double thickest_mm, Spine& spine)
+{
+    spine.stations.clear();
+    collect_nodes(plant, axis, spine.nodes);
+    if (spine.nodes.size() < 2)
+        return;
+    auto const bearer = find_bearer(plant, axis);
+    spine.sides = sides_for(spine.nodes, options, thickest_mm);
+    spine.closed_base = !bearer;
+    Tracer(options, spine).trace(bearer);
+
+    bool const thin = spine.sides <= options.min_sides && options.min_sides < options.max_sides;
+    if (bearer && options.collar > 0 && (!thin || bearer->continued))
+        apply_collar(spine, collar_on(*bearer, spine, options));
+    else if (bearer)
+        spine.stations.front().radius_mm
+            = std::min(spine.stations.front().radius_mm, bearer->radius_mm);
+
+    auto& tip = spine.stations.back();
+    spine.pointed
+        = tip.radius_mm <= std::max(kLeastRadius_mm, kPointedShare * spine.nodes[0].radius_mm);
+    if (spine.pointed)
+        tip.radius_mm = 0;
+}
+
+} // namespace tractus

@@ -1,0 +1,311 @@
+#include "engine/mesh/make_mesh.h"
+
+#include "engine/mesh/spine.h"
+#include "tests/engine/mesh/mesh_checks.h"
+#include "tests/engine/mesh/sample_plants.h"
+#include "tests/engine/plant/small_plant.h"
+
+#include <cstring>
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+namespace tractus {
+namespace {
+
+// Eight sides everywhere, so that triangles can be counted by hand.
+constexpr MeshOptions kEightSides { .min_sides = 8, .max_sides = 8, .subdivision = 0, .collar = 0 };
+
+double distance_to_axis(Plant const& plant, Axis const& axis, Vec3 const& point)
+{
+    auto const nodes = plant.positions(axis);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+        Vec3 const step = nodes[i] - nodes[i - 1];
+        double const share
+            = std::clamp((point - nodes[i - 1]).dot(step) / step.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (point - nodes[i - 1] - share * step).norm());
+    }
+    return nearest;
+}
+
+TEST(MakeMesh, MakesNothingOfAnEmptyPlant) { EXPECT_EQ(make_mesh({}).triangle_count(), 0u); }
+
+TEST(MakeMesh, ClosesATubeAtBothEnds)
+{
+    for (double const tip_mm : { 10.0, 3.0, 0.0 }) {
+        auto const mesh = make_mesh(single_axis(3, 10, tip_mm));
+        ASSERT_EQ(mesh.surfaces.size(), 1u);
+        expect_sound(mesh.surfaces[0]);
+        EXPECT_EQ(open_edge_count(mesh.surfaces[0]), 0u) << tip_mm;
+        EXPECT_EQ(inside_out_count(mesh.surfaces[0]), 0u) << tip_mm;
+    }
+}
+
+TEST(MakeMesh, HasTheVolumeOfATruncatedConeAndHalfABall)
+{
+    MeshOptions const fine { .min_sides = 64, .max_sides = 64 };
+    auto const mesh = make_mesh(single_axis(3, 20, 10), fine);
+    double const cone = kPi * 150 / 3 * (20 * 20 + 20 * 10 + 10 * 10);
+    double const half_ball = 2 * kPi / 3 * 1000;
+    EXPECT_NEAR(volume_mm3(mesh.surfaces[0]), cone + half_ball, 0.01 * cone);
+}
+
+TEST(MakeMesh, MakesTheTrianglesThatAreCountedByHand)
+{
+    // Three segments of 8 quads; a ring and an apex for the dome; a base of 6.
+    EXPECT_EQ(make_mesh(single_axis(3, 10, 5), kEightSides).triangle_count(), 3 * 16 + 16 + 8 + 6u);
+    // A pointed tip: the last segment is a cone of 8.
+    EXPECT_EQ(make_mesh(single_axis(3, 10, 0), kEightSides).triangle_count(), 2 * 16 + 8 + 6u);
+    // The lateral axis has no base of its own.
+    auto plant = small_plant();
+    plant.organs.clear();
+    EXPECT_EQ(make_mesh(plant, kEightSides).triangle_count(), (3 + 2) * 16 + 2 * (16 + 8) + 6u);
+}
+
+TEST(MakeMesh, GivesThickAxesMoreSidesThanThinOnes)
+{
+    auto const thick_only = make_mesh(single_axis(1, 50, 50)).triangle_count();
+    auto plant = single_axis(1, 50, 50);
+    Random random({});
+    append_axis(plant,
+                { .base_mm = { 0, 0, 50 },
+                  .direction = Vec3::UnitX(),
+                  .segment_count = 1,
+                  .radius_mm = 0.5,
+                  .tip_radius_mm = 0.5,
+                  .parent_segment = 0,
+                  .parent_axis = 0,
+                  .order = 1 },
+                random);
+    EXPECT_EQ(make_mesh(plant).triangle_count(), thick_only + 5 * 2 + 5);
+}
+
+TEST(MakeMesh, IsSoundForATreeAndFacesOutwards)
+{
+    for (std::uint64_t const seed : { 1u, 2u, 3u }) {
+        auto const plant = sample_tree(seed);
+        check_plant(plant);
+        auto const mesh = make_mesh(plant);
+        ASSERT_EQ(mesh.surfaces.size(), 1u);
+        expect_sound(mesh.surfaces[0]);
+        // A few within sharp bends may be: they are inside the tube.
+        EXPECT_LT(inside_out_count(mesh.surfaces[0]), mesh.surfaces[0].triangle_count() / 200);
+    }
+}
+
+TEST(MakeMesh, NormalsLeanWithTheTaper)
+{
+    auto const mesh = make_mesh(single_axis(4, 20, 4));
+    float const expected = 16.0f / 200; // Fall of the radius along the axis.
+    auto const& tubes = mesh.surfaces[0];
+    for (std::size_t i = 0; i < tubes.normals.size(); ++i) {
+        auto const& position = tubes.positions_mm[i];
+        auto const& normal = tubes.normals[i];
+        if (position.z() < 1 || position.z() > 199)
+            continue; // Base and dome.
+        EXPECT_NEAR(normal.z() / Vec2f(normal.x(), normal.y()).norm(), expected, 0.01);
+        EXPECT_GT(normal.head<2>().dot(position.head<2>()), 0);
+    }
+}
+
+TEST(MakeMesh, LateralBasesLieInsideTheirBearer)
+{
+    auto const plant = sample_tree(4);
+    Spine spine;
+    for (auto const& axis : std::span(plant.axes).subspan(1)) {
+        trace_spine(plant, axis, {}, 90, spine);
+        ASSERT_FALSE(spine.stations.empty());
+        auto const& base = spine.stations.front();
+        auto const bearer_radius = plant.node_radius_mm[nodes_of(plant, axis.parent_segment).tip];
+        double const off_axis
+            = distance_to_axis(plant, plant.axes[axis.parent_axis], base.center_mm);
+        ASSERT_LE(off_axis + base.radius_mm, bearer_radius * 1.0001);
+        EXPECT_FALSE(spine.closed_base);
+    }
+}
+
+TEST(MakeMesh, ClosesTheBaseOfAnAxisThatStandsBesideItsBearer)
+{
+    auto plant = small_plant();
+    for (NodeId node = 4; node < 7; ++node)
+        plant.node_position_mm[node].x() += 20;
+    EXPECT_EQ(open_edge_count(make_mesh(plant).surfaces[0]), 0u);
+}
+
+TEST(MakeMesh, AContinuedLimbStartsAsWideAsItsBearerEnds)
+{
+    auto plant = single_axis(2, 20, 10);
+    Random random({});
+    append_axis(plant,
+                { .base_mm = { 0, 0, 100 },
+                  .direction = { 0.3, 0, 1 },
+                  .segment_count = 2,
+                  .radius_mm = 8,
+                  .tip_radius_mm = 4,
+                  .parent_segment = 1,
+                  .parent_axis = 0,
+                  .order = 1 },
+                random);
+    auto const mesh = make_mesh(plant, { .min_sides = 16, .max_sides = 16 });
+    float widest = 0;
+    for (auto const& position : mesh.surfaces[0].positions_mm)
+        if (std::abs(position.z() - 100) < 1e-3f)
+            widest = std::max(widest, position.head<2>().norm());
+    EXPECT_NEAR(widest, 10, 1e-3);
+}
+
+TEST(MakeMesh, CollarsNeverPassTheBearersRadius)
+{
+    auto plant = single_axis(2, 10, 10);
+    Random random({});
+    append_axis(plant,
+                { .base_mm = { 0, 0, 50 },
+                  .direction = Vec3::UnitX(),
+                  .segment_count = 3,
+                  .radius_mm = 9,
+                  .tip_radius_mm = 3,
+                  .parent_segment = 0,
+                  .parent_axis = 0,
+                  .order = 1 },
+                random);
+    auto const mesh = make_mesh(plant, { .collar = 5 });
+    for (auto const& position : mesh.surfaces[0].positions_mm)
+        if (position.x() > 10.01f) {
+            EXPECT_LE(Vec2f(position.y(), position.z() - 50).norm(), 10.001f);
+        }
+}
+
+TEST(MakeMesh, RoundsBendsAndKeepsNodes)
+{
+    Plant plant = single_axis(2, 5, 5);
+    plant.node_position_mm[2] = { 35, 0, 85 };
+    auto const straight = make_mesh(plant, { .subdivision = 0 });
+    auto const round = make_mesh(plant, { .subdivision = 4 });
+    EXPECT_GT(round.triangle_count(), straight.triangle_count());
+    expect_sound(round.surfaces[0]);
+    EXPECT_EQ(inside_out_count(round.surfaces[0]), 0u);
+    EXPECT_EQ(open_edge_count(round.surfaces[0]), 0u);
+}
+
+TEST(MakeMesh, SurvivesSharpTurnsAndCoincidingNodes)
+{
+    Plant plant = single_axis(6, 5, 0);
+    plant.node_position_mm = { { 0, 0, 0 },  { 0, 0, 50 },  { 0, 0, 50 }, { 0, 0, 0 },
+                               { 50, 0, 0 }, { 50, 50, 0 }, { 50, 50, 0 } };
+    plant.node_radius_mm = { 5, 0, 0, 5, 3, 2, 0 };
+    for (int const subdivision : { 0, 4 }) {
+        auto const mesh = make_mesh(plant, { .subdivision = subdivision });
+        expect_sound(mesh.surfaces[0]);
+        EXPECT_EQ(open_edge_count(mesh.surfaces[0]), 0u);
+    }
+    for (auto& position : plant.node_position_mm)
+        position = { 1, 2, 3 };
+    EXPECT_EQ(make_mesh(plant).triangle_count(), 0u);
+}
+
+TEST(MakeMesh, KeepsTheWidthThroughASharpBend)
+{
+    Plant plant = single_axis(2, 5, 5);
+    plant.node_position_mm[2] = { 100, 0, 50 };
+    auto const mesh = make_mesh(plant, { .min_sides = 32, .max_sides = 32, .subdivision = 0 });
+    float outermost = 0;
+    for (auto const& position : mesh.surfaces[0].positions_mm)
+        outermost
+            = std::max(outermost, (position - Vec3f(0, 0, 50)).dot(Vec3f(-1, 0, 1).normalized()));
+    EXPECT_NEAR(outermost, 5, 0.2); // A pinched corner would have far less.
+}
+
+TEST(MakeMesh, JoinsMaterialsWithoutAGap)
+{
+    auto plant = single_axis(4, 10, 10);
+    plant.materials.push_back({ .name = "young", .kind = Material::Kind::Stem });
+    plant.segment_material = { 0, 0, 1, 1 };
+    auto const mesh = make_mesh(plant);
+    ASSERT_EQ(mesh.surfaces.size(), 2u);
+    TriangleMesh both = mesh.surfaces[0];
+    auto const& other = mesh.surfaces[1];
+    auto const base = static_cast<std::uint32_t>(both.positions_mm.size());
+    both.positions_mm.insert(both.positions_mm.end(), other.positions_mm.begin(),
+                             other.positions_mm.end());
+    for (auto const index : other.indices)
+        both.indices.push_back(base + index);
+    EXPECT_EQ(open_edge_count(both), 0u);
+}
+
+TEST(MakeMesh, TextureIsSeamlessAndHasOneScale)
+{
+    auto const mesh = make_mesh(single_axis(4, 10, 10), kEightSides);
+    auto const& tubes = mesh.surfaces[0];
+    for (std::size_t ring = 0; ring < 5; ++ring) {
+        std::size_t const first = 8 + 9 * ring;
+        EXPECT_EQ(tubes.positions_mm[first], tubes.positions_mm[first + 8]);
+        EXPECT_EQ(tubes.texture_coordinates[first].x(), 0);
+        EXPECT_EQ(tubes.texture_coordinates[first + 8].x(), 1);
+        // 50 mm a segment, and a circumference of 20 pi.
+        EXPECT_NEAR(tubes.texture_coordinates[first].y(),
+                    static_cast<double>(ring) * 50 / (20 * kPi), 1e-5);
+    }
+}
+
+TEST(MakeMesh, IsTheSameOnAnyNumberOfThreads)
+{
+    auto const plant = sample_tree(5);
+    auto const many = make_mesh(plant);
+    tbb::global_control const one(tbb::global_control::max_allowed_parallelism, 1);
+    auto const single = make_mesh(plant);
+    ASSERT_EQ(many.surfaces.size(), single.surfaces.size());
+    EXPECT_TRUE(same_triangles(many.surfaces[0], single.surfaces[0]));
+    ASSERT_EQ(many.organs.size(), 1u);
+    EXPECT_TRUE(same_triangles(many.organs[0].prototype, single.organs[0].prototype));
+}
+
+TEST(MakeMesh, PlacesOrgansAsThePlantSays)
+{
+    auto plant = small_plant();
+    Quat const turn(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
+    plant.organs[0].orientation = turn;
+    plant.organs[0].scale = { 1, 2, 3 };
+    plant.organ_shapes.push_back({ .name = "unused", .material = 1 });
+    auto const mesh = make_mesh(plant);
+    ASSERT_EQ(mesh.organs.size(), 1u);
+    ASSERT_EQ(mesh.organs[0].instances.size(), 1u);
+    auto const& instance = mesh.organs[0].instances[0];
+    EXPECT_EQ(instance.translation_mm, Vec3f(100, 0, 100));
+    EXPECT_TRUE(instance.rotation.isApprox(turn.cast<float>()));
+    EXPECT_EQ(instance.scale, Vec3f(1, 2, 3));
+    EXPECT_EQ(mesh.organs[0].prototype.material, 1);
+}
+
+TEST(MakeMesh, FillsConcavePolygons)
+{
+    auto plant = single_axis(1, 1, 1);
+    plant.materials.push_back({ .name = "leaf", .kind = Material::Kind::Leaf });
+    // An arrowhead in the plane y = 0, of area 1,000 mm², facing -y.
+    plant.polygon_vertices_mm = { { 0, 0, 0 }, { 50, 0, -20 }, { 0, 0, 40 }, { -50, 0, -20 } };
+    plant.polygons = { { .first_vertex = 0, .vertex_count = 4, .material = 1 } };
+    auto const mesh = make_mesh(plant);
+    ASSERT_EQ(mesh.surfaces.size(), 2u);
+    auto const& polygon = mesh.surfaces[1];
+    expect_sound(polygon);
+    ASSERT_EQ(polygon.triangle_count(), 2u);
+    Vec3 area = Vec3::Zero();
+    double magnitude = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        area += area_vector(polygon, i) / 2;
+        magnitude += area_vector(polygon, i).norm() / 2;
+    }
+    EXPECT_NEAR(area.norm(), 2000, 1e-3);
+    EXPECT_NEAR(magnitude, 2000, 1e-3); // No triangle outside the outline.
+    EXPECT_GT(area.dot(polygon.normals[0].cast<double>()), 0);
+}
+
+TEST(MakeMesh, SkipsAPolygonWithoutArea)
+{
+    auto plant = single_axis(1, 1, 1);
+    plant.polygon_vertices_mm = { { 0, 0, 0 }, { 10, 0, 0 }, { 20, 0, 0 } };
+    plant.polygons = { { .first_vertex = 0, .vertex_count = 3, .material = 0 } };
+    EXPECT_EQ(make_mesh(plant).triangle_count(), make_mesh(single_axis(1, 1, 1)).triangle_count());
+}
+
+} // namespace
+} // namespace tractus
