@@ -1,0 +1,55 @@
+#pragma once
+
+#include "engine/mesh/mesh.h"
+
+namespace tractus {
+
+// Between our frame (millimetres, +z up) and glTF's (metres, +y up): x stays, our z is its y, our
+// -y is its z. A rotation, so triangles keep their sense.
+
+template<typename Scalar>
+Eigen::Matrix<Scalar, 3, 1> turn_to_gltf(Eigen::Matrix<Scalar, 3, 1> const& v)
+{
+    return { v.x(), v.z(), -v.y() };
+}
+
+template<typename Scalar>
+Eigen::Matrix<Scalar, 3, 1> turn_from_gltf(Eigen::Matrix<Scalar, 3, 1> const& v)
+{
+    return { v.x(), -v.z(), v.y() };
+}
+
+template<typename Scalar>
+Eigen::Matrix<Scalar, 3, 1> to_gltf(Eigen::Matrix<Scalar, 3, 1> const& position_mm)
+{
+    return turn_to_gltf(position_mm) * Scalar(0.001);
+}
+
+template<typename Scalar>
+Eigen::Matrix<Scalar, 3, 1> from_gltf(Eigen::Matrix<Scalar, 3, 1> const& position_m)
+{
+    return turn_from_gltf(position_m) * Scalar(1000);
+}
+
+// For a prototype that was taken to glTF's frame, too. The translation that it answers is in
+// metres.
+inline InstanceTransform to_gltf(InstanceTransform const& instance)
+{
+    auto const& r = instance.rotation;
+    auto const& s = instance.scale;
+    return { to_gltf(instance.translation_mm),
+             Quatf(r.w(), r.x(), r.z(), -r.y()).normalized(),
+             { s.x(), s.z(), s.y() } };
+}
+
+// The inverse of the function above.
+inline InstanceTransform from_gltf(InstanceTransform const& instance)
+{
+    auto const& r = instance.rotation;
+    auto const& s = instance.scale;
+    return { from_gltf(instance.translation_mm),
+             Quatf(r.w(), r.x(), -r.z(), r.y()).normalized(),
+             { s.x(), s.z(), s.y() } };
+}
+
+} // namespace tractus

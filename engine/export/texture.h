@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// Grey levels, 0 black to 255 white, row by row from the top. They multiply a material's colour, so
+// that one picture serves every species.
+struct GreyPicture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> pixels; // width * height.
+};
+
+// Furrows along the axis: rows go along v, columns around along u; it tiles in both.
+GreyPicture bark_picture();
+
+// A midrib at u = 0.5 and veins that leave it towards the tip; base in the first row, tip in the
+// last (engine/mesh/mesh.h says so of blades).
+GreyPicture leaf_picture();
+
+// The picture as a PNG file (ISO/IEC 15948), greyscale of 8 bits. Same picture, same bytes.
+std::string png_bytes(GreyPicture const& picture);
+
+} // namespace tractus

@@ -1,0 +1,207 @@
+#include "engine/export/glb_writer.h"
+
+#include "engine/mesh/make_mesh.h"
+#include "tests/engine/mesh/sample_plants.h"
+
+#include <cstring>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace tractus {
+namespace {
+
+std::string glb_of(std::span<PlacedMesh const> plants, GlbOptions const& options = {})
+{
+    std::ostringstream out;
+    auto const summary = write_glb(out, plants, options);
+    EXPECT_TRUE(summary) << summary.error().message;
+    EXPECT_EQ(summary->bytes, out.str().size());
+    return out.str();
+}
+
+std::string glb_of(Mesh const& mesh, GlbOptions const& options = {})
+{
+    PlacedMesh const placed { .mesh = &mesh };
+    return glb_of(std::span(&placed, 1), options);
+}
+
+std::uint32_t u32_at(std::string const& bytes, std::size_t offset)
+{
+    std::uint32_t value = 0;
+    std::memcpy(&value, bytes.data() + offset, sizeof value);
+    return value;
+}
+
+nlohmann::json json_of(std::string const& glb)
+{
+    return nlohmann::json::parse(glb.substr(20, u32_at(glb, 12)));
+}
+
+// A stream that takes some bytes and then fails, as a full disk does.
+class FullDisk : public std::stringbuf {
+public:
+    explicit FullDisk(std::streamsize room)
+        : room_(room)
+    {
+    }
+
+protected:
+    std::streamsize xsputn(char const* bytes, std::streamsize count) override
+    {
+        if (count > room_)
+            return 0;
+        room_ -= count;
+        return std::stringbuf::xsputn(bytes, count);
+    }
+
+private:
+    std::streamsize room_;
+};
+
+TEST(GlbWriter, HeadersSayTheSizes)
+{
+    auto const glb = glb_of(make_mesh(sample_tree(1)));
+    EXPECT_EQ(glb.substr(0, 4), "glTF");
+    EXPECT_EQ(u32_at(glb, 4), 2u);
+    EXPECT_EQ(u32_at(glb, 8), glb.size());
+    auto const json_bytes = u32_at(glb, 12);
+    EXPECT_EQ(glb.substr(16, 4), "JSON");
+    EXPECT_EQ(json_bytes % 4, 0u);
+    EXPECT_EQ(u32_at(glb, 20 + json_bytes), glb.size() - 28 - json_bytes);
+    EXPECT_EQ(json_of(glb)["buffers"][0]["byteLength"], glb.size() - 28 - json_bytes);
+}
+
+TEST(GlbWriter, WritesMetresAndYUp)
+{
+    auto const json
+        = json_of(glb_of(make_mesh(single_axis(4, 10, 10)))); // 200 mm and a dome of 10.
+    auto const& positions = json["accessors"][0];
+    EXPECT_NEAR(positions["min"][1].get<double>(), 0, 1e-9);
+    EXPECT_NEAR(positions["max"][1].get<double>(), 0.210, 1e-6);
+    EXPECT_NEAR(positions["max"][0].get<double>(), 0.010, 1e-6);
+}
+
+TEST(GlbWriter, WritesTheSameBytesAgain)
+{
+    auto const plant = sample_tree(2);
+    EXPECT_EQ(glb_of(make_mesh(plant)), glb_of(make_mesh(plant)));
+}
+
+TEST(GlbWriter, SharesWhatPlantsHaveInCommon)
+{
+    Mesh const meshes[]
+        = { make_mesh(sample_tree(1)), make_mesh(sample_tree(2)), make_mesh(sample_tree(3)) };
+    PlacedMesh const plants[]
+        = { { .name = "a", .mesh = &meshes[0] },
+            { .name = "b", .position_mm = { 3000, 0, 0 }, .rotation_rad = 1, .mesh = &meshes[1] },
+            { .name = "c", .position_mm = { 0, 2000, 0 }, .mesh = &meshes[2] } };
+    auto const json = json_of(glb_of(plants));
+    EXPECT_EQ(json["materials"].size(), 2u);
+    EXPECT_EQ(json["images"].size(), 2u);
+    EXPECT_EQ(json["meshes"].size(), 4u); // Three plants and the leaf.
+    EXPECT_EQ(json["scenes"][0]["nodes"].size(), 3u);
+    auto const& last = json["nodes"][json["scenes"][0]["nodes"][2].get<std::size_t>()];
+    EXPECT_EQ(last["name"], "c");
+    EXPECT_DOUBLE_EQ(last["translation"][2], -2); // Away from the user is -z.
+}
+
+TEST(GlbWriter, MakesPlantsOneAtATime)
+{
+    int alive = 0;
+    std::vector<PlacedMesh> plants(5);
+    for (std::size_t i = 0; i < plants.size(); ++i)
+        plants[i].mesh = [&, i] {
+            ++alive;
+            return make_mesh(sample_tree(i));
+        };
+    auto const glb = glb_of(plants);
+    EXPECT_EQ(alive, 5);
+    EXPECT_EQ(json_of(glb)["scenes"][0]["nodes"].size(), 5u);
+}
+
+TEST(GlbWriter, TriesAgainWhenLaterPlantsNeedMoreJsonThanTheFirst)
+{
+    Mesh const small = make_mesh(single_axis(1, 1, 1));
+    Mesh large = make_mesh(sample_tree(1));
+    for (int i = 0; i < 20; ++i) { // Twenty shapes that all differ.
+        large.organs.push_back(large.organs[0]);
+        large.organs.back().prototype.positions_mm[0].x() += static_cast<float>(i + 1);
+    }
+    PlacedMesh const plants[] = { { .mesh = &small }, { .mesh = &large } };
+    auto const json = json_of(glb_of(plants));
+    EXPECT_EQ(json["meshes"].size(), 1 + 1 + 21u);
+}
+
+TEST(GlbWriter, WritesANodePerOrganWhenAsked)
+{
+    auto const plant = sample_tree(1);
+    auto const json
+        = json_of(glb_of(make_mesh(plant), { .instancing = GlbOptions::Instancing::Nodes }));
+    EXPECT_EQ(json["nodes"].size(), plant.organs.size() + 1);
+    EXPECT_FALSE(json.contains("extensionsUsed"));
+}
+
+TEST(GlbWriter, LeavesAreDoubleSidedAndColoursLinear)
+{
+    auto const json = json_of(glb_of(make_mesh(sample_tree(1))));
+    for (auto const& material : json["materials"]) {
+        bool const leaf = material["name"] == "leaf";
+        EXPECT_EQ(material.value("doubleSided", false), leaf);
+        if (leaf) {
+            EXPECT_NEAR(material["pbrMetallicRoughness"]["baseColorFactor"][1].get<double>(),
+                        0.2140, 1e-3);
+        }
+    }
+}
+
+TEST(GlbWriter, WritesAFileWithoutPlants)
+{
+    auto const json = json_of(glb_of(std::span<PlacedMesh const>()));
+    EXPECT_EQ(json["asset"]["version"], "2.0");
+    EXPECT_FALSE(json.contains("buffers"));
+}
+
+TEST(GlbWriter, QuotesNamesAndReplacesWhatIsNoUtf8)
+{
+    Mesh const mesh = make_mesh(single_axis(1, 1, 1));
+    PlacedMesh const placed { .name = "a \"b\"\n\xff", .mesh = &mesh };
+    EXPECT_EQ(json_of(glb_of(std::span(&placed, 1)))["nodes"][0]["name"], "a \"b\"\n\xEF\xBF\xBD");
+}
+
+TEST(GlbWriter, SaysThatTheDiskIsFull)
+{
+    Mesh const mesh = make_mesh(sample_tree(1));
+    PlacedMesh const placed { .mesh = &mesh };
+    for (std::streamsize const room : { 0, 1000, 100000 }) {
+        FullDisk disk(room);
+        std::ostream out(&disk);
+        auto const summary = write_glb(out, std::span(&placed, 1));
+        ASSERT_FALSE(summary);
+        EXPECT_NE(summary.error().message.find("cannot write"), std::string::npos);
+    }
+}
+
+TEST(GlbWriter, RefusesAFileBeyondFourGibibytesBeforeItStarts)
+{
+    Mesh const mesh = make_mesh(sample_tree(1));
+    std::vector<PlacedMesh> const plants(20000, PlacedMesh { .mesh = &mesh });
+    std::ostringstream out;
+    auto const summary = write_glb(out, plants);
+    ASSERT_FALSE(summary);
+    EXPECT_NE(summary.error().message.find("at most 4"), std::string::npos)
+        << summary.error().message;
+    EXPECT_TRUE(out.str().empty());
+}
+
+TEST(GlbWriter, RefusesACoordinateThatIsNotFinite)
+{
+    Mesh mesh = make_mesh(single_axis(1, 1, 1));
+    mesh.surfaces[0].positions_mm[3].y() = std::numeric_limits<float>::infinity();
+    PlacedMesh const placed { .mesh = &mesh };
+    std::ostringstream out;
+    EXPECT_FALSE(write_glb(out, std::span(&placed, 1)));
+}
+
+} // namespace
+} // namespace tractus

@@ -1,0 +1,104 @@
+// Writes .glb files of every sort into a folder, for the validator. Run: write_sample_glbs FOLDER
+#include "drivers/file.h"
+#include "engine/export/glb_writer.h"
+#include "engine/mesh/make_mesh.h"
+#include "tests/engine/mesh/sample_plants.h"
+
+#include <fmt/core.h>
+#include <vector>
+
+namespace tractus {
+namespace {
+
+// A little of everything: each kind of organ and material, polygons, no radius, sharp turns.
+Plant odd_plant()
+{
+    Plant plant = single_axis(6, 5, 0);
+    plant.node_position_mm = { { 0, 0, 0 },  { 0, 0, 50 },  { 0, 0, 50 }, { 0, 0, 10 },
+                               { 50, 0, 0 }, { 50, 50, 0 }, { 50, 50, 0 } };
+    plant.segment_material = { 0, 0, 0, 1, 1, 0 };
+    plant.materials
+        = { Material {},
+            { .name = "stem \"green\"", .kind = Material::Kind::Stem },
+            { .name = "leaf", .kind = Material::Kind::Leaf, .translucency = 0.5f },
+            { .name = "petal", .kind = Material::Kind::Petal, .base_color { 1, 0.5f, 0.7f } },
+            { .name = "fruit",
+              .kind = Material::Kind::Solid,
+              .base_color { 0.8f, 0, 0 },
+              .roughness = 0.2f } };
+    plant.organ_shapes = {
+        { .name = "leaf", .material = 2, .petiole_mm = 10, .lobes = 0.5, .lobe_count = 3 },
+        { .name = "petal", .material = 3, .tip_sharpness = 0 },
+        { .name = "needle",
+          .kind = OrganShape::Kind::Needle,
+          .material = 2,
+          .length_mm = 20,
+          .width_mm = 1 },
+        { .name = "disc",
+          .kind = OrganShape::Kind::Disc,
+          .material = 4,
+          .length_mm = 5,
+          .width_mm = 20 },
+        { .name = "ball",
+          .kind = OrganShape::Kind::Ball,
+          .material = 4,
+          .length_mm = 10,
+          .width_mm = 10 },
+    };
+    for (OrganShapeId shape = 0; shape < 5; ++shape)
+        plant.organs.push_back({ .shape = shape,
+                                 .segment = 0,
+                                 .position_mm = { 10.0 * shape, 5, 40 },
+                                 .orientation = Quat(1, 0.1 * shape, 0.3, 0.2).normalized() });
+    plant.polygon_vertices_mm = { { 0, 0, 0 }, { 50, 0, -20 }, { 0, 0, 40 }, { -50, 0, -20 } };
+    plant.polygons = { { .first_vertex = 0, .vertex_count = 4, .segment = 0, .material = 2 } };
+    return plant;
+}
+
+Result<void> write_samples(std::filesystem::path const& folder)
+{
+    std::filesystem::create_directories(folder);
+    Mesh const odd = make_mesh(odd_plant());
+    std::vector<PlacedMesh> collection {
+        { .name = "odd", .position_mm = { 0, -1000, 0 }, .mesh = &odd }
+    };
+    for (std::uint64_t seed = 0; seed < 3; ++seed)
+        collection.push_back({ .name = fmt::format("tree {}", seed),
+                               .position_mm = { 3000.0 * static_cast<double>(seed), 0, 0 },
+                               .rotation_rad = static_cast<double>(seed),
+                               .mesh = [seed] { return make_mesh(sample_tree(seed)); } });
+    // More than 65,535 vertices: 32-bit indices.
+    PlacedMesh const fine { .mesh = [] {
+        return make_mesh(sample_tree(9), { .min_sides = 40, .max_sides = 64 });
+    } };
+
+    using Options = GlbOptions;
+    auto const write
+        = [&](char const* name, std::span<PlacedMesh const> plants, Options const& options) {
+              return write_file(folder / name, [&](std::ostream& out) -> Result<void> {
+                  TRY(write_glb(out, plants, options));
+                  return {};
+              });
+          };
+    TRY(write("collection.glb", collection, {}));
+    TRY(write("nodes.glb", collection,
+              { .instancing = Options::Instancing::Nodes, .textures = Options::Textures::None }));
+    TRY(write("fine.glb", std::span(&fine, 1), {}));
+    TRY(write("empty.glb", {}, {}));
+    return {};
+}
+
+} // namespace
+} // namespace tractus
+
+int main(int argument_count, char** arguments)
+{
+    if (argument_count != 2) {
+        fmt::print(stderr, "usage: write_sample_glbs FOLDER\n");
+        return 2;
+    }
+    auto const result = tractus::write_samples(arguments[1]);
+    if (!result)
+        fmt::print(stderr, "error: {}\n", result.error().message);
+    return result ? 0 : 1;
+}
