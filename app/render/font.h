@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace tractus {
+
+// The program's typeface, a TrueType file that the build puts into the program (DejaVu Sans), so
+// that captions and the window look the same on every machine.
+std::span<std::byte const> font_file();
+
+} // namespace tractus

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "app/render/gl_objects.h"
+#include "app/render/sky_visibility.h"
+#include "engine/mesh/mesh.h"
+
+#include <memory>
+#include <vector>
+
+namespace tractus {
+
+// A mesh on the graphics card: made once, drawn many times. Lives and dies with the context.
+class GpuMesh {
+public:
+    explicit GpuMesh(Mesh const& mesh);
+
+    // The box around all that is drawn, plant frame. Empty for an empty mesh.
+    Bounds const& bounds() const { return bounds_; }
+
+    // One draw call: the triangles of one material, once or in many places.
+    struct Part {
+        Material material;
+        GLsizei index_count = 0;
+        GLsizei instance_count = 0; // 0: drawn once, where it is.
+        gl::VertexArray vertex_array;
+        std::vector<gl::Buffer> buffers;
+    };
+    std::vector<Part> const& parts() const { return parts_; }
+
+    // Draws one part with the shader in use. Attributes: 0 position, 1 normal, 2 texture
+    // coordinate, 3 sky visibility of the vertex; of the instance 4 translation, 5 rotation (a
+    // quaternion, scalar last), 6 scale, 7 sky visibility.
+    void draw(Part const& part) const;
+
+    // How much sky the ground below the plant sees: a texture of one channel and where it lies.
+    GLuint ground_texture() const { return ground_texture_.name(); }
+    Vec2f const& ground_corner_mm() const { return ground_corner_mm_; }
+    Vec2f const& ground_size_mm() const { return ground_size_mm_; }
+
+private:
+    Part make_part(Material const& material, TriangleMesh const& triangles);
+    void add_surface(Material const& material, TriangleMesh const& surface,
+                     SkyVisibility const& sky);
+    void add_organ(Material const& material, InstancedMesh const& organ, SkyVisibility const& sky);
+    void make_ground_texture(SkyVisibility const& sky);
+
+    Bounds bounds_;
+    std::vector<Part> parts_;
+    gl::Texture ground_texture_;
+    Vec2f ground_corner_mm_ = Vec2f::Zero();
+    Vec2f ground_size_mm_ = Vec2f::Ones();
+};
+
+} // namespace tractus

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/base/vectors.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+#include <vector>
+
+namespace tractus {
+
+// A colour as people write it: sRGB, 0 to 255, straight (not premultiplied) alpha.
+struct Color {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+    std::uint8_t alpha = 255;
+
+    bool operator==(Color const&) const = default;
+};
+
+// The same from 0-to-1 components, clamped and rounded.
+Color color_from(Vec3f const& srgb);
+
+// A picture in memory: rows from top to bottom, pixels from left to right.
+class Image {
+public:
+    Image() = default;
+    Image(int width, int height, Color fill = {});
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    Color& at(int x, int y) { return pixels_[index(x, y)]; }
+    Color const& at(int x, int y) const { return pixels_[index(x, y)]; }
+
+    // All pixels, row after row: 4 bytes each, red first.
+    std::vector<Color>& pixels() { return pixels_; }
+    std::vector<Color> const& pixels() const { return pixels_; }
+
+    bool operator==(Image const&) const = default;
+
+private:
+    std::size_t index(int x, int y) const;
+
+    int width_ = 0;
+    int height_ = 0;
+    std::vector<Color> pixels_;
+};
+
+// Copies `picture` into `onto` with its upper left corner at (x, y). What lies outside is left out.
+void paste(Image& onto, Image const& picture, int x, int y);
+
+// The picture in another size, each pixel the mean of the area that it covers. For making smaller;
+// a larger picture shows its pixels as blocks.
+Image resized(Image const& picture, int width, int height);
+
+// Writes a PNG (ISO/IEC 15948) with 8 bits per channel: RGB where every pixel is opaque, else RGBA.
+// Fails, as the station's fault, if the stream refuses bytes or the picture is empty.
+Result<void> write_png(std::ostream& out, Image const& picture);
+
+} // namespace tractus

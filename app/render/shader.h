@@ -1,0 +1,49 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/base/vectors.h"
+
+#include <epoxy/gl.h>
+#include <initializer_list>
+#include <string_view>
+
+namespace tractus {
+
+// The pieces of GLSL that make up one program; each list is joined in order after "#version 330".
+struct ShaderSource {
+    std::string_view name; // For errors.
+    std::initializer_list<std::string_view> vertex;
+    std::initializer_list<std::string_view> fragment;
+};
+
+// A linked program. Made, used and destroyed with the same context current.
+class Shader {
+public:
+    // Fails, as the station's fault, with the driver's message if it does not compile.
+    static Result<Shader> build(ShaderSource const& source);
+
+    Shader(Shader&& other) noexcept;
+    Shader& operator=(Shader&& other) noexcept;
+    ~Shader();
+
+    void use() const { glUseProgram(program_); }
+
+    // Sets a uniform; call use() first. A name that the program does not have is ignored, since
+    // compilers remove what no pixel needs.
+    void set(char const* name, int value) const;
+    void set(char const* name, float value) const;
+    void set(char const* name, Vec2f const& value) const;
+    void set(char const* name, Vec3f const& value) const;
+    void set(char const* name, Eigen::Vector4f const& value) const;
+    void set(char const* name, Eigen::Matrix4f const& value) const;
+
+private:
+    explicit Shader(GLuint program)
+        : program_(program)
+    {
+    }
+
+    GLuint program_ = 0;
+};
+
+} // namespace tractus

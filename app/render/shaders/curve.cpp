@@ -1,0 +1,133 @@
+#include "app/render/shaders.h"
+
+namespace tractus::shaders {
+
+// Each segment becomes a rectangle on the screen around its two round ends; the fragment shader
+// finds how far a pixel lies from the segment's middle line.
+std::string_view const kCurveVertex = R"(
+layout(location = 0) in vec3 begin_position;
+layout(location = 1) in vec3 begin_color;
+layout(location = 2) in float begin_width;
+layout(location = 3) in vec3 end_position;
+layout(location = 4) in vec3 end_color;
+layout(location = 5) in float end_width;
+layout(location = 6) in vec2 traits; // x: 1 for widths in millimetres; y: plus 1 if round, plus 2 if an arrow's head.
+
+uniform mat4 T_clip_world;
+uniform vec2 viewport_px;
+uniform float pixels_per_mm; // At clip w = 1.
+
+noperspective out vec2 at_px;
+flat out vec2 begin_px;
+flat out vec2 end_px;
+flat out vec2 radii_px;
+flat out vec2 heights_mm;
+flat out vec3 color_a;
+flat out vec3 color_b;
+flat out float look; // As traits.y.
+
+float radius_of(float width, float w) { return 0.5 * width * (traits.x > 0.5 ? pixels_per_mm / w : 1.0); }
+
+void main()
+{
+    vec4 a = T_clip_world * vec4(begin_position, 1.0);
+    vec4 b = T_clip_world * vec4(end_position, 1.0);
+    // What lies behind the eye is cut off just before it.
+    const float nearest = 1e-3;
+    if (a.w < nearest && b.w < nearest) {
+        gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+        return;
+    }
+    if (a.w < nearest)
+        a = mix(a, b, (nearest - a.w) / (b.w - a.w));
+    if (b.w < nearest)
+        b = mix(b, a, (nearest - b.w) / (a.w - b.w));
+
+    begin_px = (a.xy / a.w * 0.5 + 0.5) * viewport_px;
+    end_px = (b.xy / b.w * 0.5 + 0.5) * viewport_px;
+    radii_px = vec2(radius_of(begin_width, a.w), radius_of(end_width, b.w));
+    heights_mm = vec2(begin_position.z, end_position.z);
+    color_a = begin_color;
+    color_b = end_color;
+    look = traits.y;
+
+    vec2 run = end_px - begin_px;
+    if (look > 1.5 && traits.x < 0.5) { // Its length follows from its width: see GpuCurves.
+        run = normalize(run) * (begin_width * 7.0 / 4.5);
+        end_px = begin_px + run;
+        radii_px.y = 0.0;
+    }
+    vec2 along = dot(run, run) > 1e-8 ? normalize(run) : vec2(1.0, 0.0);
+    float reach = max(max(radii_px.x, radii_px.y), 0.7) + 1.0;
+    bool at_end = (gl_VertexID & 1) != 0;
+    float side = (gl_VertexID & 2) != 0 ? 1.0 : -1.0;
+    at_px = (at_end ? end_px + along * reach : begin_px - along * reach) + vec2(-along.y, along.x) * side * reach;
+    vec4 end = at_end ? b : a;
+    gl_Position = vec4((at_px / viewport_px * 2.0 - 1.0) * end.w, end.z, end.w);
+}
+)";
+
+std::string_view const kCurveFragment = R"(
+noperspective in vec2 at_px;
+flat in vec2 begin_px;
+flat in vec2 end_px;
+flat in vec2 radii_px;
+flat in vec2 heights_mm;
+flat in vec3 color_a;
+flat in vec3 color_b;
+flat in float look;
+uniform float hidden_above_mm;
+out vec4 pixel;
+
+void main()
+{
+    vec2 run = end_px - begin_px;
+    float run_px = max(length(run), 1e-4);
+    vec2 along = run / run_px;
+    float place_px = dot(at_px - begin_px, along);
+    float t = clamp(place_px / run_px, 0.0, 1.0);
+    if (mix(heights_mm.x, heights_mm.y, t) > hidden_above_mm)
+        discard;
+    float radius = mix(radii_px.x, radii_px.y, t);
+    float drawn = max(radius, 0.7); // A thinner line is drawn paler instead.
+    vec2 off = at_px - begin_px - run * t;
+    float cover = clamp(drawn - length(off) + 0.5, 0.0, 1.0) * min(radius / 0.7, 1.0);
+    if (look > 1.5)
+        cover = min(clamp(radius - length(off) + 0.5, 0.0, 1.0), clamp(place_px + 0.5, 0.0, 1.0));
+    if (cover < 0.1)
+        discard;
+    // Shaded as a tube by the offset across only, so that the round ends of neighbours do not show.
+    float across = clamp(dot(off, vec2(-along.y, along.x)) / max(drawn, 1e-3), -1.0, 1.0);
+    vec3 normal = vec3(vec2(-along.y, along.x) * across, sqrt(1.0 - across * across));
+    float facing = max(dot(normal, normalize(vec3(-0.5, 0.65, 0.75))), 0.0);
+    float roundness = mod(look, 2.0) * smoothstep(1.0, 2.5, max(radii_px.x, radii_px.y));
+    vec3 color = mix(color_a, color_b, t);
+    color *= mix(1.0, 0.62 + 0.46 * facing, roundness);
+    color += roundness * 0.20 * pow(facing, 24.0);
+    pixel = vec4(color, cover);
+}
+)";
+
+std::string_view const kCurveShadowFragment = R"(
+noperspective in vec2 at_px;
+flat in vec2 begin_px;
+flat in vec2 end_px;
+flat in vec2 radii_px;
+flat in vec2 heights_mm;
+flat in vec3 color_a;
+flat in vec3 color_b;
+flat in float look;
+uniform float hidden_above_mm;
+
+void main()
+{
+    vec2 run = end_px - begin_px;
+    float t = clamp(dot(at_px - begin_px, run) / max(dot(run, run), 1e-8), 0.0, 1.0);
+    if (mix(heights_mm.x, heights_mm.y, t) > hidden_above_mm)
+        discard;
+    if (length(at_px - begin_px - run * t) > max(mix(radii_px.x, radii_px.y, t), 0.5))
+        discard;
+}
+)";
+
+} // namespace tractus::shaders

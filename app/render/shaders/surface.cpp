@@ -1,0 +1,179 @@
+#include "app/render/shaders.h"
+
+namespace tractus::shaders {
+
+std::string_view const kPlacement = R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec2 texture_coordinate;
+layout(location = 3) in float vertex_sky;
+layout(location = 4) in vec3 instance_translation;
+layout(location = 5) in vec4 instance_rotation;
+layout(location = 6) in vec3 instance_scale;
+layout(location = 7) in float instance_sky;
+
+vec3 rotated(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
+
+vec3 plant_position() { return instance_translation + rotated(instance_rotation, instance_scale * position); }
+
+vec3 plant_normal() { return rotated(instance_rotation, normal / instance_scale); }
+)";
+
+std::string_view const kSurfaceVertex = R"(
+uniform mat4 T_world_plant;
+uniform mat4 T_clip_world;
+
+out vec3 world;
+out vec3 world_normal;
+out vec2 coordinate;
+out float sky;
+flat out vec2 individual; // Random per instance, 0 to 1.
+
+void main()
+{
+    vec4 place = T_world_plant * vec4(plant_position(), 1.0);
+    world = place.xyz;
+    world_normal = mat3(T_world_plant) * plant_normal();
+    coordinate = texture_coordinate;
+    sky = vertex_sky * instance_sky;
+    uint h = uint(gl_InstanceID) * 0x9e3779b9u;
+    h = (h ^ (h >> 16)) * 0x7feb352du;
+    h = (h ^ (h >> 15)) * 0x846ca68bu;
+    individual = vec2(float(h & 0xffffu), float(h >> 16)) / 65535.0;
+    gl_Position = T_clip_world * place;
+}
+)";
+
+// One text, three programs: BARK, THIN (leaves and petals, with VEINS) or neither.
+std::string_view const kSurfaceFragment = R"(
+in vec3 world;
+in vec3 world_normal;
+in vec2 coordinate;
+in float sky;
+flat in vec2 individual;
+
+uniform vec3 eye;
+uniform vec3 base_color; // Linear.
+uniform float roughness;
+uniform float translucency;
+uniform float veins;
+
+out vec4 pixel;
+
+// Light that one place gets, before it meets the surface's colour.
+struct Light {
+    vec3 front;    // On the side that is seen.
+    vec3 through;  // From the other side.
+    vec3 gloss;    // Mirrored, whatever the colour.
+};
+
+float mirrored(vec3 n, vec3 view, float rough)
+{
+    // Blinn and Phong's lobe, normalised, with Schlick's Fresnel term for plants' wax (0.04).
+    vec3 h = normalize(sun_direction + view);
+    float power = 2.0 / max(rough * rough * rough * rough, 0.002);
+    float fresnel = 0.04 + 0.96 * pow(1.0 - max(dot(h, view), 0.0), 5.0);
+    return fresnel * (power + 8.0) / 25.0 * pow(max(dot(n, h), 0.0), power) * max(dot(n, sun_direction), 0.0);
+}
+
+Light light_at(vec3 n, vec3 view)
+{
+    float sun = sunlit(world, n);
+    float open = sky * sky * 0.25 + sky * 0.75;
+    float facing = dot(n, sun_direction);
+    vec3 filtered = mix(vec3(0.80, 0.92, 0.52), vec3(1.0), sky); // Light between leaves is greener.
+    Light light;
+    light.front = kSunColor * max(facing, 0.0) * sun + ambient(n) * open * filtered;
+    light.through = kSunColor * max(-facing, 0.0) * sun + ambient(-n) * open * filtered;
+    float rim = pow(1.0 - max(dot(n, view), 0.0), 4.0) * (1.0 - roughness) * 0.35;
+    light.gloss = kSunColor * mirrored(n, view, roughness) * sun + kSkyColor * rim * open;
+    return light;
+}
+
+#ifdef BARK
+// Furrows along the branch: ridges of noise on a cylinder, so that there is no seam.
+float bark_height(vec2 uv)
+{
+    float angle = uv.x * 6.2831853;
+    vec3 p = vec3(cos(angle), sin(angle), uv.y * 6.2831853 * 0.22);
+    float wander = noise(p * vec3(2.0, 2.0, 5.0) + 7.0);
+    float coarse = 1.0 - abs(2.0 * noise(p * 3.4 + wander * 0.8) - 1.0);
+    float fine = 1.0 - abs(2.0 * noise(p * vec3(8.0, 8.0, 11.0) + 31.0 + wander) - 1.0);
+    return 0.68 * coarse + 0.32 * fine;
+}
+
+void main()
+{
+    vec3 n = normalize(world_normal);
+    vec3 view = normalize(eye - world);
+    float footprint = max(length(dFdx(coordinate)), length(dFdy(coordinate)));
+    float detail = 1.0 - smoothstep(0.02, 0.09, footprint);
+    float height = bark_height(coordinate);
+
+    // Bumps: the normal leans against the height's slope. The directions around and along the branch
+    // follow from the screen's derivatives; the slope itself is taken on the surface, since screen
+    // derivatives of the height would show the 2 x 2 pixels that share one.
+    vec2 step_x = dFdx(coordinate);
+    vec2 step_y = dFdy(coordinate);
+    float turn = step_x.x * step_y.y - step_x.y * step_y.x;
+    vec3 around = (dFdx(world) * step_y.y - dFdy(world) * step_x.y) * sign(turn);
+    around = normalize(around - n * dot(around, n) + vec3(1e-9));
+    vec3 along = cross(n, around);
+    const float reach = 0.006;
+    float slope_around = bark_height(coordinate + vec2(reach, 0.0)) - height;
+    float slope_along = bark_height(coordinate + vec2(0.0, reach)) - height;
+    n = normalize(n - (around * slope_around + along * slope_along) * (detail * 0.055 / reach));
+
+    vec3 color = base_color * mix(0.85, mix(0.42, 1.30, smoothstep(0.30, 0.95, height)), detail);
+    color = mix(color, vec3(dot(color, vec3(0.33))) * vec3(1.05, 1.0, 0.92), 0.25 * height * detail);
+    Light light = light_at(n, view);
+    pixel = vec4(display(color * light.front + light.gloss * 0.6), 1.0);
+}
+#endif
+
+#ifdef THIN
+// Midrib and side veins, 0 to 1, from the blade's unit square.
+float vein_at(vec2 uv)
+{
+    float across = abs(uv.x - 0.5) * 2.0;
+    float rib = exp(-across * across * 260.0);
+    float side = abs(fract((uv.y - across * 0.30) * 8.0) - 0.5) * 2.0;
+    float fading = 1.0 - smoothstep(0.03, 0.12, max(length(dFdx(uv)), length(dFdy(uv))));
+    return max(rib, smoothstep(0.80, 1.0, side) * 0.55 * (1.0 - across)) * fading;
+}
+
+void main()
+{
+    vec3 n = normalize(world_normal);
+    vec3 view = normalize(eye - world);
+    bool underside = dot(n, view) < 0.0;
+    if (underside)
+        n = -n;
+    float change = individual.x - 0.5;
+    vec3 color = base_color * (1.0 + (individual.y - 0.5) * 0.34);
+    color *= mix(vec3(1.0), vec3(1.0 + change * 0.55, 1.0 + change * 0.12, 1.0 - change * 0.45), veins * 0.85 + 0.15);
+    float vein = veins * vein_at(coordinate);
+    color = mix(color, color * 1.5 + vec3(0.03, 0.035, 0.012), vein * 0.55);
+    if (underside)
+        color = mix(color, vec3(dot(color, vec3(0.30, 0.55, 0.15))) * vec3(1.06, 1.1, 0.92), 0.35 * veins) * (1.0 + 0.12 * veins);
+    vec3 shining = color * mix(vec3(1.25), vec3(1.75, 1.45, 0.42), veins) * (1.0 - vein * 0.45);
+    Light light = light_at(n, view);
+    vec3 sum = color * light.front * (1.0 - 0.45 * translucency) + shining * light.through * translucency
+        + light.gloss * (underside ? 0.3 : 1.0);
+    pixel = vec4(display(sum), 1.0);
+}
+#endif
+
+#ifdef PLAIN
+void main()
+{
+    vec3 n = normalize(world_normal);
+    vec3 view = normalize(eye - world);
+    vec3 color = base_color * (0.92 + 0.16 * individual.y);
+    Light light = light_at(n, view);
+    pixel = vec4(display(color * light.front + light.gloss), 1.0);
+}
+#endif
+)";
+
+} // namespace tractus::shaders

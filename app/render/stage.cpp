@@ -1,0 +1,34 @@
+#include "app/render/stage.h"
+
+namespace tractus {
+
+Backdrop dark_backdrop()
+{
+    return { .top = { 0.105f, 0.115f, 0.13f },
+             .bottom = { 0.19f, 0.20f, 0.215f },
+             .ground = { 0.33f, 0.32f, 0.31f },
+             .has_ground = true };
+}
+
+static void add_box(Bounds& sum, Bounds const& box, Eigen::Affine3d const& T_sum_box)
+{
+    if (box.empty())
+        return;
+    for (int corner = 0; corner < 8; ++corner)
+        sum.add(T_sum_box
+                * Vec3(corner & 1 ? box.max_mm.x() : box.min_mm.x(),
+                       corner & 2 ? box.max_mm.y() : box.min_mm.y(),
+                       corner & 4 ? box.max_mm.z() : box.min_mm.z()));
+}
+
+Bounds bounds(Stage const& stage)
+{
+    Bounds sum;
+    for (auto const& placed : stage.meshes)
+        add_box(sum, placed.mesh->bounds(), placed.T_world_plant.cast<double>());
+    for (auto const* curves : stage.curves)
+        add_box(sum, curves->bounds(), Eigen::Affine3d::Identity());
+    return sum;
+}
+
+} // namespace tractus

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "app/render/gpu_curves.h"
+#include "app/render/gpu_mesh.h"
+
+#include <limits>
+#include <vector>
+
+namespace tractus {
+
+// A mesh and where it stands. T_world_plant may turn, move and scale evenly.
+struct PlacedMesh {
+    GpuMesh const* mesh = nullptr; // Owned elsewhere; alive while drawn.
+    Eigen::Affine3f T_world_plant = Eigen::Affine3f::Identity();
+};
+
+// The sun: light that casts the shadow.
+struct Sun {
+    Vec3f direction { -0.62f, -0.28f, 0.73f }; // Towards it; any length. World frame.
+    float strength = 1;
+};
+
+// What is behind everything, and the ground, which fades into it. Colours are sRGB, 0 to 1.
+struct Backdrop {
+    Vec3f top { 0.83f, 0.87f, 0.90f };
+    Vec3f bottom { 0.95f, 0.94f, 0.92f };
+    Vec3f ground { 0.80f, 0.77f, 0.72f };
+    bool has_ground = true; // At z = 0, with shadows on it.
+};
+
+// Dark surroundings for pictures inside a dark window.
+Backdrop dark_backdrop();
+
+// Everything that stands before the camera. World frame, millimetres.
+struct Stage {
+    std::vector<PlacedMesh> meshes;
+    std::vector<GpuCurves const*> curves; // Owned elsewhere; alive while drawn.
+    Sun sun;
+    Backdrop backdrop;
+    double hidden_above_mm
+        = std::numeric_limits<double>::infinity(); // Curves are cut off above this height.
+    bool curves_cast_shadows = true;
+};
+
+// The box around all meshes and curves. Empty for an empty stage.
+Bounds bounds(Stage const& stage);
+
+} // namespace tractus

@@ -1,0 +1,146 @@
+#include "app/render/contact_sheet.h"
+#include "app/render/text.h"
+#include "tests/app/render/read_png.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace tractus {
+
+namespace {
+
+constexpr Color kRed { 200, 10, 20, 255 };
+constexpr Color kBlue { 10, 20, 200, 255 };
+
+// Every pixel different, as far as the bytes go.
+Image gradient(int width, int height, std::uint8_t alpha)
+{
+    Image picture(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            picture.at(x, y)
+                = { static_cast<std::uint8_t>(x * 7), static_cast<std::uint8_t>(y * 11),
+                    static_cast<std::uint8_t>(x ^ y), alpha };
+    return picture;
+}
+
+std::string png(Image const& picture)
+{
+    std::ostringstream out;
+    auto const result = write_png(out, picture);
+    EXPECT_TRUE(result) << result.error().message;
+    return out.str();
+}
+
+// How many pixels of a rectangle are not `paper`.
+int inked(Image const& picture, int left, int top, int width, int height, Color const& paper)
+{
+    int count = 0;
+    for (int y = top; y < top + height; ++y)
+        for (int x = left; x < left + width; ++x)
+            count += picture.at(x, y) == paper ? 0 : 1;
+    return count;
+}
+
+} // namespace
+
+TEST(Image, ComesBackFromItsPng)
+{
+    auto const opaque = gradient(37, 23, 255);
+    EXPECT_EQ(read_png(png(opaque)), opaque);
+}
+
+TEST(Image, KeepsTransparencyInItsPng)
+{
+    auto const sheer = gradient(12, 9, 77);
+    EXPECT_EQ(read_png(png(sheer)), sheer);
+}
+
+TEST(Image, CannotBeAPngWhenEmpty)
+{
+    std::ostringstream out;
+    auto const result = write_png(out, Image());
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().fault, Fault::Station);
+}
+
+TEST(Image, SaysWhenTheStreamIsFull)
+{
+    std::ostringstream out;
+    out.setstate(std::ios::badbit);
+    EXPECT_FALSE(write_png(out, gradient(4, 4, 255)));
+}
+
+TEST(Image, PastesOnlyWhatLiesInside)
+{
+    Image sheet(10, 10, kRed);
+    paste(sheet, Image(4, 4, kBlue), -2, 8);
+    EXPECT_EQ(std::ranges::count(sheet.pixels(), kBlue), 4);
+    EXPECT_EQ(sheet.at(0, 8), kBlue);
+    EXPECT_EQ(sheet.at(1, 9), kBlue);
+    EXPECT_EQ(sheet.at(2, 8), kRed);
+}
+
+TEST(Image, ShrinksToTheMeanOfWhatEachPixelCovers)
+{
+    Image picture(4, 2, { 0, 0, 0, 255 });
+    for (int y = 0; y < 2; ++y)
+        picture.at(0, y) = picture.at(3, y) = { 200, 100, 40, 255 };
+    auto const small = resized(picture, 2, 1);
+    EXPECT_EQ(small.at(0, 0), (Color { 100, 50, 20, 255 }));
+    EXPECT_EQ(small.at(1, 0), (Color { 100, 50, 20, 255 }));
+}
+
+TEST(Text, InksItsLineAndNothingElse)
+{
+    constexpr Color kPaper { 255, 255, 255, 255 };
+    Image picture(300, 80, kPaper);
+    TextStyle const style { 24, { 0, 0, 0, 255 } };
+    draw_text(picture, Vec2(20, 30), "Bäume 1–8", style);
+    double const width_px = text_width_px("Bäume 1–8", style);
+    EXPECT_GT(width_px, 80);
+    EXPECT_LT(width_px, 180);
+    int const line = inked(picture, 18, 30, static_cast<int>(width_px) + 4, 26, kPaper);
+    EXPECT_GT(line, 400);
+    EXPECT_EQ(inked(picture, 0, 0, 300, 80, kPaper), line);
+}
+
+TEST(Text, OutsideThePictureIsLeftOut)
+{
+    Image picture(20, 20, kRed);
+    draw_text(picture, Vec2(-500, -500), "far away", {});
+    EXPECT_EQ(std::ranges::count(picture.pixels(), kRed), 400);
+}
+
+TEST(ContactSheet, PutsTilesInRowsWithCaptionsBelow)
+{
+    std::vector<SheetTile> const tiles { { Image(60, 40, kRed), "one" },
+                                         { Image(60, 40, kBlue), "two" },
+                                         { Image(60, 40, kRed), "three" } };
+    SheetStyle style;
+    style.columns = 2;
+    style.gap_px = 10;
+    style.caption_size_px = 16;
+    auto const sheet = contact_sheet(tiles, style);
+    EXPECT_EQ(sheet.width(), 10 + 60 + 10 + 60 + 10);
+    EXPECT_EQ(sheet.height(), 10 + 40 + 24 + 10 + 40 + 24 + 10);
+    EXPECT_EQ(sheet.at(10, 10), kRed);
+    EXPECT_EQ(sheet.at(139, 49), kBlue);
+    EXPECT_EQ(sheet.at(10, 84), kRed);
+    EXPECT_EQ(sheet.at(5, 5), style.paper);
+    EXPECT_EQ(sheet.at(110, 100), style.paper) << "the last row is short";
+    EXPECT_GT(inked(sheet, 10, 50, 60, 24, style.paper), 40) << "no caption below the first tile";
+}
+
+TEST(ContactSheet, LeavesRoomForATitleOnlyWhereThereIsOne)
+{
+    std::vector<SheetTile> const tiles { { Image(200, 40, kRed), "" } };
+    SheetStyle style;
+    int const without = contact_sheet(tiles, style).height();
+    style.title = "Varied";
+    auto const sheet = contact_sheet(tiles, style);
+    EXPECT_EQ(sheet.height() - without, 51);
+    EXPECT_GT(inked(sheet, 0, 0, 200, 60, style.paper), 100);
+}
+
+} // namespace tractus

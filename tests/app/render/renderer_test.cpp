@@ -1,0 +1,221 @@
+#include "app/render/offscreen_context.h"
+#include "app/render/renderer.h"
+#include "tests/app/render/small_mesh.h"
+
+#include <gtest/gtest.h>
+#include <optional>
+
+namespace tractus {
+
+namespace {
+
+constexpr int kWidth = 400;
+constexpr int kHeight = 300;
+
+// Straight from the user's side, a little from above; the sun from the left.
+Camera camera()
+{
+    Camera camera;
+    camera.eye_mm = Vec3(0, -1500, 600);
+    camera.target_mm = Vec3(0, 0, 130);
+    camera.field_of_view_rad = 0.45;
+    camera.near_mm = 100;
+    camera.far_mm = 20000;
+    return camera;
+}
+
+class RendererTest : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        auto context = OffscreenContext::create();
+        ASSERT_TRUE(context) << context.error().message;
+        context_.emplace(std::move(*context));
+        auto renderer = Renderer::create();
+        ASSERT_TRUE(renderer) << renderer.error().message;
+        renderer_.emplace(std::move(*renderer));
+    }
+
+    Image picture(Stage const& stage)
+    {
+        return renderer_->picture(stage, camera(), kWidth, kHeight);
+    }
+
+    Image post_picture()
+    {
+        GpuMesh const mesh(post_with_leaves());
+        Stage stage;
+        stage.meshes.push_back({ &mesh });
+        stage.sun.direction = Vec3f(-1, -0.4f, 1);
+        return picture(stage);
+    }
+
+    std::optional<OffscreenContext> context_;
+    std::optional<Renderer> renderer_;
+};
+
+Color at(Image const& picture, Vec3 const& world_mm)
+{
+    double const aspect = static_cast<double>(kWidth) / kHeight;
+    Vec3f const place = (projection_matrix(camera(), aspect) * T_camera_world(camera())
+                         * world_mm.cast<float>().homogeneous())
+                            .hnormalized();
+    return picture.at(static_cast<int>((place.x() * 0.5f + 0.5f) * kWidth),
+                      static_cast<int>((0.5f - place.y() * 0.5f) * kHeight));
+}
+
+int brightness(Color const& color)
+{
+    return color.red + color.green + color.blue;
+}
+
+bool leaf_coloured(Color const& color)
+{
+    return color.green > color.red + 15 && color.green > color.blue + 30;
+}
+
+bool bark_coloured(Color const& color)
+{
+    return color.red > color.blue + 8 && color.red >= color.green && brightness(color) < 450;
+}
+
+} // namespace
+
+TEST_F(RendererTest, DrawsSurfacesWhereTheyAre)
+{
+    auto const picture = post_picture();
+    EXPECT_TRUE(bark_coloured(at(picture, Vec3(0, -20, 60))));
+    EXPECT_TRUE(bark_coloured(at(picture, Vec3(0, -20, 280))));
+    EXPECT_FALSE(bark_coloured(at(picture, Vec3(60, -20, 150))));
+}
+
+TEST_F(RendererTest, DrawsEveryInstanceInItsMaterial)
+{
+    auto const picture = post_picture();
+    for (double const x : { -200, 200 })
+        for (double const off : { -35, 35 })
+            EXPECT_TRUE(leaf_coloured(at(picture, Vec3(x + off, 0, 250 + off)))) << x + off;
+    EXPECT_FALSE(leaf_coloured(at(picture, Vec3(110, 0, 250))));
+}
+
+TEST_F(RendererTest, ShadesLeavesIndividually)
+{
+    auto const picture = post_picture();
+    EXPECT_NE(at(picture, Vec3(-180, 0, 265)), at(picture, Vec3(220, 0, 265)));
+}
+
+TEST_F(RendererTest, CastsTheShadowAwayFromTheSun)
+{
+    auto const picture = post_picture();
+    // The left leaf's middle, carried along the sun's rays to the ground, and the mirrored place.
+    auto const shaded = brightness(at(picture, Vec3(-200 + 250, 100, 0)));
+    auto const lit = brightness(at(picture, Vec3(-200 - 250, 100, 0)));
+    EXPECT_LT(shaded + 60, lit);
+}
+
+TEST_F(RendererTest, FadesTheGroundIntoTheBackdrop)
+{
+    Stage stage;
+    auto const empty = picture(stage);
+    stage.backdrop.has_ground = false;
+    auto const bare = picture(stage);
+    EXPECT_EQ(empty.at(10, 5), bare.at(10, 5));
+    EXPECT_NE(empty.at(kWidth / 2, kHeight / 2), bare.at(kWidth / 2, kHeight / 2));
+}
+
+TEST_F(RendererTest, ShowsLightThroughLeaves)
+{
+    auto mesh = post_with_leaves();
+    mesh.surfaces.clear();
+    Stage stage;
+    stage.sun.direction = Vec3f(0, 1, 0.3f); // From behind.
+    auto const green = [&](float translucency) {
+        mesh.materials[kLeafMaterial].translucency = translucency;
+        GpuMesh const leaves(mesh);
+        stage.meshes = { { &leaves } };
+        return at(picture(stage), Vec3(180, 0, 265)).green;
+    };
+    EXPECT_GT(green(0.6f), green(0.0f) + 40);
+}
+
+TEST_F(RendererTest, GivesTheSamePictureTwice)
+{
+    EXPECT_EQ(post_picture(), post_picture());
+}
+
+TEST_F(RendererTest, PlacesMeshesInTheWorld)
+{
+    GpuMesh const mesh(post_with_leaves());
+    Stage stage;
+    stage.meshes.push_back({ &mesh, Eigen::Affine3f(Eigen::Translation3f(150, 0, 0)) });
+    auto const moved = picture(stage);
+    EXPECT_TRUE(bark_coloured(at(moved, Vec3(150, -20, 60))));
+    EXPECT_FALSE(bark_coloured(at(moved, Vec3(0, -20, 60))));
+}
+
+TEST_F(RendererTest, DrawsCurvesInTheirColourAndWidth)
+{
+    Curve curve;
+    curve.look = Curve::Look::Flat;
+    curve.points = { { Vec3f(-200, 0, 150), Vec3f(1, 0, 0), 10 },
+                     { Vec3f(200, 0, 150), Vec3f(1, 0, 0), 10 } };
+    GpuCurves const curves(std::span(&curve, 1));
+    Stage stage;
+    stage.curves.push_back(&curves);
+    auto const drawn = picture(stage);
+    constexpr Color kRed { 255, 0, 0, 255 };
+    int column = 0;
+    for (int y = 0; y < kHeight; ++y)
+        column += drawn.at(kWidth / 2, y) == kRed ? 1 : 0;
+    EXPECT_GE(column, 9);
+    EXPECT_LE(column, 10);
+    EXPECT_NE(at(drawn, Vec3(230, 0, 150)), kRed);
+}
+
+TEST_F(RendererTest, HidesCurvesAboveTheSurface)
+{
+    Curve curve;
+    curve.look = Curve::Look::Flat;
+    curve.points
+        = { { Vec3f(0, 0, 0), Vec3f(1, 0, 0), 10 }, { Vec3f(0, 0, 300), Vec3f(1, 0, 0), 10 } };
+    GpuCurves const curves(std::span(&curve, 1));
+    Stage stage;
+    stage.curves.push_back(&curves);
+    stage.hidden_above_mm = 150;
+    auto const drawn = picture(stage);
+    constexpr Color kRed { 255, 0, 0, 255 };
+    EXPECT_EQ(at(drawn, Vec3(0, 0, 130)), kRed);
+    EXPECT_NE(at(drawn, Vec3(0, 0, 170)), kRed);
+}
+
+TEST_F(RendererTest, PutsAWideHeadOnArrows)
+{
+    Curve arrow;
+    arrow.look = Curve::Look::Flat;
+    arrow.end = Curve::End::Arrow;
+    arrow.points
+        = { { Vec3f(0, 0, 50), Vec3f(0, 0, 1), 4 }, { Vec3f(0, 0, 200), Vec3f(0, 0, 1), 4 } };
+    GpuCurves const curves(std::span(&arrow, 1));
+    Stage stage;
+    stage.curves.push_back(&curves);
+    auto const drawn = picture(stage);
+    constexpr Color kBlue { 0, 0, 255, 255 };
+    auto const blue_around = [&](double height) {
+        int count = 0;
+        for (double x = -30; x < 30; x += 0.5)
+            count += at(drawn, Vec3(x, 0, height)) == kBlue ? 1 : 0;
+        return count;
+    };
+    EXPECT_GT(blue_around(204), 2 * blue_around(120));
+    EXPECT_GT(blue_around(120), 0);
+}
+
+TEST_F(RendererTest, TakesAnEmptyMesh)
+{
+    GpuMesh const mesh { Mesh() };
+    Stage stage;
+    stage.meshes.push_back({ &mesh });
+    EXPECT_EQ(picture(stage).width(), kWidth);
+}
+
+} // namespace tractus
