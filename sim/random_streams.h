@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+
+namespace tractus {
+
+// What the simulation's random numbers are for (RandomKey::stream), so that one seed serves all and
+// none depends on another.
+constexpr std::uint32_t kTremorStream = 0x73'69'6d'01;
+constexpr std::uint32_t kTabletTimingStream = 0x73'69'6d'02;
+constexpr std::uint32_t kHeightTimingStream = 0x73'69'6d'03;
+constexpr std::uint32_t kHeightNoiseStream = 0x73'69'6d'04;
+
+} // namespace tractus

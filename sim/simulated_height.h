@@ -1,0 +1,32 @@
+#pragma once
+
+#include "engine/base/time.h"
+#include "sim/hand.h"
+#include "sim/rig_geometry.h"
+#include "sim/simulated_device.h"
+
+#include <cstdint>
+
+namespace tractus {
+
+// The height sensor: a string potentiometer on an analog-to-digital converter that speaks HID, as
+// an absolute Generic Desktop Slider (HID Usage Tables, page 0x01, usage 0x36) whose logical range
+// is the converter's. A report has four bytes: report id 1, the counts, least significant first,
+// and a spare zero.
+
+struct HeightOptions {
+    std::uint64_t seed = 1;
+    DeviceTiming timing {
+        .period = std::chrono::milliseconds(2), // 500 Hz
+        .latency = std::chrono::milliseconds(3),
+        .jitter = std::chrono::microseconds(200),
+    };
+    double noise_counts = 1; // Standard deviation, before rounding.
+};
+
+// What the height sensor of a rig sends while a hand draws. Readings beyond the converter's range
+// are clamped to it. Full scale is at most 16 bits.
+SimulatedDevice simulate_height(Hand const& hand, RigGeometry const& geometry,
+                                HeightOptions const& options);
+
+} // namespace tractus

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "engine/base/time.h"
+#include "engine/base/vectors.h"
+#include "sim/hand.h"
+#include "sim/rig_geometry.h"
+#include "sim/simulated_device.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace tractus {
+
+// A pen tablet as the HID standard describes one, with a report descriptor of its own (HID 1.11
+// section 6.2.2; HID Usage Tables, page 0x0D): 100 counts per millimetre, 8,192 levels of pressure,
+// tilt in whole degrees. A report has ten bytes, least significant first:
+//
+//     0     report id, 2
+//     1     bit 0 tip, 1 barrel button, 2 second barrel button, 3 eraser, 4 invert, 5 in range
+//     2, 3  x from the left edge
+//     4, 5  y from the far edge
+//     6, 7  pressure, 13 bits
+//     8, 9  tilt towards +x and towards the user, signed
+//
+// The eraser's end hovers with "invert" and touches with "invert" and "eraser".
+
+struct TabletOptions {
+    std::uint64_t seed = 1;
+    DeviceTiming timing {
+        .period = std::chrono::milliseconds(5), // 200 Hz
+        .latency = std::chrono::milliseconds(8),
+        .jitter = std::chrono::microseconds(400),
+    };
+};
+
+// What really was, when the tablet measured.
+struct TrueTip {
+    Timestamp time {};
+    Vec3 position_mm = Vec3::Zero(); // World frame.
+    bool touching = false;
+};
+
+struct SimulatedTablet {
+    SimulatedDevice device;
+    std::vector<TrueTip> truth; // One per report.
+};
+
+// What the tablet of a rig sends while a hand draws on it. Out of range it sends one report that
+// says so, then nothing. A pen off the active area is out of range. No side of the tablet may be
+// longer than 655 mm.
+SimulatedTablet simulate_tablet(Hand const& hand, RigGeometry const& geometry,
+                                TabletOptions const& options);
+
+} // namespace tractus
