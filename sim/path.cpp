@@ -41,12 +41,13 @@ Vec3 Path::direction(double arc_mm) const
     return (points_mm_[i + 1] - points_mm_[i]).normalized();
 }
 
-// A curve over u from 0 to 1, no longer than `length_mm`, in small steps.
-template<typename Curve> static std::vector<Vec3> sample(double length_mm, Curve const& curve)
+// A curve over u from 0 to 1 in small steps. `bound_mm` is its length or somewhat more; no points
+// where it is too long to be drawn, or not a number.
+template<typename Curve> static std::vector<Vec3> sample(double bound_mm, Curve const& curve)
 {
-    double const bounded_mm
-        = std::clamp(std::isfinite(length_mm) ? length_mm : 0, 1.0, 2 * kLongest_mm);
-    int const steps = static_cast<int>(std::ceil(bounded_mm / kStep_mm));
+    if (!(bound_mm <= 2 * kLongest_mm))
+        return {};
+    int const steps = std::max(2, static_cast<int>(std::ceil(bound_mm / kStep_mm)));
     std::vector<Vec3> points;
     for (int i = 0; i <= steps; ++i)
         points.push_back(curve(static_cast<double>(i) / steps));

@@ -19,13 +19,34 @@ std::vector<std::byte> report_descriptor(std::int32_t full_scale_counts)
     int const low = full_scale_counts & 0xff;
     int const high = full_scale_counts >> 8;
     int const items[] = {
-        0x05, 0x01,      0x09, 0x08, 0xa1, 0x01,    // Generic desktop: multi-axis controller:
-                                                    // application
-        0x85, kReportId,                            //
-        0x09, 0x36,                                 // Slider
-        0x15, 0x00,      0x27, low,  high, 0,    0, // from 0 to full scale
-        0x75, 0x10,      0x95, 0x01, 0x81, 0x02,    // 16 bits of input
-        0x75, 0x08,      0x81, 0x03,                // a spare byte
+        0x05,
+        0x01,
+        0x09,
+        0x08,
+        0xa1,
+        0x01, // Generic desktop: multi-axis controller:
+              // application
+        0x85,
+        kReportId, //
+        0x09,
+        0x36, // Slider
+        0x15,
+        0x00,
+        0x27,
+        low,
+        high,
+        0,
+        0, // from 0 to full scale
+        0x75,
+        0x10,
+        0x95,
+        0x01,
+        0x81,
+        0x02, // 16 bits of input
+        0x75,
+        0x08,
+        0x81,
+        0x03, // a spare byte
         0xc0,
     };
     std::vector<std::byte> bytes;

@@ -13,9 +13,9 @@
 namespace tractus {
 
 struct SimulatedRigOptions {
-    RigGeometry geometry;
-    TabletOptions tablet; // Its seed and the height sensor's are the rig's.
-    HeightOptions height;
+    RigGeometry geometry {};
+    TabletOptions tablet {}; // Its seed and the height sensor's are the rig's.
+    HeightOptions height {};
     std::uint64_t seed = 1;
 };
 

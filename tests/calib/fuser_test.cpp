@@ -15,7 +15,10 @@ Rig const kRig {
     .tablet_latency = 8ms,
 };
 
-Timestamp at(Duration time) { return Timestamp(time); }
+Timestamp at(Duration time)
+{
+    return Timestamp(time);
+}
 
 HeightSample height(Duration time, int counts)
 {

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "calib/fuser.h"
+#include "drivers/height_decoder.h"
+#include "drivers/pen_decoder.h"
+#include "sim/simulated_rig.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace tractus {
+
+// What a station makes of a simulated run.
+struct FusedRun {
+    std::vector<TipSample> live;
+    std::vector<TipSample> settled;
+    FuserCounts counts;
+};
+
+// The reports of a run, through the real decoders and the fuser, with `rig` for its calibration.
+inline FusedRun fuse(SimulatedRun const& run, Rig const& rig)
+{
+    auto const pens = make_pen_decoder(run.tablet.info);
+    auto const heights = HeightDecoder::create(run.height.info);
+    EXPECT_TRUE(pens) << pens.error().message;
+    EXPECT_TRUE(heights) << heights.error().message;
+
+    FusedRun fused;
+    Fuser fuser(rig);
+    for (auto const& [device, report] : run.in_order_of_arrival()) {
+        if (device == 1) {
+            fuser.push(heights->decode(*report).value().value());
+        } else if (auto const pen = (*pens)->decode(*report).value()) {
+            if (auto const tip = fuser.push(*pen))
+                fused.live.push_back(*tip);
+        }
+    }
+    fuser.flush();
+    fused.settled = fuser.take_settled();
+    fused.counts = fuser.counts();
+    return fused;
+}
+
+// A hand at 300 mm/s in the plane and 200 mm/s in height at once, in strokes of every kind.
+inline Hand fast_hand(std::uint64_t seed)
+{
+    auto const fast = [](PathShape const& shape) {
+        return HandStroke { .path = make_path(shape), .speed_mm_s = 1000 };
+    };
+    // 2.5 turns of 188.5 mm and 314 mm up: as much faster in the plane as 300 is to 200.
+    HelixShape const up {
+        .foot_mm = { 0, 0, 20 }, .radius_mm = 30, .end_radius_mm = 30, .turns = 2.5, .rise_mm = 314
+    };
+    HelixShape const down { .foot_mm = { 40, -10, 380 },
+                            .radius_mm = 55,
+                            .end_radius_mm = 20,
+                            .turns = -2,
+                            .rise_mm = -350 };
+    SCurveShape const s_curve { .from_mm = { -100, -50, 10 },
+                                .to_mm = { 90, 60, 300 },
+                                .swing_mm = 20 };
+    BranchShape const branch { .from_mm = { 0, 0, 50 },
+                               .length_mm = 160,
+                               .heading_rad = 2,
+                               .elevation_rad = 1.3,
+                               .turn_rad = 0.5,
+                               .bend_rad = -1.2 };
+    LineShape const level { .from_mm = { -100, 60, 5 }, .to_mm = { 100, 60, 5 } };
+    return Hand({ fast(up), fast(down), fast(s_curve), fast(branch), fast(level) },
+                { .seed = seed });
+}
+
+// How far tips lie from where the hand was at their time.
+struct Errors {
+    double rms_mm = 0;
+    double max_mm = 0;
+};
+
+inline Errors errors_of(std::vector<TipSample> const& tips, Hand const& hand)
+{
+    Errors errors;
+    double sum_of_squares = 0;
+    std::size_t count = 0;
+    for (auto const& tip : tips) {
+        if (!tip.touching)
+            continue;
+        double const error_mm = (tip.position_mm - hand.at(tip.time).position_mm).norm();
+        errors.max_mm = std::max(errors.max_mm, error_mm);
+        sum_of_squares += error_mm * error_mm;
+        ++count;
+    }
+    EXPECT_GT(count, 0u);
+    errors.rms_mm = std::sqrt(sum_of_squares / static_cast<double>(count));
+    return errors;
+}
+
+} // namespace tractus

@@ -1,0 +1,216 @@
+#include "sim/simulated_rig.h"
+
+#include "tests/sim/fused_run.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+using namespace std::chrono_literals;
+
+bool same_reports(SimulatedDevice const& a, SimulatedDevice const& b)
+{
+    return std::equal(a.reports.begin(), a.reports.end(), b.reports.begin(), b.reports.end(),
+                      [](RawReport const& x, RawReport const& y) {
+                          return x.received == y.received && x.size == y.size
+                              && x.storage == y.storage;
+                      });
+}
+
+// Everything that the real decoder makes of a tablet's reports.
+std::vector<PenSample> decoded(SimulatedDevice const& tablet)
+{
+    auto const decoder = make_pen_decoder(tablet.info).value();
+    std::vector<PenSample> samples;
+    for (auto const& report : tablet.reports)
+        if (auto const sample = decoder->decode(report).value())
+            samples.push_back(*sample);
+    return samples;
+}
+
+TEST(SimulatedTablet, ItsDescriptorSaysWhatItIs)
+{
+    auto const run = simulate_rig(fast_hand(1), {});
+    auto const& traits = make_pen_decoder(run.tablet.info).value()->traits();
+    EXPECT_NEAR(traits.size_mm.x(), 254, 1e-9);
+    EXPECT_NEAR(traits.size_mm.y(), 159, 1e-9);
+    EXPECT_FALSE(traits.is_size_assumed);
+    EXPECT_TRUE(traits.has_pressure);
+    EXPECT_TRUE(traits.has_tilt);
+    EXPECT_TRUE(traits.has_in_range);
+    EXPECT_TRUE(traits.has_eraser);
+    EXPECT_EQ(traits.button_count, 2u);
+    EXPECT_EQ(traits.raw_pressure_maximum, 8191);
+}
+
+TEST(SimulatedTablet, ATabletOfAnotherSizeSaysSo)
+{
+    SimulatedRigOptions options;
+    options.geometry.tablet_size_mm = { 600, 338.5 };
+    auto const run = simulate_rig(fast_hand(1), options);
+    auto const size_mm = make_pen_decoder(run.tablet.info).value()->traits().size_mm;
+    EXPECT_LT((size_mm - Vec2(600, 338.5)).norm(), 1e-9);
+}
+
+TEST(SimulatedTablet, ReportsDecodeToWhatTheHandDid)
+{
+    auto const hand = fast_hand(1);
+    SimulatedRigOptions options;
+    options.geometry.rotation_deg = 3;
+    options.geometry.tablet_size_mm = { 300, 200 };
+    auto const run = simulate_rig(hand, options);
+    auto const samples = decoded(run.tablet);
+    ASSERT_EQ(samples.size(), run.truth.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        auto const state = hand.at(run.truth[i].time);
+        ASSERT_EQ(samples[i].in_range, state.in_range) << i;
+        ASSERT_EQ(samples[i].touching, state.touching) << i;
+        if (!state.in_range)
+            continue;
+        auto const place_mm = tablet_position_mm(options.geometry, state.position_mm);
+        ASSERT_LT((samples[i].position_mm - place_mm.head<2>()).norm(), 0.01) << i;
+        ASSERT_NEAR(*samples[i].pressure, state.pressure, 1.0 / 8191) << i;
+        ASSERT_LT((*samples[i].tilt_rad - state.tilt_rad).cwiseAbs().maxCoeff(), radians(0.51))
+            << i;
+        ASSERT_FALSE(samples[i].eraser);
+        ASSERT_EQ(samples[i].buttons, 0u);
+    }
+}
+
+TEST(SimulatedTablet, DrawsWithTheEraser)
+{
+    auto const path = make_path(LineShape { { 0, 0, 10 }, { 50, 0, 10 } });
+    Hand const hand({ { .path = path, .eraser = true } }, {});
+    auto const samples = decoded(simulate_rig(hand, {}).tablet);
+    EXPECT_TRUE(std::any_of(samples.begin(), samples.end(),
+                            [](auto const& sample) { return sample.eraser && sample.touching; }));
+    for (auto const& sample : samples)
+        EXPECT_TRUE(sample.eraser || !sample.in_range);
+}
+
+TEST(SimulatedTablet, SaysOnceThatThePenHasLeft)
+{
+    auto const samples = decoded(simulate_rig(fast_hand(1), {}).tablet);
+    std::size_t departures = 0;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        EXPECT_TRUE(samples[i].in_range || samples[i - 1].in_range) << i;
+        departures += !samples[i].in_range;
+    }
+    EXPECT_GT(departures, 1u);
+    EXPECT_FALSE(samples.back().in_range);
+}
+
+TEST(SimulatedTablet, APenOffTheActiveAreaIsOutOfRange)
+{
+    auto const path = make_path(LineShape { { 0, 0, 10 }, { 200, 0, 10 } });
+    auto const samples = decoded(simulate_rig(Hand({ { .path = path } }, {}), {}).tablet);
+    EXPECT_FALSE(samples.back().in_range);
+    for (auto const& sample : samples) {
+        EXPECT_LE(sample.position_mm.x(), 254);
+        EXPECT_GE(sample.position_mm.x(), 100);
+    }
+    EXPECT_NEAR(samples.back().position_mm.x(), 254, 1);
+}
+
+TEST(SimulatedTablet, MeasuresTwoHundredTimesASecond)
+{
+    auto const run = simulate_rig(fast_hand(1), {});
+    for (std::size_t i = 1; i < run.truth.size(); ++i)
+        EXPECT_EQ((run.truth[i].time - run.truth[i - 1].time) % 5ms, 0ms);
+}
+
+TEST(SimulatedHeight, ReportsDecodeToTheCountsOfTheTrueHeight)
+{
+    auto const hand = fast_hand(1);
+    SimulatedRigOptions options;
+    options.height.timing.jitter = 0ms;
+    auto const run = simulate_rig(hand, options);
+    auto const decoder = HeightDecoder::create(run.height.info).value();
+    EXPECT_EQ(decoder.full_scale(), 4095);
+    double sum_of_squares = 0;
+    for (auto const& report : run.height.reports) {
+        auto const sample = decoder.decode(report).value().value();
+        auto const height = hand.at(sample.time - options.height.timing.latency).position_mm.z();
+        double const noise = sample.counts - ideal_counts(options.geometry, height);
+        sum_of_squares += noise * noise;
+        ASSERT_LT(std::abs(noise), 6);
+    }
+    double const count = static_cast<double>(run.height.reports.size());
+    EXPECT_NEAR(count, to_seconds(hand.end()) * 500, 2);
+    // One count of noise and a twelfth of a squared count for the rounding.
+    EXPECT_NEAR(std::sqrt(sum_of_squares / count), std::sqrt(1 + 1.0 / 12), 0.05);
+}
+
+TEST(SimulatedHeight, StopsAtTheConvertersEnds)
+{
+    SimulatedRigOptions options;
+    options.geometry.string_at_zero_counts_mm = 300;
+    auto const run = simulate_rig(fast_hand(1), options);
+    auto const decoder = HeightDecoder::create(run.height.info).value();
+    std::int32_t least = 4095;
+    for (auto const& report : run.height.reports)
+        least = std::min(least, decoder.decode(report).value().value().counts);
+    EXPECT_EQ(least, 0);
+}
+
+TEST(SimulatedRig, SameSeedSameBytes)
+{
+    auto const a = simulate_rig(fast_hand(5), { .seed = 5 });
+    auto const b = simulate_rig(fast_hand(5), { .seed = 5 });
+    EXPECT_TRUE(same_reports(a.tablet, b.tablet));
+    EXPECT_TRUE(same_reports(a.height, b.height));
+}
+
+TEST(SimulatedRig, AnotherSeedIsAnotherRun)
+{
+    auto const hand = fast_hand(5);
+    auto const a = simulate_rig(hand, { .seed = 5 });
+    auto const b = simulate_rig(hand, { .seed = 6 });
+    EXPECT_FALSE(same_reports(a.tablet, b.tablet));
+    EXPECT_FALSE(same_reports(a.height, b.height));
+    auto const c = simulate_rig(fast_hand(6), { .seed = 5 });
+    EXPECT_FALSE(same_reports(a.tablet, c.tablet));
+}
+
+TEST(SimulatedRig, AWrongHeightModelMissesTheTruth)
+{
+    auto const hand = fast_hand(1);
+    auto const run = simulate_rig(hand, {});
+    // The straight line through both ends of the travel.
+    auto const& geometry = RigGeometry {};
+    double const low = ideal_counts(geometry, 0);
+    double const high = ideal_counts(geometry, geometry.travel_mm);
+    auto rig = run.rig;
+    rig.height_model
+        = LinearHeight { .mm_per_count = geometry.travel_mm / (high - low), .zero_counts = low };
+    auto const right = errors_of(fuse(run, run.rig).settled, hand);
+    auto const wrong = errors_of(fuse(run, rig).settled, hand);
+    EXPECT_LT(right.max_mm, 1);
+    EXPECT_GT(wrong.rms_mm, 5);
+    EXPECT_GT(wrong.max_mm, 15);
+}
+
+TEST(SimulatedRig, AWrongLatencyMissesTheTruth)
+{
+    auto const hand = fast_hand(1);
+    auto const run = simulate_rig(hand, {});
+    auto rig = run.rig;
+    rig.height_latency = rig.tablet_latency = 0ms;
+    EXPECT_GT(errors_of(fuse(run, rig).settled, hand).max_mm, 1.5);
+}
+
+TEST(SimulatedRig, SurvivesATurnedTabletAndACrookedTravel)
+{
+    auto const hand = fast_hand(1);
+    SimulatedRigOptions options;
+    options.geometry.tablet_size_mm = { 300, 220 };
+    options.geometry.rotation_deg = 7;
+    options.geometry.travel_shear = { 0.03, -0.02 };
+    auto const run = simulate_rig(hand, options);
+    EXPECT_LT(errors_of(fuse(run, run.rig).settled, hand).max_mm, 1);
+}
+
+} // namespace
+} // namespace tractus
