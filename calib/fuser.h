@@ -40,8 +40,9 @@ struct FuserCounts {
 // its instant have come, from a line fitted through them (height_track.h). The instants are those
 // of the samples less their sensor's latency.
 //
-// With heights 500 times a second and a hand that moves the carriage at 200 mm/s, settled heights
-// lie within 0.3 mm and live ones within 2 mm of the truth.
+// With heights 500 times a second of 12 bits and one count of noise, and a hand at 300 mm/s in the
+// plane and 200 mm/s in height, tips lie 0.1 mm from the truth in the mean; settled ones at most
+// 0.5 mm, live ones at most 1 mm.
 //
 // Samples of one sensor should come in time order; a height that comes late is put in its place as
 // far as tips are not settled yet. The two sensors may interleave in any way, as long as neither
