@@ -1,0 +1,54 @@
+#include "engine/variation/axis_levels.h"
+
+#include <algorithm>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace tractus {
+
+// Below this a level is done before other threads have woken up.
+constexpr std::size_t kSegmentsWorthThreads = 4096;
+
+AxisLevels find_axis_levels(Plant const& plant)
+{
+    std::vector<std::uint32_t> level_of(plant.axes.size());
+    AxisLevels levels;
+    for (AxisId id = 0; id < plant.axes.size(); ++id) { // Bearers come first.
+        auto const& axis = plant.axes[id];
+        level_of[id] = axis.parent_axis == kNone ? 0 : level_of[axis.parent_axis] + 1;
+        if (level_of[id] >= levels.segment_count.size())
+            levels.segment_count.resize(level_of[id] + 1);
+        levels.segment_count[level_of[id]] += axis.segment_count;
+    }
+
+    levels.first.assign(levels.count() + 1, 0);
+    for (auto const level : level_of)
+        ++levels.first[level + 1];
+    for (std::size_t i = 1; i < levels.first.size(); ++i)
+        levels.first[i] += levels.first[i - 1];
+    levels.axes.resize(plant.axes.size());
+    auto next = levels.first;
+    for (AxisId id = 0; id < plant.axes.size(); ++id)
+        levels.axes[next[level_of[id]]++] = id;
+    return levels;
+}
+
+void for_each_level(AxisLevels const& levels,
+                    std::function<void(std::span<AxisId const>)> const& work)
+{
+    for (std::size_t number = 0; number < levels.count(); ++number) {
+        auto const axes = levels.level(number);
+        if (levels.segment_count[number] < kSegmentsWorthThreads) {
+            work(axes);
+            continue;
+        }
+        auto const segments_per_axis = levels.segment_count[number] / axes.size();
+        auto const grain = std::max<std::size_t>(1, kSegmentsWorthThreads / 4 / segments_per_axis);
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, axes.size(), grain),
+                          [&](tbb::blocked_range<std::size_t> const& range) {
+                              work(axes.subspan(range.begin(), range.size()));
+                          });
+    }
+}
+
+} // namespace tractus

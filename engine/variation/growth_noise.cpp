@@ -1,0 +1,75 @@
+#include "engine/variation/growth_noise.h"
+
+#include "engine/base/check.h"
+#include "engine/base/random.h"
+#include "engine/base/vectors.h"
+
+#include <bit>
+#include <cmath>
+
+namespace tractus {
+
+namespace {
+
+// RandomKey::stream of what this file draws.
+constexpr std::uint32_t kPlantStream = 0x706c616e; // "plan": the seed of each plant.
+constexpr std::uint32_t kStepStream = 0x73746570;  // "step": the noise of each step.
+
+// Natural logarithm of a number in (0, 1]. Exponent and mantissa apart, then the series of
+// 2 artanh((m - 1) / (m + 1)), for m within a factor of sqrt 2 of 1. Error below 3e-7.
+inline float log_of(float x)
+{
+    // The offset makes the mantissa lie in [0.7, 1.4) instead of [1, 2).
+    auto const bits = std::bit_cast<std::int32_t>(x) - 0x3f3504f3;
+    auto const exponent = static_cast<float>(bits >> 23);
+    float const m = std::bit_cast<float>((bits & 0x007fffff) + 0x3f3504f3);
+    float const t = (m - 1) / (m + 1);
+    float const t2 = t * t;
+    float const series
+        = 2 * t * (1 + t2 * (1 / 3.f + t2 * (1 / 5.f + t2 * (1 / 7.f + t2 * (1 / 9.f)))));
+    return exponent * 0.693147181f + series;
+}
+
+// Two normal numbers from two random words by Box and Muller's method. The angle is drawn as an
+// eighth of a turn to either side, by 30 bits, and a quarter of the circle, by the other two.
+inline std::array<float, 2> normal_pair(std::uint32_t radius_word, std::uint32_t angle_word)
+{
+    float const uniform
+        = (static_cast<float>(static_cast<std::int32_t>(radius_word >> 8)) + 0.5f) * 0x1p-24f;
+    float const radius = std::sqrt(-2 * log_of(uniform));
+
+    float const a = static_cast<float>(static_cast<std::int32_t>(angle_word << 2)) * 0x1p-31f
+        * static_cast<float>(kPi / 4);
+    float const a2 = a * a;
+    float const sine
+        = a * (1 - a2 * (1 / 6.f - a2 * (1 / 120.f - a2 * (1 / 5040.f - a2 / 362880.f))));
+    float const cosine
+        = 1 - a2 * (1 / 2.f - a2 * (1 / 24.f - a2 * (1 / 720.f - a2 * (1 / 40320.f))));
+    float const along = (angle_word >> 31) != 0 ? -radius : radius;
+    bool const crosswise = ((angle_word >> 30) & 1) != 0;
+    return { along * (crosswise ? -sine : cosine), along * (crosswise ? cosine : sine) };
+}
+
+} // namespace
+
+GrowthNoise::GrowthNoise(PlantKey const& key)
+{
+    auto const words = random_block({ key.seed, kPlantStream, key.plant_index }, 0);
+    seed_ = std::uint64_t { words[0] } << 32 | words[1];
+}
+
+void GrowthNoise::fill(std::uint32_t axis, std::uint64_t first, std::span<StepNoise> noise) const
+{
+    CHECK(noise.size() <= kBatch);
+    // The words first, so that the compiler can work on several steps' numbers at once.
+    std::array<std::array<std::uint32_t, 4>, kBatch> words;
+    RandomKey const key { seed_, kStepStream, axis };
+    for (std::size_t i = 0; i < noise.size(); ++i)
+        words[i] = random_block(key, first + i);
+    for (std::size_t i = 0; i < noise.size(); ++i) {
+        noise[i].first = normal_pair(words[i][0], words[i][1]);
+        noise[i].second = normal_pair(words[i][2], words[i][3]);
+    }
+}
+
+} // namespace tractus

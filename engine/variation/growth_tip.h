@@ -1,0 +1,190 @@
+#pragma once
+
+#include "engine/plant/plant.h"
+#include "engine/variation/growth_noise.h"
+#include "engine/variation/growth_plan.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+// The inner loop of growth: where the tip of an axis points, segment by segment, in the coordinates
+// of the axis (of the predefined plant, which what bears the axis has turned as a whole). All
+// angles are deviations from a segment's predefined direction, in radians, towards its normal and
+// binormal.
+
+// A deviation beyond this, in radians, is held: a tip that looks back has turned far enough.
+constexpr double kMostDeviation = 3;
+
+// cos(a / 2) and sin(a / 2) / a of an angle 0 to pi, given by its square. Both are series in a²: no
+// square root, no division, and exact for 0.
+struct HalfAngle {
+    double cosine = 1;
+    double sine_share = 0.5;
+};
+
+inline HalfAngle half_angle(double angle_squared)
+{
+    double const y = angle_squared / 4;
+    // 1/(2n)! and 1/(2n+1)! with alternating signs; the first term left out is below 1e-17 of 1.
+    constexpr std::array<double, 12> kCosine {
+        1,
+        -1 / 2.,
+        1 / 24.,
+        -1 / 720.,
+        1 / 40320.,
+        -1 / 3628800.,
+        1 / 479001600.,
+        -1 / 87178291200.,
+        1 / 20922789888000.,
+        -1 / 6402373705728000.,
+        1 / 2432902008176640000.,
+        -1 / 1124000727777607680000.,
+    };
+    double cosine = 0;
+    double sine = 0;
+    for (std::size_t n = kCosine.size(); n-- > 0;) {
+        cosine = cosine * y + kCosine[n];
+        sine = sine * y + kCosine[n] / (2 * static_cast<double>(n) + 1);
+    }
+    return { cosine, sine / 2 };
+}
+
+inline Vec2 held(Vec2 const& deviation)
+{
+    double const squared = deviation.squaredNorm();
+    if (squared <= kMostDeviation * kMostDeviation) [[likely]]
+        return deviation;
+    return deviation * (kMostDeviation / std::sqrt(squared));
+}
+
+// The direction that deviates by `d` from a segment's predefined one.
+inline Vec3 deviated(GrowthPlan::Segment const& segment, Vec3 const& binormal, Vec2 const& d)
+{
+    double const squared = d.squaredNorm();
+    auto const half = half_angle(squared);
+    double const sine_share = 2 * half.sine_share * half.cosine;
+    double const cosine = 1 - 2 * half.sine_share * half.sine_share * squared;
+    return cosine * segment.direction + sine_share * (d.x() * segment.normal + d.y() * binormal);
+}
+
+// The rotation without twist that does the same.
+inline Quat turn_by(GrowthPlan::Segment const& segment, Vec3 const& binormal, Vec2 const& d)
+{
+    auto const half = half_angle(d.squaredNorm());
+    Vec3 const axis = half.sine_share * (d.x() * binormal - d.y() * segment.normal);
+    return Quat(half.cosine, axis.x(), axis.y(), axis.z());
+}
+
+// The part of `influence` across the direction that deviates by `d`, on the segment's two sides.
+inline Vec2 across(GrowthPlan::Segment const& segment, Vec2 const& d, Vec3 const& influence)
+{
+    Vec3 const binormal = segment.direction.cross(segment.normal);
+    Vec3 const direction = deviated(segment, binormal, d);
+    Vec3 const push = influence - influence.dot(direction) * direction;
+    return { push.dot(segment.normal), push.dot(binormal) };
+}
+
+// The tip of one axis by the law without delay. A few multiplications per segment, all coefficients
+// being in the plan.
+class Tip {
+public:
+    // `influence` in the coordinates of the axis. Plan and noise must outlive the tip.
+    Tip(GrowthPlan const& plan, GrowthNoise const& noise, AxisId axis, Vec3 const& influence)
+        : plan_(plan)
+        , noise_(noise)
+        , axis_(axis)
+        , first_segment_(plan.base.axes[axis].first_segment)
+        , influence_(influence)
+        , is_pushed_(!influence.isZero(0) && plan.parameters.indicator_gain != 0)
+    {
+    }
+
+    // The deviations of the next segments: GrowthNoise::kBatch at most.
+    void advance(std::span<Vec2> deviations)
+    {
+        std::array<StepNoise, GrowthNoise::kBatch> noise;
+        noise_.fill(axis_, next_, std::span(noise).first(deviations.size()));
+        for (std::size_t i = 0; i < deviations.size(); ++i) {
+            step(noise[i]);
+            deviations[i] = deviation_;
+        }
+    }
+
+private:
+    void step(StepNoise const& noise)
+    {
+        auto const segment = first_segment_ + next_;
+        auto const& step = plan_.steps[plan_.segments[segment].step];
+        // The indicators act on the tip as it was: on the segment before.
+        Vec2 next = is_pushed_ ? pushed(plan_.segments[next_ > 0 ? segment - 1 : segment], step)
+                               : Vec2(step.deviation_kept * deviation_);
+        Vec2 const first(noise.first[0], noise.first[1]);
+        Vec2 const second(noise.second[0], noise.second[1]);
+        next += step.noise_push * memory_ + step.noise_1 * first;
+        memory_ = step.memory_kept * memory_ + step.memory_1 * first + step.memory_2 * second;
+        if (!plan_.circumnutation_rad.empty())
+            next += plan_.circumnutation_rad[segment];
+        deviation_ = held(next);
+        ++next_;
+    }
+
+    Vec2 pushed(GrowthPlan::Segment const& segment, GrowthStep const& step) const
+    {
+        Vec2 d = deviation_;
+        for (int part = 0; part < step.substeps; ++part)
+            d = held(step.substep_kept * d + step.substep_push * across(segment, d, influence_));
+        return d;
+    }
+
+    GrowthPlan const& plan_;
+    GrowthNoise const& noise_;
+    AxisId axis_ = 0;
+    SegmentId first_segment_ = 0;
+    Vec3 influence_;
+    bool is_pushed_ = false;
+    std::uint32_t next_ = 0; // Number in the axis of the segment to come.
+    Vec2 deviation_ = Vec2::Zero();
+    Vec2 memory_ = Vec2::Zero();
+};
+
+// The tip of one axis by the law with delay. A delay cannot be integrated over a segment at once,
+// so this takes whole steps of the law, and a segment's deviation is read between two of them.
+class DelayedTip {
+public:
+    DelayedTip(GrowthPlan const& plan, GrowthNoise const& noise, AxisId axis,
+               Vec3 const& influence);
+
+    void advance(std::span<Vec2> deviations);
+
+private:
+    static constexpr std::size_t kHistory = 65; // The longest delay, and now.
+
+    double length_of(std::uint32_t segment) const; // In steps.
+    Vec2 deviation_at(double place);
+    void step();
+
+    GrowthPlan const& plan_;
+    GrowthNoise const& noise_;
+    AxisId axis_ = 0;
+    std::span<GrowthPlan::Segment const> segments_;
+    Vec3 influence_;
+    double unit_mm_ = 0;
+
+    std::uint32_t next_ = 0;  // Number in the axis of the segment to come.
+    double next_start_ = 0;   // Where it begins, in steps from the base.
+    std::uint32_t under_ = 0; // The segment that the tip is on, and where that one ends.
+    double under_end_ = 0;
+
+    std::uint32_t steps_ = 0;            // Steps taken: the tip is as many steps from the base.
+    std::array<Vec2, kHistory> history_; // Deviations; that after n steps at n % kHistory.
+    Vec2 memory_ = Vec2::Zero();
+    std::array<StepNoise, GrowthNoise::kBatch> batch_;
+};
+
+} // namespace tractus
