@@ -1,5 +1,7 @@
 #include "app/command_line.h"
 
+#include "app/verbs/decode.h"
+#include "app/verbs/devices.h"
 #include "app/verbs/verb.h"
 
 #include <fmt/core.h>
@@ -28,6 +30,8 @@ int run_command_line(int argc, char const* const* argv)
     root.require_subcommand(0, 1);
     Action action;
     // Each verb registers itself here, in the order that --help lists them.
+    add_decode_verb(root, action);
+    add_devices_verb(root, action);
 
     try {
         root.parse(argc, argv);

@@ -1,0 +1,310 @@
+#include "app/verbs/decode.h"
+
+#include "drivers/device_kind.h"
+#include "drivers/file.h"
+#include "drivers/height_decoder.h"
+#include "drivers/log.h"
+#include "drivers/pen_decoder.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fmt/core.h>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+constexpr std::size_t kChunkBytes = std::size_t { 1 } << 16;
+
+struct Options {
+    std::string log;
+    std::string output;
+    bool csv = false;
+    bool raw = false;
+};
+
+using Sink = std::function<Result<void>(std::string_view)>;
+
+// One device of the log, and what came of its reports.
+struct Device {
+    std::unique_ptr<PenDecoder> pen {}; // Null if it is none.
+    std::size_t reports = 0;
+    std::size_t samples = 0;
+    std::size_t touching = 0;
+    std::size_t strokes = 0;
+    bool was_touching = false;
+    std::vector<Duration> intervals {}; // Between samples.
+    Timestamp last {};
+    std::size_t bad_reports = 0;
+    std::string first_problem {};
+};
+
+void append_integer(std::string& text, std::int64_t value)
+{
+    char digits[24];
+    auto const end = std::to_chars(std::begin(digits), std::end(digits), value).ptr;
+    text.append(digits, end);
+}
+
+// A number with a fixed count of decimals, several times faster than printf. |value| must be below
+// 1e12 or so.
+void append_fixed(std::string& text, double value, int decimals)
+{
+    static constexpr std::int64_t kPowers[] = { 1, 10, 100, 1'000, 10'000, 100'000, 1'000'000 };
+    auto const power = kPowers[decimals];
+    auto const scaled = std::llround(value * static_cast<double>(power));
+    if (scaled < 0)
+        text += '-';
+    append_integer(text, std::abs(scaled) / power);
+    text += '.';
+    auto fraction = std::abs(scaled) % power;
+    auto const begin = text.size();
+    text.append(static_cast<std::size_t>(decimals), '0');
+    for (auto i = text.size(); i-- > begin; fraction /= 10)
+        text[i] = static_cast<char>('0' + fraction % 10);
+}
+
+void append_flag(std::string& text, bool is_known, bool value)
+{
+    text += ',';
+    if (is_known)
+        text += value ? '1' : '0';
+}
+
+void append_row(std::string& text, std::size_t device, PenSample const& sample,
+                PenTraits const& traits, bool raw)
+{
+    append_fixed(text, to_seconds(sample.time), 6);
+    text += ',';
+    append_integer(text, static_cast<std::int64_t>(device));
+    text += ',';
+    append_fixed(text, sample.position_mm.x(), 4);
+    text += ',';
+    append_fixed(text, sample.position_mm.y(), 4);
+    text += ',';
+    if (sample.pressure)
+        append_fixed(text, *sample.pressure, 5);
+    for (int axis = 0; axis < 2; ++axis) {
+        text += ',';
+        if (sample.tilt_rad)
+            append_fixed(text, degrees((*sample.tilt_rad)[axis]), 2);
+    }
+    append_flag(text, traits.has_in_range, sample.in_range);
+    append_flag(text, true, sample.touching && !sample.eraser);
+    append_flag(text, traits.has_eraser, sample.touching && sample.eraser);
+    text += ',';
+    if (traits.button_count > 0)
+        append_integer(text, sample.buttons);
+    if (raw) {
+        for (auto const value : { sample.raw_x, sample.raw_y }) {
+            text += ',';
+            append_integer(text, value);
+        }
+        text += ',';
+        if (sample.pressure)
+            append_integer(text, sample.raw_pressure);
+    }
+    text += '\n';
+}
+
+void count(Device& device, PenSample const& sample)
+{
+    if (device.samples++ > 0)
+        device.intervals.push_back(sample.time - device.last);
+    device.last = sample.time;
+    device.touching += sample.touching;
+    device.strokes += sample.touching && !device.was_touching;
+    device.was_touching = sample.touching;
+}
+
+// Feeds every report of a pen to its decoder, in the log's order.
+Result<void> decode_all(Log const& log, std::vector<Device>& devices,
+                        std::function<Result<void>(std::size_t, PenSample const&)> const& use)
+{
+    for (auto const& record : log.records) {
+        auto& device = devices[record.device];
+        ++device.reports;
+        if (!device.pen)
+            continue;
+        auto const sample = device.pen->decode(record.time, log.report(record));
+        if (!sample) {
+            if (device.bad_reports++ == 0)
+                device.first_problem = fmt::format("at {:.6f} s: {}", to_seconds(record.time),
+                                                   sample.error().message);
+        } else if (*sample) {
+            TRY(use(record.device, **sample));
+        }
+    }
+    return {};
+}
+
+// The log's pens. Names the devices that are none on standard error, and fails if all are.
+Result<std::vector<Device>> find_pens(Log const& log)
+{
+    std::vector<Device> devices;
+    std::string reasons;
+    for (auto const& info : log.devices) {
+        auto& device = devices.emplace_back();
+        auto const index = devices.size() - 1;
+        if (auto pen = make_pen_decoder(info))
+            device.pen = std::move(*pen);
+        else if (!HeightDecoder::create(info))
+            reasons += fmt::format("{}device {}: {}", reasons.empty() ? "" : "; ", index,
+                                   pen.error().message);
+    }
+    if (std::none_of(devices.begin(), devices.end(),
+                     [](auto const& device) { return device.pen != nullptr; }))
+        return fail(Fault::User,
+                    fmt::format("there is no pen to decode in {}: {}", log.name,
+                                reasons.empty() ? "it has a height sensor alone" : reasons));
+    if (!reasons.empty())
+        fmt::print(stderr, "warning: {}: {}\n", log.name, reasons);
+    return devices;
+}
+
+// Says once per device what could not be decoded; fails if that was everything.
+Result<void> report_problems(Log const& log, std::vector<Device> const& devices)
+{
+    if (auto const warnings = summarize_warnings(log); !warnings.empty())
+        fmt::print(stderr, "warning: {}\n", warnings);
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        auto const& device = devices[i];
+        if (device.bad_reports == 0)
+            continue;
+        auto const& where = log.devices[i].location;
+        if (device.bad_reports == device.reports)
+            return fail(
+                Fault::Device,
+                fmt::format("{}: its reports are not what its report descriptor says, the first {}",
+                            where, device.first_problem));
+        fmt::print(stderr, "warning: {}: {} of {} reports could not be decoded, the first {}\n",
+                   where, device.bad_reports, device.reports, device.first_problem);
+    }
+    return {};
+}
+
+Result<void> write_csv(Log const& log, bool raw, Sink const& sink)
+{
+    auto devices = TRY(find_pens(log));
+    std::string text
+        = "time_s,device,x_mm,y_mm,pressure,tilt_x_deg,tilt_y_deg,in_range,tip,eraser,buttons";
+    text += raw ? ",x_raw,y_raw,pressure_raw\n" : "\n";
+    auto const add_row = [&](std::size_t device, PenSample const& sample) -> Result<void> {
+        append_row(text, device, sample, devices[device].pen->traits(), raw);
+        if (text.size() < kChunkBytes)
+            return {};
+        TRY(sink(text));
+        text.clear();
+        return {};
+    };
+    TRY(decode_all(log, devices, add_row));
+    TRY(report_problems(log, devices));
+    return sink(text);
+}
+
+Result<void> write_to_standard_output(std::string_view text)
+{
+    if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
+        return {};
+    return fail(Fault::User,
+                fmt::format("cannot write to standard output: {}", std::strerror(errno)));
+}
+
+double median_rate_hz(std::vector<Duration> intervals)
+{
+    if (intervals.empty())
+        return 0;
+    auto const middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+    std::nth_element(intervals.begin(), middle, intervals.end());
+    return middle->count() > 0 ? 1 / to_seconds(*middle) : 0;
+}
+
+double duration_s(Log const& log)
+{
+    if (log.records.empty())
+        return 0;
+    auto const [first, last]
+        = std::minmax_element(log.records.begin(), log.records.end(),
+                              [](auto const& a, auto const& b) { return a.time < b.time; });
+    return to_seconds(last->time - first->time);
+}
+
+Result<void> print_summary(Log const& log)
+{
+    auto devices = TRY(find_pens(log));
+    TRY(decode_all(log, devices, [&](std::size_t device, PenSample const& sample) -> Result<void> {
+        count(devices[device], sample);
+        return {};
+    }));
+    auto text = fmt::format("{}: {} reports in {:.3f} s\n", log.name, log.records.size(),
+                            duration_s(log));
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        auto const& device = devices[i];
+        auto const& info = log.devices[i];
+        text += fmt::format("device {}: {} ({:04x}:{:04x}), {} reports\n  {}\n", i, info.name,
+                            info.vendor_id, info.product_id, device.reports,
+                            describe_device(info).text);
+        if (device.pen)
+            text += fmt::format(
+                "  {} samples, typically {:.0f} per second, {} of them touching, in {} strokes\n",
+                device.samples, median_rate_hz(device.intervals), device.touching, device.strokes);
+    }
+    if (!log.tools.empty())
+        text += fmt::format("{} changes of tool\n", log.tools.size());
+    if (!log.rig_text.empty())
+        text += "the rig's calibration is in the log\n";
+    TRY(report_problems(log, devices));
+    return write_to_standard_output(text);
+}
+
+Result<void> run(Options const& options)
+{
+    auto const log = TRY(read_log(options.log));
+    if (!options.csv)
+        return print_summary(log);
+    if (options.output.empty())
+        return write_csv(log, options.raw, write_to_standard_output);
+    return write_file(options.output, [&](std::ostream& out) {
+        return write_csv(log, options.raw, [&](std::string_view text) -> Result<void> {
+            out.write(text.data(), static_cast<std::streamsize>(text.size()));
+            return {};
+        });
+    });
+}
+
+} // namespace
+
+void add_decode_verb(CLI::App& root, Action& action)
+{
+    auto* const verb = root.add_subcommand("decode", "Show what the pens in a device log did");
+    verb->footer(
+        "The log may be one of ours or any hid-recorder file. Without --csv a summary is printed.\n"
+        "\n"
+        "CSV has one row per pen sample. Positions are in millimetres from the lower left corner "
+        "of\n"
+        "the tablet's active area, y away from the user; tilts in degrees towards +x and +y; tip "
+        "and\n"
+        "eraser are 1 while that end of the pen touches; buttons is a sum of 1, 2 and 4 for the "
+        "first,\n"
+        "second and third barrel button. A field is empty where the device does not say. --raw "
+        "adds\n"
+        "the counts as the device reports them, y downwards.");
+    auto options = std::make_shared<Options>(); // Shared by the parser's options and the action.
+    verb->add_option("FILE", options->log, "The device log")->required();
+    auto* const csv = verb->add_flag("--csv", options->csv, "Print one row per pen sample");
+    verb->add_flag("--raw", options->raw, "Add the device's own counts to each row")->needs(csv);
+    verb->add_option("-o,--output", options->output,
+                     "Write to this file in place of standard output")
+        ->needs(csv);
+    verb->callback([&action, options] { action = [options] { return run(*options); }; });
+}
+
+} // namespace tractus
