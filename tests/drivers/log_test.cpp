@@ -1,0 +1,308 @@
+#include "drivers/log.h"
+
+#include "drivers/log_source.h"
+#include "drivers/log_writer.h"
+#include "drivers/recording_source.h"
+#include "tests/drivers/devices.h"
+
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sstream>
+#include <string>
+
+namespace tractus {
+namespace {
+
+Log parsed(std::string const& text)
+{
+    auto log = parse_log(text, "pen.hid");
+    EXPECT_TRUE(log) << log.error().message;
+    return log ? *log : Log();
+}
+
+std::string error_of(std::string const& text)
+{
+    auto const log = parse_log(text, "pen.hid");
+    EXPECT_FALSE(log);
+    return log ? "" : log.error().message;
+}
+
+std::vector<std::byte> report(Log const& log, std::size_t index)
+{
+    auto const view = log.report(log.records.at(index));
+    return { view.begin(), view.end() };
+}
+
+constexpr char const* kOnePen = "# a comment\n"
+                                "R: 3 05 0d c0\n"
+                                "N: Wacom CTL-472\n"
+                                "P: usb-0000:00:14.0-1/input0\n"
+                                "I: 3 56a 037A\n"
+                                "E: 000000.000000 2 02 80\n"
+                                "E: 000001.007978 2 02 81\n";
+
+TEST(LogReader, ReadsARecordingOfHidRecorder)
+{
+    auto const log = parsed(kOnePen);
+    ASSERT_EQ(log.devices.size(), 1u);
+    auto const& device = log.devices[0];
+    EXPECT_EQ(device.name, "Wacom CTL-472");
+    EXPECT_EQ(device.physical_path, "usb-0000:00:14.0-1/input0");
+    EXPECT_EQ(device.location, "pen.hid:device 0");
+    EXPECT_EQ(device.bus, 3);
+    EXPECT_EQ(device.vendor_id, 0x056a);
+    EXPECT_EQ(device.product_id, 0x037a);
+    EXPECT_EQ(device.report_descriptor, bytes("05 0d c0"));
+    ASSERT_EQ(log.records.size(), 2u);
+    EXPECT_EQ(log.records[1].time, timestamp_ns(1'007'978'000));
+    EXPECT_EQ(report(log, 1), bytes("02 81"));
+    EXPECT_EQ(log.warning_count, 0u);
+}
+
+TEST(LogReader, ReadsTimesWithAnyNumberOfDigits)
+{
+    auto const log
+        = parsed("R: 1 c0\nE: 0.007978 1 01\nE: 12.5 1 01\nE: 3 1 01\nE: 0.1234567899 1 01\n");
+    ASSERT_EQ(log.records.size(), 4u);
+    EXPECT_EQ(log.records[0].time, timestamp_ns(7'978'000));
+    EXPECT_EQ(log.records[1].time, timestamp_ns(12'500'000'000));
+    EXPECT_EQ(log.records[2].time, timestamp_ns(3'000'000'000));
+    EXPECT_EQ(log.records[3].time, timestamp_ns(123'456'789));
+}
+
+TEST(LogReader, TellsDevicesApart)
+{
+    auto const log = parsed("D:0\nR: 1 c0\nN: pen\nD: 4\nR: 1 a0\nN: pad\nD: 0\nE: 0.1 1 "
+                            "01\nD:4\nE: 0.2 1 02\nE: 0.3 1 03\n");
+    ASSERT_EQ(log.devices.size(), 2u);
+    EXPECT_EQ(log.devices[1].name, "pad");
+    EXPECT_EQ(log.devices[1].location, "pen.hid:device 4");
+    ASSERT_EQ(log.records.size(), 3u);
+    EXPECT_EQ(log.records[0].device, 0);
+    EXPECT_EQ(log.records[1].device, 1);
+    EXPECT_EQ(log.records[2].device, 1);
+}
+
+TEST(LogReader, SkipsWhatItDoesNotKnow)
+{
+    auto const log = parsed("\xEF\xBB\xBFR: 1 c0\r\n\r\nB: 0.5 1 01\r\nX: ?\r\n - the second of "
+                            "two lines\r\nE: 0.1 1 01\r\n");
+    EXPECT_EQ(log.records.size(), 1u);
+    EXPECT_EQ(log.warning_count, 0u);
+}
+
+TEST(LogReader, WarnsOfReportsThatAreNotWhole)
+{
+    auto const log = parsed("R: 1 c0\n"
+                            "E: 0.1 2 01\n"
+                            "E: 0.2 1 01 02\n"
+                            "E: 0.3 1 0g\n"
+                            "E: 0.4 1 01E: 0.5 1 02\n"
+                            "E: soon 1 01\n"
+                            "E: 0.6 0\n"
+                            "E: 0.7 1 01\n");
+    EXPECT_EQ(log.records.size(), 1u);
+    ASSERT_EQ(log.warnings.size(), 6u);
+    EXPECT_EQ(log.warnings[0].line, 2u);
+    EXPECT_EQ(log.warnings[0].message, "a report of 1 bytes that announces 2: skipped");
+    EXPECT_EQ(log.warnings[1].message, "a report of 2 bytes that announces 1: skipped");
+    EXPECT_EQ(log.warnings[2].message, "not a report (\"E: <seconds> <length> <bytes>\"): skipped");
+    EXPECT_EQ(log.warnings[5].message, "a report of 0 bytes, which is not in 1 to 512: skipped");
+    EXPECT_EQ(
+        summarize_warnings(log),
+        "pen.hid: 6 odd lines, the first is line 2: a report of 1 bytes that announces 2: skipped");
+}
+
+TEST(LogReader, CountsMoreWarningsThanItKeeps)
+{
+    std::string text = "R: 1 c0\n";
+    for (int i = 0; i < 1000; ++i)
+        text += "E: 0.1 2 01\n";
+    auto const log = parsed(text);
+    EXPECT_EQ(log.warning_count, 1000u);
+    EXPECT_EQ(log.warnings.size(), kMaxLogWarnings);
+}
+
+TEST(LogReader, LeavesOutReportsThatNoSourceSends)
+{
+    std::string text = "R: 1 c0\nE: 0.1 513";
+    for (int i = 0; i < 513; ++i)
+        text += " 00";
+    auto const log = parsed(text + "\n");
+    EXPECT_TRUE(log.records.empty());
+    EXPECT_EQ(log.warning_count, 1u);
+}
+
+TEST(LogReader, DropsALastLineThatIsCutOff)
+{
+    std::string const whole = kOnePen;
+    for (std::size_t cut = 1; cut < std::string("E: 000001.007978 2 02 81\n").size() - 3; ++cut) {
+        auto const log = parsed(whole.substr(0, whole.size() - 1 - cut));
+        EXPECT_EQ(log.records.size(), 1u);
+        ASSERT_EQ(log.warnings.size(), 1u) << "cut by " << cut;
+        EXPECT_EQ(log.warnings[0].message, "the last line is cut off: a report is dropped");
+        EXPECT_EQ(log.warnings[0].line, 7u);
+    }
+    auto const whole_without_break = parsed(whole.substr(0, whole.size() - 1));
+    EXPECT_EQ(whole_without_break.records.size(), 2u);
+    EXPECT_EQ(whole_without_break.warning_count, 0u);
+}
+
+TEST(LogReader, ReadsToolChangesInTheirPlace)
+{
+    auto const log = parsed("R: 1 c0\nE: 0.1 1 01\nT: 1.250000 draw descendants of 7\nE: 1.5 1 "
+                            "01\nT: 2 select\nT: later draw\nT: 3 dra");
+    ASSERT_EQ(log.tools.size(), 2u);
+    EXPECT_EQ(log.tools[0].time, timestamp_ns(1'250'000'000));
+    EXPECT_EQ(log.tools[0].tool, "draw");
+    EXPECT_EQ(log.tools[0].arguments, "descendants of 7");
+    EXPECT_EQ(log.tools[0].position, 1u);
+    EXPECT_EQ(log.tools[1].arguments, "");
+    EXPECT_EQ(log.tools[1].position, 2u);
+    EXPECT_EQ(log.warning_count, 2u);
+}
+
+TEST(LogReader, KeepsTheRigAsItIs)
+{
+    auto const log = parsed("R: 1 c0\nC: [height]\nC:   offset_mm = 1.5\nC:\nC: # end\n");
+    EXPECT_EQ(log.rig_text, "[height]\n  offset_mm = 1.5\n\n# end\n");
+}
+
+TEST(LogReader, KeepsTheFirstOfTwoDescriptors)
+{
+    auto const log = parsed("R: 1 c0\nR: 1 c0\nR: 1 a0\nE: 0.1 1 01\n");
+    EXPECT_EQ(log.devices[0].report_descriptor, bytes("c0"));
+    EXPECT_EQ(log.warning_count, 1u);
+}
+
+TEST(LogReader, RefusesWhatIsNoLog)
+{
+    EXPECT_EQ(error_of("to whom it may concern\n"),
+              "pen.hid is not a log: none of its 1 lines is a report descriptor (\"R: <length> "
+              "<bytes>\")");
+    EXPECT_EQ(error_of(""),
+              "pen.hid is not a log: none of its 0 lines is a report descriptor (\"R: <length> "
+              "<bytes>\")");
+}
+
+TEST(LogReader, RefusesADescriptorOfTheWrongLength)
+{
+    EXPECT_EQ(error_of("# pen\nR: 4 05 0d c0\n"),
+              "pen.hid:2: a report descriptor of 3 bytes that announces 4");
+    EXPECT_EQ(error_of("R: 18446744073709551615 05\n"),
+              "pen.hid:1: a report descriptor of 1 bytes that announces 18446744073709551615");
+    EXPECT_EQ(error_of("R: many\n"),
+              "pen.hid:1: not a report descriptor (\"R: <length> <bytes>\")");
+}
+
+TEST(LogReader, RefusesReportsWithoutADescriptor)
+{
+    EXPECT_EQ(error_of("R: 1 c0\nD: 7\nN: pad\nE: 0.1 1 01\n"),
+              "pen.hid:4: a report of device 7, which has no report descriptor (R line) before it");
+}
+
+TEST(LogReader, NamesAFileThatIsNotThere)
+{
+    auto const log = read_log("/nowhere/pen.hid");
+    ASSERT_FALSE(log);
+    EXPECT_EQ(log.error().fault, Fault::User);
+    EXPECT_EQ(log.error().message, "cannot open /nowhere/pen.hid: No such file or directory");
+}
+
+TEST(LogReader, BoundsTheNumberOfDevices)
+{
+    std::string text = "R: 1 c0\n";
+    for (int i = 1; i < 5000; ++i)
+        text += "D: " + std::to_string(i) + "\nN: pen\n";
+    EXPECT_LE(parsed(text).devices.size(), 1024u);
+}
+
+TEST(LogWriter, WritesWhatHidReplayReads)
+{
+    std::ostringstream out;
+    LogWriter writer(
+        out, { .devices = { simple_height_sensor() }, .start = timestamp_ns(5'000'000'000) });
+    writer.write_report(0, timestamp_ns(5'007'978'900), bytes("01 34 02"));
+    ASSERT_TRUE(writer.flush());
+    EXPECT_EQ(out.str(),
+              "R: 22 05 01 09 08 a1 01 85 01 09 36 15 00 26 ff 0f 75 10 95 01 81 02 c0\n"
+              "N: Height Sensor\n"
+              "P: \n"
+              "I: 3 1209 0001\n"
+              "E: 000000.007978 3 01 34 02\n");
+}
+
+TEST(LogWriter, WritesWhatTheReaderReads)
+{
+    std::ostringstream out;
+    LogWriter writer(
+        out, { .devices = { simple_pen(), simple_height_sensor() }, .rig_text = "a = 1\n\nb = 2" });
+    writer.write_report(0, timestamp_ns(1'000), bytes("02 20"));
+    writer.write_report(1, timestamp_ns(2'000), bytes("01 ff 0f"));
+    writer.write_tool(timestamp_ns(3'000), "draw", "descendants");
+    writer.write_report(1, timestamp_ns(4'000), bytes("01 00 00"));
+    ASSERT_TRUE(writer.flush());
+
+    auto const log = parsed(out.str());
+    ASSERT_EQ(log.devices.size(), 2u);
+    EXPECT_EQ(log.devices[0].name, "Simple Pen");
+    EXPECT_EQ(log.devices[0].physical_path, simple_pen().physical_path);
+    EXPECT_EQ(log.devices[1].report_descriptor, simple_height_sensor().report_descriptor);
+    EXPECT_EQ(log.rig_text, "a = 1\n\nb = 2\n");
+    ASSERT_EQ(log.records.size(), 3u);
+    EXPECT_EQ(log.records[1].device, 1);
+    EXPECT_EQ(log.records[2].time, timestamp_ns(4'000));
+    EXPECT_EQ(report(log, 1), bytes("01 ff 0f"));
+    ASSERT_EQ(log.tools.size(), 1u);
+    EXPECT_EQ(log.tools[0].arguments, "descendants");
+    EXPECT_EQ(log.tools[0].position, 2u);
+    EXPECT_EQ(log.warning_count, 0u);
+}
+
+TEST(LogWriter, KeepsANameOnItsLine)
+{
+    auto info = simple_pen();
+    info.name = "Pen\nE: 0.0 1 00";
+    std::ostringstream out;
+    LogWriter writer(out, { .devices = { info } });
+    EXPECT_EQ(parsed(out.str()).devices[0].name, "Pen E: 0.0 1 00");
+}
+
+TEST(LogWriter, TellsThatTheDiskIsFull)
+{
+    std::ofstream full("/dev/full");
+    LogWriter writer(full, { .devices = { simple_pen() } });
+    auto const result = writer.flush();
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().message, "cannot write the log: No space left on device");
+}
+
+TEST(LogSource, ReplaysItsDevice)
+{
+    auto const log
+        = parsed("D: 0\nR: 1 c0\nN: pen\nD: 1\nR: 1 a0\nE: 0.1 1 01\nD: 0\nE: 0.2 2 02 03\n");
+    LogSource source(log, 0);
+    EXPECT_EQ(source.info().name, "pen");
+    auto const first = source.read(Duration(0));
+    ASSERT_TRUE(first && *first);
+    EXPECT_EQ((*first)->received, timestamp_ns(200'000'000));
+    EXPECT_EQ((*first)->size, 2u);
+    EXPECT_EQ((*first)->bytes()[1], std::byte { 3 });
+    EXPECT_EQ(source.read(Duration(0)).value(), std::nullopt);
+}
+
+TEST(RecordingSource, WritesWhatItPassesOn)
+{
+    auto const log = parsed(kOnePen);
+    std::ostringstream out;
+    LogWriter writer(out, { .devices = log.devices });
+    auto source = record_to(writer, 0, std::make_unique<LogSource>(log, 0));
+    EXPECT_EQ(source->info().name, "Wacom CTL-472");
+    while (source->read(Duration(0)).value()) { }
+    auto const copy = parsed(out.str());
+    EXPECT_EQ(copy.records.size(), log.records.size());
+    EXPECT_EQ(copy.bytes, log.bytes);
+}
+
+} // namespace
+} // namespace tractus
