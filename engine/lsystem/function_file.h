@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/lsystem/view.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tractus {
+
+// Reads a file of functions as cpfg's function editor writes them: one (`fver`) or a set of them
+// (`funcgalleryver`). A function is a uniform cubic B-spline of control points `x y [multiplicity]`
+// with x rising over [0, 1], tabulated at `samples` places.
+Result<std::vector<FunctionTable>> parse_functions(std::string const& name, std::string_view text);
+
+} // namespace tractus

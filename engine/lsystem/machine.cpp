@@ -1,0 +1,183 @@
+#include "engine/lsystem/machine.h"
+
+#include "engine/base/vectors.h"
+#include "engine/lsystem/arithmetic.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tractus {
+
+static constexpr std::uint64_t kMaxRounds = 10'000'000;
+
+// Tells seeds apart that srand() or the model give from those of the caller.
+static std::uint64_t mix(std::uint64_t seed, std::uint64_t other)
+{
+    return seed + other * 0x9e3779b97f4a7c15u;
+}
+
+Machine::Machine(Model const& model, std::uint64_t seed)
+    : globals(model.globals.size())
+    , model_(model)
+    , first_seed_(mix(seed, model.seed))
+    , seed_(first_seed_)
+{
+    for (auto const& array : model.arrays)
+        arrays.push_back(array.values);
+}
+
+void Machine::run(Block const& block)
+{
+    auto frame = block.frame;
+    run(block.program, frame.data());
+}
+
+double Machine::uniform()
+{
+    if (words_left_ == 0) {
+        words_ = random_block({ .seed = seed_, .stream = step_, .substream = block_++ }, position_);
+        words_left_ = 4;
+    }
+    auto const high = words_[4 - words_left_];
+    auto const low = words_[5 - words_left_];
+    words_left_ -= 2;
+    auto const bits = (std::uint64_t { high } << 32 | low) >> 11;
+    return static_cast<double>(bits) * 0x1p-53;
+}
+
+// Box and Muller's method.
+double Machine::normal()
+{
+    double const radius = std::sqrt(-2 * std::log(1 - uniform()));
+    return radius * std::cos(2 * kPi * uniform());
+}
+
+// Marsaglia and Tsang, "A simple method for generating gamma variables", ACM TOMS 26(3), 2000.
+double Machine::gamma(double shape)
+{
+    if (!(shape > 0))
+        return 0;
+    if (shape < 1)
+        return gamma(shape + 1) * std::pow(1 - uniform(), 1 / shape);
+    double const d = shape - 1.0 / 3;
+    double const c = 1 / std::sqrt(9 * d);
+    for (int i = 0; i < 1000; ++i) { // Accepts 19 of 20.
+        double const x = normal();
+        double const v = std::pow(1 + c * x, 3);
+        if (v > 0 && std::log(1 - uniform()) < x * x / 2 + d - d * v + d * std::log(v))
+            return d * v;
+    }
+    return d;
+}
+
+double Machine::binomial(double trials, double probability)
+{
+    constexpr double kMaxCounted = 1000;
+    if (!(trials >= 1))
+        return 0;
+    trials = std::floor(trials);
+    if (trials > kMaxCounted) { // The normal distribution is near enough.
+        double const mean = trials * probability;
+        return std::clamp(std::round(mean + std::sqrt(mean * (1 - probability)) * normal()), 0.0, trials);
+    }
+    double successes = 0;
+    for (double i = 0; i < trials; ++i)
+        successes += uniform() < probability;
+    return successes;
+}
+
+double Machine::draw(Op op, double left, double right)
+{
+    switch (op) {
+    case Op::Random:
+        return left * uniform();
+    case Op::Normal:
+        return left + right * normal();
+    case Op::Binomial:
+        return binomial(left, std::clamp(right, 0.0, 1.0));
+    case Op::SeedRandom:
+        seed_ = mix(first_seed_, static_cast<std::uint64_t>(std::clamp(left, -1e15, 1e15) + 2e15));
+        words_left_ = 0;
+        return 0;
+    default: {
+        double const a = gamma(left);
+        double const b = gamma(right);
+        return a + b > 0 ? a / (a + b) : 0;
+    }
+    }
+}
+
+// As cpfg: an index out of range means the nearest element.
+double& Machine::array_element(std::uint16_t array, double index)
+{
+    auto& values = arrays[array];
+    auto const last = static_cast<double>(values.size() - 1);
+    return values[index > 0 ? static_cast<std::size_t>(std::min(index, last)) : 0];
+}
+
+void Machine::execute(Program const& program, double* frame)
+{
+    std::uint64_t rounds = 0;
+    auto const* const begin = program.data();
+    auto const* const end = begin + program.size();
+    for (auto const* i = begin; i < end; ++i) {
+        switch (i->op) {
+        case Op::Copy:
+            frame[i->target] = frame[i->left];
+            break;
+        case Op::Add:
+            frame[i->target] = frame[i->left] + frame[i->right];
+            break;
+        case Op::Subtract:
+            frame[i->target] = frame[i->left] - frame[i->right];
+            break;
+        case Op::Multiply:
+            frame[i->target] = frame[i->left] * frame[i->right];
+            break;
+        case Op::LoadGlobal:
+            frame[i->target] = globals[i->left];
+            break;
+        case Op::StoreGlobal:
+            globals[i->target] = frame[i->left];
+            break;
+        case Op::LoadArray:
+            frame[i->target] = array_element(i->left, frame[i->right]);
+            break;
+        case Op::StoreArray:
+            array_element(i->target, frame[i->left]) = frame[i->right];
+            break;
+        case Op::JumpIfZero:
+            if (frame[i->left] != 0)
+                break;
+            i = begin + i->target - 1;
+            break;
+        case Op::Jump:
+            if (begin + i->target <= i && ++rounds > kMaxRounds) {
+                loop_did_not_end_ = true;
+                return;
+            }
+            i = begin + i->target - 1;
+            break;
+        case Op::Random:
+        case Op::Normal:
+        case Op::Beta:
+        case Op::Binomial:
+        case Op::SeedRandom:
+            frame[i->target] = draw(i->op, frame[i->left], frame[i->right]);
+            break;
+        case Op::Function: {
+            auto const index = frame[i->left] - 1;
+            auto const& functions = model_.view.functions;
+            bool const exists = index >= 0 && index < static_cast<double>(functions.size());
+            frame[i->target] = exists ? functions[static_cast<std::size_t>(index)].at(frame[i->right]) : 0;
+            break;
+        }
+        case Op::Halt:
+            return;
+        default:
+            frame[i->target] = compute(i->op, frame[i->left], frame[i->right]);
+        }
+    }
+}
+
+} // namespace tractus

@@ -1,0 +1,126 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/lsystem/program.h"
+#include "engine/lsystem/source_text.h"
+#include "engine/lsystem/view.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// The two small text files that make a model, in the syntax of cpfg (Prusinkiewicz, Hanan, Mech, "An
+// L-system-based plant modeling language", AGTIVE 1999): rules (.l) and view (.v). The view may be
+// empty. The names stand in error messages.
+struct ModelSource {
+    std::string name = "model.l";
+    std::string text;
+    std::string view_name = "model.v";
+    std::string view_text;
+};
+
+// A symbol with a number of parameters: what a module of a string is, but for its values. cpfg's
+// symbols are single characters; @o, ~l and ?P are two modules each, the first without parameters.
+struct ModuleKind {
+    char symbol = ' ';
+    std::uint8_t parameter_count = 0;
+
+    bool operator==(ModuleKind const&) const = default;
+};
+
+// Index into Alphabet::kinds: how strings store a module, in one byte.
+using KindId = std::uint8_t;
+
+// All kinds of modules that a model names.
+struct Alphabet {
+    static constexpr std::size_t kMaxKinds = 255;
+
+    std::vector<ModuleKind> kinds;
+
+    ModuleKind const& operator[](KindId id) const { return kinds[id]; }
+};
+
+// A string of modules to be written with new parameters: its kinds are copied as they are, its
+// parameters come from the registers, in order.
+struct SuccessorTemplate {
+    std::vector<KindId> kinds;
+    std::vector<Register> parameters;
+};
+
+// left < predecessor > right : {before} condition {after} --> successor : probability
+struct Rule {
+    std::vector<KindId> left;        // Nearest to the predecessor first.
+    std::vector<KindId> predecessor; // At least one.
+    std::vector<KindId> right;
+    std::size_t parameter_count = 0; // Of the predecessor, right and left, in this order.
+    std::size_t predecessor_parameter_count = 0;
+
+    Program condition; // before, and the condition's value into condition_result.
+    Register condition_result = 0;
+    bool has_condition = false;
+    Program successor_program; // after, and the successor's parameters.
+    SuccessorTemplate successor;
+    Program probability; // Its value into probability_result.
+    Register probability_result = 0;
+    bool has_probability = false;
+
+    Frame frame;
+    std::uint32_t line = 0; // Of the arrow, for messages.
+};
+
+// Rules in the order in which they are tried.
+struct RuleSet {
+    bool specified = false;
+    int max_depth = 1;
+    std::vector<Rule> rules;
+    std::array<std::vector<std::uint16_t>, 256> by_kind; // Rules by their predecessor's first kind.
+};
+
+struct Block {
+    Program program;
+    Frame frame;
+};
+
+struct ArrayVariable {
+    std::string name;
+    std::vector<double> values; // At the start.
+};
+
+// A compiled model: a value that any number of derivations may share.
+struct Model {
+    std::string name;
+    Alphabet alphabet;
+    Block axiom_program;
+    SuccessorTemplate axiom;
+    int steps = 0; // derivation length.
+    bool stochastic = false;
+    std::uint64_t seed = 0; // The model's own; 0 when it has none.
+    bool ring = false;
+    std::array<bool, 256> ignored {}; // By kind: contexts look past these.
+
+    Block start;
+    Block start_each;
+    Block end_each;
+    Block end;
+    RuleSet rules;
+    RuleSet decomposition;
+    RuleSet homomorphism;
+
+    std::vector<std::string> globals;
+    std::vector<ArrayVariable> arrays;
+    View view;
+    std::vector<std::string> warnings; // Features we lack, names never defined: once each.
+};
+
+// Compiles a model. Fails, as the user's fault, with "FILE:LINE:COLUMN: what was found, what was
+// expected".
+//
+// The first two globals are Q, the step that is being derived, and Z, the derivation length.
+// A name that is assigned in a block of statements of the model is a global variable; one that only a
+// rule assigns is local to the rule and starts as 0 each time.
+Result<Model> compile_model(ModelSource const& source, IncludeReader const& include = {});
+
+} // namespace tractus

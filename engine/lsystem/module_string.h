@@ -1,0 +1,101 @@
+#pragma once
+
+#include "engine/lsystem/model.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace tractus {
+
+// A growing array of plain values that, unlike std::vector, leaves new elements unset and grows in
+// place where the system can: strings are written once, in order, and are large.
+template<typename T>
+class Column {
+    static_assert(std::is_trivially_copyable_v<T>);
+
+public:
+    Column() = default;
+    Column(Column const& other) { append(other.data(), other.size()); }
+    Column(Column&& other) noexcept { swap(other); }
+    Column& operator=(Column other) noexcept
+    {
+        swap(other);
+        return *this;
+    }
+    ~Column() = default;
+
+    void swap(Column& other) noexcept
+    {
+        std::swap(data_, other.data_);
+        std::swap(size_, other.size_);
+        std::swap(capacity_, other.capacity_);
+    }
+
+    std::size_t size() const { return size_; }
+    std::size_t capacity() const { return capacity_; }
+    bool empty() const { return size_ == 0; }
+    T* data() { return data_.get(); }
+    T const* data() const { return data_.get(); }
+    T const& operator[](std::size_t index) const { return data_.get()[index]; }
+    std::span<T const> span() const { return { data(), size_ }; }
+
+    // Sets the size; new elements have no value yet. At most the capacity.
+    void set_size(std::size_t size) { size_ = size; }
+    void clear() { size_ = 0; }
+    void reserve(std::size_t capacity)
+    {
+        if (capacity <= capacity_)
+            return;
+        auto* const grown = std::realloc(data_.get(), capacity * sizeof(T));
+        if (!grown)
+            throw std::bad_alloc();
+        static_cast<void>(data_.release()); // realloc() has freed or kept it.
+        data_.reset(static_cast<T*>(grown));
+        capacity_ = capacity;
+    }
+    // Room for `count` more.
+    void reserve_more(std::size_t count)
+    {
+        if (size_ + count > capacity_)
+            reserve(std::max(size_ + count, capacity_ + capacity_ / 2 + 64));
+    }
+    void append(T const* values, std::size_t count)
+    {
+        reserve_more(count);
+        if (count > 0)
+            std::memcpy(data() + size_, values, count * sizeof(T));
+        size_ += count;
+    }
+
+private:
+    struct Free {
+        void operator()(T* data) const { std::free(data); }
+    };
+    std::unique_ptr<T, Free> data_;
+    std::size_t size_ = 0;
+    std::size_t capacity_ = 0;
+};
+
+// A string of modules: one byte for each module's kind, and the parameters of all modules one after
+// another, as many for each as its kind says.
+struct ModuleString {
+    Column<KindId> kinds;
+    Column<float> parameters;
+
+    // The model's global variables and arrays after the last step, which homomorphism rules may use.
+    std::vector<double> globals;
+    std::vector<std::vector<double>> arrays;
+    std::uint64_t seed = 0; // Of the numbers that homomorphism rules draw.
+
+    std::size_t size() const { return kinds.size(); }
+};
+
+} // namespace tractus

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "engine/base/result.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tractus {
+
+// Gives the text of an included file by the name that stands in the including file.
+using IncludeReader = std::function<Result<std::string>(std::string const& name)>;
+
+// Where a character stood before macros and includes were expanded. Lines and columns count from 1.
+struct SourcePlace {
+    std::uint32_t file = 0; // Into SourceText::files.
+    std::uint32_t line = 1;
+    std::uint32_t column = 1;
+};
+
+// A model's text after the preprocessor: no comments, no directives, macros replaced.
+struct SourceText {
+    std::vector<std::string> files; // Names, for messages; the model's own first.
+    std::string text;
+    std::vector<SourcePlace> places; // One per character, and one for the end.
+
+    // "FILE:LINE:COLUMN" of a character.
+    std::string place(std::size_t index) const;
+};
+
+// A small C preprocessor with what L-system models use: comments of both kinds, #define with and
+// without parameters, #undef, #include, #ifdef, #ifndef, #if with an integer, #else, #endif.
+// A line that starts with `#` and none of these words is left alone, since # is a turtle symbol.
+Result<SourceText> preprocess(std::string const& name, std::string_view text,
+                              IncludeReader const& include);
+
+} // namespace tractus

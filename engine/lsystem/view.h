@@ -1,0 +1,73 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/base/vectors.h"
+#include "engine/lsystem/source_text.h"
+#include "engine/plant/material.h"
+#include "engine/plant/organ_shape.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tractus {
+
+// A direction that bends the turtle's heading before each step. In the turtle's frame (+y up).
+struct Tropism {
+    Vec3 direction = Vec3::UnitY(); // Its length is the intensity, at most 1.
+    double angle_deg = 0;           // 0 towards the direction, 90 perpendicular to it.
+    double elasticity = 0;          // Initial.
+    double elasticity_step = 0;     // What @Ti and @Td change it by.
+    bool is_torque = false;         // Twists about the heading instead of bending it.
+};
+
+// A table of a curve y(x) over x from 0 to 1, from a function file of cpfg's.
+struct FunctionTable {
+    std::string name;
+    std::vector<double> values;
+
+    // Linear between the samples; x is clamped to [0, 1].
+    double at(double x) const;
+};
+
+// An organ shape and the symbol that places it: ~ and the letter.
+struct OrganDefinition {
+    char letter = 'l';
+    OrganShape shape; // Lengths in turtle units, not millimetres; material as a turtle colour index.
+};
+
+// What a view file (.v) says about geometry. Angles in degrees, lengths in turtle units.
+//
+// Besides cpfg's statements there are three of our own, which cpfg reports and skips:
+//   material: INDEX NAME kind=bark|stem|leaf|petal|solid color=R,G,B [roughness=] [translucency=]
+//     INDEX is the turtle's colour, as ; and , set it. color is sRGB, 0 to 1.
+//   organ: LETTER NAME kind=blade|needle|disc|ball material=INDEX length= width= [petiole=] [widest=]
+//          [tip=] [base=] [lobes=] [lobe_count=] [fold=DEG] [curl=DEG]
+//     drawn by ~LETTER; lengths at scale 1. See engine/plant/organ_shape.h for the others.
+//   radii: pipe EXPONENT TIP_RADIUS
+//     radii by the pipe model instead of the turtle's line width.
+struct View {
+    double angle_increment_deg = 45;
+    double line_width = 0.1;
+    double line_width_step = 0;
+    int color = 0;
+    int color_step = 1;
+    Vec3 tropism_direction = Vec3::UnitY(); // The older, single tropism; _ sets its elasticity.
+    double elasticity = 0;
+    double elasticity_step = 0;
+    std::vector<Tropism> tropisms;
+    std::vector<FunctionTable> functions;
+    std::map<int, Material> materials; // By turtle colour.
+    std::vector<OrganDefinition> organs;
+    bool pipe_model = false;
+    double pipe_exponent = 2;
+    double pipe_tip_radius = 0.05;
+    std::vector<std::string> warnings;
+};
+
+// Reads a view file. Fails, as the user's fault, with "FILE:LINE:COLUMN: …". `include` gives the
+// functions' files too; one that cannot be read is a warning, and the function is 0.
+Result<View> parse_view(std::string const& name, std::string_view text, IncludeReader const& include);
+
+} // namespace tractus

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/lsystem/model.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace tractus {
+
+inline std::string read_text(std::filesystem::path const& path)
+{
+    std::ifstream in(path, std::ios::binary);
+    return { std::istreambuf_iterator<char>(in), {} };
+}
+
+// Compiles FOLDER/NAME.l with the view beside it; `view` when that has another name.
+inline Result<Model> compile_file(std::filesystem::path const& path, std::string const& view = {})
+{
+    auto const view_path = view.empty() ? std::filesystem::path(path).replace_extension(".v")
+                                        : path.parent_path() / view;
+    ModelSource source;
+    source.name = path.filename().string();
+    source.text = read_text(path);
+    source.view_name = view_path.filename().string();
+    source.view_text = read_text(view_path);
+    return compile_model(source, [&](std::string const& name) -> Result<std::string> {
+        if (!std::filesystem::exists(path.parent_path() / name))
+            return fail(Fault::User, name + " does not exist");
+        return read_text(path.parent_path() / name);
+    });
+}
+
+} // namespace tractus

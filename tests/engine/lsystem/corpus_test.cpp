@@ -1,0 +1,192 @@
+#include "engine/lsystem/derive.h"
+#include "engine/lsystem/print.h"
+#include "engine/lsystem/turtle.h"
+#include "tests/corpus.h"
+#include "tests/engine/lsystem/corpus_model.h"
+#include "tests/engine/lsystem/sha256.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace tractus {
+namespace {
+
+nlohmann::json read_json(std::filesystem::path const& path)
+{
+    return nlohmann::json::parse(read_text(path));
+}
+
+std::string without_blanks(std::string text)
+{
+    std::erase_if(text, [](unsigned char c) { return std::isspace(c); });
+    return text;
+}
+
+// Numbers in parentheses may differ by 1e-5 of their value, everything else not at all.
+::testing::AssertionResult same_strings(std::string const& found, std::string const& expected)
+{
+    std::size_t i = 0;
+    std::size_t k = 0;
+    bool in_parentheses = false;
+    while (i < found.size() && k < expected.size()) {
+        bool const is_number = in_parentheses && found[i] != ',' && found[i] != ')';
+        if (is_number) {
+            std::size_t found_length = 0;
+            std::size_t expected_length = 0;
+            double const a = std::stod(found.substr(i, 40), &found_length);
+            double const b = std::stod(expected.substr(k, 40), &expected_length);
+            if (std::fabs(a - b) > 1e-5 * std::fabs(b))
+                return ::testing::AssertionFailure() << "at " << i << ": " << a << ", expected " << b;
+            i += found_length;
+            k += expected_length;
+            continue;
+        }
+        if (found[i] != expected[k])
+            return ::testing::AssertionFailure() << "at " << i << ": ..." << found.substr(i, 60) << "\nexpected ..."
+                                                 << expected.substr(k, 60);
+        in_parentheses = found[i] == '(' || (in_parentheses && found[i] != ')');
+        ++i;
+        ++k;
+    }
+    if (i != found.size() || k != expected.size())
+        return ::testing::AssertionFailure() << "lengths " << found.size() << " and " << expected.size();
+    return ::testing::AssertionSuccess();
+}
+
+// Folder of the models that people of the field published, and what cpfg makes of them.
+class PublishedModel : public ::testing::TestWithParam<std::string> { };
+
+nlohmann::json entry_of(std::string const& folder)
+{
+    for (auto const& entry : read_json(corpus() / "lsystems" / "index.json"))
+        if (entry["saved"] == folder)
+            return entry;
+    return {};
+}
+
+Result<Model> compile_entry(nlohmann::json const& entry)
+{
+    auto const folder = corpus() / "lsystems" / entry["saved"].get<std::string>();
+    auto const name = std::filesystem::path(entry["path"].get<std::string>()).filename();
+    return compile_file(folder / name, entry["view"].is_string() ? entry["view"].get<std::string>() : "");
+}
+
+TEST_P(PublishedModel, GivesTheStringThatCpfgGives)
+{
+    REQUIRE_CORPUS();
+    auto const entry = entry_of(GetParam());
+    auto const model = compile_entry(entry);
+    ASSERT_TRUE(model) << model.error().message;
+    auto const string = derive(*model);
+    ASSERT_TRUE(string) << string.error().message;
+    auto const name = std::filesystem::path(entry["path"].get<std::string>()).stem().string() + ".expected.str";
+    auto const expected = without_blanks(read_text(corpus() / "lsystems" / GetParam() / name));
+    EXPECT_TRUE(same_strings(to_string(*model, *string), expected));
+}
+
+TEST_P(PublishedModel, BecomesASoundPlant)
+{
+    REQUIRE_CORPUS();
+    auto const model = compile_entry(entry_of(GetParam()));
+    ASSERT_TRUE(model) << model.error().message;
+    auto const string = derive(*model);
+    ASSERT_TRUE(string) << string.error().message;
+    auto const plant = interpret(*model, *string);
+    ASSERT_TRUE(plant) << plant.error().message;
+    check_plant(*plant);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, PublishedModel,
+    ::testing::Values("10-manuals__11-CPFG__BackgroundScene", "10-manuals__11-CPFG__ConcavePolygons",
+                      "10-manuals__11-CPFG__GeneralizedCylinder", "10-manuals__11-CPFG__JumpingLamp",
+                      "10-manuals__11-CPFG__Ring", "10-manuals__11-CPFG__Shedding",
+                      "10-manuals__11-CPFG__Tropisms", "11-CPFG__01-Introduction__01-quadratic-Koch",
+                      "11-CPFG__01-Introduction__02-snowflake-exercise",
+                      "11-CPFG__01-Introduction__04-compound", "11-CPFG__01-Introduction__07-fractal-ferns",
+                      "11-CPFG__01-Introduction__08-continuous-time",
+                      "11-CPFG__02-Mod-vis-3D__01-planation", "11-CPFG__02-Mod-vis-3D__02-decussate",
+                      "11-CPFG__02-Mod-vis-3D__06-comp-leaf-perspective",
+                      "11-CPFG__02-Mod-vis-3D__09-monopodial-spiral",
+                      "11-CPFG__04-Signaling__02-hormone-down", "11-CPFG__04-Signaling__03-signal-down",
+                      "11-CPFG__04-Signaling__04-florigen", "11-CPFG__04-Signaling__05-florigen-param",
+                      "11-CPFG__04-Signaling__10-mycelis-realistic",
+                      "11-CPFG__04-Signaling__13-mesotonic-1-signal"),
+    [](auto const& tested) {
+        auto name = tested.param.substr(tested.param.rfind("__") + 2);
+        std::erase_if(name, [](unsigned char c) { return !std::isalnum(c); });
+        return name;
+    });
+
+// Classical L-systems with exact counts and hashes after some numbers of steps.
+class CountedSystem : public ::testing::TestWithParam<std::string> { };
+
+// Non-parametric strings by hash, short parametric ones as they are, long ones by the sum of F.
+void compare_strings(Model const& model, ModuleString const& string, nlohmann::json const& expected)
+{
+    auto text = to_string(model, string);
+    if (expected.contains("sha256")) {
+        EXPECT_EQ(sha256(text), expected["sha256"].get<std::string>());
+    }
+    if (expected.contains("string")) {
+        for (auto at = text.find("@v"); at != std::string::npos; at = text.find("@v"))
+            text.replace(at, 2, "$");
+        EXPECT_TRUE(same_strings(text, expected["string"].get<std::string>()));
+    }
+    if (expected.contains("sum_F_length")) {
+        double sum = 0;
+        std::size_t parameter = 0;
+        for (auto const id : string.kinds.span()) {
+            auto const& kind = model.alphabet[id];
+            if (kind.symbol == 'F')
+                sum += static_cast<double>(string.parameters[parameter]);
+            parameter += kind.parameter_count;
+        }
+        auto const wanted = expected["sum_F_length"].get<double>();
+        EXPECT_NEAR(sum, wanted, 1e-5 * wanted);
+    }
+}
+
+TEST_P(CountedSystem, HasTheExactCountsAndString)
+{
+    REQUIRE_CORPUS();
+    auto const folder = corpus() / "lsystem_counts";
+    auto const model = compile_file(folder / (GetParam() + ".l"));
+    ASSERT_TRUE(model) << model.error().message;
+    int compared = 0;
+    auto const counted = read_json(folder / "counts.json");
+    for (auto const& system : counted["systems"]) {
+        if (system["id"] != GetParam())
+            continue;
+        for (auto const& [steps, expected] : system["after_n_steps"].items()) {
+            auto const string = derive(*model, { .steps = std::stoi(steps), .seed = 1 });
+            ASSERT_TRUE(string) << string.error().message;
+            auto const counts = count_symbols(*model, *string);
+            std::size_t modules = 0;
+            for (auto const& [symbol, count] : counts) {
+                modules += count;
+                auto const name = symbol == "@v" ? "$" : symbol;
+                EXPECT_EQ(count, expected["counts"].value(name, std::size_t { 0 })) << symbol << " after " << steps;
+            }
+            EXPECT_EQ(modules, expected["modules"].get<std::size_t>()) << steps;
+            compare_strings(*model, *string, expected);
+            ++compared;
+        }
+    }
+    EXPECT_GE(compared, 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CountedSystem,
+                         ::testing::Values("algae", "koch_island", "koch_island_17a", "quad_snowflake_17b",
+                                           "koch_19b", "koch_19d", "koch_19f", "gosper_quad", "hilbert3d",
+                                           "peano", "koch_snowflake", "levy_c", "bush_124b", "bush_124d",
+                                           "bush_124f", "bush3d_125", "signal_acropetal", "hogeweg_131b",
+                                           "hogeweg_131e", "parametric_134", "row_of_trees",
+                                           "row_of_trees_inc", "sympodial_27a"),
+                         [](auto const& tested) { return tested.param; });
+
+} // namespace
+} // namespace tractus
