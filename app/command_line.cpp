@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 
 #include "app/verbs/decode.h"
+#include "app/verbs/derive.h"
 #include "app/verbs/devices.h"
 #include "app/verbs/verb.h"
 
@@ -31,6 +32,7 @@ int run_command_line(int argc, char const* const* argv)
     Action action;
     // Each verb registers itself here, in the order that --help lists them.
     add_decode_verb(root, action);
+    add_derive_verb(root, action);
     add_devices_verb(root, action);
 
     try {

@@ -132,8 +132,8 @@ void compare_strings(Model const& model, ModuleString const& string, nlohmann::j
         EXPECT_EQ(sha256(text), expected["sha256"].get<std::string>());
     }
     if (expected.contains("string")) {
-        for (auto at = text.find("@v"); at != std::string::npos; at = text.find("@v"))
-            text.replace(at, 2, "$");
+        std::erase(text, '@');
+        std::replace(text.begin(), text.end(), 'v', '$');
         EXPECT_TRUE(same_strings(text, expected["string"].get<std::string>()));
     }
     if (expected.contains("sum_F_length")) {

@@ -1,0 +1,42 @@
+#include "app/model_file.h"
+
+#include "drivers/file.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+
+namespace tractus {
+
+static constexpr std::size_t kMaxFileSize = std::size_t { 16 } << 20;
+
+Result<ModelSource> load_model_source(std::filesystem::path const& path)
+{
+    ModelSource source;
+    source.name = path.string();
+    source.text = TRY(read_file(path, kMaxFileSize));
+    auto view_path = path;
+    view_path.replace_extension(".v");
+    source.view_name = view_path.string();
+    std::error_code ignored;
+    if (view_path != path && std::filesystem::exists(view_path, ignored))
+        source.view_text = TRY(read_file(view_path, kMaxFileSize));
+    return source;
+}
+
+IncludeReader model_includes(std::filesystem::path const& path)
+{
+    return [folder = path.parent_path()](std::string const& name) -> Result<std::string> {
+        std::filesystem::path const file(name);
+        if (file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end())
+            return fail(Fault::User, fmt::format("{} is outside the model's folder", name));
+        return read_file(folder / file, kMaxFileSize);
+    };
+}
+
+Result<Model> load_model(std::filesystem::path const& path)
+{
+    auto const source = TRY(load_model_source(path));
+    return compile_model(source, model_includes(path));
+}
+
+} // namespace tractus

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/lsystem/model.h"
+
+#include <filesystem>
+
+namespace tractus {
+
+// Reads a model: the rules at `path` and the view beside them (MODEL.v for MODEL.l) where there is
+// one. Fails, as the user's fault, if the rules cannot be read.
+Result<ModelSource> load_model_source(std::filesystem::path const& path);
+
+// Gives what a model includes (other rules, functions) from the model's folder. Names that lead out
+// of that folder are refused.
+IncludeReader model_includes(std::filesystem::path const& path);
+
+// Both, compiled.
+Result<Model> load_model(std::filesystem::path const& path);
+
+} // namespace tractus
