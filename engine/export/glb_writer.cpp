@@ -1,13 +1,13 @@
 #include "engine/export/glb_writer.h"
 
 #include "engine/export/gltf_frame.h"
+#include "engine/export/gltf_material.h"
 #include "engine/export/texture.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <fmt/format.h>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -35,29 +35,6 @@ constexpr int kClampToEdge = 33071;
 constexpr std::size_t kElementsAtOnce = 4096; // Converted and written together.
 constexpr std::size_t kFileHeaderBytes = 12;
 constexpr std::size_t kChunkHeaderBytes = 8;
-
-// IEC 61966-2-1: the linear value of an sRGB one.
-double linear(double srgb)
-{
-    return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
-}
-
-char const* kind_name(Material::Kind kind)
-{
-    switch (kind) {
-    case Material::Kind::Bark:
-        return "bark";
-    case Material::Kind::Stem:
-        return "stem";
-    case Material::Kind::Leaf:
-        return "leaf";
-    case Material::Kind::Petal:
-        return "petal";
-    case Material::Kind::Solid:
-        return "solid";
-    }
-    return "solid";
-}
 
 bool is_thin(Material::Kind kind)
 {
@@ -399,9 +376,9 @@ private:
             "{{\"name\":{},\"pbrMetallicRoughness\":{{\"baseColorFactor\":[{:.6g},{:.6g},{:.6g},1],"
             "\"metallicFactor\":0,\"roughnessFactor\":{}{}}}{},\"extras\":{{\"kind\":\"{}\","
             "\"translucency\":{}}}}}",
-            quoted(material.name), linear(color.x()), linear(color.y()), linear(color.z()),
-            std::clamp(material.roughness, 0.0f, 1.0f), texture,
-            is_thin(material.kind) ? ",\"doubleSided\":true" : "", kind_name(material.kind),
+            quoted(material.name), linear_from_srgb(color.x()), linear_from_srgb(color.y()),
+            linear_from_srgb(color.z()), std::clamp(material.roughness, 0.0f, 1.0f), texture,
+            is_thin(material.kind) ? ",\"doubleSided\":true" : "", kind_word(material.kind),
             std::clamp(material.translucency, 0.0f, 1.0f));
         auto const [place, is_new] = material_indices_.emplace(text, materials_.count());
         if (is_new)
@@ -477,7 +454,10 @@ Mesh const& mesh_of(PlacedMesh const& placed, std::optional<Mesh>& made)
     return *made;
 }
 
-std::uint64_t rounded_up(std::uint64_t bytes) { return (bytes + 3) / 4 * 4; }
+std::uint64_t rounded_up(std::uint64_t bytes)
+{
+    return (bytes + 3) / 4 * 4;
+}
 
 // Room for the JSON, if the other plants are like the first. Too little costs a second try.
 std::uint64_t guess_json_bytes(std::span<PlacedMesh const> plants, Mesh const& first,

@@ -118,9 +118,15 @@ std::string filtered_rows(GreyPicture const& picture)
 
 } // namespace
 
-GreyPicture bark_picture() { return paint(bark_level); }
+GreyPicture bark_picture()
+{
+    return paint(bark_level);
+}
 
-GreyPicture leaf_picture() { return paint(leaf_level); }
+GreyPicture leaf_picture()
+{
+    return paint(leaf_level);
+}
 
 std::string png_bytes(GreyPicture const& picture)
 {

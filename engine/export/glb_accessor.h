@@ -1,0 +1,34 @@
+#pragma once
+
+#include "engine/base/result.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tinygltf {
+class Model;
+}
+
+namespace tractus {
+
+// The numbers of an accessor, `Components` to an element, integers taken to -1…1 or 0…1 where the
+// accessor says that they are normalised. Every offset is checked: fails if there is no such
+// accessor, if it has another number of components, or if it reaches beyond its buffer.
+template<std::size_t Components>
+Result<std::vector<std::array<float, Components>>> read_accessor(tinygltf::Model const& model,
+                                                                 int accessor);
+
+extern template Result<std::vector<std::array<float, 2>>> read_accessor<2>(tinygltf::Model const&,
+                                                                           int);
+extern template Result<std::vector<std::array<float, 3>>> read_accessor<3>(tinygltf::Model const&,
+                                                                           int);
+extern template Result<std::vector<std::array<float, 4>>> read_accessor<4>(tinygltf::Model const&,
+                                                                           int);
+
+// The same for vertex indices, each below `vertex_count`.
+Result<std::vector<std::uint32_t>> read_indices(tinygltf::Model const& model, int accessor,
+                                                std::size_t vertex_count);
+
+} // namespace tractus

@@ -1,0 +1,45 @@
+#include "engine/export/gltf_material.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace tractus {
+
+using KindWord = std::pair<Material::Kind, std::string_view>;
+
+static constexpr std::array<KindWord, 5> kKindWords { {
+    { Material::Kind::Bark, "bark" },
+    { Material::Kind::Stem, "stem" },
+    { Material::Kind::Leaf, "leaf" },
+    { Material::Kind::Petal, "petal" },
+    { Material::Kind::Solid, "solid" },
+} };
+
+double linear_from_srgb(double srgb)
+{
+    return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
+}
+
+double srgb_from_linear(double linear)
+{
+    return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+std::string_view kind_word(Material::Kind kind)
+{
+    for (auto const& [known, word] : kKindWords)
+        if (known == kind)
+            return word;
+    return "solid";
+}
+
+std::optional<Material::Kind> kind_of_word(std::string_view word)
+{
+    for (auto const& [kind, known] : kKindWords)
+        if (known == word)
+            return kind;
+    return std::nullopt;
+}
+
+} // namespace tractus

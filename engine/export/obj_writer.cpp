@@ -1,0 +1,175 @@
+#include "engine/export/obj_writer.h"
+
+#include "engine/export/gltf_frame.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace tractus {
+namespace {
+
+// OBJ's names end at a space.
+std::string name_word(std::string const& name)
+{
+    std::string word = name.empty() ? "unnamed" : name;
+    for (auto& c : word)
+        if (static_cast<unsigned char>(c) <= ' ' || c == '#' || c == '\x7f')
+            c = '_';
+    return word;
+}
+
+// Gives every different material a name of its own.
+class MaterialNames {
+public:
+    struct Named {
+        std::string name;
+        bool is_new;
+    };
+
+    Named name_of(Material const& material)
+    {
+        auto const& color = material.base_color;
+        Key const key { material.name, color.x(), color.y(), color.z(), material.roughness };
+        if (auto const known = names_.find(key); known != names_.end())
+            return { known->second, false };
+        auto name = name_word(material.name);
+        if (int const uses = uses_[name]++; uses > 0)
+            name += fmt::format(".{}", uses + 1);
+        names_.emplace(key, name);
+        return { name, true };
+    }
+
+private:
+    using Key = std::tuple<std::string, float, float, float, float>;
+    std::map<Key, std::string> names_;
+    std::map<std::string, int> uses_;
+};
+
+Mesh const& mesh_of(PlacedMesh const& placed, std::optional<Mesh>& made)
+{
+    if (auto const* const given = std::get_if<Mesh const*>(&placed.mesh))
+        return **given;
+    return made.emplace(std::get<std::function<Mesh()>>(placed.mesh)());
+}
+
+class ObjText {
+public:
+    explicit ObjText(std::ostream& out)
+        : out_(out)
+    {
+    }
+
+    void add(PlacedMesh const& placed, Mesh const& mesh)
+    {
+        out_ << "o " << name_word(placed.name) << '\n';
+        place_ = Eigen::Translation3d(placed.position_mm)
+            * Eigen::AngleAxisd(placed.rotation_rad, Vec3::UnitZ());
+        for (auto const& surface : mesh.surfaces) {
+            use(mesh.materials[surface.material]);
+            add_triangles(surface, {});
+        }
+        for (auto const& organ : mesh.organs) {
+            use(mesh.materials[organ.prototype.material]);
+            for (auto const& instance : organ.instances)
+                add_triangles(organ.prototype, instance);
+        }
+    }
+
+private:
+    void use(Material const& material)
+    {
+        auto const name = names_.name_of(material).name;
+        if (name != used_)
+            out_ << "usemtl " << name << '\n';
+        used_ = name;
+    }
+
+    void add_triangles(TriangleMesh const& mesh, InstanceTransform const& instance)
+    {
+        Quat const turn = instance.rotation.cast<double>();
+        Vec3 const scale = instance.scale.cast<double>();
+        fmt::memory_buffer text;
+        auto const to = std::back_inserter(text);
+        for (auto const& position : mesh.positions_mm) {
+            Vec3 const stretched = scale.cwiseProduct(position.cast<double>());
+            Vec3 const placed
+                = place_ * Vec3(instance.translation_mm.cast<double>() + turn * stretched);
+            Vec3 const at = to_gltf(placed);
+            fmt::format_to(to, "v {:.6f} {:.6f} {:.6f}\n", at.x(), at.y(), at.z());
+        }
+        for (auto const& texture : mesh.texture_coordinates)
+            fmt::format_to(to, "vt {:.5f} {:.5f}\n", texture.x(), texture.y());
+        for (auto const& normal : mesh.normals) {
+            Vec3 const n = turn_to_gltf(Vec3(place_.linear()
+                                             * (turn * normal.cast<double>().cwiseQuotient(scale))))
+                               .normalized();
+            fmt::format_to(to, "vn {:.4f} {:.4f} {:.4f}\n", n.x(), n.y(), n.z());
+        }
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            auto const a = next_ + mesh.indices[i];
+            auto const b = next_ + mesh.indices[i + 1];
+            auto const c = next_ + mesh.indices[i + 2];
+            fmt::format_to(to, "f {0}/{0}/{0} {1}/{1}/{1} {2}/{2}/{2}\n", a, b, c);
+        }
+        next_ += mesh.positions_mm.size();
+        out_.write(text.data(), static_cast<std::streamsize>(text.size()));
+    }
+
+    std::ostream& out_;
+    Eigen::Isometry3d place_ = Eigen::Isometry3d::Identity();
+    MaterialNames names_;
+    std::string used_;
+    std::size_t next_ = 1; // OBJ counts vertices from 1, through the whole file.
+};
+
+Result<void> check(std::ostream& out)
+{
+    if (!out.flush())
+        return fail(Fault::User,
+                    "cannot write the OBJ file: the disk is full or the stream failed");
+    return {};
+}
+
+} // namespace
+
+Result<void> write_obj(std::ostream& out, std::span<PlacedMesh const> plants,
+                       std::string_view library)
+{
+    out << "# tractus: metres, y up\n";
+    if (!library.empty())
+        out << "mtllib " << library << '\n';
+    ObjText text(out);
+    for (auto const& placed : plants) {
+        std::optional<Mesh> made;
+        text.add(placed, mesh_of(placed, made));
+        TRY(check(out));
+    }
+    return check(out);
+}
+
+Result<void> write_mtl(std::ostream& out, std::span<PlacedMesh const> plants)
+{
+    MaterialNames names;
+    out << "# tractus\n";
+    for (auto const& placed : plants) {
+        std::optional<Mesh> made;
+        for (auto const& material : mesh_of(placed, made).materials) {
+            auto const [name, is_new] = names.name_of(material);
+            if (!is_new)
+                continue;
+            auto const& color = material.base_color;
+            // Blinn-Phong's exponent for a roughness, as is usual: 2 / roughness^4 - 2.
+            double const alpha = std::max(0.05, double { material.roughness } * material.roughness);
+            out << fmt::format(
+                "newmtl {}\nKd {:.4f} {:.4f} {:.4f}\nKs 0.04 0.04 0.04\nNs {:.2f}\nillum 2\n", name,
+                color.x(), color.y(), color.z(), std::max(0.0, 2 / (alpha * alpha) - 2));
+        }
+    }
+    return check(out);
+}
+
+} // namespace tractus

@@ -1,0 +1,216 @@
+#include "engine/export/glb_reader.h"
+
+#include "engine/base/random.h"
+#include "engine/export/glb_writer.h"
+#include "engine/mesh/make_mesh.h"
+#include "tests/engine/mesh/mesh_checks.h"
+#include "tests/engine/mesh/sample_plants.h"
+
+#include <cstring>
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace tractus {
+namespace {
+
+std::string glb_of(std::span<PlacedMesh const> plants, GlbOptions const& options = {})
+{
+    std::ostringstream out;
+    EXPECT_TRUE(write_glb(out, plants, options));
+    return out.str();
+}
+
+std::string glb_of(Mesh const& mesh, GlbOptions const& options = {})
+{
+    PlacedMesh const placed { .mesh = &mesh };
+    return glb_of(std::span(&placed, 1), options);
+}
+
+// A file of a JSON text and no binary part.
+std::string glb_of_json(std::string json)
+{
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    std::string bytes = "glTF";
+    auto const append
+        = [&](std::uint32_t value) { bytes.append(reinterpret_cast<char const*>(&value), 4); };
+    append(2);
+    append(static_cast<std::uint32_t>(20 + json.size()));
+    append(static_cast<std::uint32_t>(json.size()));
+    return bytes + "JSON" + json;
+}
+
+std::string error_of(std::string const& bytes)
+{
+    auto const mesh = read_glb(bytes);
+    EXPECT_FALSE(mesh);
+    return mesh ? "" : mesh.error().message;
+}
+
+void expect_near(std::vector<Vec3f> const& a, std::vector<Vec3f> const& b, float tolerance)
+{
+    ASSERT_EQ(a.size(), b.size());
+    float worst = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        worst = std::max(worst, (a[i] - b[i]).norm());
+    EXPECT_LE(worst, tolerance);
+}
+
+TEST(GlbReader, ReadsBackWhatWasWritten)
+{
+    auto const mesh = make_mesh(sample_tree(1));
+    auto const read = read_glb(glb_of(mesh));
+    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_EQ(read->surfaces.size(), 1u);
+    EXPECT_EQ(read->surfaces[0].indices, mesh.surfaces[0].indices);
+    expect_near(read->surfaces[0].positions_mm, mesh.surfaces[0].positions_mm, 2e-3f);
+    expect_near(read->surfaces[0].normals, mesh.surfaces[0].normals, 1e-5f);
+    EXPECT_EQ(read->surfaces[0].texture_coordinates, mesh.surfaces[0].texture_coordinates);
+    ASSERT_EQ(read->organs.size(), 1u);
+    EXPECT_EQ(read->organs[0].prototype.indices, mesh.organs[0].prototype.indices);
+    expect_near(read->organs[0].prototype.positions_mm, mesh.organs[0].prototype.positions_mm,
+                1e-4f);
+    EXPECT_EQ(read->triangle_count(), mesh.triangle_count());
+}
+
+TEST(GlbReader, ReadsInstancesBackInEitherForm)
+{
+    auto const mesh = make_mesh(sample_tree(1));
+    for (auto const form : { GlbOptions::Instancing::Extension, GlbOptions::Instancing::Nodes }) {
+        auto const read = read_glb(glb_of(mesh, { .instancing = form }));
+        ASSERT_TRUE(read) << read.error().message;
+        ASSERT_EQ(read->organs.size(), 1u);
+        ASSERT_EQ(read->organs[0].instances.size(), mesh.organs[0].instances.size());
+        // Nodes come in any order: compare what the instances do to a point, summed.
+        auto const sum = [](InstancedMesh const& organ) {
+            Vec3 total = Vec3::Zero();
+            for (auto const& instance : organ.instances)
+                total += (instance.translation_mm
+                          + instance.rotation * instance.scale.cwiseProduct(Vec3f(1, 20, 300)))
+                             .cast<double>();
+            return total;
+        };
+        EXPECT_LT((sum(read->organs[0]) - sum(mesh.organs[0])).norm(), 1);
+    }
+}
+
+TEST(GlbReader, ReadsMaterialsBack)
+{
+    auto const mesh = make_mesh(sample_tree(1));
+    auto const read = read_glb(glb_of(mesh));
+    ASSERT_TRUE(read);
+    ASSERT_EQ(read->materials.size(), 2u);
+    auto const& leaf = read->materials[read->organs[0].prototype.material];
+    EXPECT_EQ(leaf.name, "leaf");
+    EXPECT_EQ(leaf.kind, Material::Kind::Leaf);
+    EXPECT_TRUE(leaf.base_color.isApprox(mesh.materials[1].base_color, 1e-4f));
+    EXPECT_FLOAT_EQ(leaf.roughness, 0.6f);
+    EXPECT_FLOAT_EQ(leaf.translucency, 0.4f);
+}
+
+TEST(GlbReader, PlacesPlantsWhereTheyStand)
+{
+    auto const mesh = make_mesh(single_axis(1, 1, 1));
+    Mesh const other = make_mesh(single_axis(1, 2, 2));
+    PlacedMesh const plants[]
+        = { { .mesh = &mesh },
+            { .position_mm = { 1000, 500, 30 }, .rotation_rad = kPi / 2, .mesh = &other } };
+    auto const read = read_glb(glb_of(plants));
+    ASSERT_TRUE(read) << read.error().message;
+    auto const& positions = read->surfaces[0].positions_mm;
+    auto const& own = other.surfaces[0].positions_mm;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        Vec3f const expected(1000 - own[i].y(), 500 + own[i].x(), 30 + own[i].z());
+        EXPECT_LT((positions[mesh.surfaces[0].positions_mm.size() + i] - expected).norm(), 1e-2f);
+    }
+    expect_sound(read->surfaces[0]);
+    EXPECT_EQ(inside_out_count(read->surfaces[0]), 0u);
+}
+
+TEST(GlbReader, SaysWhatIsWrong)
+{
+    EXPECT_NE(error_of("").find("not a binary glTF"), std::string::npos);
+    EXPECT_NE(error_of("solid cube").find("not a binary glTF"), std::string::npos);
+    auto const glb = glb_of(make_mesh(single_axis(1, 1, 1)));
+    EXPECT_NE(error_of(glb.substr(0, 15)).find("truncated"), std::string::npos);
+    EXPECT_NE(error_of(glb.substr(0, glb.size() - 4)).find("truncated"), std::string::npos);
+    EXPECT_NE(error_of(glb_of_json("{\"asset\":")).find("cannot read"), std::string::npos);
+    EXPECT_NE(
+        error_of(glb_of_json(
+                     R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_draco_mesh_compression"],
+        "extensionsRequired":["KHR_draco_mesh_compression"]})"))
+            .find("KHR_draco_mesh_compression"),
+        std::string::npos);
+}
+
+TEST(GlbReader, ReadsAFileWithoutMeshes)
+{
+    auto const read = read_glb(glb_of(std::span<PlacedMesh const>()));
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->triangle_count(), 0u);
+}
+
+TEST(GlbReader, RefusesDeepNestingAndLoops)
+{
+    std::string deep = R"({"asset":{"version":"2.0"},"extras":)";
+    deep += std::string(200000, '[') + std::string(200000, ']') + "}";
+    EXPECT_NE(error_of(glb_of_json(deep)).find("nested too deeply"), std::string::npos);
+    EXPECT_NE(error_of(glb_of_json(R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],
+        "nodes":[{"children":[1]},{"children":[0]}]})"))
+                  .find("two parents"),
+              std::string::npos);
+    EXPECT_NE(error_of(glb_of_json(R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[7]}],
+        "nodes":[{}]})"))
+                  .find("does not exist"),
+              std::string::npos);
+}
+
+TEST(GlbReader, NeverReachesForOtherFiles)
+{
+    auto const read = read_glb(glb_of_json(R"({"asset":{"version":"2.0"},
+        "buffers":[{"uri":"/etc/hostname","byteLength":4}]})"));
+    EXPECT_FALSE(read);
+}
+
+// Each case must end in a mesh that is sound or in an error.
+TEST(GlbReader, SurvivesDamagedFiles)
+{
+    auto plant = single_axis(2, 5, 1);
+    plant.materials.push_back({ .name = "leaf", .kind = Material::Kind::Leaf });
+    plant.organ_shapes = { OrganShape { .material = 1 } };
+    plant.organs = { Organ { .segment = 0 }, Organ { .segment = 1 } };
+    auto const glb = glb_of(make_mesh(plant), { .textures = GlbOptions::Textures::None });
+    std::uint32_t json_bytes = 0;
+    std::memcpy(&json_bytes, glb.data() + 12, sizeof json_bytes);
+    Random random({ .seed = 1 });
+    std::size_t read_count = 0;
+    for (int i = 0; i < 2500; ++i) {
+        std::string bytes = glb;
+        if (i % 5 == 0) // Cut off, the header made to agree.
+            bytes.resize(20 + random.next_u32() % (glb.size() - 20));
+        for (std::uint32_t k = 0; k <= random.next_u32() % 4; ++k) {
+            // Mostly in the JSON part, digits to digits, since other damage is found at once.
+            auto const at = random.next_u32()
+                % (i % 3 == 0 ? bytes.size()
+                              : std::min<std::size_t>(bytes.size(), 20 + json_bytes));
+            bool const digit = bytes[at] >= '0' && bytes[at] <= '9';
+            bytes[at] = static_cast<char>(digit ? '0' + random.next_u32() % 10
+                                                : random.next_u32() & 0xff);
+        }
+        auto const size = static_cast<std::uint32_t>(bytes.size());
+        if (bytes.size() >= 12 && i % 2 == 0)
+            std::memcpy(bytes.data() + 8, &size, sizeof size);
+        auto const mesh = read_glb(bytes);
+        if (!mesh)
+            continue;
+        ++read_count;
+        for (auto const& surface : mesh->surfaces)
+            expect_sound(surface);
+        for (auto const& organ : mesh->organs)
+            expect_sound(organ.prototype);
+    }
+    EXPECT_GT(read_count, 100u); // The damage is not all of the kind that is found at once.
+}
+
+} // namespace
+} // namespace tractus

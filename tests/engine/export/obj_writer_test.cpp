@@ -1,0 +1,97 @@
+#include "engine/export/obj_writer.h"
+
+#include "engine/mesh/make_mesh.h"
+#include "tests/engine/mesh/sample_plants.h"
+
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace tractus {
+namespace {
+
+struct ObjCounts {
+    std::size_t objects = 0;
+    std::size_t vertices = 0;
+    std::size_t faces = 0;
+    std::size_t highest_index = 0;
+    double highest_y = 0;
+};
+
+ObjCounts count(std::string const& text)
+{
+    ObjCounts counts;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string word;
+        words >> word;
+        if (word == "o")
+            ++counts.objects;
+        if (word == "v") {
+            ++counts.vertices;
+            double x = 0;
+            double y = 0;
+            words >> x >> y;
+            counts.highest_y = std::max(counts.highest_y, y);
+        }
+        if (word != "f")
+            continue;
+        ++counts.faces;
+        for (std::string corner; words >> corner;)
+            counts.highest_index = std::max<std::size_t>(counts.highest_index, std::stoul(corner));
+    }
+    return counts;
+}
+
+TEST(ObjWriter, WritesEveryTriangleOfEveryInstance)
+{
+    Mesh const mesh = make_mesh(sample_tree(1));
+    PlacedMesh const plants[]
+        = { { .name = "a b", .mesh = &mesh }, { .position_mm = { 0, 0, 1000 }, .mesh = &mesh } };
+    std::ostringstream out;
+    ASSERT_TRUE(write_obj(out, plants, "trees.mtl"));
+    auto const counts = count(out.str());
+    EXPECT_EQ(counts.objects, 2u);
+    EXPECT_EQ(counts.faces, 2 * mesh.triangle_count());
+    EXPECT_EQ(counts.highest_index, counts.vertices);
+    EXPECT_NE(out.str().find("mtllib trees.mtl\n"), std::string::npos);
+    EXPECT_NE(out.str().find("o a_b\n"), std::string::npos);
+}
+
+TEST(ObjWriter, WritesMetresAndYUp)
+{
+    Mesh const mesh = make_mesh(single_axis(4, 10, 10));
+    PlacedMesh const placed { .mesh = &mesh };
+    std::ostringstream out;
+    ASSERT_TRUE(write_obj(out, std::span(&placed, 1)));
+    EXPECT_NEAR(count(out.str()).highest_y, 0.210, 1e-6);
+}
+
+TEST(ObjWriter, TellsMaterialsOfOneNameApart)
+{
+    Mesh const brown = make_mesh(single_axis(1, 1, 1));
+    Mesh grey = brown;
+    grey.materials[0].base_color = { 0.5f, 0.5f, 0.5f };
+    PlacedMesh const plants[] = { { .mesh = &brown }, { .mesh = &grey }, { .mesh = &brown } };
+    std::ostringstream materials;
+    ASSERT_TRUE(write_mtl(materials, plants));
+    EXPECT_NE(materials.str().find("newmtl bark\nKd 0.3100 0.2300 0.1600"), std::string::npos);
+    EXPECT_NE(materials.str().find("newmtl bark.2\nKd 0.5000"), std::string::npos);
+    std::ostringstream out;
+    ASSERT_TRUE(write_obj(out, plants));
+    EXPECT_NE(out.str().find("usemtl bark.2\n"), std::string::npos);
+}
+
+TEST(ObjWriter, SaysThatTheStreamFailed)
+{
+    Mesh const mesh = make_mesh(single_axis(1, 1, 1));
+    PlacedMesh const placed { .mesh = &mesh };
+    std::ostringstream out;
+    out.setstate(std::ios::badbit);
+    auto const result = write_obj(out, std::span(&placed, 1));
+    ASSERT_FALSE(result);
+    EXPECT_NE(result.error().message.find("disk is full"), std::string::npos);
+}
+
+} // namespace
+} // namespace tractus
