@@ -18,24 +18,53 @@ constexpr double kCellsPerLine = 0.5;
 constexpr double kFewestCells = 1024;
 constexpr double kMostCells = 1 << 20;
 
-// The line between two projected points, or nothing where it cannot be seen.
-std::optional<ProjectedSkeleton::Line> project(Eigen::Vector4d from, Eigen::Vector4d to)
+// What a point must not be outside of, as products with its homogeneous coordinates that are not
+// negative: in front of the eye, and no farther beside the view than the view is large, so that
+// single precision is enough for what remains.
+using ClipPlanes = Eigen::Matrix<double, 5, 4>;
+
+ClipPlanes clip_planes(SkeletonView const& view)
 {
-    if (!(from.w() > kLeastW) && !(to.w() > kLeastW))
+    Vec2 const low = 2 * view.min - view.max;
+    Vec2 const high = 2 * view.max - view.min;
+    ClipPlanes planes;
+    planes << 0, 0, 0, 1, 1, 0, 0, -low.x(), -1, 0, 0, high.x(), 0, 1, 0, -low.y(), 0, -1, 0,
+        high.y();
+    return planes;
+}
+
+// The part of a line that the planes leave, or nothing (Liang and Barsky's method).
+std::optional<ProjectedSkeleton::Line> project(Eigen::Vector4d const& from,
+                                               Eigen::Vector4d const& to, ClipPlanes const& planes)
+{
+    Eigen::Matrix<double, 5, 1> inside_from = planes * from;
+    Eigen::Matrix<double, 5, 1> inside_to = planes * to;
+    inside_from[0] -= kLeastW;
+    inside_to[0] -= kLeastW;
+    double begin = 0;
+    double end = 1;
+    for (int i = 0; i < 5; ++i) {
+        if (inside_from[i] < 0 && inside_to[i] < 0)
+            return std::nullopt;
+        if (inside_from[i] < 0)
+            begin = std::max(begin, inside_from[i] / (inside_from[i] - inside_to[i]));
+        else if (inside_to[i] < 0)
+            end = std::min(end, inside_from[i] / (inside_from[i] - inside_to[i]));
+    }
+    if (begin > end)
         return std::nullopt;
-    auto const cut = [](Eigen::Vector4d const& behind, Eigen::Vector4d const& seen) {
-        double const share = (kLeastW - behind.w()) / (seen.w() - behind.w());
-        return Eigen::Vector4d(behind + share * (seen - behind));
+
+    auto const at = [&](double share) {
+        Eigen::Vector4d const point = from + share * (to - from);
+        return Vec3(point.head<3>() / point.w());
     };
-    if (from.w() < kLeastW)
-        from = cut(from, to);
-    if (to.w() < kLeastW)
-        to = cut(to, from);
+    Vec3 const first = at(begin);
+    Vec3 const last = at(end);
     return ProjectedSkeleton::Line {
-        .from = (from.head<2>() / from.w()).cast<float>(),
-        .to = (to.head<2>() / to.w()).cast<float>(),
-        .depth_from = static_cast<float>(from.z() / from.w()),
-        .depth_to = static_cast<float>(to.z() / to.w()),
+        .from = first.head<2>().cast<float>(),
+        .to = last.head<2>().cast<float>(),
+        .depth_from = static_cast<float>(first.z()),
+        .depth_to = static_cast<float>(last.z()),
     };
 }
 
@@ -71,13 +100,14 @@ ProjectedSkeleton::ProjectedSkeleton(Plant const& plant, SkeletonView const& vie
     , max_(view.max.cast<float>())
 {
     CHECK((view.max.array() >= view.min.array()).all());
+    auto const planes = clip_planes(view);
     lines_.reserve(plant.segment_count());
     for (auto const& axis : plant.axes) {
         auto const nodes = plant.positions(axis);
         Eigen::Vector4d from = view.to_plane * nodes[0].homogeneous();
         for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
             Eigen::Vector4d const to = view.to_plane * nodes[i + 1].homogeneous();
-            if (auto line = project(from, to)) {
+            if (auto line = project(from, to, planes)) {
                 line->segment = axis.first_segment + i;
                 lines_.push_back(*line);
             }

@@ -47,7 +47,8 @@ public:
 
     ProjectedSkeleton(Plant const& plant, SkeletonView const& view);
 
-    // What is to be seen, in the order of the segments; lines in part behind the eye are cut.
+    // What is to be seen, in the order of the segments. Lines are cut behind the eye, and far
+    // outside of the view.
     std::span<Line const> lines() const { return lines_; }
 
     // The segment under `point`, as a painter leaves it: of all lines that cover the point the

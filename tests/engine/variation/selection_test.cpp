@@ -1,0 +1,256 @@
+#include "engine/variation/selection.h"
+
+#include "tests/engine/variation/plants.h"
+
+#include "engine/base/random.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace tractus {
+namespace {
+
+using Path = std::vector<SegmentId>;
+using Paths = std::vector<Path>;
+using enum SegmentState;
+
+// The tree of figure 5: A (0) bears B (1) to the left and C (2) upwards; D (3) stands on C, and E
+// (4) on B. F (5) stands on D.
+Plant figure_5()
+{
+    Plant plant;
+    auto const a = add_axis(plant, { { 0, 0, 0 }, { 0, 0, 100 } });
+    auto const b = add_axis(plant, { { 0, 0, 100 }, { -60, 0, 160 } }, a, 0);
+    auto const c = add_axis(plant, { { 0, 0, 100 }, { 20, 0, 200 } }, a, 0);
+    auto const d = add_axis(plant, { { 20, 0, 200 }, { 60, 0, 300 } }, c, 2);
+    add_axis(plant, { { -60, 0, 160 }, { -90, 0, 240 } }, b, 1);
+    add_axis(plant, { { 60, 0, 300 }, { 60, 0, 400 } }, d, 3);
+    return plant;
+}
+
+class Figure5 : public testing::Test {
+protected:
+    BranchTree tree = build_branch_tree(figure_5());
+    PathSelection selection { tree };
+
+    void touch(Path const& segments)
+    {
+        for (auto const segment : segments)
+            selection.touch(segment);
+    }
+};
+
+TEST_F(Figure5, TheFirstBranchIsSelectedAtOnce)
+{
+    EXPECT_TRUE(selection.touch(0));
+    EXPECT_EQ(selection.state(0), Selected);
+}
+
+TEST_F(Figure5, ChildrenStayUndetermined)
+{
+    touch({ 0, 1, 2 });
+    EXPECT_EQ(selection.state(1), Undetermined);
+    EXPECT_EQ(selection.state(2), Undetermined);
+    EXPECT_EQ(selection.selected(), (Path { 0 }));
+    EXPECT_EQ(selection.undetermined(), (Path { 1, 2 }));
+}
+
+TEST_F(Figure5, AGrandchildShowsWhichChildWasMeant)
+{
+    touch({ 0, 1, 2, 3 });
+    EXPECT_EQ(selection.state(0), Selected);
+    EXPECT_EQ(selection.state(1), Unselected);
+    EXPECT_EQ(selection.state(2), Selected);
+    EXPECT_EQ(selection.state(3), Undetermined);
+    EXPECT_EQ(selection.finish(), (Paths { { 0, 2, 3 } }));
+    EXPECT_EQ(selection.state(3), Selected);
+}
+
+TEST_F(Figure5, TheOtherGrandchildShowsTheOtherChild)
+{
+    touch({ 0, 1, 2, 4 });
+    EXPECT_EQ(selection.state(1), Selected);
+    EXPECT_EQ(selection.state(2), Unselected);
+    EXPECT_EQ(selection.state(4), Undetermined);
+    EXPECT_EQ(selection.finish(), (Paths { { 0, 1, 4 } }));
+}
+
+TEST_F(Figure5, WhatIsUndeterminedInTheEndBecomesSelected)
+{
+    touch({ 0, 1, 2 });
+    EXPECT_EQ(selection.finish(), (Paths { { 0, 1 }, { 0, 2 } }));
+    EXPECT_EQ(selection.state(1), Selected);
+    EXPECT_EQ(selection.state(2), Selected);
+}
+
+TEST_F(Figure5, SkippedBranchesAreFilledIn)
+{
+    touch({ 0, 5 });
+    EXPECT_EQ(selection.selected(), (Path { 0, 2, 3 }));
+    EXPECT_EQ(selection.finish(), (Paths { { 0, 2, 3, 5 } }));
+}
+
+TEST_F(Figure5, SkippedBranchesDecideToo)
+{
+    touch({ 0, 1, 3 });
+    EXPECT_EQ(selection.state(1), Unselected);
+    EXPECT_EQ(selection.state(2), Selected);
+}
+
+TEST_F(Figure5, ThereIsNoWayBackDown)
+{
+    touch({ 2, 3, 5 });
+    EXPECT_FALSE(selection.touch(0));
+    EXPECT_FALSE(selection.touch(2));
+    EXPECT_FALSE(selection.touch(1));
+    EXPECT_EQ(selection.finish(), (Paths { { 2, 3, 5 } }));
+}
+
+TEST_F(Figure5, TouchingAgainChangesNothing)
+{
+    touch({ 0, 1 });
+    EXPECT_FALSE(selection.touch(1));
+    EXPECT_FALSE(selection.touch(0));
+    EXPECT_EQ(selection.finish(), (Paths { { 0, 1 } }));
+}
+
+TEST_F(Figure5, NothingTouchedSelectsNothing)
+{
+    EXPECT_TRUE(selection.finish().empty());
+}
+
+TEST_F(Figure5, ClearForgetsEverything)
+{
+    touch({ 0, 1, 2, 3 });
+    selection.clear();
+    for (SegmentId segment = 0; segment < 6; ++segment)
+        EXPECT_EQ(selection.state(segment), Unselected);
+    touch({ 4 });
+    EXPECT_EQ(selection.finish(), (Paths { { 4 } }));
+}
+
+// Looking along +y: u is x, v is z, depth is y.
+SkeletonView front_view(double half_size)
+{
+    SkeletonView view;
+    view.to_plane << 1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1;
+    view.min = Vec2::Constant(-half_size);
+    view.max = Vec2::Constant(half_size);
+    return view;
+}
+
+TEST_F(Figure5, APenDrawnOverTheSkeletonSelects)
+{
+    ProjectedSkeleton const skeleton(figure_5(), front_view(500));
+    SelectionPen pen(skeleton, selection);
+    // Up A, by mistake a little along B, then C, D and F.
+    for (auto const& point :
+         { Vec2(2, 20), Vec2(1, 90), Vec2(-20, 120), Vec2(12, 150), Vec2(40, 250), Vec2(60, 380) })
+        pen.move_to(point);
+    EXPECT_EQ(selection.finish(), (Paths { { 0, 2, 3, 5 } }));
+}
+
+TEST(SelectionPen, MissesNoThinBranchAtSpeed)
+{
+    // Twigs like the teeth of a comb, and one move across all of them.
+    auto plant = pole(50, 500);
+    for (SegmentId segment = 0; segment < 49; ++segment)
+        add_axis(plant, { { 0, 0, 10.0 * segment + 10 }, { 100, 0, 10.0 * segment + 10 } }, 0,
+                 segment);
+    auto const tree = build_branch_tree(plant);
+    ProjectedSkeleton const skeleton(plant, front_view(600));
+    PathSelection selection(tree);
+    SelectionPen pen(skeleton, selection, { .line_half_width = 0.5, .finger = 0.5 });
+    pen.move_to({ 0, 1 });
+    pen.move_to({ 0, 499 });
+    EXPECT_EQ(selection.selected().size(), 49u);
+    auto const paths = selection.finish();
+    EXPECT_EQ(paths.back().back(), 49u);
+    EXPECT_EQ(paths.back().size(), 50u);
+}
+
+TEST(ProjectedSkeleton, OfTwoLinesTheNearerToTheEyeWins)
+{
+    Plant plant;
+    add_axis(plant, { { -50, 30, 0 }, { 50, 30, 0 } });
+    add_axis(plant, { { -50, 10, -20 }, { 50, 10, 20 } });
+    add_axis(plant, { { -50, 40, 20 }, { 50, 40, -20 } });
+    ProjectedSkeleton const skeleton(plant, front_view(100));
+    EXPECT_EQ(skeleton.pick({ 0, 0 }), 1u);
+    EXPECT_EQ(skeleton.pick({ -40, 0 }), 0u);
+    EXPECT_EQ(skeleton.pick({ -40, 16 }), 2u);
+}
+
+TEST(ProjectedSkeleton, AFingerReachesWhatLiesBeside)
+{
+    Plant plant;
+    add_axis(plant, { { -50, 0, 0 }, { 50, 0, 0 } });
+    add_axis(plant, { { -50, -90, 9 }, { 50, -90, 9 } }); // In front, but farther beside.
+    ProjectedSkeleton const skeleton(plant, front_view(100));
+    EXPECT_EQ(skeleton.pick({ 0, 4 }, { .line_half_width = 1, .finger = 6 }), 0u);
+    EXPECT_EQ(skeleton.pick({ 0, 4 }, { .line_half_width = 1, .finger = 3 }), std::nullopt);
+    EXPECT_EQ(skeleton.pick({ 60, 0 }, { .line_half_width = 1, .finger = 11 }), 0u);
+}
+
+TEST(ProjectedSkeleton, FindsWhatLookingAtAllLinesFinds)
+{
+    auto const plant = forking_tree(9, 3);
+    ProjectedSkeleton const skeleton(plant, front_view(4000));
+    Random random({ .seed = 8 });
+    int found = 0;
+    for (int i = 0; i < 2000; ++i) {
+        Vec2 const point(random.uniform(-1500, 1500), random.uniform(0, 3500));
+        double nearest = std::numeric_limits<double>::infinity();
+        for (auto const& line : skeleton.lines()) {
+            Vec2 const from = line.from.cast<double>();
+            Vec2 const along = line.to.cast<double>() - from;
+            double const share
+                = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+            nearest = std::min(nearest, (from + share * along - point).norm());
+        }
+        auto const picked = skeleton.pick(point, { .line_half_width = 0, .finger = 30 });
+        EXPECT_EQ(picked.has_value(), nearest <= 30) << point.transpose();
+        found += picked.has_value();
+    }
+    EXPECT_GT(found, 200);
+}
+
+TEST(ProjectedSkeleton, CutsWhatIsBehindTheEye)
+{
+    // The eye at the origin, looking along +y with an opening of 90 degrees.
+    Eigen::Matrix4d clip;
+    clip << 1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, -1, 0, 1, 0, 0;
+    Plant plant;
+    add_axis(plant, { { 10, -100, 0 }, { 10, 100, 0 } }); // From behind to the front.
+    add_axis(plant, { { 0, -5, 0 }, { 0, -9, 0 } });
+    ProjectedSkeleton const skeleton(plant, view_in_pixels(clip, { 200, 200 }));
+    ASSERT_EQ(skeleton.lines().size(), 1u);
+    EXPECT_NEAR(skeleton.lines()[0].to.x(), 110, 1e-3);
+    EXPECT_NEAR(skeleton.lines()[0].from.x(), 400, 1e-3); // A window's width beside the window.
+    EXPECT_EQ(skeleton.pick({ 150, 100 }), 0u);
+    EXPECT_EQ(skeleton.pick({ 50, 100 }), std::nullopt);
+}
+
+TEST(ProjectedSkeleton, PixelsCountDownwards)
+{
+    ProjectedSkeleton const skeleton(pole(1, 1),
+                                     view_in_pixels(front_view(1).to_plane, { 200, 100 }));
+    EXPECT_EQ(skeleton.lines()[0].from, Vec2f(100, 50));
+    EXPECT_EQ(skeleton.lines()[0].to, Vec2f(100, 0));
+}
+
+TEST(ProjectedSkeleton, NothingIsPickedOutsideOrOnAnEmptyPlant)
+{
+    ProjectedSkeleton const nothing({}, front_view(100));
+    EXPECT_EQ(nothing.pick({ 0, 0 }), std::nullopt);
+    ProjectedSkeleton const skeleton(pole(3, 300), front_view(100));
+    EXPECT_EQ(skeleton.pick({ 0, 150 }), std::nullopt);
+    double const nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(skeleton.pick({ nan, 0 }), std::nullopt);
+    ProjectedSkeleton const no_window(pole(3, 300), {});
+    EXPECT_EQ(no_window.pick({ 50, 50 }), std::nullopt);
+}
+
+} // namespace
+} // namespace tractus
