@@ -184,7 +184,7 @@ Result<Log> Reader::read()
         auto line = left.substr(0, end);
         left.remove_prefix(is_whole_ ? end + 1 : left.size());
         ++line_;
-        if (line.ends_with('\r'))
+        while (line.ends_with('\r'))
             line.remove_suffix(1);
         TRY(read_line(line));
     }

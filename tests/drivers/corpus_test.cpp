@@ -1,0 +1,182 @@
+// Descriptors and recordings of real devices, made by others.
+
+#include "tests/corpus.h"
+
+#include "drivers/file.h"
+#include "drivers/log.h"
+#include "drivers/pen_decoder.h"
+#include "drivers/pen_layout.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> files_below(fs::path const& folder)
+{
+    std::vector<fs::path> files;
+    for (auto const& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file())
+            files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+// The logs: everything but the kernel's own events.
+std::vector<fs::path> recordings()
+{
+    auto files = files_below(corpus() / "recordings");
+    std::erase_if(files, [](auto const& path) { return path.extension() == ".ev"; });
+    return files;
+}
+
+Result<HidReportDescriptor> parse_file(fs::path const& path)
+{
+    auto const text = read_file(path);
+    EXPECT_TRUE(text);
+    return parse_report_descriptor(std::as_bytes(std::span(*text)));
+}
+
+TEST(Corpus, ParsesEveryDescriptor)
+{
+    REQUIRE_CORPUS();
+    for (auto const& path : files_below(corpus() / "descriptors")) {
+        if (path.extension() != ".bin" || fs::file_size(path) == 0)
+            continue;
+        auto const descriptor = parse_file(path);
+        EXPECT_TRUE(descriptor) << path << ": " << descriptor.error().message;
+    }
+}
+
+TEST(Corpus, FindsAPenInEveryPenDescriptor)
+{
+    REQUIRE_CORPUS();
+    int pens = 0;
+    int declared = 0;
+    int found = 0;
+    for (auto const& path : files_below(corpus() / "descriptors" / "pen")) {
+        auto const descriptor = parse_file(path);
+        if (!descriptor)
+            continue;
+        ++pens;
+        auto const layouts = find_pen_layouts(*descriptor);
+        EXPECT_FALSE(layouts.empty()) << path;
+        found += !layouts.empty();
+        for (auto const& layout : layouts) {
+            EXPECT_GE(layout.size_mm.minCoeff(), 20) << path;
+            EXPECT_LE(layout.size_mm.maxCoeff(), 800) << path;
+            EXPECT_LE(layout.bytes_needed, layout.report_size) << path;
+        }
+        declared += std::any_of(layouts.begin(), layouts.end(), [](auto const& layout) {
+            return layout.size_source == PenLayout::Size::Declared;
+        });
+    }
+    RecordProperty("descriptors", pens);
+    RecordProperty("with_x_y_tip", found);
+    RecordProperty("with_a_size", declared);
+    EXPECT_GT(pens, 100);
+    EXPECT_GT(declared, pens * 9 / 10);
+}
+
+TEST(Corpus, FindsNoPenInOtherDescriptors)
+{
+    REQUIRE_CORPUS();
+    for (auto const& path : files_below(corpus() / "descriptors" / "other")) {
+        // Two of them do have one: a mouse with tip pressure, and a touch screen's stylus.
+        auto const name = path.filename().string();
+        if (name.find("2FEB_0001.0005") != std::string::npos
+            || name.find("03EB_8ABB.0006") != std::string::npos)
+            continue;
+        auto const descriptor = parse_file(path);
+        if (descriptor) {
+            EXPECT_TRUE(find_pen_layouts(*descriptor).empty()) << path;
+        }
+    }
+}
+
+TEST(Corpus, ReadsEveryRecordingToTheLastReport)
+{
+    REQUIRE_CORPUS();
+    for (auto const& path : recordings()) {
+        auto const log = read_log(path);
+        ASSERT_TRUE(log) << log.error().message;
+        auto const text = read_file(path);
+        ASSERT_TRUE(text);
+        std::size_t lines = text->starts_with("E:");
+        for (auto at = text->find("\nE:"); at != std::string::npos; at = text->find("\nE:", at + 1))
+            ++lines;
+        EXPECT_EQ(log->records.size() + log->warning_count, lines) << path;
+        EXPECT_EQ(log->warning_count, 0u) << summarize_warnings(*log);
+    }
+}
+
+TEST(Corpus, DecodesRecordingsWithinTheirDevicesMaxima)
+{
+    REQUIRE_CORPUS();
+    int pens = 0;
+    for (auto const& path : recordings()) {
+        auto const log = read_log(path);
+        ASSERT_TRUE(log);
+        auto decoder = make_pen_decoder(log->devices.front());
+        if (!decoder)
+            continue;
+        ++pens;
+        auto const& traits = (*decoder)->traits();
+        bool has_touched = false;
+        for (auto const& record : log->records) {
+            auto const sample = (*decoder)->decode(record.time, log->report(record));
+            ASSERT_TRUE(sample) << path << ": " << sample.error().message;
+            if (!*sample)
+                continue;
+            auto const& pen = **sample;
+            ASSERT_TRUE(pen.raw_x >= 0 && pen.raw_x <= traits.raw_x_maximum)
+                << path << ' ' << pen.raw_x;
+            ASSERT_TRUE(pen.raw_y >= 0 && pen.raw_y <= traits.raw_y_maximum)
+                << path << ' ' << pen.raw_y;
+            ASSERT_LE(pen.raw_pressure, traits.raw_pressure_maximum) << path;
+            ASSERT_TRUE(pen.in_range || !pen.touching) << path;
+            has_touched |= pen.touching;
+        }
+        // The streams of barrel buttons hover.
+        EXPECT_TRUE(has_touched || path.filename().string().find("buttons") != std::string::npos)
+            << path;
+    }
+    RecordProperty("recordings_with_a_pen", pens);
+    EXPECT_GE(pens, 20);
+}
+
+TEST(Corpus, ReadsTheWholeSurfaceOfAnHs610)
+{
+    REQUIRE_CORPUS();
+    // Its owner drew round the edges: both axes reach both ends, and pressure its 8191.
+    auto const log = read_log(corpus() / "recordings" / "uclogic"
+                              / "Huion_HS610__dumps__default__pen_coords__if1.hidrec");
+    ASSERT_TRUE(log);
+    auto decoder = make_pen_decoder(log->devices.front());
+    ASSERT_TRUE(decoder);
+    std::int32_t x = 0;
+    std::int32_t y = 0;
+    std::int32_t pressure = 0;
+    for (auto const& record : log->records) {
+        auto const sample = (*decoder)->decode(record.time, log->report(record));
+        ASSERT_TRUE(sample);
+        if (!*sample)
+            continue;
+        x = std::max(x, (*sample)->raw_x);
+        y = std::max(y, (*sample)->raw_y);
+        pressure = std::max(pressure, (*sample)->raw_pressure);
+    }
+    EXPECT_EQ(x, 32767);
+    EXPECT_EQ(y, 32767);
+    EXPECT_EQ(pressure, 8191);
+}
+
+} // namespace
+} // namespace tractus

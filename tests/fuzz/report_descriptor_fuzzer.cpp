@@ -1,0 +1,29 @@
+// The first byte is the size of a report, which stands at the end; what is between them is the
+// report descriptor that it is decoded with.
+
+#include "drivers/height_decoder.h"
+#include "drivers/pen_decoder.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
+{
+    using namespace tractus;
+    if (size == 0)
+        return 0;
+    auto const input = std::as_bytes(std::span(data, size)).subspan(1);
+    auto const report_size = std::min<std::size_t>(data[0], input.size());
+    auto const descriptor = input.first(input.size() - report_size);
+    auto const report = input.last(report_size);
+
+    DeviceInfo const info { .report_descriptor = { descriptor.begin(), descriptor.end() } };
+    if (auto pen = make_pen_decoder(info))
+        for (int i = 0; i < 2; ++i) // Twice, since the decoder remembers.
+            (void)(*pen)->decode({}, report);
+    if (auto const height = HeightDecoder::create(info))
+        (void)height->decode({}, report);
+    return 0;
+}
