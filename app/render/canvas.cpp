@@ -57,10 +57,7 @@ Image Canvas::image() const
     glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.pixels().data());
-    Image picture(width_, height_);
-    for (int row = 0; row < height_; ++row)
-        std::copy_n(&upside_down.at(0, height_ - 1 - row), width_, &picture.at(0, row));
-    return picture;
+    return flipped(upside_down);
 }
 
 } // namespace tractus

@@ -112,6 +112,15 @@ std::vector<std::uint8_t> without_alpha(Image const& picture)
 
 } // namespace
 
+Image flipped(Image const& picture)
+{
+    Image result(picture.width(), picture.height());
+    for (int row = 0; row < picture.height(); ++row)
+        std::copy_n(&picture.at(0, picture.height() - 1 - row), picture.width(),
+                    &result.at(0, row));
+    return result;
+}
+
 Image resized(Image const& picture, int width, int height)
 {
     CHECK(picture.width() > 0 && picture.height() > 0);

@@ -52,6 +52,9 @@ private:
 // Copies `picture` into `onto` with its upper left corner at (x, y). What lies outside is left out.
 void paste(Image& onto, Image const& picture, int x, int y);
 
+// Upside down: OpenGL's rows go up.
+Image flipped(Image const& picture);
+
 // The picture in another size, each pixel the mean of the area that it covers. For making smaller;
 // a larger picture shows its pixels as blocks.
 Image resized(Image const& picture, int width, int height);

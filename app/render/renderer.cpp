@@ -51,7 +51,8 @@ struct Renderer::Parts {
         Canvas const& canvas;
         Bounds box {};
         Eigen::Matrix4f T_clip_world = Eigen::Matrix4f::Identity();
-        float pixels_per_mm = 1; // At clip w = 1.
+        float pixels_per_mm = 1;           // At clip w = 1.
+        Vec2f depth_terms = Vec2f::Zero(); // The projection's elements (2, 2) and (2, 3).
     };
 
     void draw_backdrop(View const& view) const;
@@ -107,7 +108,10 @@ void Renderer::draw(Stage const& stage, Camera const& camera, Canvas const& canv
     view.T_clip_world = projection * T_camera_world(camera);
     view.pixels_per_mm = projection(1, 1) * static_cast<float>(canvas.height()) / 2;
 
-    parts_->shadow.draw(stage, view.box, shadow_map_side(canvas));
+    view.depth_terms = Vec2f(projection(2, 2), projection(2, 3));
+
+    if (stage.backdrop.has_ground || !stage.meshes.empty())
+        parts_->shadow.draw(stage, view.box, shadow_map_side(canvas));
     canvas.bind();
     glDisable(GL_CULL_FACE);
     glDisable(GL_SCISSOR_TEST);
@@ -243,6 +247,7 @@ void Renderer::Parts::draw_curves(View const& view) const
         "viewport_px",
         Vec2f(static_cast<float>(view.canvas.width()), static_cast<float>(view.canvas.height())));
     curve.set("pixels_per_mm", view.pixels_per_mm);
+    curve.set("depth_terms", view.depth_terms);
     curve.set("hidden_above_mm", static_cast<float>(view.stage.hidden_above_mm));
     for (auto const* curves : view.stage.curves)
         curves->draw();

@@ -4,9 +4,9 @@ namespace tractus {
 
 Backdrop dark_backdrop()
 {
-    return { .top = { 0.105f, 0.115f, 0.13f },
-             .bottom = { 0.19f, 0.20f, 0.215f },
-             .ground = { 0.33f, 0.32f, 0.31f },
+    return { .top = { 0.15f, 0.165f, 0.19f },
+             .bottom = { 0.27f, 0.275f, 0.285f },
+             .ground = { 0.27f, 0.265f, 0.26f },
              .has_ground = true };
 }
 

@@ -9,7 +9,7 @@
 namespace tractus {
 
 // A mesh and where it stands. T_world_plant may turn, move and scale evenly.
-struct PlacedMesh {
+struct StagedMesh {
     GpuMesh const* mesh = nullptr; // Owned elsewhere; alive while drawn.
     Eigen::Affine3f T_world_plant = Eigen::Affine3f::Identity();
 };
@@ -33,7 +33,7 @@ Backdrop dark_backdrop();
 
 // Everything that stands before the camera. World frame, millimetres.
 struct Stage {
-    std::vector<PlacedMesh> meshes;
+    std::vector<StagedMesh> meshes;
     std::vector<GpuCurves const*> curves; // Owned elsewhere; alive while drawn.
     Sun sun;
     Backdrop backdrop;

@@ -16,6 +16,7 @@ layout(location = 6) in vec2 traits; // x: 1 for widths in millimetres; y: plus 
 uniform mat4 T_clip_world;
 uniform vec2 viewport_px;
 uniform float pixels_per_mm; // At clip w = 1.
+uniform vec2 depth_terms;    // The projection's elements (2, 2) and (2, 3).
 
 noperspective out vec2 at_px;
 flat out vec2 begin_px;
@@ -25,8 +26,17 @@ flat out vec2 heights_mm;
 flat out vec3 color_a;
 flat out vec3 color_b;
 flat out float look; // As traits.y.
+flat out vec2 cap_depths; // How much deeper the round ends are drawn.
 
 float radius_of(float width, float w) { return 0.5 * width * (traits.x > 0.5 ? pixels_per_mm / w : 1.0); }
+
+// By a radius, so that where segments meet, a round end fills the gap and hides no neighbour.
+float cap_depth(float radius_px, float w)
+{
+    float radius_mm = radius_px * w / pixels_per_mm;
+    bool perspective = depth_terms.y != 0.0 && w != 1.0;
+    return 0.5 * (perspective ? depth_terms.y / (w + radius_mm) - depth_terms.y / w : -depth_terms.x * radius_mm);
+}
 
 void main()
 {
@@ -50,6 +60,7 @@ void main()
     color_a = begin_color;
     color_b = end_color;
     look = traits.y;
+    cap_depths = vec2(cap_depth(radii_px.x, a.w), cap_depth(radii_px.y, b.w));
 
     vec2 run = end_px - begin_px;
     if (look > 1.5 && traits.x < 0.5) { // Its length follows from its width: see GpuCurves.
@@ -76,6 +87,7 @@ flat in vec2 heights_mm;
 flat in vec3 color_a;
 flat in vec3 color_b;
 flat in float look;
+flat in vec2 cap_depths;
 uniform float hidden_above_mm;
 out vec4 pixel;
 
@@ -104,6 +116,7 @@ void main()
     vec3 color = mix(color_a, color_b, t);
     color *= mix(1.0, 0.62 + 0.46 * facing, roundness);
     color += roundness * 0.20 * pow(facing, 24.0);
+    gl_FragDepth = gl_FragCoord.z + (place_px < 0.0 ? cap_depths.x : place_px > run_px ? cap_depths.y : 0.0);
     pixel = vec4(color, cover);
 }
 )";

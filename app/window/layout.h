@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/window/views.h"
+
+namespace tractus {
+
+// The window's contents: three views side by side and a bar of large controls below them. Draws one
+// ImGui frame at a time; what a person asks for goes to the model at once.
+class Layout {
+public:
+    // `title_font` is theme::apply()'s; `scale` the display's.
+    Layout(ImFont* title_font, float scale)
+        : title_font_(title_font)
+        , scale_(scale)
+    {
+    }
+
+    void show(WindowModel& model, Renderer& renderer);
+
+private:
+    void show_pad(WindowState const& state, Renderer& renderer, ImVec2 const& size_px);
+    void show_skeleton(WindowState const& state, Renderer& renderer, ImVec2 const& size_px);
+    void show_plant(WindowState const& state, Renderer& renderer, ImVec2 const& size_px);
+    void show_controls(WindowModel& model, Renderer& renderer);
+    void show_title(char const* title, char const* detail) const;
+
+    ImFont* title_font_ = nullptr;
+    float scale_ = 1;
+    PadView pad_;
+    SkeletonView skeleton_;
+    PlantView plant_;
+};
+
+} // namespace tractus

@@ -1,0 +1,63 @@
+#include "app/window/theme.h"
+
+#include "app/render/font.h"
+
+namespace tractus::theme {
+
+namespace {
+
+ImFont* add_font(float size_px)
+{
+    static constexpr ImWchar kRanges[] { 0x20,   0xff,   0x2010, 0x2030, 0x2190,
+                                         0x21ff, 0x25a0, 0x25ff, 0 };
+    auto const file = font_file();
+    ImFontConfig config;
+    config.FontDataOwnedByAtlas = false; // The program's own bytes; ImGui only reads them.
+    auto* const bytes = const_cast<std::byte*>(file.data());
+    return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(bytes, static_cast<int>(file.size()), size_px,
+                                                      &config, kRanges);
+}
+
+void set_colors(ImGuiStyle& style)
+{
+    ImGui::StyleColorsDark(&style);
+    auto const gray = [](float value, float alpha = 1) {
+        return ImVec4(value, value * 1.04f, value * 1.09f, alpha);
+    };
+    style.Colors[ImGuiCol_WindowBg] = gray(0.135f);
+    style.Colors[ImGuiCol_ChildBg] = gray(0.10f);
+    style.Colors[ImGuiCol_Text] = gray(0.91f);
+    style.Colors[ImGuiCol_TextDisabled] = gray(0.60f);
+    style.Colors[ImGuiCol_Border] = gray(0.22f);
+    style.Colors[ImGuiCol_Button] = gray(0.23f);
+    style.Colors[ImGuiCol_ButtonHovered] = gray(0.31f);
+    style.Colors[ImGuiCol_ButtonActive] = gray(0.40f);
+    style.Colors[ImGuiCol_FrameBg] = gray(0.20f);
+    style.Colors[ImGuiCol_FrameBgHovered] = gray(0.25f);
+    style.Colors[ImGuiCol_FrameBgActive] = gray(0.29f);
+    style.Colors[ImGuiCol_SliderGrab] = imgui_color(kSelected);
+    style.Colors[ImGuiCol_SliderGrabActive] = imgui_color(kSelected);
+    style.Colors[ImGuiCol_PlotHistogram] = imgui_color(kSelected);
+}
+
+} // namespace
+
+ImFont* apply(float scale)
+{
+    auto& style = ImGui::GetStyle();
+    set_colors(style);
+    style.WindowRounding = 0;
+    style.WindowBorderSize = 0;
+    style.ChildRounding = 8;
+    style.FrameRounding = 8;
+    style.GrabRounding = 8;
+    style.WindowPadding = { 16, 14 };
+    style.FramePadding = { 16, 10 };
+    style.ItemSpacing = { 12, 10 };
+    style.GrabMinSize = 28;
+    style.ScaleAllSizes(scale);
+    add_font(kTextSize_px * scale);
+    return add_font(kTitleSize_px * scale);
+}
+
+} // namespace tractus::theme

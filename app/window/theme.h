@@ -1,0 +1,23 @@
+#pragma once
+
+#include "app/window/palette.h"
+
+#include <imgui.h>
+
+// How the window looks.
+namespace tractus::theme {
+
+constexpr float kTextSize_px = 22; // Readable at arm's length on a 24-inch screen.
+constexpr float kTitleSize_px = 26;
+constexpr float kButtonHeight_px = 56; // A pen hits it without looking.
+
+inline ImVec4 imgui_color(Vec3f const& color, float alpha = 1)
+{
+    return { color.x(), color.y(), color.z(), alpha };
+}
+
+// Sets colours, distances and the typeface of the current ImGui context, times `scale` (the
+// display's). Returns the larger typeface for titles.
+ImFont* apply(float scale);
+
+} // namespace tractus::theme

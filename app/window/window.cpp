@@ -1,0 +1,184 @@
+#include "app/window/window.h"
+
+#include "app/render/gl_objects.h"
+#include "app/window/layout.h"
+#include "app/window/theme.h"
+#include "drivers/file.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <algorithm>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <fmt/core.h>
+
+namespace tractus {
+
+namespace {
+
+constexpr Duration kTestStep { 1'000'000'000 / 60 };
+constexpr double kIdleWait_s = 0.1;     // Longest sleep while nothing plays.
+constexpr double kLongestStep_s = 0.25; // After a pause of the whole machine, time does not jump.
+
+tl::unexpected<Error> no_window(char const* what)
+{
+    char const* reason = nullptr;
+    glfwGetError(&reason);
+    return fail(
+        Fault::User,
+        fmt::format(
+            "cannot open a window: {} ({}); start it on a display, or use `tractus demo -o DIR`, "
+            "`tractus replay` or `tractus render`, which need none",
+            what, reason ? reason : "no reason given"));
+}
+
+// GLFW's library, its window with an OpenGL 3.3 core context, and ImGui in it, in the order in
+// which they come and, backwards, go.
+class Host {
+public:
+    Host() = default;
+    Host(Host const&) = delete;
+    Host& operator=(Host const&) = delete;
+    ~Host();
+
+    Result<void> open(WindowOptions const& options);
+
+    GLFWwindow* window() const { return window_; }
+    bool wants_to_close() const;
+    void begin_frame();
+    void end_frame(); // Draws; the picture is in the back buffer.
+
+    float scale() const { return scale_; }
+    ImFont* title_font() const { return title_font_; }
+
+private:
+    bool library_ = false;
+    GLFWwindow* window_ = nullptr;
+    bool imgui_ = false;
+    float scale_ = 1;
+    ImFont* title_font_ = nullptr;
+};
+
+Host::~Host()
+{
+    if (imgui_) {
+        ImGui_ImplOpenGL3_Shutdown();
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+    }
+    if (window_ != nullptr)
+        glfwDestroyWindow(window_);
+    if (library_)
+        glfwTerminate();
+}
+
+Result<void> Host::open(WindowOptions const& options)
+{
+    if (glfwInit() != GLFW_TRUE)
+        return no_window("there is no display");
+    library_ = true;
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    window_
+        = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+    if (window_ == nullptr)
+        return no_window("the display has no OpenGL 3.3");
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(options.frames > 0 ? 0 : 1);
+    glfwGetWindowContentScale(window_, &scale_, nullptr);
+
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr; // Leaves no file behind.
+    title_font_ = theme::apply(scale_);
+    ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+    imgui_ = true;
+    return {};
+}
+
+bool Host::wants_to_close() const
+{
+    return glfwWindowShouldClose(window_) || glfwGetKey(window_, GLFW_KEY_ESCAPE) == GLFW_PRESS
+        || glfwGetKey(window_, GLFW_KEY_Q) == GLFW_PRESS;
+}
+
+void Host::begin_frame()
+{
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void Host::end_frame()
+{
+    ImGui::Render();
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, width, height);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+Image back_buffer(GLFWwindow* window)
+{
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window, &width, &height);
+    Image upside_down(width, height);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glReadBuffer(GL_BACK);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.pixels().data());
+    auto picture = flipped(upside_down);
+    for (auto& pixel : picture.pixels())
+        pixel.alpha = 255; // A window's own alpha says nothing.
+    return picture;
+}
+
+Duration step_since(double& last_s, int frames)
+{
+    double const now_s = glfwGetTime();
+    double const step_s = std::clamp(now_s - last_s, 0.0, kLongestStep_s);
+    last_s = now_s;
+    return frames > 0 ? kTestStep : from_seconds(step_s);
+}
+
+void wait_for_events(WindowModel const& model, WindowOptions const& options)
+{
+    if (options.frames > 0 || model.state().playing)
+        glfwPollEvents();
+    else
+        glfwWaitEventsTimeout(kIdleWait_s);
+}
+
+} // namespace
+
+Result<void> run_window(WindowModel& model, WindowOptions const& options)
+{
+    Host host;
+    TRY(host.open(options));
+    auto renderer = TRY(Renderer::create());
+    Layout layout(host.title_font(), host.scale());
+    double last_s = glfwGetTime();
+    Image last_frame;
+    for (int frame = 0; !host.wants_to_close() && (options.frames == 0 || frame < options.frames);
+         ++frame) {
+        wait_for_events(model, options);
+        model.advance(step_since(last_s, options.frames));
+        host.begin_frame();
+        layout.show(model, renderer);
+        host.end_frame();
+        if (!options.screenshot.empty())
+            last_frame = back_buffer(host.window());
+        glfwSwapBuffers(host.window());
+    }
+    if (last_frame.width() == 0)
+        return {};
+    return write_file(options.screenshot,
+                      [&](std::ostream& out) { return write_png(out, last_frame); });
+}
+
+} // namespace tractus

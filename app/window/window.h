@@ -1,0 +1,31 @@
+#pragma once
+
+#include "app/window/window_model.h"
+#include "engine/base/result.h"
+
+#include <filesystem>
+#include <string>
+
+namespace tractus {
+
+struct WindowOptions {
+    std::string title = "tractus";
+    int width = 1600; // Pixels, at first; a person may change it.
+    int height = 900;
+
+    // Closes by itself after so many frames, each 1/60 s of the model's time whatever the clock
+    // says. 0: stays until closed, and the model's time is the clock's.
+    int frames = 0;
+
+    // Where a PNG of the last frame is written; empty: nowhere.
+    std::filesystem::path screenshot {};
+};
+
+// Opens the station's window, with the drawing pad, the skeleton and the plant side by side (Streit
+// 2006 section 3), and shows `model` in it until it is closed (its button, Escape or q).
+//
+// Runs on the calling thread. Fails, as the user's fault, where there is no display or no OpenGL
+// 3.3, and in a build without a window (TRACTUS_WINDOW=OFF).
+Result<void> run_window(WindowModel& model, WindowOptions const& options = {});
+
+} // namespace tractus

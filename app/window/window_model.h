@@ -1,0 +1,112 @@
+#pragma once
+
+#include "app/render/image.h"
+#include "engine/base/time.h"
+#include "engine/mesh/mesh.h"
+#include "engine/plant/plant.h"
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace tractus {
+
+// A line that the pen drew, or is drawing. World frame.
+struct InkLine {
+    struct Point {
+        Vec3f position_mm = Vec3f::Zero();
+        float width_mm = 1; // As wide as the pressure says.
+    };
+    std::vector<Point> points;
+    bool is_indicator = false; // Drawn to lean the plant, not to shape a branch.
+};
+
+// A piece of the plant's skeleton that has one state: an axis, or a part of one. Plant frame.
+struct SkeletonLine {
+    enum class State {
+        Unselected,
+        Undetermined, // Touched, but the pen has not yet shown whether it was meant.
+        Selected,
+        Assigned, // A stroke gives it its shape.
+    };
+
+    std::vector<Vec3f> points_mm;
+    float width_mm = 1; // Diameter at the base.
+    State state = State::Unselected;
+};
+
+// A direction in which the plant is made to lean. Plant frame.
+struct IndicatorArrow {
+    Vec3f from_mm = Vec3f::Zero();
+    Vec3f to_mm = Vec3f::UnitZ();
+};
+
+// The pen as the window shows it. World frame.
+struct PenView {
+    bool in_range = false; // Else the rest says nothing.
+    bool touching = false;
+    Vec3f tip_mm = Vec3f::Zero();
+};
+
+// All that the window shows at one moment. Each revision number changes when the values after it
+// do, and only then: what did not change is not uploaded or drawn again.
+struct WindowState {
+    // The volume that the pen reaches, world frame; z from the lowest to the highest surface.
+    Bounds volume_mm;
+
+    std::uint64_t live_revision = 0;
+    double surface_height_mm = 0; // World frame.
+    PenView pen;
+    std::vector<InkLine> live_ink; // Being drawn now.
+
+    std::uint64_t strokes_revision = 0;
+    std::vector<InkLine> strokes; // Finished.
+
+    std::uint64_t skeleton_revision = 0;
+    std::vector<SkeletonLine> skeleton;
+    std::vector<IndicatorArrow> indicators;
+    Eigen::Affine3f T_world_plant
+        = Eigen::Affine3f::Identity(); // Puts the skeleton into the volume.
+
+    std::uint64_t plant_revision = 0;
+    Mesh const* plant
+        = nullptr; // The newest one; null before the first. Lives until the next advance().
+
+    std::string tool;    // What the pen means now, for example "Draw".
+    std::string status;  // One line: what is going on, or what was done.
+    double progress = 0; // Of the recording, 0 to 1.
+    bool playing = true;
+    double speed = 1;       // Of the recording, 1 as it was made.
+    std::uint64_t seed = 0; // Of the present variation.
+};
+
+// What a person asks for in the window.
+struct SetPlaying {
+    bool playing = true;
+};
+struct SetSpeed {
+    double speed = 1; // 0.25 to 4.
+};
+struct Restart { };       // The recording from its start.
+struct NextVariation { }; // "Another one": the next seed.
+struct SavePicture {
+    Image picture; // The plant as the window sees it; the receiver names and writes the file.
+};
+using WindowCommand = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture>;
+
+// Where a window's contents come from. Called from the window's thread only.
+class WindowModel {
+public:
+    virtual ~WindowModel() = default;
+
+    // Lets `real_step` of a person's time pass.
+    virtual void advance(Duration real_step) = 0;
+
+    // As of the last advance() or perform(); valid until the next.
+    virtual WindowState const& state() const = 0;
+
+    virtual void perform(WindowCommand const& command) = 0;
+};
+
+} // namespace tractus

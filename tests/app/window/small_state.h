@@ -1,0 +1,36 @@
+#pragma once
+
+#include "app/window/window_model.h"
+#include "tests/app/render/small_mesh.h"
+
+namespace tractus {
+
+// A drawing volume of 200 x 150 x 300 mm with its surface half way up, a stroke that rises through
+// the surface, the pen on the surface, and a skeleton of a trunk and two branches in two states.
+inline WindowState small_state()
+{
+    WindowState state;
+    state.volume_mm.add(Vec3(-100, -75, 0));
+    state.volume_mm.add(Vec3(100, 75, 300));
+    state.surface_height_mm = 150;
+    state.pen = { .in_range = true, .touching = true, .tip_mm = { 40, 30, 150 } };
+    state.strokes = { { .points = { { { -60, -40, 20 }, 6 }, { { -60, 0, 150 }, 6 }, { { -60, 40, 280 }, 6 } } } };
+    state.live_ink = { { .points = { { { 0, 30, 150 }, 5 }, { { 40, 30, 150 }, 5 } } } };
+    state.skeleton = {
+        { .points_mm = { { 0, 0, 0 }, { 0, 0, 200 }, { 0, 0, 400 } }, .width_mm = 30 },
+        { .points_mm = { { 0, 0, 200 }, { -200, 0, 400 } },
+          .width_mm = 15,
+          .state = SkeletonLine::State::Selected },
+        { .points_mm = { { 0, 0, 200 }, { 200, 0, 400 } },
+          .width_mm = 15,
+          .state = SkeletonLine::State::Assigned },
+    };
+    state.indicators = { { { -150, 0, 60 }, { -60, 0, 120 } } };
+    state.T_world_plant.linear() *= 0.4f;
+    state.tool = "Draw";
+    state.status = "Drawing stroke 1 of 3";
+    state.progress = 0.4;
+    return state;
+}
+
+} // namespace tractus

@@ -1,0 +1,92 @@
+#include "app/window/view_curves.h"
+
+#include "app/window/palette.h"
+#include "tests/app/window/small_state.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace tractus {
+
+namespace {
+
+bool starts_at(Curve const& curve, Vec3f const& position_mm)
+{
+    return curve.points.front().position_mm.isApprox(position_mm);
+}
+
+Curve const& find(std::vector<Curve> const& curves, Vec3f const& begin_mm, Curve::WidthUnit unit)
+{
+    auto const found = std::ranges::find_if(curves, [&](auto const& curve) {
+        return curve.width_unit == unit && starts_at(curve, begin_mm);
+    });
+    EXPECT_NE(found, curves.end());
+    return found == curves.end() ? curves.front() : *found;
+}
+
+} // namespace
+
+TEST(PadCurves, HaveAGridAtTheSurface)
+{
+    auto const curves = pad_curves(small_state());
+    auto const in_grid = std::ranges::count_if(curves, [](auto const& curve) {
+        return curve.points.size() == 2 && curve.points[0].color == theme::kGrid
+            && curve.points[0].position_mm.z() == 150 && curve.points[1].position_mm.z() == 150;
+    });
+    EXPECT_EQ(in_grid, 11 + 7) << "every 20 mm of 200 by 150";
+}
+
+TEST(PadCurves, FadeStrokesWithTheDepthBelowTheSurface)
+{
+    auto const curves = pad_curves(small_state());
+    auto const& stroke = find(curves, { -60, -40, 20 }, Curve::WidthUnit::Millimetres);
+    EXPECT_EQ(stroke.points[1].color, theme::kStroke) << "above the surface nothing is faded";
+    EXPECT_LT(stroke.points[0].color.sum(), theme::kStroke.sum());
+    EXPECT_EQ(stroke.points[0].width, 6);
+}
+
+TEST(PadCurves, DropALineFromThePenToTheFloor)
+{
+    auto const curves = pad_curves(small_state());
+    auto const& drop = find(curves, { 40, 30, 150 }, Curve::WidthUnit::Pixels);
+    EXPECT_EQ(drop.points.back().position_mm, Vec3f(40, 30, 0));
+}
+
+TEST(PadCurves, LeaveThePenOutWhenItIsAway)
+{
+    auto state = small_state();
+    auto const with_pen = pad_curves(state).size();
+    state.pen.in_range = false;
+    EXPECT_EQ(pad_curves(state).size(), with_pen - 3);
+}
+
+TEST(PadCurves, PutTheSkeletonIntoTheVolume)
+{
+    auto const curves = pad_curves(small_state());
+    auto const& branch = find(curves, { 0, 0, 80 }, Curve::WidthUnit::Pixels);
+    EXPECT_TRUE(branch.points.back().position_mm.isApprox(Vec3f(-80, 0, 160)));
+}
+
+TEST(SkeletonCurves, ShowEachStateInItsColour)
+{
+    auto const curves = skeleton_curves(small_state());
+    EXPECT_EQ(find(curves, { 0, 0, 0 }, Curve::WidthUnit::Pixels).points[0].color,
+              theme::kUnselected);
+    auto const colored = [&](Vec3f const& color) {
+        return std::ranges::count_if(
+            curves, [&](auto const& curve) { return curve.points[0].color == color; });
+    };
+    EXPECT_EQ(colored(theme::kSelected), 1);
+    EXPECT_EQ(colored(theme::kAssigned), 1);
+    EXPECT_EQ(colored(theme::kUndetermined), 0);
+}
+
+TEST(SkeletonCurves, DrawIndicatorsAsArrows)
+{
+    auto const curves = skeleton_curves(small_state());
+    auto const& arrow = find(curves, { -150, 0, 60 }, Curve::WidthUnit::Pixels);
+    EXPECT_EQ(arrow.end, Curve::End::Arrow);
+    EXPECT_EQ(arrow.points[0].color, theme::kIndicator);
+}
+
+} // namespace tractus

@@ -1,0 +1,139 @@
+#include "app/window/palette.h"
+#include "app/window/window.h"
+#include "drivers/file.h"
+#include "tests/app/render/read_png.h"
+#include "tests/app/window/small_state.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <unistd.h>
+
+namespace tractus {
+
+namespace {
+
+// Shows one state and counts what the window asks of it.
+class StillModel : public WindowModel {
+public:
+    StillModel()
+        : mesh_(post_with_leaves())
+    {
+        state_ = small_state();
+        state_.plant = &mesh_;
+        state_.plant_revision = 1;
+    }
+
+    void advance(Duration real_step) override
+    {
+        ++steps;
+        time += real_step;
+    }
+    WindowState const& state() const override { return state_; }
+    void perform(WindowCommand const&) override { ++commands; }
+
+    int steps = 0;
+    Duration time {};
+    int commands = 0;
+
+private:
+    Mesh mesh_;
+    WindowState state_;
+};
+
+struct Part {
+    int left = 0;
+    int right = 0;
+};
+
+// How many pixels of the columns `part` are within 12 levels of a colour.
+int colored(Image const& picture, Part const& part, Vec3f const& srgb)
+{
+    auto const wanted = color_from(srgb);
+    auto const near = [](std::uint8_t a, std::uint8_t b) { return std::abs(a - b) <= 12; };
+    int count = 0;
+    for (int y = 60; y < picture.height() - 140; ++y)
+        for (int x = part.left; x < part.right; ++x) {
+            auto const& pixel = picture.at(x, y);
+            count += near(pixel.red, wanted.red) && near(pixel.green, wanted.green)
+                && near(pixel.blue, wanted.blue);
+        }
+    return count;
+}
+
+class WindowTest : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        path_ = std::filesystem::temp_directory_path()
+            / ("tractus_window_" + std::to_string(::getpid()) + ".png");
+    }
+    void TearDown() override { std::filesystem::remove(path_); }
+
+    Image last_frame(StillModel& model)
+    {
+        WindowOptions const options {
+            .width = 1500, .height = 800, .frames = 3, .screenshot = path_
+        };
+        auto const result = run_window(model, options);
+        if (!result) {
+            ADD_FAILURE() << result.error().message;
+            return {};
+        }
+        auto const bytes = read_file(path_);
+        return bytes ? read_png(*bytes) : Image();
+    }
+
+    std::filesystem::path path_;
+};
+
+constexpr Part kPad { 110, 550 };
+constexpr Part kSkeleton { 580, 960 };
+constexpr Part kPlant { 990, 1480 };
+
+} // namespace
+
+TEST_F(WindowTest, ShowsPadSkeletonAndPlantSideBySide)
+{
+    StillModel model;
+    auto const picture = last_frame(model);
+    ASSERT_EQ(picture.width(), 1500);
+    ASSERT_EQ(picture.height(), 800);
+    int const whole_pad = (kPad.right - kPad.left) * (picture.height() - 200);
+    EXPECT_LT(colored(picture, kPad, theme::kPadBackground), whole_pad - 4000) << "no grid";
+    EXPECT_GT(colored(picture, kPad, theme::kStroke), 40);
+    EXPECT_GT(colored(picture, kPad, theme::kInk), 100);
+    EXPECT_EQ(colored(picture, kSkeleton, theme::kInk), 0);
+    EXPECT_GT(colored(picture, kSkeleton, theme::kUnselected), 80);
+    EXPECT_GT(colored(picture, kSkeleton, theme::kSelected), 80);
+    EXPECT_GT(colored(picture, kSkeleton, theme::kAssigned), 80);
+    int leaf = 0;
+    for (int y = 60; y < 660; ++y)
+        for (int x = kPlant.left; x < kPlant.right; ++x) {
+            auto const& pixel = picture.at(x, y);
+            leaf += pixel.green > pixel.red + 15 && pixel.green > pixel.blue + 30;
+        }
+    EXPECT_GT(leaf, 2000);
+}
+
+TEST_F(WindowTest, StepsTheModelOncePerFrame)
+{
+    StillModel model;
+    last_frame(model);
+    EXPECT_EQ(model.steps, 3);
+    EXPECT_NEAR(to_seconds(model.time), 3.0 / 60, 1e-6);
+    EXPECT_EQ(model.commands, 0);
+}
+
+TEST_F(WindowTest, SaysWhatToDoWhereThereIsNoDisplay)
+{
+    ::setenv("DISPLAY", ":32767", 1);
+    StillModel model;
+    auto const result = run_window(model, { .frames = 1 });
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().fault, Fault::User);
+    EXPECT_NE(result.error().message.find("there is no display"), std::string::npos)
+        << result.error().message;
+    EXPECT_NE(result.error().message.find("tractus demo -o DIR"), std::string::npos);
+}
+
+} // namespace tractus
