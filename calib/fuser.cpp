@@ -122,7 +122,10 @@ void Fuser::settle_next()
     pending_.pop_front();
 }
 
-std::vector<TipSample> Fuser::take_settled() { return std::exchange(settled_, {}); }
+std::vector<TipSample> Fuser::take_settled()
+{
+    return std::exchange(settled_, {});
+}
 
 void Fuser::flush()
 {

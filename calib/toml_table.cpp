@@ -114,13 +114,23 @@ std::string TomlTable::path_of(std::string_view key) const
     return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
 }
 
+// Where the parser saw a node; it counts lines from 1, and has none for the whole file.
+static auto line_of(toml::node const& node)
+{
+    return std::max(node.source().begin.line, toml::source_index { 1 });
+}
+
+std::string TomlTable::place() const
+{
+    return fmt::format("{}:{}: {}", document_->name, line_of(*table_), path_);
+}
+
 tl::unexpected<Error> TomlTable::wrong(std::string_view key, std::string_view problem) const
 {
     auto const* const node = table_->get(key);
-    auto const line = node ? node->source().begin.line : table_->source().begin.line;
-    return fail(
-        Fault::User,
-        fmt::format("{}:{}: {} {}", document_->name, std::max(line, 1u), path_of(key), problem));
+    return fail(Fault::User,
+                fmt::format("{}:{}: {} {}", document_->name, line_of(node ? *node : *table_),
+                            path_of(key), problem));
 }
 
 bool TomlTable::has(std::string_view key)

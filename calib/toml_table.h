@@ -61,6 +61,9 @@ public:
     // The error for a key whose value the caller does not accept: "FILE:LINE: KEY " and `problem`.
     tl::unexpected<Error> wrong(std::string_view key, std::string_view problem) const;
 
+    // "FILE:LINE: TABLE", for errors that come later.
+    std::string place() const;
+
 private:
     struct Document {
         std::string name;

@@ -1,0 +1,203 @@
+#include "sim/gesture_script.h"
+
+#include "calib/toml_table.h"
+
+#include <array>
+#include <fmt/core.h>
+
+namespace tractus {
+
+static constexpr std::int64_t kVersion = 1;
+static constexpr double kSlowest_mm_s = 5;
+static constexpr double kFastest_mm_s = 1000;
+
+// In the order of their enums.
+static constexpr std::array<std::string_view, 3> kTools { "select", "draw", "indicate" };
+static constexpr std::array<std::string_view, 3> kPropagations { "selected", "descendants",
+                                                                 "both" };
+
+std::string_view name_of(GestureTool tool)
+{
+    return kTools[static_cast<std::size_t>(tool)];
+}
+
+std::string_view name_of(GesturePropagation propagation)
+{
+    return kPropagations[static_cast<std::size_t>(propagation)];
+}
+
+static Result<PathShape> parse_line(TomlTable& table)
+{
+    LineShape line;
+    line.from_mm = TRY(table.vec3("from_mm"));
+    line.to_mm = TRY(table.vec3("to_mm"));
+    return line;
+}
+
+static Result<PathShape> parse_arc(TomlTable& table)
+{
+    HelixShape arc;
+    arc.foot_mm = TRY(table.vec3("center_mm"));
+    arc.radius_mm = arc.end_radius_mm = TRY(table.number("radius_mm", NumberRange::Positive));
+    arc.turns = TRY(table.number("sweep_deg")) / 360;
+    arc.start_rad = radians(TRY(table.number_or("start_deg", 0)));
+    arc.rise_mm = TRY(table.number_or("rise_mm", 0));
+    return arc;
+}
+
+static Result<PathShape> parse_helix(TomlTable& table)
+{
+    HelixShape helix;
+    helix.foot_mm = TRY(table.vec3("foot_mm"));
+    helix.radius_mm = TRY(table.number("radius_mm", NumberRange::NotNegative));
+    helix.end_radius_mm
+        = TRY(table.number_or("end_radius_mm", helix.radius_mm, NumberRange::NotNegative));
+    helix.turns = TRY(table.number("turns"));
+    helix.start_rad = radians(TRY(table.number_or("start_deg", 0)));
+    helix.rise_mm = TRY(table.number_or("rise_mm", 0));
+    return helix;
+}
+
+static Result<PathShape> parse_s_curve(TomlTable& table)
+{
+    SCurveShape curve;
+    curve.from_mm = TRY(table.vec3("from_mm"));
+    curve.to_mm = TRY(table.vec3("to_mm"));
+    curve.swing_mm = TRY(table.number("swing_mm"));
+    return curve;
+}
+
+static Result<PathShape> parse_branch(TomlTable& table)
+{
+    BranchShape branch;
+    branch.from_mm = TRY(table.vec3("from_mm"));
+    branch.length_mm = TRY(table.number("length_mm", NumberRange::Positive));
+    branch.heading_rad = radians(TRY(table.number("heading_deg")));
+    branch.elevation_rad = radians(TRY(table.number("elevation_deg")));
+    branch.turn_rad = radians(TRY(table.number_or("turn_deg", 0)));
+    branch.bend_rad = radians(TRY(table.number_or("bend_deg", 0)));
+    return branch;
+}
+
+static Result<PathShape> parse_polyline(TomlTable& table)
+{
+    return PolylineShape { TRY(table.vec3_list("points_mm")) };
+}
+
+struct NamedPath {
+    std::string_view name;
+    Result<PathShape> (*parse)(TomlTable&);
+};
+
+static constexpr NamedPath kPaths[] = {
+    { "line", parse_line },       { "arc", parse_arc },       { "helix", parse_helix },
+    { "s_curve", parse_s_curve }, { "branch", parse_branch }, { "polyline", parse_polyline },
+};
+
+static Result<PathShape> parse_path(TomlTable& table)
+{
+    std::vector<std::string_view> names;
+    for (auto const& path : kPaths)
+        names.push_back(path.name);
+    auto const& named = kPaths[TRY(table.word("path", names))];
+    auto shape = TRY(named.parse(table));
+    if (!is_drawable(shape))
+        return table.wrong("path", "cannot be drawn, expected one from 0 to 10 m long");
+    return shape;
+}
+
+static Result<AxisTrace> parse_trace(TomlTable& table, GestureTool tool)
+{
+    TRY(table.word("trace", { "axis" }));
+    if (tool != GestureTool::Select)
+        return table.wrong(
+            "trace",
+            fmt::format("is for the tool \"select\", expected a path for \"{}\"", name_of(tool)));
+    AxisTrace trace;
+    trace.rank = static_cast<std::size_t>(TRY(table.integer("axis", NumberRange::NotNegative)));
+    trace.height_mm = TRY(table.number_or("height_mm", trace.height_mm));
+    return trace;
+}
+
+static Result<Gesture> parse_gesture(TomlTable& table)
+{
+    Gesture gesture { .place = table.place() };
+    gesture.tool
+        = static_cast<GestureTool>(TRY(table.word("tool", { kTools.begin(), kTools.end() })));
+    if (gesture.tool == GestureTool::Draw)
+        gesture.propagation = static_cast<GesturePropagation>(
+            TRY(table.word("propagation", { kPropagations.begin(), kPropagations.end() })));
+    if (table.has("trace"))
+        gesture.path = TRY(parse_trace(table, gesture.tool));
+    else
+        gesture.path = TRY(parse_path(table));
+    gesture.speed_mm_s = TRY(table.number_or("speed_mm_s", gesture.speed_mm_s));
+    if (gesture.speed_mm_s < kSlowest_mm_s || gesture.speed_mm_s > kFastest_mm_s)
+        return table.wrong("speed_mm_s",
+                           fmt::format("is {}, expected {} to {}", gesture.speed_mm_s,
+                                       kSlowest_mm_s, kFastest_mm_s));
+    TRY(table.refuse_unknown_keys());
+    return gesture;
+}
+
+Result<GestureScript> parse_gesture_script(std::string_view text, std::string const& file)
+{
+    auto root = TRY(TomlTable::parse(text, file));
+    auto const version = TRY(root.integer("version", NumberRange::Positive));
+    if (version > kVersion)
+        return root.wrong("version",
+                          fmt::format("is {}, expected at most {}: a later tractus reads "
+                                      "this file",
+                                      version, kVersion));
+    GestureScript script;
+    if (root.has("seed"))
+        script.seed
+            = static_cast<std::uint64_t>(TRY(root.integer("seed", NumberRange::NotNegative)));
+    for (auto& table : TRY(root.tables("gesture")))
+        script.gestures.push_back(TRY(parse_gesture(table)));
+    TRY(root.refuse_unknown_keys());
+    return script;
+}
+
+// A branch as it is seen on the tablet, as a path in the world.
+static Result<Path> trace_path(AxisTrace const& trace, RigGeometry const& geometry,
+                               AxisTracer const& tracer)
+{
+    auto const T = T_world_tablet(true_rig(geometry));
+    PolylineShape polyline;
+    for (auto const& place_mm : TRY(tracer(trace.rank)))
+        polyline.points_mm.push_back(T * Vec3(place_mm.x(), place_mm.y(), trace.height_mm));
+    if (!is_drawable(polyline))
+        return fail(Fault::User,
+                    fmt::format("axis {} has no length on the tablet, so it cannot be "
+                                "traced: choose another",
+                                trace.rank));
+    return make_path(polyline);
+}
+
+static Result<Path> path_of(Gesture const& gesture, RigGeometry const& geometry,
+                            AxisTracer const& tracer)
+{
+    auto const* const trace = std::get_if<AxisTrace>(&gesture.path);
+    auto path = trace ? trace_path(*trace, geometry, tracer)
+                      : Result<Path>(make_path(std::get<PathShape>(gesture.path)));
+    if (path)
+        TRY(check_reach(geometry, *path));
+    return path;
+}
+
+Result<std::vector<HandStroke>> strokes_of(GestureScript const& script, RigGeometry const& geometry,
+                                           AxisTracer const& tracer)
+{
+    std::vector<HandStroke> strokes;
+    for (auto const& gesture : script.gestures) {
+        auto path = path_of(gesture, geometry, tracer);
+        if (!path)
+            return fail(path.error().fault,
+                        fmt::format("{}: {}", gesture.place, path.error().message));
+        strokes.push_back({ .path = *std::move(path), .speed_mm_s = gesture.speed_mm_s });
+    }
+    return strokes;
+}
+
+} // namespace tractus

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/base/vectors.h"
+#include "sim/hand.h"
+#include "sim/path.h"
+#include "sim/rig_geometry.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace tractus {
+
+// A hand's part, written down: which tools it takes, and what it draws with each. Logs for
+// demonstrations and tests are made from it. TOML; millimetres of the world frame, degrees:
+//
+//     version = 1
+//     seed = 7                    # Of the hand's tremor and the sensors' noise; 1 if left out.
+//
+//     [[gesture]]
+//     tool = "select"
+//     trace = "axis"              # Draws over a branch of the plant as it is seen on the tablet:
+//     axis = 2                    # this one, counted by the program that shows the plant.
+//     height_mm = 50              # The carriage's; 50 if left out.
+//
+//     [[gesture]]
+//     tool = "draw"               # "select", "draw" or "indicate".
+//     propagation = "both"        # For "draw": "selected", "descendants" or "both".
+//     path = "helix"              # And then the path's own keys, in the table below.
+//     foot_mm = [0, 0, 40]
+//     radius_mm = 35
+//     turns = 2
+//     rise_mm = 250
+//     speed_mm_s = 180            # Cruising; 5 to 1000, 150 if left out.
+//
+//     path        keys (see path.h; those in brackets are 0 if left out)
+//     line        from_mm, to_mm
+//     arc         center_mm, radius_mm, sweep_deg, [start_deg], [rise_mm]
+//     helix       foot_mm, radius_mm, turns, [rise_mm], [start_deg], end_radius_mm (radius_mm if
+//     left out) s_curve     from_mm, to_mm, swing_mm branch      from_mm, length_mm, heading_deg,
+//     elevation_deg, [turn_deg], [bend_deg] polyline    points_mm
+
+enum class GestureTool {
+    Select,
+    Draw,
+    Indicate,
+};
+
+enum class GesturePropagation {
+    Selected,
+    Descendants,
+    Both,
+};
+
+// The words of the file.
+std::string_view name_of(GestureTool tool);
+std::string_view name_of(GesturePropagation propagation);
+
+// Over a branch of the plant on the screen; what its rank counts is the tracer's affair.
+struct AxisTrace {
+    std::size_t rank = 0;
+    double height_mm = 50;
+};
+
+struct Gesture {
+    GestureTool tool = GestureTool::Draw;
+    std::optional<GesturePropagation> propagation {}; // For Draw, always; for others, never.
+    std::variant<PathShape, AxisTrace>
+        path {}; // An AxisTrace for Select alone. Shapes are drawable.
+    double speed_mm_s = 150;
+    std::string place {}; // "FILE:LINE: gesture[1]", for errors.
+};
+
+struct GestureScript {
+    std::uint64_t seed = 1;
+    std::vector<Gesture> gestures; // At least one.
+};
+
+// Fails as the user's fault, naming `file`, the line and the key.
+Result<GestureScript> parse_gesture_script(std::string_view text, std::string const& file);
+
+// The branch of a rank as the user sees it: points in the tablet frame, millimetres.
+using AxisTracer = std::function<Result<std::vector<Vec2>>(std::size_t rank)>;
+
+// What the hand draws: one stroke per gesture, in order, for a Hand and simulate_rig(). `tracer` is
+// asked for the branches. Fails, as the user's fault, if a gesture is out of the rig's reach, and
+// with the tracer's error; both name the gesture's place.
+Result<std::vector<HandStroke>> strokes_of(GestureScript const& script, RigGeometry const& geometry,
+                                           AxisTracer const& tracer);
+
+} // namespace tractus

@@ -1,0 +1,83 @@
+#include "calib/fuser.h"
+#include "sim/simulated_rig.h"
+#include "tests/bench/report.h"
+
+#include <cmath>
+
+namespace tractus {
+namespace {
+
+using namespace std::chrono_literals;
+
+// A minute of a pen at 200 Hz and heights at 500 Hz, interleaved as they arrive.
+struct Samples {
+    std::vector<PenSample> pens;
+    std::vector<HeightSample> heights;
+};
+
+Samples one_minute()
+{
+    Samples samples;
+    for (auto time = Timestamp {}; time < Timestamp(60s); time += 5ms) {
+        PenSample pen;
+        pen.time = time;
+        pen.position_mm = { 100 + 50 * std::sin(to_seconds(time)), 80 };
+        pen.pressure = 0.5;
+        pen.in_range = pen.touching = true;
+        samples.pens.push_back(pen);
+    }
+    for (auto time = Timestamp {}; time < Timestamp(60s); time += 2ms) {
+        double const counts = 2000 + 1500 * std::sin(to_seconds(time));
+        samples.heights.push_back(
+            { .time = time, .counts = static_cast<std::int32_t>(counts), .full_scale = 4095 });
+    }
+    return samples;
+}
+
+void fuse_pen_and_height(benchmark::State& state)
+{
+    auto const samples = one_minute();
+    Rig const rig = true_rig({});
+    for (auto _ : state) {
+        Fuser fuser(rig);
+        auto height = samples.heights.begin();
+        for (auto const& pen : samples.pens) {
+            for (; height != samples.heights.end() && height->time <= pen.time; ++height)
+                fuser.push(*height);
+            benchmark::DoNotOptimize(fuser.push(pen));
+        }
+        fuser.flush();
+        benchmark::DoNotOptimize(fuser.take_settled());
+    }
+    auto const pens = static_cast<double>(samples.pens.size());
+    auto const heights = static_cast<double>(samples.heights.size());
+    report(state,
+           { .items = pens,
+             .item = "pen samples",
+             .bytes
+             = pens * (sizeof(PenSample) + sizeof(TipSample)) + heights * sizeof(HeightSample) });
+}
+BENCHMARK(fuse_pen_and_height);
+
+void simulate_a_stroke(benchmark::State& state)
+{
+    HelixShape const helix {
+        .foot_mm = { 0, 0, 20 }, .radius_mm = 40, .end_radius_mm = 40, .turns = 3, .rise_mm = 300
+    };
+    Hand const hand({ { .path = make_path(helix) } }, {});
+    double reports = 0;
+    for (auto _ : state) {
+        auto const run = simulate_rig(hand, {});
+        reports = static_cast<double>(run.tablet.reports.size() + run.height.reports.size());
+        benchmark::DoNotOptimize(run.truth.data());
+    }
+    report(state,
+           { .items = reports,
+             .item = "reports",
+             .bytes = reports * sizeof(RawReport),
+             .limit = Limit::Fill });
+}
+BENCHMARK(simulate_a_stroke);
+
+} // namespace
+} // namespace tractus
