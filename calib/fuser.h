@@ -23,14 +23,17 @@ struct ScriptedHeight {
 
 // What a fuser has seen, for reports and for telling why there are no strokes.
 struct FuserCounts {
-    std::size_t pens = 0;    // Pen samples pushed.
-    std::size_t settled = 0; // Of them, settled to a tip.
-    std::size_t pens_without_height
-        = 0;                 // Of them, given up: no reading within Rig::max_height_age.
-    std::size_t heights = 0; // Height samples pushed.
-    std::size_t heights_refused
-        = 0; // Of them, not used: another converter's, or out of the model's reach.
-    std::size_t heights_uncalibrated = 0; // Of them, used, but outside the calibrated range.
+    // Pen samples pushed; of them, settled to a tip; of them, given up because no reading lay
+    // within Rig::max_height_age.
+    std::size_t pens = 0;
+    std::size_t settled = 0;
+    std::size_t pens_without_height = 0;
+
+    // Height samples pushed; of them, refused because they are another converter's or out of the
+    // model's reach; of them, used although outside the calibrated range.
+    std::size_t heights = 0;
+    std::size_t heights_refused = 0;
+    std::size_t heights_uncalibrated = 0;
 };
 
 // Joins the two sensors: a pen on the tablet and the height of the tablet's carriage.

@@ -12,22 +12,23 @@ namespace tractus {
 // world. rig_file.h keeps it in a file. The default is a rig that exists nowhere, for tests and for
 // logs without a height sensor.
 struct Rig {
-    // The height sensor.
+    // The height sensor. Its readings are refused if its converter's greatest reading is another
+    // one. Readings outside the range in which the model was fitted are used, and counted by the
+    // fuser, for they are guesses.
     HeightModel height_model = LinearHeight {};
-    std::int32_t full_scale_counts
-        = 4095;                       // The converter's greatest reading. Readings of a converter
-                                      // with another one are not this rig's and are refused.
-    double calibrated_min_counts = 0; // Where the model was fitted. Readings outside are used, and
-    double calibrated_max_counts = 4095; // counted by the fuser, for they are guesses.
-    Duration height_latency {};          // From the height's being so to its report's arrival.
+    std::int32_t full_scale_counts = 4095;
+    double calibrated_min_counts = 0;
+    double calibrated_max_counts = 4095;
+    Duration height_latency {}; // From the height's being so to its report's arrival.
 
-    // The tablet.
+    // The tablet. It is turned counterclockwise, seen from above, on its carriage. (In degrees
+    // since the file is, and its round trip is exact.)
     Vec2 tablet_size_mm = Vec2(254, 159); // Its active area.
     Duration tablet_latency {};           // From the pen's being there to its report's arrival.
-    double rotation_deg = 0; // Of the tablet on its carriage, counterclockwise seen from above. In
-                             // degrees since the file is, and its round trip is exact.
-    Vec2 travel_shear
-        = Vec2::Zero(); // How far the carriage drifts to +x and +y per millimetre that it rises.
+    double rotation_deg = 0;
+
+    // How far the carriage drifts to +x and +y per millimetre that it rises.
+    Vec2 travel_shear = Vec2::Zero();
 
     // How long one height reading stands for the height before and after it.
     Duration max_height_age = std::chrono::milliseconds(50);

@@ -47,21 +47,27 @@ struct HandStroke {
 };
 
 struct HandOptions {
-    std::uint64_t seed = 1;             // Of the tremor.
-    double max_plane_speed_mm_s = 300;  // Of the pen over the tablet …
-    double max_height_speed_mm_s = 200; // … and of the carriage.
-    double plane_tremor_mm = 0.15;      // Standard deviation along x and along y, 4 to 12 Hz.
-    double height_tremor_mm = 0.05;     // Of the carriage, which is heavy.
-    Duration pause
-        = std::chrono::milliseconds(120); // Hovering at rest before pen-down and after pen-up.
-    Vec2 tilt_rad
-        = Vec2(0.5, -0.35); // How the pen is held: towards +x (right-handed) and the user.
+    std::uint64_t seed = 1; // Of the tremor.
+
+    // Of the pen over the tablet and of the carriage.
+    double max_plane_speed_mm_s = 300;
+    double max_height_speed_mm_s = 200;
+
+    // Standard deviation along x and along y, and of the carriage, which is heavy; 4 to 12 Hz.
+    double plane_tremor_mm = 0.15;
+    double height_tremor_mm = 0.05;
+
+    // Hovering at rest before pen-down and after pen-up.
+    Duration pause = std::chrono::milliseconds(120);
+
+    // How the pen is held: towards +x (right-handed) and the user.
+    Vec2 tilt_rad = Vec2(0.5, -0.35);
 };
 
 // Pen and carriage at one instant. World frame.
 struct HandState {
-    Vec3 position_mm
-        = Vec3::Zero(); // The tip, tremor included; z is the carriage's height over its zero.
+    // The tip, tremor included; z is the carriage's height over its zero.
+    Vec3 position_mm = Vec3::Zero();
     Vec3 velocity_mm_s = Vec3::Zero();
     bool in_range = false;
     bool touching = false;

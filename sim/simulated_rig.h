@@ -21,10 +21,10 @@ struct SimulatedRigOptions {
 
 // All that comes of a hand's drawing on a rig: the bytes, and the truth beside them.
 struct SimulatedRun {
-    SimulatedDevice tablet;
-    SimulatedDevice height;
-    Rig rig;                    // As a user's perfect calibration would have it.
-    std::vector<TrueTip> truth; // One per report of the tablet.
+    SimulatedDevice tablet {};
+    SimulatedDevice height {};
+    Rig rig {};                    // As a user's perfect calibration would have it.
+    std::vector<TrueTip> truth {}; // One per report of the tablet.
 
     // Device 0 is the tablet, 1 the height sensor.
     std::vector<ArrivedReport> in_order_of_arrival() const;

@@ -34,6 +34,23 @@ TEST(FusionAccuracy, SettledTipsLieWithinAMillimetreOfTheTruth)
     EXPECT_LT(worst_max_mm, 0.5) << distribution;
 }
 
+TEST(FusionAccuracy, TheConvertersStepsDoNotShowInASlowStroke)
+{
+    // Near the bottom, where a count is 0.15 mm of height, and a sample 0.05 mm of way.
+    LineShape const slow { .from_mm = { 0, 0, 20 }, .to_mm = { 0, 0, 70 } };
+    Hand const hand({ { .path = make_path(slow), .speed_mm_s = 10 } }, { .height_tremor_mm = 0 });
+    auto const run = simulate_rig(hand, {});
+    auto const fused = fuse(run, run.rig);
+    double greatest_step_mm = 0;
+    for (std::size_t i = 1; i < fused.settled.size(); ++i)
+        if (fused.settled[i].touching && fused.settled[i - 1].touching)
+            greatest_step_mm = std::max(
+                greatest_step_mm,
+                std::abs(fused.settled[i].position_mm.z() - fused.settled[i - 1].position_mm.z()));
+    EXPECT_LT(greatest_step_mm, 0.15);
+    EXPECT_LT(errors_of(fused.settled, hand).rms_mm, 0.06);
+}
+
 TEST(FusionAccuracy, LiveTipsLieWithinWhatTheFusersHeaderSays)
 {
     double worst_max_mm = 0;

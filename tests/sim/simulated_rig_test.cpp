@@ -1,9 +1,13 @@
 #include "sim/simulated_rig.h"
 
+#include "calib/rig_file.h"
+#include "drivers/log.h"
+#include "drivers/log_writer.h"
 #include "tests/sim/fused_run.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <sstream>
 
 namespace tractus {
 namespace {
@@ -33,7 +37,7 @@ std::vector<PenSample> decoded(SimulatedDevice const& tablet)
 TEST(SimulatedTablet, ItsDescriptorSaysWhatItIs)
 {
     auto const run = simulate_rig(fast_hand(1), {});
-    auto const& traits = make_pen_decoder(run.tablet.info).value()->traits();
+    auto const traits = make_pen_decoder(run.tablet.info).value()->traits();
     EXPECT_NEAR(traits.size_mm.x(), 254, 1e-9);
     EXPECT_NEAR(traits.size_mm.y(), 159, 1e-9);
     EXPECT_FALSE(traits.is_size_assumed);
@@ -174,12 +178,38 @@ TEST(SimulatedRig, AnotherSeedIsAnotherRun)
     EXPECT_FALSE(same_reports(a.tablet, c.tablet));
 }
 
+TEST(SimulatedRig, ALogOfItFusesToTheSameStrokes)
+{
+    auto const hand = fast_hand(1);
+    auto const run = simulate_rig(hand, {});
+    std::ostringstream file;
+    LogWriter writer(
+        file, { .devices = { run.tablet.info, run.height.info }, .rig_text = print_rig(run.rig) });
+    for (auto const& [device, report] : run.in_order_of_arrival())
+        writer.write_report(device, report->received, report->bytes());
+    ASSERT_TRUE(writer.flush());
+
+    auto const log = parse_log(file.str(), "simulated").value();
+    SimulatedRun replayed { .tablet = { log.devices.at(0), {} },
+                            .height = { log.devices.at(1), {} } };
+    for (auto const& record : log.records) {
+        RawReport report { .received = record.time, .size = record.size };
+        std::ranges::copy(log.report(record), report.storage.begin());
+        (record.device == 0 ? replayed.tablet : replayed.height).reports.push_back(report);
+    }
+    auto const live = fuse(run, run.rig).settled;
+    auto const read = fuse(replayed, parse_rig(log.rig_text, "simulated").value()).settled;
+    ASSERT_EQ(read.size(), live.size());
+    for (std::size_t i = 0; i < read.size(); ++i) // A log's times are whole microseconds.
+        ASSERT_LT((read[i].position_mm - live[i].position_mm).norm(), 1e-3) << i;
+}
+
 TEST(SimulatedRig, AWrongHeightModelMissesTheTruth)
 {
     auto const hand = fast_hand(1);
     auto const run = simulate_rig(hand, {});
     // The straight line through both ends of the travel.
-    auto const& geometry = RigGeometry {};
+    RigGeometry const geometry;
     double const low = ideal_counts(geometry, 0);
     double const high = ideal_counts(geometry, geometry.travel_mm);
     auto rig = run.rig;
