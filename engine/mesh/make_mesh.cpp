@@ -6,9 +6,11 @@
 #include "engine/mesh/tube.h"
 
 #include <algorithm>
+#include <limits>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <utility>
+#include <span>
+#include <vector>
 
 namespace tractus {
 namespace {
@@ -63,7 +65,13 @@ template<typename Use> void for_each_part(Spine const& spine, std::span<Run> run
     }
 }
 
-// Traces every axis and calls `use(spine, its runs)`, on all threads.
+// What a task needs for one axis after another, allocated once.
+struct Scratch {
+    Spine spine;
+    std::vector<Section> sections;
+};
+
+// Traces every axis and calls `use(scratch, its runs)`, on all threads.
 template<typename Use>
 void for_each_axis(Plant const& plant, MeshOptions const& options, Runs& runs, Use const& use)
 {
@@ -73,11 +81,11 @@ void for_each_axis(Plant const& plant, MeshOptions const& options, Runs& runs, U
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, plant.axes.size(), kAxesPerTask),
         [&](tbb::blocked_range<std::size_t> const& range) {
-            Spine spine;
+            Scratch scratch;
             for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                trace_spine(plant, plant.axes[i], options, thickest, spine);
+                trace_spine(plant, plant.axes[i], options, thickest, scratch.spine);
                 auto const first = runs.first_run[i];
-                use(spine, std::span(runs.runs).subspan(first, runs.first_run[i + 1] - first));
+                use(scratch, std::span(runs.runs).subspan(first, runs.first_run[i + 1] - first));
             }
         });
 }
@@ -113,19 +121,18 @@ std::vector<TriangleMesh> allocate_surfaces(std::vector<MeshExtent> const& total
 std::vector<TriangleMesh> make_tubes(Plant const& plant, MeshOptions const& options)
 {
     auto runs = find_runs(plant);
-    for_each_axis(plant, options, runs, [](Spine const& spine, std::span<Run> of_axis) {
-        for_each_part(spine, of_axis, [&](Run& run, TubePart const& part) {
-            run.extent = tube_extent(spine, part);
+    for_each_axis(plant, options, runs, [](Scratch const& scratch, std::span<Run> of_axis) {
+        for_each_part(scratch.spine, of_axis, [&](Run& run, TubePart const& part) {
+            run.extent = tube_extent(scratch.spine, part);
         });
     });
     auto surfaces = allocate_surfaces(place_runs(runs.runs, plant.materials.size()));
-    for_each_axis(plant, options, runs, [&](Spine const& spine, std::span<Run> of_axis) {
-        if (spine.stations.empty())
+    for_each_axis(plant, options, runs, [&](Scratch& scratch, std::span<Run> of_axis) {
+        if (scratch.spine.stations.empty())
             return;
-        std::vector<Section> sections;
-        frame_sections(spine, sections);
-        for_each_part(spine, of_axis, [&](Run const& run, TubePart const& part) {
-            write_tube(spine, sections, part, run.at, surfaces[run.material]);
+        frame_sections(scratch.spine, scratch.sections);
+        for_each_part(scratch.spine, of_axis, [&](Run const& run, TubePart const& part) {
+            write_tube(scratch.spine, scratch.sections, part, run.at, surfaces[run.material]);
         });
     });
     return surfaces;

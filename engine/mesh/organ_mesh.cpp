@@ -65,15 +65,16 @@ double outline(OrganShape const& shape, double share)
         : end_width((1 - share) / (1 - widest), shape.tip_sharpness);
     if (shape.lobe_count <= 0)
         return width;
-    double const sinus = 0.5 - 0.5 * std::cos(2 * kPi * (shape.lobe_count + 0.5) * share + kPi);
-    return width * (1 - std::clamp(shape.lobes, 0.0, 0.95) * (1 - sinus));
+    // The tip is a lobe of its own.
+    double const lobe = 0.5 + 0.5 * std::cos(2 * kPi * (shape.lobe_count + 1) * share);
+    return width * (1 - std::clamp(shape.lobes, 0.0, 0.95) * (1 - lobe));
 }
 
 // Where the blade's rows lie: an entire blade closer together at its ends, where the outline turns.
 std::vector<double> blade_rows(OrganShape const& shape)
 {
     int const lobes = std::clamp(shape.lobe_count, 0, 16);
-    int const count = lobes > 0 ? 4 * lobes + 2 : 8;
+    int const count = lobes > 0 ? 6 * (lobes + 1) : 9;
     std::vector<double> rows;
     for (int i = 0; i <= count; ++i) {
         double const even = static_cast<double>(i) / count;
@@ -87,7 +88,7 @@ void add_petiole(TriangleMesh& mesh, double length_mm, double radius_mm)
 {
     constexpr std::uint32_t kSides = 3;
     auto const first = static_cast<std::uint32_t>(mesh.positions_mm.size());
-    for (double const y : { 0.0, length_mm })
+    for (double const y : { 0.0, length_mm + radius_mm }) // A little way into the blade.
         for (std::uint32_t j = 0; j < kSides; ++j) {
             double const angle = 2 * kPi * (j + 0.25) / kSides;
             Vec3 const out(std::cos(angle), 0, std::sin(angle));
@@ -206,11 +207,9 @@ void revolve(TriangleMesh& mesh, std::span<ProfilePoint const> profile, std::uin
     std::vector<std::uint32_t> rings;
     for (auto const& point : profile.subspan(1, profile.size() - 2)) {
         rings.push_back(static_cast<std::uint32_t>(mesh.positions_mm.size()));
-        for (std::uint32_t j = 0; j < sides; ++j)
+        for (std::uint32_t j = 0; j <= sides; ++j)
             vertex(point, static_cast<double>(j) / sides);
-        auto seam = point;
-        vertex(seam, 1.0);
-        mesh.positions_mm.back() = mesh.positions_mm[rings.back()];
+        mesh.positions_mm.back() = mesh.positions_mm[rings.back()]; // The seam, to the last bit.
     }
     for (std::size_t i = 1; i < rings.size(); ++i)
         for (std::uint32_t j = 0; j < sides; ++j) {
@@ -242,14 +241,14 @@ void add_disc(TriangleMesh& mesh, OrganShape const& shape)
                            dome * std::cos(angle), radius * std::sin(angle) };
     }
     profile[5] = { 0, shape.length_mm, 0, 1 };
-    revolve(mesh, profile, 12);
+    revolve(mesh, profile, 16);
 }
 
 void add_ball(TriangleMesh& mesh, OrganShape const& shape)
 {
     double const radius = 0.5 * shape.width_mm;
     double const half = 0.5 * shape.length_mm;
-    constexpr int kStacks = 5;
+    constexpr int kStacks = 6;
     std::array<ProfilePoint, kStacks + 1> profile {};
     for (int k = 0; k <= kStacks; ++k) {
         double const angle = kPi * k / kStacks;
@@ -258,7 +257,7 @@ void add_ball(TriangleMesh& mesh, OrganShape const& shape)
                 -radius * std::cos(angle) };
     }
     profile.front().radius_mm = profile.back().radius_mm = 0;
-    revolve(mesh, profile, 8);
+    revolve(mesh, profile, 10);
 }
 
 } // namespace

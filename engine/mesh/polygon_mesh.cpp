@@ -14,7 +14,10 @@ Vec3 newell_normal(std::span<Vec3 const> vertices)
     return sum;
 }
 
-double cross(Vec2 const& a, Vec2 const& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(Vec2 const& a, Vec2 const& b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
 
 bool inside(Vec2 const& point, Vec2 const& a, Vec2 const& b, Vec2 const& c)
 {

@@ -43,7 +43,10 @@ Circle const& circle_of(int sides)
 }
 
 // Rings of a dome between the end of the tube and its apex; thin tubes do without.
-int dome_rings(int sides) { return sides <= 6 ? 0 : sides <= 12 ? 1 : 2; }
+int dome_rings(int sides)
+{
+    return sides <= 6 ? 0 : sides <= 12 ? 1 : 2;
+}
 
 double slope_at(std::vector<Station> const& stations, std::size_t i)
 {
