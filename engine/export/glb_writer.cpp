@@ -444,16 +444,6 @@ private:
     std::map<std::string, std::size_t> prototypes_;       // By their material and arrays.
 };
 
-// Makes the mesh if it has to; `made` owns it then.
-Mesh const& mesh_of(PlacedMesh const& placed, std::optional<Mesh>& made)
-{
-    if (auto const* const given = std::get_if<Mesh const*>(&placed.mesh))
-        return **given;
-    if (!made)
-        made = std::get<std::function<Mesh()>>(placed.mesh)();
-    return *made;
-}
-
 std::uint64_t rounded_up(std::uint64_t bytes)
 {
     return (bytes + 3) / 4 * 4;

@@ -35,8 +35,8 @@ struct GlbSummary {
 // that are equal are there once. Same input, same bytes.
 //
 // Plants are written one after another, and the JSON part, which comes first in the file, is filled
-// in at the end: so `out` must be seekable (a file, or a std::ostringstream), positioned at its
-// end, and binary. Memory is bounded by one plant and about 3 kB of JSON for each.
+// in at the end: so `out` must be binary and seekable (a file, or a std::ostringstream); the file
+// begins where it stands. Memory is bounded by one plant and about 3 kB of JSON for each.
 //
 // Fails if the stream fails (a full disk), if a coordinate is not finite, and if the file would
 // pass glTF's limit of 4 GiB: before anything is written when all plants are given as meshes,

@@ -49,13 +49,6 @@ private:
     std::map<std::string, int> uses_;
 };
 
-Mesh const& mesh_of(PlacedMesh const& placed, std::optional<Mesh>& made)
-{
-    if (auto const* const given = std::get_if<Mesh const*>(&placed.mesh))
-        return **given;
-    return made.emplace(std::get<std::function<Mesh()>>(placed.mesh)());
-}
-
 class ObjText {
 public:
     explicit ObjText(std::ostream& out)

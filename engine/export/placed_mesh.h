@@ -3,6 +3,7 @@
 #include "engine/mesh/mesh.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -18,5 +19,9 @@ struct PlacedMesh {
     // a time. An exporter may call the function more than once and needs the same mesh each time.
     std::variant<Mesh const*, std::function<Mesh()>> mesh = static_cast<Mesh const*>(nullptr);
 };
+
+// The triangles of `placed`. Where they have to be made they are put into `made`, unless it has
+// them already.
+Mesh const& mesh_of(PlacedMesh const& placed, std::optional<Mesh>& made);
 
 } // namespace tractus

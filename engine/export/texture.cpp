@@ -53,8 +53,8 @@ double bark_level(double u, double v)
     double const coarse = tiling_noise(2, 22, 5, place, v);
     double const fine = tiling_noise(3, 64, 20, place, v);
     double const grain = tiling_noise(4, 128, 96, u, v);
-    double const ridge = smooth_step(0.25, 0.6, 0.65 * coarse + 0.35 * fine);
-    return 0.52 + 0.36 * ridge + 0.12 * grain;
+    double const ridge = smooth_step(0.15, 0.7, 0.6 * coarse + 0.4 * fine);
+    return 0.5 + 0.43 * ridge + 0.07 * grain;
 }
 
 double leaf_level(double u, double v)
