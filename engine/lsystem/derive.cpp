@@ -23,6 +23,11 @@ struct FixedSuccessor {
     double const* frame = nullptr;
 };
 
+tl::unexpected<Error> loop_error(Model const& model)
+{
+    return fail(Fault::User, fmt::format("{}: a loop did not end within 10 million rounds", model.name));
+}
+
 class Derivation {
 public:
     Derivation(Model const& model, DeriveOptions const& options)
@@ -100,10 +105,10 @@ Result<ModuleString> Derivation::run()
     TRY(check_size(in_.size(), in_.parameters.size()));
     for (int i = 1; i <= steps; ++i)
         TRY(step(i));
-    machine_.begin_module(step_ > 0 ? static_cast<std::uint32_t>(step_) : 0, kNoPosition);
+    machine_.begin_module(static_cast<std::uint32_t>(step_), kNoPosition - 2);
     machine_.run(model_.end);
     if (machine_.loop_did_not_end())
-        return fail(Fault::User, fmt::format("{}: a while loop did not end within 10 million rounds", model_.name));
+        return loop_error(model_);
     in_.globals = std::move(machine_.globals);
     in_.arrays = std::move(machine_.arrays);
     in_.seed = machine_.seed();
@@ -138,7 +143,7 @@ Result<void> Derivation::step(int number)
     machine_.begin_module(stream, kNoPosition - 1);
     machine_.run(model_.end_each);
     if (machine_.loop_did_not_end())
-        return fail(Fault::User, fmt::format("{}: a while loop did not end within 10 million rounds", model_.name));
+        return loop_error(model_);
     in_.kinds.swap(out_.kinds);
     in_.parameters.swap(out_.parameters);
     return {};
@@ -298,6 +303,36 @@ std::size_t Derivation::cut_end(std::size_t from) const
 Result<ModuleString> derive(Model const& model, DeriveOptions const& options)
 {
     return Derivation(model, options).run();
+}
+
+Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& string, std::size_t max_modules)
+{
+    Machine machine(model, string);
+    Expander homomorphism(model, model.homomorphism, machine);
+    ModuleString result;
+    std::size_t parameter = 0;
+    for (std::size_t i = 0; i < string.size();) {
+        Modules const rest { string.kinds.data() + i, string.parameters.data() + parameter, string.size() - i };
+        machine.begin_module(kHomomorphismStep, i);
+        Surroundings const around { &string, i, parameter, i + 1,
+                                    parameter + model.alphabet[rest.kinds[0]].parameter_count };
+        auto const count = homomorphism.expand(rest, around, [&](Modules const& modules) -> std::size_t {
+            result.kinds.append(modules.kinds, 1);
+            result.parameters.append(modules.parameters, model.alphabet[modules.kinds[0]].parameter_count);
+            return result.size() <= max_modules;
+        });
+        if (machine.loop_did_not_end())
+            return loop_error(model);
+        if (count == 0)
+            return fail(Fault::User, fmt::format("{}: the homomorphism makes more than {} modules", model.name, max_modules));
+        for (std::size_t k = 0; k < count; ++k)
+            parameter += model.alphabet[rest.kinds[k]].parameter_count;
+        i += count;
+    }
+    result.globals = string.globals;
+    result.arrays = string.arrays;
+    result.seed = string.seed;
+    return result;
 }
 
 } // namespace tractus

@@ -22,4 +22,9 @@ struct DeriveOptions {
 // not end. The same model and options always give the same string.
 Result<ModuleString> derive(Model const& model, DeriveOptions const& options = {});
 
+// The string with every module replaced by what the homomorphism rules make of it: what the turtle
+// reads. Fails as derive() does.
+Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& string,
+                                        std::size_t max_modules = 100'000'000);
+
 } // namespace tractus

@@ -3,9 +3,13 @@
 #include "engine/lsystem/rewriter.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace tractus {
+
+// What homomorphism rules draw at random is of this step.
+constexpr std::uint32_t kHomomorphismStep = 0xffffffff;
 
 // Rewrites one module after the other with a set of rules, at once and again and again until no rule
 // matches or the set's maximum depth is reached: how decomposition and homomorphism rules work. Their

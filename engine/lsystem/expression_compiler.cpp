@@ -13,7 +13,7 @@ namespace tractus {
 namespace {
 
 constexpr int kMaxNesting = 200;
-constexpr std::size_t kMaxSize = 65000; // Registers and instructions are numbered with 16 bits.
+constexpr std::size_t kMaxSize = 30000; // Registers and instructions are numbered with 16 bits.
 
 struct FunctionEntry {
     std::string_view name;
@@ -130,23 +130,28 @@ std::optional<Register> ExpressionCompiler::add_parameter(std::string const& nam
     return *reg;
 }
 
-Frame ExpressionCompiler::take_frame()
+RegisterFile ExpressionCompiler::take_frame()
 {
     return std::move(frame_);
 }
 
-Program ExpressionCompiler::reset_program() const
+void ExpressionCompiler::prepend_reset(Program& program) const
 {
-    Program program;
+    Program result;
     for (auto const reg : reset_)
-        program.push_back({ .op = Op::Copy, .target = reg, .left = constants_.at(0), .right = 0 });
-    return program;
+        result.push_back({ .op = Op::Copy, .target = reg, .left = constants_.at(0), .right = 0 });
+    for (auto instruction : program) {
+        if (instruction.op == Op::Jump || instruction.op == Op::JumpIfZero)
+            instruction.target = static_cast<std::uint16_t>(instruction.target + reset_.size());
+        result.push_back(instruction);
+    }
+    program = std::move(result);
 }
 
 Result<Register> ExpressionCompiler::new_register(double value)
 {
     if (frame_.size() >= kMaxSize)
-        return cursor_.error("this rule is too large: it needs more than 65000 values");
+        return cursor_.error("this rule is too large: it needs more than 30000 values");
     frame_.push_back(value);
     values_.emplace_back();
     return static_cast<Register>(frame_.size() - 1);
@@ -184,7 +189,7 @@ void ExpressionCompiler::release(Register reg)
 Result<std::uint16_t> ExpressionCompiler::label(Program const& program)
 {
     if (program.size() >= kMaxSize)
-        return cursor_.error("this rule is too large: it needs more than 65000 instructions");
+        return cursor_.error("this rule is too large: it needs more than 30000 instructions");
     return static_cast<std::uint16_t>(program.size());
 }
 

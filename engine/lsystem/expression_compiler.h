@@ -53,10 +53,12 @@ public:
     // Reads an expression; the register that holds its value.
     Result<Register> expression(Program& program);
 
-    // The initial frame, and instructions that set to 0 the locals that a match could otherwise find
-    // with the value of the last one.
-    Frame take_frame();
-    Program reset_program() const;
+    // Puts in front of `program`, the first that a match runs, what sets to 0 the locals that it could
+    // otherwise find with the value of the last match.
+    void prepend_reset(Program& program) const;
+
+    // The initial frame. The last thing to be called.
+    RegisterFile take_frame();
 
     // Reads a name. No value where none stands.
     static std::optional<std::string> name(Cursor& cursor);
@@ -100,7 +102,7 @@ private:
     Cursor& cursor_;
     GlobalNames& globals_;
     NewNames new_names_;
-    Frame frame_;
+    RegisterFile frame_;
     std::vector<Value> values_; // One per register.
     std::map<std::string, Register, std::less<>> names_;
     std::map<double, Register> constants_;

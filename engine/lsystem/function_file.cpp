@@ -1,6 +1,7 @@
 #include "engine/lsystem/function_file.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fmt/core.h>
@@ -12,45 +13,51 @@ namespace {
 constexpr std::size_t kMaxSamples = 100'000;
 constexpr double kMaxMultiplicity = 10;
 
-// One blending of a uniform cubic B-spline over the four points from `first` on, 0 <= t <= 1.
-Vec2 spline_point(std::vector<Vec2> const& points, std::size_t first, double t)
+// The point of the uniform cubic B-spline that begins and ends in its first and last control points
+// (four equal knots at each end), 0 <= t <= 1, by de Boor's algorithm.
+Vec2 spline_point(std::vector<Vec2> const& points, double t)
 {
-    double const s = 1 - t;
-    return (s * s * s * points[first] + (3 * t * t * t - 6 * t * t + 4) * points[first + 1]
-            + (-3 * t * t * t + 3 * t * t + 3 * t + 1) * points[first + 2] + t * t * t * points[first + 3])
-        / 6;
-}
-
-// y at x by bisection: x rises along the curve.
-double value_at(std::vector<Vec2> const& points, double x, double precision)
-{
-    double low = 0;
-    double high = static_cast<double>(points.size() - 3);
-    auto const at = [&](double t) {
-        auto const span = std::min(static_cast<std::size_t>(t), points.size() - 4);
-        return spline_point(points, span, t - static_cast<double>(span));
-    };
-    for (int i = 0; i < 200 && high - low > 1e-12; ++i) {
-        double const middle = (low + high) / 2;
-        auto const point = at(middle);
-        if (std::fabs(point.x() - x) < precision)
-            return point.y();
-        (point.x() < x ? low : high) = middle;
+    auto const spans = static_cast<int>(points.size()) - 3;
+    double const u = t * spans;
+    int const span = std::min(static_cast<int>(u), spans - 1);
+    auto const knot = [&](int i) { return static_cast<double>(std::clamp(i - 3, 0, spans)); };
+    std::array<Vec2, 4> d;
+    for (int j = 0; j < 4; ++j)
+        d[static_cast<std::size_t>(j)] = points[static_cast<std::size_t>(span + j)];
+    for (int level = 1; level < 4; ++level) {
+        for (int j = 3; j >= level; --j) {
+            double const low = knot(span + j);
+            double const high = knot(span + j + 4 - level);
+            double const share = (u - low) / (high - low);
+            auto& value = d[static_cast<std::size_t>(j)];
+            value = (1 - share) * d[static_cast<std::size_t>(j - 1)] + share * value;
+        }
     }
-    return at((low + high) / 2).y();
+    return d[3];
 }
 
-std::vector<double> tabulate(std::vector<Vec2> points, std::size_t samples)
+// y at x by bisection, x rising along the curve; as near as cpfg goes, so that numbers agree.
+double value_at(std::vector<Vec2> const& points, double x)
+{
+    constexpr double kPrecision = 0.001;
+    double low = 0;
+    double high = 1;
+    Vec2 point = Vec2::Zero();
+    for (int i = 0; i < 60; ++i) {
+        double const middle = (low + high) / 2;
+        point = spline_point(points, middle);
+        if (std::fabs(point.x() - x) <= kPrecision)
+            break;
+        (point.x() > x ? high : low) = middle;
+    }
+    return point.y();
+}
+
+std::vector<double> tabulate(std::vector<Vec2> const& points, std::size_t samples)
 {
     std::vector<double> values(samples);
-    // Triple end points let the curve begin and end in them.
-    if (points.empty())
-        return values;
-    points.insert(points.begin(), 2, points.front());
-    points.insert(points.end(), 2, points.back());
     for (std::size_t i = 0; i < samples; ++i)
-        values[i] = value_at(points, static_cast<double>(i) / static_cast<double>(samples - 1),
-                             0.01 / static_cast<double>(samples));
+        values[i] = value_at(points, static_cast<double>(i) / static_cast<double>(samples - 1));
     return values;
 }
 
@@ -134,7 +141,9 @@ Result<std::vector<FunctionTable>> parse_functions(std::string const& name, std:
                 auto const multiplicity = point.size() > 2 ? std::clamp(point[2], 1.0, kMaxMultiplicity) : 1;
                 points.insert(points.end(), static_cast<std::size_t>(multiplicity), Vec2(point[0], point[1]));
             }
-            result.push_back({ function_name, tabulate(std::move(points), samples) });
+            if (points.size() < 4)
+                return fail(Fault::User, fmt::format("{}:{}: expected at least 4 control points", name, lines.number));
+            result.push_back({ function_name, tabulate(points, samples) });
         }
     }
     return result;

@@ -26,6 +26,16 @@ Machine::Machine(Model const& model, std::uint64_t seed)
         arrays.push_back(array.values);
 }
 
+Machine::Machine(Model const& model, ModuleString const& string)
+    : Machine(model, string.seed)
+{
+    seed_ = string.seed;
+    if (string.globals.size() == globals.size())
+        globals = string.globals;
+    if (string.arrays.size() == arrays.size())
+        arrays = string.arrays;
+}
+
 void Machine::run(Block const& block)
 {
     auto frame = block.frame;

@@ -2,6 +2,7 @@
 
 #include "engine/base/random.h"
 #include "engine/lsystem/model.h"
+#include "engine/lsystem/module_string.h"
 
 #include <array>
 #include <cstdint>
@@ -20,6 +21,8 @@ constexpr std::uint64_t kNoPosition = ~std::uint64_t { 0 };
 class Machine {
 public:
     Machine(Model const& model, std::uint64_t seed);
+    // As the derivation of `string` left it.
+    Machine(Model const& model, ModuleString const& string);
 
     // The numbers drawn from here on belong to this module of this step.
     void begin_module(std::uint32_t step, std::uint64_t position)
@@ -46,7 +49,6 @@ public:
     std::vector<double> globals;
     std::vector<std::vector<double>> arrays;
     std::uint64_t seed() const { return seed_; }
-    void set_seed(std::uint64_t seed) { seed_ = seed; }
 
 private:
     void execute(Program const& program, double* frame);

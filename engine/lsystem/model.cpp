@@ -34,7 +34,7 @@ public:
     {
         model_.name = source.name;
         model_.view = std::move(view);
-        globals_.variables = { "Q", "Z" };
+        globals_.variables = model_.globals;
         for (auto const& function : model_.view.functions)
             globals_.functions.push_back(function.name);
     }
@@ -442,9 +442,10 @@ Result<void> Parser::rule()
     if (!cursor_.take("-->") && !cursor_.take("-o>"))
         return cursor_.unexpected("'-->'");
     cursor_.set_arrow_seen(true);
+    if (rules_->rules.size() >= 65000)
+        return cursor_.error("the model has more than 65000 rules");
     TRY(successor(rule, compiler));
-    auto reset = compiler.reset_program();
-    rule.condition.insert(rule.condition.begin(), reset.begin(), reset.end());
+    compiler.prepend_reset(rule.condition);
     rule.frame = compiler.take_frame();
     add_rule(std::move(rule));
     return {};

@@ -67,7 +67,7 @@ struct Rule {
     Register probability_result = 0;
     bool has_probability = false;
 
-    Frame frame;
+    RegisterFile frame;
     std::uint32_t line = 0; // Of the arrow, for messages.
 };
 
@@ -81,7 +81,7 @@ struct RuleSet {
 
 struct Block {
     Program program;
-    Frame frame;
+    RegisterFile frame;
 };
 
 struct ArrayVariable {
@@ -109,7 +109,7 @@ struct Model {
     RuleSet decomposition;
     RuleSet homomorphism;
 
-    std::vector<std::string> globals;
+    std::vector<std::string> globals { "Q", "Z" };
     std::vector<ArrayVariable> arrays;
     View view;
     std::vector<std::string> warnings; // Features we lack, names never defined: once each.

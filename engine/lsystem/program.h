@@ -72,6 +72,6 @@ using Program = std::vector<Instruction>;
 // The registers that the programs of one rule share. The first hold the parameters of the matched
 // modules, the others constants, local variables and intermediate results. Constants never change,
 // so a frame is copied from here once and used for every match.
-using Frame = std::vector<double>;
+using RegisterFile = std::vector<double>;
 
 } // namespace tractus

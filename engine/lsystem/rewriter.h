@@ -54,7 +54,7 @@ private:
     RuleSet const& rules_;
     Machine& machine_;
     bool stochastic_;
-    std::vector<Frame> frames_;
+    std::vector<RegisterFile> frames_;
     struct Candidate {
         Rule const* rule = nullptr;
         double weight = 0;

@@ -15,7 +15,6 @@ namespace tractus {
 namespace {
 
 constexpr std::size_t kMaxTropisms = 8;
-constexpr std::uint32_t kHomomorphismStream = 0xffffffff;
 constexpr double kMinWidth = 1e-7; // As cpfg.
 
 // From cpfg's space to the plant's.
@@ -90,7 +89,7 @@ private:
     void push();
     void pop();
     void close_polygon();
-    void set_width(double width);
+    void set_width(Symbol const& symbol, int sign);
     void set_color(Symbol const& symbol, int sign);
     void rotate(Vec3& a, Vec3& b, double angle_rad) const;
     void turn(Vec3& a, Vec3& b, Symbol const& symbol, double sign);
@@ -110,9 +109,8 @@ private:
     }
     void warn(std::string warning)
     {
-        auto& warnings = warnings_;
-        if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
-            warnings.push_back(std::move(warning));
+        if (std::find(warnings_.begin(), warnings_.end(), warning) == warnings_.end())
+            warnings_.push_back(std::move(warning));
     }
 
     Model const& model_;
@@ -181,11 +179,9 @@ void Turtle::draw_symbol(Symbol const& symbol)
     case ']':
         return pop();
     case '!':
-        return set_width(symbol.parameter(0, 0) * state_.scale
-                         + (symbol.count > 0 ? 0 : state_.width - view_.line_width_step * state_.scale));
+        return set_width(symbol, -1);
     case '#':
-        return set_width(symbol.parameter(0, 0) * state_.scale
-                         + (symbol.count > 0 ? 0 : state_.width + view_.line_width_step * state_.scale));
+        return set_width(symbol, 1);
     case ';':
         return set_color(symbol, 1);
     case ',':
@@ -274,12 +270,12 @@ void Turtle::step(Symbol const& symbol, bool draws, bool sets_vertex)
         warn(fmt::format("{}: left out steps to places more than 1e12 mm away", model_.name));
     if (is_inside && length_mm != 0) {
         state_.position_mm = tip_mm;
-        if (!polygons_.empty() || !draws)
-            state_.place.axis = polygons_.empty() ? kNone : state_.place.axis;
-        else
+        if (polygons_.empty() && draws)
             builder_.add_segment(state_.place, { base_mm, tip_mm, radius_mm(), builder_.material(state_.color) });
+        else if (polygons_.empty())
+            state_.place.axis = kNone;
     }
-    if (view_.elasticity != 0 || state_.elasticity != 0)
+    if (state_.elasticity != 0)
         bend_by(state_.heading.cross(from_model(view_.tropism_direction)) * state_.elasticity);
     if (sets_vertex && !polygons_.empty())
         polygons_.back().vertices_mm.push_back(state_.position_mm);
@@ -312,8 +308,10 @@ void Turtle::close_polygon()
     polygons_.pop_back();
 }
 
-void Turtle::set_width(double width)
+void Turtle::set_width(Symbol const& symbol, int sign)
 {
+    double const step = sign * view_.line_width_step * state_.scale;
+    double const width = symbol.count > 0 ? symbol.parameter(0, 0) * state_.scale : state_.width + step;
     state_.width = std::clamp(width, kMinWidth, 1e6);
     builder_.set_tip_radius(state_.place, radius_mm());
 }
@@ -523,16 +521,11 @@ public:
     Interpretation(Model const& model, ModuleString const& string, TurtleOptions const& options)
         : model_(model)
         , string_(string)
-        , machine_(model, string.seed)
+        , machine_(model, string)
         , homomorphism_(model, model.homomorphism, machine_)
         , turtle_(model, options)
         , max_modules_(options.max_modules)
     {
-        machine_.set_seed(string.seed);
-        if (string.globals.size() == machine_.globals.size())
-            machine_.globals = string.globals;
-        if (string.arrays.size() == machine_.arrays.size())
-            machine_.arrays = string.arrays;
     }
 
     Result<TurtlePlant> run()
@@ -557,7 +550,7 @@ private:
         Modules const rest { string_.kinds.data() + at_, string_.parameters.data() + parameter_, string_.size() - at_ };
         if (!homomorphism_.has_rules(kind))
             return turtle_.draw(rest, false);
-        machine_.begin_module(kHomomorphismStream, at_);
+        machine_.begin_module(kHomomorphismStep, at_);
         Surroundings const around { &string_, at_, parameter_, at_ + 1,
                                     parameter_ + model_.alphabet[kind].parameter_count };
         return homomorphism_.expand(rest, around, [&](Modules const& modules) {

@@ -87,6 +87,24 @@ TEST_P(PublishedModel, GivesTheStringThatCpfgGives)
     EXPECT_TRUE(same_strings(to_string(*model, *string), expected));
 }
 
+TEST_P(PublishedModel, DrawsWhatCpfgDraws)
+{
+    REQUIRE_CORPUS();
+    if (GetParam() == "10-manuals__11-CPFG__JumpingLamp")
+        GTEST_SKIP() << "the reference was drawn without the model's functions, which have a file of their own";
+    auto const entry = entry_of(GetParam());
+    auto const model = compile_entry(entry);
+    ASSERT_TRUE(model) << model.error().message;
+    auto const string = derive(*model);
+    ASSERT_TRUE(string) << string.error().message;
+    auto const drawn = apply_homomorphism(*model, *string);
+    ASSERT_TRUE(drawn) << drawn.error().message;
+    auto const counts = count_symbols(*model, *drawn);
+    auto const segments = counts.find("F");
+    EXPECT_EQ(segments == counts.end() ? 0 : segments->second, entry["homo"]["F"].get<std::size_t>());
+    EXPECT_EQ(sha256(to_string(*model, *drawn)), entry["homo"]["sha256"].get<std::string>());
+}
+
 TEST_P(PublishedModel, BecomesASoundPlant)
 {
     REQUIRE_CORPUS();
@@ -120,6 +138,60 @@ INSTANTIATE_TEST_SUITE_P(
         std::erase_if(name, [](unsigned char c) { return !std::isalnum(c); });
         return name;
     });
+
+// Two models draw random numbers, which are not cpfg's: what does not depend on chance is compared.
+Result<Model> compile_random(std::string const& folder, std::string const& name)
+{
+    return compile_file(corpus() / "lsystems" / folder / name);
+}
+
+TEST(RandomMoss, HasTheLanguageOfItsRules)
+{
+    REQUIRE_CORPUS();
+    auto const model = compile_random("10-manuals__11-CPFG__RandomMoss", "plant.l");
+    ASSERT_TRUE(model) << model.error().message;
+    std::set<std::string> strings;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        auto const string = derive(*model, { .steps = {}, .seed = seed });
+        ASSERT_TRUE(string) << string.error().message;
+        auto const counts = count_symbols(*model, *string);
+        // Each branch has one !, one comma and one turn; each step makes 3 or 5 F of one.
+        EXPECT_EQ(counts.at("["), counts.at("]"));
+        EXPECT_EQ(counts.at("["), counts.at("!"));
+        EXPECT_EQ(counts.at("["), counts.at(","));
+        EXPECT_EQ(counts.at("["), counts.at("+") + counts.at("-"));
+        EXPECT_EQ(counts.at("F"), 1 + 2 * counts.at("["));
+        EXPECT_GT(counts.at("F"), 243u);
+        EXPECT_LT(counts.at("F"), 3125u);
+        strings.insert(to_string(*model, *string));
+    }
+    EXPECT_EQ(strings.size(), 20u);
+}
+
+TEST(WeepingBirch, ConservesItsInternodes)
+{
+    REQUIRE_CORPUS();
+    auto const model = compile_random("10-manuals__11-CPFG__WeepingBirch", "fractal.l");
+    ASSERT_TRUE(model) << model.error().message;
+    // Internodes are conserved until leaves begin: A(n) becomes one F and two A that share n - 1.
+    for (int steps = 0; steps <= 5; ++steps) {
+        auto const string = derive(*model, { .steps = steps, .seed = 1 });
+        ASSERT_TRUE(string) << string.error().message;
+        double total = 0;
+        std::size_t parameter = 0;
+        for (auto const id : string->kinds.span()) {
+            auto const& kind = model->alphabet[id];
+            if (kind.symbol == 'A')
+                total += static_cast<double>(string->parameters[parameter]);
+            total += kind.symbol == 'F';
+            parameter += kind.parameter_count;
+        }
+        EXPECT_EQ(total, 22500) << steps;
+    }
+    auto const string = derive(*model);
+    ASSERT_TRUE(string) << string.error().message;
+    EXPECT_NEAR(static_cast<double>(string->size()), 162254, 10000); // cpfg: 162,254 modules.
+}
 
 // Classical L-systems with exact counts and hashes after some numbers of steps.
 class CountedSystem : public ::testing::TestWithParam<std::string> { };

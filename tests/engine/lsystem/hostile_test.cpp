@@ -1,0 +1,84 @@
+#include "engine/base/random.h"
+#include "tests/engine/lsystem/whole_pipeline.h"
+
+#include <array>
+#include <gtest/gtest.h>
+#include <string>
+
+namespace tractus {
+namespace {
+
+// A model that uses most of the language.
+std::string const kModel = R"(#define STEP 0.5 /* growth */
+#define half(x) ((x)/2)
+Lsystem: 1
+seed: 7
+derivation length: 4
+define: { array a[3] = {1,2,3}; }
+Start: { n=0; }
+StartEach: { n=n+1; if (n>2) { a[1]=n; } else { a[0]=ran(1); } }
+ignore: +-/
+Axiom: !(0.2)A(1,0)[+B]~l(2)%
+A(s,t) : t<3 {w=s*STEP;} --> F(s)[+(30)A(w,t+1)][-(30)&(20)A(half(s),t+1)]/(137.5)A(s*0.9,t+1)
+A(s,t) : t>=3 --> ;~l(s) : 0.7
+A(s,t) : t>=3 && s>0.1 --> ,{.F(s).+F.} : 0.3
+F(x) < B --> C(x)
+B > [=] --> @o(0.5)
+F(x) < A(s,t) > F(y) : {i=0; while (i<3) {i=i+1;}} x>y --> F(nran(x,0.1))@v@Ts(1,0.2)
+decomposition
+maximum depth: 3
+C(x) : x>0.2 --> f(x/2)C(x/2)
+homomorphism
+maximum depth: 2
+C(x) --> #(0.1)G(x*func(1,x))@Gs|^\@Ge
+endlsystem
+)";
+
+std::string const kView = "angle increment: 25\ninitial line width: 0.3\ntropism: T: 0,1,0 E: 0.1\n"
+                          "tropism direction: 0,1,0\ninitial elasticity: 0.05\nfunction: f.func 10\n"
+                          "material: 1 bark kind=bark color=0.3,0.2,0.1\nmaterial: 2 leaf kind=leaf color=0.2,0.5,0.1\n"
+                          "organ: l leaf kind=blade material=2 length=2 width=1 lobes=0.2 lobe_count=3\nradii: pipe 2 0.05\n";
+
+// Changes, removes, doubles or moves a few pieces.
+std::string mutated(std::string text, Random& random)
+{
+    static constexpr std::string_view kPieces = "()[]{}<>:;,.*%@~?!#&|^\\/+-=\"\n\t 0919eAFfxmn";
+    auto const place = [&] { return static_cast<std::size_t>(random.uniform() * static_cast<double>(text.size())); };
+    for (int changes = 1 + static_cast<int>(random.uniform() * 6); changes > 0 && !text.empty(); --changes) {
+        auto const at = place();
+        auto const length = static_cast<std::size_t>(1 + random.uniform() * 12);
+        switch (random.next_u32() % 5) {
+        case 0:
+            text[at] = kPieces[random.next_u32() % kPieces.size()];
+            break;
+        case 1:
+            text.erase(at, length);
+            break;
+        case 2:
+            text.insert(at, text.substr(place(), length));
+            break;
+        case 3:
+            text.insert(at, 1, kPieces[random.next_u32() % kPieces.size()]);
+            break;
+        default:
+            text[at] = static_cast<char>(random.next_u32());
+        }
+    }
+    return text;
+}
+
+TEST(HostileModels, DoNoHarm)
+{
+    std::string const sound = kModel + '\0' + kView;
+    ASSERT_TRUE(run_whole_pipeline(sound));
+    Random random({ .seed = 1, .stream = 1, .substream = 0 });
+    int plants = 0;
+    for (int i = 0; i < 10'000; ++i)
+        plants += run_whole_pipeline(mutated(sound, random));
+    // Some survive and most do not, so both ways are tested.
+    EXPECT_GT(plants, 500);
+    EXPECT_LT(plants, 9500);
+}
+
+} // namespace
+} // namespace tractus
