@@ -1,10 +1,8 @@
 #include "engine/lsystem/derive.h"
 #include "engine/lsystem/turtle.h"
+#include "tests/bench/report.h"
 
-#include <benchmark/benchmark.h>
-#include <cstring>
 #include <string>
-#include <vector>
 
 namespace tractus {
 namespace {
@@ -63,22 +61,7 @@ Model compiled(std::string const& rules)
     return compile_model(source).value();
 }
 
-// Seconds that memcpy takes for so many bytes, source and target as large as they are here: what the
-// memory allows.
-double memcpy_seconds(std::size_t bytes)
-{
-    std::vector<char> const from(bytes, 1);
-    std::vector<char> to(bytes);
-    constexpr int kRounds = 5;
-    auto const begin = std::chrono::steady_clock::now();
-    for (int i = 0; i < kRounds; ++i) {
-        std::memcpy(to.data(), from.data(), bytes);
-        benchmark::DoNotOptimize(to.data());
-        benchmark::ClobberMemory();
-    }
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / kRounds;
-}
-
+// Bytes are those of the last string, read or written once: steps before it are much shorter.
 void derive_model(benchmark::State& state, std::string const& rules)
 {
     auto const model = compiled(rules);
@@ -92,63 +75,58 @@ void derive_model(benchmark::State& state, std::string const& rules)
         bytes = string.kinds.size() + string.parameters.size() * sizeof(float);
         benchmark::DoNotOptimize(string.kinds.data());
     }
-    using benchmark::Counter;
-    state.counters["modules"] = static_cast<double>(modules);
-    state.counters["modules_per_s"] = Counter(static_cast<double>(modules), Counter::kIsIterationInvariantRate);
     state.counters["bytes_per_module"] = static_cast<double>(bytes) / static_cast<double>(modules);
-    // Time divided by that of copying the last string once.
-    state.counters["times_memcpy"] = Counter(1 / memcpy_seconds(bytes),
-                                             Counter::Flags(Counter::kIsIterationInvariantRate | Counter::kInvert));
-    state.counters["times_memcpy"].value = memcpy_seconds(bytes);
+    report(state, { .items = static_cast<double>(modules), .item = "modules", .bytes = static_cast<double>(bytes), .limit = Limit::Fill });
 }
 
-void BM_DeriveBush(benchmark::State& state) { derive_model(state, kBush); }
-void BM_DeriveTree(benchmark::State& state) { derive_model(state, kTree); }
-void BM_DeriveSignals(benchmark::State& state) { derive_model(state, kSignals); }
+void derive_bush(benchmark::State& state) { derive_model(state, kBush); }
+void derive_tree(benchmark::State& state) { derive_model(state, kTree); }
+void derive_signals(benchmark::State& state) { derive_model(state, kSignals); }
 
-// Module-steps per second: the row is rewritten in every step.
-void BM_SignalThroughARow(benchmark::State& state)
+void signal_through_a_row(benchmark::State& state)
 {
     auto const model = compiled(row_of_signals());
     DeriveOptions options;
     options.steps = static_cast<int>(state.range(0));
     for (auto _ : state)
         benchmark::DoNotOptimize(derive(model, options).value().kinds.data());
-    state.counters["module_steps_per_s"] = benchmark::Counter(20'001.0 * static_cast<double>(state.range(0)),
-                                                              benchmark::Counter::kIsIterationInvariantRate);
+    double const module_steps = 20'001.0 * static_cast<double>(state.range(0));
+    report(state, { .items = module_steps, .item = "module steps", .bytes = 2 * module_steps });
 }
 
-void BM_CompileModel(benchmark::State& state)
+void compile_tree(benchmark::State& state)
 {
     ModelSource source;
     source.text = kTree;
     for (auto _ : state)
         benchmark::DoNotOptimize(compile_model(source).value());
+    report(state, { .items = 1, .item = "models", .bytes = static_cast<double>(source.text.size()) });
 }
 
-void BM_InterpretTree(benchmark::State& state)
+void interpret_tree(benchmark::State& state)
 {
     auto const model = compiled(kTree);
     DeriveOptions options;
     options.steps = static_cast<int>(state.range(0));
     auto const string = derive(model, options).value();
     std::size_t segments = 0;
+    std::size_t bytes = 0;
     for (auto _ : state) {
         auto const plant = interpret(model, string).value();
         segments = plant.segment_count();
+        bytes = plant.node_position_mm.size() * (sizeof(Vec3) + sizeof(float)) + segments * sizeof(MaterialId)
+            + plant.axes.size() * sizeof(Axis);
         benchmark::DoNotOptimize(plant.axes.data());
     }
-    state.counters["segments"] = static_cast<double>(segments);
-    state.counters["segments_per_s"] = benchmark::Counter(static_cast<double>(segments),
-                                                          benchmark::Counter::kIsIterationInvariantRate);
+    report(state, { .items = static_cast<double>(segments), .item = "segments", .bytes = static_cast<double>(bytes), .limit = Limit::Fill });
 }
 
-BENCHMARK(BM_DeriveBush)->Arg(9)->Arg(10)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_DeriveTree)->Arg(17)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_DeriveSignals)->Arg(30)->Arg(50)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_SignalThroughARow)->Arg(100)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_CompileModel)->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_InterpretTree)->Arg(17)->Unit(benchmark::kMillisecond);
+BENCHMARK(derive_bush)->Arg(9)->Arg(10)->Unit(benchmark::kMillisecond);
+BENCHMARK(derive_tree)->Arg(17)->Unit(benchmark::kMillisecond);
+BENCHMARK(derive_signals)->Arg(60)->Unit(benchmark::kMillisecond);
+BENCHMARK(signal_through_a_row)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK(compile_tree)->Unit(benchmark::kMicrosecond);
+BENCHMARK(interpret_tree)->Arg(17)->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace tractus
