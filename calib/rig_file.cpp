@@ -82,6 +82,13 @@ static Result<void> parse_height(TomlTable& table, Rig& rig)
     auto const range = TRY(table.vec2("calibrated_counts"));
     if (!(range.x() < range.y()))
         return table.wrong("calibrated_counts", "is empty, expected [least, greatest]");
+    for (double const counts : { range.x(), range.y() })
+        if (!height_mm(rig.height_model, counts))
+            return table.wrong(
+                "calibrated_counts",
+                fmt::format("holds {}, where the model has no height: the string would "
+                            "be shorter than its offset",
+                            counts));
     rig.calibrated_min_counts = range.x();
     rig.calibrated_max_counts = range.y();
 
@@ -103,12 +110,7 @@ static Result<void> parse_tablet(TomlTable& table, Rig& rig)
 Result<Rig> parse_rig(std::string_view text, std::string const& file)
 {
     auto root = TRY(TomlTable::parse(text, file));
-    auto const version = TRY(root.integer("version", NumberRange::Positive));
-    if (version > kVersion)
-        return root.wrong("version",
-                          fmt::format("is {}, expected at most {}: a later tractus wrote "
-                                      "this file, so use that one to read it",
-                                      version, kVersion));
+    TRY(root.require_version(kVersion));
     Rig rig;
     auto height = TRY(root.table("height"));
     TRY(parse_height(height, rig));

@@ -133,6 +133,17 @@ tl::unexpected<Error> TomlTable::wrong(std::string_view key, std::string_view pr
                             path_of(key), problem));
 }
 
+Result<void> TomlTable::require_version(std::int64_t newest)
+{
+    auto const version = TRY(integer("version", NumberRange::Positive));
+    if (version > newest)
+        return wrong("version",
+                     fmt::format("is {}, expected at most {}: a later tractus wrote this "
+                                 "file, so use that one to read it",
+                                 version, newest));
+    return {};
+}
+
 bool TomlTable::has(std::string_view key)
 {
     known_.emplace(key);

@@ -31,6 +31,9 @@ public:
     // `name` is the file's, for errors.
     static Result<TomlTable> parse(std::string_view text, std::string name);
 
+    // Fails unless the file's `version` is 1 to `newest`.
+    Result<void> require_version(std::int64_t newest);
+
     bool has(std::string_view key);
 
     Result<double> number(std::string_view key, NumberRange range = NumberRange::Any);

@@ -143,12 +143,7 @@ static Result<Gesture> parse_gesture(TomlTable& table)
 Result<GestureScript> parse_gesture_script(std::string_view text, std::string const& file)
 {
     auto root = TRY(TomlTable::parse(text, file));
-    auto const version = TRY(root.integer("version", NumberRange::Positive));
-    if (version > kVersion)
-        return root.wrong("version",
-                          fmt::format("is {}, expected at most {}: a later tractus reads "
-                                      "this file",
-                                      version, kVersion));
+    TRY(root.require_version(kVersion));
     GestureScript script;
     if (root.has("seed"))
         script.seed

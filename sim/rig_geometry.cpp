@@ -35,19 +35,19 @@ Rig true_rig(RigGeometry const& geometry)
     };
 }
 
-Vec3 tablet_position_mm(RigGeometry const& geometry, Vec3 const& world_mm)
+Eigen::Affine3d T_tablet_world(RigGeometry const& geometry)
 {
-    return T_world_tablet(true_rig(geometry)).inverse(Eigen::Affine) * world_mm;
+    return T_world_tablet(true_rig(geometry)).inverse(Eigen::Affine);
 }
 
 Result<void> check_reach(RigGeometry const& geometry, Path const& path)
 {
     constexpr double kMargin_mm = 1;
-    auto const T_tablet_world = T_world_tablet(true_rig(geometry)).inverse(Eigen::Affine);
+    auto const T = T_tablet_world(geometry);
     Vec3 const room_mm(geometry.tablet_size_mm.x(), geometry.tablet_size_mm.y(),
                        geometry.travel_mm);
     for (auto const& point : path.points_mm()) {
-        Vec3 const place = T_tablet_world * point;
+        Vec3 const place = T * point;
         if ((place.array() < kMargin_mm).any()
             || (place.array() > room_mm.array() - kMargin_mm).any())
             return fail(

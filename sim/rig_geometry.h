@@ -33,9 +33,9 @@ double ideal_counts(RigGeometry const& geometry, double height_mm);
 // What a perfect calibration of the rig would find; the latencies are the caller's to fill in.
 Rig true_rig(RigGeometry const& geometry);
 
-// Where on the tablet, and at which height of the carriage, the tip is at a place in the world:
-// x and y in the tablet frame, z the height.
-Vec3 tablet_position_mm(RigGeometry const& geometry, Vec3 const& world_mm);
+// Takes a place of the tip in the world to (x, y, height): where on the tablet it is, in the tablet
+// frame, and how high the carriage. The inverse of calib's T_world_tablet.
+Eigen::Affine3d T_tablet_world(RigGeometry const& geometry);
 
 // Fails, as the user's fault, with the first place that the rig cannot reach: off the tablet or
 // beyond the travel, a millimetre kept for the hand's tremor.

@@ -138,12 +138,12 @@ SimulatedTablet simulate_tablet(Hand const& hand, RigGeometry const& geometry,
         .product_id = 1,
         .report_descriptor = report_descriptor(geometry.tablet_size_mm),
     };
-    auto const T_tablet_world = T_world_tablet(true_rig(geometry)).inverse(Eigen::Affine);
+    auto const T = T_tablet_world(geometry);
     DeviceClock clock(options.timing, { .seed = options.seed, .stream = kTabletTimingStream });
     PenReport last;
     for (auto now = clock.next_instant(); now < hand.end(); now = clock.next_instant()) {
         auto const state = hand.at(now);
-        Vec2 const place_mm = (T_tablet_world * state.position_mm).head<2>();
+        Vec2 const place_mm = (T * state.position_mm).head<2>();
         bool const on_tablet = (place_mm.array() >= 0).all()
             && (place_mm.array() <= geometry.tablet_size_mm.array()).all();
         bool const was_in_range = last.bits & kInRange;

@@ -111,7 +111,7 @@ TEST(RigFile, GivesTheSameStringRigBack)
 {
     auto rig = awkward_rig();
     StringHeight const model {
-        .mm_per_count = 2.0 / 21, .zero_length_mm = -0.7, .offset_mm = 1e2 / 3, .base_mm = 5e-324
+        .mm_per_count = 2.0 / 21, .zero_length_mm = 1e3 / 7, .offset_mm = 1e2 / 3, .base_mm = 5e-324
     };
     rig.height_model = model;
     auto const back = parse_rig(print_rig(rig), "printed").value();
@@ -223,6 +223,10 @@ TEST(RigFile, RefusesARangeOrTimeWithoutSense)
 {
     EXPECT_EQ(error_of(with("[150, 3900]", "[3900, 150]")),
               "my.rig.toml:9: height.calibrated_counts is empty, expected [least, greatest]");
+    EXPECT_EQ(
+        error_of(with("[150, 3900]", "[-150, 3900]")),
+        "my.rig.toml:9: height.calibrated_counts holds -150, where the model has no height: the "
+        "string would be shorter than its offset");
     EXPECT_EQ(error_of(with("3.5", "-1")),
               "my.rig.toml:10: height.latency_ms is -1, expected a number of 0 or more");
     EXPECT_EQ(error_of(with("3.5", "1e300")),

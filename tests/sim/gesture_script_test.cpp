@@ -164,7 +164,8 @@ TEST(GestureScript, ErrorsNameFileLineAndKey)
     EXPECT_EQ(error_of(with("[80.5, 0, 100]", "[0, 0, 100]")),
               "demo.toml:22: gesture[3].path cannot be drawn, expected one from 0 to 10 m long");
     EXPECT_EQ(error_of(with("version = 1", "version = 2")),
-              "demo.toml:1: version is 2, expected at most 1: a later tractus reads this file");
+              "demo.toml:1: version is 2, expected at most 1: a later tractus wrote this file, so "
+              "use that one to read it");
 }
 
 TEST(GestureScript, RefusesKeysThatMeanNothing)

@@ -32,7 +32,7 @@ TEST(RigGeometry, PlacesTheTipOnTheTablet)
     RigGeometry const geometry { .tablet_size_mm = { 200, 100 },
                                  .rotation_deg = 90,
                                  .travel_shear = { 0.1, 0 } };
-    Vec3 const place = tablet_position_mm(geometry, { 10, 100, 100 });
+    Vec3 const place = T_tablet_world(geometry) * Vec3(10, 100, 100);
     EXPECT_LT((place - Vec3(200, 50, 100)).norm(), kTolerance) << place.transpose();
 }
 

@@ -73,7 +73,7 @@ TEST(SimulatedTablet, ReportsDecodeToWhatTheHandDid)
         ASSERT_EQ(samples[i].touching, state.touching) << i;
         if (!state.in_range)
             continue;
-        auto const place_mm = tablet_position_mm(options.geometry, state.position_mm);
+        Vec3 const place_mm = T_tablet_world(options.geometry) * state.position_mm;
         ASSERT_LT((samples[i].position_mm - place_mm.head<2>()).norm(), 0.01) << i;
         ASSERT_NEAR(*samples[i].pressure, state.pressure, 1.0 / 8191) << i;
         ASSERT_LT((*samples[i].tilt_rad - state.tilt_rad).cwiseAbs().maxCoeff(), radians(0.51))
