@@ -91,14 +91,6 @@ TEST(HidSource, NamesTheRuleThatPermits)
               "drivers/70-tractus.rules in /etc/udev/rules.d?)");
 }
 
-TEST(HidSource, RefusesWhatIsNoHidrawDevice)
-{
-    auto const source = open_hid({ .name = "Nothing", .location = "/dev/null" });
-    ASSERT_FALSE(source);
-    EXPECT_TRUE(source.error().message.starts_with("cannot open Nothing at /dev/null: "))
-        << source.error().message;
-}
-
 TEST(DeviceKind, TellsPensFromSensorsFromOthers)
 {
     auto const pen = describe_device(simple_pen());
