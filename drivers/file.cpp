@@ -32,39 +32,60 @@ Result<std::string> read_file(fs::path const& path, std::size_t max_bytes)
     return bytes;
 }
 
-Result<void> write_file(fs::path const& path,
-                        std::function<Result<void>(std::ostream&)> const& write)
+// Devices and pipes are there already, and are neither whole nor half: /dev/stdout, /dev/full.
+static bool is_stream(fs::path const& path)
 {
-    auto const temporary = fs::path(fmt::format("{}.{}.part", path.string(), ::getpid()));
-    auto const failed = [&](int error) {
+    std::error_code ignored;
+    auto const status = fs::status(path, ignored);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+// Writes to `written`, which becomes `path` by a rename unless it is the same.
+static Result<void> write_and_rename(fs::path const& path, fs::path const& written,
+                                     std::function<Result<void>(std::ostream&)> const& write)
+{
+    auto const discard = [&] {
         std::error_code ignored;
-        fs::remove(temporary, ignored);
+        if (written != path)
+            fs::remove(written, ignored);
+    };
+    auto const failed = [&](int error) {
+        discard();
         return fail(Fault::User,
                     fmt::format("cannot write {}: {}", path.string(),
                                 error ? std::strerror(error) : "the write failed"));
     };
 
     errno = 0;
-    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
+    std::ofstream out(written, std::ios::binary | std::ios::trunc);
     if (!out)
         return failed(errno);
     if (auto result = write(out); !result) {
         out.close();
-        if (out.good()) { // The writer's own reason; the disk's is better where there is one.
-            std::error_code ignored;
-            fs::remove(temporary, ignored);
-            return result;
-        }
-        return failed(errno);
+        if (!out.good())
+            return failed(errno); // The disk's reason is better than the writer's.
+        discard();
+        return result;
     }
     out.close();
     if (!out)
         return failed(errno);
     std::error_code error;
-    fs::rename(temporary, path, error);
+    if (written != path)
+        fs::rename(written, path, error);
     if (error)
         return failed(error.value());
     return {};
+}
+
+Result<void> write_file(fs::path const& path,
+                        std::function<Result<void>(std::ostream&)> const& write)
+{
+    if (is_stream(path))
+        return write_and_rename(path, path, write);
+    std::error_code ignored;
+    auto const target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+    return write_and_rename(target, fmt::format("{}.{}.part", target.string(), ::getpid()), write);
 }
 
 Result<void> write_file(fs::path const& path, std::string_view bytes)

@@ -18,7 +18,8 @@ Result<std::string> read_file(std::filesystem::path const& path,
 // Calls `write` with a stream to a temporary file beside `path`, then renames it to `path`, so that
 // under its final name the file is always whole: the old one or the new one. When `write` or the
 // disk fails, the temporary file is removed, the old file stays, and the error says why.
-// The stream is seekable and binary.
+// The stream is seekable and binary. A symbolic link stays, and what it points to is written. What
+// is not a file (/dev/stdout, a pipe) is written straight away, and need not be seekable.
 Result<void> write_file(std::filesystem::path const& path,
                         std::function<Result<void>(std::ostream&)> const& write);
 

@@ -56,6 +56,23 @@ TEST_F(File, SaysWhyAFileCannotBeWritten)
         << result.error().message;
 }
 
+TEST_F(File, WritesWhatALinkPointsTo)
+{
+    ASSERT_TRUE(write_file(folder_ / "x", "old"));
+    fs::create_symlink("x", folder_ / "link");
+    ASSERT_TRUE(write_file(folder_ / "link", "new"));
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+    EXPECT_EQ(read_file(folder_ / "x").value(), "new");
+}
+
+TEST_F(File, LeavesADeviceADevice)
+{
+    auto const result = write_file("/dev/full", "bytes");
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().message, "cannot write /dev/full: No space left on device");
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
 TEST_F(File, SaysWhyAFileCannotBeRead)
 {
     EXPECT_NE(read_file(folder_ / "x").error().message.find("No such file"), std::string::npos);
