@@ -218,13 +218,16 @@ Result<void> write_to_standard_output(std::string_view text)
                 fmt::format("cannot write to standard output: {}", std::strerror(errno)));
 }
 
-double median_rate_hz(std::vector<Duration> intervals)
+// The median, since pens pause: ", typically 200 per second", or empty where there is none.
+std::string describe_rate(std::vector<Duration> intervals)
 {
     if (intervals.empty())
-        return 0;
+        return {};
     auto const middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
     std::nth_element(intervals.begin(), middle, intervals.end());
-    return middle->count() > 0 ? 1 / to_seconds(*middle) : 0;
+    if (middle->count() <= 0)
+        return {};
+    return fmt::format(", typically {:.0f} per second", 1 / to_seconds(*middle));
 }
 
 double duration_s(Log const& log)
@@ -253,9 +256,9 @@ Result<void> print_summary(Log const& log)
                             info.vendor_id, info.product_id, device.reports,
                             describe_device(info).text);
         if (device.pen)
-            text += fmt::format(
-                "  {} samples, typically {:.0f} per second, {} of them touching, in {} strokes\n",
-                device.samples, median_rate_hz(device.intervals), device.touching, device.strokes);
+            text
+                += fmt::format("  {} samples{}, {} of them touching; strokes: {}\n", device.samples,
+                               describe_rate(device.intervals), device.touching, device.strokes);
     }
     if (!log.tools.empty())
         text += fmt::format("{} changes of tool\n", log.tools.size());
