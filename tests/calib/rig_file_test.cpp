@@ -1,5 +1,7 @@
 #include "calib/rig_file.h"
 
+#include "engine/base/random.h"
+
 #include <filesystem>
 #include <gtest/gtest.h>
 
@@ -244,6 +246,27 @@ TEST(RigFile, SurvivesEveryTruncation)
 {
     for (std::size_t size = 0; size + 2 < kText.size(); ++size)
         EXPECT_NE(error_of(std::string(kText.substr(0, size))), "no error") << size;
+}
+
+TEST(RigFile, SurvivesDeepNesting)
+{
+    EXPECT_NE(error_of("version = " + std::string(100'000, '[')), "no error");
+}
+
+TEST(RigFile, SurvivesChangedBytes)
+{
+    Random random({ .seed = 1 });
+    int refused = 0;
+    for (int i = 0; i < 3000; ++i) {
+        std::string text(kText);
+        for (int change = 0; change < 3; ++change)
+            text[random.next_u32() % text.size()] = static_cast<char>(random.next_u32());
+        auto const rig = parse_rig(text, "my.rig.toml");
+        refused += !rig;
+        if (rig) // What is taken for a rig can be kept.
+            expect_same(parse_rig(print_rig(*rig), "printed").value(), *rig);
+    }
+    EXPECT_GT(refused, 1500);
 }
 
 } // namespace
