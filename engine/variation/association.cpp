@@ -6,7 +6,8 @@
 #include "engine/variation/axis_levels.h"
 
 #include <fmt/format.h>
-#include <numeric>
+#include <ranges>
+#include <tbb/parallel_for.h>
 
 namespace tractus {
 
@@ -44,13 +45,14 @@ BaseShape base_shape(Plant const& plant, AxisLevels const& levels)
             auto const along = rotation_minimising_frames(nodes);
             auto const* const bearer
                 = axis.parent_segment == kNone ? nullptr : &shape.frame[axis.parent_segment];
-            Vec3 normal = first_normal(along.front().tangent, bearer);
+            // Frames that do not twist differ by one angle from end to end.
+            Vec3 const normal = first_normal(along[0].tangent, bearer);
+            double const cosine = normal.dot(along[0].normal);
+            double const sine = normal.dot(along[0].binormal());
             for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
-                auto const& tangent = along[i].tangent;
-                if (i > 0)
-                    normal = least_rotation(along[i - 1].tangent, tangent) * normal;
-                normal = normal_towards(tangent, normal);
-                shape.frame[axis.first_segment + i] = { tangent, normal };
+                auto const& [tangent, side] = along[i];
+                shape.frame[axis.first_segment + i]
+                    = { tangent, cosine * side + sine * along[i].binormal() };
                 shape.length_mm[axis.first_segment + i] = (nodes[i + 1] - nodes[i]).norm();
             }
         }
@@ -84,7 +86,9 @@ public:
 
 private:
     Result<void> check_path(std::span<SegmentId const> path) const;
-    void bend(std::span<SegmentId const> segments, ArcLength const& curve, Quat const& to_base);
+    template<typename Segments>
+    void bend(Segments const& segments, ArcLength const& curve, Quat const& to_base);
+    std::vector<AxisId> descendants(std::span<SegmentId const> path) const;
     void bend_descendants(std::span<SegmentId const> path, ArcLength const& curve,
                           Quat const& to_base);
 
@@ -143,8 +147,8 @@ Result<void> JointBender::apply(Association const& association)
 }
 
 // Gives `segments`, each the child of the one before, the shape of `curve` turned by `to_base`.
-void JointBender::bend(std::span<SegmentId const> segments, ArcLength const& curve,
-                       Quat const& to_base)
+template<typename Segments>
+void JointBender::bend(Segments const& segments, ArcLength const& curve, Quat const& to_base)
 {
     double total_mm = 0;
     for (auto const segment : segments)
@@ -176,31 +180,38 @@ void JointBender::bend(std::span<SegmentId const> segments, ArcLength const& cur
     }
 }
 
-void JointBender::bend_descendants(std::span<SegmentId const> path, ArcLength const& curve,
-                                   Quat const& to_base)
+// The axes that the path bears, without those that it runs along itself.
+std::vector<AxisId> JointBender::descendants(std::span<SegmentId const> path) const
 {
-    std::vector<bool> below(plant_.segment_count()); // The path and its descendants.
+    std::vector<bool> below(plant_.segment_count()); // The path and what it bears.
     std::vector<bool> has_path(plant_.axes.size());
     for (auto const segment : path) {
         below[segment] = true;
         has_path[axis_of(plant_, segment)] = true;
     }
-    Quat const from_path = rotation_of(base_.frame[path.front()]).conjugate() * to_base;
-    std::vector<SegmentId> segments;
-    for (AxisId id = 0; id < plant_.axes.size(); ++id) {
+    std::vector<AxisId> found;
+    for (AxisId id = 0; id < plant_.axes.size(); ++id) { // Bearers come first.
         auto const& axis = plant_.axes[id];
         bool reached = axis.parent_segment != kNone && below[axis.parent_segment];
-        bool const is_descendant = reached && !has_path[id];
-        segments.clear();
-        for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
-            SegmentId const segment = axis.first_segment + i;
-            reached = reached || below[segment];
-            below[segment] = reached;
-            segments.push_back(segment);
-        }
-        if (is_descendant)
-            bend(segments, curve, rotation_of(base_.frame[axis.first_segment]) * from_path);
+        if (reached && !has_path[id])
+            found.push_back(id);
+        for (std::uint32_t i = 0; i < axis.segment_count; ++i)
+            below[axis.first_segment + i] = reached = reached || below[axis.first_segment + i];
     }
+    return found;
+}
+
+void JointBender::bend_descendants(std::span<SegmentId const> path, ArcLength const& curve,
+                                   Quat const& to_base)
+{
+    Quat const from_path = rotation_of(base_.frame[path.front()]).conjugate() * to_base;
+    auto const axes = descendants(path);
+    // Each axis has its own joints, so any order will do.
+    tbb::parallel_for(std::size_t { 0 }, axes.size(), [&](std::size_t i) {
+        auto const& axis = plant_.axes[axes[i]];
+        bend(std::views::iota(axis.first_segment, axis.first_segment + axis.segment_count), curve,
+             rotation_of(base_.frame[axis.first_segment]) * from_path);
+    });
 }
 
 } // namespace

@@ -56,8 +56,9 @@ private:
     std::vector<SegmentId> undetermined_;
 };
 
-// A pen that draws over a projected skeleton. Between two of its samples the way is walked in steps
-// of at most one unit of the plane, so that a fast hand misses no thin branch.
+// A pen that draws over a projected skeleton; make one for each stroke. Between two of its samples
+// the way is walked in steps of at most one unit of the plane, so that a fast hand misses no thin
+// branch.
 class SelectionPen {
 public:
     // Skeleton and selection must outlive the pen.

@@ -1,5 +1,5 @@
-// Growing plants of 131,071 segments, laying strokes along their branches, and the selection pen over
-// a skeleton of 100,000 segments.
+// Growing plants of 131,071 segments, laying strokes along their branches, and the selection pen
+// over a skeleton of 100,000 segments.
 #include "engine/plant/join_axes.h"
 #include "engine/variation/growth.h"
 #include "engine/variation/selection.h"
@@ -10,7 +10,8 @@
 namespace tractus {
 namespace {
 
-// 131,071 axes of one segment: the hardest case, since all that is done per axis is done per segment.
+// 131,071 axes of one segment: the hardest case, since all that is done per axis is done per
+// segment.
 Plant const& twigs()
 {
     static Plant const plant = forking_tree(17, 1);
@@ -47,9 +48,10 @@ void grow_plants(benchmark::State& state, Plant const& plant, GrowthParameters c
     std::uint32_t index = 0;
     for (auto _ : state)
         benchmark::DoNotOptimize(&grower.grow({ .seed = 1, .plant_index = index++ }));
-    report(state, { .items = static_cast<double>(plant.segment_count()),
-                    .item = "segments",
-                    .bytes = bytes_of(plant) });
+    report(state,
+           { .items = static_cast<double>(plant.segment_count()),
+             .item = "segments",
+             .bytes = bytes_of(plant) });
 }
 
 void GrowBranches(benchmark::State& state)
@@ -81,9 +83,10 @@ void resolve(benchmark::State& state, Plant const& plant)
     auto const associations = both(plant);
     for (auto _ : state)
         benchmark::DoNotOptimize(resolve_associations(plant, associations));
-    report(state, { .items = static_cast<double>(plant.segment_count()),
-                    .item = "segments",
-                    .bytes = bytes_of(plant) });
+    report(state,
+           { .items = static_cast<double>(plant.segment_count()),
+             .item = "segments",
+             .bytes = bytes_of(plant) });
 }
 
 void ResolveAssociationOnBranches(benchmark::State& state)
@@ -103,9 +106,10 @@ void PlanGrowth(benchmark::State& state)
     auto const shape = resolve_associations(branches(), both(branches())).value();
     for (auto _ : state)
         benchmark::DoNotOptimize(plan_growth(branches(), shape, {}, Vec3::Zero()));
-    report(state, { .items = static_cast<double>(branches().segment_count()),
-                    .item = "segments",
-                    .bytes = bytes_of(branches()) });
+    report(state,
+           { .items = static_cast<double>(branches().segment_count()),
+             .item = "segments",
+             .bytes = bytes_of(branches()) });
 }
 BENCHMARK(PlanGrowth)->UseRealTime()->Unit(benchmark::kMillisecond);
 
@@ -121,9 +125,10 @@ void ProjectSkeleton(benchmark::State& state)
 {
     for (auto _ : state)
         benchmark::DoNotOptimize(ProjectedSkeleton(branches(), window()).lines().data());
-    report(state, { .items = static_cast<double>(branches().segment_count()),
-                    .item = "segments",
-                    .bytes = bytes_of(branches()) });
+    report(state,
+           { .items = static_cast<double>(branches().segment_count()),
+             .item = "segments",
+             .bytes = bytes_of(branches()) });
 }
 BENCHMARK(ProjectSkeleton)->UseRealTime()->Unit(benchmark::kMillisecond);
 

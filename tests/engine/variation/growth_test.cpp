@@ -20,7 +20,8 @@ GrowthParameters quiet()
 // True where two vectors of plain numbers hold the same bytes.
 template<typename T> bool same_bytes(std::vector<T> const& a, std::vector<T> const& b)
 {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+    return a.size() == b.size()
+        && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
 bool same_plant(Plant const& a, Plant const& b)
