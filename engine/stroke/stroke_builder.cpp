@@ -18,8 +18,8 @@ void StrokeBuilder::push_live(TipSample const& tip)
     if (!tip.position_mm.allFinite() || (last && tip.time <= *last))
         return;
     // Of a pen that hovers, one tip is enough to part two strokes.
-    bool const hovers_on = !tip.touching && (live_.empty() || !live_.back().touching);
-    if (!hovers_on)
+    bool const ink_goes_on = live_.empty() ? !stroke_.tips.empty() : live_.back().touching;
+    if (tip.touching || ink_goes_on)
         live_.push_back(tip);
 }
 

@@ -23,7 +23,7 @@ public:
     explicit Grower(GrowthPlan const& plan);
 
     // The plant of `key`. It is the grower's own and holds until the next call: growing many plants
-    // allocates nothing.
+    // needs the memory of one.
     Plant const& grow(PlantKey const& key);
 
 private:

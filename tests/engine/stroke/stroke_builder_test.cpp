@@ -83,6 +83,19 @@ TEST(StrokeBuilder, InkOfAStrokeGoesWhenItIsFinished)
     EXPECT_TRUE(builder.ink().empty());
 }
 
+TEST(StrokeBuilder, InkIsPartedWhereThePenWasLifted)
+{
+    StrokeBuilder builder;
+    (void)builder.push(tip(5, 1));
+    (void)builder.push(tip(10, 2));
+    for (auto const& each : { tip(15, 3, false), tip(20, 4, false), tip(25, 5) })
+        builder.push_live(each);
+    auto const ink = builder.ink();
+    ASSERT_EQ(ink.size(), 4u);
+    EXPECT_FALSE(ink[2].touching);
+    EXPECT_TRUE(ink[3].touching);
+}
+
 TEST(StrokeBuilder, LiveTipsThatComeLateAreNotInkTwice)
 {
     StrokeBuilder builder;
