@@ -46,6 +46,17 @@ std::string quoted(std::string const& text)
     return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+auto fail_writing()
+{
+    return fail(Fault::User, "cannot write the glTF file: the disk is full or the stream failed");
+}
+
+auto fail_infinite(char const* what)
+{
+    return fail(Fault::Station,
+                fmt::format("cannot write the glTF file: {} is not a finite number", what));
+}
+
 // A JSON array that grows.
 class JsonArray {
 public:
@@ -90,6 +101,8 @@ public:
                         fmt::format("plant {} would make the glTF file larger than 4 GiB: "
                                     "write fewer plants to a file",
                                     quoted(placed.name)));
+        if (!placed.position_mm.allFinite() || !std::isfinite(placed.rotation_rad))
+            return fail_infinite("a plant's place");
         std::string node = "{\"name\":" + quoted(placed.name) + placement(placed);
         if (auto const index = TRY(add_surfaces(placed.name, mesh)))
             node += fmt::format(",\"mesh\":{}", *index);
@@ -100,8 +113,7 @@ public:
             node += ",\"children\":[" + children + "]";
         scene_.add(fmt::format("{}", nodes_.add(node + "}")));
         if (!out_)
-            return fail(Fault::User,
-                        "cannot write the glTF file: the disk is full or the stream failed");
+            return fail_writing();
         summary_.triangles += mesh.triangle_count();
         return {};
     }
@@ -132,8 +144,7 @@ public:
         out_.seekp(end);
         out_.flush();
         if (!out_)
-            return fail(Fault::User,
-                        "cannot write the glTF file: the disk is full or the stream failed");
+            return fail_writing();
         return std::optional(summary_);
     }
 
@@ -216,8 +227,7 @@ private:
         Vec3f high = low;
         for (auto const& position : positions_mm) {
             if (!position.allFinite())
-                return fail(Fault::Station,
-                            "cannot write the glTF file: a coordinate is not a finite number");
+                return fail_infinite("a coordinate");
             Vec3f const moved = to_gltf(position);
             low = low.cwiseMin(moved);
             high = high.cwiseMax(moved);
@@ -312,8 +322,7 @@ private:
                 && instance.scale.allFinite();
         };
         if (!std::all_of(organ.instances.begin(), organ.instances.end(), finite))
-            return fail(Fault::Station,
-                        "cannot write the glTF file: an organ's place is not a finite number");
+            return fail_infinite("an organ's place");
         auto const index
             = TRY(prototype_index(organ.prototype, mesh.materials[organ.prototype.material]));
         auto const add_child = [&](std::string const& node) {

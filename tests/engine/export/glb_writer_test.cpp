@@ -198,9 +198,16 @@ TEST(GlbWriter, RefusesACoordinateThatIsNotFinite)
 {
     Mesh mesh = make_mesh(single_axis(1, 1, 1));
     mesh.surfaces[0].positions_mm[3].y() = std::numeric_limits<float>::infinity();
-    PlacedMesh const placed { .mesh = &mesh };
-    std::ostringstream out;
-    EXPECT_FALSE(write_glb(out, std::span(&placed, 1)));
+    Mesh const good = make_mesh(single_axis(1, 1, 1));
+    double const none = std::numeric_limits<double>::quiet_NaN();
+    for (auto const& placed : { PlacedMesh { .mesh = &mesh },
+                                PlacedMesh { .position_mm = { none, 0, 0 }, .mesh = &good },
+                                PlacedMesh { .rotation_rad = none, .mesh = &good } }) {
+        std::ostringstream out;
+        auto const summary = write_glb(out, std::span(&placed, 1));
+        ASSERT_FALSE(summary);
+        EXPECT_NE(summary.error().message.find("not a finite number"), std::string::npos);
+    }
 }
 
 } // namespace
