@@ -3,6 +3,7 @@
 #include "drivers/pen_layout.h"
 
 #include <algorithm>
+#include <bitset>
 #include <fmt/core.h>
 #include <vector>
 
@@ -54,10 +55,13 @@ PenTraits describe(std::vector<PenLayout> const& layouts)
 // Decodes what the report descriptor describes.
 class HidPenDecoder final : public PenDecoder {
 public:
-    explicit HidPenDecoder(std::vector<PenLayout> layouts)
+    HidPenDecoder(HidReportDescriptor const& descriptor, std::vector<PenLayout> layouts)
         : layouts_(std::move(layouts))
         , traits_(describe(layouts_))
     {
+        for (auto const& report : descriptor.reports)
+            if (report.kind == HidReportKind::Input)
+                is_described_.set(report.report_id);
     }
 
     using PenDecoder::decode;
@@ -66,21 +70,33 @@ public:
                                             std::span<std::byte const> report) override;
 
 private:
-    PenLayout const* layout_of(std::span<std::byte const> report) const;
+    Result<PenLayout const*> layout_of(std::span<std::byte const> report) const;
     std::optional<PenSample> leave(Timestamp);
 
     std::vector<PenLayout> layouts_;
     PenTraits traits_;
+    std::bitset<256> is_described_; // By report id: those of touches, pads and batteries, too.
     PenSample last_;
     bool has_position_ = false;
 };
 
-PenLayout const* HidPenDecoder::layout_of(std::span<std::byte const> report) const
+// Null for a report that is no pen's. Fails if it is not in the descriptor or too short.
+Result<PenLayout const*> HidPenDecoder::layout_of(std::span<std::byte const> report) const
 {
-    for (auto const& layout : layouts_)
-        if (layout.report_id == 0
-            || (!report.empty() && std::to_integer<std::uint8_t>(report[0]) == layout.report_id))
-            return &layout;
+    if (report.empty())
+        return fail(Fault::Device, "an empty report");
+    auto const first = std::to_integer<std::uint8_t>(report[0]);
+    for (auto const& layout : layouts_) {
+        if (layout.report_id != 0 && layout.report_id != first)
+            continue;
+        if (report.size() < layout.bytes_needed)
+            return fail(Fault::Device,
+                        fmt::format("pen report {}: {} bytes, expected {}", layout.report_id,
+                                    report.size(), layout.report_size));
+        return &layout;
+    }
+    if (!is_described_[first])
+        return fail(Fault::Device, fmt::format("report {} is not in the report descriptor", first));
     return nullptr;
 }
 
@@ -132,13 +148,9 @@ void read_tilt(PenSample& sample, PenLayout const& layout, std::span<std::byte c
 Result<std::optional<PenSample>> HidPenDecoder::decode(Timestamp received,
                                                        std::span<std::byte const> report)
 {
-    auto const* const layout = layout_of(report);
+    auto const* const layout = TRY(layout_of(report));
     if (!layout)
         return std::nullopt;
-    if (report.size() < layout->bytes_needed)
-        return fail(Fault::Device,
-                    fmt::format("pen report {}: {} bytes, expected {}", layout->report_id,
-                                report.size(), layout->report_size));
 
     PenSample sample { .time = received, .position_mm = last_.position_mm };
     read_pressure(sample, *layout, report);
@@ -195,7 +207,7 @@ Result<std::unique_ptr<PenDecoder>> make_pen_decoder(DeviceInfo const& info)
     auto layouts = find_pen_layouts(*descriptor);
     if (layouts.empty())
         return fail(Fault::User, explain_no_pen(info, *descriptor));
-    return std::make_unique<HidPenDecoder>(std::move(layouts));
+    return std::make_unique<HidPenDecoder>(*descriptor, std::move(layouts));
 }
 
 } // namespace tractus

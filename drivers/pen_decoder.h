@@ -48,9 +48,9 @@ public:
 
     virtual PenTraits const& traits() const = 0;
 
-    // No value if the report says nothing of a pen: another report id, or out of range as before.
-    // Fails, as the device's fault, if the report is shorter than its fields; the decoder stays
-    // usable, and the report counts as not sent.
+    // No value if the report says nothing of a pen: one of the device's other reports, or out of
+    // range as before. Fails, as the device's fault, if the report is shorter than its fields or
+    // not in the descriptor at all; the decoder stays usable, and the report counts as not sent.
     virtual Result<std::optional<PenSample>> decode(Timestamp received,
                                                     std::span<std::byte const> report)
         = 0;

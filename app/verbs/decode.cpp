@@ -289,17 +289,15 @@ void add_decode_verb(CLI::App& root, Action& action)
 {
     auto* const verb = root.add_subcommand("decode", "Show what the pens in a device log did");
     verb->footer(
-        "The log may be one of ours or any hid-recorder file. Without --csv a summary is printed.\n"
+        "The log may be one of ours or any hid-recorder file. Without --csv a summary is\n"
+        "printed.\n"
         "\n"
-        "CSV has one row per pen sample. Positions are in millimetres from the lower left corner "
-        "of\n"
-        "the tablet's active area, y away from the user; tilts in degrees towards +x and +y; tip "
-        "and\n"
-        "eraser are 1 while that end of the pen touches; buttons is a sum of 1, 2 and 4 for the "
-        "first,\n"
-        "second and third barrel button. A field is empty where the device does not say. --raw "
-        "adds\n"
-        "the counts as the device reports them, y downwards.");
+        "CSV has one row per pen sample. Positions are in millimetres from the lower left\n"
+        "corner of the tablet's active area, y away from the user; tilts in degrees towards\n"
+        "+x and +y; tip and eraser are 1 while that end of the pen touches; buttons is a sum\n"
+        "of 1, 2 and 4 for the first, second and third barrel button. A field is empty where\n"
+        "the device does not say. --raw adds the counts as the device reports them, y\n"
+        "downwards.");
     auto options = std::make_shared<Options>(); // Shared by the parser's options and the action.
     verb->add_option("FILE", options->log, "The device log")->required();
     auto* const csv = verb->add_flag("--csv", options->csv, "Print one row per pen sample");

@@ -10,6 +10,7 @@ namespace tractus {
 //   ..  bits 0 tip, 1 and 2 barrel, 3 invert, 4 eraser, 5 in range
 //   .. ..  x, 0 to 20000    .. ..  y, 0 to 10000    .. ..  pressure, 0 to 2047
 //   ..  tilt to the right   ..  tilt towards the user, degrees
+// Its report 3 tells the state of its battery.
 inline DeviceInfo simple_pen()
 {
     return { .name = "Simple Pen",
@@ -24,7 +25,8 @@ inline DeviceInfo simple_pen()
                      "09 31 26 10 27 46 64 00 81 02"
                      "05 0d 09 30 26 ff 07 45 00 65 00 55 00 81 02"
                      "09 3d 09 3e 15 a6 25 5a 35 a6 45 5a 65 14 75 08 95 02 81 02"
-                     "c0 c0") };
+                     "c0 c0"
+                     "05 84 09 04 a1 01 85 03 05 85 09 65 15 00 25 64 75 08 95 01 81 02 c0") };
 }
 
 // The height sensor of firmware-notes/height-sensor.md: report 1, a slider from 0 to 4095.

@@ -162,8 +162,7 @@ TEST_F(PenDecoderTest, ReportsBarrelButtonsWithoutMovingThePen)
 TEST_F(PenDecoderTest, PassesOverOtherReports)
 {
     sample(with_flags("21"));
-    EXPECT_EQ(decode("03 64 00").value(), std::nullopt); // A battery's heartbeat.
-    EXPECT_EQ(decode("").value(), std::nullopt);
+    EXPECT_EQ(decode("03 64").value(), std::nullopt); // The battery's heartbeat.
     EXPECT_TRUE(sample(with_flags("21")).touching);
 }
 
@@ -173,6 +172,15 @@ TEST_F(PenDecoderTest, BlamesTheDeviceForAShortReport)
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().fault, Fault::Device);
     EXPECT_EQ(result.error().message, "pen report 2: 4 bytes, expected 10");
+}
+
+TEST_F(PenDecoderTest, BlamesTheDeviceForAReportThatItDoesNotDescribe)
+{
+    auto const unknown = decode("07 21 10 27 c4 09 ff 03 1e e2");
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.error().fault, Fault::Device);
+    EXPECT_EQ(unknown.error().message, "report 7 is not in the report descriptor");
+    EXPECT_EQ(decode("").error().message, "an empty report");
 }
 
 TEST_F(PenDecoderTest, GoesOnAfterAShortReport)
