@@ -6,8 +6,8 @@
 #include "engine/variation/axis_levels.h"
 
 #include <fmt/format.h>
-#include <ranges>
 #include <tbb/parallel_for.h>
+#include <utility>
 
 namespace tractus {
 
@@ -86,8 +86,9 @@ public:
 
 private:
     Result<void> check_path(std::span<SegmentId const> path) const;
-    template<typename Segments>
-    void bend(Segments const& segments, ArcLength const& curve, Quat const& to_base);
+    template<typename SegmentAt>
+    void bend(std::size_t count, SegmentAt const& segment_at, ArcLength const& curve,
+              Quat const& to_base);
     std::vector<AxisId> descendants(std::span<SegmentId const> path) const;
     void bend_descendants(std::span<SegmentId const> path, ArcLength const& curve,
                           Quat const& to_base);
@@ -139,29 +140,33 @@ Result<void> JointBender::apply(Association const& association)
     auto const& first = base_.frame[association.path.front()];
     Quat const to_base = least_rotation(start_tangent(curve), first.tangent);
 
+    auto const segment_at = [&](std::size_t i) { return association.path[i]; };
     if (association.propagation != Propagation::Descendants)
-        bend(association.path, curve, to_base);
+        bend(association.path.size(), segment_at, curve, to_base);
     if (association.propagation != Propagation::Selected)
         bend_descendants(association.path, curve, to_base);
     return {};
 }
 
-// Gives `segments`, each the child of the one before, the shape of `curve` turned by `to_base`.
-template<typename Segments>
-void JointBender::bend(Segments const& segments, ArcLength const& curve, Quat const& to_base)
+// Gives the segments segment_at(0) to segment_at(count - 1), each the child of the one before, the
+// shape of `curve` turned by `to_base`.
+template<typename SegmentAt>
+void JointBender::bend(std::size_t count, SegmentAt const& segment_at, ArcLength const& curve,
+                       Quat const& to_base)
 {
     double total_mm = 0;
-    for (auto const segment : segments)
-        total_mm += base_.length_mm[segment];
+    for (std::size_t i = 0; i < count; ++i)
+        total_mm += base_.length_mm[segment_at(i)];
     if (!(total_mm > 0))
         return;
 
     double sum_mm = 0;
     Vec3 from = curve.at(0);
-    Vec3 base_before = base_.frame[segments.front()].tangent;
+    Vec3 base_before = base_.frame[segment_at(0)].tangent;
     Vec3 bent_before = base_before;
     Quat turn_before = Quat::Identity(); // From the base plant, of the segment below.
-    for (auto const segment : segments) {
+    for (std::size_t i = 0; i < count; ++i) {
+        SegmentId const segment = segment_at(i);
         sum_mm += base_.length_mm[segment];
         Vec3 const to = curve.at(sum_mm / total_mm);
         Vec3 const& base = base_.frame[segment].tangent;
@@ -209,8 +214,10 @@ void JointBender::bend_descendants(std::span<SegmentId const> path, ArcLength co
     // Each axis has its own joints, so any order will do.
     tbb::parallel_for(std::size_t { 0 }, axes.size(), [&](std::size_t i) {
         auto const& axis = plant_.axes[axes[i]];
-        bend(std::views::iota(axis.first_segment, axis.first_segment + axis.segment_count), curve,
-             rotation_of(base_.frame[axis.first_segment]) * from_path);
+        Quat const to_axis = rotation_of(base_.frame[axis.first_segment]) * from_path;
+        auto const segment_at
+            = [&](std::size_t n) { return axis.first_segment + static_cast<SegmentId>(n); };
+        bend(axis.segment_count, segment_at, curve, to_axis);
     });
 }
 
