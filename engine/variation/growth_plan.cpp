@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <complex>
-#include <tuple>
 #include <utility>
 
 namespace tractus {
