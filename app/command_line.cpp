@@ -1,8 +1,11 @@
 #include "app/command_line.h"
 
 #include "app/verbs/decode.h"
+#include "app/verbs/demo.h"
 #include "app/verbs/derive.h"
 #include "app/verbs/devices.h"
+#include "app/verbs/grow.h"
+#include "app/verbs/replay.h"
 #include "app/verbs/verb.h"
 
 #include <fmt/core.h>
@@ -32,8 +35,11 @@ int run_command_line(int argc, char const* const* argv)
     Action action;
     // Each verb registers itself here, in the order that --help lists them.
     add_decode_verb(root, action);
+    add_demo_verb(root, action);
     add_derive_verb(root, action);
     add_devices_verb(root, action);
+    add_grow_verb(root, action);
+    add_replay_verb(root, action);
 
     try {
         root.parse(argc, argv);

@@ -33,6 +33,22 @@ IncludeReader model_includes(std::filesystem::path const& path)
     };
 }
 
+Result<LoadModel> load_model_edit(std::filesystem::path const& path)
+{
+    LoadModel edit;
+    edit.source = TRY(load_model_source(path));
+    auto const from_files = model_includes(path);
+    // Compiling it is how to learn what it includes.
+    auto const record = [&](std::string const& name) -> Result<std::string> {
+        auto text = from_files(name);
+        if (text)
+            edit.includes[name] = *text;
+        return text;
+    };
+    TRY(compile_model(edit.source, record));
+    return edit;
+}
+
 Result<Model> load_model(std::filesystem::path const& path)
 {
     auto const source = TRY(load_model_source(path));

@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "engine/lsystem/model.h"
+#include "engine/scene/edit.h"
 
 #include <filesystem>
 
@@ -14,6 +15,9 @@ Result<ModelSource> load_model_source(std::filesystem::path const& path);
 // Gives what a model includes (other rules, functions) from the model's folder. Names that lead out
 // of that folder are refused.
 IncludeReader model_includes(std::filesystem::path const& path);
+
+// All of it as an edit, so that a scene holds the model's texts and needs no file again.
+Result<LoadModel> load_model_edit(std::filesystem::path const& path);
 
 // Both, compiled.
 Result<Model> load_model(std::filesystem::path const& path);

@@ -13,6 +13,7 @@ struct MonotonicClock {
     using rep = duration::rep;
     using period = duration::period;
     using time_point = std::chrono::time_point<MonotonicClock, Duration>;
+    // NOLINTNEXTLINE(readability-identifier-naming): std::chrono asks for this name.
     static constexpr bool is_steady = true;
 };
 

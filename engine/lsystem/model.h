@@ -17,9 +17,9 @@ namespace tractus {
 // empty. The names stand in error messages.
 struct ModelSource {
     std::string name = "model.l";
-    std::string text;
+    std::string text {};
     std::string view_name = "model.v";
-    std::string view_text;
+    std::string view_text {};
 };
 
 // A symbol with a number of parameters: what a module of a string is, but for its values. cpfg's

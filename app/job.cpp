@@ -1,0 +1,266 @@
+#include "app/job.h"
+
+#include "app/log_replay.h"
+#include "app/model_file.h"
+#include "app/pictures.h"
+#include "app/render/contact_sheet.h"
+#include "calib/rig_file.h"
+#include "drivers/file.h"
+#include "drivers/log.h"
+#include "engine/export/glb_writer.h"
+#include "engine/mesh/make_mesh.h"
+#include "engine/variation/growth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <functional>
+#include <set>
+
+namespace tractus {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr PictureSize kPicture { 1280, 960 };
+constexpr PictureSize kTile { 420, 420 };
+
+Result<void> make_folder(fs::path const& folder)
+{
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        return fail(Fault::User,
+                    fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
+    return {};
+}
+
+// Of a sheet or a field of `count` plants: a little wider than high.
+int columns(std::size_t count)
+{
+    return static_cast<int>(std::ceil(std::sqrt(1.2 * static_cast<double>(count))));
+}
+
+// One job on its way: each member function is a stage.
+class Job {
+public:
+    Job(JobOptions const& options, Progress& progress)
+        : options_(options)
+        , progress_(progress)
+    {
+    }
+
+    Result<JobReport> run();
+
+private:
+    Result<Scene> load_plant();
+    Result<Station> replay(Scene scene);
+    Result<void> draw_base(Station const& station);
+    Result<void> make_collection(Scene const& scene);
+    Result<void> write_picture(std::string const& name, Image const& picture);
+    Result<void> write_collection(Bounds const& frame,
+                                  std::function<Mesh(std::size_t)> const& mesh);
+    void note_replay(Station const& station);
+
+    JobOptions const& options_;
+    Progress& progress_;
+    PictureMaker* pictures_ = nullptr;
+    JobReport report_;
+};
+
+Result<JobReport> Job::run()
+{
+    TRY(make_folder(options_.folder));
+    auto scene = TRY(load_plant());
+    auto const station = TRY(replay(std::move(scene)));
+    note_replay(station);
+    auto pictures = TRY(PictureMaker::create());
+    pictures_ = &pictures;
+    TRY(draw_base(station));
+    TRY(make_collection(station.scene()));
+    progress_.finish();
+    report_.times = progress_.times();
+    auto const path = options_.folder / "report.txt";
+    report_.files.push_back(path);
+    TRY(write_file(path, print_report(report_)));
+    return report_;
+}
+
+Result<Scene> Job::load_plant()
+{
+    progress_.begin("deriving the plant");
+    auto const edit = TRY(load_model_edit(options_.model));
+    auto scene = TRY(apply_edit({}, edit));
+    report_.model = options_.model.string();
+    report_.notes = scene.model_warnings;
+    report_.segments = scene.base->segment_count();
+    report_.organs = scene.base->organs.size();
+    return scene;
+}
+
+Result<Station> Job::replay(Scene scene)
+{
+    progress_.begin("reading the log");
+    auto const log = TRY(read_log(options_.log));
+    report_.log = options_.log.string();
+    if (auto const warnings = summarize_warnings(log); !warnings.empty())
+        report_.notes.push_back(fmt::format("{}: {}", log.name, warnings));
+
+    progress_.begin("replaying the log");
+    ReplayOptions replay_options;
+    replay_options.scene = std::move(scene);
+    if (options_.rig)
+        replay_options.rig = TRY(load_rig(*options_.rig));
+    if (options_.height)
+        replay_options.height = TRY(parse_height_scenario(*options_.height));
+    auto replay = TRY(LogReplay::create(log, std::move(replay_options)));
+    replay.run();
+    return std::move(replay).take_station();
+}
+
+void Job::note_replay(Station const& station)
+{
+    auto const& counts = station.counts();
+    report_.seed = options_.seed;
+    report_.reports = counts.reports;
+    report_.broken_reports = counts.broken_reports;
+    report_.pen_samples = counts.pen_samples;
+    report_.height_samples = counts.height_samples;
+    report_.strokes = counts.strokes;
+    report_.indicators = station.scene().indicators.size();
+    std::set<std::vector<SegmentId>> paths;
+    for (auto const& association : station.scene().associations)
+        paths.insert(association.path);
+    report_.branches_selected = paths.size();
+    if (counts.broken_reports > 0)
+        report_.notes.push_back(fmt::format("{} reports could not be decoded, the first: {}",
+                                            counts.broken_reports, counts.first_broken));
+    for (auto const& drawn : station.strokes())
+        if (!drawn.refusal.empty())
+            report_.notes.push_back(fmt::format("a stroke at {:.1f} s changed nothing: {}",
+                                                to_seconds(drawn.stroke.tips.front().time),
+                                                drawn.refusal));
+}
+
+Result<void> Job::write_picture(std::string const& name, Image const& picture)
+{
+    auto const path = options_.folder / name;
+    auto const write = [&](std::ostream& out) { return write_png(out, picture); };
+    TRY(write_file(path, write));
+    report_.files.push_back(path);
+    return {};
+}
+
+Result<void> Job::draw_base(Station const& station)
+{
+    progress_.begin("drawing the base plant and the strokes");
+    auto const mesh = make_mesh(*station.scene().base);
+    report_.triangles = mesh.triangle_count();
+    TRY(write_picture("base.png", pictures_->plant(mesh, kPicture)));
+    TRY(write_picture("strokes.png",
+                      pictures_->strokes(station.scene(), station.strokes(), kPicture)));
+    return {};
+}
+
+Result<void> Job::make_collection(Scene const& scene)
+{
+    auto const plan = TRY(plan_growth(scene));
+    Grower grower(plan);
+    // Grown again whenever it is needed: that is quicker than keeping them all is large.
+    auto const plant = [&](std::size_t index) -> Plant const& {
+        return grower.grow({ options_.seed, static_cast<std::uint32_t>(index) });
+    };
+    report_.plants = options_.variations;
+
+    progress_.begin("growing the collection", options_.variations);
+    Bounds frame; // So that all are shown at one scale.
+    for (std::size_t i = 0; i < options_.variations; ++i) {
+        auto const box = bounds(plant(i));
+        frame.add(box.min_mm);
+        frame.add(box.max_mm);
+        progress_.step();
+    }
+
+    progress_.begin("drawing the collection", options_.variations);
+    std::vector<SheetTile> tiles;
+    for (std::size_t i = 0; i < options_.variations; ++i) {
+        auto const mesh = make_mesh(plant(i));
+        report_.collection_triangles += mesh.triangle_count();
+        if (i == 0)
+            TRY(write_picture("varied.png", pictures_->plant(mesh, kPicture)));
+        tiles.push_back({ pictures_->plant(mesh, kTile, frame), fmt::format("{}", i + 1) });
+        progress_.step();
+    }
+    SheetStyle style;
+    style.columns = columns(options_.variations);
+    TRY(write_picture("collection.png", contact_sheet(tiles, style)));
+    return write_collection(frame, [&](std::size_t i) { return make_mesh(plant(i)); });
+}
+
+Result<void> Job::write_collection(Bounds const& frame,
+                                   std::function<Mesh(std::size_t)> const& mesh)
+{
+    constexpr double kSpacing = 1.15; // Of a plant's width, so that neighbours do not touch.
+    progress_.begin("writing the collection");
+    double const spacing_mm
+        = kSpacing * std::max((frame.max_mm - frame.min_mm).head<2>().maxCoeff(), 1.0);
+    auto const row = static_cast<std::size_t>(columns(options_.variations));
+    std::vector<PlacedMesh> plants;
+    for (std::size_t i = 0; i < options_.variations; ++i)
+        plants.push_back(
+            { .name = fmt::format("{} {}", options_.model.stem().string(), i + 1),
+              .position_mm
+              = spacing_mm * Vec3(static_cast<double>(i % row), -static_cast<double>(i / row), 0),
+              .mesh = std::function<Mesh()>([&mesh, i] { return mesh(i); }) });
+    auto const path = options_.folder / "collection.glb";
+    auto const write = [&](std::ostream& out) -> Result<void> {
+        TRY(write_glb(out, plants));
+        return {};
+    };
+    TRY(write_file(path, write));
+    report_.files.push_back(path);
+    return {};
+}
+
+} // namespace
+
+Result<JobReport> run_job(JobOptions const& options, Progress& progress)
+{
+    return Job(options, progress).run();
+}
+
+std::string print_report(JobReport const& report)
+{
+    std::string text = fmt::format(
+        "log                   {}\nmodel                 {}\nseed                  {}\n",
+        report.log, report.model, report.seed);
+    auto const count = [&](char const* name, std::size_t value) {
+        text += fmt::format("{:<22}{}\n", name, value);
+    };
+    count("reports read", report.reports);
+    count("reports not decoded", report.broken_reports);
+    count("pen samples", report.pen_samples);
+    count("height samples", report.height_samples);
+    count("strokes", report.strokes);
+    count("branches selected", report.branches_selected);
+    count("motion indicators", report.indicators);
+    count("plants", report.plants);
+    count("segments, each", report.segments);
+    count("organs, each", report.organs);
+    count("triangles, each", report.triangles);
+    count("triangles, all", report.collection_triangles);
+    double total_s = 0;
+    for (auto const& [stage, seconds] : report.times) {
+        text += fmt::format("{:>8.3f} s  {}\n", seconds, stage);
+        total_s += seconds;
+    }
+    text += fmt::format("{:>8.3f} s  in all\n", total_s);
+    for (auto const& note : report.notes)
+        text += fmt::format("note: {}\n", note);
+    for (auto const& file : report.files)
+        text += fmt::format("wrote {}\n", file.string());
+    return text;
+}
+
+} // namespace tractus

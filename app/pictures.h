@@ -1,0 +1,44 @@
+#pragma once
+
+#include "app/render/image.h"
+#include "app/render/offscreen_context.h"
+#include "app/render/renderer.h"
+#include "app/station.h"
+#include "engine/base/result.h"
+#include "engine/mesh/mesh.h"
+#include "engine/scene/scene.h"
+
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+struct PictureSize {
+    int width_px = 1280;
+    int height_px = 960;
+};
+
+// Makes the pictures that go into files, without a window.
+class PictureMaker {
+public:
+    // Fails where the system has no OpenGL; the message says what to install.
+    static Result<PictureMaker> create();
+
+    // A plant, lit, on the ground. `frame` is what has to fit, so that plants of one collection are
+    // shown alike; empty: the plant itself.
+    Image plant(Mesh const& mesh, PictureSize const& size, Bounds const& frame = {},
+                ViewAngles const& angles = {});
+
+    // The strokes in the drawing volume with the base plant's skeleton: what a stroke shapes has
+    // the stroke's colour.
+    Image strokes(Scene const& scene, std::span<DrawnStroke const> strokes,
+                  PictureSize const& size);
+
+private:
+    PictureMaker(OffscreenContext context, Renderer renderer);
+
+    OffscreenContext context_; // Before the renderer, which must go first.
+    Renderer renderer_;
+};
+
+} // namespace tractus

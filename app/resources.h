@@ -1,0 +1,19 @@
+#pragma once
+
+#include "engine/base/result.h"
+
+#include <filesystem>
+#include <string_view>
+
+namespace tractus {
+
+// A file or folder that comes with the program: "models/broadleaf.l", "demo". Looked for where the
+// program is installed (PREFIX/share/tractus beside PREFIX/bin), then in the source tree it was
+// built from. Fails, as the user's fault, naming both places.
+Result<std::filesystem::path> find_resource(std::string_view name);
+
+// A model that the user named: a file as it is, or else one of ours by its name alone ("shrub").
+// Fails, as the user's fault, listing ours.
+Result<std::filesystem::path> find_model(std::string_view name);
+
+} // namespace tractus

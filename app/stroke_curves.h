@@ -1,0 +1,32 @@
+#pragma once
+
+#include "app/render/curve.h"
+#include "engine/base/vectors.h"
+#include "engine/scene/scene.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace tractus {
+
+// What is drawn of a scene besides its plant, as curves in the world frame: the same in pictures
+// and in the window.
+
+// The colour of the n-th stroke and of what it shapes: eight that colour-blind people can tell
+// apart (Okabe and Ito, "Color Universal Design", 2002), then the same again. sRGB, 0 to 1.
+Vec3f stroke_color(std::size_t n);
+
+// A stroke, or ink, as wide as the pen was pressed. `width_mm` at full pressure.
+Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& color, float width_mm);
+
+// The base plant's skeleton as it stands in the drawing volume, one curve per axis, and one more
+// per association for the path that it shapes, in its stroke's colour.
+std::vector<Curve> skeleton_curves(Scene const& scene);
+
+// The motion indicators as arrows.
+std::vector<Curve> indicator_curves(Scene const& scene);
+
+// The tablet's area at the given height, with a grid of 20 mm.
+std::vector<Curve> desk_curves(double height_mm = 0);
+
+} // namespace tractus

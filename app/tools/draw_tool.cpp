@@ -1,0 +1,14 @@
+#include "app/tools/tool.h"
+
+namespace tractus {
+
+Result<std::vector<Edit>> draw_edits(Propagation propagation, Stroke const& stroke,
+                                     Scene const& scene)
+{
+    if (scene.selection.empty())
+        return fail(Fault::User,
+                    "nothing is selected for the stroke to shape: select a branch first");
+    return std::vector<Edit> { Associate { stroke, propagation } };
+}
+
+} // namespace tractus

@@ -1,0 +1,86 @@
+#include "app/verbs/grow.h"
+
+#include "app/model_file.h"
+#include "app/pictures.h"
+#include "app/resources.h"
+#include "drivers/file.h"
+#include "engine/export/glb_writer.h"
+#include "engine/export/obj_writer.h"
+#include "engine/mesh/make_mesh.h"
+#include "engine/scene/scene.h"
+
+#include <filesystem>
+#include <fmt/core.h>
+#include <memory>
+#include <optional>
+
+namespace tractus {
+
+namespace {
+
+struct Arguments {
+    std::string model;
+    std::optional<int> steps;
+    std::uint64_t seed = 1;
+    std::filesystem::path output;
+};
+
+Result<void> write_plant(Mesh const& mesh, std::string const& name,
+                         std::filesystem::path const& path)
+{
+    auto const extension = path.extension();
+    if (extension == ".png") {
+        auto pictures = TRY(PictureMaker::create());
+        auto const picture = pictures.plant(mesh, {});
+        return write_file(path, [&](std::ostream& out) { return write_png(out, picture); });
+    }
+    PlacedMesh const plant { .name = name, .mesh = &mesh };
+    if (extension == ".glb")
+        return write_file(path, [&](std::ostream& out) -> Result<void> {
+            TRY(write_glb(out, { &plant, 1 }));
+            return {};
+        });
+    return write_file(path, [&](std::ostream& out) { return write_obj(out, { &plant, 1 }); });
+}
+
+Result<void> grow_model(Arguments const& arguments)
+{
+    auto const extension = arguments.output.extension();
+    if (extension != ".glb" && extension != ".obj" && extension != ".png")
+        return fail(Fault::User,
+                    fmt::format("cannot write {}: its name must end in .glb, .obj or .png",
+                                arguments.output.string()));
+    auto const path = TRY(find_model(arguments.model));
+    auto edit = TRY(load_model_edit(path));
+    edit.steps = arguments.steps;
+    edit.seed = arguments.seed;
+    auto const scene = TRY(apply_edit({}, edit));
+    for (auto const& warning : scene.model_warnings)
+        fmt::print(stderr, "warning: {}\n", warning);
+    auto const mesh = make_mesh(*scene.base);
+    TRY(write_plant(mesh, path.stem().string(), arguments.output));
+    fmt::print("{}: {} segments, {} organs, {} triangles\n", arguments.output.string(),
+               scene.base->segment_count(), scene.base->organs.size(), mesh.triangle_count());
+    return {};
+}
+
+} // namespace
+
+void add_grow_verb(CLI::App& root, Action& action)
+{
+    auto arguments = std::make_shared<Arguments>();
+    auto* const verb
+        = root.add_subcommand("grow", "Grow a model and write it as glTF, OBJ or a picture");
+    verb->add_option("model", arguments->model, "An L-system file, or the name of one of ours")
+        ->required();
+    verb->add_option("-n,--steps", arguments->steps, "Derivation steps; default: the model's own")
+        ->check(CLI::NonNegativeNumber);
+    verb->add_option("--seed", arguments->seed, "Of the model's stochastic rules")
+        ->capture_default_str();
+    verb->add_option("-o,--output", arguments->output, "FILE.glb, FILE.obj or FILE.png")
+        ->required();
+    verb->callback(
+        [arguments, &action] { action = [arguments] { return grow_model(*arguments); }; });
+}
+
+} // namespace tractus

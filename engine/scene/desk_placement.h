@@ -1,0 +1,50 @@
+#pragma once
+
+#include "engine/plant/plant.h"
+#include "engine/variation/projected_skeleton.h"
+
+namespace tractus {
+
+// The volume above the desk in which a hand can draw. World frame, millimetres: it stands on the
+// desk and is centred on the world's origin.
+struct DrawingVolume {
+    double width_mm = 254;  // Along x: the tablet's active area.
+    double depth_mm = 159;  // Along y.
+    double height_mm = 300; // Along z: most of the surface's travel.
+};
+
+// Where the plant is shown in the drawing volume: the largest upright size at which its height and
+// width fit, its base at the world's origin. Strokes live in world millimetres, plants in their own
+// frame at natural size; this is the one place that joins the two.
+struct DeskPlacement {
+    double scale = 1; // World millimetres per plant millimetre.
+
+    Vec3 world_of_plant(Vec3 const& plant_mm) const { return scale * plant_mm; }
+    Vec3 plant_of_world(Vec3 const& world_mm) const { return world_mm / scale; }
+
+    // The plant's height as it stands in the volume: what a motion indicator's length is measured
+    // by.
+    double shown_height_mm = 1;
+};
+
+DeskPlacement place_on_desk(Plant const& plant, DrawingVolume const& volume = {});
+
+// The skeleton as the selection view shows it on the tablet: seen from the front (along +y),
+// orthographic, the plant's frame scaled to fit the tablet with a margin. Tablet-centred
+// millimetres are the x and y of the world frame, whatever the surface's height.
+struct SelectionView {
+    double scale = 1;              // Tablet millimetres per plant millimetre.
+    Vec2 origin_mm = Vec2::Zero(); // Where the plant's base is shown.
+
+    Vec2 tablet_of_plant(Vec3 const& plant_mm) const
+    {
+        return origin_mm + scale * Vec2(plant_mm.x(), plant_mm.z());
+    }
+};
+
+// The same as a projection, for picking: u and v are tablet-centred millimetres.
+SkeletonView skeleton_view(SelectionView const& view, DrawingVolume const& volume = {});
+
+SelectionView fit_selection_view(Plant const& plant, DrawingVolume const& volume = {});
+
+} // namespace tractus

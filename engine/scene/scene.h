@@ -1,0 +1,43 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/scene/desk_placement.h"
+#include "engine/scene/edit.h"
+#include "engine/variation/growth_plan.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// The document: what all edits so far amount to.
+struct Scene {
+    std::string model_name;
+    std::vector<std::string> model_warnings; // Once each: what the model asks for that is not done.
+
+    // The plant as the L-system gives it; never null, empty before the first model. Shared, and
+    // changed by nobody, between the scenes of a fold, the views and the workers that grow it.
+    std::shared_ptr<Plant const> base = std::make_shared<Plant const>();
+
+    DeskPlacement placement; // Where the base plant is shown in the drawing volume.
+    Selection selection;
+    std::vector<Association> associations; // In order: a later one overrides an earlier one.
+    std::vector<MotionIndicator> indicators;
+    GrowthParameters growth;
+    std::uint64_t growth_seed = 1;
+};
+
+// The scene after one more edit. Fails, and the scene stays as it was, for a model that does not
+// compile or derive, a stroke that has no shape, or an association when nothing is selected.
+Result<Scene> apply_edit(Scene const& scene, Edit const& edit);
+
+// The scene that all edits amount to, beginning with an empty one.
+Result<Scene> fold(std::span<Edit const> edits);
+
+// The plan by which the scene's plants grow: its strokes and indicators resolved once, for any
+// number of plants. Fails like resolve_associations and plan_growth.
+Result<GrowthPlan> plan_growth(Scene const& scene);
+
+} // namespace tractus

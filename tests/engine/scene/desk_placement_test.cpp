@@ -1,0 +1,65 @@
+#include "engine/scene/desk_placement.h"
+
+#include "tests/engine/plant/small_plant.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+TEST(DeskPlacement, FitsAHighPlantToTheVolumesHeight)
+{
+    // 300 mm high and 100 mm to one side: the height decides.
+    auto const placement = place_on_desk(small_plant(), { .width_mm = 250, .height_mm = 150 });
+    EXPECT_DOUBLE_EQ(placement.scale, 0.5);
+    EXPECT_DOUBLE_EQ(placement.shown_height_mm, 150);
+    EXPECT_EQ(placement.world_of_plant({ 0, 0, 300 }), Vec3(0, 0, 150));
+}
+
+TEST(DeskPlacement, FitsAWidePlantToTheVolumesWidth)
+{
+    auto const placement = place_on_desk(small_plant(), { .width_mm = 50, .height_mm = 300 });
+    EXPECT_DOUBLE_EQ(placement.scale, 0.25); // 100 mm to the right in half of 50 mm.
+    EXPECT_DOUBLE_EQ(placement.shown_height_mm, 75);
+}
+
+TEST(DeskPlacement, GoesBackToThePlant)
+{
+    auto const placement = place_on_desk(small_plant());
+    Vec3 const place(12, -7, 210);
+    EXPECT_LT((placement.plant_of_world(placement.world_of_plant(place)) - place).norm(), 1e-12);
+}
+
+TEST(DeskPlacement, OfAnEmptyPlantIsNaturalSize)
+{
+    EXPECT_EQ(place_on_desk({}).scale, 1);
+    EXPECT_GT(place_on_desk({}).shown_height_mm, 0);
+}
+
+TEST(SelectionView, ShowsTheWholePlantOnTheTabletFromTheFront)
+{
+    auto const plant = small_plant();
+    DrawingVolume const volume { .width_mm = 254, .depth_mm = 159 };
+    auto const view = fit_selection_view(plant, volume);
+    for (auto const& node : plant.node_position_mm) {
+        auto const shown = view.tablet_of_plant(node);
+        EXPECT_LT(std::abs(shown.x()), volume.width_mm / 2);
+        EXPECT_LT(std::abs(shown.y()), volume.depth_mm / 2);
+    }
+    // Higher on the plant is farther up the tablet, and it is centred.
+    EXPECT_GT(view.tablet_of_plant({ 0, 0, 300 }).y(), view.tablet_of_plant({ 0, 0, 0 }).y());
+    EXPECT_NEAR(view.tablet_of_plant({ 50, 0, 150 }).norm(), 0, 1e-9);
+}
+
+TEST(SelectionView, ProjectsAsItShows)
+{
+    auto const view = fit_selection_view(small_plant());
+    auto const projection = skeleton_view(view);
+    Vec3 const place(40, 25, 130);
+    Eigen::Vector4d const projected = projection.to_plane * place.homogeneous();
+    EXPECT_LT((projected.head<2>() - view.tablet_of_plant(place)).norm(), 1e-12);
+    EXPECT_GT(projected.z(), (projection.to_plane * Vec3(40, 0, 130).homogeneous()).z());
+}
+
+} // namespace
+} // namespace tractus
