@@ -82,12 +82,12 @@ TEST(DrawInOrderTool, ShapesTheTrunkFirstAndThenTheLongestBranch)
     auto scene = small_scene();
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } });
     std::vector<AxisId> drawn;
-    for (int turn = 0; turn < 4; ++turn)
-        for (auto const& edit : edits_of({ Tool::Kind::DrawInOrder }, stroke, scene).value()) {
+    for (int turn = 0; turn < 4; ++turn) {
+        auto const edits = edits_of({ Tool::Kind::DrawInOrder }, stroke, scene).value();
+        for (auto const& edit : edits)
             scene = apply_edit(scene, edit).value();
-            if (auto const* select = std::get_if<Select>(&edit))
-                drawn.push_back(axis_of(*scene.base, select->paths.front().front()));
-        }
+        drawn.push_back(axis_of(*scene.base, std::get<Select>(edits[0]).paths[0][0]));
+    }
     auto const order = axes_in_drawing_order(*scene.base);
     EXPECT_EQ(drawn, (std::vector<AxisId> { order[0], order[1], order[2], order[0] }));
     EXPECT_EQ(scene.base->axes[order[1]].segment_count, 4u);
