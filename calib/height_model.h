@@ -19,7 +19,8 @@ struct LinearHeight {
 };
 
 // A string potentiometer whose spool stands beside the carriage's way, so that the string runs
-// aslant and a millimetre of height is less than a millimetre of string, least so at the bottom.
+// aslant and a millimetre of height draws out less than a millimetre of string, least at the
+// bottom.
 //
 //               A      A: where the string is tied to the carriage; moves straight up and down.
 //              /|      S: where the string leaves the spool.

@@ -40,11 +40,19 @@ namespace tractus {
 //     speed_mm_s = 180            # Cruising; 5 to 1000, 150 if left out.
 //
 //     path        keys (see path.h; those in brackets are 0 if left out)
+//
 //     line        from_mm, to_mm
+//
 //     arc         center_mm, radius_mm, sweep_deg, [start_deg], [rise_mm]
-//     helix       foot_mm, radius_mm, turns, [rise_mm], [start_deg], end_radius_mm (radius_mm if
-//     left out) s_curve     from_mm, to_mm, swing_mm branch      from_mm, length_mm, heading_deg,
-//     elevation_deg, [turn_deg], [bend_deg] polyline    points_mm
+//
+//     helix       foot_mm, radius_mm, turns, [rise_mm], [start_deg],
+//                 end_radius_mm (as radius_mm if left out)
+//
+//     s_curve     from_mm, to_mm, swing_mm
+//
+//     branch      from_mm, length_mm, heading_deg, elevation_deg, [turn_deg], [bend_deg]
+//
+//     polyline    points_mm
 
 enum class GestureTool {
     Select,
