@@ -1,10 +1,11 @@
 #pragma once
 
 #include "app/render/gl_objects.h"
+#include "app/render/shader.h"
 #include "app/render/sky_visibility.h"
 #include "engine/mesh/mesh.h"
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 namespace tractus {
@@ -21,16 +22,31 @@ public:
     struct Part {
         Material material;
         GLsizei index_count = 0;
-        GLsizei instance_count = 0; // 0: drawn once, where it is.
+        GLsizei tube_index_count = 0; // The first ones; drawn from outside only.
+        GLsizei instance_count = 0;   // 0: drawn once, where it is.
         gl::VertexArray vertex_array;
         std::vector<gl::Buffer> buffers;
+
+        // Organs that are thin: the same seen from afar, a rhombus as long and of the same area,
+        // or two that cross.
+        struct Rhombus {
+            gl::VertexArray vertex_array;
+            GLsizei index_count = 0;
+            float length_mm = 0; // Mean of the instances.
+            float width_mm = 0;
+        };
+        std::optional<Rhombus> rhombus;
     };
     std::vector<Part> const& parts() const { return parts_; }
 
-    // Draws one part with the shader in use. Attributes: 0 position, 1 normal, 2 texture
+    // Draws one part with `shader`, which is in use. Attributes: 0 position, 1 normal, 2 texture
     // coordinate, 3 sky visibility of the vertex; of the instance 4 translation, 5 rotation (a
-    // quaternion, scalar last), 6 scale, 7 sky visibility.
-    void draw(Part const& part) const;
+    // quaternion, scalar last), 6 scale, 7 sky visibility. Uniform: instance_growth.
+    //
+    // `pixel_mm` is what a pixel shows. Organs of a few pixels are drawn as rhombi, and where these
+    // are smaller than pixels, some of them for all, larger by as much (Cook, Halstead, Planck, Ryu
+    // 2007, "Stochastic simplification of aggregate detail").
+    void draw(Part const& part, Shader const& shader, float pixel_mm) const;
 
     // How much sky the ground below the plant sees: a texture of one channel and where it lies.
     GLuint ground_texture() const { return ground_texture_.name(); }

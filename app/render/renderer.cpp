@@ -220,7 +220,12 @@ void Renderer::Parts::draw_meshes(View const& view) const
         shader->set("eye", Vec3f(view.camera.eye_mm.cast<float>()));
         shader->set("sun_strength", view.stage.sun.strength);
     }
+    // What a pixel shows at the target; nearer organs are drawn no finer.
+    bool const perspective = view.camera.projection == Camera::Projection::Perspective;
+    float const pixel_mm
+        = (perspective ? static_cast<float>(view.camera.distance_mm()) : 1.0f) / view.pixels_per_mm;
     for (auto const& placed : view.stage.meshes) {
+        float const scale = placed.T_world_plant.linear().col(0).norm();
         for (auto const& part : placed.mesh->parts()) {
             auto const& material = part.material;
             auto const& shader = shader_for(material);
@@ -230,7 +235,7 @@ void Renderer::Parts::draw_meshes(View const& view) const
             shader.set("roughness", material.roughness);
             shader.set("translucency", material.translucency);
             shader.set("veins", material.kind == Material::Kind::Leaf ? 1.0f : 0.0f);
-            placed.mesh->draw(part);
+            placed.mesh->draw(part, shader, pixel_mm / scale);
         }
     }
 }

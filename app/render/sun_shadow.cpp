@@ -104,8 +104,9 @@ void SunShadow::draw_depth(Stage const& stage)
     for (auto const& placed : stage.meshes) {
         depth_shader_.set("T_clip_plant",
                           Eigen::Matrix4f(T_clip_world_ * placed.T_world_plant.matrix()));
+        float const scale = placed.T_world_plant.linear().col(0).norm();
         for (auto const& part : placed.mesh->parts())
-            placed.mesh->draw(part);
+            placed.mesh->draw(part, depth_shader_, texel_mm_ / scale);
     }
     if (!stage.curves_cast_shadows)
         return;

@@ -59,8 +59,8 @@ uniform float sun_map_side;
 uniform float sun_strength;
 
 const vec3 kSunColor = vec3(1.0, 0.93, 0.80) * 2.9;
-const vec3 kSkyColor = vec3(0.66, 0.80, 1.0) * 0.85;
-const vec3 kBounceColor = vec3(0.52, 0.47, 0.38) * 0.80;
+const vec3 kSkyColor = vec3(0.68, 0.81, 1.0) * 0.92;
+const vec3 kBounceColor = vec3(0.52, 0.47, 0.38) * 0.95;
 
 // What comes from above and, off the ground, from below.
 vec3 ambient(vec3 normal) { return mix(kBounceColor, kSkyColor, normal.z * 0.5 + 0.5); }

@@ -12,9 +12,11 @@ layout(location = 5) in vec4 instance_rotation;
 layout(location = 6) in vec3 instance_scale;
 layout(location = 7) in float instance_sky;
 
+uniform vec3 instance_growth; // Of organs that stand for several.
+
 vec3 rotated(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 
-vec3 plant_position() { return instance_translation + rotated(instance_rotation, instance_scale * position); }
+vec3 plant_position() { return instance_translation + rotated(instance_rotation, instance_scale * instance_growth * position); }
 
 vec3 plant_normal() { return rotated(instance_rotation, normal / instance_scale); }
 )";
@@ -124,7 +126,7 @@ void main()
     float slope_along = bark_height(coordinate + vec2(0.0, reach)) - height;
     n = normalize(n - (around * slope_around + along * slope_along) * (detail * 0.055 / reach));
 
-    vec3 color = base_color * mix(0.85, mix(0.42, 1.30, smoothstep(0.30, 0.95, height)), detail);
+    vec3 color = base_color * mix(0.95, mix(0.50, 1.40, smoothstep(0.30, 0.95, height)), detail);
     color = mix(color, vec3(dot(color, vec3(0.33))) * vec3(1.05, 1.0, 0.92), 0.25 * height * detail);
     Light light = light_at(n, view);
     pixel = vec4(display(color * light.front + light.gloss * 0.6), 1.0);
@@ -155,7 +157,7 @@ void main()
     float vein = veins * vein_at(coordinate);
     color = mix(color, color * 1.5 + vec3(0.03, 0.035, 0.012), vein * 0.55);
     if (underside)
-        color = mix(color, vec3(dot(color, vec3(0.30, 0.55, 0.15))) * vec3(1.06, 1.1, 0.92), 0.35 * veins) * (1.0 + 0.12 * veins);
+        color = mix(color, vec3(dot(color, vec3(0.30, 0.55, 0.15))) * vec3(1.06, 1.1, 0.92), 0.25 * veins) * (1.0 + 0.12 * veins);
     vec3 shining = color * mix(vec3(1.25), vec3(1.75, 1.45, 0.42), veins) * (1.0 - vein * 0.45);
     Light light = light_at(n, view);
     vec3 sum = color * light.front * (1.0 - 0.45 * translucency) + shining * light.through * translucency

@@ -1,0 +1,107 @@
+#include "app/verbs/render.h"
+
+#include "app/render/offscreen_context.h"
+#include "app/render/renderer.h"
+#include "drivers/file.h"
+#include "engine/export/glb_reader.h"
+
+#include <charconv>
+#include <fmt/core.h>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tractus {
+
+namespace {
+
+constexpr int kSmallest_px = 16;
+constexpr int kLargest_px = 8192;
+
+struct Arguments {
+    std::string input;
+    std::string output;
+    std::string size = "1200x900";
+    double azimuth_deg = 25;
+    double elevation_deg = 9;
+};
+
+struct Size {
+    int width = 0;
+    int height = 0;
+};
+
+// "1200x900". Nothing if it is no size, or none that we draw.
+std::optional<Size> parse_size(std::string_view text)
+{
+    Size size;
+    char const* const end = text.data() + text.size();
+    auto const first = std::from_chars(text.data(), end, size.width);
+    if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x')
+        return std::nullopt;
+    auto const second = std::from_chars(first.ptr + 1, end, size.height);
+    auto const drawable = [](int px) { return px >= kSmallest_px && px <= kLargest_px; };
+    if (second.ec != std::errc() || second.ptr != end || !drawable(size.width)
+        || !drawable(size.height))
+        return std::nullopt;
+    return size;
+}
+
+std::string check_size(std::string const& text)
+{
+    return parse_size(text)
+        ? std::string()
+        : fmt::format("'{}' is no size: give WIDTHxHEIGHT in pixels, each {} to {}, as in 1200x900",
+                      text, kSmallest_px, kLargest_px);
+}
+
+Result<void> run(Arguments const& arguments)
+{
+    auto const bytes = TRY(read_file(arguments.input));
+    auto const mesh = read_glb(bytes);
+    if (!mesh)
+        return fail(mesh.error().fault,
+                    fmt::format("{}: {}", arguments.input, mesh.error().message));
+
+    auto const context = TRY(OffscreenContext::create());
+    auto renderer = TRY(Renderer::create());
+    GpuMesh const on_card(*mesh);
+    Stage stage;
+    stage.meshes.push_back({ &on_card });
+    auto const size = parse_size(arguments.size).value();
+    auto const camera = framing_camera(
+        bounds(stage), { radians(arguments.azimuth_deg), radians(arguments.elevation_deg) },
+        static_cast<double>(size.width) / size.height);
+    auto const picture = renderer.picture(stage, camera, size.width, size.height);
+    return write_file(arguments.output, [&](std::ostream& out) { return write_png(out, picture); });
+}
+
+} // namespace
+
+void add_render_verb(CLI::App& root, Action& action)
+{
+    auto const arguments
+        = std::make_shared<Arguments>(); // Shared with the callback, which outlives this.
+    auto* const verb = root.add_subcommand("render", "Draw a glTF file's plants as a picture");
+    verb->footer(
+        "Draws what a binary glTF 2.0 file (.glb) shows, ours or another program's, lit on a\n"
+        "ground, without a window or a graphics card.");
+    verb->add_option("FILE.glb", arguments->input, "What to draw")->required();
+    verb->add_option("-o,--output", arguments->output, "Where the PNG is written")->required();
+    verb->add_option("--size", arguments->size, "Width and height in pixels, 16 to 8192 each")
+        ->check(CLI::Validator(check_size, "WxH"))
+        ->capture_default_str();
+    verb->add_option("--azimuth", arguments->azimuth_deg,
+                     "From which side, in degrees: 0 from where the user sits, growing around the "
+                     "plant to the right")
+        ->check(CLI::Range(-360.0, 360.0))
+        ->capture_default_str();
+    verb->add_option("--elevation", arguments->elevation_deg,
+                     "From how high above the horizon, in degrees")
+        ->check(CLI::Range(0.0, 85.0))
+        ->capture_default_str();
+    verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+}
+
+} // namespace tractus
