@@ -2,6 +2,7 @@
 #include "app/render/renderer.h"
 #include "tests/app/render/small_mesh.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <optional>
 
@@ -208,6 +209,35 @@ TEST_F(RendererTest, PutsAWideHeadOnArrows)
     };
     EXPECT_GT(blue_around(204), 2 * blue_around(120));
     EXPECT_GT(blue_around(120), 0);
+}
+
+TEST_F(RendererTest, DrawsAsMuchLeafFromAfarAsFromNear)
+{
+    // A wall of 40 x 40 leaves of 10 mm that face the user: less than a pixel each in the small
+    // picture.
+    Mesh wall;
+    wall.materials.push_back(
+        { .name = "leaf", .kind = Material::Kind::Leaf, .base_color = { 0.25f, 0.55f, 0.15f } });
+    auto& leaf = wall.organs.emplace_back();
+    add_quad(leaf.prototype, { Vec3f(0, 0, 0), Vec3f(5, 5, 0), Vec3f(0, 10, 0), Vec3f(-5, 5, 0) });
+    Quatf const upright(Eigen::AngleAxisf(1.5707963f, Vec3f::UnitX()));
+    for (int i = 0; i < 1600; ++i)
+        leaf.instances.push_back({ .translation_mm = Vec3f(static_cast<float>(i % 40) * 12 - 240, 0,
+                                                           static_cast<float>(i / 40) * 12),
+                                   .rotation = upright });
+    GpuMesh const mesh(wall);
+    Stage stage;
+    stage.meshes.push_back({ &mesh });
+    auto const share = [&](int width) {
+        auto const drawn = renderer_->picture(stage, camera(), width, width * 3 / 4);
+        double sum = 0;
+        for (auto const& pixel : drawn.pixels())
+            sum += std::max(0, 2 * pixel.green - pixel.red - pixel.blue - 20);
+        return sum / static_cast<double>(drawn.pixels().size());
+    };
+    double const near = share(1200);
+    EXPECT_GT(near, 3);
+    EXPECT_NEAR(share(100) / near, 1, 0.25);
 }
 
 TEST_F(RendererTest, TakesAnEmptyMesh)
