@@ -25,8 +25,7 @@ namespace tractus {
 //   I: 3 056a 037a                bus, vendor and product id, hexadecimal
 //   E: 000001.250000 3 02 80 10   a report: seconds since the start, its length, then its bytes
 //   C: max_travel_mm = 400        a line of the rig's calibration, opaque here (ours)
-//   T: 000001.250000 draw trunk   a change of tool: seconds, the tool's name, the rest is the
-//   tool's (ours)
+//   T: 000001.250000 draw trunk   a change of tool: seconds, its name, what it needs (ours)
 //
 // Without C and T lines it is the hid-recorder format, so anybody's recording is a log, and other
 // readers skip our lines. See read_log for the liberties that files in the wild take.
@@ -84,7 +83,7 @@ Result<Log> parse_log(std::string_view text, std::string_view name);
 // The same from a file of at most 1 GiB.
 Result<Log> read_log(std::filesystem::path const& path);
 
-// "2 warnings, the first at line 7: …" or empty: for a person to read.
+// The warnings in one line for a person: "FILE: 2 odd lines, the first is line 7: …", or empty.
 std::string summarize_warnings(Log const&);
 
 } // namespace tractus

@@ -152,7 +152,10 @@ Result<std::optional<PenSample>> HidPenDecoder::decode(Timestamp received,
     if (!layout)
         return std::nullopt;
 
-    PenSample sample { .time = received, .position_mm = last_.position_mm };
+    PenSample sample { .time = received,
+                       .position_mm = last_.position_mm,
+                       .raw_x = last_.raw_x,
+                       .raw_y = last_.raw_y };
     read_pressure(sample, *layout, report);
     bool const erases = is_set(layout->eraser, report);
     bool const tip = layout->tip ? is_set(layout->tip, report)
@@ -165,12 +168,11 @@ Result<std::optional<PenSample>> HidPenDecoder::decode(Timestamp received,
 
     auto const x = read_i32(layout->x, report);
     auto const y = read_i32(layout->y, report);
-    if (!is_null(layout->x, x) && !is_null(layout->y, y))
-        place(sample, *layout, x, y);
-    else if (has_position_)
-        place(sample, *layout, last_.raw_x, last_.raw_y);
-    else
+    bool const has_place = !is_null(layout->x, x) && !is_null(layout->y, y);
+    if (!has_place && !has_position_)
         return std::nullopt;
+    if (has_place)
+        place(sample, *layout, x, y);
     has_position_ = true;
     read_tilt(sample, *layout, report);
     for (unsigned i = 0; i < layout->buttons.size(); ++i)

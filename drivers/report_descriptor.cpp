@@ -17,9 +17,33 @@ static constexpr std::size_t kMaxFields = std::size_t { 1 } << 16;
 
 namespace {
 
+// The items that are understood, as the prefix byte with the two size bits cleared.
+enum class Tag : std::uint8_t {
+    Input = 0x80,
+    Output = 0x90,
+    Collection = 0xA0,
+    Feature = 0xB0,
+    EndCollection = 0xC0,
+    UsagePage = 0x04,
+    LogicalMinimum = 0x14,
+    LogicalMaximum = 0x24,
+    PhysicalMinimum = 0x34,
+    PhysicalMaximum = 0x44,
+    UnitExponent = 0x54,
+    Unit = 0x64,
+    ReportSize = 0x74,
+    ReportId = 0x84,
+    ReportCount = 0x94,
+    Push = 0xA4,
+    Pop = 0xB4,
+    Usage = 0x08,
+    UsageMinimum = 0x18,
+    UsageMaximum = 0x28,
+};
+
 // A short item (section 6.2.2.2): its prefix without the size bits, and its data.
 struct Item {
-    std::uint8_t tag = 0;
+    Tag tag {};
     std::uint8_t size = 0; // Bytes of data: 0, 1, 2 or 4.
     std::uint32_t data = 0;
     std::size_t offset = 0; // Of the prefix, for error messages.
@@ -37,29 +61,6 @@ struct Item {
     }
 };
 
-// The items that are understood, as the prefix byte with the two size bits cleared.
-enum Tag : std::uint8_t {
-    kInput = 0x80,
-    kOutput = 0x90,
-    kCollection = 0xA0,
-    kFeature = 0xB0,
-    kEndCollection = 0xC0,
-    kUsagePage = 0x04,
-    kLogicalMinimum = 0x14,
-    kLogicalMaximum = 0x24,
-    kPhysicalMinimum = 0x34,
-    kPhysicalMaximum = 0x44,
-    kUnitExponent = 0x54,
-    kUnit = 0x64,
-    kReportSize = 0x74,
-    kReportId = 0x84,
-    kReportCount = 0x94,
-    kPush = 0xA4,
-    kPop = 0xB4,
-    kUsage = 0x08,
-    kUsageMinimum = 0x18,
-    kUsageMaximum = 0x28,
-};
 constexpr std::uint8_t kLongItem = 0xFE;
 
 // A minimum or maximum whose sign is known only once both have been read.
@@ -81,6 +82,7 @@ struct Globals {
 struct UsageRange {
     HidUsage first = 0;
     HidUsage last = 0;
+    bool has_own_page = false; // It was written with its page, in four bytes.
 };
 
 // Walks over the usages of one main item in order; the last one repeats for the rest (6.2.2.8).
@@ -137,6 +139,7 @@ private:
     ReportLayout& layout(HidReportKind, std::uint8_t id);
     HidField field_template(Item const&, HidReportKind) const;
     HidUsage with_page(Item const&) const;
+    void complete_usages();
     static tl::unexpected<Error> broken(std::size_t offset, std::string const& what);
 
     std::span<std::byte const> bytes_;
@@ -187,7 +190,7 @@ Result<std::optional<Item>> Parser::next_item()
             position_ += length;
             continue;
         }
-        Item item { .tag = static_cast<std::uint8_t>(prefix & 0xFC),
+        Item item { .tag = static_cast<Tag>(prefix & 0xFC),
                     .size = static_cast<std::uint8_t>((prefix & 3) == 3 ? 4 : prefix & 3),
                     .offset = offset };
         if (item.size > left)
@@ -202,31 +205,34 @@ Result<std::optional<Item>> Parser::next_item()
 
 Result<void> Parser::apply(Item const& item)
 {
+    // A main item has both bits of its type clear (6.2.2.4).
+    if ((static_cast<unsigned>(item.tag) & 0x0C) == 0)
+        complete_usages();
     switch (item.tag) {
-    case kInput:
+    case Tag::Input:
         TRY(add_fields(item, HidReportKind::Input));
         break;
-    case kOutput:
+    case Tag::Output:
         TRY(add_fields(item, HidReportKind::Output));
         break;
-    case kFeature:
+    case Tag::Feature:
         TRY(add_fields(item, HidReportKind::Feature));
         break;
-    case kCollection:
+    case Tag::Collection:
         begin_collection(item);
         break;
-    case kEndCollection:
+    case Tag::EndCollection:
         TRY(end_collection(item));
         break;
-    case kUsage:
-    case kUsageMinimum:
-    case kUsageMaximum:
+    case Tag::Usage:
+    case Tag::UsageMinimum:
+    case Tag::UsageMaximum:
         apply_local(item);
         return {};
     default:
         return apply_global(item);
     }
-    // Local items hold for one main item.
+    // Local items hold for one main item (6.2.2.8).
     usages_.clear();
     usage_minimum_.reset();
     return {};
@@ -236,46 +242,46 @@ Result<void> Parser::apply_global(Item const& item)
 {
     Bound const bound { item.as_signed(), item.data };
     switch (item.tag) {
-    case kUsagePage:
+    case Tag::UsagePage:
         globals_.usage_page = item.data;
         break;
-    case kLogicalMinimum:
+    case Tag::LogicalMinimum:
         globals_.logical_minimum = bound;
         break;
-    case kLogicalMaximum:
+    case Tag::LogicalMaximum:
         globals_.logical_maximum = bound;
         break;
-    case kPhysicalMinimum:
+    case Tag::PhysicalMinimum:
         globals_.physical_minimum = bound;
         break;
-    case kPhysicalMaximum:
+    case Tag::PhysicalMaximum:
         globals_.physical_maximum = bound;
         break;
-    case kUnitExponent: {
+    case Tag::UnitExponent: {
         auto const nibble = static_cast<int>(item.data & 0xF);
         globals_.unit_exponent = nibble < 8 ? nibble : nibble - 16;
         break;
     }
-    case kUnit:
+    case Tag::Unit:
         globals_.unit = item.data;
         break;
-    case kReportSize:
+    case Tag::ReportSize:
         globals_.report_size = item.data;
         break;
-    case kReportCount:
+    case Tag::ReportCount:
         globals_.report_count = item.data;
         break;
-    case kReportId:
+    case Tag::ReportId:
         if (item.data == 0 || item.data > 255)
             return broken(item.offset, fmt::format("report id {} is not in 1 to 255", item.data));
         globals_.report_id = static_cast<std::uint8_t>(item.data);
         break;
-    case kPush:
+    case Tag::Push:
         if (pushed_.size() == kMaxPushes)
             return broken(item.offset, fmt::format("more than {} pushes", kMaxPushes));
         pushed_.push_back(globals_);
         break;
-    case kPop:
+    case Tag::Pop:
         if (pushed_.empty())
             return broken(item.offset, "pop without push");
         globals_ = pushed_.back();
@@ -287,7 +293,7 @@ Result<void> Parser::apply_global(Item const& item)
     return {};
 }
 
-// A usage of three or four bytes brings its own page (6.2.2.8).
+// A usage of four bytes brings its own page (6.2.2.8).
 HidUsage Parser::with_page(Item const& item) const
 {
     return item.size == 4 ? item.data : globals_.usage_page << 16 | item.data;
@@ -296,13 +302,28 @@ HidUsage Parser::with_page(Item const& item) const
 void Parser::apply_local(Item const& item)
 {
     auto const usage = with_page(item);
-    if (item.tag == kUsage) {
-        usages_.push_back({ usage, usage });
-    } else if (item.tag == kUsageMinimum) {
+    if (item.tag == Tag::Usage) {
+        usages_.push_back({ usage, usage, item.size == 4 });
+    } else if (item.tag == Tag::UsageMinimum) {
         usage_minimum_ = usage;
     } else if (usage_minimum_) {
-        usages_.push_back({ *usage_minimum_, std::max(*usage_minimum_, usage) });
+        usages_.push_back({ *usage_minimum_, std::max(*usage_minimum_, usage), item.size == 4 });
         usage_minimum_.reset();
+    }
+}
+
+// It is the last page declared before the main item that counts (6.2.2.7), so usages may stand
+// before their page. Where usages of two pages meet in one item, each follows its own, as Linux
+// reads it.
+void Parser::complete_usages()
+{
+    for (auto range = usages_.rbegin(); range != usages_.rend(); ++range) {
+        if (range->has_own_page)
+            continue;
+        if (range->first >> 16 == globals_.usage_page)
+            break;
+        for (auto* const usage : { &range->first, &range->last })
+            *usage = globals_.usage_page << 16 | (*usage & 0xFFFF);
     }
 }
 
@@ -389,7 +410,10 @@ Result<void> Parser::add_fields(Item const& item, HidReportKind kind)
     return {};
 }
 
-double power_of_ten(int exponent) { return std::pow(10.0, exponent); }
+double power_of_ten(int exponent)
+{
+    return std::pow(10.0, exponent);
+}
 
 // The physical range in the field's unit, or the logical one where there is none (6.2.2.7).
 std::optional<double> physical_span(HidField const& field)

@@ -15,8 +15,8 @@ static constexpr Duration kReadTimeout = 50ms; // How long stopping may take.
 static constexpr Duration kPollInterval = 500us;
 
 struct ThreadedSource::Shared {
-    explicit Shared(std::unique_ptr<ReportSource> source_)
-        : source(std::move(source_))
+    explicit Shared(std::unique_ptr<ReportSource> taken)
+        : source(std::move(taken))
         , info(source->info())
     {
     }

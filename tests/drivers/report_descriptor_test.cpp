@@ -87,6 +87,15 @@ TEST(ReportDescriptor, TakesThePageFromAFourByteUsage)
     EXPECT_EQ(only_field("05 01 0b 5d 00 0d ff 75 01 95 01 81 02").usage, 0xFF0D'005Du);
 }
 
+TEST(ReportDescriptor, LetsAUsageStandBeforeItsPage)
+{
+    EXPECT_EQ(only_field("05 01 09 30 05 0d 75 08 95 01 81 02").usage, 0x000D'0030u);
+    auto const both = parse("05 01 09 30 05 0d 09 30 75 08 95 02 81 02");
+    ASSERT_TRUE(both);
+    EXPECT_EQ(both->fields[0].usage, 0x0001'0030u);
+    EXPECT_EQ(both->fields[1].usage, 0x000D'0030u);
+}
+
 TEST(ReportDescriptor, ReadsAMaximumThatFitsOnlyUnsigned)
 {
     auto const pressure = only_field("05 0d 09 30 15 00 25 ff 75 08 95 01 81 02");
