@@ -11,9 +11,9 @@ namespace tractus {
 
 // A place in a preprocessed text from which a parser reads.
 //
-// Lines end statements, as in cpfg, but for three cases: inside the braces of a block of statements,
-// when the next line starts with a tab, and when it starts with blanks and cannot be a statement of
-// its own.
+// Lines end statements, as in cpfg, but for three cases: inside the braces of a block of
+// statements, when the next line starts with a tab, and when it starts with blanks and cannot be a
+// statement of its own.
 class Cursor {
 public:
     explicit Cursor(SourceText const& source)

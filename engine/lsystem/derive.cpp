@@ -25,7 +25,8 @@ struct FixedSuccessor {
 
 tl::unexpected<Error> loop_error(Model const& model)
 {
-    return fail(Fault::User, fmt::format("{}: a loop did not end within 10 million rounds", model.name));
+    return fail(Fault::User,
+                fmt::format("{}: a loop did not end within 10 million rounds", model.name));
 }
 
 class Derivation {
@@ -85,15 +86,16 @@ bool Derivation::set_fixed(KindId kind)
         return true;
     }
     auto const& rule = model_.rules.rules[rules.front()];
-    if (rule.predecessor.size() > 1 || !rule.left.empty() || !rule.right.empty() || rule.has_condition
-        || !rule.condition.empty() || !rule.successor_program.empty())
+    if (rule.predecessor.size() > 1 || !rule.left.empty() || !rule.right.empty()
+        || rule.has_condition || !rule.condition.empty() || !rule.successor_program.empty())
         return false;
     fixed.length = static_cast<std::uint32_t>(rule.successor.kinds.size());
     fixed.parameter_count = static_cast<std::uint32_t>(rule.successor.parameters.size());
     fixed.kinds = rule.successor.kinds.data();
     fixed.parameters = rule.successor.parameters.data();
     fixed.frame = rule.frame.data();
-    std::copy_n(fixed.kinds, std::min<std::size_t>(fixed.length, FixedSuccessor::kShort), fixed.first_kinds.begin());
+    std::copy_n(fixed.kinds, std::min<std::size_t>(fixed.length, FixedSuccessor::kShort),
+                fixed.first_kinds.begin());
     return true;
 }
 
@@ -154,9 +156,10 @@ Result<void> Derivation::check_size(std::size_t modules, std::size_t parameters)
     // Modules have few parameters; the factor only keeps hostile models in memory.
     if (modules <= options_.max_modules && parameters / 16 <= options_.max_modules)
         return {};
-    return fail(Fault::User,
-                fmt::format("{}: step {} makes more than {} modules; derive fewer steps or raise the limit",
-                            model_.name, step_, options_.max_modules));
+    return fail(
+        Fault::User,
+        fmt::format("{}: step {} makes more than {} modules; derive fewer steps or raise the limit",
+                    model_.name, step_, options_.max_modules));
 }
 
 // Every module's successor is known beforehand: counts what comes out, then writes it.
@@ -186,7 +189,8 @@ Result<void> Derivation::rewrite_fixed()
         kinds += fixed.length;
         for (std::uint32_t i = 0; i < fixed.parameter_count; ++i) {
             auto const reg = fixed.parameters ? fixed.parameters[i] : static_cast<Register>(i);
-            *values++ = reg < fixed.read_parameter_count ? from[reg] : static_cast<float>(fixed.frame[reg]);
+            *values++ = reg < fixed.read_parameter_count ? from[reg]
+                                                         : static_cast<float>(fixed.frame[reg]);
         }
         from += fixed.read_parameter_count;
     }
@@ -204,7 +208,8 @@ Result<void> Derivation::rewrite(std::uint32_t step)
     out_.parameters.reserve(in_.parameters.size());
     std::size_t parameter = 0;
     for (std::size_t i = 0; i < in_.size();) {
-        Modules const rest { in_.kinds.data() + i, in_.parameters.data() + parameter, in_.size() - i };
+        Modules const rest { in_.kinds.data() + i, in_.parameters.data() + parameter,
+                             in_.size() - i };
         machine_.begin_module(step, i);
         auto const count = rewrite_one(rest, { &in_, i, parameter, i + 1, 0 });
         for (std::size_t k = 0; k < count; ++k)
@@ -220,7 +225,8 @@ Result<void> Derivation::rewrite(std::uint32_t step)
 std::size_t Derivation::rewrite_one(Modules const& rest, Surroundings const& around)
 {
     auto const kind = rest.kinds[0];
-    auto const* const rule = rewriter_.has_rules(kind) ? rewriter_.find(rest, around, true) : nullptr;
+    auto const* const rule
+        = rewriter_.has_rules(kind) ? rewriter_.find(rest, around, true) : nullptr;
     if (rule && !model_.decomposition.specified) {
         rewriter_.apply(*rule, out_);
         return rule->predecessor.size();
@@ -237,12 +243,13 @@ std::size_t Derivation::rewrite_one(Modules const& rest, Surroundings const& aro
         auto beyond = around;
         beyond.right_parameters = around.left_parameters + symbol.parameter_count;
         bool decomposed = true;
-        auto const count = decomposition_.expand(rest, beyond, [&](Modules const& modules) -> std::size_t {
-            decomposed = modules.kinds != rest.kinds;
-            if (decomposed)
-                append_one(modules);
-            return out_.size() <= options_.max_modules;
-        });
+        auto const count
+            = decomposition_.expand(rest, beyond, [&](Modules const& modules) -> std::size_t {
+                  decomposed = modules.kinds != rest.kinds;
+                  if (decomposed)
+                      append_one(modules);
+                  return out_.size() <= options_.max_modules;
+              });
         if (decomposed)
             return std::max<std::size_t>(count, 1);
     }
@@ -305,26 +312,32 @@ Result<ModuleString> derive(Model const& model, DeriveOptions const& options)
     return Derivation(model, options).run();
 }
 
-Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& string, std::size_t max_modules)
+Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& string,
+                                        std::size_t max_modules)
 {
     Machine machine(model, string);
     Expander homomorphism(model, model.homomorphism, machine);
     ModuleString result;
     std::size_t parameter = 0;
     for (std::size_t i = 0; i < string.size();) {
-        Modules const rest { string.kinds.data() + i, string.parameters.data() + parameter, string.size() - i };
+        Modules const rest { string.kinds.data() + i, string.parameters.data() + parameter,
+                             string.size() - i };
         machine.begin_module(kHomomorphismStep, i);
         Surroundings const around { &string, i, parameter, i + 1,
                                     parameter + model.alphabet[rest.kinds[0]].parameter_count };
-        auto const count = homomorphism.expand(rest, around, [&](Modules const& modules) -> std::size_t {
-            result.kinds.append(modules.kinds, 1);
-            result.parameters.append(modules.parameters, model.alphabet[modules.kinds[0]].parameter_count);
-            return result.size() <= max_modules;
-        });
+        auto const count
+            = homomorphism.expand(rest, around, [&](Modules const& modules) -> std::size_t {
+                  result.kinds.append(modules.kinds, 1);
+                  result.parameters.append(modules.parameters,
+                                           model.alphabet[modules.kinds[0]].parameter_count);
+                  return result.size() <= max_modules;
+              });
         if (machine.loop_did_not_end())
             return loop_error(model);
         if (count == 0)
-            return fail(Fault::User, fmt::format("{}: the homomorphism makes more than {} modules", model.name, max_modules));
+            return fail(Fault::User,
+                        fmt::format("{}: the homomorphism makes more than {} modules", model.name,
+                                    max_modules));
         for (std::size_t k = 0; k < count; ++k)
             parameter += model.alphabet[rest.kinds[k]].parameter_count;
         i += count;

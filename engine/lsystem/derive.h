@@ -18,8 +18,8 @@ struct DeriveOptions {
 
 // Rewrites the model's axiom `steps` times.
 //
-// Fails, as the user's fault, when the string grows beyond `max_modules` or a loop in the model does
-// not end. The same model and options always give the same string.
+// Fails, as the user's fault, when the string grows beyond `max_modules` or a loop in the model
+// does not end. The same model and options always give the same string.
 Result<ModuleString> derive(Model const& model, DeriveOptions const& options = {});
 
 // The string with every module replaced by what the homomorphism rules make of it: what the turtle

@@ -11,9 +11,9 @@ namespace tractus {
 // What homomorphism rules draw at random is of this step.
 constexpr std::uint32_t kHomomorphismStep = 0xffffffff;
 
-// Rewrites one module after the other with a set of rules, at once and again and again until no rule
-// matches or the set's maximum depth is reached: how decomposition and homomorphism rules work. Their
-// contexts are looked for around the module in the string that is being rewritten.
+// Rewrites one module after the other with a set of rules, at once and again and again until no
+// rule matches or the set's maximum depth is reached: how decomposition and homomorphism rules
+// work. Their contexts are looked for around the module in the string that is being rewritten.
 class Expander {
 public:
     Expander(Model const& model, RuleSet const& rules, Machine& machine)
@@ -32,7 +32,8 @@ public:
     template<typename Sink>
     std::size_t expand(Modules const& modules, Surroundings const& around, Sink&& sink)
     {
-        auto const* const rule = rules_.max_depth > 0 ? rewriter_.find(modules, around, false) : nullptr;
+        auto const* const rule
+            = rules_.max_depth > 0 ? rewriter_.find(modules, around, false) : nullptr;
         if (!rule)
             return sink(modules);
         levels_.clear();
@@ -48,9 +49,11 @@ public:
                 continue;
             }
             Modules const rest { buffer_.kinds.data() + level.next,
-                                 buffer_.parameters.data() + level.next_parameters, level.end - level.next };
+                                 buffer_.parameters.data() + level.next_parameters,
+                                 level.end - level.next };
             Rule const* inner = nullptr;
-            if (levels_.size() < static_cast<std::size_t>(rules_.max_depth) && has_rules(rest.kinds[0]))
+            if (levels_.size() < static_cast<std::size_t>(rules_.max_depth)
+                && has_rules(rest.kinds[0]))
                 inner = rewriter_.find(rest, around, false);
             auto const count = inner ? inner->predecessor.size() : sink(rest);
             if (count == 0)

@@ -22,36 +22,42 @@ struct FunctionEntry {
 };
 
 constexpr std::array kFunctions {
-    FunctionEntry { "sin", Op::Sin, 1 },
-    FunctionEntry { "cos", Op::Cos, 1 },
-    FunctionEntry { "tan", Op::Tan, 1 },
-    FunctionEntry { "asin", Op::Asin, 1 },
-    FunctionEntry { "acos", Op::Acos, 1 },
-    FunctionEntry { "atan", Op::Atan, 1 },
-    FunctionEntry { "atan2", Op::Atan2, 2 },
-    FunctionEntry { "exp", Op::Exp, 1 },
-    FunctionEntry { "log", Op::Log, 1 },
-    FunctionEntry { "floor", Op::Floor, 1 },
-    FunctionEntry { "ceil", Op::Ceil, 1 },
-    FunctionEntry { "trunc", Op::Round, 1 },
-    FunctionEntry { "fabs", Op::Abs, 1 },
-    FunctionEntry { "sign", Op::Sign, 1 },
-    FunctionEntry { "sqrt", Op::Sqrt, 1 },
-    FunctionEntry { "pow", Op::Power, 2 },
-    FunctionEntry { "ran", Op::Random, 1 },
-    FunctionEntry { "nran", Op::Normal, 2 },
-    FunctionEntry { "bran", Op::Beta, 2 },
-    FunctionEntry { "biran", Op::Binomial, 2 },
-    FunctionEntry { "srand", Op::SeedRandom, 1 },
-    FunctionEntry { "func", Op::Function, 2 },
+    FunctionEntry { "sin", Op::Sin, 1 },          FunctionEntry { "cos", Op::Cos, 1 },
+    FunctionEntry { "tan", Op::Tan, 1 },          FunctionEntry { "asin", Op::Asin, 1 },
+    FunctionEntry { "acos", Op::Acos, 1 },        FunctionEntry { "atan", Op::Atan, 1 },
+    FunctionEntry { "atan2", Op::Atan2, 2 },      FunctionEntry { "exp", Op::Exp, 1 },
+    FunctionEntry { "log", Op::Log, 1 },          FunctionEntry { "floor", Op::Floor, 1 },
+    FunctionEntry { "ceil", Op::Ceil, 1 },        FunctionEntry { "trunc", Op::Round, 1 },
+    FunctionEntry { "fabs", Op::Abs, 1 },         FunctionEntry { "sign", Op::Sign, 1 },
+    FunctionEntry { "sqrt", Op::Sqrt, 1 },        FunctionEntry { "pow", Op::Power, 2 },
+    FunctionEntry { "ran", Op::Random, 1 },       FunctionEntry { "nran", Op::Normal, 2 },
+    FunctionEntry { "bran", Op::Beta, 2 },        FunctionEntry { "biran", Op::Binomial, 2 },
+    FunctionEntry { "srand", Op::SeedRandom, 1 }, FunctionEntry { "func", Op::Function, 2 },
 };
 
 // cpfg's functions that we lack. Their value is 0.
-constexpr std::array<std::string_view, 22> kIgnoredFunctions {
-    "printf", "fprintf", "fopen", "fclose", "fflush", "fscanf", "stop", "play", "inblob", "curveX",
-    "curveY", "curveZ", "curveGAL", "SetDerivationLength", "GetDerivationLength", "Display", "vvXmin",
-    "vvXmax", "vvYmin", "vvYmax", "vvZmin", "vvZmax"
-};
+constexpr std::array<std::string_view, 22> kIgnoredFunctions { "printf",
+                                                               "fprintf",
+                                                               "fopen",
+                                                               "fclose",
+                                                               "fflush",
+                                                               "fscanf",
+                                                               "stop",
+                                                               "play",
+                                                               "inblob",
+                                                               "curveX",
+                                                               "curveY",
+                                                               "curveZ",
+                                                               "curveGAL",
+                                                               "SetDerivationLength",
+                                                               "GetDerivationLength",
+                                                               "Display",
+                                                               "vvXmin",
+                                                               "vvXmax",
+                                                               "vvYmin",
+                                                               "vvYmax",
+                                                               "vvZmin",
+                                                               "vvZmax" };
 
 struct BinaryOperator {
     std::string_view text;
@@ -66,18 +72,12 @@ constexpr int kUnaryLevel = 7;
 
 // Longer ones first.
 constexpr std::array kBinaryOperators {
-    BinaryOperator { "==", Op::Equal, 2 },
-    BinaryOperator { "!=", Op::NotEqual, 2 },
-    BinaryOperator { "<>", Op::NotEqual, 2 },
-    BinaryOperator { "<=", Op::LessEqual, 3 },
-    BinaryOperator { ">=", Op::GreaterEqual, 3 },
-    BinaryOperator { "<", Op::Less, 3 },
-    BinaryOperator { ">", Op::Greater, 3 },
-    BinaryOperator { "+", Op::Add, 4 },
-    BinaryOperator { "-", Op::Subtract, 4 },
-    BinaryOperator { "*", Op::Multiply, 5 },
-    BinaryOperator { "/", Op::Divide, 5 },
-    BinaryOperator { "%", Op::Remainder, 5 },
+    BinaryOperator { "==", Op::Equal, 2 },        BinaryOperator { "!=", Op::NotEqual, 2 },
+    BinaryOperator { "<>", Op::NotEqual, 2 },     BinaryOperator { "<=", Op::LessEqual, 3 },
+    BinaryOperator { ">=", Op::GreaterEqual, 3 }, BinaryOperator { "<", Op::Less, 3 },
+    BinaryOperator { ">", Op::Greater, 3 },       BinaryOperator { "+", Op::Add, 4 },
+    BinaryOperator { "-", Op::Subtract, 4 },      BinaryOperator { "*", Op::Multiply, 5 },
+    BinaryOperator { "/", Op::Divide, 5 },        BinaryOperator { "%", Op::Remainder, 5 },
     BinaryOperator { "^", Op::Power, 6 },
 };
 
@@ -110,7 +110,8 @@ void GlobalNames::warn(std::string warning)
 std::optional<std::string> ExpressionCompiler::name(Cursor& cursor)
 {
     std::string result;
-    auto const is_first = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; };
+    auto const is_first
+        = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; };
     if (!is_first(cursor.peek()))
         return std::nullopt;
     for (auto const c : cursor.rest()) {
@@ -343,13 +344,15 @@ Result<void> ExpressionCompiler::assign_array(std::string const& array, Program&
         return cursor_.unexpected("'='");
     auto const value = TRY(expression(program));
     TRY(label(program));
-    program.push_back({ .op = Op::StoreArray, .target = element.array, .left = element.index, .right = value });
+    program.push_back(
+        { .op = Op::StoreArray, .target = element.array, .left = element.index, .right = value });
     release(value);
     release(element.index);
     return {};
 }
 
-Result<void> ExpressionCompiler::assign(std::string const& variable, Register value, Program& program)
+Result<void> ExpressionCompiler::assign(std::string const& variable, Register value,
+                                        Program& program)
 {
     TRY(label(program));
     auto local = names_.find(variable);
@@ -412,7 +415,8 @@ Result<Register> ExpressionCompiler::conditional(Program& program)
 Result<Register> ExpressionCompiler::logical(Program& program, int level)
 {
     auto const operand = [&]() -> Result<Register> {
-        return level == kAndLevel ? binary(program, kFirstBinaryLevel) : logical(program, kAndLevel);
+        return level == kAndLevel ? binary(program, kFirstBinaryLevel)
+                                  : logical(program, kAndLevel);
     };
     auto left = TRY(operand());
     while (cursor_.take(level == kAndLevel ? "&&" : "||")) {
@@ -483,7 +487,10 @@ Result<Register> ExpressionCompiler::primary(Program& program)
         TRY(label(program));
         release(element.index);
         auto const target = TRY(temporary());
-        program.push_back({ .op = Op::LoadArray, .target = target, .left = element.array, .right = element.index });
+        program.push_back({ .op = Op::LoadArray,
+                            .target = target,
+                            .left = element.array,
+                            .right = element.index });
         return target;
     }
     return variable(*found, position, program);
@@ -511,7 +518,8 @@ Result<Register> ExpressionCompiler::variable(std::string const& name, std::size
         program.push_back({ .op = Op::LoadGlobal, .target = target, .left = *global, .right = 0 });
         return target;
     }
-    globals_.warn(fmt::format("{}: {} is not defined; its value is 0", cursor_.source().place(position), name));
+    globals_.warn(fmt::format("{}: {} is not defined; its value is 0",
+                              cursor_.source().place(position), name));
     if (new_names_ == NewNames::Global)
         return constant(0);
     auto const reg = TRY(new_register(0));
@@ -531,7 +539,8 @@ Result<ExpressionCompiler::Element> ExpressionCompiler::array_element(std::strin
     std::optional<Register> index;
     for (auto const size : array->sizes) {
         if (!cursor_.take("["))
-            return cursor_.unexpected(fmt::format("'[' (array {} has {} dimensions)", name, array->sizes.size()));
+            return cursor_.unexpected(
+                fmt::format("'[' (array {} has {} dimensions)", name, array->sizes.size()));
         auto const subscript = TRY(expression(program));
         if (!cursor_.take("]"))
             return cursor_.unexpected("']'");
@@ -549,17 +558,21 @@ Result<ExpressionCompiler::Element> ExpressionCompiler::array_element(std::strin
 Result<Register> ExpressionCompiler::call(std::string const& function, std::size_t position,
                                           Program& program)
 {
-    auto const* const entry = std::find_if(kFunctions.begin(), kFunctions.end(),
-                                           [&](auto const& candidate) { return candidate.name == function; });
+    auto const* const entry
+        = std::find_if(kFunctions.begin(), kFunctions.end(),
+                       [&](auto const& candidate) { return candidate.name == function; });
     if (entry == kFunctions.end()) {
-        if (std::find(kIgnoredFunctions.begin(), kIgnoredFunctions.end(), function) == kIgnoredFunctions.end())
-            return cursor_.error_at(position, fmt::format("found the function {}, expected one of cpfg's", function));
+        if (std::find(kIgnoredFunctions.begin(), kIgnoredFunctions.end(), function)
+            == kIgnoredFunctions.end())
+            return cursor_.error_at(
+                position, fmt::format("found the function {}, expected one of cpfg's", function));
         globals_.warn(fmt::format("{}: {}() is not supported; its value is 0",
                                   cursor_.source().place(position), function));
         return ignored_call(function, program);
     }
     cursor_.take("(");
-    auto const left = entry->op == Op::Function ? TRY(function_id(program)) : TRY(expression(program));
+    auto const left
+        = entry->op == Op::Function ? TRY(function_id(program)) : TRY(expression(program));
     auto right = left;
     if (entry->parameter_count == 2) {
         if (!cursor_.take(","))
@@ -596,7 +609,8 @@ Result<Register> ExpressionCompiler::function_id(Program& program)
 {
     auto const begin = cursor_.position();
     if (auto const found = name(cursor_)) {
-        auto const function = std::find(globals_.functions.begin(), globals_.functions.end(), *found);
+        auto const function
+            = std::find(globals_.functions.begin(), globals_.functions.end(), *found);
         if (function != globals_.functions.end() && cursor_.peek() == ',')
             return constant(static_cast<double>(function - globals_.functions.begin() + 1));
     }

@@ -21,7 +21,7 @@ struct GlobalNames {
         std::vector<std::size_t> sizes; // One per dimension.
     };
     std::vector<Array> arrays;
-    std::vector<std::string> functions;  // func(NAME, x) takes names as well as numbers.
+    std::vector<std::string> functions; // func(NAME, x) takes names as well as numbers.
     std::vector<std::string> warnings;
 
     std::optional<std::uint16_t> find(std::string_view name) const;
@@ -34,7 +34,8 @@ struct GlobalNames {
 // ones from the left, so that -2^2 is 4 and 2^3^2 is 64.
 class ExpressionCompiler {
 public:
-    // Where an assignment to a new name puts it: the model's blocks make globals, rules make locals.
+    // Where an assignment to a new name puts it: the model's blocks make globals, rules make
+    // locals.
     enum class NewNames { Global, Local };
 
     ExpressionCompiler(Cursor& cursor, GlobalNames& globals, NewNames new_names)
@@ -53,8 +54,8 @@ public:
     // Reads an expression; the register that holds its value.
     Result<Register> expression(Program& program);
 
-    // Puts in front of `program`, the first that a match runs, what sets to 0 the locals that it could
-    // otherwise find with the value of the last match.
+    // Puts in front of `program`, the first that a match runs, what sets to 0 the locals that it
+    // could otherwise find with the value of the last match.
     void prepend_reset(Program& program) const;
 
     // The initial frame. The last thing to be called.

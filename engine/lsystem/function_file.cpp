@@ -109,7 +109,8 @@ double FunctionTable::at(double x) const
     if (!(x > 0))
         return values.front();
     auto const position = x * static_cast<double>(values.size() - 1);
-    auto const below = static_cast<std::size_t>(std::min(position, static_cast<double>(values.size() - 1)));
+    auto const below
+        = static_cast<std::size_t>(std::min(position, static_cast<double>(values.size() - 1)));
     if (below + 1 >= values.size())
         return values.back();
     auto const share = position - static_cast<double>(below);
@@ -129,7 +130,9 @@ Result<std::vector<FunctionTable>> parse_functions(std::string const& name, std:
         } else if (line.substr(0, 8) == "samples:") {
             auto const count = numbers(after(line, "samples:"));
             if (count.size() != 1 || count[0] < 2 || count[0] > static_cast<double>(kMaxSamples))
-                return fail(Fault::User, fmt::format("{}:{}: expected 2 to {} samples", name, lines.number, kMaxSamples));
+                return fail(Fault::User,
+                            fmt::format("{}:{}: expected 2 to {} samples", name, lines.number,
+                                        kMaxSamples));
             samples = static_cast<std::size_t>(count[0]);
         } else if (line.substr(0, 7) == "points:") {
             auto const count = numbers(after(line, "points:"));
@@ -137,12 +140,18 @@ Result<std::vector<FunctionTable>> parse_functions(std::string const& name, std:
             for (double left = count.empty() ? 0 : count[0]; left > 0; --left) {
                 auto const point = lines.next(line) ? numbers(line) : std::vector<double>();
                 if (point.size() < 2)
-                    return fail(Fault::User, fmt::format("{}:{}: expected a control point 'x y'", name, lines.number));
-                auto const multiplicity = point.size() > 2 ? std::clamp(point[2], 1.0, kMaxMultiplicity) : 1;
-                points.insert(points.end(), static_cast<std::size_t>(multiplicity), Vec2(point[0], point[1]));
+                    return fail(
+                        Fault::User,
+                        fmt::format("{}:{}: expected a control point 'x y'", name, lines.number));
+                auto const multiplicity
+                    = point.size() > 2 ? std::clamp(point[2], 1.0, kMaxMultiplicity) : 1;
+                points.insert(points.end(), static_cast<std::size_t>(multiplicity),
+                              Vec2(point[0], point[1]));
             }
             if (points.size() < 4)
-                return fail(Fault::User, fmt::format("{}:{}: expected at least 4 control points", name, lines.number));
+                return fail(
+                    Fault::User,
+                    fmt::format("{}:{}: expected at least 4 control points", name, lines.number));
             result.push_back({ function_name, tabulate(points, samples) });
         }
     }

@@ -10,8 +10,9 @@
 namespace tractus {
 
 // Reads a file of functions as cpfg's function editor writes them: one (`fver`) or a set of them
-// (`funcgalleryver`). A function is a uniform cubic B-spline of control points `x y [multiplicity]`,
-// x rising over [0, 1], that begins and ends in its end points, tabulated at `samples` places.
+// (`funcgalleryver`). A function is a uniform cubic B-spline of control points `x y
+// [multiplicity]`, x rising over [0, 1], that begins and ends in its end points, tabulated at
+// `samples` places.
 Result<std::vector<FunctionTable>> parse_functions(std::string const& name, std::string_view text);
 
 } // namespace tractus

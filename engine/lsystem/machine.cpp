@@ -88,7 +88,8 @@ double Machine::binomial(double trials, double probability)
     trials = std::floor(trials);
     if (trials > kMaxCounted) { // The normal distribution is near enough.
         double const mean = trials * probability;
-        return std::clamp(std::round(mean + std::sqrt(mean * (1 - probability)) * normal()), 0.0, trials);
+        return std::clamp(std::round(mean + std::sqrt(mean * (1 - probability)) * normal()), 0.0,
+                          trials);
     }
     double successes = 0;
     for (double i = 0; i < trials; ++i)
@@ -179,7 +180,8 @@ void Machine::execute(Program const& program, double* frame)
             auto const index = frame[i->left] - 1;
             auto const& functions = model_.view.functions;
             bool const exists = index >= 0 && index < static_cast<double>(functions.size());
-            frame[i->target] = exists ? functions[static_cast<std::size_t>(index)].at(frame[i->right]) : 0;
+            frame[i->target]
+                = exists ? functions[static_cast<std::size_t>(index)].at(frame[i->right]) : 0;
             break;
         }
         case Op::Halt:

@@ -109,8 +109,9 @@ Result<Model> Parser::parse()
     cursor_.skip();
     auto const after = cursor_.rest();
     if (std::any_of(after.begin(), after.end(), [](unsigned char c) { return !std::isspace(c); }))
-        globals_.warn(fmt::format("{}: sub-L-systems are not supported; what follows endlsystem is not read",
-                                  cursor_.source().place(cursor_.position())));
+        globals_.warn(
+            fmt::format("{}: sub-L-systems are not supported; what follows endlsystem is not read",
+                        cursor_.source().place(cursor_.position())));
     set_ignored();
     return finish();
 }
@@ -260,7 +261,8 @@ Result<void> Parser::arrays()
                 auto const extent = TRY(constant_value());
                 size *= extent;
                 if (!(extent >= 1) || size > kMaxArraySize)
-                    return cursor_.error(fmt::format("the size of array {} must be 1 to {}", *name, kMaxArraySize));
+                    return cursor_.error(
+                        fmt::format("the size of array {} must be 1 to {}", *name, kMaxArraySize));
                 array.sizes.push_back(static_cast<std::size_t>(extent));
                 if (!cursor_.take("]"))
                     return cursor_.unexpected("']'");
@@ -298,9 +300,10 @@ Result<KindId> Parser::kind(char symbol, std::size_t parameter_count)
     if (found != kinds.end())
         return static_cast<KindId>(found - kinds.begin());
     if (kinds.size() >= Alphabet::kMaxKinds)
-        return cursor_.error(fmt::format("the model has more than {} kinds of modules (a symbol with a "
-                                         "number of parameters is a kind)",
-                                         Alphabet::kMaxKinds));
+        return cursor_.error(
+            fmt::format("the model has more than {} kinds of modules (a symbol with a "
+                        "number of parameters is a kind)",
+                        Alphabet::kMaxKinds));
     kinds.push_back(wanted);
     return static_cast<KindId>(kinds.size() - 1);
 }
@@ -328,7 +331,8 @@ Result<FormalModule> Parser::formal_module()
         if (!cursor_.take(")"))
             return cursor_.unexpected("',' or ')'");
         if (result.parameters.size() > kMaxParameters)
-            return cursor_.error(fmt::format("a module may have at most {} parameters", kMaxParameters));
+            return cursor_.error(
+                fmt::format("a module may have at most {} parameters", kMaxParameters));
     }
     result.kind = TRY(kind(name, result.parameters.size()));
     return result;
@@ -338,8 +342,8 @@ Result<FormalModule> Parser::formal_module()
 Result<std::vector<FormalModule>> Parser::formal_modules()
 {
     std::vector<FormalModule> result;
-    while (!cursor_.at_line_end() && !cursor_.sees_arrow() && !cursor_.sees("<") && !cursor_.sees(">")
-           && !cursor_.sees(":")) {
+    while (!cursor_.at_line_end() && !cursor_.sees_arrow() && !cursor_.sees("<")
+           && !cursor_.sees(">") && !cursor_.sees(":")) {
         if (cursor_.take("*"))
             continue;
         result.push_back(TRY(formal_module()));
@@ -362,7 +366,8 @@ Result<void> Parser::predecessor(Rule& rule, ExpressionCompiler& compiler)
         right = TRY(formal_modules());
     std::reverse(left.begin(), left.end());
 
-    auto const add = [&](std::vector<FormalModule> const& from, std::vector<KindId>& kinds) -> Result<void> {
+    auto const add
+        = [&](std::vector<FormalModule> const& from, std::vector<KindId>& kinds) -> Result<void> {
         for (auto const& module : from) {
             kinds.push_back(module.kind);
             for (auto const& parameter : module.parameters) {
@@ -396,7 +401,8 @@ Result<void> Parser::condition(Rule& rule, ExpressionCompiler& compiler)
 }
 
 // Modules with expressions, up to the end of the line or a colon.
-Result<void> Parser::modules(SuccessorTemplate& result, ExpressionCompiler& compiler, Program& program)
+Result<void> Parser::modules(SuccessorTemplate& result, ExpressionCompiler& compiler,
+                             Program& program)
 {
     while (!cursor_.at_line_end() && !cursor_.sees(":")) {
         if (cursor_.take("*"))
@@ -406,7 +412,8 @@ Result<void> Parser::modules(SuccessorTemplate& result, ExpressionCompiler& comp
         if (cursor_.take("(")) {
             do {
                 if (cursor_.peek() == '"')
-                    return cursor_.error("modules with strings, such as @L(\"text\"), are not supported");
+                    return cursor_.error(
+                        "modules with strings, such as @L(\"text\"), are not supported");
                 result.parameters.push_back(TRY(compiler.expression(program)));
                 ++count;
             } while (cursor_.take(","));
@@ -414,7 +421,8 @@ Result<void> Parser::modules(SuccessorTemplate& result, ExpressionCompiler& comp
                 return cursor_.unexpected("',' or ')'");
         }
         if (count > kMaxParameters)
-            return cursor_.error(fmt::format("a module may have at most {} parameters", kMaxParameters));
+            return cursor_.error(
+                fmt::format("a module may have at most {} parameters", kMaxParameters));
         result.kinds.push_back(TRY(kind(name, count)));
     }
     return {};
@@ -470,7 +478,8 @@ Result<void> Parser::axiom()
 void Parser::set_ignored()
 {
     for (std::size_t i = 0; i < model_.alphabet.kinds.size(); ++i) {
-        bool const listed = ignored_.symbols.find(model_.alphabet.kinds[i].symbol) != std::string::npos;
+        bool const listed
+            = ignored_.symbols.find(model_.alphabet.kinds[i].symbol) != std::string::npos;
         model_.ignored[i] = listed != ignored_.is_consider;
     }
 }

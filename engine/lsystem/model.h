@@ -12,9 +12,9 @@
 
 namespace tractus {
 
-// The two small text files that make a model, in the syntax of cpfg (Prusinkiewicz, Hanan, Mech, "An
-// L-system-based plant modeling language", AGTIVE 1999): rules (.l) and view (.v). The view may be
-// empty. The names stand in error messages.
+// The two small text files that make a model, in the syntax of cpfg (Prusinkiewicz, Hanan, Mech,
+// "An L-system-based plant modeling language", AGTIVE 1999): rules (.l) and view (.v). The view may
+// be empty. The names stand in error messages.
 struct ModelSource {
     std::string name = "model.l";
     std::string text {};
@@ -119,8 +119,8 @@ struct Model {
 // expected".
 //
 // The first two globals are Q, the step that is being derived, and Z, the derivation length.
-// A name that is assigned in a block of statements of the model is a global variable; one that only a
-// rule assigns is local to the rule and starts as 0 each time.
+// A name that is assigned in a block of statements of the model is a global variable; one that only
+// a rule assigns is local to the rule and starts as 0 each time.
 Result<Model> compile_model(ModelSource const& source, IncludeReader const& include = {});
 
 } // namespace tractus

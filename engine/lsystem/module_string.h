@@ -17,8 +17,7 @@ namespace tractus {
 
 // A growing array of plain values that, unlike std::vector, leaves new elements unset and grows in
 // place where the system can: strings are written once, in order, and are large.
-template<typename T>
-class Column {
+template<typename T> class Column {
     static_assert(std::is_trivially_copyable_v<T>);
 
 public:
@@ -90,7 +89,8 @@ struct ModuleString {
     Column<KindId> kinds;
     Column<float> parameters;
 
-    // The model's global variables and arrays after the last step, which homomorphism rules may use.
+    // The model's global variables and arrays after the last step, which homomorphism rules may
+    // use.
     std::vector<double> globals;
     std::vector<std::vector<double>> arrays;
     std::uint64_t seed = 0; // Of the numbers that homomorphism rules draw.

@@ -47,7 +47,8 @@ void PlantBuilder::add_polygon(std::vector<Vec3> const& vertices_mm, std::uint32
     polygon.segment = segment;
     polygon.material = material;
     plant_.polygons.push_back(polygon);
-    plant_.polygon_vertices_mm.insert(plant_.polygon_vertices_mm.end(), vertices_mm.begin(), vertices_mm.end());
+    plant_.polygon_vertices_mm.insert(plant_.polygon_vertices_mm.end(), vertices_mm.begin(),
+                                      vertices_mm.end());
 }
 
 MaterialId PlantBuilder::material(int color)

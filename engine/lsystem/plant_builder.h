@@ -37,7 +37,8 @@ public:
     void add_organ(Organ const& organ) { plant_.organs.push_back(organ); }
 
     // Left out when it has fewer than three vertices.
-    void add_polygon(std::vector<Vec3> const& vertices_mm, std::uint32_t segment, MaterialId material);
+    void add_polygon(std::vector<Vec3> const& vertices_mm, std::uint32_t segment,
+                     MaterialId material);
 
     // The material of a turtle colour.
     MaterialId material(int color);

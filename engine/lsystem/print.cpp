@@ -10,9 +10,8 @@ namespace tractus {
 // The second letters of @-symbols with three characters, by their first: from cpfg's manual.
 static bool is_third_character(char second, char third)
 {
-    static constexpr std::array<std::string_view, 6> kSymbols {
-        "Gscetr", "Tsdpfix", "Did", "bco", "Csae", "Pscd"
-    };
+    static constexpr std::array<std::string_view, 6> kSymbols { "Gscetr", "Tsdpfix", "Did",
+                                                                "bco",    "Csae",    "Pscd" };
     for (auto const letters : kSymbols)
         if (letters[0] == second)
             return letters.find(third, 1) != std::string_view::npos;
@@ -47,7 +46,8 @@ std::string to_string(Model const& model, ModuleString const& string)
         result.push_back(kind.symbol);
         for (int i = 0; i < kind.parameter_count; ++i) {
             std::array<char, 32> number {};
-            auto const length = std::snprintf(number.data(), number.size(), "%g", static_cast<double>(*parameter++));
+            auto const length = std::snprintf(number.data(), number.size(), "%g",
+                                              static_cast<double>(*parameter++));
             result.push_back(i == 0 ? '(' : ',');
             result.append(number.data(), static_cast<std::size_t>(length));
         }

@@ -31,8 +31,8 @@ class Rewriter {
 public:
     Rewriter(Model const& model, RuleSet const& rules, Machine& machine, bool stochastic);
 
-    // The rule that rewrites the first of `modules`, nullptr if none does. With `adjacent` the right
-    // context begins behind the predecessor in the string; otherwise at `around.right`.
+    // The rule that rewrites the first of `modules`, nullptr if none does. With `adjacent` the
+    // right context begins behind the predecessor in the string; otherwise at `around.right`.
     // Parameters, and what the condition's block has changed, are in the rule's frame.
     Rule const* find(Modules const& modules, Surroundings const& around, bool adjacent);
 
@@ -42,13 +42,16 @@ public:
     bool has_rules(KindId kind) const { return !rules_.by_kind[kind].empty(); }
 
 private:
-    bool matches(Rule const& rule, double* frame, Modules const& modules, Surroundings const& around,
-                 bool adjacent);
+    bool matches(Rule const& rule, double* frame, Modules const& modules,
+                 Surroundings const& around, bool adjacent);
     bool matches_right(Rule const& rule, double* parameters, Surroundings const& around) const;
     bool matches_left(Rule const& rule, double* parameters, Surroundings const& around) const;
     void load(KindId kind, float const* from, double*& to) const;
     Rule const* choose(Modules const& modules, Surroundings const& around, bool adjacent);
-    double* frame(Rule const& rule) { return frames_[static_cast<std::size_t>(&rule - rules_.rules.data())].data(); }
+    double* frame(Rule const& rule)
+    {
+        return frames_[static_cast<std::size_t>(&rule - rules_.rules.data())].data();
+    }
 
     Model const& model_;
     RuleSet const& rules_;

@@ -39,10 +39,22 @@ struct Macro {
     std::string body;
 };
 
-bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
-bool is_name_part(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)); }
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+bool is_name_start(char c)
+{
+    return std::isalpha(static_cast<unsigned char>(c)) || c == '_';
+}
+bool is_name_part(char c)
+{
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+bool is_digit(char c)
+{
+    return std::isdigit(static_cast<unsigned char>(c));
+}
+bool is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r';
+}
 
 // The end of the preprocessing token (C11 6.4) at `begin`: a name, a number with its suffixes, a
 // string, or one character. Macro names inside numbers and strings are not replaced.
@@ -126,8 +138,9 @@ private:
     tl::unexpected<Error> error(Text const& text, std::size_t index, std::string const& what) const
     {
         auto const place = index < text.places.size() ? text.places[index] : SourcePlace {};
-        return fail(Fault::User,
-                    fmt::format("{}:{}:{}: {}", files_[place.file], place.line, place.column, what));
+        return fail(
+            Fault::User,
+            fmt::format("{}:{}:{}: {}", files_[place.file], place.line, place.column, what));
     }
 
     IncludeReader const& include_;
@@ -157,16 +170,19 @@ std::string_view first_name(std::string_view text)
 Result<void> Preprocessor::add_file(std::string const& name, std::string_view source, int nesting)
 {
     if (nesting > kMaxNesting)
-        return fail(Fault::User, fmt::format("{}: includes are nested deeper than {}; does it include itself?",
-                                             name, kMaxNesting));
+        return fail(Fault::User,
+                    fmt::format("{}: includes are nested deeper than {}; does it include itself?",
+                                name, kMaxNesting));
     files_.push_back(name);
     auto const text = without_comments(source, static_cast<std::uint32_t>(files_.size() - 1));
     auto const open_conditions = conditions_.size();
     std::size_t begin = 0;
     while (begin < text.size()) {
         auto end = std::min(text.characters.find('\n', begin), text.size() - 1) + 1;
-        // A definition goes on behind a backslash at the line's end; elsewhere \ is a turtle symbol.
-        auto const is_definition = trimmed(text.characters.substr(begin, end - begin)).substr(0, 1) == "#";
+        // A definition goes on behind a backslash at the line's end; elsewhere \ is a turtle
+        // symbol.
+        auto const is_definition
+            = trimmed(text.characters.substr(begin, end - begin)).substr(0, 1) == "#";
         while (is_definition && end < text.size() && end >= 2 && text.characters[end - 2] == '\\')
             end = std::min(text.characters.find('\n', end), text.size() - 1) + 1;
         Text line;
@@ -275,7 +291,8 @@ Result<void> Preprocessor::define(Text const& line, std::string_view rest)
 Result<void> Preprocessor::include_file(Text const& line, std::string_view rest, int nesting)
 {
     auto const close = rest.empty() ? '"' : rest.front() == '<' ? '>' : rest.front();
-    if (rest.size() < 3 || (close != '"' && close != '>') || rest.find(close, 1) == std::string_view::npos)
+    if (rest.size() < 3 || (close != '"' && close != '>')
+        || rest.find(close, 1) == std::string_view::npos)
         return error(line, 0, fmt::format("found #include {}, expected \"FILE\"", rest));
     auto const name = std::string(rest.substr(1, rest.find(close, 1) - 1));
     if (!include_)
@@ -286,15 +303,17 @@ Result<void> Preprocessor::include_file(Text const& line, std::string_view rest,
     return add_file(name, *source, nesting + 1);
 }
 
-Result<void> Preprocessor::expand(Text const& text, Text& out, std::vector<std::string>& active) const
+Result<void> Preprocessor::expand(Text const& text, Text& out,
+                                  std::vector<std::string>& active) const
 {
     if (out.size() > kMaxTextSize)
         return error(text, 0, "macros make more than 16 MB of text here");
     std::string_view const characters = text.characters;
     for (std::size_t i = 0; i < characters.size();) {
         auto const end = token_end(characters, i);
-        auto const macro = is_name_start(characters[i]) ? macros_.find(characters.substr(i, end - i))
-                                                        : macros_.end();
+        auto const macro = is_name_start(characters[i])
+            ? macros_.find(characters.substr(i, end - i))
+            : macros_.end();
         if (macro != macros_.end()
             && std::find(active.begin(), active.end(), macro->first) == active.end()) {
             if (!macro->second.has_parameters) {
@@ -349,17 +368,20 @@ Result<std::size_t> Preprocessor::expand_call(Macro const& macro, std::string co
             arguments.back().push(c, text.places[i]);
     }
     if (depth != 0)
-        return error(text, open, fmt::format("the call of macro {} has no closing parenthesis", name));
+        return error(text, open,
+                     fmt::format("the call of macro {} has no closing parenthesis", name));
     if (arguments.size() != std::max<std::size_t>(macro.parameters.size(), 1))
-        return error(text, open, fmt::format("macro {} has {} parameters, found {} arguments", name,
-                                             macro.parameters.size(), arguments.size()));
+        return error(text, open,
+                     fmt::format("macro {} has {} parameters, found {} arguments", name,
+                                 macro.parameters.size(), arguments.size()));
     Text body;
     for (std::size_t k = 0; k < macro.body.size();) {
         auto const end = token_end(macro.body, k);
         auto const parameter = std::find(macro.parameters.begin(), macro.parameters.end(),
                                          macro.body.substr(k, end - k));
         if (parameter != macro.parameters.end())
-            TRY(expand(arguments[static_cast<std::size_t>(parameter - macro.parameters.begin())], body, active));
+            TRY(expand(arguments[static_cast<std::size_t>(parameter - macro.parameters.begin())],
+                       body, active));
         else
             for (auto j = k; j < end; ++j)
                 body.push(macro.body[j], text.places[open]);

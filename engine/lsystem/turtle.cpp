@@ -243,7 +243,8 @@ void Turtle::draw_at_symbol(Symbol const& symbol)
     case 'T':
         if (symbol.name[2] == 's' || symbol.name[2] == 'i' || symbol.name[2] == 'd')
             set_elasticity(symbol);
-        return; // @Tx textures, @Tp and @Tf ways to carry the frame, which here twists least anyway.
+        return; // @Tx textures, @Tp and @Tf ways to carry the frame, which here twists least
+                // anyway.
     case 'G':
         if (symbol.name[2] == 's' || symbol.name[2] == 'e')
             state_.is_cylinder = symbol.name[2] == 's';
@@ -254,8 +255,8 @@ void Turtle::draw_at_symbol(Symbol const& symbol)
     case '!': // Contour and sides of cylinders.
         return;
     default:
-        warn(fmt::format("{}: the turtle symbol @{} is not supported; it draws nothing", model_.name,
-                         symbol.name[1]));
+        warn(fmt::format("{}: the turtle symbol @{} is not supported; it draws nothing",
+                         model_.name, symbol.name[1]));
     }
 }
 
@@ -271,7 +272,8 @@ void Turtle::step(Symbol const& symbol, bool draws, bool sets_vertex)
     if (is_inside && length_mm != 0) {
         state_.position_mm = tip_mm;
         if (polygons_.empty() && draws)
-            builder_.add_segment(state_.place, { base_mm, tip_mm, radius_mm(), builder_.material(state_.color) });
+            builder_.add_segment(state_.place,
+                                 { base_mm, tip_mm, radius_mm(), builder_.material(state_.color) });
         else if (polygons_.empty())
             state_.place.axis = kNone;
     }
@@ -311,7 +313,8 @@ void Turtle::close_polygon()
 void Turtle::set_width(Symbol const& symbol, int sign)
 {
     double const step = sign * view_.line_width_step * state_.scale;
-    double const width = symbol.count > 0 ? symbol.parameter(0, 0) * state_.scale : state_.width + step;
+    double const width
+        = symbol.count > 0 ? symbol.parameter(0, 0) * state_.scale : state_.width + step;
     state_.width = std::clamp(width, kMinWidth, 1e6);
     builder_.set_tip_radius(state_.place, radius_mm());
 }
@@ -337,8 +340,8 @@ void Turtle::turn(Vec3& a, Vec3& b, Symbol const& symbol, double sign)
     rotate(a, b, sign * radians(std::fmod(symbol.parameter(0, view_.angle_increment_deg), 360)));
 }
 
-// The turtle's left becomes horizontal, its upper side looks up. No change when it heads straight up
-// or down.
+// The turtle's left becomes horizontal, its upper side looks up. No change when it heads straight
+// up or down.
 void Turtle::roll_horizontal()
 {
     Vec3 const left = Vec3::UnitZ().cross(state_.heading);
@@ -361,14 +364,16 @@ void Turtle::set_frame(Symbol const& symbol)
 {
     if (symbol.count < 3)
         return;
-    Vec3 const heading = from_model({ symbol.parameter(0, 0), symbol.parameter(1, 0), symbol.parameter(2, 0) });
+    Vec3 const heading
+        = from_model({ symbol.parameter(0, 0), symbol.parameter(1, 0), symbol.parameter(2, 0) });
     if (!(heading.norm() > 1e-9) || !std::isfinite(heading.norm()))
         return;
     auto const turn = Quat::FromTwoVectors(state_.heading, heading);
     state_.heading = heading.normalized();
     state_.left = (turn * state_.left).normalized();
     if (symbol.count >= 6) {
-        Vec3 const up = from_model({ symbol.parameter(3, 0), symbol.parameter(4, 0), symbol.parameter(5, 0) });
+        Vec3 const up = from_model(
+            { symbol.parameter(3, 0), symbol.parameter(4, 0), symbol.parameter(5, 0) });
         Vec3 const left = up.cross(state_.heading);
         if (left.norm() > 1e-9 && std::isfinite(left.norm()))
             state_.left = left.normalized();
@@ -414,7 +419,8 @@ void Turtle::bend_by_tropisms()
             across = state_.left;
             length = 1;
         }
-        pull += elasticity * std::sin(radians(tropism.angle_deg)) / length * direction.cross(across);
+        pull
+            += elasticity * std::sin(radians(tropism.angle_deg)) / length * direction.cross(across);
     }
     bend_by(state_.heading.cross(pull));
     if (has_torque)
@@ -463,7 +469,8 @@ void Turtle::set_elasticity(Symbol const& symbol)
 void Turtle::add_organ(char letter, Symbol const& symbol)
 {
     if (!builder_.is_defined(letter))
-        warn(fmt::format("{}: no organ {} in the view; ~{} draws a plain leaf", model_.name, letter, letter));
+        warn(fmt::format("{}: no organ {} in the view; ~{} draws a plain leaf", model_.name, letter,
+                         letter));
     Organ organ;
     organ.shape = builder_.organ_shape(letter);
     organ.segment = state_.place.segment;
@@ -475,7 +482,8 @@ void Turtle::add_organ(char letter, Symbol const& symbol)
     organ.orientation = Quat(axes).normalized();
     double const uniform = symbol.parameter(0, 1);
     for (int i = 0; i < 3; ++i) {
-        double const scale = symbol.count >= 3 ? symbol.parameter(static_cast<std::size_t>(i), 1) : uniform;
+        double const scale
+            = symbol.count >= 3 ? symbol.parameter(static_cast<std::size_t>(i), 1) : uniform;
         organ.scale[i] = static_cast<float>(std::clamp(scale * state_.scale, -1e6, 1e6));
     }
     if (organ.scale.squaredNorm() > 0)
@@ -486,7 +494,8 @@ void Turtle::add_organ(char letter, Symbol const& symbol)
 // upper side. The line width where no diameter is given.
 void Turtle::add_round(OrganShape::Kind kind, Symbol const& symbol)
 {
-    double const diameter = std::clamp(symbol.parameter(0, state_.width / std::max(state_.scale, 1e-6)) * state_.scale, 0.0, 1e6);
+    double const diameter = std::clamp(
+        symbol.parameter(0, state_.width / std::max(state_.scale, 1e-6)) * state_.scale, 0.0, 1e6);
     if (!(diameter > 0))
         return;
     Organ organ;
@@ -510,7 +519,8 @@ TurtlePlant Turtle::finish()
     TurtlePlant result;
     result.plant = builder_.finish();
     if (view_.pipe_model)
-        apply_pipe_model(result.plant, view_.pipe_exponent, view_.pipe_tip_radius * options_.unit_mm);
+        apply_pipe_model(result.plant, view_.pipe_exponent,
+                         view_.pipe_tip_radius * options_.unit_mm);
     result.warnings = std::move(warnings_);
     return result;
 }
@@ -533,9 +543,13 @@ public:
         while (at_ < string_.size()) {
             auto const count = draw_one();
             if (machine_.loop_did_not_end())
-                return fail(Fault::User, fmt::format("{}: a while loop did not end within 10 million rounds", model_.name));
+                return fail(Fault::User,
+                            fmt::format("{}: a while loop did not end within 10 million rounds",
+                                        model_.name));
             if (turtle_.is_full() || count == 0)
-                return fail(Fault::User, fmt::format("{}: the homomorphism makes more than {} modules", model_.name, max_modules_));
+                return fail(Fault::User,
+                            fmt::format("{}: the homomorphism makes more than {} modules",
+                                        model_.name, max_modules_));
             pass(count);
             if (turtle_.take_cut())
                 pass_branch();
@@ -547,7 +561,8 @@ private:
     std::size_t draw_one()
     {
         auto const kind = string_.kinds[at_];
-        Modules const rest { string_.kinds.data() + at_, string_.parameters.data() + parameter_, string_.size() - at_ };
+        Modules const rest { string_.kinds.data() + at_, string_.parameters.data() + parameter_,
+                             string_.size() - at_ };
         if (!homomorphism_.has_rules(kind))
             return turtle_.draw(rest, false);
         machine_.begin_module(kHomomorphismStep, at_);
@@ -592,7 +607,8 @@ Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString con
     return Interpretation(model, string, options).run();
 }
 
-Result<Plant> interpret(Model const& model, ModuleString const& string, TurtleOptions const& options)
+Result<Plant> interpret(Model const& model, ModuleString const& string,
+                        TurtleOptions const& options)
 {
     return TRY(interpret_with_warnings(model, string, options)).plant;
 }

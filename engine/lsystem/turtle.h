@@ -39,9 +39,9 @@ struct TurtlePlant {
 // step that draws nothing, begins an axis of its own that stands on the last segment. Steps of no
 // length draw nothing. Inside { } steps set the polygon's vertices and draw nothing.
 //
-// Radii are half the line width: at each node of the segment that starts there, at an axis' tip what
-// its last segment has or what is set behind it. With `radii: pipe` in the view they follow from the
-// pipe model.
+// Radii are half the line width: at each node of the segment that starts there, at an axis' tip
+// what its last segment has or what is set behind it. With `radii: pipe` in the view they follow
+// from the pipe model.
 //
 // Materials are the view's, by turtle colour; a colour that has none is bark.
 Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString const& string,

@@ -15,17 +15,56 @@ namespace tractus {
 namespace {
 
 // cpfg's statements that do not concern geometry, or that we leave to others.
-constexpr std::array<std::string_view, 50> kIgnoredKeys {
-    "viewpoint", "view reference point", "twist", "projection", "front distance", "back distance",
-    "scale factor", "z buffer", "cue range", "shade mode", "light direction", "diffuse reflection",
-    "surface ambient", "surface diffuse", "line", "surface", "box", "background color",
-    "ambient light", "font", "polygonization level", "blob", "light", "texture", "render mode",
-    "line style", "tapered lines", "contour sides", "contour", "viewing angle", "background scene",
-    "twist of cylinders", "interpretation step", "interpretation past %", "tsurface",
-    "rayshade objects", "rayshade scale", "initial scale", "scale multiplier", "environment display",
-    "curve", "antialiasing", "min zoom", "max zoom", "generate on view change", "winfont",
-    "concave polygons", "shadow map", "PS linecap", "view volume"
-};
+constexpr std::array<std::string_view, 50> kIgnoredKeys { "viewpoint",
+                                                          "view reference point",
+                                                          "twist",
+                                                          "projection",
+                                                          "front distance",
+                                                          "back distance",
+                                                          "scale factor",
+                                                          "z buffer",
+                                                          "cue range",
+                                                          "shade mode",
+                                                          "light direction",
+                                                          "diffuse reflection",
+                                                          "surface ambient",
+                                                          "surface diffuse",
+                                                          "line",
+                                                          "surface",
+                                                          "box",
+                                                          "background color",
+                                                          "ambient light",
+                                                          "font",
+                                                          "polygonization level",
+                                                          "blob",
+                                                          "light",
+                                                          "texture",
+                                                          "render mode",
+                                                          "line style",
+                                                          "tapered lines",
+                                                          "contour sides",
+                                                          "contour",
+                                                          "viewing angle",
+                                                          "background scene",
+                                                          "twist of cylinders",
+                                                          "interpretation step",
+                                                          "interpretation past %",
+                                                          "tsurface",
+                                                          "rayshade objects",
+                                                          "rayshade scale",
+                                                          "initial scale",
+                                                          "scale multiplier",
+                                                          "environment display",
+                                                          "curve",
+                                                          "antialiasing",
+                                                          "min zoom",
+                                                          "max zoom",
+                                                          "generate on view change",
+                                                          "winfont",
+                                                          "concave polygons",
+                                                          "shadow map",
+                                                          "PS linecap",
+                                                          "view volume" };
 
 constexpr double kUnitsPerPixel = 0.05;
 
@@ -161,7 +200,8 @@ Result<bool> ViewParser::scalar(std::string_view key, std::string_view value)
         target = &view_.elasticity;
     else if (key == "elasticity increment")
         target = &view_.elasticity_step;
-    else if (key != "angle factor" && key != "angle increment" && key != "initial color" && key != "color increment")
+    else if (key != "angle factor" && key != "angle increment" && key != "initial color"
+             && key != "color increment")
         return false;
     auto const first = words(value, " \t,");
     if (first.empty() || !number(first[0])) {
@@ -256,7 +296,8 @@ Result<void> ViewParser::function(std::string_view value)
         return error("found nothing, expected the function's file");
     auto const name = std::string(parts[0]);
     FunctionTable table { name.substr(0, name.find('.')), { 0, 0 } };
-    auto const text = include_ ? include_(name) : Result<std::string>(fail(Fault::User, "this model has no folder"));
+    auto const text = include_ ? include_(name)
+                               : Result<std::string>(fail(Fault::User, "this model has no folder"));
     if (!text) {
         warn(fmt::format("cannot read the function {} ({}); it is 0", name, text.error().message));
     } else {
@@ -271,9 +312,11 @@ Result<void> ViewParser::function(std::string_view value)
 Result<void> ViewParser::function_set(std::string_view value)
 {
     auto const name = std::string(value);
-    auto const text = include_ ? include_(name) : Result<std::string>(fail(Fault::User, "this model has no folder"));
+    auto const text = include_ ? include_(name)
+                               : Result<std::string>(fail(Fault::User, "this model has no folder"));
     if (!text) {
-        warn(fmt::format("cannot read the function set {} ({}); its functions are 0", name, text.error().message));
+        warn(fmt::format("cannot read the function set {} ({}); its functions are 0", name,
+                         text.error().message));
         return {};
     }
     for (auto& table : TRY(parse_functions(name, *text)))
@@ -283,7 +326,8 @@ Result<void> ViewParser::function_set(std::string_view value)
 
 Result<void> ViewParser::material(std::string_view value)
 {
-    static constexpr std::array<std::string_view, 5> kKinds { "bark", "stem", "leaf", "petal", "solid" };
+    static constexpr std::array<std::string_view, 5> kKinds { "bark", "stem", "leaf", "petal",
+                                                              "solid" };
     auto const parts = words(value, " \t");
     if (parts.size() < 2)
         return error("expected 'material: INDEX NAME kind=... color=R,G,B'");
@@ -297,16 +341,19 @@ Result<void> ViewParser::material(std::string_view value)
         if (key == "kind") {
             auto const kind = std::find(kKinds.begin(), kKinds.end(), text);
             if (kind == kKinds.end())
-                return error(fmt::format("found kind={}, expected bark, stem, leaf, petal or solid", text));
+                return error(
+                    fmt::format("found kind={}, expected bark, stem, leaf, petal or solid", text));
             material.kind = static_cast<Material::Kind>(kind - kKinds.begin());
         } else if (key == "color") {
             auto const color = TRY(read_vector(text));
             material.base_color = color.cwiseMax(0).cwiseMin(1).cast<float>();
         } else if (key == "roughness" || key == "translucency") {
             auto const number = std::clamp(TRY(read_number(text)), 0.0, 1.0);
-            (key == "roughness" ? material.roughness : material.translucency) = static_cast<float>(number);
+            (key == "roughness" ? material.roughness : material.translucency)
+                = static_cast<float>(number);
         } else {
-            return error(fmt::format("found '{}', expected kind=, color=, roughness= or translucency=", part));
+            return error(fmt::format(
+                "found '{}', expected kind=, color=, roughness= or translucency=", part));
         }
     }
     if (index < 0 || index > 255 || index != std::floor(index))
@@ -373,14 +420,17 @@ Result<void> ViewParser::organ_field(OrganDefinition& organ, std::string_view fi
         Entry { "fold", &fold_deg, -90, 90 },
         Entry { "curl", &curl_deg, -360, 360 },
     };
-    auto const* const entry = std::find_if(entries.begin(), entries.end(), [&](auto const& e) { return e.key == key; });
+    auto const* const entry
+        = std::find_if(entries.begin(), entries.end(), [&](auto const& e) { return e.key == key; });
     if (entry == entries.end())
-        return error(fmt::format("found '{}', expected kind=, material=, length=, width=, petiole=, widest=, "
-                                 "tip=, base=, lobes=, lobe_count=, fold= or curl=",
-                                 field));
+        return error(fmt::format(
+            "found '{}', expected kind=, material=, length=, width=, petiole=, widest=, "
+            "tip=, base=, lobes=, lobe_count=, fold= or curl=",
+            field));
     auto const value = TRY(read_number(text));
     if (value < entry->min || value > entry->max)
-        return error(fmt::format("found {}={}, expected {} to {}", key, value, entry->min, entry->max));
+        return error(
+            fmt::format("found {}={}, expected {} to {}", key, value, entry->min, entry->max));
     *entry->target = value;
     shape.material = static_cast<MaterialId>(material);
     shape.lobe_count = static_cast<int>(lobe_count);
@@ -404,7 +454,8 @@ Result<void> ViewParser::radii(std::string_view value)
 
 } // namespace
 
-Result<View> parse_view(std::string const& name, std::string_view text, IncludeReader const& include)
+Result<View> parse_view(std::string const& name, std::string_view text,
+                        IncludeReader const& include)
 {
     auto const source = TRY(preprocess(name, text, include));
     return ViewParser(source, include).parse();

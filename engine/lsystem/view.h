@@ -34,7 +34,8 @@ struct FunctionTable {
 // An organ shape and the symbol that places it: ~ and the letter.
 struct OrganDefinition {
     char letter = 'l';
-    OrganShape shape; // Lengths in turtle units, not millimetres; material as a turtle colour index.
+    OrganShape
+        shape; // Lengths in turtle units, not millimetres; material as a turtle colour index.
 };
 
 // What a view file (.v) says about geometry. Angles in degrees, lengths in turtle units.
@@ -42,7 +43,8 @@ struct OrganDefinition {
 // Besides cpfg's statements there are three of our own, which cpfg reports and skips:
 //   material: INDEX NAME kind=bark|stem|leaf|petal|solid color=R,G,B [roughness=] [translucency=]
 //     INDEX is the turtle's colour, as ; and , set it. color is sRGB, 0 to 1.
-//   organ: LETTER NAME kind=blade|needle|disc|ball material=INDEX length= width= [petiole=] [widest=]
+//   organ: LETTER NAME kind=blade|needle|disc|ball material=INDEX length= width= [petiole=]
+//   [widest=]
 //          [tip=] [base=] [lobes=] [lobe_count=] [fold=DEG] [curl=DEG]
 //     drawn by ~LETTER; lengths at scale 1. See engine/plant/organ_shape.h for the others.
 //   radii: pipe EXPONENT TIP_RADIUS
@@ -68,6 +70,7 @@ struct View {
 
 // Reads a view file. Fails, as the user's fault, with "FILE:LINE:COLUMN: …". `include` gives the
 // functions' files too; one that cannot be read is a warning, and the function is 0.
-Result<View> parse_view(std::string const& name, std::string_view text, IncludeReader const& include);
+Result<View> parse_view(std::string const& name, std::string_view text,
+                        IncludeReader const& include);
 
 } // namespace tractus

@@ -7,12 +7,14 @@ namespace tractus {
 void apply_pipe_model(Plant& plant, double exponent, double tip_radius_mm)
 {
     double const tip = std::pow(tip_radius_mm, exponent);
-    std::vector<double> borne(plant.segment_count()); // By each segment: the sum over its lateral axes.
+    std::vector<double> borne(
+        plant.segment_count()); // By each segment: the sum over its lateral axes.
     // Children come after their parents, so backwards every axis is done before what bears it.
     for (auto axis = plant.axes.rbegin(); axis != plant.axes.rend(); ++axis) {
         double sum = 0;
         auto const set_radius = [&](std::size_t node) {
-            plant.node_radius_mm[axis->first_node + node] = static_cast<float>(std::pow(sum, 1 / exponent));
+            plant.node_radius_mm[axis->first_node + node]
+                = static_cast<float>(std::pow(sum, 1 / exponent));
         };
         for (std::size_t i = axis->segment_count; i-- > 0;) {
             sum += borne[axis->first_segment + i];

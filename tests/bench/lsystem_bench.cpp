@@ -10,7 +10,8 @@ namespace {
 // The workloads that published measurements of L-system engines use.
 
 // ABoP figure 1.24a: 2.5 * 5^n - 1.5 modules after n steps.
-constexpr char const* kBush = "Lsystem: 1\nderivation length: 10\nAxiom: F\nF --> F[+F]F[-F]F\nendlsystem\n";
+constexpr char const* kBush
+    = "Lsystem: 1\nderivation length: 10\nAxiom: F\nF --> F[+F]F[-F]F\nendlsystem\n";
 
 // ABoP figure 2.6, a monopodial tree, each rule split into two of which chance takes one:
 // 7 * 2^n - 6 modules and 2^n - 1 segments.
@@ -76,12 +77,25 @@ void derive_model(benchmark::State& state, std::string const& rules)
         benchmark::DoNotOptimize(string.kinds.data());
     }
     state.counters["bytes_per_module"] = static_cast<double>(bytes) / static_cast<double>(modules);
-    report(state, { .items = static_cast<double>(modules), .item = "modules", .bytes = static_cast<double>(bytes), .limit = Limit::Fill });
+    report(state,
+           { .items = static_cast<double>(modules),
+             .item = "modules",
+             .bytes = static_cast<double>(bytes),
+             .limit = Limit::Fill });
 }
 
-void derive_bush(benchmark::State& state) { derive_model(state, kBush); }
-void derive_tree(benchmark::State& state) { derive_model(state, kTree); }
-void derive_signals(benchmark::State& state) { derive_model(state, kSignals); }
+void derive_bush(benchmark::State& state)
+{
+    derive_model(state, kBush);
+}
+void derive_tree(benchmark::State& state)
+{
+    derive_model(state, kTree);
+}
+void derive_signals(benchmark::State& state)
+{
+    derive_model(state, kSignals);
+}
 
 void signal_through_a_row(benchmark::State& state)
 {
@@ -100,7 +114,8 @@ void compile_tree(benchmark::State& state)
     source.text = kTree;
     for (auto _ : state)
         benchmark::DoNotOptimize(compile_model(source).value());
-    report(state, { .items = 1, .item = "models", .bytes = static_cast<double>(source.text.size()) });
+    report(state,
+           { .items = 1, .item = "models", .bytes = static_cast<double>(source.text.size()) });
 }
 
 void interpret_tree(benchmark::State& state)
@@ -114,11 +129,15 @@ void interpret_tree(benchmark::State& state)
     for (auto _ : state) {
         auto const plant = interpret(model, string).value();
         segments = plant.segment_count();
-        bytes = plant.node_position_mm.size() * (sizeof(Vec3) + sizeof(float)) + segments * sizeof(MaterialId)
-            + plant.axes.size() * sizeof(Axis);
+        bytes = plant.node_position_mm.size() * (sizeof(Vec3) + sizeof(float))
+            + segments * sizeof(MaterialId) + plant.axes.size() * sizeof(Axis);
         benchmark::DoNotOptimize(plant.axes.data());
     }
-    report(state, { .items = static_cast<double>(segments), .item = "segments", .bytes = static_cast<double>(bytes), .limit = Limit::Fill });
+    report(state,
+           { .items = static_cast<double>(segments),
+             .item = "segments",
+             .bytes = static_cast<double>(bytes),
+             .limit = Limit::Fill });
 }
 
 BENCHMARK(derive_bush)->Arg(9)->Arg(10)->Unit(benchmark::kMillisecond);

@@ -39,20 +39,22 @@ std::string without_blanks(std::string text)
             double const a = std::stod(found.substr(i, 40), &found_length);
             double const b = std::stod(expected.substr(k, 40), &expected_length);
             if (std::fabs(a - b) > 1e-5 * std::fabs(b))
-                return ::testing::AssertionFailure() << "at " << i << ": " << a << ", expected " << b;
+                return ::testing::AssertionFailure()
+                    << "at " << i << ": " << a << ", expected " << b;
             i += found_length;
             k += expected_length;
             continue;
         }
         if (found[i] != expected[k])
-            return ::testing::AssertionFailure() << "at " << i << ": ..." << found.substr(i, 60) << "\nexpected ..."
-                                                 << expected.substr(k, 60);
+            return ::testing::AssertionFailure() << "at " << i << ": ..." << found.substr(i, 60)
+                                                 << "\nexpected ..." << expected.substr(k, 60);
         in_parentheses = found[i] == '(' || (in_parentheses && found[i] != ')');
         ++i;
         ++k;
     }
     if (i != found.size() || k != expected.size())
-        return ::testing::AssertionFailure() << "lengths " << found.size() << " and " << expected.size();
+        return ::testing::AssertionFailure()
+            << "lengths " << found.size() << " and " << expected.size();
     return ::testing::AssertionSuccess();
 }
 
@@ -71,7 +73,8 @@ Result<Model> compile_entry(nlohmann::json const& entry)
 {
     auto const folder = corpus() / "lsystems" / entry["saved"].get<std::string>();
     auto const name = std::filesystem::path(entry["path"].get<std::string>()).filename();
-    return compile_file(folder / name, entry["view"].is_string() ? entry["view"].get<std::string>() : "");
+    return compile_file(folder / name,
+                        entry["view"].is_string() ? entry["view"].get<std::string>() : "");
 }
 
 TEST_P(PublishedModel, GivesTheStringThatCpfgGives)
@@ -82,7 +85,8 @@ TEST_P(PublishedModel, GivesTheStringThatCpfgGives)
     ASSERT_TRUE(model) << model.error().message;
     auto const string = derive(*model);
     ASSERT_TRUE(string) << string.error().message;
-    auto const name = std::filesystem::path(entry["path"].get<std::string>()).stem().string() + ".expected.str";
+    auto const name
+        = std::filesystem::path(entry["path"].get<std::string>()).stem().string() + ".expected.str";
     auto const expected = without_blanks(read_text(corpus() / "lsystems" / GetParam() / name));
     EXPECT_TRUE(same_strings(to_string(*model, *string), expected));
 }
@@ -91,7 +95,8 @@ TEST_P(PublishedModel, DrawsWhatCpfgDraws)
 {
     REQUIRE_CORPUS();
     if (GetParam() == "10-manuals__11-CPFG__JumpingLamp")
-        GTEST_SKIP() << "the reference was drawn without the model's functions, which have a file of their own";
+        GTEST_SKIP() << "the reference was drawn without the model's functions, which have a file "
+                        "of their own";
     auto const entry = entry_of(GetParam());
     auto const model = compile_entry(entry);
     ASSERT_TRUE(model) << model.error().message;
@@ -101,7 +106,8 @@ TEST_P(PublishedModel, DrawsWhatCpfgDraws)
     ASSERT_TRUE(drawn) << drawn.error().message;
     auto const counts = count_symbols(*model, *drawn);
     auto const segments = counts.find("F");
-    EXPECT_EQ(segments == counts.end() ? 0 : segments->second, entry["homo"]["F"].get<std::size_t>());
+    EXPECT_EQ(segments == counts.end() ? 0 : segments->second,
+              entry["homo"]["F"].get<std::size_t>());
     EXPECT_EQ(sha256(to_string(*model, *drawn)), entry["homo"]["sha256"].get<std::string>());
 }
 
@@ -119,20 +125,19 @@ TEST_P(PublishedModel, BecomesASoundPlant)
 
 INSTANTIATE_TEST_SUITE_P(
     All, PublishedModel,
-    ::testing::Values("10-manuals__11-CPFG__BackgroundScene", "10-manuals__11-CPFG__ConcavePolygons",
-                      "10-manuals__11-CPFG__GeneralizedCylinder", "10-manuals__11-CPFG__JumpingLamp",
-                      "10-manuals__11-CPFG__Ring", "10-manuals__11-CPFG__Shedding",
-                      "10-manuals__11-CPFG__Tropisms", "11-CPFG__01-Introduction__01-quadratic-Koch",
-                      "11-CPFG__01-Introduction__02-snowflake-exercise",
-                      "11-CPFG__01-Introduction__04-compound", "11-CPFG__01-Introduction__07-fractal-ferns",
-                      "11-CPFG__01-Introduction__08-continuous-time",
-                      "11-CPFG__02-Mod-vis-3D__01-planation", "11-CPFG__02-Mod-vis-3D__02-decussate",
-                      "11-CPFG__02-Mod-vis-3D__06-comp-leaf-perspective",
-                      "11-CPFG__02-Mod-vis-3D__09-monopodial-spiral",
-                      "11-CPFG__04-Signaling__02-hormone-down", "11-CPFG__04-Signaling__03-signal-down",
-                      "11-CPFG__04-Signaling__04-florigen", "11-CPFG__04-Signaling__05-florigen-param",
-                      "11-CPFG__04-Signaling__10-mycelis-realistic",
-                      "11-CPFG__04-Signaling__13-mesotonic-1-signal"),
+    ::testing::Values(
+        "10-manuals__11-CPFG__BackgroundScene", "10-manuals__11-CPFG__ConcavePolygons",
+        "10-manuals__11-CPFG__GeneralizedCylinder", "10-manuals__11-CPFG__JumpingLamp",
+        "10-manuals__11-CPFG__Ring", "10-manuals__11-CPFG__Shedding",
+        "10-manuals__11-CPFG__Tropisms", "11-CPFG__01-Introduction__01-quadratic-Koch",
+        "11-CPFG__01-Introduction__02-snowflake-exercise", "11-CPFG__01-Introduction__04-compound",
+        "11-CPFG__01-Introduction__07-fractal-ferns",
+        "11-CPFG__01-Introduction__08-continuous-time", "11-CPFG__02-Mod-vis-3D__01-planation",
+        "11-CPFG__02-Mod-vis-3D__02-decussate", "11-CPFG__02-Mod-vis-3D__06-comp-leaf-perspective",
+        "11-CPFG__02-Mod-vis-3D__09-monopodial-spiral", "11-CPFG__04-Signaling__02-hormone-down",
+        "11-CPFG__04-Signaling__03-signal-down", "11-CPFG__04-Signaling__04-florigen",
+        "11-CPFG__04-Signaling__05-florigen-param", "11-CPFG__04-Signaling__10-mycelis-realistic",
+        "11-CPFG__04-Signaling__13-mesotonic-1-signal"),
     [](auto const& tested) {
         auto name = tested.param.substr(tested.param.rfind("__") + 2);
         std::erase_if(name, [](unsigned char c) { return !std::isalnum(c); });
@@ -241,7 +246,8 @@ TEST_P(CountedSystem, HasTheExactCountsAndString)
             for (auto const& [symbol, count] : counts) {
                 modules += count;
                 auto const name = symbol == "@v" ? "$" : symbol;
-                EXPECT_EQ(count, expected["counts"].value(name, std::size_t { 0 })) << symbol << " after " << steps;
+                EXPECT_EQ(count, expected["counts"].value(name, std::size_t { 0 }))
+                    << symbol << " after " << steps;
             }
             EXPECT_EQ(modules, expected["modules"].get<std::size_t>()) << steps;
             compare_strings(*model, *string, expected);
@@ -252,10 +258,11 @@ TEST_P(CountedSystem, HasTheExactCountsAndString)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CountedSystem,
-                         ::testing::Values("algae", "koch_island", "koch_island_17a", "quad_snowflake_17b",
-                                           "koch_19b", "koch_19d", "koch_19f", "gosper_quad", "hilbert3d",
-                                           "peano", "koch_snowflake", "levy_c", "bush_124b", "bush_124d",
-                                           "bush_124f", "bush3d_125", "signal_acropetal", "hogeweg_131b",
+                         ::testing::Values("algae", "koch_island", "koch_island_17a",
+                                           "quad_snowflake_17b", "koch_19b", "koch_19d", "koch_19f",
+                                           "gosper_quad", "hilbert3d", "peano", "koch_snowflake",
+                                           "levy_c", "bush_124b", "bush_124d", "bush_124f",
+                                           "bush3d_125", "signal_acropetal", "hogeweg_131b",
                                            "hogeweg_131e", "parametric_134", "row_of_trees",
                                            "row_of_trees_inc", "sympodial_27a"),
                          [](auto const& tested) { return tested.param; });

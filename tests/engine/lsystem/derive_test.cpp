@@ -74,27 +74,33 @@ TEST(Expressions, HaveCpfgsPrecedence)
 {
     EXPECT_EQ(derived("Axiom: A(-2^2, 2^3^2, 2+3*4, 10-2-3, 7%4, !0, 1<2, 2==2&&0||1, 1?2:3)", 0),
               "A(4,64,14,5,3,1,1,1,2)");
-    EXPECT_EQ(derived("Axiom: A(1/0, trunc(2.5), floor(-0.5), ceil(0.5), sign(-3), fabs(-2))", 0), "A(1,3,-1,1,-1,2)");
+    EXPECT_EQ(derived("Axiom: A(1/0, trunc(2.5), floor(-0.5), ceil(0.5), sign(-3), fabs(-2))", 0),
+              "A(1,3,-1,1,-1,2)");
 }
 
 TEST(Expressions, CountAnglesInDegrees)
 {
-    EXPECT_EQ(derived("Axiom: A(sin(30), cos(60), atan(1), asin(1), atan2(0, 1))", 0), "A(0.5,0.5,45,90,90)");
+    EXPECT_EQ(derived("Axiom: A(sin(30), cos(60), atan(1), asin(1), atan2(0, 1))", 0),
+              "A(0.5,0.5,45,90,90)");
 }
 
 TEST(Statements, RunBeforeAndAfterTheCondition)
 {
-    EXPECT_EQ(derived("Axiom: A(3)\nA(x) : {y=x*2; x=x+1;} y==6 {z=y+x;} --> B(x,y,z)"), "B(4,6,10)");
-    EXPECT_EQ(derived("Axiom: A(5)\nA(n) : {s=0; i=1; while (i<=n) {s=s+i; i=i+1;} if (s>14) {s=-s;} else {s=0;}} 1 --> B(s)"),
+    EXPECT_EQ(derived("Axiom: A(3)\nA(x) : {y=x*2; x=x+1;} y==6 {z=y+x;} --> B(x,y,z)"),
+              "B(4,6,10)");
+    EXPECT_EQ(derived("Axiom: A(5)\nA(n) : {s=0; i=1; while (i<=n) {s=s+i; i=i+1;} if (s>14) "
+                      "{s=-s;} else {s=0;}} 1 --> B(s)"),
               "B(-15)");
 }
 
 TEST(Statements, KeepGlobalsAndArrays)
 {
-    EXPECT_EQ(derived("define: {array a[2][2] = {1,2,3,4};}\nStart: {n=10;}\nStartEach: {n=n+1; a[1][0]=n;}\n"
-                      "Axiom: A\nA --> B(n, a[1][0], a[0][1], Q, Z)",
-                      1),
-              "B(11,11,2,1,1)");
+    EXPECT_EQ(
+        derived(
+            "define: {array a[2][2] = {1,2,3,4};}\nStart: {n=10;}\nStartEach: {n=n+1; a[1][0]=n;}\n"
+            "Axiom: A\nA --> B(n, a[1][0], a[0][1], Q, Z)",
+            1),
+        "B(11,11,2,1,1)");
 }
 
 TEST(Statements, StartLocalsAtZeroEachTime)
@@ -119,14 +125,17 @@ TEST(Cut, RemovesTheRestOfTheBranch)
 
 TEST(Decomposition, RewritesUntilNoRuleMatches)
 {
-    EXPECT_EQ(derived("Axiom: A(5)\ndecomposition\nmaximum depth: 10\nA(n) : n>0 --> BA(n-1)"), "BBBBBA(0)");
-    EXPECT_EQ(derived("Axiom: A(5)\ndecomposition\nmaximum depth: 2\nA(n) : n>0 --> BA(n-1)"), "BBA(3)");
+    EXPECT_EQ(derived("Axiom: A(5)\ndecomposition\nmaximum depth: 10\nA(n) : n>0 --> BA(n-1)"),
+              "BBBBBA(0)");
+    EXPECT_EQ(derived("Axiom: A(5)\ndecomposition\nmaximum depth: 2\nA(n) : n>0 --> BA(n-1)"),
+              "BBA(3)");
     EXPECT_EQ(derived("Axiom: X\nX --> A(2)\ndecomposition\nA(n) --> B(n)C"), "B(2)C");
 }
 
 TEST(Homomorphism, ChangesWhatIsDrawnOnly)
 {
-    auto const model = compiled(with_header("Axiom: A(2)\nhomomorphism\nmaximum depth: 2\nA(n) --> ;B(n)\nB(n) --> F(n)F"));
+    auto const model = compiled(
+        with_header("Axiom: A(2)\nhomomorphism\nmaximum depth: 2\nA(n) --> ;B(n)\nB(n) --> F(n)F"));
     auto const string = derive(model);
     ASSERT_TRUE(string);
     EXPECT_EQ(to_string(model, *string), "A(2)");
@@ -152,13 +161,15 @@ TEST(Stochastic, DependsOnTheSeedAlone)
     auto const rules = "Axiom: AAAAAAAAAAAAAAAA\nA --> AB : 0.5\nA --> BA : 0.5";
     EXPECT_EQ(derived(rules, 4, 7), derived(rules, 4, 7));
     EXPECT_NE(derived(rules, 4, 7), derived(rules, 4, 8));
-    EXPECT_NE(derived(std::string("seed: 1\n") + rules, 4, 7), derived(std::string("seed: 2\n") + rules, 4, 7));
+    EXPECT_NE(derived(std::string("seed: 1\n") + rules, 4, 7),
+              derived(std::string("seed: 2\n") + rules, 4, 7));
 }
 
 TEST(Stochastic, DrawsTheDistributionsOfTheLanguage)
 {
-    auto const model = compiled(with_header("Axiom: A(20000)\ndecomposition\nmaximum depth: 30000\n"
-                                            "A(n) : n>0 --> B(ran(2),nran(3,2),bran(5,16),biran(10,0.3))A(n-1)"));
+    auto const model = compiled(
+        with_header("Axiom: A(20000)\ndecomposition\nmaximum depth: 30000\n"
+                    "A(n) : n>0 --> B(ran(2),nran(3,2),bran(5,16),biran(10,0.3))A(n-1)"));
     auto const string = derive(model);
     ASSERT_TRUE(string) << string.error().message;
     ASSERT_EQ(string->size(), 20001u);
@@ -177,8 +188,9 @@ TEST(Limits, StopARunawayModel)
     auto const string = derive(model, { .steps = {}, .seed = 1, .max_modules = 1000 });
     ASSERT_FALSE(string);
     EXPECT_EQ(string.error().fault, Fault::User);
-    EXPECT_EQ(string.error().message,
-              "model.l: step 10 makes more than 1000 modules; derive fewer steps or raise the limit");
+    EXPECT_EQ(
+        string.error().message,
+        "model.l: step 10 makes more than 1000 modules; derive fewer steps or raise the limit");
 }
 
 TEST(Parameters, AreSingleFloats)
@@ -190,8 +202,8 @@ TEST(Counts, JoinTheTurtlesLongSymbols)
 {
     auto const model = compiled(with_header("Axiom: @Ts(1,2)@o(3)o~l(2)?P(0,0,0)FFF(2)", 0));
     auto const counts = count_symbols(model, *derive(model));
-    std::map<std::string, std::size_t> const expected { { "@Ts", 1 }, { "@o", 1 }, { "o", 1 }, { "~l", 1 },
-                                                        { "?P", 1 }, { "F", 3 } };
+    std::map<std::string, std::size_t> const expected { { "@Ts", 1 }, { "@o", 1 }, { "o", 1 },
+                                                        { "~l", 1 },  { "?P", 1 }, { "F", 3 } };
     EXPECT_EQ(counts, expected);
 }
 

@@ -34,17 +34,22 @@ C(x) --> #(0.1)G(x*func(1,x))@Gs|^\@Ge
 endlsystem
 )";
 
-std::string const kView = "angle increment: 25\ninitial line width: 0.3\ntropism: T: 0,1,0 E: 0.1\n"
-                          "tropism direction: 0,1,0\ninitial elasticity: 0.05\nfunction: f.func 10\n"
-                          "material: 1 bark kind=bark color=0.3,0.2,0.1\nmaterial: 2 leaf kind=leaf color=0.2,0.5,0.1\n"
-                          "organ: l leaf kind=blade material=2 length=2 width=1 lobes=0.2 lobe_count=3\nradii: pipe 2 0.05\n";
+std::string const kView
+    = "angle increment: 25\ninitial line width: 0.3\ntropism: T: 0,1,0 E: 0.1\n"
+      "tropism direction: 0,1,0\ninitial elasticity: 0.05\nfunction: f.func 10\n"
+      "material: 1 bark kind=bark color=0.3,0.2,0.1\nmaterial: 2 leaf kind=leaf color=0.2,0.5,0.1\n"
+      "organ: l leaf kind=blade material=2 length=2 width=1 lobes=0.2 lobe_count=3\nradii: pipe 2 "
+      "0.05\n";
 
 // Changes, removes, doubles or moves a few pieces.
 std::string mutated(std::string text, Random& random)
 {
     static constexpr std::string_view kPieces = "()[]{}<>:;,.*%@~?!#&|^\\/+-=\"\n\t 0919eAFfxmn";
-    auto const place = [&] { return static_cast<std::size_t>(random.uniform() * static_cast<double>(text.size())); };
-    for (int changes = 1 + static_cast<int>(random.uniform() * 6); changes > 0 && !text.empty(); --changes) {
+    auto const place = [&] {
+        return static_cast<std::size_t>(random.uniform() * static_cast<double>(text.size()));
+    };
+    for (int changes = 1 + static_cast<int>(random.uniform() * 6); changes > 0 && !text.empty();
+         --changes) {
         auto const at = place();
         auto const length = static_cast<std::size_t>(1 + random.uniform() * 12);
         switch (random.next_u32() % 5) {

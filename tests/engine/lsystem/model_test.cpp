@@ -9,11 +9,15 @@ namespace {
 
 TEST(ModelErrors, NameTheLineAndColumn)
 {
-    EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A\nA -> B\n"), "model.l:3:7: found the end of the line, expected '-->'");
+    EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A\nA -> B\n"),
+              "model.l:3:7: found the end of the line, expected '-->'");
     EXPECT_EQ(compile_error("Axiom: A\n"), "model.l:1:1: found 'A', expected 'Lsystem:'");
-    EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A(1\n"), "model.l:2:11: found the end of the line, expected ',' or ')'");
-    EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A\nA(x) : x>>1 --> B\n"), "model.l:3:10: found '>', expected a number, a name or '('");
-    EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A\nA(1) --> B\n"), "model.l:3:3: found '1', expected the name of a parameter");
+    EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A(1\n"),
+              "model.l:2:11: found the end of the line, expected ',' or ')'");
+    EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A\nA(x) : x>>1 --> B\n"),
+              "model.l:3:10: found '>', expected a number, a name or '('");
+    EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A\nA(1) --> B\n"),
+              "model.l:3:3: found '1', expected the name of a parameter");
     EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A\nA(x) --> B(foo(x))\n"),
               "model.l:3:12: found the function foo, expected one of cpfg's");
     EXPECT_EQ(compile_error(""), "model.l:1:1: found the end of the file, expected 'Lsystem:'");
@@ -29,19 +33,23 @@ TEST(ModelErrors, NameTheIncludedFile)
 {
     ModelSource source;
     source.text = "#include \"constants.h\"\nLsystem: 1\nAxiom: A\nendlsystem\n";
-    auto const model = compile_model(source, [](std::string const&) -> Result<std::string> { return "\nhello\n"; });
+    auto const model = compile_model(
+        source, [](std::string const&) -> Result<std::string> { return "\nhello\n"; });
     ASSERT_FALSE(model);
     EXPECT_EQ(model.error().message, "constants.h:2:1: found 'h', expected 'Lsystem:'");
-    EXPECT_EQ(compile_error(source.text), "model.l:1:1: cannot include constants.h: this model has no folder");
+    EXPECT_EQ(compile_error(source.text),
+              "model.l:1:1: cannot include constants.h: this model has no folder");
 }
 
 TEST(ModelErrors, StopAFileThatIncludesItself)
 {
     ModelSource source;
     source.text = "#include \"model.l\"\n";
-    auto const model = compile_model(source, [&](std::string const&) -> Result<std::string> { return source.text; });
+    auto const model = compile_model(
+        source, [&](std::string const&) -> Result<std::string> { return source.text; });
     ASSERT_FALSE(model);
-    EXPECT_NE(model.error().message.find("does it include itself?"), std::string::npos) << model.error().message;
+    EXPECT_NE(model.error().message.find("does it include itself?"), std::string::npos)
+        << model.error().message;
 }
 
 TEST(Preprocessor, ReplacesNamesNotPartsOfThem)
@@ -52,7 +60,8 @@ TEST(Preprocessor, ReplacesNamesNotPartsOfThem)
 
 TEST(Preprocessor, ReplacesMacrosWithParameters)
 {
-    EXPECT_EQ(derived("#define twice(x) ((x)+(x))\nAxiom: A(twice(2+1), twice(twice(1)))", 0), "A(6,4)");
+    EXPECT_EQ(derived("#define twice(x) ((x)+(x))\nAxiom: A(twice(2+1), twice(twice(1)))", 0),
+              "A(6,4)");
     EXPECT_EQ(compile_error("#define f(x) x\nLsystem: f(1,2)\n"),
               "model.l:2:11: macro f has 1 parameters, found 2 arguments");
 }
@@ -74,13 +83,15 @@ TEST(Preprocessor, StopsMacrosThatGrowWithoutEnd)
 {
     std::string text = "#define A0 xxxxxxxxxxxxxxxx\n";
     for (int i = 1; i < 40; ++i)
-        text += "#define A" + std::to_string(i) + " A" + std::to_string(i - 1) + " A" + std::to_string(i - 1) + "\n";
+        text += "#define A" + std::to_string(i) + " A" + std::to_string(i - 1) + " A"
+            + std::to_string(i - 1) + "\n";
     EXPECT_NE(compile_error(text + "Lsystem: A39\n").find("more than 16 MB"), std::string::npos);
 }
 
 TEST(Model, WarnsOnceOfWhatItLacks)
 {
-    auto const model = compiled("Lsystem: 1\nStart: {printf(\"%f\", 1); printf(\"again\"); y = z;}\nAxiom: A\nendlsystem\n");
+    auto const model = compiled("Lsystem: 1\nStart: {printf(\"%f\", 1); printf(\"again\"); y = "
+                                "z;}\nAxiom: A\nendlsystem\n");
     ASSERT_EQ(model.warnings.size(), 3u);
     EXPECT_EQ(model.warnings[0], "model.l:2:9: printf() is not supported; its value is 0");
     EXPECT_EQ(model.warnings[2], "model.l:2:47: z is not defined; its value is 0");

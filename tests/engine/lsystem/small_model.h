@@ -23,11 +23,13 @@ inline Model compiled(std::string const& rules, std::string const& view = {})
 // The rules with what every model must have around them.
 inline std::string with_header(std::string const& axiom_and_rules, int steps = 1)
 {
-    return "Lsystem: 1\nderivation length: " + std::to_string(steps) + "\n" + axiom_and_rules + "\nendlsystem\n";
+    return "Lsystem: 1\nderivation length: " + std::to_string(steps) + "\n" + axiom_and_rules
+        + "\nendlsystem\n";
 }
 
 // What the axiom becomes.
-inline std::string derived(std::string const& axiom_and_rules, int steps = 1, std::uint64_t seed = 1)
+inline std::string derived(std::string const& axiom_and_rules, int steps = 1,
+                           std::uint64_t seed = 1)
 {
     auto const model = compiled(with_header(axiom_and_rules, steps));
     auto const string = derive(model, { .steps = {}, .seed = seed });

@@ -16,7 +16,8 @@ Vec3 tip(Plant const& plant)
 
 void expect_near(Vec3 const& found, Vec3 const& expected)
 {
-    EXPECT_LT((found - expected).norm(), 1e-7) << found.transpose() << ", expected " << expected.transpose();
+    EXPECT_LT((found - expected).norm(), 1e-7)
+        << found.transpose() << ", expected " << expected.transpose();
 }
 
 TEST(Turtle, GrowsUpwards)
@@ -114,8 +115,10 @@ TEST(Turtle, ReadsVectorsInTheModelsSpace)
 TEST(Turtle, BendsTowardsTropisms)
 {
     // Heading to -x, T up: |H x T| = 1, elasticity 0.3: turns by 0.3 radians.
-    expect_near(tip(drawn("+(90)F", "tropism: T: 0,1,0 E: 0.3\n")), { -std::cos(0.3), 0, std::sin(0.3) });
-    expect_near(tip(drawn("+(90)@Ts(1,0.3)F", "tropism: T: 0,1,0\n")), { -std::cos(0.3), 0, std::sin(0.3) });
+    expect_near(tip(drawn("+(90)F", "tropism: T: 0,1,0 E: 0.3\n")),
+                { -std::cos(0.3), 0, std::sin(0.3) });
+    expect_near(tip(drawn("+(90)@Ts(1,0.3)F", "tropism: T: 0,1,0\n")),
+                { -std::cos(0.3), 0, std::sin(0.3) });
     // The older tropism bends behind the step.
     expect_near(tip(drawn("+(90)FF", "tropism direction: 0,1,0\ninitial elasticity: 0.3\n")),
                 { -1 - std::cos(0.3), 0, std::sin(0.3) });
@@ -126,7 +129,8 @@ TEST(Turtle, BendsTowardsTropisms)
 
 TEST(Turtle, PlacesOrgansInTheirFrame)
 {
-    auto const view = "material: 3 green kind=leaf color=0.2,0.6,0.1\norgan: l leaf kind=blade material=3 length=2 width=1\n";
+    auto const view = "material: 3 green kind=leaf color=0.2,0.6,0.1\norgan: l leaf kind=blade "
+                      "material=3 length=2 width=1\n";
     auto const plant = drawn("F[+(90)~l(2)]", view);
     ASSERT_EQ(plant.organs.size(), 1u);
     auto const& organ = plant.organs[0];
@@ -159,7 +163,8 @@ TEST(Turtle, FillsPolygons)
 
 TEST(Turtle, LeavesOutWhatIsNotANumber)
 {
-    auto const model = compiled(with_header("Axiom: F(log(-1))F(exp(1000))F+(log(0))F@M(1e38,1e38,1e38)F[[]]]}", 0));
+    auto const model = compiled(
+        with_header("Axiom: F(log(-1))F(exp(1000))F+(log(0))F@M(1e38,1e38,1e38)F[[]]]}", 0));
     auto const result = interpret_with_warnings(model, *derive(model));
     ASSERT_TRUE(result) << result.error().message;
     check_plant(result->plant);
@@ -168,9 +173,10 @@ TEST(Turtle, LeavesOutWhatIsNotANumber)
 
 TEST(Turtle, DrawsAMillionSegmentsInDeepBrackets)
 {
-    auto const model = compiled(with_header("Axiom: A(1000000)\nhomomorphism\nmaximum depth: 1000000\n"
-                                            "A(n) : n>0 --> F[&A(n-1)]",
-                                            0));
+    auto const model
+        = compiled(with_header("Axiom: A(1000000)\nhomomorphism\nmaximum depth: 1000000\n"
+                               "A(n) : n>0 --> F[&A(n-1)]",
+                               0));
     auto const plant = interpret(model, *derive(model));
     ASSERT_TRUE(plant) << plant.error().message;
     check_plant(*plant);
@@ -179,7 +185,8 @@ TEST(Turtle, DrawsAMillionSegmentsInDeepBrackets)
 
 TEST(Turtle, StopsARunawayHomomorphism)
 {
-    auto const model = compiled(with_header("Axiom: A\nhomomorphism\nmaximum depth: 50\nA --> AA", 0));
+    auto const model
+        = compiled(with_header("Axiom: A\nhomomorphism\nmaximum depth: 50\nA --> AA", 0));
     auto const plant = interpret(model, *derive(model), { .unit_mm = 10, .max_modules = 10000 });
     ASSERT_FALSE(plant);
     EXPECT_EQ(plant.error().message, "model.l: the homomorphism makes more than 10000 modules");

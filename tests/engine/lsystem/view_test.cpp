@@ -23,9 +23,10 @@ std::string error_of(std::string const& text)
 
 TEST(View, ReadsWhatConcernsTheTurtle)
 {
-    auto const view = parsed("angle factor: 8 // eighths\ninitial color: 3\ncolor increment: 2\n/* a\nb */\n"
-                             "initial line width: 0.5\nline width increment: 0.1\n"
-                             "tropism direction: 0.0,-2.0,0.0\ninitial elasticity: 0.2\nelasticity increment: -0.05\n");
+    auto const view = parsed(
+        "angle factor: 8 // eighths\ninitial color: 3\ncolor increment: 2\n/* a\nb */\n"
+        "initial line width: 0.5\nline width increment: 0.1\n"
+        "tropism direction: 0.0,-2.0,0.0\ninitial elasticity: 0.2\nelasticity increment: -0.05\n");
     EXPECT_EQ(view.angle_increment_deg, 45);
     EXPECT_EQ(view.color, 3);
     EXPECT_EQ(view.color_step, 2);
@@ -39,7 +40,8 @@ TEST(View, ReadsWhatConcernsTheTurtle)
 
 TEST(View, ReadsTropisms)
 {
-    auto const view = parsed("tropism: T: 0.0 2.0  0.0 A:90 I: 0.5 E: 0.1 S: 0.01\ntorque: T: 1,0,0\n");
+    auto const view
+        = parsed("tropism: T: 0.0 2.0  0.0 A:90 I: 0.5 E: 0.1 S: 0.01\ntorque: T: 1,0,0\n");
     ASSERT_EQ(view.tropisms.size(), 2u);
     EXPECT_EQ(view.tropisms[0].direction, Vec3(0, 0.5, 0));
     EXPECT_EQ(view.tropisms[0].angle_deg, 90);
@@ -50,9 +52,10 @@ TEST(View, ReadsTropisms)
 
 TEST(View, ReadsMaterialsAndOrgans)
 {
-    auto const view = parsed("material: 2 foliage kind=leaf color=0.2,0.5,0.1 roughness=0.6 translucency=0.4\n"
-                             "organ: p petal kind=blade material=2 length=3 width=1.5 petiole=0.5 widest=0.6 tip=0 "
-                             "base=2 lobes=0.3 lobe_count=4 fold=10 curl=-20\n");
+    auto const view = parsed(
+        "material: 2 foliage kind=leaf color=0.2,0.5,0.1 roughness=0.6 translucency=0.4\n"
+        "organ: p petal kind=blade material=2 length=3 width=1.5 petiole=0.5 widest=0.6 tip=0 "
+        "base=2 lobes=0.3 lobe_count=4 fold=10 curl=-20\n");
     auto const& material = view.materials.at(2);
     EXPECT_EQ(material.name, "foliage");
     EXPECT_EQ(material.kind, Material::Kind::Leaf);
@@ -77,18 +80,25 @@ TEST(View, WarnsOfUnknownStatementsOnly)
 
 TEST(View, NamesThePlaceOfAnError)
 {
-    EXPECT_EQ(error_of("\norgan: leaf x\n"),
-              "model.v:2:1: expected 'organ: LETTER NAME kind=... material=INDEX length=... width=...'");
-    EXPECT_EQ(error_of("organ: l leaf length=-1\n"), "model.v:1:1: found length=-1, expected 1e-06 to 1000000");
-    EXPECT_EQ(error_of("material: 1 x color=1,2\n"), "model.v:1:1: found '1,2', expected three numbers");
-    EXPECT_EQ(error_of("radii: pipe 2\n"), "model.v:1:1: expected 'radii: pipe EXPONENT TIP_RADIUS'");
-    EXPECT_EQ(error_of("tropism: T: 0 0 0\n"), "model.v:1:1: the tropism direction must not be zero");
+    EXPECT_EQ(
+        error_of("\norgan: leaf x\n"),
+        "model.v:2:1: expected 'organ: LETTER NAME kind=... material=INDEX length=... width=...'");
+    EXPECT_EQ(error_of("organ: l leaf length=-1\n"),
+              "model.v:1:1: found length=-1, expected 1e-06 to 1000000");
+    EXPECT_EQ(error_of("material: 1 x color=1,2\n"),
+              "model.v:1:1: found '1,2', expected three numbers");
+    EXPECT_EQ(error_of("radii: pipe 2\n"),
+              "model.v:1:1: expected 'radii: pipe EXPONENT TIP_RADIUS'");
+    EXPECT_EQ(error_of("tropism: T: 0 0 0\n"),
+              "model.v:1:1: the tropism direction must not be zero");
 }
 
 TEST(Functions, PassThroughTheirEnds)
 {
-    auto const functions = parse_functions("f.func", "fver 1 1\nname: f\nsamples: 1001\nflip: off\npoints: 4\n0 2 1\n0.3333333333333333 3 1\n"
-                                                     "0.6666666666666667 3 1\n1 1 1\n");
+    auto const functions = parse_functions(
+        "f.func",
+        "fver 1 1\nname: f\nsamples: 1001\nflip: off\npoints: 4\n0 2 1\n0.3333333333333333 3 1\n"
+        "0.6666666666666667 3 1\n1 1 1\n");
     ASSERT_TRUE(functions) << functions.error().message;
     ASSERT_EQ(functions->size(), 1u);
     auto const& f = functions->front();

@@ -9,8 +9,8 @@
 
 namespace tractus {
 
-// Everything that can be done with text that may be a model, under small limits. A zero byte divides
-// rules from view. Returns whether a plant came out; every plant is checked.
+// Everything that can be done with text that may be a model, under small limits. A zero byte
+// divides rules from view. Returns whether a plant came out; every plant is checked.
 inline bool run_whole_pipeline(std::string_view text)
 {
     auto const middle = text.find('\0');

@@ -20,7 +20,8 @@ TEST(PipeModel, ConservesWoodAtTheFork)
         apply_pipe_model(plant, exponent, 1.5);
         check_plant(plant);
         // The trunk's first segment bears its second one and the lateral axis.
-        double const sum = std::pow(radius(plant, 1), exponent) + std::pow(radius(plant, 4), exponent);
+        double const sum
+            = std::pow(radius(plant, 1), exponent) + std::pow(radius(plant, 4), exponent);
         EXPECT_NEAR(std::pow(radius(plant, 0), exponent), sum, 1e-5 * sum);
         EXPECT_FLOAT_EQ(plant.node_radius_mm[3], 1.5f);
         EXPECT_FLOAT_EQ(plant.node_radius_mm[6], 1.5f);
@@ -35,7 +36,8 @@ TEST(PipeModel, KeepsTheRadiusUpToATerminalFork)
     second.first_node = 7;
     second.first_segment = 5;
     plant.axes.push_back(second);
-    plant.node_position_mm.insert(plant.node_position_mm.end(), { { 0, 0, 300 }, { 0, 9, 300 }, { 0, 19, 300 } });
+    plant.node_position_mm.insert(plant.node_position_mm.end(),
+                                  { { 0, 0, 300 }, { 0, 9, 300 }, { 0, 19, 300 } });
     plant.node_radius_mm.insert(plant.node_radius_mm.end(), 3, 0);
     plant.segment_material.insert(plant.segment_material.end(), 2, 0);
     apply_pipe_model(plant, 2, 1);
