@@ -9,11 +9,15 @@ namespace tractus {
 
 namespace {
 
+// Places in a string are 32-bit numbers, of parameters too.
+constexpr std::size_t kMaxModules = 200'000'000;
+
 // What becomes of all modules of one kind, where that is always the same: a string of modules whose
 // parameters are constants or parameters of the module. Short ones are copied in one move.
 struct FixedSuccessor {
     static constexpr std::size_t kShort = 16;
 
+    bool is_fixed = false; // Else the rest has no meaning.
     std::array<KindId, kShort> first_kinds {};
     std::uint32_t length = 0;
     std::uint32_t parameter_count = 0;      // Of the successor.
@@ -21,6 +25,21 @@ struct FixedSuccessor {
     KindId const* kinds = nullptr;
     Register const* parameters = nullptr;
     double const* frame = nullptr;
+
+    // Writes it for a module whose parameters are at `from`; `to_kinds` must have room for kShort.
+    void write(float const* from, KindId*& to_kinds, float*& to_parameters) const
+    {
+        if (length <= kShort)
+            std::memcpy(to_kinds, first_kinds.data(), kShort);
+        else
+            std::memcpy(to_kinds, kinds, length);
+        to_kinds += length;
+        for (std::uint32_t i = 0; i < parameter_count; ++i) {
+            auto const reg = parameters ? parameters[i] : static_cast<Register>(i);
+            *to_parameters++
+                = reg < read_parameter_count ? from[reg] : static_cast<float>(frame[reg]);
+        }
+    }
 };
 
 tl::unexpected<Error> loop_error(Model const& model)
@@ -38,8 +57,10 @@ public:
         , rewriter_(model, model.rules, machine_, model.stochastic)
         , decomposition_(model, model.decomposition, machine_)
     {
-        for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i)
-            all_fixed_ = set_fixed(static_cast<KindId>(i)) && all_fixed_;
+        for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i) {
+            fixed_[i].is_fixed = set_fixed(static_cast<KindId>(i));
+            all_fixed_ = all_fixed_ && fixed_[i].is_fixed;
+        }
     }
 
     Result<ModuleString> run();
@@ -53,6 +74,7 @@ private:
     std::size_t rewrite_one(Modules const& rest, Surroundings const& around);
     void decompose_successor(Surroundings const& around, std::size_t predecessor_length);
     void append_one(Modules const& modules);
+    void append_fixed(FixedSuccessor const& fixed, float const* from);
     std::size_t cut_end(std::size_t from) const;
     Result<void> check_size(std::size_t modules, std::size_t parameters) const;
 
@@ -66,6 +88,7 @@ private:
     int step_ = 0;
     ModuleString in_;
     ModuleString out_;
+    Branches branches_;      // Of in_, where rules have contexts.
     ModuleString successor_; // Of one rule, before decomposition.
 };
 
@@ -154,12 +177,13 @@ Result<void> Derivation::step(int number)
 Result<void> Derivation::check_size(std::size_t modules, std::size_t parameters) const
 {
     // Modules have few parameters; the factor only keeps hostile models in memory.
-    if (modules <= options_.max_modules && parameters / 16 <= options_.max_modules)
+    auto const limit = std::min(options_.max_modules, kMaxModules);
+    if (modules <= limit && parameters / 16 <= limit)
         return {};
     return fail(
         Fault::User,
         fmt::format("{}: step {} makes more than {} modules; derive fewer steps or raise the limit",
-                    model_.name, step_, options_.max_modules));
+                    model_.name, step_, limit));
 }
 
 // Every module's successor is known beforehand: counts what comes out, then writes it.
@@ -182,16 +206,7 @@ Result<void> Derivation::rewrite_fixed()
     auto const* from = in_.parameters.data();
     for (auto const kind : in_.kinds.span()) {
         auto const& fixed = fixed_[kind];
-        if (fixed.length <= FixedSuccessor::kShort)
-            std::memcpy(kinds, fixed.first_kinds.data(), FixedSuccessor::kShort);
-        else
-            std::memcpy(kinds, fixed.kinds, fixed.length);
-        kinds += fixed.length;
-        for (std::uint32_t i = 0; i < fixed.parameter_count; ++i) {
-            auto const reg = fixed.parameters ? fixed.parameters[i] : static_cast<Register>(i);
-            *values++ = reg < fixed.read_parameter_count ? from[reg]
-                                                         : static_cast<float>(fixed.frame[reg]);
-        }
+        fixed.write(from, kinds, values);
         from += fixed.read_parameter_count;
     }
     out_.kinds.set_size(modules);
@@ -206,12 +221,21 @@ Result<void> Derivation::rewrite(std::uint32_t step)
     out_.parameters.clear();
     out_.kinds.reserve(in_.size());
     out_.parameters.reserve(in_.parameters.size());
+    if (rewriter_.has_contexts() || decomposition_.has_contexts())
+        find_branches(model_, in_, branches_);
     std::size_t parameter = 0;
     for (std::size_t i = 0; i < in_.size();) {
+        auto const& fixed = fixed_[in_.kinds[i]];
+        if (fixed.is_fixed) {
+            append_fixed(fixed, in_.parameters.data() + parameter);
+            parameter += fixed.read_parameter_count;
+            ++i;
+            continue;
+        }
         Modules const rest { in_.kinds.data() + i, in_.parameters.data() + parameter,
                              in_.size() - i };
         machine_.begin_module(step, i);
-        auto const count = rewrite_one(rest, { &in_, i, parameter, i + 1, 0 });
+        auto const count = rewrite_one(rest, { &in_, &branches_, i, parameter, i + 1, 0 });
         for (std::size_t k = 0; k < count; ++k)
             parameter += model_.alphabet[rest.kinds[k]].parameter_count;
         i += count;
@@ -219,6 +243,17 @@ Result<void> Derivation::rewrite(std::uint32_t step)
             break;
     }
     return check_size(out_.size(), out_.parameters.size());
+}
+
+void Derivation::append_fixed(FixedSuccessor const& fixed, float const* from)
+{
+    out_.kinds.reserve_more(fixed.length + FixedSuccessor::kShort);
+    out_.parameters.reserve_more(fixed.parameter_count);
+    auto* kinds = out_.kinds.data() + out_.kinds.size();
+    auto* parameters = out_.parameters.data() + out_.parameters.size();
+    fixed.write(from, kinds, parameters);
+    out_.kinds.set_size(out_.kinds.size() + fixed.length);
+    out_.parameters.set_size(out_.parameters.size() + fixed.parameter_count);
 }
 
 // Appends what the first module becomes; returns how many modules have been read.
@@ -318,13 +353,18 @@ Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& 
     Machine machine(model, string);
     Expander homomorphism(model, model.homomorphism, machine);
     ModuleString result;
+    Branches branches;
+    if (homomorphism.has_contexts())
+        find_branches(model, string, branches);
     std::size_t parameter = 0;
     for (std::size_t i = 0; i < string.size();) {
         Modules const rest { string.kinds.data() + i, string.parameters.data() + parameter,
                              string.size() - i };
         machine.begin_module(kHomomorphismStep, i);
-        Surroundings const around { &string, i, parameter, i + 1,
-                                    parameter + model.alphabet[rest.kinds[0]].parameter_count };
+        Surroundings const around {
+            &string,   &branches, i,
+            parameter, i + 1,     parameter + model.alphabet[rest.kinds[0]].parameter_count
+        };
         auto const count
             = homomorphism.expand(rest, around, [&](Modules const& modules) -> std::size_t {
                   result.kinds.append(modules.kinds, 1);

@@ -25,6 +25,8 @@ public:
 
     bool has_rules(KindId kind) const { return rules_.max_depth > 0 && rewriter_.has_rules(kind); }
 
+    bool has_contexts() const { return rewriter_.has_contexts(); }
+
     // Hands what the first of `modules` becomes to `sink`, a callable that takes Modules, reads one
     // turtle symbol or one module of them, and returns how many it has read. Returns how many of
     // `modules` were read: more than one for rules with longer predecessors.

@@ -2,23 +2,62 @@
 
 namespace tractus {
 
+void find_branches(Model const& model, ModuleString const& string, Branches& branches)
+{
+    auto const count = string.size();
+    auto const none = static_cast<std::uint32_t>(count);
+    bool const has_parameters = !string.parameters.empty();
+    branches.partner.resize(count);
+    branches.parameters.resize(has_parameters ? count : 0);
+    std::vector<std::uint32_t> open;
+    std::uint32_t parameter = 0;
+    for (std::uint32_t i = 0; i < none; ++i) {
+        auto const& kind = model.alphabet[string.kinds[i]];
+        if (has_parameters) {
+            branches.parameters[i] = parameter;
+            parameter += kind.parameter_count;
+        }
+        if (kind.symbol == '[') {
+            branches.partner[i] = none;
+            open.push_back(i);
+        } else if (kind.symbol == ']') {
+            branches.partner[i] = open.empty() ? none : open.back();
+            if (!open.empty()) {
+                branches.partner[open.back()] = i;
+                open.pop_back();
+            }
+        }
+    }
+}
+
 Rewriter::Rewriter(Model const& model, RuleSet const& rules, Machine& machine, bool stochastic)
     : model_(model)
     , rules_(rules)
     , machine_(machine)
     , stochastic_(stochastic)
 {
-    for (auto const& rule : rules.rules)
+    for (auto const& rule : rules.rules) {
         frames_.push_back(rule.frame);
+        has_contexts_ = has_contexts_ || !rule.left.empty() || !rule.right.empty();
+    }
+    for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i) {
+        auto const& kind = model.alphabet.kinds[i];
+        parameter_counts_[i] = kind.parameter_count;
+        brackets_[i] = kind.symbol == '[' ? Bracket::Open
+            : kind.symbol == ']'          ? Bracket::Close
+                                          : Bracket::None;
+    }
 }
 
 Rule const* Rewriter::find(Modules const& modules, Surroundings const& around, bool adjacent)
 {
+    right_.is_known = false;
+    left_.is_known = false;
     auto const& candidates = rules_.by_kind[modules.kinds[0]];
     if (stochastic_ && candidates.size() > 1)
         return choose(modules, around, adjacent);
     for (auto const index : candidates)
-        if (matches(rules_.rules[index], frames_[index].data(), modules, around, adjacent))
+        if (matches(index, modules, around, adjacent))
             return &rules_.rules[index];
     return nullptr;
 }
@@ -29,15 +68,16 @@ Rule const* Rewriter::choose(Modules const& modules, Surroundings const& around,
     candidates_.clear();
     double total = 0;
     for (auto const index : rules_.by_kind[modules.kinds[0]]) {
+        if (!matches(index, modules, around, adjacent))
+            continue;
         auto const& rule = rules_.rules[index];
         auto* const values = frames_[index].data();
-        if (!matches(rule, values, modules, around, adjacent))
-            continue;
         machine_.run(rule.probability, values);
         double const weight = rule.has_probability ? values[rule.probability_result] : 1;
-        if (weight > 0)
-            candidates_.push_back({ &rule, weight });
-        total += weight > 0 ? weight : 0;
+        if (!(weight > 0))
+            continue;
+        candidates_.push_back({ &rule, weight });
+        total += weight;
     }
     if (candidates_.empty())
         return nullptr;
@@ -50,15 +90,11 @@ Rule const* Rewriter::choose(Modules const& modules, Surroundings const& around,
     return candidates_.back().rule;
 }
 
-void Rewriter::load(KindId kind, float const* from, double*& to) const
+bool Rewriter::matches(std::uint16_t index, Modules const& modules, Surroundings const& around,
+                       bool adjacent)
 {
-    for (auto left = model_.alphabet[kind].parameter_count; left > 0; --left)
-        *to++ = static_cast<double>(*from++);
-}
-
-bool Rewriter::matches(Rule const& rule, double* frame, Modules const& modules,
-                       Surroundings const& around, bool adjacent)
-{
+    auto const& rule = rules_.rules[index];
+    auto* const values = frames_[index].data();
     auto const length = rule.predecessor.size();
     if (length > modules.count)
         return false;
@@ -66,114 +102,148 @@ bool Rewriter::matches(Rule const& rule, double* frame, Modules const& modules,
         if (modules.kinds[i] != rule.predecessor[i])
             return false;
     for (std::size_t i = 0; i < rule.predecessor_parameter_count; ++i)
-        frame[i] = static_cast<double>(modules.parameters[i]);
+        values[i] = static_cast<double>(modules.parameters[i]);
     if (!rule.right.empty()) {
         auto from = around;
         if (adjacent) {
             from.right = around.left + length;
             from.right_parameters = around.left_parameters + rule.predecessor_parameter_count;
         }
-        if (!matches_right(rule, frame + rule.predecessor_parameter_count, from))
+        if (!matches_right(rule, values + rule.predecessor_parameter_count, from))
             return false;
     }
-    if (!rule.left.empty() && !matches_left(rule, frame + rule.parameter_count, around))
+    if (!rule.left.empty() && !matches_left(rule, values + rule.parameter_count, around))
         return false;
-    machine_.run(rule.condition, frame);
-    return !rule.has_condition || frame[rule.condition_result] != 0;
+    machine_.run(rule.condition, values);
+    return !rule.has_condition || values[rule.condition_result] != 0;
 }
 
-// Rightwards: ignored modules are passed over, and branches too where the context does not name
-// their bracket. `=` in a context passes over the rest of the branch.
-bool Rewriter::matches_right(Rule const& rule, double* parameters, Surroundings const& around) const
+// The first module from `at` on that a context may mean. Passes over ignored modules, and over
+// branches unless the context names their bracket.
+std::optional<Rewriter::Place> Rewriter::next_right(Place at, int& rounds,
+                                                    Surroundings const& around,
+                                                    OpeningBrackets brackets) const
 {
     auto const& string = *around.string;
-    auto at = around.right;
-    auto at_parameters = around.right_parameters;
-    auto left_to_pass = string.size(); // A ring is gone round at most once.
-    auto const pass = [&] {
-        at_parameters += model_.alphabet[string.kinds[at]].parameter_count;
-        ++at;
-    };
-    auto const pass_branch = [&] { // To the bracket that closes it.
-        for (int depth = 0; at < string.size(); pass()) {
-            char const symbol = model_.alphabet[string.kinds[at]].symbol;
-            if (symbol == ']' && depth-- == 0)
-                return;
-            depth += symbol == '[';
+    auto const size = string.size();
+    while (true) {
+        if (at.module >= size) {
+            if (!model_.ring || size == 0 || ++rounds > 1)
+                return std::nullopt;
+            at = {};
         }
-    };
-    for (std::size_t i = 0; i < rule.right.size();) {
-        auto const wanted = model_.alphabet[rule.right[i]].symbol;
-        if (wanted == '=') {
-            pass_branch();
-            ++i;
+        auto const kind = string.kinds[at.module];
+        if (model_.ignored[kind]) {
+            at = after(at, string);
+        } else if (brackets_[kind] == Bracket::Open && brackets == OpeningBrackets::PassBranches) {
+            auto const end = around.branches->partner[at.module];
+            if (end >= size)
+                at = { size, string.parameters.size() };
+            else
+                at = { end + std::size_t { 1 },
+                       around.branches->parameters.empty() ? 0 : around.branches->parameters[end] };
+        } else {
+            return at;
+        }
+    }
+}
+
+// From inside a branch, the bracket that closes it.
+Rewriter::Place Rewriter::branch_end(Place at, Surroundings const& around) const
+{
+    auto const& string = *around.string;
+    int depth = 0;
+    for (; at.module < string.size(); at = after(at, string)) {
+        auto const bracket = brackets_[string.kinds[at.module]];
+        if (bracket == Bracket::Close && depth-- == 0)
+            break;
+        depth += bracket == Bracket::Open;
+    }
+    return at;
+}
+
+// `=` in a context stands for the rest of the branch.
+bool Rewriter::matches_right(Rule const& rule, double* parameters, Surroundings const& around)
+{
+    auto const& string = *around.string;
+    Place at { around.right, around.right_parameters };
+    int rounds = 0;
+    for (std::size_t i = 0; i < rule.right.size(); ++i) {
+        auto const wanted = rule.right[i];
+        if (model_.alphabet[wanted].symbol == '=') {
+            at = branch_end(at, around);
             continue;
         }
-        if (at >= string.size()) {
-            if (!model_.ring || string.size() == 0)
-                return false;
-            at = 0;
-            at_parameters = 0;
-        }
-        if (left_to_pass-- == 0)
-            return false;
-        auto const kind = string.kinds[at];
-        if (model_.ignored[kind]) {
-            pass();
-        } else if (wanted != '[' && model_.alphabet[kind].symbol == '[') {
-            pass();
-            pass_branch();
-            if (at < string.size())
-                pass();
+        std::optional<Place> found;
+        if (brackets_[wanted] == Bracket::Open) {
+            found = next_right(at, rounds, around, OpeningBrackets::Stop);
+        } else if (i > 0) {
+            found = next_right(at, rounds, around, OpeningBrackets::PassBranches);
         } else {
-            if (kind != rule.right[i])
-                return false;
-            load(kind, string.parameters.data() + at_parameters, parameters);
-            pass();
-            ++i;
+            if (!right_.is_known || right_.from != at.module)
+                right_ = { true, at.module,
+                           next_right(at, rounds, around, OpeningBrackets::PassBranches) };
+            found = right_.place;
         }
+        if (!found || string.kinds[found->module] != wanted)
+            return false;
+        load(wanted, string.parameters.data() + found->parameters, parameters);
+        at = after(*found, string);
     }
     return true;
 }
 
-// Leftwards and down: whole branches are passed over, an opening bracket leads to what bears the
-// branch. Fills the parameters from the end, since the context is read backwards.
-bool Rewriter::matches_left(Rule const& rule, double* parameters, Surroundings const& around) const
+// The last module before `at` that a context may mean. Passes over ignored modules and whole
+// branches, and through an opening bracket to what bears the branch.
+std::optional<Rewriter::Place> Rewriter::next_left(Place at, int& rounds,
+                                                   Surroundings const& around) const
 {
     auto const& string = *around.string;
-    auto at = around.left;
-    auto at_parameters = around.left_parameters;
-    auto left_to_pass = string.size() + 1;
-    auto const step_left = [&] {
-        --at;
-        at_parameters -= model_.alphabet[string.kinds[at]].parameter_count;
-    };
+    while (true) {
+        if (at.module == 0) {
+            if (!model_.ring || string.size() == 0 || ++rounds > 1)
+                return std::nullopt;
+            at = { string.size(), string.parameters.size() };
+        }
+        auto const kind = string.kinds[at.module - 1];
+        Place const before { at.module - 1, at.parameters - parameter_counts_[kind] };
+        if (brackets_[kind] == Bracket::Close) {
+            std::size_t const begin = around.branches->partner[before.module];
+            if (begin >= string.size())
+                at = {};
+            else
+                at = { begin,
+                       around.branches->parameters.empty() ? 0
+                                                           : around.branches->parameters[begin] };
+        } else if (brackets_[kind] == Bracket::Open || model_.ignored[kind]) {
+            at = before;
+        } else {
+            return before;
+        }
+    }
+}
+
+// Fills the parameters that end at `parameters`.
+bool Rewriter::matches_left(Rule const& rule, double* parameters, Surroundings const& around)
+{
+    auto const& string = *around.string;
+    Place at { around.left, around.left_parameters };
+    int rounds = 0;
     for (auto const kind : rule.left)
-        parameters -= model_.alphabet[kind].parameter_count;
-    for (std::size_t i = 0; i < rule.left.size();) {
-        if (at == 0) {
-            if (!model_.ring || string.size() == 0)
-                return false;
-            at = string.size();
-            at_parameters = string.parameters.size();
+        parameters -= parameter_counts_[kind];
+    for (std::size_t i = 0; i < rule.left.size(); ++i) {
+        std::optional<Place> found;
+        if (i > 0) {
+            found = next_left(at, rounds, around);
+        } else {
+            if (!left_.is_known)
+                left_ = { true, at.module, next_left(at, rounds, around) };
+            found = left_.place;
         }
-        if (left_to_pass-- == 0)
+        if (!found || string.kinds[found->module] != rule.left[i])
             return false;
-        step_left();
-        auto const kind = string.kinds[at];
-        char const symbol = model_.alphabet[kind].symbol;
-        if (symbol == ']') {
-            for (int depth = 1; depth > 0 && at > 0;) {
-                step_left();
-                char const inner = model_.alphabet[string.kinds[at]].symbol;
-                depth += (inner == ']') - (inner == '[');
-            }
-        } else if (symbol != '[' && !model_.ignored[kind]) {
-            if (kind != rule.left[i])
-                return false;
-            load(kind, string.parameters.data() + at_parameters, parameters);
-            ++i;
-        }
+        load(rule.left[i], string.parameters.data() + found->parameters, parameters);
+        at = *found;
     }
     return true;
 }

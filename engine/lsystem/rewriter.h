@@ -4,7 +4,10 @@
 #include "engine/lsystem/model.h"
 #include "engine/lsystem/module_string.h"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace tractus {
@@ -16,10 +19,22 @@ struct Modules {
     std::size_t count = 0;
 };
 
+// Where the branches of a string begin and end, so that contexts can pass over them at once.
+struct Branches {
+    // At each bracket the place of the one that matches it, or the string's size.
+    std::vector<std::uint32_t> partner;
+    // Where each module's parameters begin; empty for strings that have none.
+    std::vector<std::uint32_t> parameters;
+};
+
+// Fills `branches` for a string of fewer than 2^32 modules and parameters.
+void find_branches(Model const& model, ModuleString const& string, Branches& branches);
+
 // Where contexts are looked for: in `string`, leftwards from before module `left` and rightwards
 // from module `right`, whose parameters begin at the given places.
 struct Surroundings {
     ModuleString const* string = nullptr;
+    Branches const* branches = nullptr; // Not needed where Rewriter::has_contexts() is false.
     std::size_t left = 0;
     std::size_t left_parameters = 0;
     std::size_t right = 0;
@@ -40,13 +55,41 @@ public:
     void apply(Rule const& rule, ModuleString& out);
 
     bool has_rules(KindId kind) const { return !rules_.by_kind[kind].empty(); }
+    bool has_contexts() const { return has_contexts_; }
 
 private:
-    bool matches(Rule const& rule, double* frame, Modules const& modules,
-                 Surroundings const& around, bool adjacent);
-    bool matches_right(Rule const& rule, double* parameters, Surroundings const& around) const;
-    bool matches_left(Rule const& rule, double* parameters, Surroundings const& around) const;
-    void load(KindId kind, float const* from, double*& to) const;
+    // A module in the string and where its parameters begin.
+    struct Place {
+        std::size_t module = 0;
+        std::size_t parameters = 0;
+    };
+    // The module next to the predecessor, found once for all rules that ask. No value: there is
+    // none.
+    struct Neighbour {
+        bool is_known = false;
+        std::size_t from = 0;
+        std::optional<Place> place;
+    };
+    enum class Bracket : std::uint8_t { None, Open, Close };
+    enum class OpeningBrackets { PassBranches, Stop };
+
+    bool matches(std::uint16_t rule, Modules const& modules, Surroundings const& around,
+                 bool adjacent);
+    bool matches_right(Rule const& rule, double* parameters, Surroundings const& around);
+    bool matches_left(Rule const& rule, double* parameters, Surroundings const& around);
+    std::optional<Place> next_right(Place at, int& rounds, Surroundings const& around,
+                                    OpeningBrackets brackets) const;
+    std::optional<Place> next_left(Place at, int& rounds, Surroundings const& around) const;
+    Place branch_end(Place at, Surroundings const& around) const;
+    Place after(Place at, ModuleString const& string) const
+    {
+        return { at.module + 1, at.parameters + parameter_counts_[string.kinds[at.module]] };
+    }
+    void load(KindId kind, float const* from, double*& to) const
+    {
+        for (auto left = parameter_counts_[kind]; left > 0; --left)
+            *to++ = static_cast<double>(*from++);
+    }
     Rule const* choose(Modules const& modules, Surroundings const& around, bool adjacent);
     double* frame(Rule const& rule)
     {
@@ -63,6 +106,11 @@ private:
         double weight = 0;
     };
     std::vector<Candidate> candidates_;
+    bool has_contexts_ = false;
+    std::array<Bracket, 256> brackets_ {};
+    std::array<std::uint8_t, 256> parameter_counts_ {};
+    Neighbour right_; // Of the modules that find() is looking at.
+    Neighbour left_;
 };
 
 } // namespace tractus

@@ -536,6 +536,8 @@ public:
         , turtle_(model, options)
         , max_modules_(options.max_modules)
     {
+        if (homomorphism_.has_contexts())
+            find_branches(model, string, branches_);
     }
 
     Result<TurtlePlant> run()
@@ -566,8 +568,9 @@ private:
         if (!homomorphism_.has_rules(kind))
             return turtle_.draw(rest, false);
         machine_.begin_module(kHomomorphismStep, at_);
-        Surroundings const around { &string_, at_, parameter_, at_ + 1,
-                                    parameter_ + model_.alphabet[kind].parameter_count };
+        Surroundings const around { &string_, &branches_,
+                                    at_,      parameter_,
+                                    at_ + 1,  parameter_ + model_.alphabet[kind].parameter_count };
         return homomorphism_.expand(rest, around, [&](Modules const& modules) {
             return turtle_.draw(modules, modules.kinds != rest.kinds);
         });
@@ -595,6 +598,7 @@ private:
     Expander homomorphism_;
     Turtle turtle_;
     std::size_t max_modules_;
+    Branches branches_; // Where homomorphism rules have contexts.
     std::size_t at_ = 0;
     std::size_t parameter_ = 0;
 };
