@@ -42,12 +42,6 @@ struct FixedSuccessor {
     }
 };
 
-tl::unexpected<Error> loop_error(Model const& model)
-{
-    return fail(Fault::User,
-                fmt::format("{}: a loop did not end within 10 million rounds", model.name));
-}
-
 class Derivation {
 public:
     Derivation(Model const& model, DeriveOptions const& options)
@@ -75,7 +69,6 @@ private:
     void decompose_successor(Surroundings const& around, std::size_t predecessor_length);
     void append_one(Modules const& modules);
     void append_fixed(FixedSuccessor const& fixed, float const* from);
-    std::size_t cut_end(std::size_t from) const;
     Result<void> check_size(std::size_t modules, std::size_t parameters) const;
 
     Model const& model_;
@@ -132,8 +125,7 @@ Result<ModuleString> Derivation::run()
         TRY(step(i));
     machine_.begin_module(static_cast<std::uint32_t>(step_), kNoPosition - 2);
     machine_.run(model_.end);
-    if (machine_.loop_did_not_end())
-        return loop_error(model_);
+    TRY(machine_.check());
     in_.globals = std::move(machine_.globals);
     in_.arrays = std::move(machine_.arrays);
     in_.seed = machine_.seed();
@@ -167,8 +159,7 @@ Result<void> Derivation::step(int number)
         TRY(rewrite(stream));
     machine_.begin_module(stream, kNoPosition - 1);
     machine_.run(model_.end_each);
-    if (machine_.loop_did_not_end())
-        return loop_error(model_);
+    TRY(machine_.check());
     in_.kinds.swap(out_.kinds);
     in_.parameters.swap(out_.parameters);
     return {};
@@ -289,7 +280,7 @@ std::size_t Derivation::rewrite_one(Modules const& rest, Surroundings const& aro
             return std::max<std::size_t>(count, 1);
     }
     if (symbol.symbol == '%' && symbol.parameter_count < 2)
-        return cut_end(around.left + 1) - around.left;
+        return branch_end(model_, in_, around.left + 1) - around.left; // A cut.
     append_one(rest);
     return 1;
 }
@@ -327,19 +318,6 @@ void Derivation::append_one(Modules const& modules)
     out_.parameters.append(modules.parameters, model_.alphabet[modules.kinds[0]].parameter_count);
 }
 
-// Where the branch that a cut ends is over: at its closing bracket, or at the string's end.
-std::size_t Derivation::cut_end(std::size_t from) const
-{
-    int depth = 0;
-    for (auto i = from; i < in_.size(); ++i) {
-        char const symbol = model_.alphabet[in_.kinds[i]].symbol;
-        if (symbol == ']' && depth-- == 0)
-            return i;
-        depth += symbol == '[';
-    }
-    return in_.size();
-}
-
 } // namespace
 
 Result<ModuleString> derive(Model const& model, DeriveOptions const& options)
@@ -372,8 +350,7 @@ Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& 
                                            model.alphabet[modules.kinds[0]].parameter_count);
                   return result.size() <= max_modules;
               });
-        if (machine.loop_did_not_end())
-            return loop_error(model);
+        TRY(machine.check());
         if (count == 0)
             return fail(Fault::User,
                         fmt::format("{}: the homomorphism makes more than {} modules", model.name,

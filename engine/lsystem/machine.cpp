@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/core.h>
 
 namespace tractus {
 
@@ -34,6 +35,14 @@ Machine::Machine(Model const& model, ModuleString const& string)
         globals = string.globals;
     if (string.arrays.size() == arrays.size())
         arrays = string.arrays;
+}
+
+Result<void> Machine::check() const
+{
+    if (!loop_did_not_end_)
+        return {};
+    return fail(Fault::User,
+                fmt::format("{}: a loop did not end within 10 million rounds", model_.name));
 }
 
 void Machine::run(Block const& block)
@@ -163,7 +172,7 @@ void Machine::execute(Program const& program, double* frame)
             i = begin + i->target - 1;
             break;
         case Op::Jump:
-            if (begin + i->target <= i && ++rounds > kMaxRounds) {
+            if (begin + i->target <= i && (++rounds > kMaxRounds || loop_did_not_end_)) {
                 loop_did_not_end_ = true;
                 return;
             }

@@ -2,6 +2,18 @@
 
 namespace tractus {
 
+std::size_t branch_end(Model const& model, ModuleString const& string, std::size_t from)
+{
+    int depth = 0;
+    for (auto i = from; i < string.size(); ++i) {
+        char const symbol = model.alphabet[string.kinds[i]].symbol;
+        if (symbol == ']' && depth-- == 0)
+            return i;
+        depth += symbol == '[';
+    }
+    return string.size();
+}
+
 void find_branches(Model const& model, ModuleString const& string, Branches& branches)
 {
     auto const count = string.size();
@@ -148,20 +160,6 @@ std::optional<Rewriter::Place> Rewriter::next_right(Place at, int& rounds,
     }
 }
 
-// From inside a branch, the bracket that closes it.
-Rewriter::Place Rewriter::branch_end(Place at, Surroundings const& around) const
-{
-    auto const& string = *around.string;
-    int depth = 0;
-    for (; at.module < string.size(); at = after(at, string)) {
-        auto const bracket = brackets_[string.kinds[at.module]];
-        if (bracket == Bracket::Close && depth-- == 0)
-            break;
-        depth += bracket == Bracket::Open;
-    }
-    return at;
-}
-
 // `=` in a context stands for the rest of the branch.
 bool Rewriter::matches_right(Rule const& rule, double* parameters, Surroundings const& around)
 {
@@ -171,7 +169,8 @@ bool Rewriter::matches_right(Rule const& rule, double* parameters, Surroundings 
     for (std::size_t i = 0; i < rule.right.size(); ++i) {
         auto const wanted = rule.right[i];
         if (model_.alphabet[wanted].symbol == '=') {
-            at = branch_end(at, around);
+            for (auto const end = branch_end(model_, string, at.module); at.module < end;)
+                at = after(at, string);
             continue;
         }
         std::optional<Place> found;

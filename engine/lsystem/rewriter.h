@@ -27,6 +27,10 @@ struct Branches {
     std::vector<std::uint32_t> parameters;
 };
 
+// The place of the bracket that closes the branch in which module `from` is; the string's size when
+// none does.
+std::size_t branch_end(Model const& model, ModuleString const& string, std::size_t from);
+
 // Fills `branches` for a string of fewer than 2^32 modules and parameters.
 void find_branches(Model const& model, ModuleString const& string, Branches& branches);
 
@@ -80,7 +84,6 @@ private:
     std::optional<Place> next_right(Place at, int& rounds, Surroundings const& around,
                                     OpeningBrackets brackets) const;
     std::optional<Place> next_left(Place at, int& rounds, Surroundings const& around) const;
-    Place branch_end(Place at, Surroundings const& around) const;
     Place after(Place at, ModuleString const& string) const
     {
         return { at.module + 1, at.parameters + parameter_counts_[string.kinds[at.module]] };

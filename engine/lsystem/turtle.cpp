@@ -544,17 +544,14 @@ public:
     {
         while (at_ < string_.size()) {
             auto const count = draw_one();
-            if (machine_.loop_did_not_end())
-                return fail(Fault::User,
-                            fmt::format("{}: a while loop did not end within 10 million rounds",
-                                        model_.name));
+            TRY(machine_.check());
             if (turtle_.is_full() || count == 0)
                 return fail(Fault::User,
                             fmt::format("{}: the homomorphism makes more than {} modules",
                                         model_.name, max_modules_));
             pass(count);
             if (turtle_.take_cut())
-                pass_branch();
+                pass(branch_end(model_, string_, at_) - at_);
         }
         return turtle_.finish();
     }
@@ -580,16 +577,6 @@ private:
     {
         for (std::size_t i = 0; i < count; ++i)
             parameter_ += model_.alphabet[string_.kinds[at_++]].parameter_count;
-    }
-
-    void pass_branch()
-    {
-        for (int depth = 0; at_ < string_.size(); pass(1)) {
-            char const symbol = model_.alphabet[string_.kinds[at_]].symbol;
-            if (symbol == ']' && depth-- == 0)
-                return;
-            depth += symbol == '[';
-        }
     }
 
     Model const& model_;
