@@ -1,8 +1,6 @@
-// The verbs as their callers see them: exit code, standard output, standard error.
-
-#include "app/command_line.h"
 #include "drivers/file.h"
 #include "drivers/log_writer.h"
+#include "tests/app/verbs/outcome.h"
 #include "tests/drivers/devices.h"
 
 #include <filesystem>
@@ -16,24 +14,6 @@ namespace tractus {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Outcome {
-    int exit_code = 0;
-    std::string out {};
-    std::string err {};
-};
-
-Outcome run(std::vector<std::string> const& arguments)
-{
-    std::vector<char const*> argv { "tractus" };
-    for (auto const& argument : arguments)
-        argv.push_back(argument.c_str());
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    auto const exit_code = run_command_line(static_cast<int>(argv.size()), argv.data());
-    auto out = testing::internal::GetCapturedStdout();
-    return { exit_code, std::move(out), testing::internal::GetCapturedStderr() };
-}
 
 std::string const kHeader
     = "time_s,device,x_mm,y_mm,pressure,tilt_x_deg,tilt_y_deg,in_range,tip,eraser,buttons";

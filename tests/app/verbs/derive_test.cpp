@@ -1,0 +1,89 @@
+#include "drivers/file.h"
+#include "tests/app/verbs/outcome.h"
+
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+
+class DeriveVerb : public ::testing::Test {
+protected:
+    void SetUp() override { fs::create_directories(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string write(std::string const& name, std::string const& text)
+    {
+        auto const path = folder_ / name;
+        EXPECT_TRUE(write_file(path, text));
+        return path.string();
+    }
+
+    fs::path const folder_
+        = fs::temp_directory_path() / ("tractus_derive_test_" + std::to_string(getpid()));
+};
+
+constexpr char const* kRules = "Lsystem: 1\nderivation length: 2\nAxiom: A(1)\n"
+                               "A(x) --> F(x/3)[+A(x*2)]\nendlsystem\n";
+
+TEST_F(DeriveVerb, PrintsTheStringOnOneLine)
+{
+    auto const outcome = run({ "derive", write("m.l", kRules), "--string" });
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "F(0.333333)[+F(0.666667)[+A(4)]]\n");
+    EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(DeriveVerb, CountsSymbolsAfterSoManySteps)
+{
+    auto const outcome = run({ "derive", write("m.l", kRules), "-n", "1", "--count" });
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "{\"+\":1,\"A\":1,\"F\":1,\"[\":1,\"]\":1}\n");
+}
+
+TEST_F(DeriveVerb, NamesThePlaceOfAnError)
+{
+    auto const path = write("bad.l", "Lsystem: 1\nAxiom: A\nA --> F(\n");
+    auto const outcome = run({ "derive", path, "--string" });
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err,
+              "error: " + path
+                  + ":3:9: found the end of the line, expected a number, a name or '('\n");
+}
+
+TEST_F(DeriveVerb, ReadsIncludesFromTheModelsFolderOnly)
+{
+    write("constants.h", "#define LENGTH 7\n");
+    auto const good
+        = write("good.l", "#include \"constants.h\"\nLsystem: 1\nAxiom: F(LENGTH)\nendlsystem\n");
+    EXPECT_EQ(run({ "derive", good, "--string" }).out, "F(7)\n");
+    auto const bad
+        = write("bad.l", "#include \"../constants.h\"\nLsystem: 1\nAxiom: F\nendlsystem\n");
+    auto const outcome = run({ "derive", bad, "--string" });
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("outside the model's folder"), std::string::npos) << outcome.err;
+}
+
+TEST_F(DeriveVerb, WantsOneKindOfOutput)
+{
+    auto const path = write("m.l", kRules);
+    EXPECT_EQ(run({ "derive", path }).exit_code, 2);
+    EXPECT_EQ(run({ "derive", path, "--count", "--string" }).exit_code, 2);
+}
+
+TEST_F(DeriveVerb, StopsARunawayModel)
+{
+    auto const path
+        = write("m.l", "Lsystem: 1\nderivation length: 90\nAxiom: A\nA --> AA\nendlsystem\n");
+    auto const outcome = run({ "derive", path, "--count", "--max-modules", "1000" });
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("more than 1000 modules"), std::string::npos) << outcome.err;
+}
+
+} // namespace
+} // namespace tractus
