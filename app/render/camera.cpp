@@ -8,7 +8,7 @@
 namespace tractus {
 
 // The share of the picture that the framed shape may fill: the rest is air.
-static constexpr double kFill = 0.9;
+static constexpr double kFill = 0.94;
 
 Eigen::Matrix4f T_camera_world(Camera const& camera)
 {

@@ -1,5 +1,7 @@
 #include "app/render/gpu_mesh.h"
 
+#include "app/render/far_organ.h"
+#include "app/render/mesh_measures.h"
 #include "engine/base/check.h"
 #include "engine/base/random.h"
 
@@ -103,83 +105,51 @@ std::vector<InstanceVertex> shuffled_instances(InstancedMesh const& organ, SkyVi
     return instances;
 }
 
-float surface_area(TriangleMesh const& mesh)
-{
-    float area = 0;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        auto const& a = mesh.positions_mm[mesh.indices[i]];
-        auto const& b = mesh.positions_mm[mesh.indices[i + 1]];
-        auto const& c = mesh.positions_mm[mesh.indices[i + 2]];
-        area += (b - a).cross(c - a).norm() / 2;
-    }
-    return area;
-}
-
-bool lets_light_through(Material const& material)
-{
-    return material.kind == Material::Kind::Leaf || material.kind == Material::Kind::Petal;
-}
-
-// As organs of ours do (organ_shape.h); others' may not.
-bool lies_along_y(TriangleMesh const& prototype)
-{
-    Bounds box;
-    for (auto const& position : prototype.positions_mm)
-        box.add(position.cast<double>());
-    Vec3 const extent = box.max_mm - box.min_mm;
-    return extent.y() > 0.5 * extent.maxCoeff();
-}
-
-void add_rhombus(TriangleMesh& mesh, Vec3f const& base, Vec3f const& tip, Vec3f const& half_width)
-{
-    auto const first = static_cast<std::uint32_t>(mesh.positions_mm.size());
-    Vec3f const middle = (base + tip) / 2;
-    mesh.positions_mm.insert(mesh.positions_mm.end(),
-                             { base, middle + half_width, tip, middle - half_width });
-    mesh.normals.insert(mesh.normals.end(), 4, half_width.cross(tip - base).normalized());
-    mesh.texture_coordinates.insert(
-        mesh.texture_coordinates.end(),
-        { Vec2f(0.5f, 0), Vec2f(1, 0.5f), Vec2f(0.5f, 1), Vec2f(0, 0.5f) });
-    for (std::uint32_t const corner : { 0u, 1u, 2u, 0u, 2u, 3u })
-        mesh.indices.push_back(first + corner);
-}
-
-// From the lowest to the highest point along the organ's y, across x. As large as the prototype;
-// for a closed one (a needle) two that cross, each as large as what a needle shows to a side, which
-// is about a quarter of its surface.
-TriangleMesh rhombus_of(TriangleMesh const& prototype, bool closed)
-{
-    auto const by_y = [](Vec3f const& a, Vec3f const& b) { return a.y() < b.y(); };
-    Vec3f const base = *std::ranges::min_element(prototype.positions_mm, by_y);
-    Vec3f const tip = *std::ranges::max_element(prototype.positions_mm, by_y);
-    float const area = surface_area(prototype) * (closed ? 0.27f : 1.0f);
-    float const half_width = area / std::max((tip - base).norm(), 1e-6f);
-    TriangleMesh rhombus;
-    add_rhombus(rhombus, base, tip, Vec3f(half_width, 0, 0));
-    if (closed)
-        add_rhombus(rhombus, base, tip, Vec3f(0, 0, half_width));
-    return rhombus;
-}
-
-// Whether it has no rim: then its area vectors sum to nothing, even where vertices are doubled.
-bool is_closed(TriangleMesh const& mesh)
-{
-    Vec3f sum = Vec3f::Zero();
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        auto const& a = mesh.positions_mm[mesh.indices[i]];
-        sum += (mesh.positions_mm[mesh.indices[i + 1]] - a)
-                   .cross(mesh.positions_mm[mesh.indices[i + 2]] - a)
-            / 2;
-    }
-    return sum.norm() < 0.05f * surface_area(mesh);
-}
-
 Vec3f mean_scale(std::vector<InstanceVertex> const& instances)
 {
     Vec3f sum = Vec3f::Zero();
     for (auto const& instance : instances)
         sum += instance.scale;
     return sum / static_cast<float>(instances.size());
+}
+
+void draw_surface(GpuMesh::Part const& part)
+{
+    glBindVertexArray(part.vertex_array.name());
+    glVertexAttrib3f(4, 0, 0, 0);
+    glVertexAttrib4f(5, 0, 0, 0, 1);
+    glVertexAttrib3f(6, 1, 1, 1);
+    glVertexAttrib1f(7, 1);
+    glEnable(GL_CULL_FACE);
+    glDrawElements(GL_TRIANGLES, part.tube_index_count, GL_UNSIGNED_INT, nullptr);
+    glDisable(GL_CULL_FACE);
+    auto const tubes = static_cast<std::size_t>(part.tube_index_count);
+    glDrawElements(GL_TRIANGLES, part.index_count - part.tube_index_count, GL_UNSIGNED_INT,
+                   gl::offset(tubes * sizeof(std::uint32_t)));
+}
+
+void draw_from_afar(GpuMesh::Part const& part, Shader const& shader, float pixel_mm)
+{
+    auto const& rhombus = *part.rhombus;
+    float const area_px = rhombus.length_mm * rhombus.width_mm / (2 * pixel_mm * pixel_mm);
+    float const share = std::clamp(area_px / kSmallestArea_px, kSmallestShare, 1.0f);
+    // What is narrow grows across only, or it would reach out of the plant.
+    bool const narrow = rhombus.width_mm < 0.25f * rhombus.length_mm;
+    float const across = narrow ? 1 / share : 1 / std::sqrt(share);
+    shader.set("instance_growth", Vec3f(across, narrow ? 1 : across, narrow ? across : 1));
+    glBindVertexArray(rhombus.vertex_array.name());
+    glVertexAttrib1f(3, 1);
+    auto const count
+        = static_cast<GLsizei>(std::ceil(static_cast<float>(part.instance_count) * share));
+    glDrawElementsInstanced(GL_TRIANGLES, rhombus.index_count, GL_UNSIGNED_INT, nullptr,
+                            std::min(count, part.instance_count));
+}
+
+// A mesh's own mistake, not a file's: readers check their indices.
+Material const& material_of(Mesh const& mesh, TriangleMesh const& triangles)
+{
+    CHECK(triangles.material < mesh.materials.size());
+    return mesh.materials[triangles.material];
 }
 
 } // namespace
@@ -190,10 +160,10 @@ GpuMesh::GpuMesh(Mesh const& mesh)
     SkyVisibility const sky(mesh);
     for (auto const& surface : mesh.surfaces)
         if (!surface.indices.empty())
-            add_surface(mesh.materials.at(surface.material), surface, sky);
+            add_surface(material_of(mesh, surface), surface, sky);
     for (auto const& organ : mesh.organs)
         if (!organ.instances.empty() && !organ.prototype.indices.empty())
-            add_organ(mesh.materials.at(organ.prototype.material), organ, sky);
+            add_organ(material_of(mesh, organ.prototype), organ, sky);
     make_ground_texture(sky);
 }
 
@@ -231,15 +201,16 @@ void GpuMesh::add_organ(Material const& material, InstancedMesh const& organ,
                std::span<InstanceVertex const>(instances));
     GLuint const instance_buffer = part.buffers.back().name();
     use_instances(part.vertex_array, instance_buffer);
-    if (lets_light_through(material) && lies_along_y(organ.prototype)) {
-        auto const triangles = rhombus_of(organ.prototype, is_closed(organ.prototype));
-        auto const& corners = triangles.positions_mm;
+    bool const thin
+        = material.kind == Material::Kind::Leaf || material.kind == Material::Kind::Petal;
+    if (auto const triangles = thin ? far_organ(organ.prototype) : std::nullopt) {
+        auto const& corners = triangles->positions_mm;
         Vec3f const scale = mean_scale(instances).cwiseAbs();
         auto& rhombus = part.rhombus.emplace();
-        rhombus.index_count = static_cast<GLsizei>(triangles.indices.size());
+        rhombus.index_count = static_cast<GLsizei>(triangles->indices.size());
         rhombus.length_mm = (corners[2] - corners[0]).norm() * scale.y();
         rhombus.width_mm = (corners[1] - corners[3]).norm() * scale.x();
-        add_triangles(part, rhombus.vertex_array, triangles);
+        add_triangles(part, rhombus.vertex_array, *triangles);
         use_instances(rhombus.vertex_array, instance_buffer);
     }
     parts_.push_back(std::move(part));
@@ -249,36 +220,14 @@ void GpuMesh::draw(Part const& part, Shader const& shader, float pixel_mm) const
 {
     shader.set("instance_growth", Vec3f(1, 1, 1));
     if (part.instance_count == 0) {
-        glBindVertexArray(part.vertex_array.name());
-        glVertexAttrib3f(4, 0, 0, 0);
-        glVertexAttrib4f(5, 0, 0, 0, 1);
-        glVertexAttrib3f(6, 1, 1, 1);
-        glVertexAttrib1f(7, 1);
-        glEnable(GL_CULL_FACE);
-        glDrawElements(GL_TRIANGLES, part.tube_index_count, GL_UNSIGNED_INT, nullptr);
-        glDisable(GL_CULL_FACE);
-        glDrawElements(
-            GL_TRIANGLES, part.index_count - part.tube_index_count, GL_UNSIGNED_INT,
-            gl::offset(static_cast<std::size_t>(part.tube_index_count) * sizeof(std::uint32_t)));
-    } else if (!part.rhombus || part.rhombus->length_mm > kRhombusBelow_px * pixel_mm) {
+        draw_surface(part);
+    } else if (part.rhombus && part.rhombus->length_mm < kRhombusBelow_px * pixel_mm) {
+        draw_from_afar(part, shader, pixel_mm);
+    } else {
         glBindVertexArray(part.vertex_array.name());
         glVertexAttrib1f(3, 1);
         glDrawElementsInstanced(GL_TRIANGLES, part.index_count, GL_UNSIGNED_INT, nullptr,
                                 part.instance_count);
-    } else {
-        auto const& rhombus = *part.rhombus;
-        float const area_px = rhombus.length_mm * rhombus.width_mm / (2 * pixel_mm * pixel_mm);
-        float const share = std::clamp(area_px / kSmallestArea_px, kSmallestShare, 1.0f);
-        // What is narrow grows across only, or it would reach out of the plant.
-        bool const narrow = rhombus.width_mm < 0.25f * rhombus.length_mm;
-        float const across = narrow ? 1 / share : 1 / std::sqrt(share);
-        shader.set("instance_growth", Vec3f(across, narrow ? 1 : across, 1));
-        glBindVertexArray(rhombus.vertex_array.name());
-        glVertexAttrib1f(3, 1);
-        auto const count
-            = static_cast<GLsizei>(std::ceil(static_cast<float>(part.instance_count) * share));
-        glDrawElementsInstanced(GL_TRIANGLES, rhombus.index_count, GL_UNSIGNED_INT, nullptr,
-                                std::min(count, part.instance_count));
     }
     glBindVertexArray(0);
 }

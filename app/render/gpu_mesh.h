@@ -4,6 +4,7 @@
 #include "app/render/shader.h"
 #include "app/render/sky_visibility.h"
 #include "engine/mesh/mesh.h"
+#include "engine/plant/plant.h"
 
 #include <optional>
 #include <vector>

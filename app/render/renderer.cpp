@@ -107,7 +107,6 @@ void Renderer::draw(Stage const& stage, Camera const& camera, Canvas const& canv
         view.box.add(Vec3::Zero());
     view.T_clip_world = projection * T_camera_world(camera);
     view.pixels_per_mm = projection(1, 1) * static_cast<float>(canvas.height()) / 2;
-
     view.depth_terms = Vec2f(projection(2, 2), projection(2, 3));
 
     if (stage.backdrop.has_ground || !stage.meshes.empty())

@@ -1,5 +1,7 @@
 #include "app/render/sky_visibility.h"
 
+#include "app/render/mesh_measures.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,24 +15,6 @@ constexpr float kMargin = 0.2f;  // Of the longest side, around the plant, for t
 
 // Of a surface turned any way, a half of its area hides the light behind it on the average.
 constexpr float kExtinction = 0.5f;
-
-float triangle_area(Vec3f const& a, Vec3f const& b, Vec3f const& c)
-{
-    return (b - a).cross(c - a).norm() / 2;
-}
-
-Vec3f placed(InstanceTransform const& instance, Vec3f const& point)
-{
-    return instance.translation_mm + instance.rotation * instance.scale.cwiseProduct(point);
-}
-
-Bounds prototype_bounds(TriangleMesh const& prototype)
-{
-    Bounds box;
-    for (auto const& position : prototype.positions_mm)
-        box.add(position.cast<double>());
-    return box;
-}
 
 struct Patch {
     Vec3f middle_mm = Vec3f::Zero();
@@ -50,7 +34,7 @@ std::vector<Patch> surface_patches(TriangleMesh const& prototype, float cell_mm)
         whole.middle_mm += patch.middle_mm * patch.area_mm2;
         whole.area_mm2 += patch.area_mm2;
     }
-    auto const box = prototype_bounds(prototype);
+    auto const box = bounds(prototype);
     if (whole.area_mm2 <= 0 || (box.max_mm - box.min_mm).maxCoeff() > static_cast<double>(cell_mm))
         return patches;
     whole.middle_mm /= whole.area_mm2;
@@ -73,27 +57,6 @@ std::array<Vec3f, 9> sky_directions()
 
 } // namespace
 
-Bounds bounds(Mesh const& mesh)
-{
-    Bounds box;
-    for (auto const& surface : mesh.surfaces)
-        for (auto const& position : surface.positions_mm)
-            box.add(position.cast<double>());
-    for (auto const& organ : mesh.organs) {
-        auto const prototype = prototype_bounds(organ.prototype);
-        if (prototype.empty())
-            continue;
-        for (auto const& instance : organ.instances)
-            for (int corner = 0; corner < 8; ++corner) {
-                Vec3 const point(corner & 1 ? prototype.max_mm.x() : prototype.min_mm.x(),
-                                 corner & 2 ? prototype.max_mm.y() : prototype.min_mm.y(),
-                                 corner & 4 ? prototype.max_mm.z() : prototype.min_mm.z());
-                box.add(placed(instance, point.cast<float>()).cast<double>());
-            }
-    }
-    return box;
-}
-
 SkyVisibility::SkyVisibility(Mesh const& mesh)
 {
     auto box = bounds(mesh);
@@ -101,6 +64,8 @@ SkyVisibility::SkyVisibility(Mesh const& mesh)
         return;
     box.add(Vec3((box.min_mm.x() + box.max_mm.x()) / 2, (box.min_mm.y() + box.max_mm.y()) / 2, 0));
     Vec3f extent = (box.max_mm - box.min_mm).cast<float>();
+    if (!extent.allFinite())
+        return; // A file's numbers may be finite and yet too far apart.
     float const margin = std::max(1.0f, extent.maxCoeff() * kMargin);
     corner_mm_ = box.min_mm.cast<float>() - Vec3f(margin, margin, 0);
     extent += Vec3f(2 * margin, 2 * margin, 0);

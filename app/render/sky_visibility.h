@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/mesh/mesh.h"
-#include "engine/plant/plant.h"
 
 #include <vector>
 
@@ -43,8 +42,5 @@ private:
     std::vector<float> density_;                     // Surface per volume, 1/mm; one per cell.
     std::vector<float> visibility_;                  // One per cell, at its centre.
 };
-
-// The box around everything that the mesh draws, instances counted by their prototypes' corners.
-Bounds bounds(Mesh const& mesh);
 
 } // namespace tractus

@@ -1,6 +1,6 @@
 #include "app/window/views.h"
 
-#include "app/window/palette.h"
+#include "app/window/theme.h"
 #include "app/window/view_curves.h"
 
 #include <algorithm>
@@ -140,7 +140,7 @@ void SkeletonView::show(WindowState const& state, Renderer& renderer, ImVec2 con
         renderer.draw(stage, orbit_.camera(box_, aspect_of(canvas)), canvas);
     }
     canvas_.show();
-    turned_ = orbit_.take_input(ImGui::GetFontSize() / 22);
+    turned_ = orbit_.take_input(ImGui::GetFontSize() / theme::kTextSize_px);
 }
 
 void PlantView::show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px)
@@ -160,7 +160,7 @@ void PlantView::show(WindowState const& state, Renderer& renderer, ImVec2 const&
         renderer.draw(stage, orbit_.camera(bounds(stage), aspect_of(canvas)), canvas);
     }
     canvas_.show();
-    turned_ = orbit_.take_input(ImGui::GetFontSize() / 22);
+    turned_ = orbit_.take_input(ImGui::GetFontSize() / theme::kTextSize_px);
 }
 
 Image PlantView::picture(Renderer& renderer, int width, int height) const

@@ -162,23 +162,25 @@ Result<void> run_window(WindowModel& model, WindowOptions const& options)
     TRY(host.open(options));
     auto renderer = TRY(Renderer::create());
     Layout layout(host.title_font(), host.scale());
+    auto const draw_frame = [&] {
+        host.begin_frame();
+        layout.show(model, renderer);
+        host.end_frame();
+    };
     double last_s = glfwGetTime();
-    Image last_frame;
     for (int frame = 0; !host.wants_to_close() && (options.frames == 0 || frame < options.frames);
          ++frame) {
         wait_for_events(model, options);
         model.advance(step_since(last_s, options.frames));
-        host.begin_frame();
-        layout.show(model, renderer);
-        host.end_frame();
-        if (!options.screenshot.empty())
-            last_frame = back_buffer(host.window());
+        draw_frame();
         glfwSwapBuffers(host.window());
     }
-    if (last_frame.width() == 0)
+    if (options.screenshot.empty())
         return {};
+    draw_frame(); // Once more, since what a swap leaves behind is not defined.
+    auto const picture = back_buffer(host.window());
     return write_file(options.screenshot,
-                      [&](std::ostream& out) { return write_png(out, last_frame); });
+                      [&](std::ostream& out) { return write_png(out, picture); });
 }
 
 } // namespace tractus

@@ -109,7 +109,7 @@ void main()
     vec3 n = normalize(world_normal);
     vec3 view = normalize(eye - world);
     float footprint = max(length(dFdx(coordinate)), length(dFdy(coordinate)));
-    float detail = 1.0 - smoothstep(0.02, 0.09, footprint);
+    float detail = 1.0 - smoothstep(0.008, 0.032, footprint);
     float height = bark_height(coordinate);
 
     // Bumps: the normal leans against the height's slope. The directions around and along the branch

@@ -1,3 +1,4 @@
+#include "app/render/mesh_measures.h"
 #include "app/render/sky_visibility.h"
 #include "tests/app/render/small_mesh.h"
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/mesh/mesh.h"
+#include "engine/plant/plant.h"
+
+namespace tractus {
+
+float triangle_area(Vec3f const& a, Vec3f const& b, Vec3f const& c);
+
+// Of all triangles, in the square of the mesh's unit.
+float surface_area(TriangleMesh const& mesh);
+
+// Whether the surface has no rim: then its area vectors sum to nothing, even where vertices are
+// doubled for their normals or textures.
+bool is_closed(TriangleMesh const& mesh);
+
+// Where a point of a prototype lies in the plant.
+Vec3f placed(InstanceTransform const& instance, Vec3f const& point);
+
+// The box around all vertices. Empty where there are none.
+Bounds bounds(TriangleMesh const& mesh);
+
+// The box around everything that the mesh draws, instances counted by their prototypes' corners.
+Bounds bounds(Mesh const& mesh);
+
+} // namespace tractus
