@@ -5,6 +5,7 @@
 #include "app/verbs/derive.h"
 #include "app/verbs/devices.h"
 #include "app/verbs/grow.h"
+#include "app/verbs/record.h"
 #include "app/verbs/render.h"
 #include "app/verbs/replay.h"
 #include "app/verbs/verb.h"
@@ -40,6 +41,7 @@ int run_command_line(int argc, char const* const* argv)
     add_derive_verb(root, action);
     add_devices_verb(root, action);
     add_grow_verb(root, action);
+    add_record_verb(root, action);
     add_render_verb(root, action);
     add_replay_verb(root, action);
 

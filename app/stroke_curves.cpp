@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace tractus {
 
@@ -76,16 +77,35 @@ Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& color, float
 
 std::vector<Curve> skeleton_curves(Scene const& scene)
 {
+    // What a stroke shapes is drawn once, in the stroke's colour.
+    std::vector<bool> is_shaped(scene.base->segment_count(), false);
+    for (auto const& association : scene.associations)
+        for (auto const segment : association.path)
+            is_shaped[segment] = true;
+
     std::vector<Curve> curves;
     curves.reserve(scene.base->axes.size() + scene.associations.size());
     for (auto const& axis : scene.base->axes) {
+        float const width_px = axis.order == 0 ? 2.2f : axis.order == 1 ? 1.5f : 0.9f;
         Curve curve;
         curve.look = Curve::Look::Flat;
-        float const width_px = axis.order == 0 ? 2.2f : axis.order == 1 ? 1.5f : 0.9f;
-        for (std::uint32_t i = 0; i <= axis.segment_count; ++i)
-            curve.points.push_back({ world_position(scene, axis.first_node + i).cast<float>(),
-                                     kSkeletonColor, width_px });
-        curves.push_back(std::move(curve));
+        for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
+            if (is_shaped[axis.first_segment + i]) {
+                if (!curve.points.empty())
+                    curves.push_back(
+                        std::exchange(curve, { .points = {}, .look = Curve::Look::Flat }));
+                continue;
+            }
+            auto const add = [&](NodeId node) {
+                curve.points.push_back(
+                    { world_position(scene, node).cast<float>(), kSkeletonColor, width_px });
+            };
+            if (curve.points.empty())
+                add(axis.first_node + i);
+            add(axis.first_node + i + 1);
+        }
+        if (!curve.points.empty())
+            curves.push_back(std::move(curve));
     }
     for (std::size_t i = 0; i < scene.associations.size(); ++i)
         curves.push_back(path_curve(scene, scene.associations[i].path, stroke_color(i)));

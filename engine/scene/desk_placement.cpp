@@ -1,6 +1,8 @@
 #include "engine/scene/desk_placement.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace tractus {
 
@@ -8,6 +10,25 @@ namespace tractus {
 static double fitting_scale(double shown_mm, double natural_mm)
 {
     return natural_mm > 0 ? shown_mm / natural_mm : 1;
+}
+
+// The highest order up to which a plant has so few axes that a pen can tell them apart; at least 1.
+static std::uint32_t sparse_order(Plant const& plant)
+{
+    constexpr std::size_t kMostAxes = 60;
+    std::vector<std::size_t> axes_of_order;
+    for (auto const& axis : plant.axes) {
+        axes_of_order.resize(std::max<std::size_t>(axes_of_order.size(), axis.order + 1));
+        ++axes_of_order[axis.order];
+    }
+    std::size_t shown = 0;
+    std::uint32_t order = 0;
+    for (; order < axes_of_order.size(); ++order) {
+        shown += axes_of_order[order];
+        if (order > 1 && shown > kMostAxes)
+            break;
+    }
+    return std::max(order, 2u) - 1;
 }
 
 DeskPlacement place_on_desk(Plant const& plant, DrawingVolume const& volume)
@@ -39,7 +60,9 @@ SelectionView fit_selection_view(Plant const& plant, DrawingVolume const& volume
     Vec2 const extent = high - low;
     double const scale = std::min(fitting_scale(area.x(), std::max(extent.x(), extent.y() * 1e-3)),
                                   fitting_scale(area.y(), extent.y()));
-    return { .scale = scale, .origin_mm = -scale * (low + high) / 2 };
+    return { .scale = scale,
+             .origin_mm = -scale * (low + high) / 2,
+             .max_order = sparse_order(plant) };
 }
 
 SkeletonView skeleton_view(SelectionView const& view, DrawingVolume const& volume)
@@ -51,6 +74,7 @@ SkeletonView skeleton_view(SelectionView const& view, DrawingVolume const& volum
         0, 0, 0, 1;
     result.max = Vec2(volume.width_mm, volume.depth_mm) / 2;
     result.min = -result.max;
+    result.max_order = view.max_order;
     return result;
 }
 

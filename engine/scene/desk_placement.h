@@ -35,6 +35,7 @@ DeskPlacement place_on_desk(Plant const& plant, DrawingVolume const& volume = {}
 struct SelectionView {
     double scale = 1;              // Tablet millimetres per plant millimetre.
     Vec2 origin_mm = Vec2::Zero(); // Where the plant's base is shown.
+    std::uint32_t max_order = 1;   // Axes of a higher order are not shown.
 
     Vec2 tablet_of_plant(Vec3 const& plant_mm) const
     {

@@ -103,6 +103,8 @@ ProjectedSkeleton::ProjectedSkeleton(Plant const& plant, SkeletonView const& vie
     auto const planes = clip_planes(view);
     lines_.reserve(plant.segment_count());
     for (auto const& axis : plant.axes) {
+        if (axis.order > view.max_order)
+            continue;
         auto const nodes = plant.positions(axis);
         Eigen::Vector4d from = view.to_plane * nodes[0].homogeneous();
         for (std::uint32_t i = 0; i < axis.segment_count; ++i) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,6 +22,9 @@ struct SkeletonView {
     // The part of the plane that is seen. What lies outside cannot be picked.
     Vec2 min = Vec2::Zero();
     Vec2 max = Vec2::Zero();
+
+    // Axes of a higher order are not shown: in a dense crown they would hide what is meant.
+    std::uint32_t max_order = std::numeric_limits<std::uint32_t>::max();
 };
 
 // The view of an OpenGL camera: `clip_from_plant` is the product of its projection and view

@@ -51,6 +51,40 @@ TEST(SelectionView, ShowsTheWholePlantOnTheTabletFromTheFront)
     EXPECT_NEAR(view.tablet_of_plant({ 50, 0, 150 }).norm(), 0, 1e-9);
 }
 
+// A trunk with `laterals` axes of the first order, each with one of the second.
+Plant bushy_plant(std::uint32_t laterals)
+{
+    Plant plant;
+    plant.materials = { Material {} };
+    auto const add = [&](SegmentId parent, AxisId parent_axis, std::uint32_t order) {
+        plant.axes.push_back({ static_cast<NodeId>(plant.node_position_mm.size()),
+                               static_cast<SegmentId>(plant.segment_count()), 1, parent,
+                               parent_axis, order });
+        plant.node_position_mm.insert(plant.node_position_mm.end(),
+                                      { { 0, 0, 10. * order }, { 5, 0, 10. * order + 10 } });
+        plant.node_radius_mm.insert(plant.node_radius_mm.end(), { 1, 1 });
+        plant.segment_material.push_back(0);
+    };
+    add(kNone, kNone, 0);
+    for (std::uint32_t i = 0; i < laterals; ++i) {
+        add(0, 0, 1);
+        add(static_cast<SegmentId>(plant.segment_count() - 1),
+            static_cast<AxisId>(plant.axes.size() - 1), 2);
+    }
+    check_plant(plant);
+    return plant;
+}
+
+TEST(SelectionView, ShowsAllOfASparsePlantAndTheFirstOrderOfADenseOne)
+{
+    EXPECT_EQ(fit_selection_view(bushy_plant(20)).max_order, 2u);
+    EXPECT_EQ(fit_selection_view(bushy_plant(40)).max_order, 1u);
+    EXPECT_EQ(fit_selection_view(bushy_plant(100)).max_order, 1u);
+    auto const dense = bushy_plant(100);
+    EXPECT_EQ(ProjectedSkeleton(dense, skeleton_view(fit_selection_view(dense))).lines().size(),
+              101u);
+}
+
 TEST(SelectionView, ProjectsAsItShows)
 {
     auto const view = fit_selection_view(small_plant());

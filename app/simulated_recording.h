@@ -1,0 +1,22 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/scene/scene.h"
+#include "sim/gesture_script.h"
+
+#include <ostream>
+
+namespace tractus {
+
+// Lets the simulated hand do what a script says on the simulated rig, and writes the log that a
+// recording of it would have given: reports, tool changes and the rig's calibration. Branches that
+// the script traces are those of the scene's base plant in drawing order (join_axes.h), from a
+// little above where they leave their bearer to a little below their tip. A pure function: the same
+// script and plant give the same bytes.
+//
+// Fails, as the user's fault, naming the gesture, for a branch that the plant does not have and for
+// what the rig cannot reach.
+Result<void> write_simulated_recording(std::ostream& out, GestureScript const& script,
+                                       Scene const& scene);
+
+} // namespace tractus
