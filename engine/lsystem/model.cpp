@@ -468,6 +468,8 @@ void Parser::add_rule(Rule rule)
 
 Result<void> Parser::axiom()
 {
+    if (has_axiom_)
+        return cursor_.error("found a second axiom, expected one");
     ExpressionCompiler compiler(cursor_, globals_, NewNames::Global);
     TRY(modules(model_.axiom, compiler, model_.axiom_program.program));
     model_.axiom_program.frame = compiler.take_frame();

@@ -23,6 +23,12 @@ TEST(ModelErrors, NameTheLineAndColumn)
     EXPECT_EQ(compile_error(""), "model.l:1:1: found the end of the file, expected 'Lsystem:'");
 }
 
+TEST(ModelErrors, RefuseASecondAxiom)
+{
+    EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A(1)\nAxiom: A(2,3)\n"),
+              "model.l:3:7: found a second axiom, expected one");
+}
+
 TEST(ModelErrors, CountLinesOfCommentsAndNameTheMacrosPlace)
 {
     EXPECT_EQ(compile_error("/* one\n two */\n#define BAD (1\nLsystem: 1\nAxiom: A(BAD)\n"),
