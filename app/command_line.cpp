@@ -9,6 +9,7 @@
 #include "app/verbs/render.h"
 #include "app/verbs/replay.h"
 #include "app/verbs/verb.h"
+#include "app/verbs/window.h"
 
 #include <fmt/core.h>
 
@@ -44,6 +45,7 @@ int run_command_line(int argc, char const* const* argv)
     add_record_verb(root, action);
     add_render_verb(root, action);
     add_replay_verb(root, action);
+    add_window_verb(root, action);
 
     try {
         root.parse(argc, argv);

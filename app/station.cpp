@@ -81,6 +81,7 @@ void Station::push_pen(Timestamp received, std::span<std::byte const> report)
     if (!*sample)
         return;
     ++counts_.pen_samples;
+    pen_in_range_ = (*sample)->in_range;
     if (auto const tip = fuser_.push(**sample)) {
         builder_.push_live(*tip);
         newest_tip_ = *tip;

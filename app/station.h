@@ -70,6 +70,7 @@ public:
     // For the screen: the ink of the stroke under way, the newest tip, and what it means.
     std::vector<TipSample> ink() const { return builder_.ink(); }
     std::optional<TipSample> const& newest_tip() const { return newest_tip_; }
+    bool pen_in_range() const { return pen_in_range_; }
     Tool const& tool() const { return tool_changes_.back().tool; }
 
 private:
@@ -98,6 +99,7 @@ private:
     Scene scene_;
     std::vector<DrawnStroke> strokes_;
     std::optional<TipSample> newest_tip_;
+    bool pen_in_range_ = false;
     StationCounts counts_;
 };
 

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "app/log_replay.h"
+#include "app/window/window_model.h"
+#include "drivers/log.h"
+#include "engine/base/result.h"
+#include "engine/mesh/mesh.h"
+#include "engine/scene/scene.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace tractus {
+
+// What the station's window shows while a log is replayed at the pace of the hand that drew it: the
+// hand, its strokes, what is selected, and the plant, which is grown anew after each stroke.
+class ReplayWindow final : public WindowModel {
+public:
+    // The log must outlive the window. `pictures` is the folder in which saved pictures appear.
+    // Fails like LogReplay::create.
+    static Result<ReplayWindow> create(Log const& log, ReplayOptions options,
+                                       std::filesystem::path pictures);
+
+    void advance(Duration real_step) override;
+    WindowState const& state() const override { return state_; }
+    void perform(WindowCommand const& command) override;
+
+private:
+    ReplayWindow(Log const& log, ReplayOptions options, std::filesystem::path pictures,
+                 LogReplay replay);
+
+    void perform_kind(SetPlaying const& command);
+    void perform_kind(SetSpeed const& command);
+    void perform_kind(Restart const&);
+    void perform_kind(NextVariation const&);
+    void perform_kind(SavePicture const& command);
+
+    void show_live();
+    void show_scene();
+    void show_skeleton();
+    void grow_plant();
+
+    Log const* log_;        // Not owned.
+    ReplayOptions options_; // To begin again.
+    std::filesystem::path pictures_;
+    LogReplay replay_;
+    Timestamp now_; // Of the log.
+    std::size_t shown_strokes_ = 0;
+    std::unique_ptr<Mesh const>
+        plant_; // On the heap, since the state points to it when this moves.
+    WindowState state_;
+};
+
+} // namespace tractus
