@@ -2,7 +2,7 @@ angle increment: 45
 initial line width: 0.5
 initial color: 1
 tropism direction: 0,1,0
-initial elasticity: 0.02
+initial elasticity: 0.035
 radii: pipe 2.3 0.1
 material: 1 bark kind=bark color=0.38,0.31,0.25 roughness=0.9
 material: 2 leaf kind=leaf color=0.33,0.45,0.19 roughness=0.5 translucency=0.4
