@@ -62,7 +62,7 @@ void decode_pen_reports(benchmark::State& state)
              .item = "reports",
              .bytes = kReports * (kReportBytes + sizeof(PenSample)) });
 }
-BENCHMARK(decode_pen_reports)->Unit(benchmark::kMillisecond);
+BENCHMARK(decode_pen_reports);
 
 void read_log(benchmark::State& state)
 {
@@ -73,7 +73,7 @@ void read_log(benchmark::State& state)
     auto const bytes = log_text().size() + kReports * (kReportBytes + sizeof(LogRecord));
     report(state, { .items = kReports, .item = "reports", .bytes = static_cast<double>(bytes) });
 }
-BENCHMARK(read_log)->Unit(benchmark::kMillisecond);
+BENCHMARK(read_log);
 
 void write_log(benchmark::State& state)
 {
@@ -90,7 +90,7 @@ void write_log(benchmark::State& state)
              .item = "reports",
              .bytes = static_cast<double>(log_text().size() + reports().size()) });
 }
-BENCHMARK(write_log)->Unit(benchmark::kMillisecond);
+BENCHMARK(write_log);
 
 } // namespace
 } // namespace tractus

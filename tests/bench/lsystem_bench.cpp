@@ -76,7 +76,6 @@ void derive_model(benchmark::State& state, std::string const& rules)
         bytes = string.kinds.size() + string.parameters.size() * sizeof(float);
         benchmark::DoNotOptimize(string.kinds.data());
     }
-    state.counters["bytes_per_module"] = static_cast<double>(bytes) / static_cast<double>(modules);
     report(state,
            { .items = static_cast<double>(modules),
              .item = "modules",
@@ -140,12 +139,12 @@ void interpret_tree(benchmark::State& state)
              .limit = Limit::Fill });
 }
 
-BENCHMARK(derive_bush)->Arg(9)->Arg(10)->Unit(benchmark::kMillisecond);
-BENCHMARK(derive_tree)->Arg(17)->Unit(benchmark::kMillisecond);
-BENCHMARK(derive_signals)->Arg(60)->Unit(benchmark::kMillisecond);
-BENCHMARK(signal_through_a_row)->Arg(100)->Unit(benchmark::kMillisecond);
-BENCHMARK(compile_tree)->Unit(benchmark::kMicrosecond);
-BENCHMARK(interpret_tree)->Arg(17)->Unit(benchmark::kMillisecond);
+BENCHMARK(derive_bush)->Arg(9)->Arg(10);
+BENCHMARK(derive_tree)->Arg(17);
+BENCHMARK(derive_signals)->Arg(60);
+BENCHMARK(signal_through_a_row)->Arg(100);
+BENCHMARK(compile_tree);
+BENCHMARK(interpret_tree)->Arg(17);
 
 } // namespace
 } // namespace tractus

@@ -72,9 +72,10 @@ double bytes_of(Mesh const& mesh)
     return bytes;
 }
 
-void make_mesh_bench(benchmark::State& state, MeshOptions const& options, std::size_t threads)
+void make_mesh_bench(benchmark::State& state, MeshOptions const& options)
 {
-    tbb::global_control const limit(tbb::global_control::max_allowed_parallelism, threads);
+    tbb::global_control const threads(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<std::size_t>(state.range(0)));
     Mesh mesh;
     for (auto _ : state) {
         mesh = {}; // Every run pays for its memory, as the first one does.
@@ -151,21 +152,27 @@ void write_glb_bench(benchmark::State& state, Limit limit)
              .limit = limit });
 }
 
-BENCHMARK_CAPTURE(make_mesh_bench, eight_sides_one_thread, kEightSides, 1)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(make_mesh_bench, eight_sides_two_threads, kEightSides, 2)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(make_mesh_bench, as_for_pictures_two_threads, MeshOptions {}, 2)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(write_glb_bench, to_memory, Limit::Copy)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(write_glb_bench, to_disk, Limit::Disk)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+void make_mesh_of_eight_sides(benchmark::State& state)
+{
+    make_mesh_bench(state, kEightSides);
+}
+void make_mesh_for_pictures(benchmark::State& state)
+{
+    make_mesh_bench(state, {});
+}
+void write_glb_to_memory(benchmark::State& state)
+{
+    write_glb_bench(state, Limit::Copy);
+}
+void write_glb_to_disk(benchmark::State& state)
+{
+    write_glb_bench(state, Limit::Disk);
+}
+
+BENCHMARK(make_mesh_of_eight_sides)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK(make_mesh_for_pictures)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK(write_glb_to_memory)->UseRealTime();
+BENCHMARK(write_glb_to_disk)->UseRealTime();
 
 } // namespace
 } // namespace tractus

@@ -1,41 +1,49 @@
 #include "tests/bench/report.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fmt/core.h>
 #include <fstream>
-#include <map>
+#include <string_view>
+#include <unistd.h>
 #include <vector>
 
 namespace tractus {
 
 namespace {
 
+constexpr std::array<char const*, 3> kLimitNames { "copy", "fill", "disk" }; // By Limit.
+constexpr std::size_t kBlockBytes = 64 << 20;
+constexpr int kRuns = 12; // The best one counts: the machine may have other things to do.
+
 void write_once(std::vector<char> const& block)
 {
-    auto const path = std::filesystem::temp_directory_path() / "tractus-bench-limit";
+    auto const path = std::filesystem::temp_directory_path()
+        / fmt::format("tractus-bench-limit-{}", ::getpid());
     std::ofstream out(path, std::ios::binary | std::ios::trunc);
     out.write(block.data(), static_cast<std::streamsize>(block.size()));
     out.close();
     std::filesystem::remove(path);
 }
 
-double measure(Limit limit, std::size_t bytes)
+double measure_bytes_per_second(Limit limit)
 {
-    std::vector<char> from(bytes, 1);
-    std::vector<char> to(bytes, 2);
+    std::vector<char> const from(kBlockBytes, 1);
+    std::vector<char> to(limit == Limit::Disk ? 0 : kBlockBytes, 2);
     double best_s = 1e9;
-    for (int run = 0; run < 7; ++run) {
+    for (int run = 0; run < kRuns; ++run) {
         auto const start = std::chrono::steady_clock::now();
         switch (limit) {
         case Limit::Copy:
-            std::memcpy(to.data(), from.data(), bytes);
+            std::memcpy(to.data(), from.data(), to.size());
             break;
         case Limit::Fill:
-            std::memset(to.data(), run, bytes);
+            std::memset(to.data(), run, to.size());
             break;
         case Limit::Disk:
             write_once(from);
@@ -43,65 +51,135 @@ double measure(Limit limit, std::size_t bytes)
         }
         benchmark::DoNotOptimize(to.data());
         benchmark::ClobberMemory();
-        best_s = std::min(
-            best_s,
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        std::chrono::duration<double> const took = std::chrono::steady_clock::now() - start;
+        best_s = std::min(best_s, took.count());
     }
-    return static_cast<double>(bytes) / best_s;
+    return static_cast<double>(kBlockBytes) / best_s;
 }
 
-// One line per benchmark: name, figure, unit, share of the limit.
+double bytes_per_second(Limit limit)
+{
+    static std::array<double, kLimitNames.size()> measured {};
+    auto& result = measured[static_cast<std::size_t>(limit)];
+    if (result == 0)
+        result = measure_bytes_per_second(limit);
+    return result;
+}
+
+std::string counter_name(std::string_view limit)
+{
+    return fmt::format("{}_bytes_per_second", limit);
+}
+
+// Four digits or so and a unit with a prefix, such as "12.35 ns" or "2.31 G modules/s".
+std::string with_prefix(double value, std::string_view unit)
+{
+    struct Prefix {
+        double factor;
+        char const* name;
+    };
+    constexpr std::array<Prefix, 7> kPrefixes { { { 1e9, "G" },
+                                                  { 1e6, "M" },
+                                                  { 1e3, "k" },
+                                                  { 1, "" },
+                                                  { 1e-3, "m" },
+                                                  { 1e-6, "µ" },
+                                                  { 1e-9, "n" } } };
+    auto const* prefix = kPrefixes.begin();
+    while (value < prefix->factor && prefix + 1 != kPrefixes.end())
+        ++prefix;
+    double const scaled = value / prefix->factor;
+    bool const is_word = unit.size() > 1 && std::islower(unit[0]) != 0;
+    return fmt::format("{:.{}f} {}{}{}", scaled,
+                       scaled < 10        ? 2
+                           : scaled < 100 ? 1
+                                          : 0,
+                       prefix->name, is_word && *prefix->name != '\0' ? " " : "", unit);
+}
+
+void print_row(std::string_view name, std::string_view figure, std::string_view each,
+               std::string_view bytes, std::string_view run, std::string_view limit,
+               std::string_view share)
+{
+    auto const split = figure.find(' ');
+    fmt::print("{:<36}{:>6} {:<17}{:>9}{:>9}{:>10}  {:<15}{:>8}\n", name, figure.substr(0, split),
+               split < figure.size() ? figure.substr(split + 1) : "", each, bytes, run, limit,
+               share);
+    std::fflush(stdout);
+}
+
+using Run = benchmark::BenchmarkReporter::Run;
+
+double counter(Run const& run, std::string const& name)
+{
+    auto const found = run.counters.find(name);
+    return found == run.counters.end() ? 0 : found->second.value;
+}
+
+std::string limit_of(Run const& run)
+{
+    for (auto const* name : kLimitNames)
+        if (double const limit = counter(run, counter_name(name)); limit > 0)
+            return fmt::format("{} {}", name, with_prefix(limit, "B/s"));
+    return "";
+}
+
+void print_run(Run const& run)
+{
+    auto const name = run.run_name.args.empty()
+        ? run.run_name.function_name
+        : fmt::format("{}/{}", run.run_name.function_name, run.run_name.args);
+    if (run.error_occurred) {
+        fmt::print("{:<36}{}\n", name, run.error_message);
+        return;
+    }
+    double const rate = counter(run, "items_per_second");
+    double const bytes = counter(run, "bytes_per_item");
+    double const share = counter(run, "of_limit");
+    double const run_s = run.real_accumulated_time / static_cast<double>(run.iterations);
+    print_row(name, with_prefix(rate, run.report_label + "/s"), with_prefix(1 / rate, "s"),
+              bytes > 0 ? with_prefix(bytes, "B") : "", with_prefix(run_s, "s"), limit_of(run),
+              share > 0 ? fmt::format("{:.4f}", share) : "");
+}
+
+// One line per benchmark.
 class TableReporter : public benchmark::BenchmarkReporter {
 public:
     bool ReportContext(Context const&) override { return true; }
 
     void ReportRuns(std::vector<Run> const& runs) override
     {
-        for (auto const& run : runs) {
-            if (run.error_occurred) {
-                fmt::print("{:<44} {}\n", run.benchmark_name(), run.error_message);
-                continue;
-            }
-            auto const rate = run.counters.find("items_per_s");
-            auto const share = run.counters.find("of_limit");
-            if (rate == run.counters.end() || share == run.counters.end()) {
-                fmt::print("{:<44} {:>10.3f} {:<22}\n", run.benchmark_name(),
-                           run.GetAdjustedRealTime(), benchmark::GetTimeUnitString(run.time_unit));
-                continue;
-            }
-            fmt::print("{:<44} {:>10.3f} {:<22} {:>8.3f}\n", run.benchmark_name(),
-                       rate->second.value / 1e6, "M " + run.report_label + "/s",
-                       share->second.value);
-        }
-        std::fflush(stdout);
+        for (auto const& run : runs)
+            print_run(run);
     }
 };
 
 } // namespace
 
-double limit_bytes_per_second(Limit limit, std::size_t bytes)
-{
-    static std::map<std::pair<Limit, std::size_t>, double> measured;
-    auto const [found, is_new] = measured.try_emplace({ limit, bytes }, 0);
-    if (is_new)
-        found->second = measure(limit, bytes);
-    return found->second;
-}
-
 void report(benchmark::State& state, Work const& work)
 {
     using benchmark::Counter;
     auto const iterations = static_cast<double>(state.iterations());
-    double const limit = limit_bytes_per_second(work.limit, static_cast<std::size_t>(work.bytes));
     state.SetLabel(work.item);
-    state.counters["items_per_s"] = Counter(work.items * iterations, Counter::kIsRate);
+    state.counters["items_per_second"] = Counter(work.items * iterations, Counter::kIsRate);
+    if (work.bytes <= 0)
+        return;
+    double const limit = bytes_per_second(work.limit);
+    auto const* const name = kLimitNames[static_cast<std::size_t>(work.limit)];
+    state.counters["bytes_per_item"] = work.bytes / work.items;
+    state.counters[counter_name(name)] = limit;
     state.counters["of_limit"] = Counter(work.bytes * iterations / limit, Counter::kIsRate);
 }
 
 } // namespace tractus
 
+// With --heading, prints the table's first line and nothing else.
 int main(int argc, char** argv)
 {
+    if (argc == 2 && std::string_view(argv[1]) == "--heading") {
+        tractus::print_row("benchmark", "figure unit", "each", "bytes", "run", "limit", "of limit");
+        return 0;
+    }
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 2;

@@ -1,30 +1,31 @@
 #pragma once
 
 #include <benchmark/benchmark.h>
-#include <cstddef>
 #include <string>
 
 namespace tractus {
 
 // What bounds the work on this machine.
 enum class Limit {
-    Copy, // memcpy of as many bytes as the work reads and writes.
-    Fill, // memset of as many bytes as the work writes.
-    Disk, // Writing as many bytes to a file in the folder for temporary files, page cache included.
+    Copy, // memcpy: for work that reads as much as it writes.
+    Fill, // memset: for work that writes.
+    Disk, // Writing a file in the folder for temporary files, the page cache included.
 };
 
 struct Work {
-    double items = 0; // Done in one iteration.
-    std::string item; // What they are, in the plural: "reports", "segments".
-    double bytes = 0; // Moved in one iteration, as `limit` counts them.
+    double items = 1;      // Done in one iteration.
+    std::string item = {}; // What they are, in the plural: "reports", "segments".
+    double bytes = 0;      // What one iteration has to read (Copy) or write (Fill, Disk) at least.
+                           // 0: so little that memory says nothing about the time.
     Limit limit = Limit::Copy;
 };
 
-// Reports a benchmark's figure as items per second, and as a share of what the machine's memory or
-// disk allows (1: as fast as moving the bytes and nothing else). Call it once, after the loop.
+// Adds a benchmark to the table: items per second, the time and bytes of each, the time of an
+// iteration, and the share of what the machine's memory or disk allows (1: as fast as moving the
+// bytes and nothing else). Call it once, after the loop.
+//
+// The limits are measured by the same program on one thread, on blocks that no cache holds. The
+// time is the thread's own; a benchmark that works on several threads needs UseRealTime().
 void report(benchmark::State& state, Work const& work);
-
-// Bytes per second of the limit for blocks of `bytes`, measured here: the best of a few runs.
-double limit_bytes_per_second(Limit limit, std::size_t bytes);
 
 } // namespace tractus

@@ -7,6 +7,8 @@
 #include "tests/engine/stroke/strokes.h"
 #include "tests/engine/variation/plants.h"
 
+#include <oneapi/tbb/global_control.h>
+
 namespace tractus {
 namespace {
 
@@ -32,6 +34,11 @@ double bytes_of(Plant const& plant)
                                + plant.organs.size() * sizeof(Organ));
 }
 
+tbb::global_control limited_to(std::int64_t threads)
+{
+    return { tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads) };
+}
+
 std::vector<Association> both(Plant const& plant)
 {
     return { { .path = segments_of(plant.axes[0]),
@@ -42,6 +49,7 @@ std::vector<Association> both(Plant const& plant)
 void grow_plants(benchmark::State& state, Plant const& plant, GrowthParameters const& parameters,
                  Vec3 const& influence)
 {
+    auto const threads = limited_to(state.range(0));
     auto const shape = resolve_associations(plant, both(plant)).value();
     auto const plan = plan_growth(plant, shape, parameters, influence).value();
     Grower grower(plan);
@@ -54,32 +62,33 @@ void grow_plants(benchmark::State& state, Plant const& plant, GrowthParameters c
              .bytes = bytes_of(plant) });
 }
 
-void GrowBranches(benchmark::State& state)
+void grow_branches(benchmark::State& state)
 {
     grow_plants(state, branches(), {}, Vec3::Zero());
 }
-BENCHMARK(GrowBranches)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(grow_branches)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-void GrowBranchesInWind(benchmark::State& state)
+void grow_branches_in_wind(benchmark::State& state)
 {
     grow_plants(state, branches(), {}, Vec3(0.5, 0, 0));
 }
-BENCHMARK(GrowBranchesInWind)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(grow_branches_in_wind)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-void GrowTwigs(benchmark::State& state)
+void grow_twigs(benchmark::State& state)
 {
     grow_plants(state, twigs(), {}, Vec3::Zero());
 }
-BENCHMARK(GrowTwigs)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(grow_twigs)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-void GrowTwigsInWind(benchmark::State& state)
+void grow_twigs_in_wind(benchmark::State& state)
 {
     grow_plants(state, twigs(), {}, Vec3(0.5, 0, 0));
 }
-BENCHMARK(GrowTwigsInWind)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(grow_twigs_in_wind)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
 void resolve(benchmark::State& state, Plant const& plant)
 {
+    auto const threads = limited_to(state.range(0));
     auto const associations = both(plant);
     for (auto _ : state)
         benchmark::DoNotOptimize(resolve_associations(plant, associations));
@@ -89,19 +98,19 @@ void resolve(benchmark::State& state, Plant const& plant)
              .bytes = bytes_of(plant) });
 }
 
-void ResolveAssociationOnBranches(benchmark::State& state)
+void resolve_on_branches(benchmark::State& state)
 {
     resolve(state, branches());
 }
-BENCHMARK(ResolveAssociationOnBranches)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(resolve_on_branches)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-void ResolveAssociationOnTwigs(benchmark::State& state)
+void resolve_on_twigs(benchmark::State& state)
 {
     resolve(state, twigs());
 }
-BENCHMARK(ResolveAssociationOnTwigs)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(resolve_on_twigs)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-void PlanGrowth(benchmark::State& state)
+void plan_growth_of_branches(benchmark::State& state)
 {
     auto const shape = resolve_associations(branches(), both(branches())).value();
     for (auto _ : state)
@@ -111,7 +120,7 @@ void PlanGrowth(benchmark::State& state)
              .item = "segments",
              .bytes = bytes_of(branches()) });
 }
-BENCHMARK(PlanGrowth)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(plan_growth_of_branches);
 
 // A window of 1,200 pixels in which the whole tree is seen from the front.
 SkeletonView window()
@@ -121,7 +130,7 @@ SkeletonView window()
     return view_in_pixels(clip, Vec2(1200, 1200));
 }
 
-void ProjectSkeleton(benchmark::State& state)
+void project_skeleton(benchmark::State& state)
 {
     for (auto _ : state)
         benchmark::DoNotOptimize(ProjectedSkeleton(branches(), window()).lines().data());
@@ -130,10 +139,10 @@ void ProjectSkeleton(benchmark::State& state)
              .item = "segments",
              .bytes = bytes_of(branches()) });
 }
-BENCHMARK(ProjectSkeleton)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(project_skeleton);
 
 // A pen that crosses the crown at 300 mm/s: 6 pixels between two samples.
-void SelectionPenSample(benchmark::State& state)
+void move_selection_pen(benchmark::State& state)
 {
     ProjectedSkeleton const skeleton(branches(), window());
     auto const tree = build_branch_tree(branches());
@@ -144,8 +153,9 @@ void SelectionPenSample(benchmark::State& state)
         x = x < 900 ? x + 6 : 300;
         benchmark::DoNotOptimize(pen.move_to({ x, 300 + 0.1 * x }));
     }
+    report(state, { .item = "pen samples" });
 }
-BENCHMARK(SelectionPenSample)->UseRealTime()->Unit(benchmark::kMicrosecond);
+BENCHMARK(move_selection_pen);
 
 } // namespace
 } // namespace tractus
