@@ -28,7 +28,7 @@ void PrintTo(Expected const& expected, std::ostream* out)
 }
 
 std::vector<Expected> const kModels {
-    { "broadleaf", 16, 3000, 5000, 40, 4500, 8000 },
+    { "broadleaf", 16, 3500, 5000, 40, 3500, 6000 },
     { "conifer", 10, 2500, 12'000, 25, 2000, 3500 },
     { "daisy", 20, 50, 180, 9, 250, 500 },
     { "shrub", 14, 1200, 2500, 9, 800, 2000 },
