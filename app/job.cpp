@@ -4,6 +4,7 @@
 #include "app/model_file.h"
 #include "app/pictures.h"
 #include "app/render/contact_sheet.h"
+#include "app/render/mesh_measures.h"
 #include "calib/rig_file.h"
 #include "drivers/file.h"
 #include "drivers/log.h"
@@ -176,7 +177,7 @@ Result<void> Job::make_collection(Scene const& scene)
     progress_.begin("growing the collection", options_.variations);
     Bounds frame; // So that all are shown at one scale.
     for (std::size_t i = 0; i < options_.variations; ++i) {
-        auto const box = bounds(plant(i));
+        auto const box = bounds(make_mesh(plant(i))); // Leaves and petals stand out.
         frame.add(box.min_mm);
         frame.add(box.max_mm);
         progress_.step();
