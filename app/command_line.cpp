@@ -1,5 +1,7 @@
 #include "app/command_line.h"
 
+#include "app/console.h"
+#include "app/help.h"
 #include "app/verbs/decode.h"
 #include "app/verbs/demo.h"
 #include "app/verbs/derive.h"
@@ -11,7 +13,10 @@
 #include "app/verbs/verb.h"
 #include "app/verbs/window.h"
 
+#include <exception>
 #include <fmt/core.h>
+#include <memory>
+#include <new>
 
 namespace tractus {
 
@@ -31,36 +36,80 @@ static char const* prefix(Fault fault)
     return "error";
 }
 
+static int fail_usage(CLI::App const& root, std::string const& message)
+{
+    auto const chosen = root.get_subcommands();
+    auto const verb = chosen.empty() ? std::string() : " " + chosen.front()->get_name();
+    print_error(fmt::format("error: {}: see \"tractus{} --help\"\n", message, verb));
+    return kExitUsage;
+}
+
+static int fail_action(Error const& error)
+{
+    print_error(fmt::format("{}: {}\n", prefix(error.fault), error.message));
+    return kExitFailure;
+}
+
+// The action's result; what the system or a library throws on the way is one, too.
+static Result<void> carry_out(Action const& action)
+{
+    try {
+        return action();
+    } catch (std::bad_alloc const&) {
+        return fail(Fault::User,
+                    "there is not enough memory for this: derive fewer steps, make fewer plants "
+                    "or a smaller picture");
+    } catch (std::exception const& error) {
+        return fail(Fault::Station, error.what());
+    }
+}
+
+// Each verb registers itself here, in the order that --help lists them.
+static void add_verbs(CLI::App& root, Action& action)
+{
+    add_demo_verb(root, action);
+    add_window_verb(root, action);
+    add_replay_verb(root, action);
+    add_grow_verb(root, action);
+    add_render_verb(root, action);
+    add_derive_verb(root, action);
+    add_devices_verb(root, action);
+    add_record_verb(root, action);
+    add_decode_verb(root, action);
+}
+
 int run_command_line(int argc, char const* const* argv)
 {
     CLI::App root { "tractus: a 3D sketching station for plants", "tractus" };
+    root.formatter(std::make_shared<HelpFormatter>());
+    root.set_help_flag("-h,--help", "Print this help");
+    root.set_version_flag("--version", "tractus " TRACTUS_VERSION, "Print the version");
     root.require_subcommand(0, 1);
     Action action;
-    // Each verb registers itself here, in the order that --help lists them.
-    add_decode_verb(root, action);
-    add_demo_verb(root, action);
-    add_derive_verb(root, action);
-    add_devices_verb(root, action);
-    add_grow_verb(root, action);
-    add_record_verb(root, action);
-    add_render_verb(root, action);
-    add_replay_verb(root, action);
-    add_window_verb(root, action);
+    add_verbs(root, action);
+    for (auto* const verb : root.get_subcommands({})) {
+        verb->set_help_flag("-h,--help", "Print this help");
+        verb->group("Verbs");
+    }
+    root.footer( // After the verbs, which would inherit it.
+
+        "\"tractus VERB --help\" says what each can do; \"tractus demo\" is the way to begin.\n"
+        "Exit codes: 0 success, 1 a failure that the message on standard error explains,\n"
+        "2 wrong usage.");
 
     try {
         root.parse(argc, argv);
+    } catch (CLI::CallForHelp const&) {
+        action = [&] { return print_out(root.help()); };
+    } catch (CLI::CallForVersion const&) {
+        action = [&] { return print_out(root.version() + "\n"); };
     } catch (CLI::ParseError const& error) {
-        return root.exit(error) == 0 ? 0 : kExitUsage;
+        return fail_usage(root, error.what());
     }
-    if (!action) {
-        fmt::print("{}", root.help());
-        return kExitUsage;
-    }
-    if (auto const result = action(); !result) {
-        fmt::print(stderr, "{}: {}\n", prefix(result.error().fault), result.error().message);
-        return kExitFailure;
-    }
-    return 0;
+    if (!action)
+        return fail_usage(root, "a verb is missing, such as demo");
+    auto const result = carry_out(action);
+    return result ? 0 : fail_action(result.error());
 }
 
 } // namespace tractus

@@ -93,6 +93,11 @@ Result<Scene> Job::load_plant()
     progress_.begin("deriving the plant");
     auto const edit = TRY(load_model_edit(options_.model));
     auto scene = TRY(apply_edit({}, edit));
+    if (scene.base->segment_count() == 0)
+        return fail(Fault::User,
+                    fmt::format("{}: the plant has no branch that a stroke could shape: its "
+                                "derivation draws nothing",
+                                options_.model.string()));
     report_.model = options_.model.string();
     report_.notes = scene.model_warnings;
     report_.segments = scene.base->segment_count();
@@ -117,6 +122,12 @@ Result<Station> Job::replay(Scene scene)
         replay_options.height = TRY(parse_height_scenario(*options_.height));
     auto replay = TRY(LogReplay::create(log, std::move(replay_options)));
     replay.run();
+    auto const& counts = replay.station().counts();
+    if (counts.pen_samples == 0 && counts.broken_reports > 0)
+        return fail(Fault::Device,
+                    fmt::format("{}: the reports are not what the report descriptors say, the "
+                                "first: {}",
+                                log.name, counts.first_broken));
     return std::move(replay).take_station();
 }
 
@@ -134,6 +145,9 @@ void Job::note_replay(Station const& station)
     for (auto const& association : station.scene().associations)
         paths.insert(association.path);
     report_.branches_selected = paths.size();
+    if (counts.strokes == 0)
+        report_.notes.push_back(
+            "the pen never touched the tablet: the plants vary by chance alone");
     if (counts.broken_reports > 0)
         report_.notes.push_back(fmt::format("{} reports could not be decoded, the first: {}",
                                             counts.broken_reports, counts.first_broken));

@@ -1,5 +1,6 @@
 #include "app/live_recording.h"
 
+#include "app/console.h"
 #include "drivers/hid_source.h"
 #include "drivers/log_writer.h"
 #include "drivers/recording_source.h"
@@ -34,7 +35,8 @@ bool drain(Recorded& device, LiveRecordingCounts& counts)
     while (device.source) {
         auto const report = device.source->read(Duration::zero());
         if (!report) {
-            fmt::print(stderr, "{}: {}\n", device.source->info().name, report.error().message);
+            print_error(
+                fmt::format("{}: {}\n", device.source->info().name, report.error().message));
             counts.lost += device.threaded->lost_count();
             device.source.reset();
         } else if (!*report) {

@@ -1,6 +1,7 @@
 #include "app/progress.h"
 
-#include <cstdio>
+#include "app/console.h"
+
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -41,7 +42,7 @@ void Progress::finish()
     if (stage_.empty())
         return;
     if (line_open_)
-        fmt::print(stderr, "\r\033[K");
+        print_error("\r\033[K");
     line_open_ = false;
     times_.push_back({ stage_, std::chrono::duration<double>(Clock::now() - begun_).count() });
     stage_.clear();
@@ -56,11 +57,10 @@ void Progress::show()
     shown_ = now;
     auto const count = total_ ? fmt::format(" {} of {}", done_, total_) : fmt::format(" {}", done_);
     if (on_terminal_)
-        fmt::print(stderr, "\r\033[K{}{}", stage_, count);
+        print_error(fmt::format("\r\033[K{}{}", stage_, count));
     else
-        fmt::print(stderr, "{}{}\n", stage_, count);
+        print_error(fmt::format("{}{}\n", stage_, count));
     line_open_ = on_terminal_;
-    std::fflush(stderr);
 }
 
 } // namespace tractus

@@ -24,6 +24,7 @@ static constexpr std::array kScenarios {
 
 static constexpr double kLowest_mm = 50;
 static constexpr double kTravel_mm = 300;
+static constexpr double kFarthest_mm = 10'000; // Beyond it a height is a slip of the finger.
 static constexpr double kSwayPeriod_s = 8;
 
 Result<HeightScenario> parse_height_scenario(std::string_view text)
@@ -38,6 +39,10 @@ Result<HeightScenario> parse_height_scenario(std::string_view text)
         return fail(
             Fault::User,
             fmt::format("unknown height \"{}\": give millimetres, rise, fall, arch or sway", text));
+    if (std::abs(number) > kFarthest_mm)
+        return fail(Fault::User,
+                    fmt::format("the height {} mm is out of reach: give {} to {} mm", text,
+                                -kFarthest_mm, kFarthest_mm));
     return HeightScenario { .kind = HeightScenario::Kind::Constant, .constant_mm = number };
 }
 

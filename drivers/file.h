@@ -23,6 +23,10 @@ Result<std::string> read_file(std::filesystem::path const& path,
 Result<void> write_file(std::filesystem::path const& path,
                         std::function<Result<void>(std::ostream&)> const& write);
 
+// From now on a signal that ends the program (Ctrl-C, SIGTERM, SIGHUP) first removes the temporary
+// file of a write_file() under way. For main(). Signals that are ignored stay so.
+void remove_unfinished_file_on_signals();
+
 // The same for bytes at hand.
 Result<void> write_file(std::filesystem::path const& path, std::string_view bytes);
 

@@ -1,5 +1,6 @@
 #include "app/verbs/decode.h"
 
+#include "app/console.h"
 #include "drivers/device_kind.h"
 #include "drivers/file.h"
 #include "drivers/height_decoder.h"
@@ -7,11 +8,9 @@
 #include "drivers/pen_decoder.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
+#include <filesystem>
 #include <fmt/core.h>
 #include <functional>
 #include <memory>
@@ -166,7 +165,7 @@ Result<std::vector<Device>> find_pens(Log const& log)
                     fmt::format("there is no pen to decode in {}: {}", log.name,
                                 reasons.empty() ? "it has a height sensor alone" : reasons));
     if (!reasons.empty())
-        fmt::print(stderr, "warning: {}: {}\n", log.name, reasons);
+        print_error(fmt::format("warning: {}: {}\n", log.name, reasons));
     return devices;
 }
 
@@ -174,7 +173,7 @@ Result<std::vector<Device>> find_pens(Log const& log)
 Result<void> report_problems(Log const& log, std::vector<Device> const& devices)
 {
     if (auto const warnings = summarize_warnings(log); !warnings.empty())
-        fmt::print(stderr, "warning: {}\n", warnings);
+        print_error(fmt::format("warning: {}\n", warnings));
     for (std::size_t i = 0; i < devices.size(); ++i) {
         auto const& device = devices[i];
         if (device.bad_reports == 0)
@@ -185,8 +184,9 @@ Result<void> report_problems(Log const& log, std::vector<Device> const& devices)
                 Fault::Device,
                 fmt::format("{}: its reports are not what its report descriptor says, the first {}",
                             where, device.first_problem));
-        fmt::print(stderr, "warning: {}: {} of {} reports could not be decoded, the first {}\n",
-                   where, device.bad_reports, device.reports, device.first_problem);
+        print_error(
+            fmt::format("warning: {}: {} of {} reports could not be decoded, the first {}\n", where,
+                        device.bad_reports, device.reports, device.first_problem));
     }
     return {};
 }
@@ -208,14 +208,6 @@ Result<void> write_csv(Log const& log, bool raw, Sink const& sink)
     TRY(decode_all(log, devices, add_row));
     TRY(report_problems(log, devices));
     return sink(text);
-}
-
-Result<void> write_to_standard_output(std::string_view text)
-{
-    if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
-        return {};
-    return fail(Fault::User,
-                fmt::format("cannot write to standard output: {}", std::strerror(errno)));
 }
 
 // The median, since pens pause: ", typically 200 per second", or empty where there is none.
@@ -265,7 +257,7 @@ Result<void> print_summary(Log const& log)
     if (!log.rig_text.empty())
         text += "the rig's calibration is in the log\n";
     TRY(report_problems(log, devices));
-    return write_to_standard_output(text);
+    return print_out(text);
 }
 
 Result<void> run(Options const& options)
@@ -274,7 +266,11 @@ Result<void> run(Options const& options)
     if (!options.csv)
         return print_summary(log);
     if (options.output.empty())
-        return write_csv(log, options.raw, write_to_standard_output);
+        return write_csv(log, options.raw, print_out);
+    if (std::error_code ignored; std::filesystem::equivalent(options.log, options.output, ignored))
+        return fail(
+            Fault::User,
+            fmt::format("{} is the log itself: choose another name for the CSV", options.output));
     return write_file(options.output, [&](std::ostream& out) {
         return write_csv(log, options.raw, [&](std::string_view text) -> Result<void> {
             out.write(text.data(), static_cast<std::streamsize>(text.size()));
@@ -289,8 +285,7 @@ void add_decode_verb(CLI::App& root, Action& action)
 {
     auto* const verb = root.add_subcommand("decode", "Show what the pens in a device log did");
     verb->footer(
-        "The log may be one of ours or any hid-recorder file. Without --csv a summary is\n"
-        "printed.\n"
+        "Without --csv, a summary is printed.\n"
         "\n"
         "CSV has one row per pen sample. Positions are in millimetres from the lower left\n"
         "corner of the tablet's active area, y away from the user; tilts in degrees towards\n"
@@ -299,11 +294,13 @@ void add_decode_verb(CLI::App& root, Action& action)
         "the device does not say. --raw adds the counts as the device reports them, y\n"
         "downwards.");
     auto options = std::make_shared<Options>(); // Shared by the parser's options and the action.
-    verb->add_option("FILE", options->log, "The device log")->required();
+    verb->add_option("LOG", options->log, "A .tractus-log, or anybody's hid-recorder file")
+        ->required();
     auto* const csv = verb->add_flag("--csv", options->csv, "Print one row per pen sample");
     verb->add_flag("--raw", options->raw, "Add the device's own counts to each row")->needs(csv);
     verb->add_option("-o,--output", options->output,
                      "Write to this file in place of standard output")
+        ->type_name("FILE")
         ->needs(csv);
     verb->callback([&action, options] { action = [options] { return run(*options); }; });
 }

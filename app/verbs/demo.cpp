@@ -1,8 +1,10 @@
 #include "app/verbs/demo.h"
 
+#include "app/console.h"
 #include "app/job.h"
 #include "app/progress.h"
 #include "app/resources.h"
+#include "app/verbs/checks.h"
 
 #include <fmt/core.h>
 #include <memory>
@@ -21,21 +23,30 @@ void add_demo_verb(CLI::App& root, Action& action)
         "demo",
         "See what the station is for: a drawing recorded on the simulated rig varies a plant");
     verb->add_option("-o,--output", arguments->job.folder,
-                     "The folder for pictures, glTF and report")
+                     "The folder for pictures, glTF and report; made if it is not there")
+        ->type_name("FOLDER")
         ->capture_default_str();
+    verb->footer(
+        "Writes base.png (the plant as its model gives it), strokes.png (what was drawn),\n"
+        "varied.png (one variation), collection.png and collection.glb (all of them) and\n"
+        "report.txt, which is printed, too. The same seed gives the same plants.");
     verb->add_option("--plant", arguments->plant,
                      "Which of our plants: broadleaf, conifer, daisy or shrub")
-        ->capture_default_str()
-        ->check(CLI::IsMember({ "broadleaf", "conifer", "daisy", "shrub" }));
-    verb->add_option("--seed", arguments->job.seed, "Of the variations")->capture_default_str();
+        ->type_name("NAME")
+        ->check(one_of({ "broadleaf", "conifer", "daisy", "shrub" }))
+        ->capture_default_str();
+    verb->add_option("--seed", arguments->job.seed,
+                     "Chooses the variations: another seed, other plants")
+        ->type_name("N")
+        ->check(seed_number())
+        ->capture_default_str();
     verb->callback([arguments, &action] {
         action = [arguments]() -> Result<void> {
             auto job = arguments->job;
             job.model = TRY(find_model(arguments->plant));
             job.log = TRY(find_resource(fmt::format("demo/{}.tractus-log", arguments->plant)));
             Progress progress;
-            fmt::print("{}", print_report(TRY(run_job(job, progress))));
-            return {};
+            return print_out(print_report(TRY(run_job(job, progress))));
         };
     });
 }

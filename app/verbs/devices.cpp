@@ -1,5 +1,6 @@
 #include "app/verbs/devices.h"
 
+#include "app/console.h"
 #include "drivers/device_kind.h"
 #include "drivers/hid_source.h"
 
@@ -43,7 +44,7 @@ char const* name_of(DeviceKind kind)
     return "other";
 }
 
-void print_json(std::vector<Found> const& devices)
+std::string as_json_text(std::vector<Found> const& devices)
 {
     auto list = nlohmann::json::array();
     for (auto const& [info, description, problem] : devices)
@@ -57,23 +58,25 @@ void print_json(std::vector<Found> const& devices)
                          { "can_open", problem.empty() },
                          { "problem", problem } });
     // A device may call itself anything, in no encoding.
-    fmt::print("{}\n", list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-void print_text(std::vector<Found> const& devices)
+std::string as_text(std::vector<Found> const& devices)
 {
+    std::string text;
     bool has_pen = false;
     for (auto const& [info, description, problem] : devices) {
         has_pen |= description.kind == DeviceKind::Pen;
-        fmt::print("{}  {} ({:04x}:{:04x})\n    {}\n", info.location, info.name, info.vendor_id,
-                   info.product_id, description.text);
-        fmt::print("    {}\n", problem.empty() ? "can be opened" : problem);
+        text += fmt::format("{}  {} ({:04x}:{:04x})\n    {}\n", info.location, info.name,
+                            info.vendor_id, info.product_id, description.text);
+        text += fmt::format("    {}\n", problem.empty() ? "can be opened" : problem);
     }
     if (!has_pen)
-        fmt::print("{} Nothing is lost: without hardware, tractus runs on a simulated tablet and "
-                   "height sensor.\n",
-                   devices.empty() ? "No HID device is plugged in."
-                                   : "None of these is a pen tablet.");
+        text += fmt::format(
+            "{} Nothing is lost: without hardware, tractus runs on a simulated tablet and "
+            "height sensor.\n",
+            devices.empty() ? "No HID device is plugged in." : "None of these is a pen tablet.");
+    return text;
 }
 
 } // namespace
@@ -82,16 +85,15 @@ void add_devices_verb(CLI::App& root, Action& action)
 {
     auto* const verb
         = root.add_subcommand("devices", "List pen tablets, height sensors and other HID devices");
-    verb->footer("For each hidraw node: its name and ids, what its report descriptor says it is, "
-                 "and whether it can\n"
-                 "be opened, or why not.");
+    verb->footer(
+        "For each hidraw node: its name and ids, what its report descriptor says it is, and\n"
+        "whether it can be opened, or why not.");
     auto as_json = std::make_shared<bool>(false); // Shared by the parser's flag and the action.
     verb->add_flag("--json", *as_json, "Print a JSON array");
     verb->callback([&action, as_json] {
         action = [as_json]() -> Result<void> {
             auto const devices = find_devices();
-            *as_json ? print_json(devices) : print_text(devices);
-            return {};
+            return print_out(*as_json ? as_json_text(devices) : as_text(devices));
         };
     });
 }

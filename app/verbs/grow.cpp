@@ -1,8 +1,10 @@
 #include "app/verbs/grow.h"
 
+#include "app/console.h"
 #include "app/model_file.h"
 #include "app/pictures.h"
 #include "app/resources.h"
+#include "app/verbs/checks.h"
 #include "drivers/file.h"
 #include "engine/export/glb_writer.h"
 #include "engine/export/obj_writer.h"
@@ -45,23 +47,18 @@ Result<void> write_plant(Mesh const& mesh, std::string const& name,
 
 Result<void> grow_model(Arguments const& arguments)
 {
-    auto const extension = arguments.output.extension();
-    if (extension != ".glb" && extension != ".obj" && extension != ".png")
-        return fail(Fault::User,
-                    fmt::format("cannot write {}: its name must end in .glb, .obj or .png",
-                                arguments.output.string()));
     auto const path = TRY(find_model(arguments.model));
     auto edit = TRY(load_model_edit(path));
     edit.steps = arguments.steps;
     edit.seed = arguments.seed;
     auto const scene = TRY(apply_edit({}, edit));
     for (auto const& warning : scene.model_warnings)
-        fmt::print(stderr, "warning: {}\n", warning);
+        print_error(fmt::format("warning: {}\n", warning));
     auto const mesh = make_mesh(*scene.base);
     TRY(write_plant(mesh, path.stem().string(), arguments.output));
-    fmt::print("{}: {} segments, {} organs, {} triangles\n", arguments.output.string(),
-               scene.base->segment_count(), scene.base->organs.size(), mesh.triangle_count());
-    return {};
+    return print_out(fmt::format("{}: {} segments, {} organs, {} triangles\n",
+                                 arguments.output.string(), scene.base->segment_count(),
+                                 scene.base->organs.size(), mesh.triangle_count()));
 }
 
 } // namespace
@@ -71,14 +68,24 @@ void add_grow_verb(CLI::App& root, Action& action)
     auto arguments = std::make_shared<Arguments>();
     auto* const verb
         = root.add_subcommand("grow", "Grow a model and write it as glTF, OBJ or a picture");
-    verb->add_option("model", arguments->model, "An L-system file, or the name of one of ours")
+    verb->add_option("MODEL", arguments->model,
+                     "An L-system file (.l), or broadleaf, conifer, daisy or shrub")
         ->required();
-    verb->add_option("-n,--steps", arguments->steps, "Derivation steps; default: the model's own")
-        ->check(CLI::NonNegativeNumber);
-    verb->add_option("--seed", arguments->seed, "Of the model's stochastic rules")
+    verb->add_option("-n,--steps", arguments->steps,
+                     "Derivation steps; without it, the model's own")
+        ->type_name("STEPS")
+        ->check(whole_number(0, 1'000'000'000));
+    verb->add_option("--seed", arguments->seed,
+                     "Of the model's stochastic rules: another seed, another plant")
+        ->type_name("N")
+        ->check(seed_number())
         ->capture_default_str();
-    verb->add_option("-o,--output", arguments->output, "FILE.glb, FILE.obj or FILE.png")
+    verb->add_option("-o,--output", arguments->output,
+                     "What to write: its ending, .glb, .obj or .png, says in which format")
+        ->type_name("FILE")
+        ->check(name_ending_in({ ".glb", ".obj", ".png" }))
         ->required();
+    verb->footer("The same model and seed always give the same file.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return grow_model(*arguments); }; });
 }

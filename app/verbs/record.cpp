@@ -1,9 +1,11 @@
 #include "app/verbs/record.h"
 
+#include "app/console.h"
 #include "app/live_recording.h"
 #include "app/model_file.h"
 #include "app/resources.h"
 #include "app/simulated_recording.h"
+#include "app/verbs/checks.h"
 #include "calib/rig_file.h"
 #include "drivers/device_kind.h"
 #include "drivers/file.h"
@@ -87,15 +89,14 @@ Result<void> record_devices(Arguments const& arguments)
             Fault::User,
             fmt::format("cannot write {}: {}", arguments.output.string(), std::strerror(errno)));
     for (auto const& device : devices)
-        fmt::print(stderr, "recording {} at {}\n", device.name, device.location);
+        print_error(fmt::format("recording {} at {}\n", device.name, device.location));
     if (!arguments.seconds)
-        fmt::print(stderr, "until Ctrl-C\n");
+        print_error("until Ctrl-C\n");
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
     auto const counts = TRY(record_live(out, devices, options, stop_asked));
-    fmt::print("{}: {} reports{}\n", arguments.output.string(), counts.reports,
-               counts.lost ? fmt::format(", {} lost", counts.lost) : "");
-    return {};
+    return print_out(fmt::format("{}: {} reports{}\n", arguments.output.string(), counts.reports,
+                                 counts.lost ? fmt::format(", {} lost", counts.lost) : ""));
 }
 
 Result<void> record_simulated(Arguments const& arguments)
@@ -109,8 +110,8 @@ Result<void> record_simulated(Arguments const& arguments)
     auto const write
         = [&](std::ostream& out) { return write_simulated_recording(out, script, scene); };
     TRY(write_file(arguments.output, write));
-    fmt::print("{}: {} gestures\n", arguments.output.string(), script.gestures.size());
-    return {};
+    return print_out(
+        fmt::format("{}: {} gestures\n", arguments.output.string(), script.gestures.size()));
 }
 
 } // namespace
@@ -120,21 +121,36 @@ void add_record_verb(CLI::App& root, Action& action)
     auto arguments = std::make_shared<Arguments>();
     auto* const verb = root.add_subcommand(
         "record", "Record what a tablet and a height sensor send, real or simulated");
-    verb->add_option("-o,--output", arguments->output, "The new .tractus-log")->required();
+    verb->add_option("-o,--output", arguments->output,
+                     "The new .tractus-log; a file that is there already is never written over")
+        ->type_name("FILE")
+        ->required();
     auto* const seconds
-        = verb->add_option("--seconds", arguments->seconds, "How long; default: until Ctrl-C")
-              ->check(CLI::PositiveNumber);
-    auto* const device = verb->add_option("--device", arguments->nodes,
-                                          "A hidraw node; default: every pen and height sensor");
-    auto* const rig
-        = verb->add_option("--rig", arguments->rig, "The rig's calibration, to stand in the log");
+        = verb->add_option("--seconds", arguments->seconds, "How long; without it, until Ctrl-C")
+              ->type_name("SECONDS")
+              ->check(number(0.001, 1e6));
+    auto* const device
+        = verb->add_option("--device", arguments->nodes,
+                           "The hidraw nodes to record, as \"tractus devices\" lists "
+                           "them; without it, every pen and height sensor")
+              ->type_name("NODE...");
+    auto* const rig = verb->add_option("--rig", arguments->rig,
+                                       "The rig's calibration, a .rig.toml, to stand in the log")
+                          ->type_name("FILE");
     auto* const simulate
         = verb->add_option("--simulate", arguments->script,
-                           "Let the simulated hand do what this script says (TOML)")
+                           "Let the simulated hand on the simulated rig do what this script says, "
+                           "a .hand.toml")
+              ->type_name("SCRIPT")
               ->excludes(seconds, device, rig);
     verb->add_option("--plant", arguments->model, "The model whose branches the script traces")
+        ->type_name("MODEL")
         ->capture_default_str()
         ->needs(simulate);
+    verb->footer(
+        "Records until the time is over, Ctrl-C, or no device is left; what has come is in\n"
+        "the file within a quarter of a second. \"tractus replay\" and \"tractus decode\" read\n"
+        "it.");
     verb->callback([arguments, &action] {
         action = [arguments] {
             return arguments->script.empty() ? record_devices(*arguments)

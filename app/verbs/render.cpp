@@ -2,6 +2,7 @@
 
 #include "app/render/offscreen_context.h"
 #include "app/render/renderer.h"
+#include "app/verbs/checks.h"
 #include "drivers/file.h"
 #include "engine/export/glb_reader.h"
 
@@ -83,23 +84,29 @@ void add_render_verb(CLI::App& root, Action& action)
 {
     auto const arguments
         = std::make_shared<Arguments>(); // Shared with the callback, which outlives this.
-    auto* const verb = root.add_subcommand("render", "Draw a glTF file's plants as a picture");
+    auto* const verb = root.add_subcommand("render", "Draw the plants of a glTF file as a picture");
     verb->footer(
         "Draws what a binary glTF 2.0 file (.glb) shows, ours or another program's, lit on a\n"
         "ground, without a window or a graphics card.");
-    verb->add_option("FILE.glb", arguments->input, "What to draw")->required();
-    verb->add_option("-o,--output", arguments->output, "Where the PNG is written")->required();
+    verb->add_option("FILE", arguments->input, "What to draw: binary glTF 2.0 (.glb)")->required();
+    verb->add_option("-o,--output", arguments->output, "The picture")
+        ->type_name("FILE.png")
+        ->check(picture_name())
+        ->required();
     verb->add_option("--size", arguments->size, "Width and height in pixels, 16 to 8192 each")
-        ->check(CLI::Validator(check_size, "WxH"))
+        ->type_name("WxH")
+        ->check(CLI::Validator(check_size, ""))
         ->capture_default_str();
     verb->add_option("--azimuth", arguments->azimuth_deg,
-                     "From which side, in degrees: 0 from where the user sits, growing around the "
+                     "From which side, -360 to 360: 0 from where the user sits, growing around the "
                      "plant to the right")
-        ->check(CLI::Range(-360.0, 360.0))
+        ->type_name("DEGREES")
+        ->check(number(-360, 360))
         ->capture_default_str();
     verb->add_option("--elevation", arguments->elevation_deg,
-                     "From how high above the horizon, in degrees")
-        ->check(CLI::Range(0.0, 85.0))
+                     "From how high above the horizon, 0 to 85")
+        ->type_name("DEGREES")
+        ->check(number(0, 85))
         ->capture_default_str();
     verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
 }

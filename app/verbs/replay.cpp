@@ -1,10 +1,11 @@
 #include "app/verbs/replay.h"
 
+#include "app/console.h"
 #include "app/job.h"
 #include "app/progress.h"
 #include "app/resources.h"
+#include "app/verbs/checks.h"
 
-#include <fmt/core.h>
 #include <memory>
 
 namespace tractus {
@@ -21,22 +22,39 @@ void add_replay_verb(CLI::App& root, Action& action)
     auto* const verb = root.add_subcommand(
         "replay",
         "Replay a recorded drawing onto a plant model and make a collection of varied plants");
-    verb->add_option("log", arguments->job.log, "A .tractus-log, or anybody's hid-recorder file")
+    verb->add_option("LOG", arguments->job.log,
+                     "The drawing: a .tractus-log, or anybody's hid-recorder file")
         ->required();
     verb->add_option("--plant", arguments->model,
-                     "The model: an L-system file, or the name of one of ours")
+                     "The plant's model: an L-system file (.l), or broadleaf, conifer, daisy or "
+                     "shrub")
+        ->type_name("MODEL")
         ->required();
     verb->add_option("--rig", arguments->rig,
-                     "The rig's calibration (.rig.toml); default: the log's own");
+                     "The rig's calibration, a .rig.toml; without it, the log's own")
+        ->type_name("FILE");
     verb->add_option("--height", arguments->height,
-                     "In place of a height sensor: millimetres, or rise, fall, arch or sway");
-    verb->add_option("--seed", arguments->job.seed, "Of the variations")->capture_default_str();
-    verb->add_option("--count", arguments->job.variations, "Plants in the collection")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 100));
-    verb->add_option("-o,--output", arguments->job.folder,
-                     "The folder for pictures, glTF and report")
+                     "The surface's height in place of the log's height sensor: millimetres above "
+                     "the desk, or a made-up movement: rise, fall, arch or sway")
+        ->type_name("MM|MOVEMENT")
+        ->check(height_scenario());
+    verb->add_option("--seed", arguments->job.seed,
+                     "Chooses the variations: another seed, other plants")
+        ->type_name("N")
+        ->check(seed_number())
         ->capture_default_str();
+    verb->add_option("--count", arguments->job.variations, "Plants in the collection, 1 to 100")
+        ->type_name("N")
+        ->check(whole_number(1, 100))
+        ->capture_default_str();
+    verb->add_option("-o,--output", arguments->job.folder,
+                     "The folder for pictures, glTF and report; made if it is not there")
+        ->type_name("FOLDER")
+        ->capture_default_str();
+    verb->footer(
+        "Writes base.png (the plant as its model gives it), strokes.png (what was drawn),\n"
+        "varied.png (one variation), collection.png and collection.glb (all of them) and\n"
+        "report.txt, which is printed, too. The same seed gives the same plants.");
     verb->callback([arguments, &action] {
         action = [arguments]() -> Result<void> {
             auto job = arguments->job;
@@ -46,8 +64,7 @@ void add_replay_verb(CLI::App& root, Action& action)
             if (!arguments->height.empty())
                 job.height = arguments->height;
             Progress progress;
-            fmt::print("{}", print_report(TRY(run_job(job, progress))));
-            return {};
+            return print_out(print_report(TRY(run_job(job, progress))));
         };
     });
 }

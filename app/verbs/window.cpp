@@ -4,6 +4,7 @@
 #include "app/model_file.h"
 #include "app/replay_window.h"
 #include "app/resources.h"
+#include "app/verbs/checks.h"
 #include "app/window/window.h"
 #include "calib/rig_file.h"
 #include "drivers/log.h"
@@ -54,20 +55,31 @@ void add_window_verb(CLI::App& root, Action& action)
     auto arguments = std::make_shared<Arguments>();
     auto* const verb = root.add_subcommand(
         "window", "Open the station's window: a recorded hand draws, and the plant changes");
-    verb->add_option("log", arguments->log,
-                     "The recording; default: the model's demo on the simulated rig");
+    verb->add_option("LOG", arguments->log,
+                     "The drawing: a .tractus-log, or anybody's hid-recorder file; without it, the "
+                     "model's demo on the simulated rig");
     verb->add_option("--plant", arguments->model,
-                     "The model: an L-system file, or the name of one of ours")
+                     "The plant's model: an L-system file (.l), or broadleaf, conifer, daisy or "
+                     "shrub")
+        ->type_name("MODEL")
         ->capture_default_str();
     verb->add_option("--rig", arguments->rig,
-                     "The rig's calibration (.rig.toml); default: the log's own");
+                     "The rig's calibration, a .rig.toml; without it, the log's own")
+        ->type_name("FILE");
     verb->add_option("--height", arguments->height,
-                     "In place of a height sensor: millimetres, or rise, fall, arch or sway");
+                     "The surface's height in place of the log's height sensor: millimetres above "
+                     "the desk, or a made-up movement: rise, fall, arch or sway")
+        ->type_name("MM|MOVEMENT")
+        ->check(height_scenario());
     verb->add_option("--frames", arguments->frames,
-                     "Close after so many frames of 1/60 s; 0: stay open")
-        ->capture_default_str()
-        ->check(CLI::NonNegativeNumber);
-    verb->add_option("--screenshot", arguments->screenshot, "Write the last frame as a PNG");
+                     "Close after so many frames of 1/60 s; 0 stays open")
+        ->type_name("N")
+        ->check(whole_number(0, 1'000'000'000))
+        ->capture_default_str();
+    verb->add_option("--screenshot", arguments->screenshot, "Write the last frame as a PNG")
+        ->type_name("FILE.png")
+        ->check(picture_name());
+    verb->footer("Needs a display. Pictures that are saved appear in the working folder.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return open_window(*arguments); }; });
 }

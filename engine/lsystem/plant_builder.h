@@ -49,6 +49,10 @@ public:
     OrganShapeId round_shape(OrganShape::Kind kind, int color);
 
     std::size_t segment_count() const { return segment_axis_.size(); }
+    std::size_t part_count() const
+    {
+        return segment_count() + plant_.organs.size() + plant_.polygons.size();
+    }
 
     Plant finish();
 

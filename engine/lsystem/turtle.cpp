@@ -79,6 +79,7 @@ public:
     // Whether a cut was drawn: the rest of the branch is not to be drawn.
     bool take_cut() { return std::exchange(is_cut_, false); }
     bool is_full() const { return drawn_ > options_.max_modules; }
+    bool has_too_many_parts() const { return builder_.part_count() > options_.max_parts; }
 
     TurtlePlant finish();
 
@@ -535,6 +536,7 @@ public:
         , homomorphism_(model, model.homomorphism, machine_)
         , turtle_(model, options)
         , max_modules_(options.max_modules)
+        , max_parts_(options.max_parts)
     {
         if (homomorphism_.has_contexts())
             find_branches(model, string, branches_);
@@ -549,6 +551,11 @@ public:
                 return fail(Fault::User,
                             fmt::format("{}: the homomorphism makes more than {} modules",
                                         model_.name, max_modules_));
+            if (turtle_.has_too_many_parts())
+                return fail(Fault::User,
+                            fmt::format("{}: the plant has more than {} segments, organs and "
+                                        "polygons; derive fewer steps",
+                                        model_.name, max_parts_));
             pass(count);
             if (turtle_.take_cut())
                 pass(branch_end(model_, string_, at_) - at_);
@@ -585,6 +592,7 @@ private:
     Expander homomorphism_;
     Turtle turtle_;
     std::size_t max_modules_;
+    std::size_t max_parts_;
     Branches branches_; // Where homomorphism rules have contexts.
     std::size_t at_ = 0;
     std::size_t parameter_ = 0;

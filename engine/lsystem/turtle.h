@@ -14,6 +14,7 @@ namespace tractus {
 struct TurtleOptions {
     double unit_mm = 10;                   // Length of one turtle unit.
     std::size_t max_modules = 100'000'000; // Drawn ones, after homomorphism.
+    std::size_t max_parts = 4'000'000;     // Segments, organs and polygons: what memory can hold.
 };
 
 struct TurtlePlant {
@@ -42,6 +43,9 @@ struct TurtlePlant {
 // Radii are half the line width: at each node of the segment that starts there, at an axis' tip
 // what its last segment has or what is set behind it. With `radii: pipe` in the view they follow
 // from the pipe model.
+//
+// Fails, as the user's fault, beyond the limits in the options and when the homomorphism does not
+// end.
 //
 // Materials are the view's, by turtle colour; a colour that has none is bark.
 Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString const& string,

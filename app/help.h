@@ -1,0 +1,19 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace tractus {
+
+// How --help looks: one column of options, one of sentences, within 80 columns, with defaults and
+// what goes with what at the end of each sentence.
+class HelpFormatter final : public CLI::Formatter {
+public:
+    HelpFormatter();
+
+    std::string make_option_opts(CLI::Option const* option) const override;
+    std::string make_option_desc(CLI::Option const* option) const override;
+    std::string make_subcommand(CLI::App const* verb) const override;
+};
+
+} // namespace tractus
