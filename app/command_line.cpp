@@ -40,7 +40,7 @@ static int fail_usage(CLI::App const& root, std::string const& message)
 {
     auto const chosen = root.get_subcommands();
     auto const verb = chosen.empty() ? std::string() : " " + chosen.front()->get_name();
-    print_error(fmt::format("error: {}: see \"tractus{} --help\"\n", message, verb));
+    print_error(fmt::format("error: {}; see \"tractus{} --help\"\n", message, verb));
     return kExitUsage;
 }
 
