@@ -10,7 +10,7 @@ Result<std::vector<Edit>> select_edits(Stroke const& stroke, Scene const& scene)
 {
     // Millimetres of the tablet: a line as thin as it is shown, and a hand that need not hit it.
     constexpr PickOptions kPick { .line_half_width = 0.4, .finger = 2.5 };
-    auto const view = skeleton_view(fit_selection_view(*scene.base));
+    auto const view = skeleton_projection(fit_selection_view(*scene.base));
     ProjectedSkeleton const skeleton(*scene.base, view);
     auto const tree = build_branch_tree(*scene.base);
     PathSelection selection(tree);

@@ -133,7 +133,7 @@ private:
             .normalized();
     }
 
-    void add(Station station)
+    void add(SpineStation station)
     {
         if (!stations_.empty())
             station.arc_mm
@@ -187,15 +187,15 @@ private:
     bool rounding_;
     int pieces_;
     std::vector<Spine::Node> const& nodes_;
-    std::vector<Station>& stations_;
+    std::vector<SpineStation>& stations_;
 };
 
 // Puts a station at `arc_mm`, unless one is nearer than `spacing_mm` or the spine ends before.
-void insert_station(std::vector<Station>& stations, double arc_mm, double spacing_mm)
+void insert_station(std::vector<SpineStation>& stations, double arc_mm, double spacing_mm)
 {
-    auto const after
-        = std::lower_bound(stations.begin(), stations.end(), arc_mm,
-                           [](Station const& station, double arc) { return station.arc_mm < arc; });
+    auto const after = std::lower_bound(
+        stations.begin(), stations.end(), arc_mm,
+        [](SpineStation const& station, double arc) { return station.arc_mm < arc; });
     if (after == stations.begin() || after == stations.end())
         return;
     auto const before = after - 1;
@@ -203,10 +203,10 @@ void insert_station(std::vector<Station>& stations, double arc_mm, double spacin
         return;
     double const share = (arc_mm - before->arc_mm) / (after->arc_mm - before->arc_mm);
     Vec3 const blend = (1 - share) * before->tangent + share * after->tangent;
-    Station const station { (1 - share) * before->center_mm + share * after->center_mm,
-                            blend.norm() > 1e-6 ? Vec3(blend.normalized()) : after->tangent,
-                            (1 - share) * before->radius_mm + share * after->radius_mm, arc_mm,
-                            after->segment };
+    SpineStation const station { (1 - share) * before->center_mm + share * after->center_mm,
+                                 blend.norm() > 1e-6 ? Vec3(blend.normalized()) : after->tangent,
+                                 (1 - share) * before->radius_mm + share * after->radius_mm, arc_mm,
+                                 after->segment };
     stations.insert(after, station);
 }
 

@@ -7,7 +7,7 @@
 namespace tractus {
 
 // One cross-section of a tube before it has a frame.
-struct Station {
+struct SpineStation {
     Vec3 center_mm;
     Vec3 tangent;      // Unit length.
     double radius_mm;  // Above 0, but for the last station of a pointed spine.
@@ -17,7 +17,7 @@ struct Station {
 
 // An axis made ready for sections: bends rounded, collar flared, coinciding nodes joined.
 struct Spine {
-    std::vector<Station> stations; // None, or two and more.
+    std::vector<SpineStation> stations; // None, or two and more.
     int sides = 0;
     bool closed_base = false; // Stands on nothing: its first section is filled.
     bool pointed = false;     // The last station is a point.

@@ -48,7 +48,7 @@ int dome_rings(int sides)
     return sides <= 6 ? 0 : sides <= 12 ? 1 : 2;
 }
 
-double slope_at(std::vector<Station> const& stations, std::size_t i)
+double slope_at(std::vector<SpineStation> const& stations, std::size_t i)
 {
     auto const& before = stations[i == 0 ? 0 : i - 1];
     auto const& after = stations[std::min(i + 1, stations.size() - 1)];

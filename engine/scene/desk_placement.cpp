@@ -49,8 +49,8 @@ DeskPlacement place_on_desk(Plant const& plant, DrawingVolume const& volume)
 
 SelectionView fit_selection_view(Plant const& plant, DrawingVolume const& volume)
 {
-    constexpr double kMargin
-        = 0.06; // Of the tablet's area on each side, so that tips can be passed.
+    // Of the tablet's area on each side, so that tips can be passed.
+    constexpr double kMargin = 0.06;
     auto const box = bounds(plant);
     if (box.empty())
         return {};
@@ -65,9 +65,9 @@ SelectionView fit_selection_view(Plant const& plant, DrawingVolume const& volume
              .max_order = sparse_order(plant) };
 }
 
-SkeletonView skeleton_view(SelectionView const& view, DrawingVolume const& volume)
+SkeletonProjection skeleton_projection(SelectionView const& view, DrawingVolume const& volume)
 {
-    SkeletonView result;
+    SkeletonProjection result;
     result.to_plane << view.scale, 0, 0, view.origin_mm.x(), //
         0, 0, view.scale, view.origin_mm.y(),                //
         0, 1, 0, 0,                                          // Seen along +y: farther is deeper.

@@ -44,7 +44,7 @@ struct SelectionView {
 };
 
 // The same as a projection, for picking: u and v are tablet-centred millimetres.
-SkeletonView skeleton_view(SelectionView const& view, DrawingVolume const& volume = {});
+SkeletonProjection skeleton_projection(SelectionView const& view, DrawingVolume const& volume = {});
 
 SelectionView fit_selection_view(Plant const& plant, DrawingVolume const& volume = {});
 

@@ -23,7 +23,7 @@ constexpr double kMostCells = 1 << 20;
 // single precision is enough for what remains.
 using ClipPlanes = Eigen::Matrix<double, 5, 4>;
 
-ClipPlanes clip_planes(SkeletonView const& view)
+ClipPlanes clip_planes(SkeletonProjection const& view)
 {
     Vec2 const low = 2 * view.min - view.max;
     Vec2 const high = 2 * view.max - view.min;
@@ -86,7 +86,7 @@ Nearest nearest_to(ProjectedSkeleton::Line const& line, Vec2f const& point)
 
 } // namespace
 
-SkeletonView view_in_pixels(Eigen::Matrix4d const& clip_from_plant, Vec2 const& size_px)
+SkeletonProjection view_in_pixels(Eigen::Matrix4d const& clip_from_plant, Vec2 const& size_px)
 {
     Eigen::Matrix4d pixels_from_clip = Eigen::Matrix4d::Identity();
     pixels_from_clip(0, 0) = pixels_from_clip(0, 3) = size_px.x() / 2;
@@ -95,7 +95,7 @@ SkeletonView view_in_pixels(Eigen::Matrix4d const& clip_from_plant, Vec2 const& 
     return { pixels_from_clip * clip_from_plant, Vec2::Zero(), size_px };
 }
 
-ProjectedSkeleton::ProjectedSkeleton(Plant const& plant, SkeletonView const& view)
+ProjectedSkeleton::ProjectedSkeleton(Plant const& plant, SkeletonProjection const& view)
     : min_(view.min.cast<float>())
     , max_(view.max.cast<float>())
 {

@@ -13,7 +13,7 @@
 namespace tractus {
 
 // How a view shows a plant on a plane, in pixels or millimetres of the pen's tablet.
-struct SkeletonView {
+struct SkeletonProjection {
     // Takes a point (x, y, z, 1) of the plant frame to (u, v, depth, 1) w: u and v on the plane,
     // depth the greater the farther away. w is 1 for a parallel projection; what has w <= 0 is
     // behind the eye and not seen.
@@ -29,7 +29,7 @@ struct SkeletonView {
 
 // The view of an OpenGL camera: `clip_from_plant` is the product of its projection and view
 // matrices, the plane is the window in pixels with v downwards, as windows count.
-SkeletonView view_in_pixels(Eigen::Matrix4d const& clip_from_plant, Vec2 const& size_px);
+SkeletonProjection view_in_pixels(Eigen::Matrix4d const& clip_from_plant, Vec2 const& size_px);
 
 // What counts as under the pen, in units of the plane.
 struct PickOptions {
@@ -49,7 +49,7 @@ public:
         SegmentId segment = kNone;
     };
 
-    ProjectedSkeleton(Plant const& plant, SkeletonView const& view);
+    ProjectedSkeleton(Plant const& plant, SkeletonProjection const& view);
 
     // What is to be seen, in the order of the segments. Lines are cut behind the eye, and far
     // outside of the view.

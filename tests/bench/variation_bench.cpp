@@ -123,7 +123,7 @@ void plan_growth_of_branches(benchmark::State& state)
 BENCHMARK(plan_growth_of_branches);
 
 // A window of 1,200 pixels in which the whole tree is seen from the front.
-SkeletonView window()
+SkeletonProjection window()
 {
     Eigen::Matrix4d clip;
     clip << 1 / 4000., 0, 0, 0, 0, 0, 1 / 4000., 0, 0, 1 / 4000., 0, 0, 0, 0, 0, 1;

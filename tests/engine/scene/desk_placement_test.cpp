@@ -81,14 +81,15 @@ TEST(SelectionView, ShowsAllOfASparsePlantAndTheFirstOrderOfADenseOne)
     EXPECT_EQ(fit_selection_view(bushy_plant(40)).max_order, 1u);
     EXPECT_EQ(fit_selection_view(bushy_plant(100)).max_order, 1u);
     auto const dense = bushy_plant(100);
-    EXPECT_EQ(ProjectedSkeleton(dense, skeleton_view(fit_selection_view(dense))).lines().size(),
-              101u);
+    EXPECT_EQ(
+        ProjectedSkeleton(dense, skeleton_projection(fit_selection_view(dense))).lines().size(),
+        101u);
 }
 
 TEST(SelectionView, ProjectsAsItShows)
 {
     auto const view = fit_selection_view(small_plant());
-    auto const projection = skeleton_view(view);
+    auto const projection = skeleton_projection(view);
     Vec3 const place(40, 25, 130);
     Eigen::Vector4d const projected = projection.to_plane * place.homogeneous();
     EXPECT_LT((projected.head<2>() - view.tablet_of_plant(place)).norm(), 1e-12);

@@ -15,7 +15,7 @@ namespace {
 // A pen over the front of `plant`, up from `from` to `to`.
 std::vector<SegmentId> select(Plant const& plant, Vec2 const& from, Vec2 const& to)
 {
-    SkeletonView view;
+    SkeletonProjection view;
     view.to_plane << 1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1;
     view.min = Vec2::Constant(-5000);
     view.max = Vec2::Constant(5000);

@@ -131,9 +131,9 @@ TEST_F(Figure5, ClearForgetsEverything)
 }
 
 // Looking along +y: u is x, v is z, depth is y.
-SkeletonView front_view(double half_size)
+SkeletonProjection front_view(double half_size)
 {
-    SkeletonView view;
+    SkeletonProjection view;
     view.to_plane << 1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1;
     view.min = Vec2::Constant(-half_size);
     view.max = Vec2::Constant(half_size);
