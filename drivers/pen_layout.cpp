@@ -35,8 +35,8 @@ constexpr HidUsage kTabletPick = 0x000D'0046;
 constexpr HidUsage kSecondaryBarrelSwitch = 0x000D'005A;
 constexpr HidUsage kWacomThirdBarrelSwitch = 0xFF0D'005D; // The usage tables have none.
 
-constexpr double kMinSideMm = 20;
-constexpr double kMaxSideMm = 800;
+constexpr double kMinSide_mm = 20;
+constexpr double kMaxSide_mm = 800;
 constexpr double kMaxCountsPerMm = 1000;
 
 enum class Tool { None, Pen, Mouse };
@@ -162,7 +162,7 @@ double counts(HidField const& field)
 
 bool is_plausible(HidField const& field, std::optional<double> side_mm)
 {
-    return side_mm && *side_mm >= kMinSideMm && *side_mm <= kMaxSideMm
+    return side_mm && *side_mm >= kMinSide_mm && *side_mm <= kMaxSide_mm
         && counts(field) / *side_mm <= kMaxCountsPerMm;
 }
 
@@ -222,7 +222,10 @@ double tilt_scale(HidField const& field)
     return kPi / counts(field);
 }
 
-std::size_t end_byte(HidField const& field) { return (field.bit_offset + field.bit_size + 7) / 8; }
+std::size_t end_byte(HidField const& field)
+{
+    return (field.bit_offset + field.bit_size + 7) / 8;
+}
 
 void find_bytes_needed(PenLayout& layout)
 {

@@ -206,7 +206,7 @@ void GpuMesh::add_organ(Material const& material, InstancedMesh const& organ,
     if (auto const triangles = thin ? far_organ(organ.prototype) : std::nullopt) {
         auto const& corners = triangles->positions_mm;
         Vec3f const scale = mean_scale(instances).cwiseAbs();
-        auto& rhombus = part.rhombus.emplace();
+        auto& rhombus = part.rhombus.emplace(Part::Rhombus {});
         rhombus.index_count = static_cast<GLsizei>(triangles->indices.size());
         rhombus.length_mm = (corners[2] - corners[0]).norm() * scale.y();
         rhombus.width_mm = (corners[1] - corners[3]).norm() * scale.x();
