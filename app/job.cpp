@@ -111,7 +111,7 @@ Result<Station> Job::replay(Scene scene)
     auto const log = TRY(read_log(options_.log));
     report_.log = options_.log.string();
     if (auto const warnings = summarize_warnings(log); !warnings.empty())
-        report_.notes.push_back(fmt::format("{}: {}", log.name, warnings));
+        report_.notes.push_back(warnings);
 
     progress_.begin("replaying the log");
     ReplayOptions replay_options;

@@ -12,7 +12,7 @@ namespace tractus {
 // What is drawn of a scene besides its plant, as curves in the world frame: the same in pictures
 // and in the window.
 
-// The colour of the n-th stroke and of what it shapes: eight that colour-blind people can tell
+// The colour of the n-th stroke and of what it shapes: seven that colour-blind people can tell
 // apart (Okabe and Ito, "Color Universal Design", 2002), then the same again. sRGB, 0 to 1.
 Vec3f stroke_color(std::size_t n);
 
