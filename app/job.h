@@ -33,8 +33,8 @@ struct JobReport {
     std::size_t pen_samples = 0;
     std::size_t height_samples = 0;
     std::size_t strokes = 0;
-    std::size_t branches_selected
-        = 0; // Paths that a stroke shapes; a branch chosen twice counts once.
+    // Paths that a stroke shapes; a branch chosen twice counts once.
+    std::size_t branches_selected = 0;
     std::size_t indicators = 0;
     std::size_t plants = 0;
     std::size_t segments = 0;  // Of one plant.

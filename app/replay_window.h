@@ -47,8 +47,8 @@ private:
     LogReplay replay_;
     Timestamp now_; // Of the log.
     std::size_t shown_strokes_ = 0;
-    std::unique_ptr<Mesh const>
-        plant_; // On the heap, since the state points to it when this moves.
+    // On the heap, since the state points to it when this moves.
+    std::unique_ptr<Mesh const> plant_;
     WindowState state_;
 };
 

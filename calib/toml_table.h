@@ -84,8 +84,8 @@ private:
     std::string path_of(std::string_view key) const;
     Result<std::vector<double>> numbers(std::string_view key, std::size_t count, NumberRange range);
 
-    std::shared_ptr<Document const>
-        document_; // Shared by the tables of one file: they all point into it.
+    // Shared by the tables of one file: they all point into it.
+    std::shared_ptr<Document const> document_;
     toml::table const* table_ = nullptr;
     std::string path_; // Of the table: "height", "gesture[2]"; empty for the whole file.
     std::set<std::string, std::less<>> known_;

@@ -32,9 +32,15 @@ constexpr std::array<std::int8_t, 256> make_hex_table()
 }
 constexpr auto kHex = make_hex_table();
 
-int hex_digit(char c) { return kHex[static_cast<unsigned char>(c)]; }
+int hex_digit(char c)
+{
+    return kHex[static_cast<unsigned char>(c)];
+}
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_blank(char c)
+{
+    return c == ' ' || c == '\t';
+}
 
 // Reads one line from left to right. Each reader skips blanks first and says whether it found
 // what it was asked for.

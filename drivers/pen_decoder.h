@@ -38,8 +38,7 @@ struct PenTraits {
 // - a touch implies in range, even where the device's in-range bit says otherwise;
 // - the eraser's end touches if the device says "eraser", or "invert" and "tip";
 // - when the other end of the pen comes without the first having left, the report that says so
-// becomes
-//   the sample in which the first one leaves, and the next report is the new end's first;
+//   becomes the sample in which the first one leaves, and the next report is the new end's first;
 // - a pen that leaves keeps its last position and tilt, whatever the last report has there, and
 //   releases its buttons; after that nothing comes until it is back.
 class PenDecoder {

@@ -20,8 +20,8 @@ enum class HidReportKind { Input, Output, Feature };
 struct HidCollection {
     HidUsage usage = 0;
     std::uint8_t type = 0; // 0 physical, 1 application, 2 logical, …
-    std::optional<std::size_t>
-        parent; // Index in HidReportDescriptor::collections; none at the top.
+    // Index in HidReportDescriptor::collections; none at the top.
+    std::optional<std::size_t> parent;
 };
 
 // One number (or one slot of an array) in a report. Constant fields are padding and are left out.
@@ -29,10 +29,10 @@ struct HidField {
     HidReportKind kind = HidReportKind::Input;
     std::uint8_t report_id = 0; // 0: the device does not use report ids.
     HidUsage usage = 0;
-    HidUsage usage_maximum
-        = 0; // Arrays: a value is an index into usage…usage_maximum. Else the same as usage.
-    std::optional<std::size_t>
-        collection; // The innermost; index in HidReportDescriptor::collections.
+    // Arrays: a value is an index into usage…usage_maximum. Else the same as usage.
+    HidUsage usage_maximum = 0;
+    // The innermost; index in HidReportDescriptor::collections.
+    std::optional<std::size_t> collection;
 
     // From the first bit of the report as it comes off the wire, its id byte included.
     std::uint32_t bit_offset = 0;

@@ -28,8 +28,8 @@ struct ThreadedSource::Shared {
     boost::lockfree::spsc_queue<RawReport, boost::lockfree::capacity<kRingReports>>
         ring;                       // Thread to reader.
     std::atomic<bool> stop = false; // Reader to thread.
-    std::atomic<bool> ended
-        = false; // Thread to reader: `error` is written, and no report will come.
+    // Thread to reader: `error` is written, and no report will come.
+    std::atomic<bool> ended = false;
     std::atomic<std::uint64_t> lost = 0; // Thread to reader.
     Error error;                         // Written by the thread before `ended`, read after it.
     std::thread thread;

@@ -79,8 +79,8 @@ struct AxisTrace {
 struct Gesture {
     GestureTool tool = GestureTool::Draw;
     std::optional<GesturePropagation> propagation {}; // For Draw, always; for others, never.
-    std::variant<PathShape, AxisTrace>
-        path {}; // An AxisTrace for Select alone. Shapes are drawable.
+    // An AxisTrace for Select alone. Shapes are drawable.
+    std::variant<PathShape, AxisTrace> path {};
     double speed_mm_s = 150;
     std::string place {}; // "FILE:LINE: gesture[1]", for errors.
 };

@@ -30,8 +30,8 @@ Eigen::Matrix4f projection_matrix(Camera const& camera, double aspect);
 
 // From which side.
 struct ViewAngles {
-    double azimuth_rad
-        = 0; // 0: from -y, where the person sits; growing: walking to the right, around the plant.
+    // 0: from -y, where the person sits; growing: walking to the right, around the plant.
+    double azimuth_rad = 0;
     double elevation_rad = 0.2; // Above the horizon; below pi/2.
 };
 

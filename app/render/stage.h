@@ -37,8 +37,8 @@ struct Stage {
     std::vector<GpuCurves const*> curves; // Owned elsewhere; alive while drawn.
     Sun sun;
     Backdrop backdrop;
-    double hidden_above_mm
-        = std::numeric_limits<double>::infinity(); // Curves are cut off above this height.
+    // Curves are cut off above this height.
+    double hidden_above_mm = std::numeric_limits<double>::infinity();
     bool curves_cast_shadows = true;
 };
 

@@ -42,8 +42,8 @@ Result<void> run(Arguments const& arguments)
 
 void add_derive_verb(CLI::App& root, Action& action)
 {
-    auto const arguments
-        = std::make_shared<Arguments>(); // Shared with the callback, which outlives this.
+    // Shared with the callback, which outlives this.
+    auto const arguments = std::make_shared<Arguments>();
     auto* const verb = root.add_subcommand(
         "derive", "Derive an L-system and print its string or its symbols' counts");
     verb->footer(

@@ -82,8 +82,8 @@ Result<void> run(Arguments const& arguments)
 
 void add_render_verb(CLI::App& root, Action& action)
 {
-    auto const arguments
-        = std::make_shared<Arguments>(); // Shared with the callback, which outlives this.
+    // Shared with the callback, which outlives this.
+    auto const arguments = std::make_shared<Arguments>();
     auto* const verb = root.add_subcommand("render", "Draw the plants of a glTF file as a picture");
     verb->footer(
         "Draws what a binary glTF 2.0 file (.glb) shows, ours or another program's, lit on a\n"

@@ -66,12 +66,12 @@ struct WindowState {
     std::uint64_t skeleton_revision = 0;
     std::vector<SkeletonLine> skeleton;
     std::vector<IndicatorArrow> indicators;
-    Eigen::Affine3f T_world_plant
-        = Eigen::Affine3f::Identity(); // Puts the skeleton into the volume.
+    // Puts the skeleton into the volume.
+    Eigen::Affine3f T_world_plant = Eigen::Affine3f::Identity();
 
     std::uint64_t plant_revision = 0;
-    Mesh const* plant
-        = nullptr; // The newest one; null before the first. Lives until the next advance().
+    // The newest one; null before the first. Lives until the next advance().
+    Mesh const* plant = nullptr;
 
     std::string tool;    // What the pen means now, for example "Draw".
     std::string status;  // One line: what is going on, or what was done.

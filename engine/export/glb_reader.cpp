@@ -460,8 +460,8 @@ private:
         surface.material = part.material;
         auto const base = static_cast<std::uint32_t>(surface.positions_mm.size());
         Eigen::Matrix3d const linear = place.linear();
-        Eigen::Matrix3d
-            cofactors; // Takes normals along, and flips them where the transform mirrors.
+        // Takes normals along, and flips them where the transform mirrors.
+        Eigen::Matrix3d cofactors;
         cofactors << linear.col(1).cross(linear.col(2)), linear.col(2).cross(linear.col(0)),
             linear.col(0).cross(linear.col(1));
         bool const mirrored = linear.determinant() < 0;

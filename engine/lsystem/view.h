@@ -34,8 +34,8 @@ struct FunctionTable {
 // An organ shape and the symbol that places it: ~ and the letter.
 struct OrganDefinition {
     char letter = 'l';
-    OrganShape
-        shape; // Lengths in turtle units, not millimetres; material as a turtle colour index.
+    // Lengths in turtle units, not millimetres; material as a turtle colour index.
+    OrganShape shape;
 };
 
 // What a view file (.v) says about geometry. Angles in degrees, lengths in turtle units.

@@ -16,9 +16,9 @@ struct TriangleMesh {
     MaterialId material = 0;
     std::vector<Vec3f> positions_mm;
     std::vector<Vec3f> normals; // Unit length.
-    std::vector<Vec2f>
-        texture_coordinates; // Tubes: u once around, v in the same scale along the axis. Blades:
-                             // the unit square, midrib at u = 0.5, base at v = 0.
+    // Tubes: u once around, v in the same scale along the axis. Blades: the unit square, midrib at
+    // u = 0.5, base at v = 0.
+    std::vector<Vec2f> texture_coordinates;
     std::vector<std::uint32_t> indices;
 
     std::size_t triangle_count() const { return indices.size() / 3; }

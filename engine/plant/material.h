@@ -10,8 +10,8 @@ namespace tractus {
 // Index into Plant::materials.
 using MaterialId = std::uint16_t;
 
-// How a surface looks: enough for the renderer and for glTF's metallic-roughness model (metallic
-// 0).
+// How a surface looks: enough for the renderer and for glTF's metallic-roughness model, in which
+// plants are not metallic.
 struct Material {
     enum class Kind {
         Bark,  // Opaque tubes; the renderer and the texture maker roughen it along the axis.

@@ -28,16 +28,16 @@ struct OrganShape {
     double length_mm = 50; // From the attachment to the tip, petiole included.
     double width_mm = 25;  // Greatest width.
     double petiole_mm = 0; // Bare stalk before the blade begins; Blade only.
-    double widest
-        = 0.4; // Where the greatest width lies along the blade, 0 base to 1 tip; Blade only.
+    // Where the greatest width lies along the blade, 0 base to 1 tip; Blade only.
+    double widest = 0.4;
     double tip_sharpness = 1;    // 0 round, 1 pointed, above 1 drawn out (acuminate); Blade only.
     double base_sharpness = 0.3; // The same for the blade's base; Blade only.
-    double lobes
-        = 0; // Depth of the margin's lobes as a share of the half width, 0 entire; Blade only.
+    // Depth of the margin's lobes as a share of the half width, 0 entire; Blade only.
+    double lobes = 0;
     int lobe_count = 0;    // Lobes on each side; Blade only.
     double fold_rad = 0.3; // Each half is folded up about the midrib by this angle; Blade only.
-    double curl_rad
-        = 0.4; // The midrib bends down by this angle from base to tip; Blade and Needle.
+    // The midrib bends down by this angle from base to tip; Blade and Needle.
+    double curl_rad = 0.4;
 };
 
 } // namespace tractus

@@ -20,19 +20,17 @@ struct GrowthParameters {
         // A step is 1 / steps_per_axis of the axis' own length, however many segments it has, so
         // that trunk and twigs vary alike and finer segments change no statistics. The law is
         // integrated exactly over each segment (an Ornstein-Uhlenbeck process), and a segment
-        // points
-        // as the law says for its middle.
+        // points as the law says for its middle.
         PerLength,
         // A step is a segment, and a segment points as the law says for its base: the equation
-        // above
-        // to the letter. The first segment of an axis never deviates.
+        // above to the letter. The first segment of an axis never deviates.
         PerSegment,
     };
     Steps steps = Steps::PerLength;
     double steps_per_axis = 20; // PerLength only; 1 to 10,000.
 
-    double strength
-        = 1; // Scales noise and circumnutation: 0 as drawn, 1 as usual, above: as it likes.
+    // Scales noise and circumnutation: 0 as drawn, 1 as usual, above: as it likes.
+    double strength = 1;
 
     // Share of the deviation that a step takes back. 0 to below 1; PerSegment and with a delay, 0
     // to below 2 sin(pi / (4 delay_steps + 2)), where the feedback would begin to swing up.

@@ -31,8 +31,8 @@ struct GrowthPlan {
 
     struct AxisSeat {
         Seat seat;
-        Vec3 offset_mm
-            = Vec3::Zero(); // From the seat's node, in the predefined plant; usually zero.
+        // From the seat's node, in the predefined plant; usually zero.
+        Vec3 offset_mm = Vec3::Zero();
     };
 
     struct OrganSeat {
@@ -52,8 +52,8 @@ struct GrowthPlan {
     std::vector<Seat> polygons;
     std::vector<Vec3> vertex_offset_mm; // Of polygon vertices, from their polygon's seat.
     std::vector<GrowthStep> steps;
-    std::vector<Vec2>
-        circumnutation_rad; // What each segment's step adds; empty where there is none.
+    // What each segment's step adds; empty where there is none.
+    std::vector<Vec2> circumnutation_rad;
     std::vector<double> axis_length_mm;
     std::uint32_t bearer_count = 0;
 };

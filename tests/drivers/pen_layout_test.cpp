@@ -106,8 +106,8 @@ TEST(PenLayout, ReadsAPhysicalRangeWithoutUnitAsThousandthsOfAnInch)
 
 TEST(PenLayout, GuessesASizeWhereTheDescriptorHasNone)
 {
-    auto const usual
-        = pen_with_axes("26 20 4e", "26 10 27"); // 20000 x 10000 counts: 5080 per inch.
+    // 20000 x 10000 counts: 5080 per inch.
+    auto const usual = pen_with_axes("26 20 4e", "26 10 27");
     ASSERT_EQ(usual.size(), 1u);
     EXPECT_NEAR(usual[0].size_mm.x(), 100, 1e-9);
     EXPECT_NEAR(usual[0].size_mm.y(), 50, 1e-9);

@@ -14,7 +14,9 @@ inline WindowState small_state()
     state.volume_mm.add(Vec3(100, 75, 300));
     state.surface_height_mm = 150;
     state.pen = { .in_range = true, .touching = true, .tip_mm = { 40, 30, 150 } };
-    state.strokes = { { .points = { { { -60, -40, 20 }, 6 }, { { -60, 0, 150 }, 6 }, { { -60, 40, 280 }, 6 } } } };
+    state.strokes
+        = { { .points
+              = { { { -60, -40, 20 }, 6 }, { { -60, 0, 150 }, 6 }, { { -60, 40, 280 }, 6 } } } };
     state.live_ink = { { .points = { { { 0, 30, 150 }, 5 }, { { 40, 30, 150 }, 5 } } } };
     state.skeleton = {
         { .points_mm = { { 0, 0, 0 }, { 0, 0, 200 }, { 0, 0, 400 } }, .width_mm = 30 },

@@ -74,8 +74,8 @@ TEST(GlbWriter, HeadersSayTheSizes)
 
 TEST(GlbWriter, WritesMetresAndYUp)
 {
-    auto const json
-        = json_of(glb_of(make_mesh(single_axis(4, 10, 10)))); // 200 mm and a dome of 10.
+    // 200 mm and a dome of 10.
+    auto const json = json_of(glb_of(make_mesh(single_axis(4, 10, 10))));
     auto const& positions = json["accessors"][0];
     EXPECT_NEAR(positions["min"][1].get<double>(), 0, 1e-9);
     EXPECT_NEAR(positions["max"][1].get<double>(), 0.210, 1e-6);

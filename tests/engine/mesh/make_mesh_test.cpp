@@ -28,7 +28,10 @@ double distance_to_axis(Plant const& plant, Axis const& axis, Vec3 const& point)
     return nearest;
 }
 
-TEST(MakeMesh, MakesNothingOfAnEmptyPlant) { EXPECT_EQ(make_mesh({}).triangle_count(), 0u); }
+TEST(MakeMesh, MakesNothingOfAnEmptyPlant)
+{
+    EXPECT_EQ(make_mesh({}).triangle_count(), 0u);
+}
 
 TEST(MakeMesh, ClosesATubeAtBothEnds)
 {

@@ -5,8 +5,7 @@
 namespace tractus {
 
 // A trunk of three segments of 100 mm straight up, and an axis of two segments of 50 mm to the
-// right
-// (+x) from the end of the trunk's first segment. A leaf at the tip of the lateral axis.
+// right (+x) from the end of the trunk's first segment. A leaf at the tip of the lateral axis.
 inline Plant small_plant()
 {
     Plant plant;

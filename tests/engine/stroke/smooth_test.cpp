@@ -23,7 +23,10 @@ double distance_mm(std::vector<Vec3> const& points, std::vector<Vec3> const& cur
     return std::sqrt(sum / static_cast<double>(points.size()));
 }
 
-double length_of(std::vector<Vec3> const& points) { return ArcLength(points).length_mm(); }
+double length_of(std::vector<Vec3> const& points)
+{
+    return ArcLength(points).length_mm();
+}
 
 TEST(SmoothHand, KeepsEverythingByDefaultOfOne)
 {
