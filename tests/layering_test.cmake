@@ -1,4 +1,5 @@
-# Who may include whom, besides itself. Run: cmake -DROOT=<repository> -P layering_test.cmake
+# Who may include whom, besides itself; and is every header in a header set, where it is compiled
+# alone? Run: cmake -DROOT=<repository> -P layering_test.cmake
 set(engine/base)
 set(engine/stroke    engine/base)
 set(engine/plant     engine/base engine/stroke)
@@ -30,5 +31,18 @@ foreach(layer IN LISTS layers)
                 message(SEND_ERROR "${source}: ${include}: ${layer} may include only ${folders}")
             endif()
         endforeach()
+    endforeach()
+
+    file(GLOB_RECURSE headers ${ROOT}/${layer}/*.h)
+    foreach(header IN LISTS headers)
+        cmake_path(GET header PARENT_PATH folder)
+        while(NOT EXISTS ${folder}/CMakeLists.txt)
+            cmake_path(GET folder PARENT_PATH folder)
+        endwhile()
+        cmake_path(RELATIVE_PATH header BASE_DIRECTORY ${folder} OUTPUT_VARIABLE listed)
+        file(STRINGS ${folder}/CMakeLists.txt lists REGEX "[ ]${listed}([ )]|$)")
+        if(NOT lists)
+            message(SEND_ERROR "${header}: not in a header set of ${folder}/CMakeLists.txt")
+        endif()
     endforeach()
 endforeach()
