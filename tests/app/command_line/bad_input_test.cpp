@@ -1,0 +1,168 @@
+#include "tests/app/command_line/workshop.h"
+
+#include <sstream>
+
+namespace tractus {
+namespace {
+
+class BadInput : public Workshop {
+protected:
+    // A copy of the recorded log with each line changed.
+    template<typename Change>
+    void write_changed_log(std::string const& name, Change const& change) const
+    {
+        std::istringstream log(read("hand.tractus-log"));
+        std::string text;
+        for (std::string line; std::getline(log, line);)
+            text += change(line);
+        write(name, text);
+    }
+
+    // The rig of the recorded log as a file of its own, with one line changed.
+    void write_rig(std::string const& name, std::string const& key, std::string const& line) const
+    {
+        std::istringstream log(read("hand.tractus-log"));
+        std::string text;
+        for (std::string read_line; std::getline(log, read_line);)
+            if (read_line.starts_with("C: "))
+                text += (read_line.starts_with("C: " + key) ? line : read_line.substr(3)) + "\n";
+        write(name, text);
+    }
+
+    CommandOutcome replay(std::string const& log, std::string const& more = "") const
+    {
+        return run("tractus replay " + log + " --plant small.l --count 1 -o out " + more);
+    }
+};
+
+TEST_F(BadInput, ALogThatIsNone)
+{
+    write("empty", "");
+    write("binary", std::string("\x7f\x45\x4c\x46\0\xff\n\xfe", 8));
+    run("mkdir folder");
+    for (std::string const verb : { "decode ", "decode --csv ", "replay --plant small.l " }) {
+        expect_error(run("tractus " + verb + "missing"), 1, "cannot open missing: No such file");
+        expect_error(run("tractus " + verb + "folder"), 1, "folder: it is a folder");
+        expect_error(run("tractus " + verb + "empty"), 1, "empty is not a log");
+        expect_error(run("tractus " + verb + "binary"), 1, "binary is not a log");
+        expect_error(run("tractus " + verb + "small.l"), 1, "small.l is not a log");
+    }
+}
+
+TEST_F(BadInput, ALogThatIsCutOffGivesWhatItHas)
+{
+    record();
+    auto const log = read("hand.tractus-log");
+    write("cut", log.substr(0, log.size() * 9 / 10));
+    auto const replayed = replay("cut");
+    EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
+    EXPECT_EQ(count_files("out"), 6u);
+    write("stump", log.substr(0, 300));
+    expect_error(run("tractus decode stump"), 1, "stump:2: a report descriptor of");
+}
+
+TEST_F(BadInput, ReportsThatAreNotWhatTheDescriptorSays)
+{
+    record();
+    write_changed_log("mismatch", [](std::string const& line) {
+        return line.starts_with("E: ") ? line.substr(0, 17) + "3 09 02 03\n" : line + "\n";
+    });
+    for (std::string const verb : { "decode", "decode --csv", "replay --plant small.l" })
+        expect_error(run("tractus " + verb + " mismatch"), 1,
+                     "report 9 is not in the report descriptor");
+    EXPECT_FALSE(exists("report.txt"));
+}
+
+TEST_F(BadInput, ADescriptorThatSaysNothingOrNonsense)
+{
+    record();
+    for (auto const& [descriptor, reason] : { std::pair("R: 0", "the report descriptor is empty"),
+                                              std::pair("R: 4 ff ff ff ff", "ends inside the item"),
+                                              std::pair("R: 3 a1 01 c0", "no X, Y and tip"),
+                                              std::pair("R: 2 05 0d 09", "announces 2") }) {
+        bool is_first = true;
+        write_changed_log("hostile", [&](std::string const& line) {
+            return line.starts_with("R: ") && std::exchange(is_first, false)
+                ? std::string(descriptor) + "\n"
+                : line + "\n";
+        });
+        expect_error(run("tractus decode hostile"), 1, reason);
+        expect_error(replay("hostile"), 1, reason);
+    }
+}
+
+TEST_F(BadInput, ALogWithoutHeightsNeedsThemGiven)
+{
+    record();
+    bool in_height = false;
+    write_changed_log("flat", [&](std::string const& line) {
+        if (line.starts_with("D: "))
+            in_height = line == "D: 1";
+        return in_height || line.starts_with("C: ") ? std::string() : line + "\n";
+    });
+    expect_error(replay("flat"), 1, "give the height with --height");
+    EXPECT_EQ(replay("flat", "--height 120").exit_code, 0);
+}
+
+TEST_F(BadInput, ARigThatCannotBe)
+{
+    record();
+    write_rig("negative.toml", "mm_per_count", "mm_per_count = -0.1");
+    write_rig("missing.toml", "zero_length_mm", "");
+    write_rig("nan.toml", "offset_mm", "offset_mm = nan");
+    write_rig("broken.toml", "base_mm", "base_mm = = 3");
+    expect_error(replay("hand.tractus-log", "--rig negative.toml"), 1,
+                 "height.mm_per_count is -0.1, expected a number greater than 0");
+    expect_error(replay("hand.tractus-log", "--rig missing.toml"), 1,
+                 "height.zero_length_mm is missing");
+    expect_error(replay("hand.tractus-log", "--rig nan.toml"), 1, "height.offset_mm is nan");
+    expect_error(replay("hand.tractus-log", "--rig broken.toml"), 1, "broken.toml:");
+    expect_error(replay("hand.tractus-log", "--rig nowhere.toml"), 1, "cannot open nowhere.toml");
+}
+
+TEST_F(BadInput, AModelWithAFault)
+{
+    write("open.l", "Lsystem: 1\nderivation length: 3\nAxiom: A\nA --> F((1\nendlsystem\n");
+    write("empty.l", "");
+    write("bare.l", "Lsystem: 1\nderivation length: 3\nAxiom: A\nA --> A\nendlsystem\n");
+    for (std::string const verb : { "derive --count ", "grow -o x.glb " }) {
+        expect_error(run("tractus " + verb + "open.l"), 1, "open.l:4:11: ");
+        expect_error(run("tractus " + verb + "empty.l"), 1, "empty.l:1:1: ");
+        expect_error(run("tractus " + verb + "oak"), 1, "there is no model oak");
+    }
+    record();
+    expect_error(run("tractus replay hand.tractus-log --plant bare.l"), 1, "no branch");
+    EXPECT_FALSE(exists("x.glb"));
+}
+
+TEST_F(BadInput, AModelThatRunsAwayIsStoppedInTime)
+{
+    write("doubling.l", "Lsystem: 1\nderivation length: 40\nAxiom: F\nF --> FF\nendlsystem\n");
+    expect_error(run("tractus derive doubling.l --count --max-modules 100000"), 1,
+                 "more than 100000 modules");
+    expect_error(run("tractus grow doubling.l -o x.glb"), 1, "more than 100000000 modules");
+    expect_error(run("tractus grow doubling.l -n 23 -o x.glb"), 1, "more than 4000000 segments");
+    EXPECT_FALSE(exists("x.glb"));
+}
+
+TEST_F(BadInput, AGlbThatIsNone)
+{
+    ASSERT_EQ(run("tractus grow small.l -o plant.glb").exit_code, 0);
+    write("cut.glb", read("plant.glb").substr(0, 5000));
+    expect_error(run("tractus render cut.glb -o x.png"), 1, "truncated: 5000 bytes");
+    expect_error(run("tractus render small.l -o x.png"), 1, "not a binary glTF file");
+    expect_error(run("tractus render missing.glb -o x.png"), 1, "cannot open missing.glb");
+    EXPECT_FALSE(exists("x.png"));
+}
+
+TEST_F(BadInput, AScriptForTheHandThatIsNone)
+{
+    expect_error(run("tractus record --simulate small.l -o x"), 1, "small.l:1:");
+    write("far.toml", "version = 1\n[[gesture]]\ntool = \"select\"\ntrace = \"axis\"\naxis = 9\n");
+    expect_error(run("tractus record --simulate far.toml --plant small.l -o x"), 1,
+                 "the plant has no branch 9");
+    EXPECT_FALSE(exists("x"));
+}
+
+} // namespace
+} // namespace tractus

@@ -1,0 +1,175 @@
+#include "tests/app/command_line/workshop.h"
+
+namespace tractus {
+namespace {
+
+// Where the program runs: what the system may refuse it, and how it may be ended.
+using HostilePlace = Workshop;
+
+TEST_F(HostilePlace, AFullDiskLeavesTheOldFile)
+{
+    write("plant.glb", "the old one");
+    expect_error(run("ulimit -f 8; tractus grow small.l -o plant.glb"), 1,
+                 "cannot write plant.glb: File too large");
+    EXPECT_EQ(read("plant.glb"), "the old one");
+    EXPECT_EQ(run("ls").out, "hand.toml\nplant.glb\nsmall.l\n");
+}
+
+TEST_F(HostilePlace, AFullDiskLeavesWholeFilesOfAJob)
+{
+    record();
+    // In blocks of 512 bytes: the first picture fits, or none does, but the job does not.
+    expect_error(run("ulimit -f 64; tractus replay hand.tractus-log --plant small.l -o out"), 1,
+                 "File too large");
+    EXPECT_EQ(run("ls out | grep -c part").out, "0\n");
+    EXPECT_FALSE(exists("out/report.txt"));
+}
+
+TEST_F(HostilePlace, AFileSystemThatIsFull)
+{
+    if (run("mkdir disk && mount -t tmpfs -o size=64k tmpfs disk").exit_code != 0)
+        GTEST_SKIP() << "no file system may be mounted here";
+    auto const grown = run("tractus grow broadleaf -o disk/plant.glb");
+    auto const left = run("ls disk");
+    run("umount disk");
+    expect_error(grown, 1, "cannot write disk/plant.glb: No space left on device");
+    EXPECT_EQ(left.out, "");
+}
+
+TEST_F(HostilePlace, StandardOutputThatTakesNothingIsAnError)
+{
+    record();
+    for (char const* const command :
+         { "tractus --help", "tractus devices", "tractus devices --json",
+           "tractus derive small.l --string", "tractus decode hand.tractus-log",
+           "tractus decode hand.tractus-log --csv", "tractus grow small.l -o x.glb" }) {
+        expect_error(run(std::string(command) + " >/dev/full"), 1,
+                     "cannot write to standard output: No space left on device");
+        expect_error(run(std::string(command) + " >&-"), 1,
+                     "cannot write to standard output: Bad file descriptor");
+    }
+}
+
+TEST_F(HostilePlace, ClosedStreamsDoNotMixWithFiles)
+{
+    run("tractus grow small.l -o open.glb");
+    run("tractus grow small.l -o closed.glb <&- >&- 2>&-");
+    EXPECT_EQ(read("closed.glb"), read("open.glb"));
+    EXPECT_EQ(run("tractus grow oak -o x.glb <&- >&- 2>&-").exit_code, 1);
+    EXPECT_EQ(run("tractus grow oak -o x.glb 2>/dev/full").exit_code, 1);
+}
+
+TEST_F(HostilePlace, AFolderThatCannotBe)
+{
+    record();
+    for (char const* const folder : { "small.l", "/dev/null", "/proc/tractus" })
+        expect_error(
+            run(std::string("tractus replay hand.tractus-log --plant small.l -o ") + folder), 1,
+            std::string("cannot make the folder ") + folder);
+    expect_error(run("tractus grow small.l -o nowhere/x.glb"), 1,
+                 "cannot write nowhere/x.glb: No such file or directory");
+    expect_error(run("tractus decode hand.tractus-log --csv -o /dev/full"), 1, "No space left");
+}
+
+TEST_F(HostilePlace, AFolderThatMayNotBeWritten)
+{
+    if (::geteuid() == 0)
+        GTEST_SKIP() << "root may write everywhere";
+    run("mkdir locked; chmod a-w locked");
+    expect_error(run("tractus grow small.l -o locked/x.glb"), 1, "Permission denied");
+}
+
+TEST_F(HostilePlace, ARecordingIsNeverWrittenOver)
+{
+    record();
+    auto const before = read("hand.tractus-log");
+    expect_error(run("tractus record --simulate hand.toml --plant small.l -o hand.tractus-log"), 1,
+                 "never written over");
+    expect_error(run("tractus decode hand.tractus-log --csv -o ./hand.tractus-log"), 1,
+                 "is the log itself");
+    EXPECT_EQ(read("hand.tractus-log"), before);
+}
+
+TEST_F(HostilePlace, NamesMayHaveBlanksAndAnyBytes)
+{
+    record();
+    for (char const* const name : { "my plant", "Pflänzchen", "\xff\xfe", "-n" }) {
+        auto const named = "'./" + std::string(name) + "'";
+        EXPECT_EQ(run("mkdir " + named + " && cp small.l " + named + "/m.l && tractus grow " + named
+                      + "/m.l -o " + named + "/m.glb && tractus render " + named + "/m.glb -o "
+                      + named + "/m.png --size 32x32 && tractus decode hand.tractus-log --csv -o "
+                      + named + "/m.csv")
+                      .exit_code,
+                  0)
+            << name;
+    }
+}
+
+TEST_F(HostilePlace, ALinkStaysAndWhatItLeadsToIsWritten)
+{
+    EXPECT_EQ(run("ln -s target.glb link.glb; ln -s small.l link.l; "
+                  "tractus grow link.l -o link.glb && test -L link.glb && test -s target.glb")
+                  .exit_code,
+              0);
+}
+
+TEST_F(HostilePlace, NumbersDoNotDependOnTheLocale)
+{
+    if (run("localedef -i de_DE -f UTF-8 ./de_DE.UTF-8").exit_code != 0)
+        GTEST_SKIP() << "the German locale cannot be made here (Debian package locales)";
+    record();
+    run("tractus decode hand.tractus-log --csv -o plain.csv");
+    run("LOCPATH=$PWD LC_ALL=de_DE.UTF-8 tractus decode hand.tractus-log --csv -o german.csv");
+    EXPECT_FALSE(read("plain.csv").empty());
+    EXPECT_EQ(read("german.csv"), read("plain.csv"));
+    run("tractus grow small.l -o plain.obj");
+    run("LOCPATH=$PWD LC_ALL=de_DE.UTF-8 tractus grow small.l -o german.obj");
+    EXPECT_FALSE(read("plain.obj").empty());
+    EXPECT_EQ(read("german.obj"), read("plain.obj"));
+}
+
+TEST_F(HostilePlace, AWindowWithoutADisplaySaysWhatElseThereIs)
+{
+    record();
+    expect_error(run("env -u DISPLAY -u WAYLAND_DISPLAY '" TRACTUS_PROGRAM
+                     "' window hand.tractus-log --plant small.l"),
+                 1, "display");
+}
+
+// Ended at any moment, a file is there whole or not at all. What a signal that can be caught ends
+// leaves no temporary file, either.
+TEST_F(HostilePlace, EndedInTheMiddleItLeavesNothingHalfWritten)
+{
+    run("tractus grow broadleaf -o whole.glb");
+    auto const whole = read("whole.glb");
+    for (char const* const signal : { "KILL", "INT", "TERM" })
+        for (char const* const wait_s : { "0.02", "0.05", "0.08", "0.12" }) {
+            run(std::string("timeout -s ") + signal + " " + wait_s
+                + " '" TRACTUS_PROGRAM "' grow broadleaf -o plant.glb");
+            EXPECT_TRUE(!exists("plant.glb") || read("plant.glb") == whole) << signal << wait_s;
+            if (std::string(signal) != "KILL") {
+                EXPECT_EQ(run("ls").out.find(".part"), std::string::npos) << signal << wait_s;
+            }
+            run("rm -f plant.glb *.part");
+        }
+}
+
+TEST_F(HostilePlace, InterruptedAJobLeavesWholeFiles)
+{
+    record();
+    auto const job = [&](std::string const& folder, std::string const& before) {
+        return run(before
+                   + " '" TRACTUS_PROGRAM "' replay hand.tractus-log --plant small.l --count 1 -o "
+                   + folder)
+            .exit_code;
+    };
+    ASSERT_EQ(job("whole", ""), 0);
+    EXPECT_NE(job("ended", "timeout -s INT 0.6"), 1);
+    for (std::string const name : { "base.png", "strokes.png", "varied.png", "collection.glb" })
+        EXPECT_TRUE(!exists("ended/" + name) || read("ended/" + name) == read("whole/" + name))
+            << name;
+    EXPECT_EQ(run("ls ended 2>&1 | grep -c part").out, "0\n");
+}
+
+} // namespace
+} // namespace tractus

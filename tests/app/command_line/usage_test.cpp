@@ -1,0 +1,106 @@
+#include "tests/app/command_line/workshop.h"
+
+#include <sstream>
+
+namespace tractus {
+namespace {
+
+using Usage = Workshop;
+
+TEST_F(Usage, HelpGoesToStandardOutputAndIsNoFailure)
+{
+    for (std::string const verb : { "", "decode", "demo", "derive", "devices", "grow", "record",
+                                    "render", "replay", "window" }) {
+        auto const help = run("tractus " + verb + " --help");
+        EXPECT_EQ(help.exit_code, 0) << verb;
+        EXPECT_EQ(help.err, "") << verb;
+        EXPECT_NE(help.out.find("Usage: tractus" + (verb.empty() ? "" : " " + verb)),
+                  std::string::npos)
+            << help.out;
+    }
+}
+
+TEST_F(Usage, HelpNamesEveryVerbAndTheExitCodes)
+{
+    auto const help = run("tractus --help").out;
+    for (char const* const verb :
+         { "\n  decode ", "\n  demo ", "\n  derive ", "\n  devices ", "\n  grow ", "\n  record ",
+           "\n  render ", "\n  replay ", "\n  window ", "\nExit codes: " })
+        EXPECT_NE(help.find(verb), std::string::npos) << verb;
+}
+
+TEST_F(Usage, HelpFitsInto85Columns)
+{
+    for (std::string const verb : { "", "decode", "demo", "derive", "devices", "grow", "record",
+                                    "render", "replay", "window" }) {
+        std::istringstream help(run("tractus " + verb + " --help").out);
+        for (std::string line; std::getline(help, line);)
+            EXPECT_LE(line.size(), 85u) << line;
+    }
+}
+
+TEST_F(Usage, HelpSaysDefaultsAndWhatIsRequired)
+{
+    auto const help = run("tractus replay --help").out;
+    EXPECT_NE(help.find("(default: 9)"), std::string::npos) << help;
+    EXPECT_NE(help.find("(required)"), std::string::npos) << help;
+}
+
+TEST_F(Usage, PrintsItsVersion)
+{
+    auto const version = run("tractus --version");
+    EXPECT_EQ(version.exit_code, 0);
+    EXPECT_EQ(version.out.substr(0, 8), "tractus ");
+}
+
+TEST_F(Usage, WrongUsageSaysWhereToReadOn)
+{
+    expect_error(run("tractus"), 2, "see \"tractus --help\"");
+    expect_error(run("tractus sow"), 2, "sow");
+    expect_error(run("tractus replay"), 2, "LOG is required; see \"tractus replay --help\"");
+    expect_error(run("tractus replay hand.tractus-log"), 2, "--plant is required");
+    expect_error(run("tractus demo here"), 2, "here; see \"tractus demo --help\"");
+    expect_error(run("tractus grow small.l"), 2, "--output is required");
+    expect_error(run("tractus derive small.l"), 2, "--count or --string");
+    expect_error(run("tractus derive small.l --count --string"), 2, "excludes");
+    expect_error(run("tractus decode x --raw"), 2, "requires --csv");
+    expect_error(run("tractus record -o x --simulate hand.toml --seconds 1"), 2, "excludes");
+}
+
+TEST_F(Usage, AValueThatAnOptionCannotHaveIsWrongUsage)
+{
+    expect_error(run("tractus grow small.l -o x.glb --seed -1"), 2, "'-1' is not a whole number");
+    expect_error(run("tractus grow small.l -o x.glb --seed 99999999999999999999"), 2, "--seed");
+    expect_error(run("tractus grow small.l -o x.glb -n -1"), 2, "--steps");
+    expect_error(run("tractus grow small.l -o x.glb -n many"), 2, "'many' is not a whole number");
+    expect_error(run("tractus grow small.l -o x.gif"), 2, "must end in .glb or .obj or .png");
+    expect_error(run("tractus render x.glb -o x.jpg"), 2, "must end in .png");
+    expect_error(run("tractus render x.glb -o x.png --size 0x0"), 2, "WIDTHxHEIGHT");
+    expect_error(run("tractus render x.glb -o x.png --size banana"), 2, "'banana' is no size");
+    expect_error(run("tractus render x.glb -o x.png --azimuth nan"), 2, "'nan' is not a number");
+    expect_error(run("tractus replay x --plant small.l --count 0"), 2, "from 1 to 100");
+    for (char const* const height : { "wobble", "nan", "12,5", "120mm", "''", "1e300" })
+        expect_error(run(std::string("tractus replay x --plant small.l --height ") + height), 2,
+                     "--height: ");
+    expect_error(run("tractus demo --plant oak"), 2, "broadleaf, conifer, daisy, shrub");
+    expect_error(run("tractus record -o x --seconds 0"), 2, "--seconds");
+    expect_error(run("tractus window --frames -1"), 2, "--frames");
+    EXPECT_FALSE(exists("x.glb"));
+}
+
+TEST_F(Usage, OneOfOurModelsIsFoundByItsName)
+{
+    EXPECT_EQ(run("tractus derive shrub -n 2 --count").exit_code, 0);
+    expect_error(run("tractus derive oak --count"), 1, "one of broadleaf, conifer, daisy, shrub");
+}
+
+TEST_F(Usage, DevicesAreListedAsTextAndAsJson)
+{
+    EXPECT_EQ(run("tractus devices").exit_code, 0);
+    auto const json = run("tractus devices --json");
+    EXPECT_EQ(json.exit_code, 0);
+    EXPECT_EQ(json.out.front(), '[');
+}
+
+} // namespace
+} // namespace tractus

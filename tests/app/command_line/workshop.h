@@ -1,0 +1,107 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace tractus {
+
+// What a command left behind. The exit code is the shell's: 128 more than a signal that ended it.
+struct CommandOutcome {
+    int exit_code = 0;
+    std::string out {};
+    std::string err {};
+};
+
+// A folder of its own in which shell commands run, with the program itself as `tractus`:
+//   small.l    a model with a trunk and two branches
+//   hand.toml  a hand that shapes the trunk and leans the plant
+class Workshop : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        std::filesystem::create_directories(folder_);
+        write("small.l",
+              "Lsystem: 1\nderivation length: 1\n"
+              "Axiom: F(10)F(10)[+(60)F(8)F(8)]F(10)[-(60)F(8)F(8)F(8)F(8)]F(10)\n"
+              "A --> A\nendlsystem\n");
+        write("hand.toml",
+              "version = 1\nseed = 3\n"
+              "[[gesture]]\ntool = \"select\"\ntrace = \"axis\"\naxis = 0\n"
+              "[[gesture]]\ntool = \"draw\"\npropagation = \"both\"\npath = \"line\"\n"
+              "from_mm = [0, 0, 50]\nto_mm = [40, 20, 200]\n"
+              "[[gesture]]\ntool = \"indicate\"\npath = \"line\"\n"
+              "from_mm = [0, 0, 100]\nto_mm = [30, 0, 110]\n");
+    }
+
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    // Runs what a user would type.
+    CommandOutcome run(std::string const& command) const
+    {
+        auto const script = "cd '" + folder_.string() + "' && tractus() { '" TRACTUS_PROGRAM
+            + "' \"$@\"; } && { " + command + "\n} >'" + outside("out") + "' 2>'" + outside("err")
+            + "'";
+        int const status = std::system(script.c_str());
+        CommandOutcome outcome { WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+                                 contents(outside("out")), contents(outside("err")) };
+        std::filesystem::remove(outside("out"));
+        std::filesystem::remove(outside("err"));
+        return outcome;
+    }
+
+    // A recording of the hand, "hand.tractus-log".
+    void record() const
+    {
+        auto const outcome
+            = run("tractus record --simulate hand.toml --plant small.l -o hand.tractus-log");
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    }
+
+    void write(std::string const& name, std::string const& text) const
+    {
+        std::ofstream(folder_ / name, std::ios::binary) << text;
+    }
+
+    std::string read(std::string const& name) const { return contents(folder_ / name); }
+
+    bool exists(std::string const& name) const { return std::filesystem::exists(folder_ / name); }
+
+    // How many files a folder holds.
+    std::size_t count_files(std::string const& name) const
+    {
+        auto const entries = std::filesystem::directory_iterator(folder_ / name);
+        return static_cast<std::size_t>(std::distance(begin(entries), end(entries)));
+    }
+
+private:
+    static std::string contents(std::filesystem::path const& path)
+    {
+        std::ifstream in(path, std::ios::binary);
+        return { std::istreambuf_iterator<char>(in), {} };
+    }
+
+    // Beside the folder, so that what commands print is not among their files.
+    std::string outside(char const* name) const { return folder_.string() + "." + name; }
+
+    std::filesystem::path folder_ = std::filesystem::temp_directory_path()
+        / ("tractus_workshop_" + std::to_string(::getpid()));
+};
+
+// One sentence, on one line, that says it is an error and contains what the reader needs.
+inline void expect_error(CommandOutcome const& outcome, int exit_code, std::string const& what)
+{
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find("error: "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(what), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+} // namespace tractus
