@@ -14,10 +14,10 @@ Result<std::vector<Edit>> select_edits(Stroke const& stroke, Scene const& scene)
     ProjectedSkeleton const skeleton(*scene.base, view);
     auto const tree = build_branch_tree(*scene.base);
     PathSelection selection(tree);
-    SelectionPen pen(skeleton, selection, kPick);
+    SelectionPen pen(skeleton, tree, selection, kPick);
     for (auto const& tip : stroke.tips)
         pen.move_to(tip.position_mm.head<2>());
-    auto paths = selection.finish();
+    auto paths = pen.lift();
     if (paths.empty())
         return fail(Fault::User,
                     "the selection touched no branch: draw over the skeleton, from a "

@@ -182,39 +182,54 @@ void ProjectedSkeleton::build_grid()
         for_each_cell(lines_[number], [&](std::size_t cell) { in_cell_[next[cell]++] = number; });
 }
 
-std::optional<SegmentId> ProjectedSkeleton::pick(Vec2 const& point,
-                                                 PickOptions const& options) const
+// Calls visit(line, distance and depth of its point nearest to the pen) for the lines within
+// `reach`.
+template<typename Visit>
+void ProjectedSkeleton::for_each_near(Vec2f const& pen, float reach, Visit const& visit) const
 {
-    Vec2f const pen = point.cast<float>();
     if (!((pen.array() >= min_.array()).all() && (pen.array() <= max_.array()).all()))
-        return std::nullopt;
-    auto const half_width = static_cast<float>(options.line_half_width);
-    auto const reach = std::max(half_width, static_cast<float>(options.finger));
+        return;
     auto const low = cell_at(pen - Vec2f::Constant(reach));
     auto const high = cell_at(pen + Vec2f::Constant(reach));
-
-    std::optional<SegmentId> covering;
-    std::optional<SegmentId> beside;
-    float least_depth = std::numeric_limits<float>::infinity();
-    float least_distance = reach;
     for (Cell cell = low; cell.row <= high.row; ++cell.row) {
         auto const first = first_in_cell_[index_of({ low.column, cell.row })];
         auto const end = first_in_cell_[index_of({ high.column, cell.row }) + 1];
         for (auto i = first; i < end; ++i) {
             auto const& line = lines_[in_cell_[i]];
-            auto const nearest = nearest_to(line, pen);
-            if (nearest.distance <= half_width && nearest.depth < least_depth) {
-                least_depth = nearest.depth;
-                covering = line.segment;
-            }
-            if (nearest.distance <= least_distance
-                && (nearest.distance < least_distance || !beside)) {
-                least_distance = nearest.distance;
-                beside = line.segment;
-            }
+            if (auto const nearest = nearest_to(line, pen); nearest.distance <= reach)
+                visit(line, nearest);
         }
     }
+}
+
+std::optional<SegmentId> ProjectedSkeleton::pick(Vec2 const& point,
+                                                 PickOptions const& options) const
+{
+    auto const half_width = static_cast<float>(options.line_half_width);
+    auto const reach = std::max(half_width, static_cast<float>(options.finger));
+    std::optional<SegmentId> covering;
+    std::optional<SegmentId> beside;
+    float least_depth = std::numeric_limits<float>::infinity();
+    float least_distance = reach;
+    for_each_near(point.cast<float>(), reach, [&](Line const& line, auto const& nearest) {
+        if (nearest.distance <= half_width && nearest.depth < least_depth) {
+            least_depth = nearest.depth;
+            covering = line.segment;
+        }
+        if (nearest.distance < least_distance || !beside) {
+            least_distance = nearest.distance;
+            beside = line.segment;
+        }
+    });
     return covering ? covering : beside;
+}
+
+void ProjectedSkeleton::find_covering(Vec2 const& point, PickOptions const& options,
+                                      std::vector<SegmentId>& covering) const
+{
+    covering.clear();
+    for_each_near(point.cast<float>(), static_cast<float>(options.line_half_width),
+                  [&](Line const& line, auto const&) { covering.push_back(line.segment); });
 }
 
 } // namespace tractus

@@ -60,6 +60,11 @@ public:
     // thickness. No value where there is nothing, and outside of the view.
     std::optional<SegmentId> pick(Vec2 const& point, PickOptions const& options = {}) const;
 
+    // All segments whose lines cover `point`, near and far, in no particular order and perhaps more
+    // than once; put into `covering`, which is kept for its memory.
+    void find_covering(Vec2 const& point, PickOptions const& options,
+                       std::vector<SegmentId>& covering) const;
+
 private:
     struct Cell {
         int column = 0;
@@ -69,6 +74,8 @@ private:
     void build_grid();
     Cell cell_at(Vec2f const& point) const;
     std::size_t index_of(Cell const& cell) const;
+    template<typename Visit>
+    void for_each_near(Vec2f const& pen, float reach, Visit const& visit) const;
     template<typename Visit> void for_each_cell(Line const& line, Visit const& visit) const;
 
     std::vector<Line> lines_;

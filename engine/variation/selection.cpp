@@ -76,9 +76,10 @@ void PathSelection::clear()
     undetermined_.clear();
 }
 
-SelectionPen::SelectionPen(ProjectedSkeleton const& skeleton, PathSelection& selection,
-                           PickOptions const& options)
+SelectionPen::SelectionPen(ProjectedSkeleton const& skeleton, BranchTree const& tree,
+                           PathSelection& selection, PickOptions const& options)
     : skeleton_(skeleton)
+    , tree_(tree)
     , selection_(selection)
     , options_(options)
 {
@@ -97,13 +98,75 @@ bool SelectionPen::move_to(Vec2 const& point)
     return changed;
 }
 
+// The last segment that all of covering_ stand on; they must have one in common. No value if
+// nothing is covering the place.
+std::optional<SegmentId> SelectionPen::common() const
+{
+    if (covering_.empty())
+        return std::nullopt;
+    SegmentId common = covering_.front();
+    for (auto const segment : covering_)
+        while (!tree_.is_descendant(segment, common))
+            common = tree_.parent[common];
+    return common;
+}
+
+// What begins the path, once `segment` shows which one it is: the nearest segment below it of those
+// that lay under the pen where it came down.
+SegmentId SelectionPen::beginning_of(SegmentId segment) const
+{
+    SegmentId nearest = kNone;
+    for (auto const beginning : beginnings_)
+        if (tree_.is_descendant(segment, beginning)
+            && (nearest == kNone || tree_.is_descendant(beginning, nearest)))
+            nearest = beginning;
+    return nearest == kNone ? segment : nearest;
+}
+
 bool SelectionPen::touch_at(Vec2 const& point)
 {
-    auto const segment = skeleton_.pick(point, options_);
-    if (!segment || segment == last_touched_)
+    auto const front = skeleton_.pick(point, options_);
+    ambiguous_.reset();
+    if (!front)
+        return false;
+    skeleton_.find_covering(point, options_, covering_);
+    if (selection_.selected().empty())
+        return begin(*front);
+
+    auto const end = selection_.selected().back();
+    std::erase_if(covering_, [&](SegmentId segment) {
+        return segment == end || !tree_.is_descendant(segment, end);
+    });
+    auto const segment = common().value_or(*front);
+    if (segment != *front)
+        ambiguous_ = front;
+    if (segment == end || segment == last_touched_)
         return false;
     last_touched_ = segment;
-    return selection_.touch(*segment);
+    return selection_.touch(segment);
+}
+
+bool SelectionPen::begin(SegmentId front)
+{
+    std::sort(covering_.begin(), covering_.end());
+    covering_.erase(std::unique(covering_.begin(), covering_.end()), covering_.end());
+    if (beginnings_.empty())
+        beginnings_ = covering_;
+    if (covering_.size() > 1) {
+        ambiguous_ = front;
+        return false;
+    }
+    selection_.touch(beginning_of(front));
+    selection_.touch(front);
+    last_touched_ = front;
+    return true;
+}
+
+std::vector<std::vector<SegmentId>> SelectionPen::lift()
+{
+    if (ambiguous_)
+        selection_.touch(*ambiguous_);
+    return selection_.finish();
 }
 
 } // namespace tractus

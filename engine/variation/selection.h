@@ -59,23 +59,40 @@ private:
 // A pen that draws over a projected skeleton; make one for each stroke. Between two of its samples
 // the way is walked in steps of at most one unit of the plane, so that a fast hand misses no thin
 // branch.
+//
+// The nearest segment in front is touched, as a painter's picture shows it, with one exception.
+// Once a path has begun, a place where several branches lie over each other says only what they
+// have in common: the last segment that all of them stand on is touched, and the pen's further way
+// shows which of them was meant. So the trunk can be followed behind branches that grow towards the
+// eye.
 class SelectionPen {
 public:
-    // Skeleton and selection must outlive the pen.
-    SelectionPen(ProjectedSkeleton const& skeleton, PathSelection& selection,
-                 PickOptions const& options = {});
+    // Skeleton, tree and selection must outlive the pen; the tree is the selection's.
+    SelectionPen(ProjectedSkeleton const& skeleton, BranchTree const& tree,
+                 PathSelection& selection, PickOptions const& options = {});
 
     // The pen is at `point` now. True if any state changed.
     bool move_to(Vec2 const& point);
 
+    // The pen was lifted: where its last place was ambiguous, the nearest segment in front was
+    // meant. Answers what PathSelection::finish() does.
+    std::vector<std::vector<SegmentId>> lift();
+
 private:
     bool touch_at(Vec2 const& point);
+    std::optional<SegmentId> common() const;
+    SegmentId beginning_of(SegmentId segment) const;
+    bool begin(SegmentId front);
 
     ProjectedSkeleton const& skeleton_;
+    BranchTree const& tree_;
     PathSelection& selection_;
     PickOptions options_;
     std::optional<Vec2> last_point_;
     std::optional<SegmentId> last_touched_;
+    std::optional<SegmentId> ambiguous_; // In front at the last place, where that was ambiguous.
+    std::vector<SegmentId> beginnings_;  // All that lay under the pen where it came down.
+    std::vector<SegmentId> covering_;    // What could be meant at the present place.
 };
 
 } // namespace tractus

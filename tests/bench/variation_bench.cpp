@@ -147,7 +147,7 @@ void move_selection_pen(benchmark::State& state)
     ProjectedSkeleton const skeleton(branches(), window());
     auto const tree = build_branch_tree(branches());
     PathSelection selection(tree);
-    SelectionPen pen(skeleton, selection);
+    SelectionPen pen(skeleton, tree, selection);
     double x = 300;
     for (auto _ : state) {
         x = x < 900 ? x + 6 : 300;

@@ -22,7 +22,7 @@ std::vector<SegmentId> select(Plant const& plant, Vec2 const& from, Vec2 const& 
     ProjectedSkeleton const skeleton(plant, view);
     auto const tree = build_branch_tree(plant);
     PathSelection selection(tree);
-    SelectionPen pen(skeleton, selection);
+    SelectionPen pen(skeleton, tree, selection);
     pen.move_to(from);
     pen.move_to(to);
     auto const paths = selection.finish();

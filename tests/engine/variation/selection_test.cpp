@@ -143,7 +143,7 @@ SkeletonProjection front_view(double half_size)
 TEST_F(Figure5, APenDrawnOverTheSkeletonSelects)
 {
     ProjectedSkeleton const skeleton(figure_5(), front_view(500));
-    SelectionPen pen(skeleton, selection);
+    SelectionPen pen(skeleton, tree, selection);
     // Up A, by mistake a little along B, then C, D and F.
     for (auto const& point :
          { Vec2(2, 20), Vec2(1, 90), Vec2(-20, 120), Vec2(12, 150), Vec2(40, 250), Vec2(60, 380) })
@@ -161,13 +161,57 @@ TEST(SelectionPen, MissesNoThinBranchAtSpeed)
     auto const tree = build_branch_tree(plant);
     ProjectedSkeleton const skeleton(plant, front_view(600));
     PathSelection selection(tree);
-    SelectionPen pen(skeleton, selection, { .line_half_width = 0.5, .finger = 0.5 });
+    SelectionPen pen(skeleton, tree, selection, { .line_half_width = 0.5, .finger = 0.5 });
     pen.move_to({ 0, 1 });
     pen.move_to({ 0, 499 });
     EXPECT_EQ(selection.selected().size(), 49u);
     auto const paths = selection.finish();
     EXPECT_EQ(paths.back().back(), 49u);
     EXPECT_EQ(paths.back().size(), 50u);
+}
+
+TEST(SelectionPen, FollowsTheTrunkBehindBranchesThatGrowTowardsTheEye)
+{
+    // Each branch leaves the trunk towards the eye (-y), rises, and hides the trunk's next 25 mm.
+    auto plant = pole(10, 100);
+    for (SegmentId segment = 1; segment < 6; segment += 2) {
+        double const z = 10.0 * segment + 10;
+        add_axis(plant, { { 0, 0, z }, { 0, -20, z + 12 }, { 0, -40, z + 25 } }, 0, segment);
+    }
+    auto const tree = build_branch_tree(plant);
+    ProjectedSkeleton const skeleton(plant, front_view(200));
+    PathSelection selection(tree);
+    SelectionPen pen(skeleton, tree, selection);
+    for (double z = 2; z <= 98; z += 3)
+        pen.move_to({ 0, z });
+    EXPECT_EQ(pen.lift(), (Paths { { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 } }));
+}
+
+TEST(SelectionPen, FollowsOneOfTwoStemsThatLeaveTheGroundAtOnePlace)
+{
+    Plant plant;
+    add_axis(plant, { { 0, -5, 0 }, { 1, -5, 30 }, { 30, -5, 60 }, { 60, -5, 90 } });
+    add_axis(plant, { { 0, 5, 0 }, { -1, 5, 30 }, { -30, 5, 60 }, { -60, 5, 90 } });
+    auto const tree = build_branch_tree(plant);
+    ProjectedSkeleton const skeleton(plant, front_view(200));
+    PathSelection selection(tree);
+    SelectionPen pen(skeleton, tree, selection);
+    for (auto const& point : { Vec2(0, 10), Vec2(-1, 30), Vec2(-30, 60), Vec2(-50, 80) })
+        pen.move_to(point); // The stem behind, from where the other one hides it.
+    EXPECT_EQ(pen.lift(), (Paths { { 3, 4, 5 } }));
+}
+
+TEST(SelectionPen, TakesTheNearestWhereItIsLiftedOverSeveral)
+{
+    auto plant = pole(4, 40);
+    add_axis(plant, { { 0, 0, 20 }, { 0, -20, 32 }, { 0, -40, 45 } }, 0, 1);
+    auto const tree = build_branch_tree(plant);
+    ProjectedSkeleton const skeleton(plant, front_view(200));
+    PathSelection selection(tree);
+    SelectionPen pen(skeleton, tree, selection);
+    for (double z = 2; z <= 29; z += 3)
+        pen.move_to({ 0, z });
+    EXPECT_EQ(pen.lift(), (Paths { { 0, 1, 4 } }));
 }
 
 TEST(ProjectedSkeleton, OfTwoLinesTheNearerToTheEyeWins)
