@@ -19,7 +19,7 @@ struct JobOptions {
     std::optional<std::filesystem::path> rig; // A calibration in place of the log's own.
     std::optional<std::string> height;        // A height scenario in place of the height sensor.
     std::uint64_t seed = 1;                   // Of the variations.
-    std::size_t variations = 9;               // In the collection; at least 1.
+    std::size_t variations = 12;              // In the collection; at least 1.
     std::filesystem::path folder = ".";       // Made if it is not there.
 };
 
