@@ -15,6 +15,7 @@ namespace {
 // themselves.
 constexpr std::size_t kMaxTextSize = std::size_t { 16 } << 20;
 constexpr int kMaxNesting = 64;
+constexpr std::size_t kMaxFiles = 1000; // Includes of includes double, too.
 
 struct Text {
     std::string characters;
@@ -173,6 +174,10 @@ Result<void> Preprocessor::add_file(std::string const& name, std::string_view so
         return fail(Fault::User,
                     fmt::format("{}: includes are nested deeper than {}; does it include itself?",
                                 name, kMaxNesting));
+    if (files_.size() == kMaxFiles)
+        return fail(
+            Fault::User,
+            fmt::format("{}: there are more than {} includes before this one", name, kMaxFiles));
     files_.push_back(name);
     auto const text = without_comments(source, static_cast<std::uint32_t>(files_.size() - 1));
     auto const open_conditions = conditions_.size();

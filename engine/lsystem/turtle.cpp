@@ -241,11 +241,10 @@ void Turtle::draw_at_symbol(Symbol const& symbol)
         state_.scale = std::clamp(scale, -1e6, 1e6);
         return;
     }
-    case 'T':
+    case 'T': // @Tx is a texture; @Tp and @Tf carry the frame, which here twists least anyway.
         if (symbol.name[2] == 's' || symbol.name[2] == 'i' || symbol.name[2] == 'd')
             set_elasticity(symbol);
-        return; // @Tx textures, @Tp and @Tf ways to carry the frame, which here twists least
-                // anyway.
+        return;
     case 'G':
         if (symbol.name[2] == 's' || symbol.name[2] == 'e')
             state_.is_cylinder = symbol.name[2] == 's';

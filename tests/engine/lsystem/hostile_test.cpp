@@ -85,5 +85,21 @@ TEST(HostileModels, DoNoHarm)
     EXPECT_LT(plants, 9500);
 }
 
+TEST(HostileModels, CannotIncludeWithoutEnd)
+{
+    // Each file includes the next one twice, fifty times over.
+    auto const include = [](std::string const& name) -> Result<std::string> {
+        auto const number = std::stoi(name);
+        auto const line = "#include \"" + std::to_string(number + 1) + "\"\n";
+        return number < 50 ? line + line : std::string();
+    };
+    ModelSource source;
+    source.text = "#include \"1\"\nLsystem: 1\n";
+    auto const model = compile_model(source, include);
+    ASSERT_FALSE(model);
+    EXPECT_EQ(model.error().fault, Fault::User);
+    EXPECT_NE(model.error().message.find("more than 1000 includes"), std::string::npos);
+}
+
 } // namespace
 } // namespace tractus
