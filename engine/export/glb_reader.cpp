@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 #include <map>
 #include <optional>
+#include <span>
 
 namespace tractus {
 namespace {
@@ -294,9 +295,10 @@ void compute_normals(TriangleMesh& mesh)
     }
 }
 
-void normalize_normals(TriangleMesh& mesh)
+// A normal without direction points up.
+void normalize(std::span<Vec3f> normals)
 {
-    for (auto& normal : mesh.normals) {
+    for (auto& normal : normals) {
         float const length = normal.norm();
         normal = length > 0 && std::isfinite(length) ? Vec3f(normal / length) : Vec3f::UnitZ();
     }
@@ -337,7 +339,7 @@ Result<std::optional<TriangleMesh>> read_primitive(tinygltf::Model const& model,
             mesh.normals.push_back(turn_from_gltf(Vec3f(normal.data())));
     else
         compute_normals(mesh);
-    normalize_normals(mesh);
+    normalize(mesh.normals);
     if (accessor("TEXCOORD_0") >= 0)
         for (auto const& texture : TRY(read_accessor<2>(model, accessor("TEXCOORD_0"))))
             mesh.texture_coordinates.emplace_back(texture.data());
@@ -472,10 +474,7 @@ private:
             surface.normals.push_back(
                 turn_from_gltf(Vec3(mirrored ? -normal : normal)).cast<float>());
         }
-        std::for_each(surface.normals.begin() + base, surface.normals.end(), [](Vec3f& normal) {
-            float const length = normal.norm();
-            normal = length > 0 && std::isfinite(length) ? Vec3f(normal / length) : Vec3f::UnitZ();
-        });
+        normalize(std::span(surface.normals).subspan(base));
         surface.texture_coordinates.insert(surface.texture_coordinates.end(),
                                            part.texture_coordinates.begin(),
                                            part.texture_coordinates.end());
