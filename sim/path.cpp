@@ -1,6 +1,7 @@
 #include "sim/path.h"
 
 #include "engine/base/check.h"
+#include "engine/stroke/polyline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,10 +112,7 @@ static std::vector<Vec3> points_of_any(PathShape const& shape)
 
 bool is_drawable(PathShape const& shape)
 {
-    auto const points = points_of_any(shape);
-    double length_mm = 0;
-    for (std::size_t i = 1; i < points.size(); ++i)
-        length_mm += (points[i] - points[i - 1]).norm();
+    double const length_mm = polyline_length_mm(points_of_any(shape));
     return length_mm > 0 && length_mm <= kLongest_mm; // Not for NaN and infinity, either.
 }
 

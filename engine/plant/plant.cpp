@@ -1,6 +1,7 @@
 #include "engine/plant/plant.h"
 
 #include "engine/base/check.h"
+#include "engine/stroke/polyline.h"
 
 #include <algorithm>
 
@@ -30,11 +31,7 @@ SegmentId parent_segment(Plant const& plant, SegmentId segment)
 
 double axis_length_mm(Plant const& plant, Axis const& axis)
 {
-    auto const nodes = plant.positions(axis);
-    double length_mm = 0;
-    for (std::size_t i = 1; i < nodes.size(); ++i)
-        length_mm += (nodes[i] - nodes[i - 1]).norm();
-    return length_mm;
+    return polyline_length_mm(plant.positions(axis));
 }
 
 void Bounds::add(Vec3 const& point)

@@ -3,7 +3,6 @@
 #include "engine/base/check.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace tractus {
 
@@ -43,21 +42,6 @@ std::vector<Vec3> resample(std::span<Vec3 const> points, std::size_t count)
     for (std::size_t i = 0; i < count; ++i)
         even[i] = curve.at(static_cast<double>(i) / static_cast<double>(count - 1));
     return even;
-}
-
-std::vector<Vec3> resample_to_lengths(ArcLength const& curve, std::span<double const> lengths)
-{
-    double const total = std::accumulate(lengths.begin(), lengths.end(), 0.0);
-    CHECK(total > 0);
-    std::vector<Vec3> points;
-    points.reserve(lengths.size() + 1);
-    points.push_back(curve.at(0));
-    double sum = 0;
-    for (auto const length : lengths) {
-        sum += length;
-        points.push_back(curve.at(sum / total));
-    }
-    return points;
 }
 
 } // namespace tractus

@@ -28,9 +28,4 @@ private:
 // `count` points (at least 2) at equal distances along `points`, both ends among them.
 std::vector<Vec3> resample(std::span<Vec3 const> points, std::size_t count);
 
-// The points that divide `points` in the ratio of `lengths` (not negative, with a sum above 0): one
-// more than there are lengths, both ends among them. Matching arc lengths is how a stroke is laid
-// along a branch's segments.
-std::vector<Vec3> resample_to_lengths(ArcLength const& curve, std::span<double const> lengths);
-
 } // namespace tractus

@@ -35,26 +35,6 @@ TEST(Resample, OnePlaceStaysOnePlace)
         EXPECT_EQ(point, Vec3(1, 2, 3));
 }
 
-TEST(Resample, DividesInTheRatioOfLengths)
-{
-    std::vector<Vec3> const line { { 0, 0, 0 }, { 0, 0, 10 } };
-    std::vector<double> const lengths { 30, 0, 10 };
-    auto const points = resample_to_lengths(ArcLength(line), lengths);
-    ASSERT_EQ(points.size(), 4u);
-    EXPECT_DOUBLE_EQ(points[1].z(), 7.5);
-    EXPECT_DOUBLE_EQ(points[2].z(), 7.5);
-    EXPECT_DOUBLE_EQ(points[3].z(), 10);
-}
-
-TEST(Resample, GivesBackTheCornersOfItsOwnLengths)
-{
-    std::vector<Vec3> const drawn { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 2, 0 }, { 1, 2, 3 } };
-    std::vector<double> const lengths { 1, 2, 3 };
-    auto const points = resample_to_lengths(ArcLength(drawn), lengths);
-    for (std::size_t i = 0; i < drawn.size(); ++i)
-        EXPECT_LT((points[i] - drawn[i]).norm(), 1e-15);
-}
-
 TEST(StrokePoints, LeavesOutWhatRepeats)
 {
     auto const points
