@@ -142,7 +142,10 @@ void ReplayWindow::advance(Duration real_step)
 void ReplayWindow::show_live()
 {
     auto const& station = replay_.station();
-    ++state_.live_revision;
+    // Without a sample of the pen there is nothing new to see: the hand rests, or is away.
+    if (std::exchange(shown_pen_samples_, station.counts().pen_samples)
+        != station.counts().pen_samples)
+        ++state_.live_revision;
     state_.tool = describe(station.tool());
     state_.live_ink.clear();
     if (auto const ink = station.ink(); !ink.empty())

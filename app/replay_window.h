@@ -47,6 +47,7 @@ private:
     LogReplay replay_;
     Timestamp now_; // Of the log.
     std::size_t shown_strokes_ = 0;
+    std::size_t shown_pen_samples_ = 0;
     // On the heap, since the state points to it when this moves.
     std::unique_ptr<Mesh const> plant_;
     WindowState state_;

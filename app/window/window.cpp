@@ -17,7 +17,8 @@ namespace tractus {
 namespace {
 
 constexpr Duration kTestStep { 1'000'000'000 / 60 };
-constexpr double kIdleWait_s = 0.1;     // Longest sleep while nothing plays.
+constexpr int kSettlingFrames = 3; // ImGui and the views answer an event within so many frames.
+constexpr double kIdleWait_s = 1;  // Longest sleep, should an event have come with the last one.
 constexpr double kLongestStep_s = 0.25; // After a pause of the whole machine, time does not jump.
 
 tl::unexpected<Error> no_window(char const* what)
@@ -146,13 +147,30 @@ Duration step_since(double& last_s, int frames)
     return frames > 0 ? kTestStep : from_seconds(step_s);
 }
 
-void wait_for_events(WindowModel const& model, WindowOptions const& options)
+bool mouse_is_used()
 {
-    if (options.frames > 0 || model.state().playing)
-        glfwPollEvents();
-    else
-        glfwWaitEventsTimeout(kIdleWait_s);
+    auto const& delta = ImGui::GetIO().MouseDelta;
+    return delta.x != 0 || delta.y != 0 || ImGui::IsAnyMouseDown();
 }
+
+// Lets events come in. While nothing plays only they change the window, so it sleeps until the next
+// one.
+class Events {
+public:
+    void take(WindowModel const& model, WindowOptions const& options)
+    {
+        bool const stirs = options.frames > 0 || model.state().playing || mouse_is_used();
+        bool const sleeps = !stirs && still_frames_ >= kSettlingFrames;
+        if (sleeps)
+            glfwWaitEventsTimeout(kIdleWait_s);
+        else
+            glfwPollEvents();
+        still_frames_ = stirs || sleeps ? 0 : still_frames_ + 1;
+    }
+
+private:
+    int still_frames_ = 0; // Since something happened.
+};
 
 } // namespace
 
@@ -167,10 +185,11 @@ Result<void> run_window(WindowModel& model, WindowOptions const& options)
         layout.show(model, renderer);
         host.end_frame();
     };
+    Events events;
     double last_s = glfwGetTime();
     for (int frame = 0; !host.wants_to_close() && (options.frames == 0 || frame < options.frames);
          ++frame) {
-        wait_for_events(model, options);
+        events.take(model, options);
         model.advance(step_since(last_s, options.frames));
         draw_frame();
         glfwSwapBuffers(host.window());
