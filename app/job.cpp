@@ -27,6 +27,9 @@ namespace {
 constexpr PictureSize kPicture { 1280, 960 };
 constexpr PictureSize kTile { 420, 420 };
 
+// Enough for a tile, in which the thickest trunk is a few pixels wide.
+constexpr MeshOptions kTileMesh { .min_sides = 3, .max_sides = 8, .subdivision = 2 };
+
 Result<void> make_folder(fs::path const& folder)
 {
     std::error_code error;
@@ -200,11 +203,11 @@ Result<void> Job::make_collection(Scene const& scene)
     progress_.begin("drawing the collection", options_.variations);
     std::vector<SheetTile> tiles;
     for (std::size_t i = 0; i < options_.variations; ++i) {
-        auto const mesh = make_mesh(plant(i));
-        report_.collection_triangles += mesh.triangle_count();
+        auto const& grown = plant(i);
         if (i == 0)
-            TRY(write_picture("varied.png", pictures_->plant(mesh, kPicture)));
-        tiles.push_back({ pictures_->plant(mesh, kTile, frame), fmt::format("{}", i + 1) });
+            TRY(write_picture("varied.png", pictures_->plant(make_mesh(grown), kPicture)));
+        tiles.push_back({ pictures_->plant(make_mesh(grown, kTileMesh), kTile, frame),
+                          fmt::format("{}", i + 1) });
         progress_.step();
     }
     SheetStyle style;
@@ -230,7 +233,8 @@ Result<void> Job::write_collection(Bounds const& frame,
               .mesh = std::function<Mesh()>([&mesh, i] { return mesh(i); }) });
     auto const path = options_.folder / "collection.glb";
     auto const write = [&](std::ostream& out) -> Result<void> {
-        TRY(write_glb(out, plants));
+        auto const summary = TRY(write_glb(out, plants));
+        report_.collection_triangles = summary.triangles;
         return {};
     };
     TRY(write_file(path, write));

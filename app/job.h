@@ -40,7 +40,7 @@ struct JobReport {
     std::size_t segments = 0;  // Of one plant.
     std::size_t organs = 0;    // Of one plant.
     std::size_t triangles = 0; // Of one plant.
-    std::size_t collection_triangles = 0;
+    std::uint64_t collection_triangles = 0;
     std::vector<std::string> notes; // Strokes that changed nothing, warnings: a sentence each.
     std::vector<std::filesystem::path> files;
     std::vector<Progress::StageTime> times;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <oneapi/tbb/parallel_for.h>
 
 namespace tractus {
 
@@ -137,7 +138,7 @@ void SkyVisibility::trace()
     float whole = 0;
     for (auto const& direction : directions)
         whole += direction.z();
-    for (int z = 0; z < size_.z(); ++z)
+    tbb::parallel_for(0, size_.z(), [&](int z) {
         for (int y = 0; y < size_.y(); ++y)
             for (int x = 0; x < size_.x(); ++x) {
                 Vec3f const middle
@@ -148,6 +149,7 @@ void SkyVisibility::trace()
                     sum += direction.z() * transmitted(middle, direction);
                 visibility_[index({ x, y, z })] = sum / whole;
             }
+    });
 }
 
 float SkyVisibility::at(Vec3f const& position_mm) const
