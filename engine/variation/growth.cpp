@@ -68,12 +68,13 @@ private:
         for (std::size_t i = 0; i < deviations.size(); ++i) {
             auto const& segment = segments[i];
             Vec3 const binormal = segment.direction.cross(segment.normal);
-            position_mm
-                += segment.length_mm * (rotation * deviated(segment, binormal, deviations[i]));
+            auto const half = half_angle(deviations[i].squaredNorm());
+            position_mm += segment.length_mm
+                * (rotation * deviated(segment, binormal, deviations[i], half));
             tips[i] = position_mm;
             if (segment.bearer != kNone)
                 turns_[segment.bearer]
-                    = (turn * turn_by(segment, binormal, deviations[i])).normalized();
+                    = (turn * turn_by(segment, binormal, deviations[i], half)).normalized();
         }
     }
 

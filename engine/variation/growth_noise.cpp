@@ -30,6 +30,13 @@ inline float log_of(float x)
     return exponent * 0.693147181f + series;
 }
 
+// As many random words, one half of each normal pair's; apart, so that the compiler can work on
+// several pairs at once.
+struct PairWords {
+    std::array<std::uint32_t, 2 * GrowthNoise::kBatch> radius;
+    std::array<std::uint32_t, 2 * GrowthNoise::kBatch> angle;
+};
+
 // Two normal numbers from two random words by Box and Muller's method. The angle is drawn as an
 // eighth of a turn to either side, by 30 bits, and a quarter of the circle, by the other two.
 inline std::array<float, 2> normal_pair(std::uint32_t radius_word, std::uint32_t angle_word)
@@ -61,15 +68,20 @@ GrowthNoise::GrowthNoise(PlantKey const& key)
 void GrowthNoise::fill(std::uint32_t axis, std::uint64_t first, std::span<StepNoise> noise) const
 {
     CHECK(noise.size() <= kBatch);
-    // The words first, so that the compiler can work on several steps' numbers at once.
-    std::array<std::array<std::uint32_t, 4>, kBatch> words;
+    PairWords words;
     RandomKey const key { seed_, kStepStream, axis };
-    for (std::size_t i = 0; i < noise.size(); ++i)
-        words[i] = random_block(key, first + i);
     for (std::size_t i = 0; i < noise.size(); ++i) {
-        noise[i].first = normal_pair(words[i][0], words[i][1]);
-        noise[i].second = normal_pair(words[i][2], words[i][3]);
+        auto const block = random_block(key, first + i);
+        words.radius[2 * i] = block[0];
+        words.angle[2 * i] = block[1];
+        words.radius[2 * i + 1] = block[2];
+        words.angle[2 * i + 1] = block[3];
     }
+    std::array<std::array<float, 2>, 2 * kBatch> pairs;
+    for (std::size_t i = 0; i < 2 * noise.size(); ++i)
+        pairs[i] = normal_pair(words.radius[i], words.angle[i]);
+    for (std::size_t i = 0; i < noise.size(); ++i)
+        noise[i] = { pairs[2 * i], pairs[2 * i + 1] };
 }
 
 } // namespace tractus

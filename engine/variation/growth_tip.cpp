@@ -64,8 +64,11 @@ void DelayedTip::step()
 
     Vec2 next = now - parameters.gain * felt + unit.noise_push * memory_ + unit.noise_1 * first;
     memory_ = unit.memory_kept * memory_ + unit.memory_1 * first;
-    if (!influence_.isZero(0))
-        next += unit.substep_push * across(segments_[under_], now, influence_);
+    if (!influence_.isZero(0)) {
+        auto const& segment = segments_[under_];
+        Vec3 const binormal = segment.direction.cross(segment.normal);
+        next += unit.substep_push * across(segment, binormal, now, influence_);
+    }
     if (double const a = parameters.circumnutation_rad * parameters.strength; a != 0) {
         double const phase = 2 * kPi * steps_ / parameters.circumnutation_period_steps;
         next += a * Vec2(std::cos(phase), std::sin(phase));

@@ -69,29 +69,28 @@ inline Vec2 held(Vec2 const& deviation)
     return deviation * (kMostDeviation / std::sqrt(squared));
 }
 
-// The direction that deviates by `d` from a segment's predefined one.
-inline Vec3 deviated(GrowthPlan::Segment const& segment, Vec3 const& binormal, Vec2 const& d)
+// The direction that deviates by `d` from a segment's predefined one; `half` is that of |d|.
+inline Vec3 deviated(GrowthPlan::Segment const& segment, Vec3 const& binormal, Vec2 const& d,
+                     HalfAngle const& half)
 {
-    double const squared = d.squaredNorm();
-    auto const half = half_angle(squared);
     double const sine_share = 2 * half.sine_share * half.cosine;
-    double const cosine = 1 - 2 * half.sine_share * half.sine_share * squared;
+    double const cosine = 1 - 2 * half.sine_share * half.sine_share * d.squaredNorm();
     return cosine * segment.direction + sine_share * (d.x() * segment.normal + d.y() * binormal);
 }
 
 // The rotation without twist that does the same.
-inline Quat turn_by(GrowthPlan::Segment const& segment, Vec3 const& binormal, Vec2 const& d)
+inline Quat turn_by(GrowthPlan::Segment const& segment, Vec3 const& binormal, Vec2 const& d,
+                    HalfAngle const& half)
 {
-    auto const half = half_angle(d.squaredNorm());
     Vec3 const axis = half.sine_share * (d.x() * binormal - d.y() * segment.normal);
     return Quat(half.cosine, axis.x(), axis.y(), axis.z());
 }
 
 // The part of `influence` across the direction that deviates by `d`, on the segment's two sides.
-inline Vec2 across(GrowthPlan::Segment const& segment, Vec2 const& d, Vec3 const& influence)
+inline Vec2 across(GrowthPlan::Segment const& segment, Vec3 const& binormal, Vec2 const& d,
+                   Vec3 const& influence)
 {
-    Vec3 const binormal = segment.direction.cross(segment.normal);
-    Vec3 const direction = deviated(segment, binormal, d);
+    Vec3 const direction = deviated(segment, binormal, d, half_angle(d.squaredNorm()));
     Vec3 const push = influence - influence.dot(direction) * direction;
     return { push.dot(segment.normal), push.dot(binormal) };
 }
@@ -142,9 +141,11 @@ private:
 
     Vec2 pushed(GrowthPlan::Segment const& segment, GrowthStep const& step) const
     {
+        Vec3 const binormal = segment.direction.cross(segment.normal);
         Vec2 d = deviation_;
         for (int part = 0; part < step.substeps; ++part)
-            d = held(step.substep_kept * d + step.substep_push * across(segment, d, influence_));
+            d = held(step.substep_kept * d
+                     + step.substep_push * across(segment, binormal, d, influence_));
         return d;
     }
 
