@@ -1,0 +1,58 @@
+#pragma once
+
+#include "app/station.h"
+#include "tests/app/small_model.h"
+#include "tests/drivers/devices.h"
+
+#include <cstdint>
+
+namespace tractus {
+
+constexpr std::size_t kPen = 0;    // Index of the device in simple_rig().
+constexpr std::size_t kHeight = 1; // Likewise.
+
+inline std::vector<DeviceInfo> simple_rig()
+{
+    return { simple_pen(), simple_height_sensor() };
+}
+
+inline Timestamp at_ms(std::int64_t milliseconds)
+{
+    return timestamp_ns(milliseconds * 1'000'000);
+}
+
+inline void append_u16(std::vector<std::byte>& report, int value)
+{
+    report.push_back(static_cast<std::byte>(value & 0xff));
+    report.push_back(static_cast<std::byte>(value >> 8));
+}
+
+// The simple pen's report of a place, x from the left and y from the far edge.
+inline std::vector<std::byte> pen_report(double x_mm, double y_mm, bool touching)
+{
+    std::vector<std::byte> report { std::byte { 2 },
+                                    touching ? std::byte { 0x21 } : std::byte { 0x20 } };
+    append_u16(report, static_cast<int>(100 * x_mm));
+    append_u16(report, static_cast<int>(100 * y_mm));
+    append_u16(report, touching ? 1000 : 0);
+    append_u16(report, 0); // No tilt.
+    return report;
+}
+
+inline std::vector<std::byte> height_report(int counts)
+{
+    std::vector<std::byte> report { std::byte { 1 } };
+    append_u16(report, counts);
+    return report;
+}
+
+// A stroke of the simple pen across the middle of the tablet: twenty samples, 5 ms apart, from
+// `start_ms`, and one above the surface after them.
+inline void draw_across(Station& station, std::int64_t start_ms)
+{
+    for (int i = 0; i < 20; ++i)
+        station.push(kPen, at_ms(start_ms + 5 * i), pen_report(50 + 5 * i, 50, true));
+    station.push(kPen, at_ms(start_ms + 100), pen_report(150, 50, false));
+}
+
+} // namespace tractus

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "app/simulated_recording.h"
+#include "drivers/log.h"
+#include "tests/app/small_model.h"
+
+#include <sstream>
+#include <string>
+#include <string_view>
+
+namespace tractus {
+
+// The simulated hand shapes the small model's trunk and then leans the plant.
+constexpr std::string_view kTrunkAndWind = R"(
+version = 1
+seed = 3
+[[gesture]]
+tool = "select"
+trace = "axis"
+axis = 0
+[[gesture]]
+tool = "draw"
+propagation = "both"
+path = "line"
+from_mm = [0, 0, 50]
+to_mm = [40, 20, 200]
+[[gesture]]
+tool = "indicate"
+path = "line"
+from_mm = [0, 0, 100]
+to_mm = [30, 0, 110]
+)";
+
+// A script's recording on the small model, as text.
+inline Result<std::string> recorded(std::string_view script_text)
+{
+    auto const script = TRY(parse_gesture_script(script_text, "script"));
+    std::ostringstream out;
+    TRY(write_simulated_recording(out, script, small_scene()));
+    return out.str();
+}
+
+inline Log recorded_log(std::string_view script_text = kTrunkAndWind)
+{
+    return parse_log(recorded(script_text).value(), "hand").value();
+}
+
+} // namespace tractus

@@ -1,0 +1,134 @@
+#include "app/station.h"
+
+#include "tests/app/simple_rig.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+// At a height of 100 mm that no sensor measures.
+Station flat_station(Tool const& tool = {})
+{
+    StationOptions options;
+    options.rig.tablet_size_mm = { 200, 100 };
+    options.scripted_height = ScriptedHeight {
+        .scenario = { .kind = HeightScenario::Kind::Constant, .constant_mm = 100 },
+        .first_pen = {},
+        .last_pen = {},
+    };
+    options.scene = small_scene();
+    options.tool = tool;
+    return Station::create(simple_rig(), std::move(options)).value();
+}
+
+TEST(Station, MakesAStrokeOfWhatThePenTouches)
+{
+    auto station = flat_station();
+    draw_across(station, 0);
+    station.finish();
+    ASSERT_EQ(station.strokes().size(), 1u);
+    auto const& tips = station.strokes()[0].stroke.tips;
+    EXPECT_NEAR((tips.front().position_mm - Vec3(-50, 0, 100)).norm(), 0, 0.1);
+    EXPECT_NEAR((tips.back().position_mm - Vec3(45, 0, 100)).norm(), 0, 5.1);
+    EXPECT_EQ(station.scene().associations.size(), 1u);
+    EXPECT_EQ(station.counts().strokes, 1u);
+    EXPECT_EQ(station.counts().pen_samples, 21u);
+}
+
+TEST(Station, FinishesTheStrokeUnderWay)
+{
+    auto station = flat_station();
+    for (int i = 0; i < 20; ++i)
+        station.push(kPen, at_ms(5 * i), pen_report(50 + 5 * i, 50, true));
+    EXPECT_EQ(station.strokes().size(), 0u);
+    EXPECT_FALSE(station.ink().empty());
+    station.finish();
+    EXPECT_EQ(station.strokes().size(), 1u);
+    station.finish();
+    EXPECT_EQ(station.strokes().size(), 1u);
+}
+
+TEST(Station, GivesAStrokeTheToolInHandWhenItBegan)
+{
+    auto station = flat_station({ Tool::Kind::DrawInOrder });
+    station.set_tool(at_ms(50), { Tool::Kind::Indicate }); // In the middle of the first stroke.
+    draw_across(station, 0);
+    draw_across(station, 200);
+    station.finish();
+    ASSERT_EQ(station.strokes().size(), 2u);
+    EXPECT_EQ(station.strokes()[0].tool.kind, Tool::Kind::DrawInOrder);
+    EXPECT_EQ(station.strokes()[1].tool.kind, Tool::Kind::Indicate);
+    EXPECT_EQ(station.scene().associations.size(), 1u);
+    EXPECT_EQ(station.scene().indicators.size(), 1u);
+}
+
+TEST(Station, KeepsTheReasonWhyAStrokeChangedNothing)
+{
+    auto station = flat_station({ Tool::Kind::Draw });
+    draw_across(station, 0);
+    station.finish();
+    ASSERT_EQ(station.strokes().size(), 1u);
+    EXPECT_NE(station.strokes()[0].refusal.find("select a branch first"), std::string::npos);
+    EXPECT_TRUE(station.scene().associations.empty());
+}
+
+TEST(Station, CountsBrokenReportsAndGoesOn)
+{
+    auto station = flat_station();
+    station.push(kPen, at_ms(0), bytes("02 21 00"));
+    station.push(kPen, at_ms(1), bytes("09 00 00"));
+    draw_across(station, 5);
+    station.finish();
+    EXPECT_EQ(station.counts().broken_reports, 2u);
+    EXPECT_NE(station.counts().first_broken.find("report 2"), std::string::npos)
+        << station.counts().first_broken;
+    EXPECT_EQ(station.strokes().size(), 1u);
+}
+
+TEST(Station, LeavesOtherDevicesAside)
+{
+    auto station = flat_station();
+    station.push(7, at_ms(0), bytes("02 21 00"));
+    EXPECT_EQ(station.counts().reports, 1u);
+    EXPECT_EQ(station.counts().ignored_reports, 1u);
+    EXPECT_EQ(station.counts().broken_reports, 0u);
+}
+
+TEST(Station, TakesHeightsFromTheSensorBetweenThePensReports)
+{
+    StationOptions options;
+    options.rig.tablet_size_mm = { 200, 100 };
+    options.rig.height_model = LinearHeight { .mm_per_count = 0.1, .zero_counts = -200 };
+    options.scene = small_scene();
+    auto station = Station::create(simple_rig(), std::move(options)).value();
+    station.push(kHeight, at_ms(-1), height_report(1000));
+    for (int i = 0; i < 20; ++i) {
+        station.push(kPen, at_ms(5 * i), pen_report(50 + 5 * i, 50, true));
+        station.push(kHeight, at_ms(5 * i + 1), height_report(1000 + 10 * i));
+    }
+    station.finish();
+    EXPECT_EQ(station.counts().height_samples, 21u);
+    ASSERT_EQ(station.strokes().size(), 1u);
+    auto const& tips = station.strokes()[0].stroke.tips;
+    EXPECT_NEAR(tips.front().position_mm.z(), 120, 1);
+    EXPECT_NEAR(tips.back().position_mm.z(), 139, 1);
+}
+
+TEST(Station, NeedsAPenAndAHeight)
+{
+    StationOptions options;
+    options.scene = small_scene();
+    auto const without_pen = Station::create(std::vector { simple_height_sensor() }, options);
+    ASSERT_FALSE(without_pen);
+    EXPECT_NE(without_pen.error().message.find("no pen"), std::string::npos);
+    auto const without_height = Station::create(std::vector { simple_pen() }, options);
+    ASSERT_FALSE(without_height);
+    EXPECT_NE(without_height.error().message.find("--height"), std::string::npos);
+    auto const nothing = Station::create({}, options);
+    ASSERT_FALSE(nothing);
+    EXPECT_NE(nothing.error().message.find("no device at all"), std::string::npos);
+}
+
+} // namespace
+} // namespace tractus
