@@ -42,7 +42,7 @@ TEST_F(Usage, HelpFitsInto85Columns)
 TEST_F(Usage, HelpSaysDefaultsAndWhatIsRequired)
 {
     auto const help = run("tractus replay --help").out;
-    EXPECT_NE(help.find("(default: 9)"), std::string::npos) << help;
+    EXPECT_NE(help.find("(default: 1)"), std::string::npos) << help;
     EXPECT_NE(help.find("(required)"), std::string::npos) << help;
 }
 
