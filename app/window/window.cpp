@@ -160,12 +160,15 @@ public:
     void take(WindowModel const& model, WindowOptions const& options)
     {
         bool const stirs = options.frames > 0 || model.state().playing || mouse_is_used();
-        bool const sleeps = !stirs && still_frames_ >= kSettlingFrames;
-        if (sleeps)
-            glfwWaitEventsTimeout(kIdleWait_s);
-        else
+        if (stirs || still_frames_ < kSettlingFrames) {
             glfwPollEvents();
-        still_frames_ = stirs || sleeps ? 0 : still_frames_ + 1;
+            still_frames_ = stirs ? 0 : still_frames_ + 1;
+            return;
+        }
+        double const begin_s = glfwGetTime();
+        glfwWaitEventsTimeout(kIdleWait_s);
+        if (glfwGetTime() - begin_s < kIdleWait_s)
+            still_frames_ = 0;
     }
 
 private:
