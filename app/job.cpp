@@ -46,6 +46,24 @@ int columns(std::size_t count)
     return static_cast<int>(std::ceil(std::sqrt(1.2 * static_cast<double>(count))));
 }
 
+// Why samples of the pen were lost, or stand in doubt.
+void note_heights(FuserCounts const& counts, std::vector<std::string>& notes)
+{
+    if (counts.heights_refused > 0)
+        notes.push_back(
+            fmt::format("{} of {} height readings are not of the rig's calibration, and "
+                        "were left out: calibrate again",
+                        counts.heights_refused, counts.heights));
+    if (counts.heights_uncalibrated > 0)
+        notes.push_back(fmt::format("{} of {} height readings lie outside the calibrated range, "
+                                    "where heights are guesses",
+                                    counts.heights_uncalibrated, counts.heights));
+    if (counts.pens_without_height > 0)
+        notes.push_back(fmt::format("{} of {} pen samples had no height reading at their time, and "
+                                    "were left out",
+                                    counts.pens_without_height, counts.pens));
+}
+
 // One job on its way: each member function is a stage.
 class Job {
 public:
@@ -148,9 +166,12 @@ void Job::note_replay(Station const& station)
     for (auto const& association : station.scene().associations)
         paths.insert(association.path);
     report_.branches_selected = paths.size();
+    note_heights(station.fuser_counts(), report_.notes);
     if (counts.strokes == 0)
         report_.notes.push_back(
-            "the pen never touched the tablet: the plants vary by chance alone");
+            station.fuser_counts().pens_without_height > 0
+                ? "no stroke has heights: the plants vary by chance alone"
+                : "the pen never touched the tablet: the plants vary by chance alone");
     if (counts.broken_reports > 0)
         report_.notes.push_back(fmt::format("{} reports could not be decoded, the first: {}",
                                             counts.broken_reports, counts.first_broken));

@@ -3,6 +3,7 @@
 #include "app/model_file.h"
 #include "app/render/mesh_measures.h"
 #include "app/simulated_recording.h"
+#include "calib/rig_file.h"
 #include "drivers/file.h"
 #include "engine/export/glb_reader.h"
 #include "engine/mesh/make_mesh.h"
@@ -75,6 +76,28 @@ TEST_F(LeafyJob, PlacesPlantsSideBySideWithTheirLeaves)
     ASSERT_TRUE(collection) << collection.error().message;
     EXPECT_GT(plant_width_mm_, 400);
     EXPECT_GT(width_mm(*collection), 2 * plant_width_mm_);
+}
+
+TEST_F(LeafyJob, SaysThatTheRigIsAnotherOne)
+{
+    Rig rig;
+    rig.full_scale_counts = 1023; // The log's converter reads up to 4095.
+    ASSERT_TRUE(save_rig(rig, folder_ / "other.rig.toml"));
+    Progress progress;
+    auto const report = run_job({ .log = folder_ / "leafy.tractus-log",
+                                  .model = folder_ / "leafy.l",
+                                  .rig = folder_ / "other.rig.toml",
+                                  .height = {},
+                                  .variations = 1,
+                                  .folder = folder_ / "out" },
+                                progress);
+    ASSERT_TRUE(report) << report.error().message;
+    EXPECT_EQ(report->strokes, 0u);
+    ASSERT_EQ(report->notes.size(), 3u);
+    EXPECT_NE(report->notes[0].find("height readings are not of the rig's calibration"),
+              std::string::npos);
+    EXPECT_NE(report->notes[1].find("pen samples had no height reading"), std::string::npos);
+    EXPECT_EQ(report->notes[2], "no stroke has heights: the plants vary by chance alone");
 }
 
 } // namespace
