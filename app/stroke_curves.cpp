@@ -50,7 +50,7 @@ Curve path_curve(Scene const& scene, std::vector<SegmentId> const& path, Vec3f c
 
 Vec3f stroke_color(std::size_t n)
 {
-    static std::array<Vec3f, 7> const kColors {
+    static std::array<Vec3f, 7> const colors {
         Vec3f(0.835f, 0.369f, 0.000f), // Vermillion.
         Vec3f(0.000f, 0.447f, 0.698f), // Blue.
         Vec3f(0.000f, 0.620f, 0.451f), // Bluish green.
@@ -59,7 +59,7 @@ Vec3f stroke_color(std::size_t n)
         Vec3f(0.337f, 0.706f, 0.914f), // Sky blue.
         Vec3f(0.760f, 0.700f, 0.120f), // Yellow, darkened for light paper.
     };
-    return kColors[n % kColors.size()];
+    return colors[n % colors.size()];
 }
 
 Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& color, float width_mm)

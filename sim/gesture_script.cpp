@@ -158,10 +158,11 @@ Result<GestureScript> parse_gesture_script(std::string_view text, std::string co
 static Result<Path> trace_path(AxisTrace const& trace, RigGeometry const& geometry,
                                AxisTracer const& tracer)
 {
-    auto const T = T_world_tablet(true_rig(geometry));
+    auto const T_world_tablet = tractus::T_world_tablet(true_rig(geometry));
     PolylineShape polyline;
     for (auto const& place_mm : TRY(tracer(trace.rank)))
-        polyline.points_mm.push_back(T * Vec3(place_mm.x(), place_mm.y(), trace.height_mm));
+        polyline.points_mm.push_back(T_world_tablet
+                                     * Vec3(place_mm.x(), place_mm.y(), trace.height_mm));
     if (!is_drawable(polyline))
         return fail(Fault::User,
                     fmt::format("axis {} has no length on the tablet, so it cannot be "

@@ -43,11 +43,11 @@ Eigen::Affine3d T_tablet_world(RigGeometry const& geometry)
 Result<void> check_reach(RigGeometry const& geometry, Path const& path)
 {
     constexpr double kMargin_mm = 1;
-    auto const T = T_tablet_world(geometry);
+    auto const T_tablet_world = tractus::T_tablet_world(geometry);
     Vec3 const room_mm(geometry.tablet_size_mm.x(), geometry.tablet_size_mm.y(),
                        geometry.travel_mm);
     for (auto const& point : path.points_mm()) {
-        Vec3 const place = T * point;
+        Vec3 const place = T_tablet_world * point;
         if ((place.array() < kMargin_mm).any()
             || (place.array() > room_mm.array() - kMargin_mm).any())
             return fail(

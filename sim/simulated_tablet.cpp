@@ -18,12 +18,11 @@ constexpr double kMaxTilt_deg = 90;
 constexpr std::uint8_t kReportId = 2;
 constexpr std::size_t kReportSize = 10;
 
-enum PenBit : std::uint8_t {
-    kTip = 1 << 0,
-    kEraser = 1 << 3,
-    kInvert = 1 << 4,
-    kInRange = 1 << 5,
-};
+// PenReport::bits.
+constexpr std::uint8_t kTip = 1 << 0;
+constexpr std::uint8_t kEraser = 1 << 3;
+constexpr std::uint8_t kInvert = 1 << 4;
+constexpr std::uint8_t kInRange = 1 << 5;
 
 // What one report says, in the device's units.
 struct PenReport {
@@ -138,12 +137,12 @@ SimulatedTablet simulate_tablet(Hand const& hand, RigGeometry const& geometry,
         .product_id = 1,
         .report_descriptor = report_descriptor(geometry.tablet_size_mm),
     };
-    auto const T = T_tablet_world(geometry);
+    auto const T_tablet_world = tractus::T_tablet_world(geometry);
     DeviceClock clock(options.timing, { .seed = options.seed, .stream = kTabletTimingStream });
     PenReport last;
     for (auto now = clock.next_instant(); now < hand.end(); now = clock.next_instant()) {
         auto const state = hand.at(now);
-        Vec2 const place_mm = (T * state.position_mm).head<2>();
+        Vec2 const place_mm = (T_tablet_world * state.position_mm).head<2>();
         bool const on_tablet = (place_mm.array() >= 0).all()
             && (place_mm.array() <= geometry.tablet_size_mm.array()).all();
         bool const was_in_range = last.bits & kInRange;

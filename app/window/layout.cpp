@@ -57,7 +57,7 @@ struct LegendEntry {
 
 void draw_legend(ImVec2 const& corner)
 {
-    static std::array<LegendEntry, kLegendLines> const kEntries {
+    static std::array<LegendEntry, kLegendLines> const entries {
         { { theme::kSelected, "selected" },
           { theme::kUndetermined, "undetermined" },
           { theme::kAssigned, "shaped by a stroke" },
@@ -66,7 +66,7 @@ void draw_legend(ImVec2 const& corner)
     auto* const draw = ImGui::GetWindowDrawList();
     float const line = ImGui::GetFontSize() * kLegendSpacing;
     float y = corner.y;
-    for (auto const& entry : kEntries) {
+    for (auto const& entry : entries) {
         float const middle = y + ImGui::GetFontSize() / 2;
         draw->AddLine({ corner.x, middle }, { corner.x + line, middle }, packed(entry.color), 5);
         draw->AddText({ corner.x + line * 1.3f, y }, ImGui::GetColorU32(ImGuiCol_TextDisabled),

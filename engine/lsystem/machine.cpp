@@ -135,6 +135,7 @@ double& Machine::array_element(std::uint16_t array, double index)
     return values[index > 0 ? static_cast<std::size_t>(std::min(index, last)) : 0];
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table, one case per instruction.
 void Machine::execute(Program const& program, double* frame)
 {
     std::uint64_t rounds = 0;

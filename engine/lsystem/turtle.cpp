@@ -150,6 +150,7 @@ std::size_t Turtle::draw(Modules const& modules, bool in_homomorphism)
     return length;
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table, one case per symbol.
 void Turtle::draw_symbol(Symbol const& symbol)
 {
     switch (symbol.name[0]) {

@@ -11,7 +11,7 @@ namespace tractus {
 
 namespace {
 
-Result<Scene> applied(Scene scene, LoadModel const& edit)
+Result<Scene> applied(Scene const& scene, LoadModel const& edit)
 {
     auto const include = [&](std::string const& name) -> Result<std::string> {
         auto const found = edit.includes.find(name);
