@@ -47,7 +47,8 @@ const float kSunWidth = 0.085;
 
 float shadow_at(vec2 uv)
 {
-    vec2 wide = textureLod(sun_ground, uv, 5.0).xy;
+    // The coarser level lends a little, so that the blur does not end where the finer one does.
+    vec2 wide = textureLod(sun_ground, uv, 5.0).xy + 0.02 * textureLod(sun_ground, uv, 7.0).xy;
     if (wide.x <= 0.0)
         return 0.0;
     float blur_texels = wide.y / wide.x * kSunWidth / (2.0 * sun_texel_mm);
