@@ -11,7 +11,7 @@ namespace tractus {
 static constexpr double kLongest_mm = 10'000;
 static constexpr double kStep_mm = 0.5;
 
-Path::Path(std::vector<Vec3> points_mm)
+Path::Path(std::vector<Vec3> const& points_mm)
 {
     for (auto const& point : points_mm) {
         double const step = points_mm_.empty() ? 0 : (point - points_mm_.back()).norm();

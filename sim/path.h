@@ -12,7 +12,7 @@ namespace tractus {
 class Path {
 public:
     // Through `points_mm`, of which at least two differ.
-    explicit Path(std::vector<Vec3> points_mm);
+    explicit Path(std::vector<Vec3> const& points_mm);
 
     double length_mm() const { return arc_mm_.back(); }
     std::vector<Vec3> const& points_mm() const { return points_mm_; }
