@@ -4,13 +4,16 @@
 #include "app/model_file.h"
 #include "app/replay_window.h"
 #include "app/resources.h"
+#include "app/simulated_recording.h"
 #include "app/verbs/checks.h"
 #include "app/window/window.h"
 #include "calib/rig_file.h"
+#include "drivers/file.h"
 #include "drivers/log.h"
 
 #include <fmt/core.h>
 #include <memory>
+#include <sstream>
 
 namespace tractus {
 
@@ -25,6 +28,20 @@ struct Arguments {
     std::string screenshot;
 };
 
+// The demo of a model of ours; on any other the hand does what it does in the broadleaf tree's
+// demo.
+Result<Log> drawn_by_the_simulated_hand(std::filesystem::path const& model, Scene const& scene)
+{
+    if (auto const demo = find_resource(fmt::format("demo/{}.tractus-log", model.stem().string())))
+        return read_log(*demo);
+    auto const path = TRY(find_resource("demo/broadleaf.hand.toml"));
+    auto const text = TRY(read_file(path));
+    auto const script = TRY(parse_gesture_script(text, path.string()));
+    std::ostringstream log;
+    TRY(write_simulated_recording(log, script, scene));
+    return parse_log(log.str(), "simulated hand");
+}
+
 Result<void> open_window(Arguments const& arguments)
 {
     auto const model = TRY(find_model(arguments.model));
@@ -35,14 +52,13 @@ Result<void> open_window(Arguments const& arguments)
         options.rig = TRY(load_rig(arguments.rig));
     if (!arguments.height.empty())
         options.height = TRY(parse_height_scenario(arguments.height));
-    std::filesystem::path path = arguments.log;
-    if (path.empty())
-        path = TRY(find_resource(fmt::format("demo/{}.tractus-log", model.stem().string())));
-    auto const log = TRY(read_log(path));
+    auto const log = TRY(arguments.log.empty() ? drawn_by_the_simulated_hand(model, options.scene)
+                                               : read_log(arguments.log));
     auto window = TRY(ReplayWindow::create(log, options, std::filesystem::current_path()));
     WindowOptions window_options;
     window_options.title
-        = fmt::format("tractus: {} on {}", path.filename().string(), model.stem().string());
+        = fmt::format("tractus: {} on {}", std::filesystem::path(log.name).filename().string(),
+                      model.stem().string());
     window_options.frames = arguments.frames;
     window_options.screenshot = arguments.screenshot;
     return run_window(window, window_options);
