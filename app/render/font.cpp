@@ -11,10 +11,12 @@ __asm__(".section .rodata\n"
         ".byte 0\n"
         ".previous\n");
 
+// NOLINTBEGIN(readability-identifier-naming): labels of the assembler's.
 extern "C" {
 extern std::byte const tractus_font_begin[];
 extern std::byte const tractus_font_end[];
 }
+// NOLINTEND(readability-identifier-naming)
 
 namespace tractus {
 
