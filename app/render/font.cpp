@@ -3,18 +3,18 @@
 // The assembler copies the file at TRACTUS_FONT between two labels.
 __asm__(".section .rodata\n"
         ".balign 16\n"
-        ".global kTractusFontBegin\n"
-        ".global kTractusFontEnd\n"
-        "kTractusFontBegin:\n"
+        ".global tractus_font_begin\n"
+        ".global tractus_font_end\n"
+        "tractus_font_begin:\n"
         ".incbin \"" TRACTUS_FONT "\"\n"
-        "kTractusFontEnd:\n"
+        "tractus_font_end:\n"
         ".byte 0\n"
         ".previous\n");
 
 // NOLINTBEGIN(readability-identifier-naming): labels of the assembler's.
 extern "C" {
-extern std::byte const kTractusFontBegin[];
-extern std::byte const kTractusFontEnd[];
+extern std::byte const tractus_font_begin[];
+extern std::byte const tractus_font_end[];
 }
 // NOLINTEND(readability-identifier-naming)
 
@@ -22,7 +22,7 @@ namespace tractus {
 
 std::span<std::byte const> font_file()
 {
-    return { kTractusFontBegin, kTractusFontEnd };
+    return { tractus_font_begin, tractus_font_end };
 }
 
 } // namespace tractus
