@@ -36,14 +36,12 @@ DeskPlacement place_on_desk(Plant const& plant, DrawingVolume const& volume)
     auto const box = bounds(plant);
     if (box.empty())
         return {};
-    double const half_width_mm = std::max({ -box.min_mm.x(), box.max_mm.x(), 0.0 });
-    double const half_depth_mm = std::max({ -box.min_mm.y(), box.max_mm.y(), 0.0 });
+    double const spread_mm
+        = std::max({ -box.min_mm.x(), box.max_mm.x(), -box.min_mm.y(), box.max_mm.y(), 0.0 });
     double const height_mm = std::max(box.max_mm.z(), 0.0);
     double scale = fitting_scale(volume.height_mm, height_mm);
-    if (half_width_mm > 0)
-        scale = std::min(scale, fitting_scale(volume.width_mm / 2, half_width_mm));
-    if (half_depth_mm > 0)
-        scale = std::min(scale, fitting_scale(volume.width_mm / 2, half_depth_mm));
+    if (spread_mm > 0)
+        scale = std::min(scale, fitting_scale(volume.width_mm / 2, spread_mm));
     return { .scale = scale, .shown_height_mm = std::max(scale * height_mm, 1.0) };
 }
 

@@ -13,9 +13,10 @@ struct DrawingVolume {
     double height_mm = 300; // Along z: most of the surface's travel.
 };
 
-// Where the plant is shown in the drawing volume: the largest upright size at which its height and
-// width fit, its base at the world's origin. Strokes live in world millimetres, plants in their own
-// frame at natural size; this is the one place that joins the two.
+// Where the plant is shown in the drawing volume, its base at the world's origin: the largest
+// upright size at which its height fits and its spread, to all sides alike, fits the volume's
+// width. Strokes live in world millimetres, plants in their own frame at natural size; this joins
+// the two.
 struct DeskPlacement {
     double scale = 1; // World millimetres per plant millimetre.
 
