@@ -133,7 +133,7 @@ TEST_F(HostilePlace, AWindowWithoutADisplaySaysWhatElseThereIs)
     record();
     expect_error(run("env -u DISPLAY -u WAYLAND_DISPLAY '" TRACTUS_PROGRAM
                      "' window hand.tractus-log --plant small.l"),
-                 1, "display");
+                 1, TRACTUS_HAS_WINDOW ? "display" : "this build of tractus has no window");
 }
 
 // Ended at any moment, a file is there whole or not at all. What a signal that can be caught ends
