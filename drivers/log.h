@@ -23,12 +23,16 @@ namespace tractus {
 //   N: Wacom CTL-472              its name
 //   P: usb-0000:00:14.0-1/input0  the kernel's path to it
 //   I: 3 056a 037a                bus, vendor and product id, hexadecimal
+//   M: Wacom Co.,Ltd.             its manufacturer (ours, as are the next two)
+//   U: 8JQ01                      its serial number
+//   S: 201 HUION_T153_130524      one of its USB string descriptors: index, text
 //   E: 000001.250000 3 02 80 10   a report: seconds since the start, its length, then its bytes
 //   C: max_travel_mm = 400        a line of the rig's calibration, opaque here (ours)
 //   T: 000001.250000 draw trunk   a change of tool: seconds, its name, what it needs (ours)
 //
-// Without C and T lines it is the hid-recorder format, so anybody's recording is a log, and other
-// readers skip our lines. See read_log for the liberties that files in the wild take.
+// Without our lines it is the hid-recorder format, so anybody's recording is a log, and other
+// readers skip our lines. See parse_log for the liberties that files in the wild take. In M, U and
+// S lines a backslash, a control character and a blank at either end are written "\xHH".
 
 // One report. Its bytes lie in Log::bytes.
 struct LogRecord {

@@ -42,6 +42,37 @@ bool is_blank(char c)
     return c == ' ' || c == '\t';
 }
 
+// What LogWriter wrote with "\xHH" in it. A backslash that begins none stays.
+std::string unescaped(std::string_view line)
+{
+    std::string text;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        bool const may_be_escape = line[i] == '\\' && i + 3 < line.size() && line[i + 1] == 'x';
+        int const high = may_be_escape ? hex_digit(line[i + 2]) : -1;
+        int const low = may_be_escape ? hex_digit(line[i + 3]) : -1;
+        if ((high | low) < 0) {
+            text += line[i];
+            continue;
+        }
+        text += static_cast<char>(high << 4 | low);
+        i += 3;
+    }
+    return text;
+}
+
+// The USB interface's number, from the kernel's path: "usb-0000:00:14.0-2/input1"; -1 if it names
+// none.
+int interface_in(std::string_view physical_path)
+{
+    constexpr std::string_view kInput = "/input";
+    auto const at = physical_path.rfind(kInput);
+    int number = -1;
+    if (at != std::string_view::npos && physical_path.starts_with("usb-"))
+        std::from_chars(physical_path.data() + at + kInput.size(),
+                        physical_path.data() + physical_path.size(), number);
+    return number;
+}
+
 // Reads one line from left to right. Each reader skips blanks first and says whether it found
 // what it was asked for.
 class LineCursor {
@@ -154,6 +185,7 @@ private:
     Result<void> read_descriptor(std::string_view content);
     void read_device_number(std::string_view content);
     void read_ids(std::string_view content);
+    void read_string(std::string_view content);
     void read_tool(std::string_view content);
     DeviceInfo& device();
     void warn(std::string message);
@@ -223,6 +255,16 @@ Result<void> Reader::read_line(std::string_view line)
         break;
     case 'P':
         device().physical_path = LineCursor(content).rest();
+        device().interface_number = interface_in(device().physical_path);
+        break;
+    case 'M':
+        device().manufacturer = unescaped(LineCursor(content).rest());
+        break;
+    case 'U':
+        device().serial_number = unescaped(LineCursor(content).rest());
+        break;
+    case 'S':
+        read_string(content);
         break;
     case 'I':
         read_ids(content);
@@ -341,6 +383,19 @@ void Reader::read_ids(std::string_view content)
     info.bus = bus;
     info.vendor_id = vendor;
     info.product_id = product;
+}
+
+void Reader::read_string(std::string_view content)
+{
+    constexpr int kMaxIndex = 255; // USB 2.0 table 9-8: a byte.
+    LineCursor cursor(content);
+    int index = 0;
+    if (!is_whole_)
+        warn("the last line is cut off: a string of the device is dropped");
+    else if (!cursor.integer(index, 10) || index < 0 || index > kMaxIndex)
+        warn("not a device's string (\"S: <index> <text>\"): skipped");
+    else
+        device().strings[index] = unescaped(cursor.rest());
 }
 
 void Reader::read_tool(std::string_view content)

@@ -19,6 +19,21 @@ static std::string one_line(std::string_view text)
     return line;
 }
 
+// Any text as one line that read_log makes the same text of again.
+static std::string escaped(std::string_view text)
+{
+    std::string line;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        auto const code = static_cast<unsigned char>(text[i]);
+        bool const is_edge_blank = text[i] == ' ' && (i == 0 || i + 1 == text.size());
+        if (code < ' ' || code == 0x7f || text[i] == '\\' || is_edge_blank)
+            fmt::format_to(std::back_inserter(line), "\\x{:02x}", code);
+        else
+            line += text[i];
+    }
+    return line;
+}
+
 LogWriter::LogWriter(std::ostream& out, LogHeader const& header)
     : out_(out)
     , start_(header.start)
@@ -44,6 +59,12 @@ void LogWriter::append_device(std::size_t index, DeviceInfo const& info)
     append_bytes(info.report_descriptor);
     fmt::format_to(out, "\nN: {}\nP: {}\nI: {:x} {:04x} {:04x}\n", one_line(info.name),
                    one_line(info.physical_path), info.bus, info.vendor_id, info.product_id);
+    if (!info.manufacturer.empty())
+        fmt::format_to(out, "M: {}\n", escaped(info.manufacturer));
+    if (!info.serial_number.empty())
+        fmt::format_to(out, "U: {}\n", escaped(info.serial_number));
+    for (auto const& [number, text] : info.strings)
+        fmt::format_to(out, "S: {} {}\n", number, escaped(text));
 }
 
 void LogWriter::append_bytes(std::span<std::byte const> bytes)

@@ -7,6 +7,7 @@
 
 #include <fstream>
 #include <gtest/gtest.h>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -257,6 +258,33 @@ TEST(LogWriter, WritesWhatTheReaderReads)
     EXPECT_EQ(log.tools[0].arguments, "descendants");
     EXPECT_EQ(log.tools[0].position, 2u);
     EXPECT_EQ(log.warning_count, 0u);
+}
+
+TEST(LogWriter, KeepsWhatADecoderIsChosenBy)
+{
+    auto info = simple_pen();
+    info.physical_path = "usb-0000:00:14.0-2/input1";
+    info.manufacturer = "Maker \\ Sons";
+    info.serial_number = " 8JQ\n01 ";
+    info.strings = { { 200, std::string("\x01\0\xc3\xa9", 4) }, { 201, "HUION_T153_130524" } };
+    std::ostringstream out;
+    LogWriter writer(out, { .devices = { info, simple_pen() } });
+    auto const log = parsed(out.str());
+    ASSERT_EQ(log.devices.size(), 2u);
+    EXPECT_EQ(log.devices[0].manufacturer, info.manufacturer);
+    EXPECT_EQ(log.devices[0].serial_number, info.serial_number);
+    EXPECT_EQ(log.devices[0].strings, info.strings);
+    EXPECT_EQ(log.devices[0].interface_number, 1);
+    EXPECT_TRUE(log.devices[1].strings.empty());
+    EXPECT_EQ(log.warning_count, 0u);
+    EXPECT_NE(out.str().find("\nS: 201 HUION_T153_130524\n"), std::string::npos);
+}
+
+TEST(LogReader, WarnsOfStringsThatAreNone)
+{
+    auto const log = parsed("R: 1 c0\nS: 256 text\nS: text\nS: 3 a \\x4 b\nS: 4 cut");
+    EXPECT_EQ(log.devices[0].strings, (std::map<int, std::string> { { 3, "a \\x4 b" } }));
+    EXPECT_EQ(log.warning_count, 3u);
 }
 
 TEST(LogWriter, KeepsANameOnItsLine)
