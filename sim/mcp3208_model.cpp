@@ -1,0 +1,112 @@
+#include "sim/mcp3208_model.h"
+
+#include "engine/base/check.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+constexpr unsigned kCommandEnd = 5; // The clock that takes the channel's last bit.
+constexpr unsigned kNullClock = 6;
+constexpr unsigned kSingleEnded = 8;
+
+} // namespace
+
+Mcp3208Model::Mcp3208Model(Inputs inputs, Options options)
+    : inputs_(std::move(inputs))
+    , options_(options)
+{
+    CHECK(inputs_ && options_.bits >= 2 && options_.bits <= 16);
+}
+
+void Mcp3208Model::break_wire(Wire wire)
+{
+    broken_ |= 1U << static_cast<unsigned>(wire);
+}
+
+void Mcp3208Model::mend_wire(Wire wire)
+{
+    broken_ &= ~(1U << static_cast<unsigned>(wire));
+}
+
+void Mcp3208Model::set_pins(Timestamp time, Pins const& pins)
+{
+    CHECK(time >= now_);
+    now_ = time;
+    Pins const seen { .clk = pins.clk && !is_broken(Wire::Clk),
+                      .din = pins.din && !is_broken(Wire::Din),
+                      .cs = pins.cs || is_broken(Wire::Cs) };
+    auto const before = std::exchange(pins_, seen);
+    if (seen.cs) {
+        clock_ = 0;
+        command_ = 0;
+        dout_.reset();
+        return;
+    }
+    if (before.cs) // Just selected: an edge of CLK at the same moment is none.
+        return;
+    if (!before.clk && seen.clk)
+        rise(before.din);
+    else if (before.clk && !seen.clk)
+        fall();
+}
+
+std::optional<bool> Mcp3208Model::dout() const
+{
+    return is_broken(Wire::Dout) ? std::nullopt : dout_;
+}
+
+void Mcp3208Model::rise(bool din)
+{
+    if (clock_ == 0) {
+        clock_ = din ? 1 : 0;
+        return;
+    }
+    ++clock_;
+    if (clock_ <= kCommandEnd)
+        command_ = command_ << 1 | static_cast<unsigned>(din);
+}
+
+void Mcp3208Model::fall()
+{
+    if (clock_ < kNullClock)
+        return;
+    if (clock_ == kNullClock) {
+        unsigned const channel = command_ & 7;
+        held_ = std::clamp(inputs_(channel, now_), 0.0, 1.0);
+        if (!(command_ & kSingleEnded)) // The neighbour is the other input of the pair.
+            held_ = std::max(0.0, held_ - std::clamp(inputs_(channel ^ 1, now_), 0.0, 1.0));
+        held_since_ = now_;
+        code_ = 0;
+        dout_ = false;
+        return;
+    }
+    unsigned const place = clock_ - kNullClock; // 1 for the highest bit.
+    if (place <= options_.bits) {
+        decide_next_bit();
+        dout_ = code_ >> (options_.bits - place) & 1;
+        conversions_ += place == options_.bits;
+        return;
+    }
+    unsigned const repeated = place - options_.bits; // 1 for the second lowest bit.
+    dout_ = repeated < options_.bits && (code_ >> repeated & 1);
+}
+
+double Mcp3208Model::held_at(Timestamp time) const
+{
+    return held_ - options_.droop_per_second * to_seconds(time - held_since_);
+}
+
+// Successive approximation: would the capacitor, as it is now, bear one more bit?
+void Mcp3208Model::decide_next_bit()
+{
+    unsigned const place = clock_ - kNullClock;
+    std::uint32_t const candidate = code_ | 1U << (options_.bits - place);
+    if (held_at(now_) * static_cast<double>(1U << options_.bits) >= candidate)
+        code_ = candidate;
+}
+
+} // namespace tractus
