@@ -27,6 +27,7 @@ namespace tractus {
 //   U: 8JQ01                      its serial number
 //   S: 201 HUION_T153_130524      one of its USB string descriptors: index, text
 //   E: 000001.250000 3 02 80 10   a report: seconds since the start, its length, then its bytes
+//   G: 000002.500000              the device went away: seconds (ours)
 //   C: max_travel_mm = 400        a line of the rig's calibration, opaque here (ours)
 //   T: 000001.250000 draw trunk   a change of tool: seconds, its name, what it needs (ours)
 //
@@ -38,7 +39,7 @@ namespace tractus {
 struct LogRecord {
     Timestamp time {};        // Since the start of the recording.
     std::uint32_t offset = 0; // In Log::bytes.
-    std::uint16_t size = 0;
+    std::uint16_t size = 0;   // 0: not a report, the device went away.
     std::uint16_t device = 0; // Index in Log::devices.
 };
 

@@ -182,11 +182,13 @@ private:
 
     Result<void> read_line(std::string_view line);
     Result<void> read_report(std::string_view content);
+    Result<void> read_departure(std::string_view content);
     Result<void> read_descriptor(std::string_view content);
     void read_device_number(std::string_view content);
     void read_ids(std::string_view content);
     void read_string(std::string_view content);
     void read_tool(std::string_view content);
+    Result<void> check_described() const;
     DeviceInfo& device();
     void warn(std::string message);
     tl::unexpected<Error> broken(std::string const& what) const;
@@ -245,6 +247,8 @@ Result<void> Reader::read_line(std::string_view line)
     switch (line[0]) {
     case 'E':
         return read_report(content);
+    case 'G':
+        return read_departure(content);
     case 'R':
         return read_descriptor(content);
     case 'D':
@@ -286,11 +290,32 @@ Result<void> Reader::read_line(std::string_view line)
     return {};
 }
 
+Result<void> Reader::check_described() const
+{
+    if (device_ && numbered_[*device_].has_descriptor)
+        return {};
+    return broken(fmt::format(
+        "a report of device {}, which has no report descriptor (R line) before it", number_));
+}
+
+Result<void> Reader::read_departure(std::string_view content)
+{
+    TRY(check_described());
+    Timestamp time {};
+    if (!is_whole_)
+        warn("the last line is cut off: a departure is dropped");
+    else if (LineCursor(content).time(time))
+        log_.records.push_back({ .time = time,
+                                 .offset = static_cast<std::uint32_t>(log_.bytes.size()),
+                                 .device = static_cast<std::uint16_t>(*device_) });
+    else
+        warn("not a departure (\"G: <seconds>\"): skipped");
+    return {};
+}
+
 Result<void> Reader::read_report(std::string_view content)
 {
-    if (!device_ || !numbered_[*device_].has_descriptor)
-        return broken(fmt::format(
-            "a report of device {}, which has no report descriptor (R line) before it", number_));
+    TRY(check_described());
     LineCursor cursor(content);
     Timestamp time {};
     std::size_t size = 0;

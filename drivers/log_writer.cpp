@@ -89,8 +89,9 @@ void LogWriter::write_report(std::size_t device, Timestamp time, std::span<std::
     if (device != current_device_)
         fmt::format_to(std::back_inserter(line_), "D: {}\n", device);
     current_device_ = device;
-    append_time('E', time);
-    fmt::format_to(std::back_inserter(line_), " {}", bytes.size());
+    append_time(bytes.empty() ? 'G' : 'E', time);
+    if (!bytes.empty())
+        fmt::format_to(std::back_inserter(line_), " {}", bytes.size());
     append_bytes(bytes);
     line_ += '\n';
     write_line();

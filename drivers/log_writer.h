@@ -29,7 +29,8 @@ class LogWriter {
 public:
     LogWriter(std::ostream& out, LogHeader const& header);
 
-    // `device` is an index in LogHeader::devices. Times are cut to microseconds.
+    // `device` is an index in LogHeader::devices. Times are cut to microseconds. No bytes: the
+    // device went away.
     void write_report(std::size_t device, Timestamp time, std::span<std::byte const> bytes);
 
     // `tool` is one word, `arguments` the rest of its line.

@@ -13,6 +13,9 @@ namespace tractus {
 
 // One report, exactly as it came off the wire, its report id first if the device uses ids. A source
 // refuses a longer one.
+//
+// An empty one (size 0) is no report: it says that the device went away at that time, and what it
+// was doing is over. Only a ReconnectingSource, and a log of one, hands out such.
 struct RawReport {
     Timestamp received {};
     std::size_t size = 0;

@@ -280,6 +280,21 @@ TEST(LogWriter, KeepsWhatADecoderIsChosenBy)
     EXPECT_NE(out.str().find("\nS: 201 HUION_T153_130524\n"), std::string::npos);
 }
 
+TEST(LogWriter, KeepsThatADeviceWentAway)
+{
+    std::ostringstream out;
+    LogWriter writer(out, { .devices = { simple_pen(), simple_height_sensor() } });
+    writer.write_report(1, timestamp_ns(1'000), bytes("01 00 00"));
+    writer.write_report(0, timestamp_ns(2'000), {});
+    EXPECT_NE(out.str().find("D: 0\nG: 000000.000002\n"), std::string::npos) << out.str();
+    auto const log = parsed(out.str());
+    ASSERT_EQ(log.records.size(), 2u);
+    EXPECT_EQ(log.records[1].device, 0);
+    EXPECT_EQ(log.records[1].size, 0u);
+    EXPECT_EQ(log.records[1].time, timestamp_ns(2'000));
+    EXPECT_EQ(log.warning_count, 0u);
+}
+
 TEST(LogReader, WarnsOfStringsThatAreNone)
 {
     auto const log = parsed("R: 1 c0\nS: 256 text\nS: text\nS: 3 a \\x4 b\nS: 4 cut");

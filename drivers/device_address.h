@@ -1,0 +1,72 @@
+#pragma once
+
+#include "engine/base/result.h"
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace tractus {
+
+// Where a device is to be found, as it stands in DeviceInfo::location and as the command line takes
+// it.
+
+// "/dev/hidraw3": a HID device through the kernel's hidraw. Other readers go on as before.
+struct HidrawAddress {
+    std::string node {};
+
+    bool operator==(HidrawAddress const&) const = default;
+};
+
+// The place of a USB device: the bus and the ports on the way to it, as in the names of
+// /sys/bus/usb/devices: "1-2.3".
+struct UsbPort {
+    int bus = 0;               // From 1.
+    std::vector<int> ports {}; // From 1; at least one, at most seven.
+
+    bool operator==(UsbPort const&) const = default;
+};
+
+// "libusb:1-2.3:0": one interface of a HID device through hidapi's libusb back end, which takes it
+// from the kernel's driver while it is open.
+struct LibusbAddress {
+    UsbPort port {};
+    int interface_number = 0;
+
+    bool operator==(LibusbAddress const&) const = default;
+};
+
+// "usb:1-2.3": a USB device that is no HID device, through libusb.
+struct UsbAddress {
+    UsbPort port {};
+
+    bool operator==(UsbAddress const&) const = default;
+};
+
+// "gpio:gpiochip0:11,10,9,8:mcp3208:0": a converter behind four lines of a GPIO chip.
+struct GpioAddress {
+    std::string chip {}; // Its name ("gpiochip0") or label ("pinctrl-bcm2711").
+
+    // Offsets on the chip, by the converter's names of its pins: DIN is what the host sends.
+    unsigned clk_line = 0;
+    unsigned din_line = 0;
+    unsigned dout_line = 0;
+    unsigned cs_line = 0;
+
+    std::string converter {}; // "mcp3008" or "mcp3208"; whoever opens it knows which there are.
+    unsigned channel = 0;
+
+    bool operator==(GpioAddress const&) const = default;
+};
+
+using DeviceAddress = std::variant<HidrawAddress, LibusbAddress, UsbAddress, GpioAddress>;
+
+// Fails, as the user's fault, with the form that was expected.
+Result<DeviceAddress> parse_device_address(std::string_view text);
+
+// What parse_device_address reads.
+std::string print_device_address(DeviceAddress const& address);
+std::string print_usb_port(UsbPort const& port); // "1-2.3"
+
+} // namespace tractus

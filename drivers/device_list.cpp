@@ -1,0 +1,53 @@
+#include "drivers/device_list.h"
+
+#include "drivers/device_address.h"
+#include "drivers/hid_source.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <mutex>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+// hidapi keeps what went wrong in one place for all threads.
+std::mutex& library_mutex()
+{
+    static std::mutex mutex;
+    return mutex;
+}
+
+} // namespace
+
+std::vector<DeviceInfo> list_devices()
+{
+    std::lock_guard const lock(library_mutex());
+    return enumerate_hid();
+}
+
+Result<DeviceInfo> find_device(std::string_view text)
+{
+    auto const address = TRY(parse_device_address(text));
+    auto devices = list_devices();
+    auto const found = std::find_if(devices.begin(), devices.end(),
+                                    [&](auto const& info) { return info.location == text; });
+    if (found != devices.end())
+        return std::move(*found);
+    if (std::holds_alternative<HidrawAddress>(address))
+        return fail(Fault::User,
+                    fmt::format("there is no device at {}: \"tractus devices\" lists those there "
+                                "are",
+                                text));
+    return DeviceInfo { .name = std::string(text), .location = std::string(text) };
+}
+
+Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info)
+{
+    TRY(parse_device_address(info.location));
+    std::lock_guard const lock(library_mutex());
+    return open_hid(std::move(info));
+}
+
+} // namespace tractus

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "drivers/device_info.h"
+#include "drivers/report_source.h"
+#include "engine/base/result.h"
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace tractus {
+
+// Every device that can be found without being told where: HID devices by their hidraw nodes, then
+// the USB devices that are height sensors. A converter on GPIO lines cannot be found, and is named
+// by its address. Needs no permission. Safe to call from any thread.
+std::vector<DeviceInfo> list_devices();
+
+// What is known of the device at an address (see drivers/device_address.h). A GPIO converter is
+// known by its address alone. Fails, as the user's fault, if the text is no address or nothing is
+// there.
+Result<DeviceInfo> find_device(std::string_view address);
+
+// Opens a device with the driver that its location and ids ask for. Safe to call from any thread,
+// since the libraries' own opening is not: one device at a time is opened.
+Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info);
+
+} // namespace tractus

@@ -1,0 +1,155 @@
+#include "drivers/reconnecting_source.h"
+
+#include "drivers/device_address.h"
+#include "drivers/device_list.h"
+#include "engine/base/check.h"
+
+#include <algorithm>
+#include <ctime>
+#include <thread>
+#include <utility>
+
+namespace tractus {
+
+using namespace std::chrono_literals;
+
+bool OpenLocations::take(std::string const& location)
+{
+    std::lock_guard const lock(mutex_);
+    return taken_.insert(location).second;
+}
+
+void OpenLocations::release(std::string const& location)
+{
+    std::lock_guard const lock(mutex_);
+    taken_.erase(location);
+}
+
+static Duration clock_time(clockid_t clock)
+{
+    timespec time {};
+    ::clock_gettime(clock, &time);
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+Reconnection system_reconnection()
+{
+    return {
+        .list = list_devices,
+        .open = open_device,
+        .now = [] { return Timestamp(clock_time(CLOCK_MONOTONIC)); },
+        // The one clock counts while the machine sleeps, the other does not.
+        .slept = [] { return clock_time(CLOCK_BOOTTIME) - clock_time(CLOCK_MONOTONIC); },
+    };
+}
+
+static bool is_of_the_same_kind(DeviceInfo const& a, DeviceInfo const& b)
+{
+    return a.bus == b.bus && a.vendor_id == b.vendor_id && a.product_id == b.product_id
+        && a.interface_number == b.interface_number && a.serial_number == b.serial_number
+        && a.report_descriptor == b.report_descriptor;
+}
+
+std::optional<std::size_t> find_again(DeviceInfo const& lost, std::vector<DeviceInfo> const& found)
+{
+    std::vector<std::size_t> candidates;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (!is_of_the_same_kind(lost, found[i]))
+            continue;
+        if (!lost.physical_path.empty() && found[i].physical_path == lost.physical_path)
+            return i;
+        candidates.push_back(i);
+    }
+    bool const is_unique = candidates.size() == 1 || !lost.serial_number.empty();
+    return !candidates.empty() && is_unique ? std::optional(candidates.front()) : std::nullopt;
+}
+
+Result<std::unique_ptr<ReconnectingSource>> ReconnectingSource::open(DeviceInfo info,
+                                                                     Reconnection reconnection)
+{
+    CHECK(reconnection.list && reconnection.open && reconnection.now && reconnection.slept);
+    auto source = TRY(reconnection.open(std::move(info)));
+    return std::unique_ptr<ReconnectingSource>(
+        new ReconnectingSource(std::move(reconnection), std::move(source)));
+}
+
+ReconnectingSource::ReconnectingSource(Reconnection reconnection,
+                                       std::unique_ptr<ReportSource> source)
+    : reconnection_(std::move(reconnection))
+    , source_(std::move(source))
+    , info_(source_->info())
+    , location_(info_.location)
+    , slept_(reconnection_.slept())
+{
+    reconnection_.open_locations->take(location_);
+}
+
+ReconnectingSource::~ReconnectingSource()
+{
+    if (source_)
+        reconnection_.open_locations->release(location_);
+}
+
+RawReport ReconnectingSource::lose()
+{
+    source_.reset();
+    reconnection_.open_locations->release(location_);
+    is_connected_.store(false, std::memory_order_relaxed);
+    next_try_ = reconnection_.now();
+    return { .received = next_try_ };
+}
+
+Result<std::optional<RawReport>> ReconnectingSource::read(Duration timeout)
+{
+    if (source_) {
+        constexpr Duration kSleep = 500ms; // The two clocks are not read at the same instant.
+        auto const slept = reconnection_.slept();
+        if (std::exchange(slept_, slept) + kSleep < slept)
+            return std::optional(lose());
+        auto report = source_->read(timeout);
+        return report ? std::move(report) : std::optional(lose());
+    }
+    auto const wait = std::max(next_try_ - reconnection_.now(), Duration::zero());
+    std::this_thread::sleep_for(std::min(wait, timeout));
+    if (wait <= timeout)
+        look_for_it();
+    return std::optional<RawReport>();
+}
+
+void ReconnectingSource::look_for_it()
+{
+    next_try_ = reconnection_.now() + reconnection_.retry_every;
+    auto found = reconnection_.list();
+    std::erase_if(found, [this](DeviceInfo const& info) {
+        bool const is_free = reconnection_.open_locations->take(info.location);
+        if (is_free)
+            reconnection_.open_locations->release(info.location);
+        return !is_free;
+    });
+    if (auto const index = find_again(info_, found)) {
+        try_to_open(found[*index]);
+        return;
+    }
+    // What no list names stands where it stood, if anywhere.
+    auto const address = parse_device_address(info_.location);
+    if (address && !std::holds_alternative<HidrawAddress>(*address))
+        try_to_open(info_);
+}
+
+void ReconnectingSource::try_to_open(DeviceInfo const& info)
+{
+    if (!reconnection_.open_locations->take(info.location))
+        return;
+    auto opened = reconnection_.open(info);
+    if (!opened) {
+        // Often not yet permitted: udev is still at work.
+        reconnection_.open_locations->release(info.location);
+        return;
+    }
+    source_ = *std::move(opened);
+    location_ = info.location;
+    slept_ = reconnection_.slept();
+    is_connected_.store(true, std::memory_order_relaxed);
+}
+
+} // namespace tractus
