@@ -1,0 +1,34 @@
+#pragma once
+
+#include "drivers/gpio/mcp3208.h"
+#include "sim/mcp3208_model.h"
+#include "sim/simulated_gpio.h"
+
+#include <array>
+#include <memory>
+#include <utility>
+
+namespace tractus {
+
+// A converter whose eight inputs stand still, behind simulated lines.
+struct SimulatedConverter {
+    std::array<double, 8> inputs {}; // Fractions of the reference.
+    Mcp3208Model model;
+    SimulatedGpio lines;
+
+    explicit SimulatedConverter(Mcp3208Model::Options const& model_options = {},
+                                SimulatedGpio::Options gpio_options = {})
+        : model([this](unsigned channel, Timestamp) { return inputs.at(channel); }, model_options)
+        , lines(model, std::move(gpio_options))
+    {
+    }
+    SimulatedConverter(SimulatedConverter const&) = delete;
+    SimulatedConverter& operator=(SimulatedConverter const&) = delete;
+
+    Result<Mcp3208Reading> convert(Mcp3208Channel const& channel)
+    {
+        return convert_mcp3208(lines, channel, [this] { return lines.now(); });
+    }
+};
+
+} // namespace tractus
