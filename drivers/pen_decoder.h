@@ -20,7 +20,7 @@ struct PenTraits {
     bool is_size_assumed = false; // The device does not tell its size; see PenLayout::Size.
     bool has_pressure = false;
     bool has_tilt = false;
-    bool has_in_range = false; // Without it each report counts as in range.
+    bool has_in_range = false; // Without it the pen is in range until it is silent.
     bool has_eraser = false;
     unsigned button_count = 0; // On the pen's barrel.
 
@@ -39,6 +39,7 @@ struct PenTraits {
 // - the eraser's end touches if the device says "eraser", or "invert" and "tip";
 // - when the other end of the pen comes without the first having left, the report that says so
 //   becomes the sample in which the first one leaves, and the next report is the new end's first;
+// - the same when another pen comes, where pens have serial numbers;
 // - a pen that leaves keeps its last position and tilt, whatever the last report has there, and
 //   releases its buttons; after that nothing comes until it is back.
 class PenDecoder {
@@ -58,6 +59,17 @@ public:
     {
         return decode(report.received, report.bytes());
     }
+
+    // How long after the last report of any kind leave() is due, as things are now, if nothing more
+    // comes: some formats cannot say that the pen has left, and some devices say so wrongly for a
+    // moment. No value: the device will say so itself, or the pen is away.
+    //
+    // Whoever feeds the decoder keeps the time: that of the data in a replay, the clock's live.
+    virtual std::optional<Duration> silence_limit() const = 0;
+
+    // The pen has been silent for so long. The sample in which it leaves, where it was last; no
+    // value if it is away already.
+    virtual std::optional<PenSample> leave(Timestamp time) = 0;
 };
 
 // The decoder for a device, by its report descriptor. Fails, as the user's fault, with the reason

@@ -33,7 +33,9 @@ constexpr HidUsage kBarrelSwitch = 0x000D'0044;
 constexpr HidUsage kEraser = 0x000D'0045;
 constexpr HidUsage kTabletPick = 0x000D'0046;
 constexpr HidUsage kSecondaryBarrelSwitch = 0x000D'005A;
+constexpr HidUsage kTransducerSerialNumber = 0x000D'005B;
 constexpr HidUsage kWacomThirdBarrelSwitch = 0xFF0D'005D; // The usage tables have none.
+constexpr HidUsage kWacomToolType = 0xFF0D'0077;
 
 constexpr double kMinSide_mm = 20;
 constexpr double kMaxSide_mm = 800;
@@ -41,13 +43,31 @@ constexpr double kMaxCountsPerMm = 1000;
 
 enum class Tool { None, Pen, Mouse };
 
+// Wacom's page 0xFF0D numbers what the digitizers' page has as there, and what Generic Desktop has
+// from 0x100 on.
+HidUsage standard_usage(HidUsage usage)
+{
+    constexpr HidUsage kWacomDigitizer = 0xFF0D, kDigitizers = 0x000D, kGenericDesktop = 0x0001;
+    if (usage >> 16 != kWacomDigitizer || usage == kWacomThirdBarrelSwitch
+        || usage == kWacomToolType)
+        return usage;
+    switch ((usage >> 8) & 0xFF) {
+    case 0:
+        return kDigitizers << 16 | (usage & 0xFF);
+    case 1:
+        return kGenericDesktop << 16 | (usage & 0xFF);
+    default:
+        return usage;
+    }
+}
+
 // What kind of tool a field in this collection belongs to: the innermost collection that names one
 // decides, since a pen may lie within a touch screen's collection and the reverse.
 Tool tool_of(HidReportDescriptor const& descriptor, std::optional<std::size_t> collection)
 {
     while (collection) {
         auto const& [usage, type, parent] = descriptor.collections[*collection];
-        switch (usage) {
+        switch (auto const known = standard_usage(usage); known) {
         case kPen:
         case kStylus:
         case kLightPen:
@@ -62,10 +82,10 @@ Tool tool_of(HidReportDescriptor const& descriptor, std::optional<std::size_t> c
         case kMouse:
             return Tool::Mouse;
         default:
+            if (known > kLightPen && known < kStylus) // Touch pads, whiteboards, other digitizers.
+                return Tool::None;
             break;
         }
-        if (usage > kLightPen && usage < kStylus) // Touch pads, whiteboards and other digitizers.
-            return Tool::None;
         collection = parent;
     }
     return Tool::None;
@@ -87,7 +107,7 @@ std::optional<HidField>* slot(Draft& draft, HidUsage usage)
 {
     auto& layout = draft.layout;
     bool const is_mouse = draft.tool == Tool::Mouse;
-    switch (usage) {
+    switch (standard_usage(usage)) {
     case kX:
         return &draft.x;
     case kY:
@@ -108,6 +128,10 @@ std::optional<HidField>* slot(Draft& draft, HidUsage usage)
         return &layout.buttons[1];
     case kWacomThirdBarrelSwitch:
         return &layout.buttons[2];
+    case kTransducerSerialNumber:
+        return &layout.tool_serial;
+    case kWacomToolType:
+        return &layout.tool_type;
     case kTabletPick:
         return &draft.tablet_pick;
     case kSecondaryTipSwitch:
@@ -129,8 +153,13 @@ std::optional<HidField>* slot(Draft& draft, HidUsage usage)
 
 bool is_usable(HidField const& field)
 {
-    return field.kind == HidReportKind::Input && !field.is_array && !field.is_relative
-        && field.bit_size <= 32 && field.logical_maximum > field.logical_minimum
+    if (field.kind != HidReportKind::Input || field.is_array || field.is_relative
+        || field.bit_size > 32)
+        return false;
+    auto const usage = standard_usage(field.usage);
+    if (usage == kTransducerSerialNumber || usage == kWacomToolType) // Numbers without a range.
+        return true;
+    return field.logical_maximum > field.logical_minimum
         && field.logical_maximum <= std::numeric_limits<std::int32_t>::max();
 }
 
@@ -230,9 +259,10 @@ std::size_t end_byte(HidField const& field)
 void find_bytes_needed(PenLayout& layout)
 {
     layout.bytes_needed = std::max(end_byte(layout.x), end_byte(layout.y));
-    for (auto const* field : { &layout.tip, &layout.pressure, &layout.in_range, &layout.invert,
-                               &layout.eraser, &layout.buttons[0], &layout.buttons[1],
-                               &layout.buttons[2], &layout.tilt_x, &layout.tilt_y })
+    for (auto const* field :
+         { &layout.tip, &layout.pressure, &layout.in_range, &layout.invert, &layout.eraser,
+           &layout.buttons[0], &layout.buttons[1], &layout.buttons[2], &layout.tilt_x,
+           &layout.tilt_y, &layout.tool_serial, &layout.tool_type })
         if (*field)
             layout.bytes_needed = std::max(layout.bytes_needed, end_byte(**field));
 }
@@ -262,6 +292,17 @@ std::optional<PenLayout> finish(Draft draft, HidReportDescriptor const& descript
 }
 
 } // namespace
+
+void PenLayout::assume_size(Vec2 const& known_size_mm)
+{
+    if (size_source == Size::Assumed)
+        set_size(*this, known_size_mm, Size::Assumed);
+}
+
+bool PenLayout::has_second_barrel_switch() const
+{
+    return buttons[1] && standard_usage(buttons[1]->usage) == kSecondaryBarrelSwitch;
+}
 
 std::vector<PenLayout> find_pen_layouts(HidReportDescriptor const& descriptor)
 {

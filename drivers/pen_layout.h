@@ -17,6 +17,9 @@ namespace tractus {
 // Two shapes are known: the digitizer pen (HID Usage Tables, page 0x0D, "Pen" or "Stylus"), and the
 // mouse with absolute X and Y and a tip pressure, which many tablets are until their own driver
 // switches them: button 1 is its tip, and it never says that the pen is out of range.
+//
+// Wacom's own page 0xFF0D has the same usages under other numbers, and is read as well. Its "in
+// proximity" (a pen is somewhere near, but its place is not known yet) is not "in range".
 struct PenLayout {
     std::uint8_t report_id = 0;   // 0: the device does not use report ids.
     std::size_t report_size = 0;  // Bytes on the wire, the id included, as the descriptor says.
@@ -32,6 +35,8 @@ struct PenLayout {
     std::array<std::optional<HidField>, 3> buttons;
     std::optional<HidField> tilt_x;
     std::optional<HidField> tilt_y; // Towards the user.
+    std::optional<HidField> tool_serial;
+    std::optional<HidField> tool_type; // Wacom's numbers for kinds of pens.
 
     Vec2 mm_per_count = Vec2::Ones();
     Vec2 size_mm = Vec2::Zero();            // Of the active area.
@@ -43,6 +48,12 @@ struct PenLayout {
     // counts per inch, as most tablets have, or 2540, whichever gives a longer side of 80 to 500
     // mm; else a longer side of 250 mm.
     enum class Size { Declared, Assumed } size_source = Size::Declared;
+
+    // Believes `known_size_mm`, from elsewhere, if the descriptor declares no size.
+    void assume_size(Vec2 const& known_size_mm);
+
+    // By its proper name, and not by one of those that some makers use in its place.
+    bool has_second_barrel_switch() const;
 };
 
 // The layouts of all pen reports, in the descriptor's order; empty if it describes no pen.

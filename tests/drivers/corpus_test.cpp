@@ -89,16 +89,35 @@ TEST(Corpus, FindsNoPenInOtherDescriptors)
 {
     REQUIRE_CORPUS();
     for (auto const& path : files_below(corpus() / "descriptors" / "other")) {
-        // Two of them do have one: a mouse with tip pressure, and a touch screen's stylus.
+        // Three of them do have one: a mouse with tip pressure, a touch screen's stylus, and one on
+        // Wacom's own page.
         auto const name = path.filename().string();
         if (name.find("2FEB_0001.0005") != std::string::npos
-            || name.find("03EB_8ABB.0006") != std::string::npos)
+            || name.find("03EB_8ABB.0006") != std::string::npos
+            || name.find("056A_0374.000A") != std::string::npos)
             continue;
         auto const descriptor = parse_file(path);
         if (descriptor) {
             EXPECT_TRUE(find_pen_layouts(*descriptor).empty()) << path;
         }
     }
+}
+
+TEST(Corpus, ReadsThePenOnWacomsOwnPage)
+{
+    REQUIRE_CORPUS();
+    // A CTL-4100: 152 x 95 mm, 4095 levels, and reports of its own making that it describes.
+    auto const descriptor = parse_file(corpus() / "descriptors" / "other"
+                                       / "sysinfo.SnJcZT74MO__0003_056A_0374.000A.hid.bin");
+    ASSERT_TRUE(descriptor);
+    auto const layouts = find_pen_layouts(*descriptor);
+    ASSERT_EQ(layouts.size(), 1u);
+    auto const& pen = layouts[0];
+    EXPECT_NEAR(pen.size_mm.x(), 152, 0.1);
+    EXPECT_NEAR(pen.size_mm.y(), 95, 0.1);
+    EXPECT_EQ(pen.x.bit_size, 24u);
+    EXPECT_EQ(pen.pressure.value().logical_maximum, 4095);
+    EXPECT_TRUE(pen.tip && pen.in_range && pen.tool_serial && pen.tool_type);
 }
 
 TEST(Corpus, ReadsEveryRecordingToTheLastReport)

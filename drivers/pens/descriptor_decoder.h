@@ -1,0 +1,21 @@
+#pragma once
+
+#include "drivers/device_info.h"
+#include "drivers/pen_decoder.h"
+#include "engine/base/result.h"
+#include "engine/base/vectors.h"
+
+#include <memory>
+#include <optional>
+
+namespace tractus {
+
+// Decodes what the device's report descriptor describes (PenLayout). `size_mm` is the active area
+// as it is known from elsewhere, and is believed where the descriptor tells none that makes sense.
+//
+// Fails, as the user's fault, with the reason if the device is no pen or sends reports of its
+// maker's own making, and as the device's fault if its descriptor is broken.
+Result<std::unique_ptr<PenDecoder>>
+make_descriptor_decoder(DeviceInfo const& info, std::optional<Vec2> const& size_mm = std::nullopt);
+
+} // namespace tractus

@@ -1,0 +1,82 @@
+#include "drivers/pens/family_decoder.h"
+
+#include "drivers/pens/pen_state.h"
+#include "engine/base/check.h"
+
+#include <algorithm>
+
+namespace tractus {
+
+namespace {
+
+PenTraits traits_of(PenFamily const& family, TabletShape const& shape)
+{
+    return {
+        .size_mm = shape.size_mm,
+        .has_pressure = shape.pressure_maximum > 0,
+        .has_tilt = family.has_tilt,
+        .has_in_range = family.reports_leaving,
+        .has_eraser = family.has_eraser,
+        .button_count = std::min(shape.button_count, family.button_count),
+        .raw_x_maximum = shape.x_maximum,
+        .raw_y_maximum = shape.y_maximum,
+        .raw_pressure_maximum = shape.pressure_maximum,
+    };
+}
+
+PenScale scale_of(PenFamily const& family, TabletShape const& shape)
+{
+    return {
+        .y_maximum = shape.y_maximum,
+        .mm_per_count
+        = { shape.size_mm.x() / shape.x_maximum, shape.size_mm.y() / shape.y_maximum },
+        .has_pressure = shape.pressure_maximum > 0,
+        .pressure_maximum = std::max(shape.pressure_maximum, 1),
+        .touch_above = family.touch_above,
+        .has_tilt = family.has_tilt,
+    };
+}
+
+class FamilyDecoder final : public PenDecoder {
+public:
+    FamilyDecoder(PenFamily const& family, TabletShape const& shape)
+        : family_(family)
+        , traits_(traits_of(family, shape))
+        , scale_(scale_of(family, shape))
+        , pen_({ .reports_leaving = family.reports_leaving })
+    {
+    }
+
+    using PenDecoder::decode;
+    PenTraits const& traits() const override { return traits_; }
+    Result<std::optional<PenSample>> decode(Timestamp received,
+                                            std::span<std::byte const> report) override
+    {
+        if (report.empty())
+            return fail(Fault::Device, "an empty report");
+        auto const fields = family_.decode(report, format_);
+        if (!fields)
+            return std::nullopt;
+        return pen_.push(received, *fields, scale_);
+    }
+    std::optional<Duration> silence_limit() const override { return pen_.silence_limit(); }
+    std::optional<PenSample> leave(Timestamp time) override { return pen_.leave(time); }
+
+private:
+    PenFamily family_;
+    PenTraits traits_;
+    PenScale scale_;
+    FamilyState format_;
+    PenState pen_;
+};
+
+} // namespace
+
+std::unique_ptr<PenDecoder> make_family_decoder(PenFamily const& family, TabletShape const& shape)
+{
+    CHECK(family.decode);
+    CHECK(shape.x_maximum > 0 && shape.y_maximum > 0);
+    return std::make_unique<FamilyDecoder>(family, shape);
+}
+
+} // namespace tractus

@@ -1,0 +1,44 @@
+#include "drivers/pens/known_habits.h"
+
+namespace tractus {
+
+namespace {
+
+struct KnownHabits {
+    std::uint16_t vendor_id = 0;
+    std::uint16_t product_id = 0;
+    PenHabits habits {};
+};
+
+// As they press the second button, these send that the pen is gone, and then that it hovers.
+constexpr PenHabits kArtist24 {
+    .second_button_is_eraser = true,
+    .false_leave = std::chrono::milliseconds(20),
+};
+
+constexpr PenHabits kArtistProGen2 {
+    .second_button_is_eraser = true,
+    .coil_height_mm = 0.055677699 * 25.4,
+};
+
+constexpr PenHabits kKamvasPro19 { .third_button_is_invert = true };
+
+constexpr KnownHabits kKnown[] = {
+    { 0x28bd, 0x093a, kArtist24 },      // XP-Pen Artist 24.
+    { 0x28bd, 0x092d, kArtist24 },      // XP-Pen Artist 24 Pro.
+    { 0x28bd, 0x095a, kArtistProGen2 }, // XP-Pen Artist Pro 14 (Gen 2).
+    { 0x28bd, 0x095b, kArtistProGen2 }, // XP-Pen Artist Pro 16 (Gen 2).
+    { 0x256c, 0x006b, kKamvasPro19 },   // Huion Kamvas Pro 19.
+};
+
+} // namespace
+
+PenHabits known_habits(std::uint16_t vendor_id, std::uint16_t product_id)
+{
+    for (auto const& known : kKnown)
+        if (known.vendor_id == vendor_id && known.product_id == product_id)
+            return known.habits;
+    return {};
+}
+
+} // namespace tractus

@@ -1,0 +1,133 @@
+#include "drivers/pens/pen_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tractus {
+
+std::optional<Duration> PenState::silence_limit() const
+{
+    if (!last_.in_range)
+        return std::nullopt;
+    if (maybe_left_)
+        return habits_.false_leave;
+    return habits_.reports_leaving ? std::nullopt : std::optional(kSilence);
+}
+
+std::optional<PenSample> PenState::leave(Timestamp time)
+{
+    maybe_left_.reset();
+    if (!last_.in_range)
+        return std::nullopt;
+    last_.time = time;
+    last_.in_range = false;
+    last_.touching = false;
+    last_.buttons = 0;
+    last_.raw_pressure = 0;
+    if (last_.pressure)
+        last_.pressure = 0;
+    return last_;
+}
+
+void PenState::undo_habits(PenFields& fields) const
+{
+    constexpr std::uint32_t kSecondButton = 2, kThirdButton = 4;
+    if (habits_.second_button_is_eraser && std::exchange(fields.eraser_touch, false))
+        fields.buttons |= kSecondButton;
+    if (habits_.third_button_is_invert && fields.invert && last_.in_range && !last_.eraser) {
+        fields.invert = false;
+        fields.buttons |= kThirdButton;
+    }
+}
+
+void PenState::read_pressure(PenSample& sample, PenFields const& fields,
+                             PenScale const& scale) const
+{
+    if (!scale.has_pressure)
+        return;
+    sample.raw_pressure = fields.pressure.value_or(last_.raw_pressure);
+    auto const range
+        = static_cast<double>(scale.pressure_maximum) - static_cast<double>(scale.pressure_minimum);
+    auto const above
+        = static_cast<double>(sample.raw_pressure) - static_cast<double>(scale.pressure_minimum);
+    sample.pressure = std::clamp(above / range, 0.0, 1.0);
+}
+
+// Y and the tilt along it turn round: reports count from the far edge, the tablet frame from the
+// near one.
+void PenState::place(PenSample& sample, PenFields const& fields, PenScale const& scale) const
+{
+    if (scale.has_tilt)
+        sample.tilt_rad = fields.tilt_deg
+            ? Vec2(radians(fields.tilt_deg->x()), -radians(fields.tilt_deg->y()))
+            : last_.tilt_rad;
+    if (!fields.carries_position)
+        return;
+    sample.raw_x = fields.x;
+    sample.raw_y = fields.y;
+    sample.position_mm = {
+        (static_cast<double>(fields.x) - static_cast<double>(scale.x_minimum))
+            * scale.mm_per_count.x(),
+        (static_cast<double>(scale.y_maximum) - static_cast<double>(fields.y))
+            * scale.mm_per_count.y(),
+    };
+    if (habits_.coil_height_mm != 0 && sample.tilt_rad)
+        sample.position_mm -= habits_.coil_height_mm * sample.tilt_rad->array().sin().matrix();
+}
+
+bool PenState::is_other_tool(PenSample const& sample) const
+{
+    bool const other_pen = sample.tool_serial != 0 && last_.tool_serial != 0
+        && sample.tool_serial != last_.tool_serial;
+    return last_.in_range && (sample.eraser != last_.eraser || other_pen);
+}
+
+// Whether it must wait until a sample counts, or the next one, since the device may be wrong in
+// saying that the pen is gone. Some say so, and then that it hovers, when a button is pressed.
+bool PenState::is_in_doubt(PenSample const& sample)
+{
+    if (habits_.false_leave == Duration::zero() || !last_.in_range)
+        return false;
+    if (!sample.in_range && !maybe_left_)
+        maybe_left_ = sample.time;
+    if (!maybe_left_)
+        return false;
+    if (sample.in_range && (sample.touching || !last_.touching))
+        maybe_left_.reset();
+    return maybe_left_.has_value();
+}
+
+std::optional<PenSample> PenState::push(Timestamp received, PenFields fields, PenScale const& scale)
+{
+    if (maybe_left_ && received - *maybe_left_ > habits_.false_leave)
+        return leave(*maybe_left_);
+    undo_habits(fields);
+
+    PenSample sample { .time = received,
+                       .position_mm = last_.position_mm,
+                       .tool_serial = fields.tool_serial,
+                       .tool_type = fields.tool_type,
+                       .raw_x = last_.raw_x,
+                       .raw_y = last_.raw_y };
+    read_pressure(sample, fields, scale);
+    bool const presses = scale.has_pressure && fields.in_range.value_or(true)
+        && sample.raw_pressure > std::max(scale.pressure_minimum, scale.touch_above);
+    sample.touching = fields.tip.value_or(presses) || fields.eraser_touch;
+    sample.eraser = fields.eraser_touch || fields.invert;
+    sample.in_range = sample.touching || fields.in_range.value_or(true);
+    if (is_in_doubt(sample))
+        return std::nullopt;
+    if (!sample.in_range || is_other_tool(sample))
+        return leave(received);
+
+    if (!fields.carries_position && !has_position_)
+        return std::nullopt;
+    has_position_ = true;
+    place(sample, fields, scale);
+    sample.buttons = fields.buttons;
+    last_ = sample;
+    return sample;
+}
+
+} // namespace tractus

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "drivers/pen_sample.h"
+#include "drivers/pens/pen_fields.h"
+#include "engine/base/time.h"
+#include "engine/base/vectors.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace tractus {
+
+// What turns the counts of a report into units: the ranges that the device declares, and the size
+// of one count.
+struct PenScale {
+    std::int32_t x_minimum = 0;
+    std::int32_t y_maximum = 0; // Of the edge near the user.
+    Vec2 mm_per_count = Vec2::Ones();
+
+    bool has_pressure = false;
+    std::int32_t pressure_minimum = 0;
+    std::int32_t pressure_maximum = 1; // Above the minimum.
+    // Where no tip switch tells, the pen touches above this pressure.
+    std::int32_t touch_above = 0;
+
+    bool has_tilt = false;
+};
+
+// How a device differs from what its reports say. The default is a device that does not.
+struct PenHabits {
+    // Without: the format has no way to say that the pen has left, and kSilence stands for it.
+    bool reports_leaving = true;
+
+    bool second_button_is_eraser = false; // The eraser's bit is the second barrel button.
+    // The bit of the inverted pen is the third barrel button, unless the pen comes into range so.
+    bool third_button_is_invert = false;
+
+    // The pen is reported as gone for a moment though it is there. It counts as gone if it does not
+    // come back as it was within this time; 0: believe each report.
+    Duration false_leave {};
+
+    // The tablet sees a coil this far up the pen, so that a tilted pen seems to be beside its tip.
+    double coil_height_mm = 0;
+};
+
+// What a pen does, as its device's reports tell it one after another. The one state machine for
+// every format, and for what devices are known to do (PenDecoder says which samples come out).
+//
+// It reads no clock: the same reports give the same samples.
+class PenState {
+public:
+    // Formats that cannot say that the pen has left stop sending; so Linux's driver does it, too.
+    static constexpr Duration kSilence = std::chrono::milliseconds(100);
+
+    explicit PenState(PenHabits const& habits = {})
+        : habits_(habits)
+    {
+    }
+
+    // No value while the pen is away, before its first place is known, and while it is in doubt
+    // whether the pen has left.
+    std::optional<PenSample> push(Timestamp received, PenFields fields, PenScale const& scale);
+
+    // The sample in which the pen leaves; no value if it is away already.
+    std::optional<PenSample> leave(Timestamp time);
+
+    // After how long a silence from now on leave() is due. No value: the device says it itself, or
+    // the pen is away.
+    std::optional<Duration> silence_limit() const;
+
+private:
+    void undo_habits(PenFields& fields) const;
+    bool is_in_doubt(PenSample const& sample);
+    bool is_other_tool(PenSample const& sample) const;
+    void read_pressure(PenSample& sample, PenFields const& fields, PenScale const& scale) const;
+    void place(PenSample& sample, PenFields const& fields, PenScale const& scale) const;
+
+    PenHabits habits_;
+    PenSample last_;
+    bool has_position_ = false;
+    std::optional<Timestamp> maybe_left_; // When the device said that the pen is gone.
+};
+
+} // namespace tractus

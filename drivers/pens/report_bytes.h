@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace tractus {
+
+// Numbers in a report, by the offset of their first byte; the caller has checked the report's size.
+// Results are wide enough to shift and add, and fit std::int32_t.
+
+inline int u8(std::span<std::byte const> report, std::size_t at)
+{
+    return std::to_integer<int>(report[at]);
+}
+
+inline int s8(std::span<std::byte const> report, std::size_t at)
+{
+    return static_cast<std::int8_t>(u8(report, at));
+}
+
+inline int u16_le(std::span<std::byte const> report, std::size_t at)
+{
+    return u8(report, at) | u8(report, at + 1) << 8;
+}
+
+inline int s16_le(std::span<std::byte const> report, std::size_t at)
+{
+    return static_cast<std::int16_t>(u16_le(report, at));
+}
+
+inline int u16_be(std::span<std::byte const> report, std::size_t at)
+{
+    return u8(report, at) << 8 | u8(report, at + 1);
+}
+
+inline int u24_le(std::span<std::byte const> report, std::size_t at)
+{
+    return u16_le(report, at) | u8(report, at + 2) << 16;
+}
+
+inline bool has_bit(std::span<std::byte const> report, std::size_t at, unsigned bit)
+{
+    return (u8(report, at) >> bit & 1) != 0;
+}
+
+} // namespace tractus

@@ -1,0 +1,320 @@
+#include "drivers/pens/wacom.h"
+
+#include "drivers/pens/report_bytes.h"
+
+namespace tractus {
+
+namespace {
+
+using Report = std::span<std::byte const>;
+using Fields = std::optional<PenFields>;
+
+constexpr std::uint8_t kPenReport = 0x02;
+constexpr std::uint8_t kSecondPenReport = 0x10; // The same, or IntuosV2's own.
+constexpr std::uint8_t kLongPenReport = 0x1E;
+constexpr std::uint8_t kShortPenReport = 0x1F;
+
+constexpr PenFields kAway { .carries_position = false, .in_range = false, .tip = false };
+
+// PenPartner, Graphire and the first Bamboos: 8 or 9 bytes. A mouse may lie on the tablet in the
+// pen's place. The same report tells of the tablet's keys when no pen is near.
+Fields decode_graphire(Report report, FamilyState&)
+{
+    if (report.size() < 8 || u8(report, 0) != kPenReport)
+        return std::nullopt;
+    bool const is_mouse = has_bit(report, 1, 6);
+    if (!has_bit(report, 1, 7) || is_mouse)
+        return kAway;
+    bool const touches = has_bit(report, 1, 0);
+    return PenFields {
+        .x = u16_le(report, 2),
+        .y = u16_le(report, 4),
+        .pressure = touches ? u8(report, 6) | (u8(report, 7) & 3) << 8 : 0,
+        .in_range = true,
+        .tip = touches,
+        .invert = has_bit(report, 1, 5),
+        .buttons = (u8(report, 1) >> 1) & 3u,
+    };
+}
+
+// Intuos CTL and CTH, and the Bamboos before them: 8 to 10 bytes. At the surface's edge the place
+// is its edge.
+Fields decode_intuos(Report report, FamilyState&)
+{
+    if (report.size() < 8 || u8(report, 0) != kPenReport)
+        return std::nullopt;
+    if (!has_bit(report, 1, 5))
+        return kAway;
+    return PenFields {
+        .x = u16_le(report, 2),
+        .y = u16_le(report, 4),
+        .pressure = u16_le(report, 6),
+        .in_range = true,
+        .tip = has_bit(report, 1, 0),
+        .invert = has_bit(report, 1, 3),
+        .buttons = (u8(report, 1) >> 1) & 3u,
+    };
+}
+
+// The tool comes, and says which it is: its kind in 20 bits, its serial number in 32.
+void enter_intuos_pro(Report report, FamilyState& state)
+{
+    auto const byte = [&](std::size_t i) { return static_cast<std::uint32_t>(u8(report, i)); };
+    state.tool_serial
+        = (byte(3) & 0x0F) << 28 | byte(4) << 20 | byte(5) << 12 | byte(6) << 4 | byte(7) >> 4;
+    state.tool_type = (byte(8) & 0xF0) << 8 | (byte(7) & 0x0F) << 16 | byte(2) << 4 | byte(3) >> 4;
+    state.is_eraser = has_bit(report, 3, 7);
+    state.buttons = 0;
+    state.is_pen = true;
+}
+
+Vec2 intuos_pro_tilt_deg(Report report)
+{
+    return { ((u8(report, 7) << 1 & 0x7E) | u8(report, 8) >> 7) - 64, (u8(report, 8) & 0x7F) - 64 };
+}
+
+// What the four bits of a report's kind say. A pen's own reports have its buttons there.
+enum class IntuosProKind { Pen, Rotation, Airbrush, Other };
+
+IntuosProKind kind_of(Report report)
+{
+    auto const kind = (u8(report, 1) >> 1) & 0x0F;
+    switch (kind) {
+    case 0x00:
+    case 0x01:
+    case 0x02:
+    case 0x03:
+        return IntuosProKind::Pen;
+    case 0x05: // Every second report of the Art Pen; of its last pressure and tilt nothing changes.
+        return IntuosProKind::Rotation;
+    case 0x0A: // Every second report of the airbrush: its wheel.
+        return IntuosProKind::Airbrush;
+    default: // Mice and lens cursors.
+        return IntuosProKind::Other;
+    }
+}
+
+PenFields intuos_pro_fields(Report report, FamilyState& state)
+{
+    PenFields fields {
+        .x = u16_be(report, 2) << 1 | int { has_bit(report, 9, 1) },
+        .y = u16_be(report, 4) << 1 | int { has_bit(report, 9, 0) },
+        .in_range = true,
+        .invert = state.is_eraser,
+        .tool_serial = state.tool_serial,
+        .tool_type = state.tool_type,
+    };
+    auto const kind = kind_of(report);
+    if (kind == IntuosProKind::Pen) {
+        fields.pressure
+            = u8(report, 6) << 3 | (u8(report, 7) & 0xC0) >> 5 | int { has_bit(report, 1, 0) };
+        state.buttons = (u8(report, 1) >> 1) & 3u;
+    }
+    if (kind != IntuosProKind::Rotation)
+        fields.tilt_deg = intuos_pro_tilt_deg(report);
+    fields.buttons = state.buttons;
+    return fields;
+}
+
+// Intuos 1 to 5 and Pro, the Cintiqs of their time, CTL-490 and its kin: 10 bytes. A report for the
+// tool that comes, then what it does; its pressure tells whether it touches.
+Fields decode_intuos_pro(Report report, FamilyState& state)
+{
+    if (report.size() < 10 || (u8(report, 0) != kPenReport && u8(report, 0) != kSecondPenReport))
+        return std::nullopt;
+    auto const flags = u8(report, 1);
+    if ((flags & 0xFC) == 0xC0) {
+        enter_intuos_pro(report, state);
+        return std::nullopt;
+    }
+    bool const is_near = has_bit(report, 1, 6); // Else it is too high for its place to count.
+    if (!has_bit(report, 1, 7) || !is_near) {
+        if ((flags & 0xFE) == 0x80)
+            state = {};
+        return kAway;
+    }
+    auto const kind = kind_of(report);
+    if (kind != IntuosProKind::Rotation)
+        state.is_pen = kind != IntuosProKind::Other;
+    if (!state.is_pen)
+        return kAway;
+    return intuos_pro_fields(report, state);
+}
+
+// What the second Intuos Pro and the third one agree on, the places aside.
+struct WideLayout {
+    std::size_t flags = 0;
+    unsigned eraser_bit = 0;
+    unsigned near_bit = 0;
+    unsigned button_mask = 3;
+    std::size_t x = 0;
+    std::size_t y = 0;
+    std::size_t pressure = 0;
+    std::size_t tilt_x = 0;
+    std::size_t tilt_y = 0;
+};
+
+PenFields wide_fields(Report report, WideLayout const& at)
+{
+    return {
+        .x = u24_le(report, at.x),
+        .y = u24_le(report, at.y),
+        .pressure = u16_le(report, at.pressure),
+        .tilt_deg = Vec2(s8(report, at.tilt_x), s8(report, at.tilt_y)),
+        .in_range = true,
+        .tip = has_bit(report, at.flags, 0),
+        .invert = has_bit(report, at.flags, at.eraser_bit),
+        .buttons = (u8(report, at.flags) >> 1) & at.button_mask,
+    };
+}
+
+// The second Intuos Pro (PTH-x60), CTL-4100 and its kin, One: 24-bit axes.
+Fields decode_intuos_v2(Report report, FamilyState&)
+{
+    static constexpr WideLayout kPlain { .flags = 1,
+                                         .eraser_bit = 4,
+                                         .near_bit = 5,
+                                         .x = 2,
+                                         .y = 5,
+                                         .pressure = 8,
+                                         .tilt_x = 10,
+                                         .tilt_y = 11 };
+    static constexpr WideLayout kShifted { .flags = 2,
+                                           .eraser_bit = 4,
+                                           .near_bit = 5,
+                                           .button_mask = 7,
+                                           .x = 3,
+                                           .y = 6,
+                                           .pressure = 9,
+                                           .tilt_x = 11,
+                                           .tilt_y = 12 };
+    if (report.size() < 13
+        || (u8(report, 0) != kSecondPenReport && u8(report, 0) != kLongPenReport))
+        return std::nullopt;
+    auto const& at = u8(report, 0) == kSecondPenReport ? kPlain : kShifted;
+    return has_bit(report, at.flags, at.near_bit) ? wide_fields(report, at) : kAway;
+}
+
+// The third Intuos Pro, Movink, the second One. Short reports have 16-bit axes.
+Fields decode_intuos_v3(Report report, FamilyState&)
+{
+    if (report.size() < 15)
+        return std::nullopt;
+    bool const is_short = u8(report, 0) == kShortPenReport && u8(report, 1) == 1;
+    if (u8(report, 0) != kLongPenReport && !is_short)
+        return std::nullopt;
+    auto const flags = u8(report, 2);
+    if (!has_bit(report, 2, 6))
+        return kAway;
+    PenFields fields { .in_range = true,
+                       .tip = has_bit(report, 2, 0),
+                       .invert = has_bit(report, 2, 5),
+                       .eraser_touch = has_bit(report, 2, 4),
+                       .buttons = (flags >> 1) & 7u };
+    if (is_short) {
+        fields.x = u16_le(report, 3);
+        fields.y = u16_le(report, 5);
+        fields.pressure = u16_le(report, 7);
+        fields.tilt_deg = Vec2(s8(report, 9), s8(report, 11));
+    } else {
+        fields.x = u24_le(report, 3);
+        fields.y = u24_le(report, 6);
+        fields.pressure = u16_le(report, 9);
+        fields.tilt_deg = Vec2(s16_le(report, 11), s16_le(report, 13));
+    }
+    return fields;
+}
+
+// PTU-600 and the DTU displays: 8 bytes.
+Fields decode_dtu(Report report, FamilyState&)
+{
+    if (report.size() < 8 || u8(report, 0) != kPenReport)
+        return std::nullopt;
+    if (!has_bit(report, 1, 5))
+        return kAway;
+    auto const flags = u8(report, 1);
+    return PenFields {
+        .x = u16_le(report, 2),
+        .y = u16_le(report, 4),
+        .pressure = u16_le(report, 6),
+        .in_range = true,
+        .tip = has_bit(report, 1, 0),
+        .invert = has_bit(report, 1, 3),
+        .eraser_touch = has_bit(report, 1, 2),
+        .buttons = (flags >> 1 & 1u) | (flags >> 3 & 2u),
+    };
+}
+
+// The PL displays: 8 bytes, of which each has seven bits. The eraser's bit is the second button's,
+// too: a pen that comes with it is turned round.
+Fields decode_pl(Report report, FamilyState& state)
+{
+    if (report.size() < 8 || u8(report, 0) != kPenReport)
+        return std::nullopt;
+    if (!has_bit(report, 1, 6)) {
+        state = {};
+        return kAway;
+    }
+    bool const eraser_or_second = has_bit(report, 4, 5);
+    if (!state.is_inside) {
+        state.is_inside = true;
+        state.is_eraser = eraser_or_second;
+    }
+    state.is_eraser = state.is_eraser && eraser_or_second; // An eraser never loses its bit.
+    auto const flags = u8(report, 4);
+    return PenFields {
+        .x = (u8(report, 1) & 3) << 14 | u8(report, 2) << 7 | u8(report, 3),
+        .y = (flags & 3) << 14 | u8(report, 5) << 7 | u8(report, 6),
+        .pressure = (u8(report, 7) ^ 0x40) << 2 | (flags & 0x40) >> 5 | (flags & 4) >> 2,
+        .in_range = true,
+        .tip = has_bit(report, 4, 3),
+        .invert = state.is_eraser,
+        .buttons = (flags >> 4 & 1u) | (eraser_or_second && !state.is_eraser ? 2u : 0u),
+    };
+}
+
+// The same with a byte before it.
+template<auto decode> Fields after_one_byte(Report report, FamilyState& state)
+{
+    return report.empty() ? std::nullopt : decode(report.subspan(1), state);
+}
+
+// Intuos reports their pressure's lowest bit even where nothing presses.
+constexpr std::int32_t kIntuosProTouchAbove = 10;
+
+constexpr PenFamily kFamilies[] = {
+    { .name = "wacom-graphire", .decode = decode_graphire, .has_eraser = true },
+    { .name = "wacom-intuos", .decode = decode_intuos, .has_eraser = true },
+    { .name = "wacom-intuos-pro",
+      .decode = decode_intuos_pro,
+      .has_tilt = true,
+      .has_eraser = true,
+      .touch_above = kIntuosProTouchAbove },
+    { .name = "wacom-intuos-v2", .decode = decode_intuos_v2, .has_tilt = true, .has_eraser = true },
+    { .name = "wacom-intuos-v3",
+      .decode = decode_intuos_v3,
+      .has_tilt = true,
+      .has_eraser = true,
+      .button_count = 3 },
+    { .name = "wacom-dtu", .decode = decode_dtu, .has_eraser = true },
+    { .name = "wacom-pl", .decode = decode_pl, .has_eraser = true },
+    { .name = "wacom-driver-intuos", .decode = after_one_byte<decode_intuos>, .has_eraser = true },
+    { .name = "wacom-driver-intuos-pro",
+      .decode = after_one_byte<decode_intuos_pro>,
+      .has_tilt = true,
+      .has_eraser = true,
+      .touch_above = kIntuosProTouchAbove },
+    { .name = "wacom-driver-intuos-v2",
+      .decode = after_one_byte<decode_intuos_v2>,
+      .has_tilt = true,
+      .has_eraser = true },
+};
+
+} // namespace
+
+std::span<PenFamily const> wacom_families()
+{
+    return kFamilies;
+}
+
+} // namespace tractus
