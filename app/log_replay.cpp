@@ -28,7 +28,7 @@ LogPen find_pen(Log const& log)
 bool has_height_sensor(Log const& log)
 {
     for (auto const& device : log.devices)
-        if (HeightDecoder::create(device))
+        if (make_height_decoder(device))
             return true;
     return false;
 }

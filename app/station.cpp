@@ -50,7 +50,7 @@ Result<Station> Station::create(std::span<DeviceInfo const> devices, StationOpti
     for (std::size_t i = 0; i < devices.size() && !station.height_decoder_; ++i) {
         if (i == pen.device)
             continue;
-        if (auto decoder = HeightDecoder::create(devices[i])) {
+        if (auto decoder = make_height_decoder(devices[i])) {
             station.height_decoder_ = *std::move(decoder);
             station.height_device_ = i;
         }
@@ -91,13 +91,12 @@ void Station::push_pen(Timestamp received, std::span<std::byte const> report)
 
 void Station::push_height(Timestamp received, std::span<std::byte const> report)
 {
-    auto const sample = height_decoder_->decode(received, report);
-    if (!sample)
-        return count_broken(sample.error());
-    if (!*sample)
-        return;
-    ++counts_.height_samples;
-    fuser_.push(**sample);
+    heights_.clear();
+    if (auto const decoded = height_decoder_->decode(received, report, heights_); !decoded)
+        count_broken(decoded.error());
+    counts_.height_samples += heights_.size();
+    for (auto const& height : heights_)
+        fuser_.push(height);
     take_settled();
 }
 

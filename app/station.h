@@ -93,8 +93,9 @@ private:
     StrokeBuilder builder_;
     std::unique_ptr<PenDecoder> pen_decoder_;
     std::size_t pen_device_ = 0;
-    std::optional<HeightDecoder> height_decoder_;
+    std::unique_ptr<HeightDecoder> height_decoder_;
     std::size_t height_device_ = 0;
+    std::vector<HeightSample> heights_; // Of the report at hand; kept for its memory.
     std::vector<ToolChange> tool_changes_; // In time order; the first is from the beginning.
     Scene scene_;
     std::vector<DrawnStroke> strokes_;

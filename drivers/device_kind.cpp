@@ -30,9 +30,9 @@ DeviceDescription describe_device(DeviceInfo const& info)
     auto const pen = make_pen_decoder(info);
     if (pen)
         return { .kind = DeviceKind::Pen, .text = describe_pen((*pen)->traits()) };
-    if (auto const height = HeightDecoder::create(info))
+    if (auto const height = make_height_decoder(info))
         return { .kind = DeviceKind::Height,
-                 .text = fmt::format("height sensor, 0 to {}", height->full_scale()) };
+                 .text = fmt::format("height sensor, 0 to {}", (*height)->full_scale()) };
     return { .kind = DeviceKind::Other, .text = pen.error().message };
 }
 

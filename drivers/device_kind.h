@@ -9,7 +9,7 @@ namespace tractus {
 // What a device is to the station.
 enum class DeviceKind {
     Pen,    // make_pen_decoder takes it.
-    Height, // HeightDecoder takes it.
+    Height, // make_height_decoder takes it.
     Other,  // Neither does.
 };
 

@@ -2,50 +2,60 @@
 
 #include "drivers/device_info.h"
 #include "drivers/height_sample.h"
-#include "drivers/report_descriptor.h"
 #include "drivers/report_source.h"
 #include "engine/base/result.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
+#include <vector>
 
 namespace tractus {
 
-// Turns the reports of a height sensor into samples: a HID device with one absolute Generic Desktop
-// "Slider" (HID Usage Tables, page 0x01, usage 0x36) whose logical range is 0 to the converter's
-// full scale. See firmware-notes/height-sensor.md for a descriptor and a report byte by byte.
-//
-// Without state: the same report always gives the same sample.
+// What came of a sensor's stream besides its samples, since the decoder was made. All 0 for sensors
+// that send no frames of their own.
+struct HeightStreamCounts {
+    std::uint64_t frames = 0;         // Whole ones.
+    std::uint64_t lost_frames = 0;    // Their numbers are missing.
+    std::uint64_t corrupt_frames = 0; // Their checksum is wrong, or their readings are impossible.
+    std::uint64_t garbage_bytes = 0;  // Between frames.
+    std::uint64_t overruns = 0;       // Frames before which the sensor itself lost readings.
+    std::uint64_t reference_faults = 0; // Frames of which the sensor says: supply or reference bad.
+    std::uint64_t clock_restarts = 0;   // The sensor's clock began anew: unplugged or reset.
+};
+
+// Turns one height sensor's reports into samples, in order. Some decoders know the sensor's clock
+// and what was lost, so each device needs its own, and each replay a new one. It reads no clock:
+// the same reports give the same samples.
 class HeightDecoder {
 public:
-    // Fails, as the user's fault, if the device has no such field, and as the device's if its
-    // descriptor is broken. Joysticks and game pads have sliders too, and are refused.
-    static Result<HeightDecoder> create(DeviceInfo const&);
+    virtual ~HeightDecoder() = default;
 
     // The converter's greatest reading.
-    std::int32_t full_scale() const { return static_cast<std::int32_t>(field_.logical_maximum); }
+    virtual std::int32_t full_scale() const = 0;
 
-    // No value for another report id. Fails, as the device's fault, if the report is too short or
-    // its value lies outside 0 to full scale.
-    Result<std::optional<HeightSample>> decode(Timestamp received,
-                                               std::span<std::byte const> report) const;
+    // Appends the report's samples to `out`, oldest first: none for a report that is not about the
+    // height, several for a frame of several readings. Fails, as the device's fault, if something
+    // in the report is broken; then too the samples that are good are in `out`, and the decoder
+    // stays usable.
+    virtual Result<void> decode(Timestamp received, std::span<std::byte const> report,
+                                std::vector<HeightSample>& out)
+        = 0;
 
-    Result<std::optional<HeightSample>> decode(RawReport const& report) const
+    Result<void> decode(RawReport const& report, std::vector<HeightSample>& out)
     {
-        return decode(report.received, report.bytes());
+        return decode(report.received, report.bytes(), out);
     }
 
-private:
-    explicit HeightDecoder(HidField const& field, std::size_t report_size)
-        : field_(field)
-        , report_size_(report_size)
-    {
-    }
-
-    HidField field_;
-    std::size_t report_size_; // As the descriptor says.
+    virtual HeightStreamCounts stream_counts() const { return {}; }
 };
+
+// The decoder of a height sensor, chosen by what is known of the device alone, so that a log of
+// any sensor replays as it was recorded.
+//
+// Fails, as the user's fault, if the device is no height sensor, and as the device's if what it
+// says of itself is broken.
+Result<std::unique_ptr<HeightDecoder>> make_height_decoder(DeviceInfo const&);
 
 } // namespace tractus

@@ -155,7 +155,7 @@ Result<std::vector<Device>> find_pens(Log const& log)
         auto const index = devices.size() - 1;
         if (auto pen = make_pen_decoder(info))
             device.pen = std::move(*pen);
-        else if (!HeightDecoder::create(info))
+        else if (!make_height_decoder(info))
             reasons += fmt::format("{}device {}: {}", reasons.empty() ? "" : "; ", index,
                                    pen.error().message);
     }

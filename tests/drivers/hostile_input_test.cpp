@@ -4,6 +4,7 @@
 #include "drivers/height_decoder.h"
 #include "drivers/log.h"
 #include "drivers/pen_decoder.h"
+#include "drivers/report_descriptor.h"
 #include "engine/base/random.h"
 #include "tests/drivers/devices.h"
 
@@ -55,8 +56,9 @@ TEST(HostileInput, MutatedDescriptorsGiveADecoderOrAnError)
         auto info = i % 8 == 0 ? simple_height_sensor() : simple_pen();
         info.report_descriptor = mutated(std::move(info.report_descriptor), random);
         auto const report = noise(random, random.next_u32() % 32);
-        if (auto const height = HeightDecoder::create(info))
-            (void)height->decode({}, report);
+        std::vector<HeightSample> heights;
+        if (auto const height = make_height_decoder(info))
+            (void)(*height)->decode({}, report, heights);
         auto pen = make_pen_decoder(info);
         if (!pen) {
             ++refused;

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
@@ -23,7 +24,9 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     if (auto pen = make_pen_decoder(info))
         for (int i = 0; i < 2; ++i) // Twice, since the decoder remembers.
             (void)(*pen)->decode({}, report);
-    if (auto const height = HeightDecoder::create(info))
-        (void)height->decode({}, report);
+    if (auto const height = make_height_decoder(info)) {
+        std::vector<HeightSample> samples;
+        (void)(*height)->decode({}, report, samples);
+    }
     return 0;
 }

@@ -21,15 +21,19 @@ struct FusedRun {
 inline FusedRun fuse(SimulatedRun const& run, Rig const& rig)
 {
     auto const pens = make_pen_decoder(run.tablet.info);
-    auto const heights = HeightDecoder::create(run.height.info);
+    auto const heights = make_height_decoder(run.height.info);
     EXPECT_TRUE(pens) << pens.error().message;
     EXPECT_TRUE(heights) << heights.error().message;
 
     FusedRun fused;
     Fuser fuser(rig);
+    std::vector<HeightSample> samples;
     for (auto const& [device, report] : run.in_order_of_arrival()) {
         if (device == 1) {
-            fuser.push(heights->decode(*report).value().value());
+            samples.clear();
+            EXPECT_TRUE((*heights)->decode(*report, samples));
+            for (auto const& sample : samples)
+                fuser.push(sample);
         } else if (auto const pen = (*pens)->decode(*report).value()) {
             if (auto const tip = fuser.push(*pen))
                 fused.live.push_back(*tip);

@@ -3,6 +3,7 @@
 #include "calib/rig_file.h"
 #include "drivers/log.h"
 #include "drivers/log_writer.h"
+#include "tests/drivers/heights.h"
 #include "tests/sim/fused_run.h"
 
 #include <algorithm>
@@ -131,11 +132,11 @@ TEST(SimulatedHeight, ReportsDecodeToTheCountsOfTheTrueHeight)
     SimulatedRigOptions options;
     options.height.timing.jitter = 0ms;
     auto const run = simulate_rig(hand, options);
-    auto const decoder = HeightDecoder::create(run.height.info).value();
-    EXPECT_EQ(decoder.full_scale(), 4095);
+    auto const decoder = make_height_decoder(run.height.info).value();
+    EXPECT_EQ(decoder->full_scale(), 4095);
     double sum_of_squares = 0;
     for (auto const& report : run.height.reports) {
-        auto const sample = decoder.decode(report).value().value();
+        auto const sample = decode_heights(*decoder, report).value().at(0);
         auto const height = hand.at(sample.time - options.height.timing.latency).position_mm.z();
         double const noise = sample.counts - ideal_counts(options.geometry, height);
         sum_of_squares += noise * noise;
@@ -152,10 +153,10 @@ TEST(SimulatedHeight, StopsAtTheConvertersEnds)
     SimulatedRigOptions options;
     options.geometry.string_at_zero_counts_mm = 300;
     auto const run = simulate_rig(fast_hand(1), options);
-    auto const decoder = HeightDecoder::create(run.height.info).value();
+    auto const decoder = make_height_decoder(run.height.info).value();
     std::int32_t least = 4095;
     for (auto const& report : run.height.reports)
-        least = std::min(least, decoder.decode(report).value().value().counts);
+        least = std::min(least, decode_heights(*decoder, report).value().at(0).counts);
     EXPECT_EQ(least, 0);
 }
 

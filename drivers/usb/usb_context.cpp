@@ -1,0 +1,215 @@
+#include "drivers/usb/usb_context.h"
+
+#include "engine/base/check.h"
+
+#include <array>
+#include <fmt/core.h>
+#include <libusb.h>
+#include <span>
+#include <utility>
+
+namespace tractus {
+
+void CloseUsbContext::operator()(libusb_context* context) const
+{
+    libusb_exit(context);
+}
+
+Result<UsbContext> make_usb_context()
+{
+    libusb_context* context = nullptr;
+    if (int const code = libusb_init(&context); code != LIBUSB_SUCCESS)
+        return fail(
+            Fault::User,
+            fmt::format("cannot use USB: {} (is /dev/bus/usb there?)", usb_error_text(code)));
+    return UsbContext(context);
+}
+
+std::string usb_address(libusb_device* device)
+{
+    constexpr int kMaxDepth = 7; // USB 3.2 section 10: hubs in a row.
+    std::array<std::uint8_t, kMaxDepth> ports {};
+    int const depth = libusb_get_port_numbers(device, ports.data(), kMaxDepth);
+    auto address = fmt::format("{}-", libusb_get_bus_number(device));
+    if (depth <= 0)
+        return address + "0";
+    for (int i = 0; i < depth; ++i)
+        address += fmt::format("{}{}", i == 0 ? "" : ".", ports[static_cast<std::size_t>(i)]);
+    return address;
+}
+
+std::string usb_error_text(int code)
+{
+    return libusb_strerror(static_cast<libusb_error>(code));
+}
+
+namespace {
+
+// The context's devices; they stay referenced for as long as this lives.
+class DeviceList {
+public:
+    explicit DeviceList(libusb_context* context)
+    {
+        count_ = libusb_get_device_list(context, &list_);
+    }
+    ~DeviceList()
+    {
+        if (count_ >= 0)
+            libusb_free_device_list(list_, 1);
+    }
+    DeviceList(DeviceList const&) = delete;
+    DeviceList& operator=(DeviceList const&) = delete;
+
+    libusb_device* find(std::string_view address) const
+    {
+        for (ssize_t i = 0; i < count_; ++i)
+            if (usb_address(list_[i]) == address)
+                return list_[i];
+        return nullptr;
+    }
+
+private:
+    libusb_device** list_ = nullptr;
+    ssize_t count_ = 0;
+};
+
+std::string advice(int code)
+{
+    return code == LIBUSB_ERROR_ACCESS
+        ? "permission denied (is drivers/70-tractus.rules in /etc/udev/rules.d?)"
+        : usb_error_text(code);
+}
+
+// One UTF-16 code unit of a well-formed pair at a time; a lone surrogate becomes U+FFFD.
+std::string utf8_of_utf16(std::span<std::byte const> bytes)
+{
+    auto const unit = [&](std::size_t i) {
+        return std::to_integer<std::uint32_t>(bytes[i])
+            | std::to_integer<std::uint32_t>(bytes[i + 1]) << 8;
+    };
+    auto const is_surrogate = [](std::uint32_t value, std::uint32_t first) {
+        return value >= first && value < first + 0x400;
+    };
+    std::string text;
+    auto const put = [&](std::uint32_t value) { text += static_cast<char>(value); };
+    for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+        auto code = unit(i);
+        if (is_surrogate(code, 0xD800) && i + 3 < bytes.size()
+            && is_surrogate(unit(i + 2), 0xDC00)) {
+            code = 0x10000 + ((code - 0xD800) << 10) + (unit(i + 2) - 0xDC00);
+            i += 2;
+        } else if (code >= 0xD800 && code < 0xE000) {
+            code = 0xFFFD;
+        }
+        if (code < 0x80) {
+            put(code);
+        } else if (code < 0x800) {
+            put(0xC0 | code >> 6);
+            put(0x80 | (code & 0x3F));
+        } else if (code < 0x10000) {
+            put(0xE0 | code >> 12);
+            put(0x80 | (code >> 6 & 0x3F));
+            put(0x80 | (code & 0x3F));
+        } else {
+            put(0xF0 | code >> 18);
+            put(0x80 | (code >> 12 & 0x3F));
+            put(0x80 | (code >> 6 & 0x3F));
+            put(0x80 | (code & 0x3F));
+        }
+    }
+    return text;
+}
+
+} // namespace
+
+Result<UsbDevice> UsbDevice::open(std::string_view address)
+{
+    auto context = TRY(make_usb_context());
+    DeviceList const devices(context.get());
+    auto* const device = devices.find(address);
+    if (device == nullptr)
+        return fail(Fault::User,
+                    fmt::format("there is no USB device at {} (was it unplugged?)", address));
+    libusb_device_handle* handle = nullptr;
+    if (int const code = libusb_open(device, &handle); code != LIBUSB_SUCCESS)
+        return fail(Fault::User,
+                    fmt::format("cannot open the USB device at {}: {}", address, advice(code)));
+    return UsbDevice(std::move(context), handle, std::string(address));
+}
+
+UsbDevice::UsbDevice(UsbContext context, libusb_device_handle* handle, std::string address)
+    : context_(std::move(context))
+    , handle_(handle)
+    , address_(std::move(address))
+{
+}
+
+UsbDevice::UsbDevice(UsbDevice&& other) noexcept
+    : context_(std::move(other.context_))
+    , handle_(std::exchange(other.handle_, nullptr))
+    , address_(std::move(other.address_))
+    , claimed_(std::move(other.claimed_))
+{
+}
+
+UsbDevice& UsbDevice::operator=(UsbDevice&& other) noexcept
+{
+    if (this != &other) {
+        close();
+        context_ = std::move(other.context_);
+        handle_ = std::exchange(other.handle_, nullptr);
+        address_ = std::move(other.address_);
+        claimed_ = std::move(other.claimed_);
+    }
+    return *this;
+}
+
+UsbDevice::~UsbDevice()
+{
+    close();
+}
+
+void UsbDevice::close()
+{
+    if (handle_ == nullptr)
+        return;
+    for (int const interface_number : claimed_)
+        libusb_release_interface(handle_, interface_number); // Of an unplugged device it fails.
+    libusb_close(handle_);
+    handle_ = nullptr;
+}
+
+Result<void> UsbDevice::claim(int interface_number)
+{
+    CHECK(handle_ != nullptr);
+    libusb_set_auto_detach_kernel_driver(handle_, 1); // Fails where no kernel driver can be bound.
+    if (int const code = libusb_claim_interface(handle_, interface_number); code != LIBUSB_SUCCESS)
+        return fail(Fault::User,
+                    fmt::format("cannot take interface {} of the USB device at {}: {} (does "
+                                "another program use it?)",
+                                interface_number, address_, usb_error_text(code)));
+    claimed_.push_back(interface_number);
+    return {};
+}
+
+Result<std::vector<std::byte>> UsbDevice::string_bytes(std::uint8_t index) const
+{
+    CHECK(handle_ != nullptr);
+    constexpr std::uint16_t kUsEnglish = 0x0409;
+    std::array<unsigned char, 255> buffer {}; // The longest that bLength can say.
+    int const size = libusb_get_string_descriptor(handle_, index, kUsEnglish, buffer.data(),
+                                                  static_cast<int>(buffer.size()));
+    if (size < 2)
+        return fail(Fault::Device,
+                    fmt::format("the USB device at {} does not tell its string {}: {}", address_,
+                                index, size < 0 ? usb_error_text(size) : "too short"));
+    auto const bytes = std::as_bytes(std::span(buffer).first(static_cast<std::size_t>(size)));
+    return std::vector<std::byte>(bytes.begin() + 2, bytes.end());
+}
+
+Result<std::string> UsbDevice::string(std::uint8_t index) const
+{
+    return utf8_of_utf16(TRY(string_bytes(index)));
+}
+
+} // namespace tractus

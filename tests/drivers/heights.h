@@ -1,0 +1,24 @@
+#pragma once
+
+#include "drivers/height_decoder.h"
+
+#include <vector>
+
+namespace tractus {
+
+// What one report alone gives.
+inline Result<std::vector<HeightSample>> decode_heights(HeightDecoder& decoder, Timestamp received,
+                                                        std::span<std::byte const> report)
+{
+    std::vector<HeightSample> samples;
+    TRY(decoder.decode(received, report, samples));
+    return samples;
+}
+
+inline Result<std::vector<HeightSample>> decode_heights(HeightDecoder& decoder,
+                                                        RawReport const& report)
+{
+    return decode_heights(decoder, report.received, report.bytes());
+}
+
+} // namespace tractus
