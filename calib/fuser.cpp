@@ -18,6 +18,19 @@ Fuser::Fuser(Rig const& rig, ScriptedHeight const& height)
     scripted_ = height;
 }
 
+// The hand's pressure in place of the device's.
+PenSample Fuser::as_felt(PenSample pen)
+{
+    if (!pen.pressure)
+        return pen;
+    auto const& response = rig_.pressure;
+    auto const least = presses_ ? response.threshold / 2 : response.threshold;
+    presses_ = pen.touching && (response.threshold == 0 || *pen.pressure > least);
+    pen.touching = presses_;
+    pen.pressure = respond(response, *pen.pressure);
+    return pen;
+}
+
 // Pens that report no pressure press fully while they touch.
 static double pressure(PenSample const& pen)
 {
@@ -80,8 +93,9 @@ static void lift_after_gap(TipSample& tip, bool& gap)
     }
 }
 
-std::optional<TipSample> Fuser::push(PenSample const& pen)
+std::optional<TipSample> Fuser::push(PenSample const& reported)
 {
+    auto const pen = as_felt(reported);
     ++counts_.pens;
     pending_.push_back(pen);
     settle_ready();

@@ -41,7 +41,8 @@ struct FuserCounts {
 // Each pen sample gives two tips. One at once, for live ink, whose height is mostly carried on from
 // the last readings along a straight line. And one later, final: settled, once the readings around
 // its instant have come, from a line fitted through them (height_track.h). The instants are those
-// of the samples less their sensor's latency.
+// of the samples less their sensor's latency. Whether a tip touches, and how strongly, is as the
+// rig's PressureResponse has it.
 //
 // With heights 500 times a second of 12 bits and one count of noise, and a hand at 300 mm/s in the
 // plane and 200 mm/s in height, tips lie 0.1 mm from the truth in the mean; settled ones at most
@@ -83,6 +84,7 @@ public:
     FuserCounts const& counts() const { return counts_; }
 
 private:
+    PenSample as_felt(PenSample pen);
     TipSample tip(PenSample const& pen, HeightTrack::Estimate const& height) const;
     Timestamp instant(PenSample const& pen) const { return pen.time - rig_.tablet_latency; }
     std::optional<HeightTrack::Estimate> height_at(PenSample const& pen) const;
@@ -96,6 +98,7 @@ private:
     HeightTrack heights_;
     std::deque<PenSample> pending_; // Not settled yet.
     std::vector<TipSample> settled_;
+    bool presses_ = false; // Above the rig's pressure threshold.
     bool gap_before_live_ = false;
     bool gap_before_settled_ = false;
     FuserCounts counts_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "calib/height_model.h"
+#include "calib/pressure_response.h"
 #include "engine/base/time.h"
 #include "engine/base/vectors.h"
 
@@ -29,6 +30,9 @@ struct Rig {
 
     // How far the carriage drifts to +x and +y per millimetre that it rises.
     Vec2 travel_shear = Vec2::Zero();
+
+    // The pen. Pens that report no pressure draw wherever they touch.
+    PressureResponse pressure {};
 
     // How long one height reading stands for the height before and after it.
     Duration max_height_age = std::chrono::milliseconds(50);

@@ -107,6 +107,21 @@ static Result<void> parse_tablet(TomlTable& table, Rig& rig)
     return table.refuse_unknown_keys();
 }
 
+static Result<void> parse_pen(TomlTable& table, PressureResponse& pressure)
+{
+    pressure.threshold = TRY(table.number_or("pressure_threshold", 0, NumberRange::NotNegative));
+    pressure.full = TRY(table.number_or("pressure_full", 1, NumberRange::Positive));
+    pressure.exponent = TRY(table.number_or("pressure_exponent", 1, NumberRange::Positive));
+    if (pressure.full > 1)
+        return table.wrong("pressure_full",
+                           fmt::format("is {}, expected at most 1", pressure.full));
+    if (pressure.threshold >= pressure.full)
+        return table.wrong("pressure_threshold",
+                           fmt::format("is {}, expected less than pressure_full ({})",
+                                       pressure.threshold, pressure.full));
+    return table.refuse_unknown_keys();
+}
+
 Result<Rig> parse_rig(std::string_view text, std::string const& file)
 {
     auto root = TRY(TomlTable::parse(text, file));
@@ -116,6 +131,10 @@ Result<Rig> parse_rig(std::string_view text, std::string const& file)
     TRY(parse_height(height, rig));
     auto tablet = TRY(root.table("tablet"));
     TRY(parse_tablet(tablet, rig));
+    if (root.has("pen")) {
+        auto pen = TRY(root.table("pen"));
+        TRY(parse_pen(pen, rig.pressure));
+    }
     TRY(root.refuse_unknown_keys());
     return rig;
 }
@@ -143,12 +162,24 @@ base_mm = {}         # From the spool up to the string's end at height zero.
         model.mm_per_count, model.zero_length_mm, model.offset_mm, model.base_mm);
 }
 
+static std::string print_pen(PressureResponse const& pressure)
+{
+    return fmt::format(
+        R"(
+[pen]                         # Pressures are 0 to 1.
+pressure_threshold = {}       # Draws above it, and then until half of it; 0: wherever it touches.
+pressure_full = {}            # Counts as 1.
+pressure_exponent = {}        # Between the two: above 1 the ink stays thin for longer.
+)",
+        pressure.threshold, pressure.full, pressure.exponent);
+}
+
 std::string print_rig(Rig const& rig)
 {
     auto const model
         = std::visit([](auto const& kind) { return print_model(kind); }, rig.height_model);
     return fmt::format(
-        R"(# A rig: what calibration found out about one tractus. Lengths are millimetres, times milliseconds,
+               R"(# A rig: what calibration found out about one tractus. Lengths are millimetres, times milliseconds,
 # angles degrees, counts what the height sensor's converter reads.
 version = {}
 
@@ -164,11 +195,12 @@ latency_ms = {}               # From the pen's being there to its report's arriv
 rotation_deg = {}             # Of the tablet on its carriage, counterclockwise seen from above.
 travel_shear = [{}, {}]       # Drift to the right and away from the user per millimetre of rise.
 )",
-        kVersion, model, rig.full_scale_counts, rig.calibrated_min_counts,
-        rig.calibrated_max_counts, to_milliseconds(rig.height_latency),
-        to_milliseconds(rig.max_height_age), rig.tablet_size_mm.x(), rig.tablet_size_mm.y(),
-        to_milliseconds(rig.tablet_latency), rig.rotation_deg, rig.travel_shear.x(),
-        rig.travel_shear.y());
+               kVersion, model, rig.full_scale_counts, rig.calibrated_min_counts,
+               rig.calibrated_max_counts, to_milliseconds(rig.height_latency),
+               to_milliseconds(rig.max_height_age), rig.tablet_size_mm.x(), rig.tablet_size_mm.y(),
+               to_milliseconds(rig.tablet_latency), rig.rotation_deg, rig.travel_shear.x(),
+               rig.travel_shear.y())
+        + print_pen(rig.pressure);
 }
 
 Result<Rig> load_rig(std::filesystem::path const& path)

@@ -80,6 +80,9 @@ void expect_same(Rig const& a, Rig const& b)
     EXPECT_EQ(a.tablet_latency, b.tablet_latency);
     EXPECT_EQ(a.rotation_deg, b.rotation_deg);
     EXPECT_EQ(a.travel_shear, b.travel_shear);
+    EXPECT_EQ(a.pressure.threshold, b.pressure.threshold);
+    EXPECT_EQ(a.pressure.full, b.pressure.full);
+    EXPECT_EQ(a.pressure.exponent, b.pressure.exponent);
 }
 
 // Numbers that no short decimal gives.
@@ -94,6 +97,7 @@ Rig awkward_rig()
         .tablet_latency = Duration(7'999'999'999),
         .rotation_deg = -0.1 - 0.2,
         .travel_shear = { 1.0 / 300, -1e-300 },
+        .pressure = { .threshold = 0.1 / 3, .full = 1 - 1e-16, .exponent = 2.0 / 7 },
         .max_height_age = Duration(1),
     };
 }
@@ -197,6 +201,31 @@ TEST(RigFile, ShowsTheStartOfALongValue)
         error_of(with("base_mm = 80", "base_mm = [[1, 2], \"" + std::string(99, 'x') + "\"]")),
         "my.rig.toml:7: height.base_mm is [[1, 2], '" + std::string(30, 'x')
             + " …, expected a number of 0 or more");
+}
+
+TEST(RigFile, ReadsAPensPressures)
+{
+    auto const rig
+        = parse_rig(std::string(kText) + "[pen]\npressure_threshold = 0.02\n", "my.rig.toml")
+              .value();
+    EXPECT_EQ(rig.pressure.threshold, 0.02);
+    EXPECT_EQ(rig.pressure.full, 1);
+    EXPECT_EQ(rig.pressure.exponent, 1);
+}
+
+TEST(RigFile, RefusesPressuresWithoutSense)
+{
+    auto const error_of_pen = [](std::string const& keys) {
+        return error_of(std::string(kText) + "[pen]\n" + keys + "\n");
+    };
+    EXPECT_EQ(error_of_pen("pressure_full = 1.5"),
+              "my.rig.toml:15: pen.pressure_full is 1.5, expected at most 1");
+    EXPECT_EQ(error_of_pen("pressure_threshold = 1"),
+              "my.rig.toml:15: pen.pressure_threshold is 1, expected less than pressure_full (1)");
+    EXPECT_EQ(error_of_pen("pressure_threshold = -0.1"),
+              "my.rig.toml:15: pen.pressure_threshold is -0.1, expected a number of 0 or more");
+    EXPECT_EQ(error_of_pen("pressure_exponent = 0"),
+              "my.rig.toml:15: pen.pressure_exponent is 0, expected a number greater than 0");
 }
 
 TEST(RigFile, RefusesAnUnknownModel)
