@@ -80,12 +80,16 @@ SimulatedDevice simulate_height(Hand const& hand, RigGeometry const& geometry,
         .report_descriptor = report_descriptor(geometry.full_scale_counts),
     };
     DeviceClock clock(options.timing, { .seed = options.seed, .stream = kHeightTimingStream });
+    HeightFaults faults(options.faults);
     Random noise({ .seed = options.seed, .stream = kHeightNoiseStream });
     for (auto now = clock.next_instant(); now < hand.end(); now = clock.next_instant()) {
         double const counts = ideal_counts(geometry, hand.at(now).position_mm.z())
             + options.noise_counts * noise.normal();
         double const read = std::clamp(std::round(counts), 0.0, double(geometry.full_scale_counts));
-        device.reports.push_back(encode(static_cast<std::int32_t>(read), clock.arrival(now)));
+        auto const arrival = clock.arrival(now);
+        if (auto const faulty
+            = faults.apply(now, static_cast<std::int32_t>(read), geometry.full_scale_counts))
+            device.reports.push_back(encode(*faulty, arrival));
     }
     return device;
 }

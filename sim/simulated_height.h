@@ -2,10 +2,12 @@
 
 #include "engine/base/time.h"
 #include "sim/hand.h"
+#include "sim/height_faults.h"
 #include "sim/rig_geometry.h"
 #include "sim/simulated_device.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace tractus {
 
@@ -21,7 +23,8 @@ struct HeightOptions {
         .latency = std::chrono::milliseconds(3),
         .jitter = std::chrono::microseconds(200),
     };
-    double noise_counts = 1; // Standard deviation, before rounding.
+    double noise_counts = 1;                     // Standard deviation, before rounding.
+    std::vector<SimulatedHeightFault> faults {}; // By the time of measuring.
 };
 
 // What the height sensor of a rig sends while a hand draws. Readings beyond the converter's range

@@ -1,0 +1,265 @@
+#include "calib/height_monitor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fmt/core.h>
+
+namespace tractus {
+
+namespace {
+
+// Jumps that follow each other within this time are one: away and back again.
+constexpr Duration kJumpLasts = std::chrono::milliseconds(500);
+
+// A change and the opposite one within this time are noise; so many of them make a noisy sensor.
+constexpr Duration kFlicker = std::chrono::milliseconds(100);
+constexpr std::size_t kNoisyFlickers = 5;
+
+bool is_worse(HeightFault const& a, HeightFault const& b)
+{
+    return a.kind == HeightFaultKind::Jump ? a.speed_mm_per_s > b.speed_mm_per_s
+                                           : a.end - a.begin > b.end - b.begin;
+}
+
+void add(HeightFaultTotal& total, HeightFault const& fault)
+{
+    if (total.count++ == 0 || is_worse(fault, total.worst))
+        total.worst = fault;
+    total.duration += fault.end - fault.begin;
+}
+
+} // namespace
+
+HeightMonitor::HeightMonitor(Rig const& rig, HeightMonitorLimits const& limits)
+    : rig_(rig)
+    , limits_(limits)
+{
+}
+
+void HeightMonitor::push(HeightSample const& sample)
+{
+    advance(sample.time);
+    close(HeightFaultKind::Silence);
+    alive_ = std::max(alive_.value_or(sample.time), sample.time);
+    watch_rail(sample);
+    watch_jump(sample);
+    watch_stuck(sample);
+    watch_rate(sample.time);
+    last_ = sample;
+}
+
+void HeightMonitor::advance(Timestamp now)
+{
+    close_old_jump(now);
+    if (!alive_)
+        alive_ = now;
+    if (now - *alive_ > limits_.silence_after)
+        see({ .kind = HeightFaultKind::Silence, .begin = *alive_, .end = now });
+}
+
+// Begins a fault or goes on with it.
+void HeightMonitor::see(HeightFault const& fault)
+{
+    auto& open = watch(fault.kind).open;
+    if (!open) {
+        open = fault;
+        return;
+    }
+    open->end = std::max(open->end, fault.end);
+    if (fault.speed_mm_per_s > open->speed_mm_per_s) {
+        open->speed_mm_per_s = fault.speed_mm_per_s;
+        open->counts = fault.counts;
+    }
+}
+
+void HeightMonitor::close(HeightFaultKind kind)
+{
+    auto& [open, closed] = watch(kind);
+    if (open)
+        add(closed, *open);
+    open.reset();
+}
+
+void HeightMonitor::close_old_jump(Timestamp now)
+{
+    auto const& jump = watch(HeightFaultKind::Jump).open;
+    if (jump && now - jump->end > kJumpLasts)
+        close(HeightFaultKind::Jump);
+}
+
+bool HeightMonitor::is_on_rail(HeightSample const& sample) const
+{
+    auto const margin = limits_.rail_margin * sample.full_scale;
+    return sample.counts <= margin || sample.counts >= sample.full_scale - margin;
+}
+
+void HeightMonitor::watch_rail(HeightSample const& sample)
+{
+    if (!is_on_rail(sample)) {
+        rail_since_.reset();
+        close(HeightFaultKind::Rail);
+        return;
+    }
+    if (!rail_since_)
+        rail_since_ = sample.time;
+    if (sample.time - *rail_since_ >= limits_.rail_after)
+        see({ .kind = HeightFaultKind::Rail,
+              .begin = *rail_since_,
+              .end = sample.time,
+              .counts = sample.counts });
+}
+
+// The way to a rail and back from it is the rail's fault, and what happened in a silence is not
+// known to have happened at once.
+void HeightMonitor::watch_jump(HeightSample const& sample)
+{
+    if (!last_ || sample.full_scale != rig_.full_scale_counts
+        || last_->full_scale != sample.full_scale || is_on_rail(sample) || is_on_rail(*last_)
+        || std::abs(sample.counts - last_->counts) <= limits_.jump_noise_counts)
+        return;
+    auto const before_mm = height_mm(rig_.height_model, last_->counts);
+    auto const after_mm = height_mm(rig_.height_model, sample.counts);
+    if (!before_mm || !after_mm)
+        return;
+    auto const duration = std::max(sample.time - last_->time, limits_.jump_shortest);
+    double const speed_mm_per_s = std::abs(*after_mm - *before_mm) / to_seconds(duration);
+    if (speed_mm_per_s > limits_.jump_mm_per_s)
+        see({ .kind = HeightFaultKind::Jump,
+              .begin = sample.time,
+              .end = sample.time,
+              .counts = sample.counts,
+              .speed_mm_per_s = speed_mm_per_s });
+}
+
+void HeightMonitor::learn_noise(HeightSample const& sample)
+{
+    int const sign = sample.counts > last_->counts ? 1 : -1;
+    if (sign == -last_change_sign_ && sample.time - last_change_ < kFlicker)
+        ++flickers_;
+    last_change_ = sample.time;
+    last_change_sign_ = sign;
+}
+
+// A reading on a rail has no noise, and is a fault already.
+void HeightMonitor::watch_stuck(HeightSample const& sample)
+{
+    bool const is_same = last_ && last_->counts == sample.counts;
+    if (last_ && !is_same)
+        learn_noise(sample);
+    if (!is_same || is_on_rail(sample)) {
+        same_since_ = sample.time;
+        close(HeightFaultKind::Stuck);
+        return;
+    }
+    auto const limit
+        = flickers_ >= kNoisyFlickers ? limits_.stuck_after : limits_.stuck_without_noise_after;
+    if (sample.time - same_since_ >= limit)
+        see({ .kind = HeightFaultKind::Stuck,
+              .begin = same_since_,
+              .end = sample.time,
+              .counts = sample.counts });
+}
+
+void HeightMonitor::watch_rate(Timestamp time)
+{
+    constexpr Duration kSpan = std::chrono::seconds(1);
+    recent_.push_back(time);
+    while (time - recent_.front() > kSpan)
+        recent_.pop_front();
+}
+
+double HeightMonitor::rate_hz() const
+{
+    if (recent_.size() < 2 || recent_.back() <= recent_.front())
+        return 0;
+    return static_cast<double>(recent_.size() - 1) / to_seconds(recent_.back() - recent_.front());
+}
+
+std::optional<HeightFault> HeightMonitor::present() const
+{
+    for (auto const& one : watches_)
+        if (one.open)
+            return one.open;
+    return std::nullopt;
+}
+
+HeightFaultTotal HeightMonitor::total(HeightFaultKind kind) const
+{
+    auto const& [open, closed] = watch(kind);
+    auto result = closed;
+    if (open)
+        add(result, *open);
+    return result;
+}
+
+std::string describe_fault(HeightFault const& fault)
+{
+    double const seconds = to_seconds(fault.end - fault.begin);
+    switch (fault.kind) {
+    case HeightFaultKind::Silence:
+        return fmt::format("height sensor silent for {:.1f} s: is it plugged in?", seconds);
+    case HeightFaultKind::Rail:
+        return fmt::format("height sensor reads {}, the end of its range: wiper or cable open?",
+                           fault.counts);
+    case HeightFaultKind::Jump:
+        return fmt::format("height jumped at {:.1f} m/s: string slipping or contact loose?",
+                           fault.speed_mm_per_s / 1000);
+    case HeightFaultKind::Stuck:
+        return fmt::format("height stuck at {} for {:.0f} s: string torn or jammed?", fault.counts,
+                           seconds);
+    }
+    return {};
+}
+
+namespace {
+
+// "once, for 0.3 s at 12.1 s", "3 times, for 2.3 s in all, the longest at 12.1 s".
+std::string how_long(HeightFaultTotal const& total, Timestamp start)
+{
+    double const at_s = to_seconds(total.worst.begin - start);
+    double const seconds = to_seconds(total.duration);
+    if (total.count == 1)
+        return fmt::format("once, for {:.1f} s at {:.1f} s", seconds, at_s);
+    return fmt::format("{} times, for {:.1f} s in all, the longest at {:.1f} s", total.count,
+                       seconds, at_s);
+}
+
+std::string describe_total(HeightFaultKind kind, HeightFaultTotal const& total, Timestamp start)
+{
+    auto const& worst = total.worst;
+    switch (kind) {
+    case HeightFaultKind::Silence:
+        return fmt::format("the height sensor fell silent {}: check its plug and its cable",
+                           how_long(total, start));
+    case HeightFaultKind::Rail:
+        return fmt::format("the height sensor read {}, an end of its range, {}: its wiper or its "
+                           "cable is open, or the spool is at its stop",
+                           worst.counts, how_long(total, start));
+    case HeightFaultKind::Jump:
+        return fmt::format("the height jumped {}, at up to {:.1f} m/s at {:.1f} s, faster than a "
+                           "hand: the string slips or a contact is loose",
+                           total.count == 1 ? "once" : fmt::format("{} times", total.count),
+                           worst.speed_mm_per_s / 1000, to_seconds(worst.begin - start));
+    case HeightFaultKind::Stuck:
+        return fmt::format("the height sensor stood still at {} {}: if the surface moved then, the "
+                           "string is torn or jammed",
+                           worst.counts, how_long(total, start));
+    }
+    return {};
+}
+
+} // namespace
+
+std::vector<std::string> describe_faults(HeightMonitor const& monitor, Timestamp start)
+{
+    std::vector<std::string> sentences;
+    for (std::size_t i = 0; i < kHeightFaultKinds; ++i) {
+        auto const kind = static_cast<HeightFaultKind>(i);
+        if (auto const total = monitor.total(kind); total.count > 0)
+            sentences.push_back(describe_total(kind, total, start));
+    }
+    return sentences;
+}
+
+} // namespace tractus

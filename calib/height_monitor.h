@@ -1,0 +1,137 @@
+#pragma once
+
+#include "calib/rig.h"
+#include "drivers/height_sample.h"
+#include "engine/base/time.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// What can be wrong with a height sensor that goes on being a device.
+enum class HeightFaultKind {
+    Silence, // No reading comes.
+    Rail,    // Readings lie at an end of the converter's range: an open wiper or cable, a short.
+    Jump,    // The height changed faster than a hand moves: a slipping string, a loose contact.
+    Stuck,   // The reading does not even show its noise any more: a torn or jammed string.
+};
+constexpr std::size_t kHeightFaultKinds = 4;
+
+// One fault while it lasted. Times are those of the data.
+struct HeightFault {
+    HeightFaultKind kind = HeightFaultKind::Silence;
+    Timestamp begin {};
+    Timestamp end {};          // When it was last seen so.
+    std::int32_t counts = 0;   // The reading, for a jump the one after it; 0 for silence.
+    double speed_mm_per_s = 0; // Of a jump, the greatest.
+};
+
+// All faults of one kind.
+struct HeightFaultTotal {
+    std::size_t count = 0;
+    Duration duration {}; // In all.
+    HeightFault worst {}; // The longest, of jumps the fastest.
+};
+
+// Where to draw the line between a hand's work and a fault.
+struct HeightMonitorLimits {
+    // A reading within this share of full scale of an end of the range, for this long.
+    double rail_margin = 0.001; // At least the end itself.
+    Duration rail_after = std::chrono::milliseconds(20);
+
+    // Faster than any hand. Readings that arrive closer together than the shortest time were not
+    // taken so: USB delivers in bursts.
+    double jump_mm_per_s = 2000;
+    Duration jump_shortest = std::chrono::microseconds(2500);
+    double jump_noise_counts = 4; // A step of no more than this is noise, not a movement.
+
+    // Without any reading.
+    Duration silence_after = std::chrono::milliseconds(250);
+
+    // With exactly the same reading: of a sensor whose readings flicker at rest, and of one whose
+    // readings never did, as those of 10 bits may not.
+    Duration stuck_after = std::chrono::seconds(5);
+    Duration stuck_without_noise_after = std::chrono::seconds(60);
+};
+
+// Watches the height sensor's readings and tells what is wrong with it. Samples come in time order.
+// By the data's times alone, so a log gives the faults that the live sensor gave. A fault is
+// noticed as soon as it has lasted for its limit, and has begun when it did.
+class HeightMonitor {
+public:
+    // The rig's model says how many millimetres a count is; where it does not hold, nothing is
+    // called a jump.
+    explicit HeightMonitor(Rig const& rig, HeightMonitorLimits const& limits = {});
+
+    void push(HeightSample const& sample);
+
+    // Whether a reading lies at an end of its range, where it tells no height.
+    bool is_on_rail(HeightSample const& sample) const;
+
+    // Other data show that it is `now`: without it, silence after the last reading goes unnoticed.
+    // The first call, or the first reading, begins the watch.
+    void advance(Timestamp now);
+
+    // What is wrong at this moment; the first of HeightFaultKind's order if several things are. A
+    // jump counts as present for half a second.
+    std::optional<HeightFault> present() const;
+
+    // Everything so far, what is present included.
+    HeightFaultTotal total(HeightFaultKind kind) const;
+
+    // Readings per second, over the last second of readings; 0 until there are two.
+    double rate_hz() const;
+
+private:
+    struct Watch {
+        std::optional<HeightFault> open {};
+        HeightFaultTotal closed {};
+    };
+
+    Watch& watch(HeightFaultKind kind) { return watches_[static_cast<std::size_t>(kind)]; }
+    Watch const& watch(HeightFaultKind kind) const
+    {
+        return watches_[static_cast<std::size_t>(kind)];
+    }
+
+    void see(HeightFault const& fault);
+    void close(HeightFaultKind kind);
+    void close_old_jump(Timestamp now);
+    void watch_rail(HeightSample const& sample);
+    void watch_jump(HeightSample const& sample);
+    void watch_stuck(HeightSample const& sample);
+    void learn_noise(HeightSample const& sample);
+    void watch_rate(Timestamp time);
+
+    Rig rig_;
+    HeightMonitorLimits limits_;
+    std::array<Watch, kHeightFaultKinds> watches_ {};
+
+    std::optional<Timestamp> alive_ {};      // The last reading, or when the watch began.
+    std::optional<HeightSample> last_ {};    // The last reading.
+    std::optional<Timestamp> rail_since_ {}; // As long as readings are there.
+    Timestamp same_since_ {};                // Since when all readings are like the last.
+
+    // Noise: a change of the reading and the opposite change soon after it, which no hand does.
+    Timestamp last_change_ {};
+    int last_change_sign_ = 0;
+    std::size_t flickers_ = 0;
+
+    std::deque<Timestamp> recent_ {}; // Readings of the last second.
+};
+
+// All that was wrong, a sentence each, for the user: what it was, how often and how long, and what
+// to look at. Empty if nothing was. Times in them count from `start`.
+std::vector<std::string> describe_faults(HeightMonitor const& monitor, Timestamp start);
+
+// What is wrong now, in a few words for a line of the screen: "height sensor silent for 3.2 s: is
+// it plugged in?"
+std::string describe_fault(HeightFault const& fault);
+
+} // namespace tractus

@@ -1,0 +1,37 @@
+#include "sim/height_faults.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace tractus {
+
+HeightFaults::HeightFaults(std::vector<SimulatedHeightFault> faults)
+    : faults_(std::move(faults))
+{
+}
+
+std::optional<std::int32_t> HeightFaults::apply(Timestamp now, std::int32_t counts,
+                                                std::int32_t full_scale)
+{
+    auto const fault = std::find_if(faults_.begin(), faults_.end(),
+                                    [&](auto const& f) { return f.begin <= now && now < f.end; });
+    if (fault != faults_.end()) {
+        switch (fault->kind) {
+        case HeightFaultKind::Silence:
+            return std::nullopt;
+        case HeightFaultKind::Rail:
+            counts = fault->counts;
+            break;
+        case HeightFaultKind::Jump:
+            counts = std::clamp(counts + fault->counts, 0, full_scale);
+            break;
+        case HeightFaultKind::Stuck:
+            counts = last_.value_or(counts);
+            break;
+        }
+    }
+    last_ = counts;
+    return counts;
+}
+
+} // namespace tractus
