@@ -1,0 +1,268 @@
+#include "sim/function_fs_device.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <initializer_list>
+#include <linux/usb/functionfs.h>
+#include <sys/eventfd.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace tractus {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// What the system has no functions for.
+long io_setup(unsigned count, aio_context_t* context)
+{
+    return ::syscall(SYS_io_setup, count, context);
+}
+
+long io_submit(aio_context_t context, iocb* request)
+{
+    return ::syscall(SYS_io_submit, context, 1L, &request);
+}
+
+long io_getevents(aio_context_t context, std::span<io_event> events)
+{
+    timespec at_once {};
+    return ::syscall(SYS_io_getevents, context, 0L, static_cast<long>(events.size()), events.data(),
+                     &at_once);
+}
+
+void append(std::vector<std::byte>& bytes, std::initializer_list<unsigned> values)
+{
+    for (unsigned const value : values)
+        bytes.push_back(static_cast<std::byte>(value));
+}
+
+void append_u32(std::vector<std::byte>& bytes, std::size_t value)
+{
+    for (unsigned shift = 0; shift < 32; shift += 8)
+        bytes.push_back(static_cast<std::byte>(value >> shift & 0xff));
+}
+
+// Sets the length of a whole block, its second number.
+void set_length(std::vector<std::byte>& block)
+{
+    for (unsigned i = 0; i < 4; ++i)
+        block[4 + i] = static_cast<std::byte>(block.size() >> (8 * i) & 0xff);
+}
+
+// Interface and endpoint (USB 2.0 sections 9.6.5, 9.6.6).
+void append_function(std::vector<std::byte>& bytes, unsigned max_packet_bytes)
+{
+    append(bytes, { 9, USB_DT_INTERFACE, 0, 0, 1, USB_CLASS_VENDOR_SPEC, 0, 0, 1 });
+    append(bytes,
+           { 7, USB_DT_ENDPOINT, USB_DIR_IN | 1, USB_ENDPOINT_XFER_BULK, max_packet_bytes & 0xff,
+             max_packet_bytes >> 8, 0 });
+}
+
+// For full and high speed, in the form of linux/usb/functionfs.h.
+std::vector<std::byte> descriptors()
+{
+    std::vector<std::byte> block;
+    append_u32(block, FUNCTIONFS_DESCRIPTORS_MAGIC_V2);
+    append_u32(block, 0);
+    // Requests to the device itself come, too.
+    append_u32(block, FUNCTIONFS_HAS_FS_DESC | FUNCTIONFS_HAS_HS_DESC | FUNCTIONFS_ALL_CTRL_RECIP);
+    append_u32(block, 2); // Descriptors of each speed.
+    append_u32(block, 2);
+    append_function(block, 64);
+    append_function(block, 512);
+    set_length(block);
+    return block;
+}
+
+// One string, the interface's name, in English.
+std::vector<std::byte> strings(std::string const& name)
+{
+    std::vector<std::byte> block;
+    append_u32(block, FUNCTIONFS_STRINGS_MAGIC);
+    append_u32(block, 0);
+    append_u32(block, 1);
+    append_u32(block, 1);
+    append(block, { 0x09, 0x04 });
+    for (char const letter : name)
+        append(block, { static_cast<unsigned char>(letter) });
+    append(block, { 0 });
+    set_length(block);
+    return block;
+}
+
+Result<void> write_block(FileDescriptor const& control, std::vector<std::byte> const& block)
+{
+    if (::write(control.number(), block.data(), block.size()) >= 0)
+        return {};
+    return fail(
+        Fault::User,
+        fmt::format("the kernel's FunctionFS refuses our descriptors: {}", std::strerror(errno)));
+}
+
+UsbControlRequest request_of(usb_ctrlrequest const& setup)
+{
+    return {
+        .request_type = setup.bRequestType,
+        .request = setup.bRequest,
+        .value = setup.wValue, // The kernel's fields have the wire's byte order, which is a PC's
+        .index = setup.wIndex, // and a Raspberry Pi's as well.
+        .length = setup.wLength,
+    };
+}
+
+} // namespace
+
+FunctionFsDevice::FunctionFsDevice(FileDescriptor control, UsbControlAnswers answers)
+    : control_(std::move(control))
+    , answers_(std::move(answers))
+{
+}
+
+FunctionFsDevice::~FunctionFsDevice()
+{
+    if (context_)
+        ::syscall(SYS_io_destroy, context_); // Calls back what is under way, and waits for it.
+}
+
+Result<std::unique_ptr<FunctionFsDevice>>
+FunctionFsDevice::add_to(UsbGadget& gadget, std::string const& name, UsbControlAnswers answers)
+{
+    auto const mount = TRY(gadget.add_file_system_function());
+    auto control = TRY(open_kernel_file(mount / "ep0", O_RDWR | O_NONBLOCK,
+                                        "is another program playing the gadget?"));
+    TRY(write_block(control, descriptors()));
+    TRY(write_block(control, strings(name)));
+    std::unique_ptr<FunctionFsDevice> device(
+        new FunctionFsDevice(std::move(control), std::move(answers)));
+    TRY(device->open_endpoint(mount));
+    return device;
+}
+
+Result<void> FunctionFsDevice::open_endpoint(fs::path const& mount)
+{
+    endpoint_ = TRY(open_kernel_file(mount / "ep1", O_RDWR | O_NONBLOCK,
+                                     "is another program playing the gadget?"));
+    finished_ = FileDescriptor(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC));
+    if (!finished_ || io_setup(kMaxWaiting, &context_) != 0)
+        return fail(
+            Fault::User,
+            fmt::format("the kernel gives no asynchronous transfers: {}", std::strerror(errno)));
+    return {};
+}
+
+void FunctionFsDevice::add_files_to(std::vector<pollfd>& files) const
+{
+    files.push_back({ .fd = control_.number(), .events = POLLIN, .revents = 0 });
+    files.push_back({ .fd = finished_.number(), .events = POLLIN, .revents = 0 });
+}
+
+Result<void> FunctionFsDevice::serve()
+{
+    finish_transfers();
+    while (serve_control()) { }
+    return {};
+}
+
+Result<void> FunctionFsDevice::send(std::span<std::byte const> report)
+{
+    TRY(serve());
+    auto const free = std::find_if(transfers_.begin(), transfers_.end(),
+                                   [](Transfer const& transfer) { return !transfer.is_busy; });
+    if (!is_enabled_ || free == transfers_.end() || report.size() > kMaxReportBytes) {
+        ++lost_count_;
+        return {};
+    }
+    std::copy(report.begin(), report.end(), free->bytes.begin());
+    free->request = {};
+    free->request.aio_data = static_cast<std::uint64_t>(free - transfers_.begin());
+    free->request.aio_lio_opcode = IOCB_CMD_PWRITE;
+    free->request.aio_fildes = static_cast<std::uint32_t>(endpoint_.number());
+    free->request.aio_buf = reinterpret_cast<std::uintptr_t>(free->bytes.data());
+    free->request.aio_nbytes = report.size();
+    free->request.aio_flags = IOCB_FLAG_RESFD;
+    free->request.aio_resfd = static_cast<std::uint32_t>(finished_.number());
+    if (io_submit(context_, &free->request) != 1) {
+        ++lost_count_;
+        return {};
+    }
+    free->is_busy = true;
+    ++waiting_count_;
+    return {};
+}
+
+void FunctionFsDevice::finish_transfers()
+{
+    std::uint64_t ignored = 0; // How many have ended; their events say more.
+    static_cast<void>(!::read(finished_.number(), &ignored, sizeof ignored));
+    std::array<io_event, kMaxWaiting> events {};
+    long const count = io_getevents(context_, events);
+    for (long i = 0; i < count; ++i) {
+        auto const& event = events[static_cast<std::size_t>(i)];
+        transfers_[event.data].is_busy = false;
+        --waiting_count_;
+        if (event.res >= 0)
+            is_read_ = true;
+        else
+            ++lost_count_;
+    }
+}
+
+// False when there was nothing.
+bool FunctionFsDevice::serve_control()
+{
+    usb_functionfs_event event {};
+    if (::read(control_.number(), &event, sizeof event) != static_cast<ssize_t>(sizeof event))
+        return false;
+    switch (event.type) {
+    case FUNCTIONFS_SETUP:
+        answer(request_of(event.u.setup));
+        break;
+    case FUNCTIONFS_ENABLE:
+        is_enabled_ = true;
+        break;
+    case FUNCTIONFS_DISABLE:
+    case FUNCTIONFS_UNBIND:
+        is_enabled_ = is_read_ = false;
+        break;
+    default: // Bound, suspended or awake again.
+        break;
+    }
+    return true;
+}
+
+// To refuse a request is to begin its data the wrong way round. What goes wrong here is the host's
+// affair: it has gone, or asks for something else already.
+void FunctionFsDevice::answer(UsbControlRequest const& request)
+{
+    std::array<std::byte, 4096> data;
+    if (request.request_type & USB_DIR_IN) {
+        auto const reply = answers_.get ? answers_.get(request) : std::nullopt;
+        if (reply)
+            static_cast<void>(!::write(control_.number(), reply->data(),
+                                       std::min<std::size_t>(reply->size(), request.length)));
+        else
+            static_cast<void>(!::read(control_.number(), data.data(), 0));
+        return;
+    }
+    bool const is_without_data = request.length == 0;
+    bool const may_set = answers_.set && request.length <= data.size();
+    if (may_set && is_without_data) {
+        if (answers_.set(request, {}))
+            static_cast<void>(!::read(control_.number(), data.data(), 0));
+        else
+            static_cast<void>(!::write(control_.number(), data.data(), 0));
+    } else if (may_set) {
+        auto const size = ::read(control_.number(), data.data(), request.length);
+        if (size >= 0)
+            answers_.set(request, std::span(data).first(static_cast<std::size_t>(size)));
+    } else {
+        static_cast<void>(!::write(control_.number(), data.data(), 0));
+    }
+}
+
+} // namespace tractus

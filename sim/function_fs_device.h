@@ -1,0 +1,89 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "sim/file_descriptor.h"
+#include "sim/kernel_device.h"
+#include "sim/usb_gadget.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <linux/aio_abi.h>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// The eight bytes that begin a control transfer (USB 2.0 section 9.3).
+struct UsbControlRequest {
+    std::uint8_t request_type = 0; // bmRequestType; bit 7: the device answers with data.
+    std::uint8_t request = 0;
+    std::uint16_t value = 0;
+    std::uint16_t index = 0;
+    std::uint16_t length = 0;
+};
+
+// What a device answers to control requests that the kernel does not answer itself. What it does
+// not know it refuses, and the host sees a stall.
+struct UsbControlAnswers {
+    // No value refuses. What is longer than the host asked for is cut.
+    std::function<std::optional<std::vector<std::byte>>(UsbControlRequest const&)> get {};
+    // `data` is what the host sends along; false refuses.
+    std::function<bool(UsbControlRequest const&, std::span<std::byte const> data)> set {};
+};
+
+// A vendor-specific function of a USB gadget with one bulk endpoint, IN: each report is a transfer.
+// Made with the kernel's FunctionFS.
+class FunctionFsDevice final : public KernelDevice {
+public:
+    // So many transfers wait for the host to ask for them, as in a microcontroller's memory; a
+    // report that finds no place is lost.
+    static constexpr std::size_t kMaxWaiting = 8;
+    static constexpr std::size_t kMaxReportBytes = 512;
+
+    // Adds to `gadget`, which must not be plugged in yet and must outlive the function, a
+    // vendor-specific interface of that name.
+    static Result<std::unique_ptr<FunctionFsDevice>>
+    add_to(UsbGadget& gadget, std::string const& name, UsbControlAnswers answers);
+    ~FunctionFsDevice() override;
+
+    void add_files_to(std::vector<pollfd>& files) const override;
+    Result<void> serve() override;
+    Result<void> send(std::span<std::byte const> report) override;
+
+    bool is_read() const override { return is_read_; }
+    std::uint64_t lost_count() const override { return lost_count_; }
+    std::size_t waiting_count() const override { return waiting_count_; }
+
+private:
+    struct Transfer {
+        bool is_busy = false;
+        iocb request {};
+        std::array<std::byte, kMaxReportBytes> bytes {};
+    };
+
+    FunctionFsDevice(FileDescriptor control, UsbControlAnswers answers);
+
+    Result<void> open_endpoint(std::filesystem::path const& mount);
+    void finish_transfers();
+    bool serve_control();
+    void answer(UsbControlRequest const& request);
+
+    FileDescriptor control_;  // ep0
+    FileDescriptor endpoint_; // ep1
+    FileDescriptor finished_; // An eventfd, ready when a transfer has ended.
+    aio_context_t context_ = 0;
+    UsbControlAnswers answers_;
+    std::array<Transfer, kMaxWaiting> transfers_ {};
+    std::size_t waiting_count_ = 0;
+    bool is_enabled_ = false; // The host has configured us.
+    bool is_read_ = false;
+    std::uint64_t lost_count_ = 0;
+};
+
+} // namespace tractus
