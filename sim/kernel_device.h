@@ -30,6 +30,9 @@ public:
     // Whether a program reads the device now, as far as can be told.
     virtual bool is_read() const = 0;
 
+    // Whether is_read() becomes true by a report's being taken, and by nothing else.
+    virtual bool tells_readers_by_reports() const = 0;
+
     // How many reports were dropped because nobody read them in time, or there was no host.
     virtual std::uint64_t lost_count() const = 0;
 

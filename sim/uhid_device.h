@@ -42,6 +42,7 @@ public:
     Result<void> send(std::span<std::byte const> report) override;
 
     bool is_read() const override { return is_open_; }
+    bool tells_readers_by_reports() const override { return false; }
     std::uint64_t lost_count() const override { return 0; }
     std::size_t waiting_count() const override { return 0; }
 

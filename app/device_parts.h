@@ -1,0 +1,68 @@
+#pragma once
+
+#include "drivers/report_source.h"
+#include "engine/base/result.h"
+#include "engine/base/time.h"
+#include "sim/kernel_device.h"
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace tractus {
+
+// What a device does at times of its own while it is played to the kernel. Times are of the
+// monotonic clock.
+class DevicePart {
+public:
+    virtual ~DevicePart() = default;
+
+    // The play begins now. Before, the device is there, and whatever it measures stands still.
+    virtual void begin(Timestamp now) = 0;
+
+    // When it wants to be called next, before the begin as well; Timestamp::max() for never.
+    virtual Timestamp due() const = 0;
+
+    // `now` is due() or later.
+    virtual Result<void> play(Timestamp now) = 0;
+
+    // Whether all that was to be played has been.
+    virtual bool is_over() const = 0;
+};
+
+// Sends reports when their times have come.
+class ReportPart final : public DevicePart {
+public:
+    // At least one; their times count from the begin. The device must outlive the part.
+    ReportPart(KernelDevice& device, std::vector<RawReport> reports);
+
+    void begin(Timestamp now) override;
+    Timestamp due() const override;
+    Result<void> play(Timestamp now) override;
+    bool is_over() const override { return next_ == reports_.size(); }
+
+private:
+    Result<void> knock(Timestamp now);
+
+    KernelDevice& device_;
+    std::vector<RawReport> reports_;
+    std::size_t next_ = 0;
+    bool has_begun_ = false;
+    Timestamp begin_ {};
+    Timestamp next_knock_ {};
+};
+
+// Everything that is played at once.
+struct DevicePlay {
+    std::vector<KernelDevice*> devices {}; // All are served.
+    std::vector<DevicePart*> parts {};
+    std::function<void()> on_begin {}; // When all devices are read for the first time; may be empty.
+};
+
+// Waits until some program reads each of the devices, then plays the parts to the end of them all
+// and until the reports have been taken; or until `stop` is set (by a signal handler, say). It
+// sleeps whenever there is nothing to do.
+Result<void> play_parts(DevicePlay const& play, std::atomic<bool> const& stop);
+
+} // namespace tractus
