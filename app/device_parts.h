@@ -57,7 +57,8 @@ private:
 struct DevicePlay {
     std::vector<KernelDevice*> devices {}; // All are served.
     std::vector<DevicePart*> parts {};
-    std::function<void()> on_begin {}; // When all devices are read for the first time; may be empty.
+    std::function<void()>
+        on_begin {}; // When all devices are read for the first time; may be empty.
 };
 
 // Waits until some program reads each of the devices, then plays the parts to the end of them all

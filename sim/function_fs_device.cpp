@@ -54,33 +54,33 @@ void set_length(std::vector<std::byte>& block)
         block[4 + i] = static_cast<std::byte>(block.size() >> (8 * i) & 0xff);
 }
 
-// Interface and endpoint (USB 2.0 sections 9.6.5, 9.6.6).
-void append_function(std::vector<std::byte>& bytes, unsigned max_packet_bytes)
+// Descriptors begin with their length.
+std::size_t count_descriptors(std::vector<std::byte> const& bytes)
 {
-    append(bytes, { 9, USB_DT_INTERFACE, 0, 0, 1, USB_CLASS_VENDOR_SPEC, 0, 0, 1 });
-    append(bytes,
-           { 7, USB_DT_ENDPOINT, USB_DIR_IN | 1, USB_ENDPOINT_XFER_BULK, max_packet_bytes & 0xff,
-             max_packet_bytes >> 8, 0 });
+    std::size_t count = 0;
+    for (std::size_t at = 0; at < bytes.size(); ++count)
+        at += std::max<std::size_t>(1, std::to_integer<std::size_t>(bytes[at]));
+    return count;
 }
 
-// For full and high speed, in the form of linux/usb/functionfs.h.
-std::vector<std::byte> descriptors()
+// In the form of linux/usb/functionfs.h.
+std::vector<std::byte> block_of(UsbFunctionDescriptors const& descriptors)
 {
     std::vector<std::byte> block;
     append_u32(block, FUNCTIONFS_DESCRIPTORS_MAGIC_V2);
     append_u32(block, 0);
-    // Requests to the device itself come, too.
+    // Requests to the device itself are to come, too.
     append_u32(block, FUNCTIONFS_HAS_FS_DESC | FUNCTIONFS_HAS_HS_DESC | FUNCTIONFS_ALL_CTRL_RECIP);
-    append_u32(block, 2); // Descriptors of each speed.
-    append_u32(block, 2);
-    append_function(block, 64);
-    append_function(block, 512);
+    append_u32(block, count_descriptors(descriptors.full_speed));
+    append_u32(block, count_descriptors(descriptors.high_speed));
+    block.insert(block.end(), descriptors.full_speed.begin(), descriptors.full_speed.end());
+    block.insert(block.end(), descriptors.high_speed.begin(), descriptors.high_speed.end());
     set_length(block);
     return block;
 }
 
 // One string, the interface's name, in English.
-std::vector<std::byte> strings(std::string const& name)
+std::vector<std::byte> strings_of(std::string const& name)
 {
     std::vector<std::byte> block;
     append_u32(block, FUNCTIONFS_STRINGS_MAGIC);
@@ -104,7 +104,7 @@ Result<void> write_block(FileDescriptor const& control, std::vector<std::byte> c
         fmt::format("the kernel's FunctionFS refuses our descriptors: {}", std::strerror(errno)));
 }
 
-UsbControlRequest request_of(usb_ctrlrequest const& setup)
+UsbSetup request_of(usb_ctrlrequest const& setup)
 {
     return {
         .request_type = setup.bRequestType,
@@ -130,13 +130,14 @@ FunctionFsDevice::~FunctionFsDevice()
 }
 
 Result<std::unique_ptr<FunctionFsDevice>>
-FunctionFsDevice::add_to(UsbGadget& gadget, std::string const& name, UsbControlAnswers answers)
+FunctionFsDevice::add_to(UsbGadget& gadget, UsbFunctionDescriptors const& descriptors,
+                         UsbControlAnswers answers)
 {
     auto const mount = TRY(gadget.add_file_system_function());
     auto control = TRY(open_kernel_file(mount / "ep0", O_RDWR | O_NONBLOCK,
                                         "is another program playing the gadget?"));
-    TRY(write_block(control, descriptors()));
-    TRY(write_block(control, strings(name)));
+    TRY(write_block(control, block_of(descriptors)));
+    TRY(write_block(control, strings_of(descriptors.name)));
     std::unique_ptr<FunctionFsDevice> device(
         new FunctionFsDevice(std::move(control), std::move(answers)));
     TRY(device->open_endpoint(mount));
@@ -228,6 +229,8 @@ bool FunctionFsDevice::serve_control()
     case FUNCTIONFS_DISABLE:
     case FUNCTIONFS_UNBIND:
         is_enabled_ = is_read_ = false;
+        if (answers_.reset)
+            answers_.reset();
         break;
     default: // Bound, suspended or awake again.
         break;
@@ -237,7 +240,7 @@ bool FunctionFsDevice::serve_control()
 
 // To refuse a request is to begin its data the wrong way round. What goes wrong here is the host's
 // affair: it has gone, or asks for something else already.
-void FunctionFsDevice::answer(UsbControlRequest const& request)
+void FunctionFsDevice::answer(UsbSetup const& request)
 {
     std::array<std::byte, 4096> data;
     if (request.request_type & USB_DIR_IN) {

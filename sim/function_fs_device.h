@@ -4,6 +4,7 @@
 #include "sim/file_descriptor.h"
 #include "sim/kernel_device.h"
 #include "sim/usb_gadget.h"
+#include "sim/usb_setup.h"
 
 #include <array>
 #include <cstddef>
@@ -19,25 +20,26 @@
 
 namespace tractus {
 
-// The eight bytes that begin a control transfer (USB 2.0 section 9.3).
-struct UsbControlRequest {
-    std::uint8_t request_type = 0; // bmRequestType; bit 7: the device answers with data.
-    std::uint8_t request = 0;
-    std::uint16_t value = 0;
-    std::uint16_t index = 0;
-    std::uint16_t length = 0;
+// A function's interface, for full and for high speed: the descriptors of the interface itself and
+// of its one endpoint, bulk IN (USB 2.0 sections 9.6.5 and 9.6.6). Its string, number 1, is `name`.
+struct UsbFunctionDescriptors {
+    std::vector<std::byte> full_speed {};
+    std::vector<std::byte> high_speed {};
+    std::string name {};
 };
 
 // What a device answers to control requests that the kernel does not answer itself. What it does
 // not know it refuses, and the host sees a stall.
 struct UsbControlAnswers {
     // No value refuses. What is longer than the host asked for is cut.
-    std::function<std::optional<std::vector<std::byte>>(UsbControlRequest const&)> get {};
+    std::function<std::optional<std::vector<std::byte>>(UsbSetup const&)> get {};
     // `data` is what the host sends along; false refuses.
-    std::function<bool(UsbControlRequest const&, std::span<std::byte const> data)> set {};
+    std::function<bool(UsbSetup const&, std::span<std::byte const> data)> set {};
+    // The host has reset us, or is gone.
+    std::function<void()> reset {};
 };
 
-// A vendor-specific function of a USB gadget with one bulk endpoint, IN: each report is a transfer.
+// A function of a USB gadget with one bulk endpoint, IN: each report is a transfer.
 // Made with the kernel's FunctionFS.
 class FunctionFsDevice final : public KernelDevice {
 public:
@@ -46,10 +48,9 @@ public:
     static constexpr std::size_t kMaxWaiting = 8;
     static constexpr std::size_t kMaxReportBytes = 512;
 
-    // Adds to `gadget`, which must not be plugged in yet and must outlive the function, a
-    // vendor-specific interface of that name.
+    // Adds the function to `gadget`, which must not be plugged in yet and must outlive it.
     static Result<std::unique_ptr<FunctionFsDevice>>
-    add_to(UsbGadget& gadget, std::string const& name, UsbControlAnswers answers);
+    add_to(UsbGadget& gadget, UsbFunctionDescriptors const& descriptors, UsbControlAnswers answers);
     ~FunctionFsDevice() override;
 
     void add_files_to(std::vector<pollfd>& files) const override;
@@ -73,7 +74,7 @@ private:
     Result<void> open_endpoint(std::filesystem::path const& mount);
     void finish_transfers();
     bool serve_control();
-    void answer(UsbControlRequest const& request);
+    void answer(UsbSetup const& request);
 
     FileDescriptor control_;  // ep0
     FileDescriptor endpoint_; // ep1

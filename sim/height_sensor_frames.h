@@ -2,6 +2,7 @@
 
 #include "drivers/device_info.h"
 #include "drivers/sensors/height_sensor_protocol.h"
+#include "sim/usb_setup.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,15 +19,6 @@ namespace tractus {
 
 // A frame as bytes, its CRC last. At least one reading, at most kMaxHeightFrameSamples.
 std::vector<std::byte> encode_height_frame(HeightFrame const& frame);
-
-// The eight bytes of a control request.
-struct UsbSetup {
-    std::uint8_t request_type = 0; // bmRequestType
-    std::uint8_t request = 0;      // bRequest
-    std::uint16_t value = 0;
-    std::uint16_t index = 0;
-    std::uint16_t length = 0;
-};
 
 enum class UsbSpeed { Full, High };
 

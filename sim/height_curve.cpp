@@ -1,0 +1,63 @@
+#include "sim/height_curve.h"
+
+#include "drivers/height_decoder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <memory>
+#include <utility>
+
+namespace tractus {
+
+HeightCurve::HeightCurve(std::vector<Point> points, std::int32_t full_scale)
+    : points_(std::move(points))
+    , full_scale_(full_scale)
+{
+}
+
+Result<HeightCurve> HeightCurve::read(Log const& log)
+{
+    for (std::size_t device = 0; device < log.devices.size(); ++device) {
+        auto const decoder = make_height_decoder(log.devices[device]);
+        if (!decoder)
+            continue;
+        std::vector<HeightSample> samples;
+        for (auto const& record : log.records)
+            if (record.device == device) // What is broken in a report is not in the curve.
+                static_cast<void>((*decoder)->decode(record.time, log.report(record), samples));
+        std::vector<Point> points;
+        for (auto const& sample : samples)
+            points.push_back({ .time = Timestamp(sample.time - log.records.front().time),
+                               .fraction = double(sample.counts) / sample.full_scale });
+        std::stable_sort(points.begin(), points.end(),
+                         [](Point const& a, Point const& b) { return a.time < b.time; });
+        if (!points.empty())
+            return HeightCurve(std::move(points), (*decoder)->full_scale());
+    }
+    return fail(Fault::User,
+                fmt::format("{} has no heights to play: a height sensor must be among "
+                            "its devices",
+                            log.name));
+}
+
+double HeightCurve::fraction_at(Timestamp time) const
+{
+    auto const after
+        = std::upper_bound(points_.begin(), points_.end(), time,
+                           [](Timestamp t, Point const& point) { return t < point.time; });
+    if (after == points_.begin())
+        return points_.front().fraction;
+    if (after == points_.end())
+        return points_.back().fraction;
+    auto const& before = *std::prev(after);
+    double const part = to_seconds(time - before.time) / to_seconds(after->time - before.time);
+    return before.fraction + part * (after->fraction - before.fraction);
+}
+
+std::int32_t HeightCurve::counts_at(Timestamp time, std::int32_t full_scale) const
+{
+    return static_cast<std::int32_t>(std::lround(fraction_at(time) * full_scale));
+}
+
+} // namespace tractus
