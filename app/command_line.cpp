@@ -2,6 +2,7 @@
 
 #include "app/console.h"
 #include "app/help.h"
+#include "app/verbs/convert.h"
 #include "app/verbs/decode.h"
 #include "app/verbs/demo.h"
 #include "app/verbs/derive.h"
@@ -76,6 +77,7 @@ static void add_verbs(CLI::App& root, Action& action)
     add_devices_verb(root, action);
     add_record_verb(root, action);
     add_decode_verb(root, action);
+    add_convert_verb(root, action);
 }
 
 int run_command_line(int argc, char const* const* argv)

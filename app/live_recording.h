@@ -1,21 +1,25 @@
 #pragma once
 
-#include "drivers/device_info.h"
+#include "app/live_devices.h"
+#include "app/live_recorder.h"
 #include "engine/base/result.h"
+#include "engine/base/time.h"
 
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <optional>
-#include <ostream>
-#include <string>
-#include <vector>
 
 namespace tractus {
 
 struct LiveRecordingOptions {
-    std::optional<double> seconds; // No value: until `stop` is set.
-    std::string rig_text;          // The rig's calibration, to stand in the log; may be empty.
+    std::optional<double> seconds {}; // No value: until `stop` is set.
+    std::function<Timestamp()> now;
+    std::function<void(Duration)> rest;
 };
+
+// The monotonic clock, and sleeping.
+LiveRecordingOptions live_recording_by_the_clock(std::optional<double> seconds);
 
 struct LiveRecordingCounts {
     std::size_t reports = 0;
@@ -23,10 +27,9 @@ struct LiveRecordingCounts {
 };
 
 // Records what devices send, as it comes, until the time is over, `stop` is set (by a signal
-// handler, say) or no device is left. What has come is handed to the system every 250 ms, so that
-// little is lost whatever happens. A device that goes away is named on standard error, and the
-// others go on. Fails if a device cannot be opened or the stream cannot be written.
-Result<LiveRecordingCounts> record_live(std::ostream& out, std::vector<DeviceInfo> const& devices,
+// handler, say) or no device is left. A device that goes away or comes back is named on standard
+// error, and the others go on. Fails if the recorder's stream cannot be written.
+Result<LiveRecordingCounts> record_live(LiveDevices& devices, LiveRecorder& recorder,
                                         LiveRecordingOptions const& options,
                                         std::atomic<bool> const& stop);
 

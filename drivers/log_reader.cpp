@@ -114,6 +114,29 @@ public:
         return true;
     }
 
+    // Appends the `size` bytes of a line written as LogWriter does: each a blank and two digits,
+    // and nothing else. False, and nothing appended, if it is not.
+    bool plain_bytes(std::size_t size, std::vector<std::byte>& bytes)
+    {
+        if (static_cast<std::size_t>(end_ - at_) != 3 * size)
+            return false;
+        auto const old_size = bytes.size();
+        bytes.resize(old_size + size);
+        int wrong = 0;
+        char const* at = at_;
+        for (auto* byte = bytes.data() + old_size; at != end_; at += 3, ++byte) {
+            int const value = hex_digit(at[1]) * 16 | hex_digit(at[2]);
+            wrong |= value | (at[0] ^ ' ') << 8;
+            *byte = static_cast<std::byte>(value);
+        }
+        if (wrong & ~0xff) {
+            bytes.resize(old_size);
+            return false;
+        }
+        at_ = end_;
+        return true;
+    }
+
     // Appends every byte up to the line's end. False if something else than bytes is there.
     bool hex_bytes(std::vector<std::byte>& bytes)
     {
@@ -320,8 +343,8 @@ Result<void> Reader::read_report(std::string_view content)
     Timestamp time {};
     std::size_t size = 0;
     auto const offset = log_.bytes.size();
-    bool const is_report
-        = cursor.time(time) && cursor.integer(size, 10) && cursor.hex_bytes(log_.bytes);
+    bool const is_report = cursor.time(time) && cursor.integer(size, 10)
+        && (cursor.plain_bytes(size, log_.bytes) || cursor.hex_bytes(log_.bytes));
     auto const found = log_.bytes.size() - offset;
     if (is_report && found == size && size > 0 && size <= kMaxReportBytes) {
         log_.records.push_back({ .time = time,

@@ -1,24 +1,24 @@
 #include "app/verbs/record.h"
 
 #include "app/console.h"
+#include "app/live_devices.h"
+#include "app/live_recorder.h"
 #include "app/live_recording.h"
 #include "app/model_file.h"
 #include "app/resources.h"
 #include "app/simulated_recording.h"
 #include "app/verbs/checks.h"
 #include "calib/rig_file.h"
-#include "drivers/device_kind.h"
 #include "drivers/file.h"
-#include "drivers/hid_source.h"
 
 #include <atomic>
-#include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
 #include <fmt/core.h>
-#include <fstream>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace tractus {
 
@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 struct Arguments {
     fs::path output;
     std::optional<double> seconds;
-    std::vector<std::string> nodes;
+    std::vector<std::string> devices;
     std::string rig;
     std::string script;
     std::string model = "broadleaf";
@@ -42,66 +42,45 @@ void ask_to_stop(int)
     stop_asked = true;
 }
 
-// A recording cannot be made again, so it is never written over.
-Result<void> check_new(fs::path const& path)
+// Those that were named, or else every pen and height sensor.
+Result<LiveDevices> open_devices(std::vector<std::string> const& names)
 {
-    std::error_code error;
-    if (fs::exists(path, error))
+    if (!names.empty())
+        return LiveDevices::open_named(names);
+    auto const found = find_pens_and_height_sensors();
+    if (found.empty())
         return fail(Fault::User,
-                    fmt::format("{} is already there: choose another name, a recording "
-                                "is never written over",
-                                path.string()));
-    return {};
-}
-
-// The nodes that were named, or else every pen and height sensor.
-Result<std::vector<DeviceInfo>> choose_devices(std::vector<std::string> const& nodes)
-{
-    std::vector<DeviceInfo> chosen;
-    for (auto const& device : enumerate_hid()) {
-        bool const is_named = std::find(nodes.begin(), nodes.end(), device.location) != nodes.end();
-        if (nodes.empty() ? describe_device(device).kind != DeviceKind::Other : is_named)
-            chosen.push_back(device);
-    }
-    if (chosen.size() < std::max<std::size_t>(nodes.size(), 1))
-        return fail(
-            Fault::User,
-            nodes.empty()
-                ? "there is no tablet and no height sensor to record: see \"tractus devices\", "
-                  "or record the simulated rig with --simulate SCRIPT"
-                : "not every named node is there: see \"tractus devices\"");
-    return chosen;
+                    "there is no tablet and no height sensor to record: \"tractus doctor\" says "
+                    "why; the simulated rig is recorded with --device simulated");
+    return LiveDevices::open(found);
 }
 
 Result<void> record_devices(Arguments const& arguments)
 {
-    TRY(check_new(arguments.output));
-    auto const devices = TRY(choose_devices(arguments.nodes));
-    LiveRecordingOptions options { .seconds = arguments.seconds, .rig_text = {} };
+    TRY(check_new_file(arguments.output));
+    auto const options = live_recording_by_the_clock(arguments.seconds);
+    auto const start = options.now();
+    auto devices = TRY(open_devices(arguments.devices));
+    LogHeader header { .devices = devices.infos(), .rig_text = devices.rig_text(), .start = start };
     if (!arguments.rig.empty()) {
         auto const rig = TRY(load_rig(arguments.rig));
-        options.rig_text = print_rig(rig);
+        header.rig_text = print_rig(rig);
     }
-    // Under its final name from the first report on: a log is whole at any length.
-    std::ofstream out(arguments.output, std::ios::binary);
-    if (!out)
-        return fail(
-            Fault::User,
-            fmt::format("cannot write {}: {}", arguments.output.string(), std::strerror(errno)));
-    for (auto const& device : devices)
+    auto recorder = TRY(LiveRecorder::create(arguments.output, header));
+    for (auto const& device : devices.infos())
         print_error(fmt::format("recording {} at {}\n", device.name, device.location));
     if (!arguments.seconds)
         print_error("until Ctrl-C\n");
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
-    auto const counts = TRY(record_live(out, devices, options, stop_asked));
+    auto const counts = TRY(record_live(devices, recorder, options, stop_asked));
     return print_out(fmt::format("{}: {} reports{}\n", arguments.output.string(), counts.reports,
                                  counts.lost ? fmt::format(", {} lost", counts.lost) : ""));
 }
 
 Result<void> record_simulated(Arguments const& arguments)
 {
-    TRY(check_new(arguments.output));
+    TRY(check_new_file(arguments.output));
     auto const text = TRY(read_file(arguments.script));
     auto const script = TRY(parse_gesture_script(text, arguments.script));
     auto const model = TRY(find_model(arguments.model));
@@ -130,10 +109,11 @@ void add_record_verb(CLI::App& root, Action& action)
               ->type_name("SECONDS")
               ->check(number(0.001, 1e6));
     auto* const device
-        = verb->add_option("--device", arguments->nodes,
-                           "The hidraw nodes to record, as \"tractus devices\" lists "
-                           "them; without it, every pen and height sensor")
-              ->type_name("NODE...");
+        = verb->add_option("--device", arguments->devices,
+                           fmt::format("What to record, each {}; without it, every pen and height "
+                                       "sensor that is found",
+                                       device_name_help()))
+              ->type_name("DEVICE...");
     auto* const rig = verb->add_option("--rig", arguments->rig,
                                        "The rig's calibration, a .rig.toml, to stand in the log")
                           ->type_name("FILE");
@@ -148,9 +128,10 @@ void add_record_verb(CLI::App& root, Action& action)
         ->capture_default_str()
         ->needs(simulate);
     verb->footer(
-        "Records until the time is over, Ctrl-C, or no device is left; what has come is in\n"
-        "the file within a quarter of a second. \"tractus replay\" and \"tractus decode\" read\n"
-        "it.");
+        "Records until the time is over, Ctrl-C, or every log that is played is over; what\n"
+        "has come is in the file within a quarter of a second, and a stroke when it ends. A\n"
+        "device that is unplugged is waited for. \"tractus replay\", \"tractus decode\" and\n"
+        "\"tractus convert\" read the file.");
     verb->callback([arguments, &action] {
         action = [arguments] {
             return arguments->script.empty() ? record_devices(*arguments)

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "drivers/device_info.h"
+#include "drivers/reconnecting_source.h"
+#include "drivers/report_source.h"
+#include "drivers/threaded_source.h"
+#include "engine/base/result.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// A report of one of several devices.
+struct LiveReport {
+    std::size_t device = 0; // Index in LiveDevices::infos().
+    RawReport report {};    // Empty: the device went away.
+};
+
+// Devices that send while the program runs: real ones, which may go away and come back, and logs
+// that are played at their pace. Each is read on a thread of its own; this object belongs to one
+// thread.
+class LiveDevices {
+public:
+    enum class State {
+        Connected,
+        Away,  // It is looked for.
+        Ended, // A log that is over.
+    };
+
+    // Sources at hand. Fails, as the station's fault, if the system gives no threads.
+    static Result<LiveDevices> start(std::vector<std::unique_ptr<ReportSource>> sources);
+
+    // Real devices. Fails as opening one does.
+    static Result<LiveDevices> open(std::vector<DeviceInfo> const& devices);
+
+    // The devices and logs that people name: see name_help().
+    static Result<LiveDevices> open_named(std::span<std::string const> names);
+
+    std::vector<DeviceInfo> const& infos() const { return infos_; }
+    State state(std::size_t device) const;
+    bool any_left() const; // Not all have ended.
+
+    // What has come since the last call, in the order of its times, into `reports`.
+    void take(std::vector<LiveReport>& reports);
+
+    // Reports that came faster than they were taken.
+    std::uint64_t lost_count() const;
+
+    // The calibration in the first log that was named and has one; empty if there is none.
+    std::string const& rig_text() const { return rig_text_; }
+
+private:
+    struct Device {
+        std::unique_ptr<ThreadedSource> source;           // Null when it has ended.
+        ReconnectingSource const* reconnecting = nullptr; // Within source; null for a log.
+    };
+
+    Result<void> add(std::unique_ptr<ReportSource> source, ReconnectingSource const* reconnecting);
+    Result<void> add_real(DeviceInfo info, Reconnection const& reconnection);
+    Result<void> add_log(std::string const& name);
+
+    std::vector<DeviceInfo> infos_;
+    std::vector<Device> devices_;
+    std::uint64_t lost_by_ended_ = 0;
+    std::string rig_text_;
+};
+
+// What open_named() takes, for a command's help.
+std::string_view device_name_help();
+
+// The devices that are of use by themselves: every pen tablet and height sensor that can be found.
+std::vector<DeviceInfo> find_pens_and_height_sensors();
+
+} // namespace tractus

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "drivers/log.h"
+#include "engine/base/result.h"
+
+#include <filesystem>
+#include <string_view>
+
+namespace tractus {
+
+// Recordings by other programs, as logs. Their times are rebased to the first report. What does not
+// fit is skipped with a warning, as by parse_log; `name` is what messages call the text.
+
+// What usbhid-dump prints with --entity=all or --entity=stream: for each interface of a USB device
+// its descriptor, then one block per transfer,
+//
+//   003:005:001:STREAM             1436110030.141241
+//    08 80 10 27 10 27 00 00
+//
+// with a blank line behind it. It names neither device nor ids. Without a DESCRIPTOR block an
+// interface has no report descriptor. Fails, as the user's fault, if there is no block at all.
+Result<Log> parse_usbhid_dump(std::string_view text, std::string_view name);
+
+// The HID part of what `libinput record --with-hidraw` writes (YAML): the report descriptor of each
+// device ("hid") and the raw reports among its events. Input events are skipped: they are what the
+// kernel made of the reports. Fails, as the user's fault, if it is not YAML, or if no device has
+// raw reports.
+Result<Log> parse_libinput_record(std::string_view text, std::string_view name);
+
+enum class LogFormat {
+    TractusLog, // And hid-recorder's, of which it is a superset.
+    UsbhidDump,
+    LibinputRecord,
+};
+
+// Tells from the first lines; what is neither of the others counts as a log of ours.
+LogFormat guess_log_format(std::string_view text);
+
+// A recording in any of the formats. Fails like the reader of its format.
+Result<Log> read_any_log(std::filesystem::path const& path);
+
+} // namespace tractus
