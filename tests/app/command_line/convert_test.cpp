@@ -11,7 +11,7 @@ class ConvertCommand : public Workshop { };
 constexpr char const* kOurs = "D: 0\nR: 1 c0\nN: pen\nP: usb-1/input0\nI: 3 256c 006e\n"
                               "S: 201 HUION\nD: 1\nR: 0\nN: adc\nP: \nI: 1c 0000 0000\n"
                               "C: version = 1\n"
-                              "D: 0\nT: 000000.000000 draw\nE: 000000.000000 2 01 02\n"
+                              "T: 000000.000000 draw\nD: 0\nE: 000000.000000 2 01 02\n"
                               "G: 000000.500000\nD: 1\nE: 000001.000000 1 ff\n";
 
 TEST_F(ConvertCommand, MakesWhatHidReplayPlays)
