@@ -11,6 +11,7 @@
 #include "app/verbs/record.h"
 #include "app/verbs/render.h"
 #include "app/verbs/replay.h"
+#include "app/verbs/sim.h"
 #include "app/verbs/verb.h"
 #include "app/verbs/window.h"
 
@@ -76,6 +77,7 @@ static void add_verbs(CLI::App& root, Action& action)
     add_derive_verb(root, action);
     add_devices_verb(root, action);
     add_record_verb(root, action);
+    add_sim_verb(root, action);
     add_decode_verb(root, action);
     add_convert_verb(root, action);
 }

@@ -1,0 +1,27 @@
+#include "sim/feature_store.h"
+
+#include <map>
+#include <memory>
+
+namespace tractus {
+
+UhidAnswers remember_features()
+{
+    using Store = std::map<std::uint8_t, std::vector<std::byte>>;
+    auto const store = std::make_shared<Store>(); // Shared by the two answers.
+    return {
+        .get_feature = [store](std::uint8_t id) -> std::optional<std::vector<std::byte>> {
+            auto const found = store->find(id);
+            return found == store->end() ? std::vector { std::byte { id } } : found->second;
+        },
+        .set_feature =
+            [store](std::span<std::byte const> report) {
+                if (!report.empty())
+                    (*store)[std::to_integer<std::uint8_t>(report[0])].assign(report.begin(),
+                                                                              report.end());
+                return true;
+            },
+    };
+}
+
+} // namespace tractus

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "drivers/log.h"
+#include "engine/base/result.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+// What the scenarios let judge. Each check prints what it finds, figures as "figure: NAME = VALUE
+// UNIT", and fails if it is not as it should be.
+
+namespace tractus {
+
+void print_figure(std::string const& name, double value, std::string const& unit);
+
+// Whether every report of these devices of `sent`, or of all, is in `got`, and nothing else, in the
+// same order. A device of `got` is the same one if its report descriptor is.
+Result<void> compare_reports(std::string const& sent_name, std::string const& got_name,
+                             std::vector<std::size_t> sent_devices);
+
+// How regularly the reports of the log's first device came. Gaps of more than `pause_ms` are left
+// out: the pen was away.
+Result<void> measure_gaps(std::string const& log_name, double pause_ms);
+
+struct TruthOptions {
+    std::string script; // What the simulated hand was told to do, one stroke to a gesture.
+    std::string sent;   // What the simulated rig sent.
+    std::string got;    // What was recorded of it, with the rig's calibration.
+    std::string model;  // A plant, for the station to work on.
+};
+
+// How far the strokes that the station makes of a recording lie from where the hand was. Fails
+// above 1 mm root mean square or 3 mm anywhere, or if there is not one stroke for each gesture.
+Result<void> compare_strokes(TruthOptions const& options);
+
+// Reads a device on a thread of its own, with nobody taking what was read for `seconds`; then what
+// came must begin with what was sent, and be all of it.
+Result<void> read_late(std::string const& node, std::string const& sent_name, double seconds);
+
+} // namespace tractus

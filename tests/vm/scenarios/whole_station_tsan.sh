@@ -1,0 +1,16 @@
+# The whole station without a screen: a simulated hand's pen and height sensor, as the kernel has
+# them, recorded live; the strokes lie where the hand was. With the
+# thread sanitizer..
+preset=tsan
+memory_mb=1024
+modules='uhid hid-generic'
+files='build/vm/scribble.tractus-log tests/vm/scribble.hand.toml app/models/daisy.l app/models/daisy.v'
+
+guest() {
+    sed -n 's/^C: //p' /files/scribble.tractus-log >simulated.rig.toml
+    tractus sim uhid /files/scribble.tractus-log &
+    wait_until test -e /dev/hidraw1
+    tractus record --rig simulated.rig.toml -o got.tractus-log
+    vm_check same-reports /files/scribble.tractus-log got.tractus-log
+    vm_check strokes /files/scribble.hand.toml /files/scribble.tractus-log got.tractus-log /files/daisy.l
+}

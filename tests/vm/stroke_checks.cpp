@@ -1,0 +1,97 @@
+#include "app/log_replay.h"
+#include "app/model_file.h"
+#include "drivers/file.h"
+#include "engine/scene/scene.h"
+#include "sim/gesture_script.h"
+#include "sim/hand.h"
+#include "tests/vm/checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+
+namespace tractus {
+
+namespace {
+
+constexpr double kLargestRms_mm = 1.0;
+constexpr double kLargestError_mm = 3.0;
+
+// The hand that write_simulated_recording lets draw.
+Result<Hand> hand_of(std::string const& script_name)
+{
+    auto const text = TRY(read_file(script_name));
+    auto const script = TRY(parse_gesture_script(text, script_name));
+    auto const no_branches = [](std::size_t) -> Result<std::vector<Vec2>> {
+        return fail(Fault::User, "there is no plant here whose branches could be traced");
+    };
+    HandOptions options;
+    options.seed = script.seed;
+    return Hand(TRY(strokes_of(script, {}, no_branches)), options);
+}
+
+// How much later the recording's clock reads than the hand's: the median over the pen's reports,
+// all of which came through, in the same order.
+Result<Duration> clock_offset(Log const& sent, Log const& got)
+{
+    std::vector<Timestamp> sent_times;
+    std::vector<Duration> offsets;
+    for (auto const& record : sent.records)
+        if (record.device == 0)
+            sent_times.push_back(record.time);
+    for (auto const& record : got.records)
+        if (record.device == 0 && offsets.size() < sent_times.size())
+            offsets.push_back(record.time - sent_times[offsets.size()]);
+    if (offsets.empty() || offsets.size() != sent_times.size())
+        return fail(Fault::Device,
+                    fmt::format("{} reports of the pen came of {} that were sent", offsets.size(),
+                                sent_times.size()));
+    auto const middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
+    std::nth_element(offsets.begin(), middle, offsets.end());
+    return *middle;
+}
+
+Result<std::vector<DrawnStroke>> strokes_of_recording(Log const& log, std::string const& model)
+{
+    auto const edit = TRY(load_model_edit(model));
+    ReplayOptions options;
+    options.scene = TRY(apply_edit({}, edit));
+    auto replay = TRY(LogReplay::create(log, std::move(options)));
+    replay.run();
+    return replay.station().strokes();
+}
+
+} // namespace
+
+Result<void> compare_strokes(TruthOptions const& options)
+{
+    auto const hand = TRY(hand_of(options.script));
+    auto const sent = TRY(read_log(options.sent));
+    auto const got = TRY(read_log(options.got));
+    auto const offset = TRY(clock_offset(sent, got));
+    auto const strokes = TRY(strokes_of_recording(got, options.model));
+    if (strokes.size() != hand.strokes().size())
+        return fail(Fault::Station,
+                    fmt::format("{} strokes came of {} that were drawn", strokes.size(),
+                                hand.strokes().size()));
+    double sum_of_squares = 0;
+    double largest_mm = 0;
+    std::size_t count = 0;
+    for (auto const& drawn : strokes)
+        for (auto const& tip : drawn.stroke.tips) {
+            double const error_mm
+                = (tip.position_mm - hand.at(tip.time - offset).position_mm).norm();
+            largest_mm = std::max(largest_mm, error_mm);
+            sum_of_squares += error_mm * error_mm;
+            ++count;
+        }
+    double const rms_mm = std::sqrt(sum_of_squares / static_cast<double>(count));
+    print_figure("error rms", rms_mm, "mm");
+    print_figure("error max", largest_mm, "mm");
+    if (!(rms_mm <= kLargestRms_mm && largest_mm <= kLargestError_mm))
+        return fail(Fault::Station, "the strokes lie too far from the truth");
+    fmt::print("{} strokes with {} tips lie where they were drawn\n", strokes.size(), count);
+    return {};
+}
+
+} // namespace tractus

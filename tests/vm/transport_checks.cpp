@@ -1,0 +1,133 @@
+#include "drivers/hid_source.h"
+#include "drivers/threaded_source.h"
+#include "tests/vm/checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <iterator>
+#include <thread>
+
+namespace tractus {
+
+namespace {
+
+std::vector<LogRecord> records_of(Log const& log, std::size_t device)
+{
+    std::vector<LogRecord> records;
+    std::copy_if(log.records.begin(), log.records.end(), std::back_inserter(records),
+                 [&](LogRecord const& record) { return record.device == device; });
+    return records;
+}
+
+// The device of `log` with the report descriptor of `wanted`.
+Result<std::size_t> find_device(Log const& log, DeviceInfo const& wanted)
+{
+    for (std::size_t i = 0; i < log.devices.size(); ++i)
+        if (log.devices[i].report_descriptor == wanted.report_descriptor)
+            return i;
+    return fail(
+        Fault::Device,
+        fmt::format("{} has no device with the report descriptor of {}", log.name, wanted.name));
+}
+
+bool is_same(std::span<std::byte const> a, std::span<std::byte const> b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
+Result<void> compare_device(Log const& sent, std::size_t sent_device, Log const& got)
+{
+    auto const& info = sent.devices[sent_device];
+    auto const got_device = TRY(find_device(got, info));
+    auto const expected = records_of(sent, sent_device);
+    auto const actual = records_of(got, got_device);
+    for (std::size_t i = 0; i < std::min(expected.size(), actual.size()); ++i)
+        if (!is_same(sent.report(expected[i]), got.report(actual[i])))
+            return fail(Fault::Device,
+                        fmt::format("{}: report {} is not what was sent, at {:.6f} s", info.name, i,
+                                    to_seconds(actual[i].time)));
+    if (expected.size() != actual.size())
+        return fail(Fault::Device,
+                    fmt::format("{}: {} reports came of {} that were sent", info.name,
+                                actual.size(), expected.size()));
+    fmt::print("{}: all {} reports came as they were sent\n", info.name, actual.size());
+    return {};
+}
+
+// The node, once it is there.
+Result<DeviceInfo> find_node(std::string const& node)
+{
+    for (auto const& info : enumerate_hid())
+        if (info.location == node)
+            return info;
+    return fail(Fault::Device, fmt::format("there is no {}", node));
+}
+
+} // namespace
+
+void print_figure(std::string const& name, double value, std::string const& unit)
+{
+    fmt::print("figure: {} = {:.3f} {}\n", name, value, unit);
+}
+
+Result<void> compare_reports(std::string const& sent_name, std::string const& got_name,
+                             std::vector<std::size_t> sent_devices)
+{
+    auto const sent = TRY(read_log(sent_name));
+    auto const got = TRY(read_log(got_name));
+    if (sent_devices.empty())
+        for (std::size_t i = 0; i < sent.devices.size(); ++i)
+            sent_devices.push_back(i);
+    for (auto const device : sent_devices)
+        TRY(compare_device(sent, device, got));
+    return {};
+}
+
+Result<void> measure_gaps(std::string const& log_name, double pause_ms)
+{
+    auto const log = TRY(read_log(log_name));
+    auto const records = records_of(log, 0);
+    std::vector<double> gaps_ms;
+    for (std::size_t i = 1; i < records.size(); ++i) {
+        double const gap_ms = 1000 * to_seconds(records[i].time - records[i - 1].time);
+        if (gap_ms <= pause_ms)
+            gaps_ms.push_back(gap_ms);
+    }
+    if (gaps_ms.size() < 2)
+        return fail(Fault::Device, fmt::format("{}: there are no gaps to measure", log_name));
+    auto const count = static_cast<double>(gaps_ms.size());
+    double mean_ms = 0;
+    for (double const gap_ms : gaps_ms)
+        mean_ms += gap_ms / count;
+    double variance = 0;
+    for (double const gap_ms : gaps_ms)
+        variance += std::pow(gap_ms - mean_ms, 2) / (count - 1);
+    print_figure("gap mean", mean_ms, "ms");
+    print_figure("gap sd", std::sqrt(variance), "ms");
+    print_figure("gap max", *std::max_element(gaps_ms.begin(), gaps_ms.end()), "ms");
+    return {};
+}
+
+Result<void> read_late(std::string const& node, std::string const& sent_name, double seconds)
+{
+    auto const sent = TRY(read_log(sent_name));
+    auto const info = TRY(find_node(node));
+    auto opened = TRY(open_hid(info));
+    auto const source = TRY(ThreadedSource::start(std::move(opened)));
+    std::this_thread::sleep_for(from_seconds(seconds));
+    auto const expected = records_of(sent, 0);
+    std::size_t count = 0;
+    // It ends by being unplugged, which is an error.
+    for (auto report = source->read(std::chrono::seconds(1)); report && *report;
+         report = source->read(std::chrono::seconds(1)), ++count)
+        if (count >= expected.size() || !is_same(sent.report(expected[count]), (*report)->bytes()))
+            return fail(Fault::Device, fmt::format("report {} is not what was sent", count));
+    if (count != expected.size())
+        return fail(Fault::Device,
+                    fmt::format("{} reports came of {} that were sent", count, expected.size()));
+    fmt::print("all {} reports were there {} s later\n", count, seconds);
+    return {};
+}
+
+} // namespace tractus
