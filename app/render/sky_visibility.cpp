@@ -1,11 +1,11 @@
 #include "app/render/sky_visibility.h"
 
 #include "app/render/mesh_measures.h"
+#include "engine/base/parallel.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <oneapi/tbb/parallel_for.h>
 
 namespace tractus {
 
@@ -138,17 +138,20 @@ void SkyVisibility::trace()
     float whole = 0;
     for (auto const& direction : directions)
         whole += direction.z();
-    tbb::parallel_for(0, size_.z(), [&](int z) {
-        for (int y = 0; y < size_.y(); ++y)
-            for (int x = 0; x < size_.x(); ++x) {
-                Vec3f const middle
-                    = Vec3f(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z))
-                    + Vec3f::Constant(0.5f);
-                float sum = 0;
-                for (auto const& direction : directions)
-                    sum += direction.z() * transmitted(middle, direction);
-                visibility_[index({ x, y, z })] = sum / whole;
-            }
+    auto const find = [&](int x, int y, int z) {
+        Vec3f const middle
+            = Vec3f(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z))
+            + Vec3f::Constant(0.5f);
+        float sum = 0;
+        for (auto const& direction : directions)
+            sum += direction.z() * transmitted(middle, direction);
+        visibility_[index({ x, y, z })] = sum / whole;
+    };
+    parallel_for(static_cast<std::size_t>(size_.z()), 1, [&](std::size_t begin, std::size_t end) {
+        for (auto z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
+            for (int y = 0; y < size_.y(); ++y)
+                for (int x = 0; x < size_.x(); ++x)
+                    find(x, y, z);
     });
 }
 

@@ -1,9 +1,14 @@
 #include "engine/lsystem/derive.h"
 
-#include "engine/lsystem/expander.h"
+#include "engine/base/parallel.h"
+#include "engine/lsystem/context_table.h"
+#include "engine/lsystem/range_rewriter.h"
 
 #include <array>
 #include <fmt/core.h>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace tractus {
 
@@ -12,34 +17,15 @@ namespace {
 // Places in a string are 32-bit numbers, of parameters too.
 constexpr std::size_t kMaxModules = 200'000'000;
 
-// What becomes of all modules of one kind, where that is always the same: a string of modules whose
-// parameters are constants or parameters of the module. Short ones are copied in one move.
-struct FixedSuccessor {
-    static constexpr std::size_t kShort = 16;
+// Strings are rewritten in pieces of so many modules, several at a time: few enough to stay in the
+// processor's second cache, and enough to be worth a thread's while.
+constexpr std::size_t kPiece = 32'768;
+constexpr std::size_t kPiecesAtATime = 32;
 
-    bool is_fixed = false; // Else the rest has no meaning.
-    std::array<KindId, kShort> first_kinds {};
-    std::uint32_t length = 0;
-    std::uint32_t parameter_count = 0;      // Of the successor.
-    std::uint32_t read_parameter_count = 0; // Of the module.
-    KindId const* kinds = nullptr;
-    Register const* parameters = nullptr;
-    double const* frame = nullptr;
-
-    // Writes it for a module whose parameters are at `from`; `to_kinds` must have room for kShort.
-    void write(float const* from, KindId*& to_kinds, float*& to_parameters) const
-    {
-        if (length <= kShort)
-            std::memcpy(to_kinds, first_kinds.data(), kShort);
-        else
-            std::memcpy(to_kinds, kinds, length);
-        to_kinds += length;
-        for (std::uint32_t i = 0; i < parameter_count; ++i) {
-            auto const reg = parameters ? parameters[i] : static_cast<Register>(i);
-            *to_parameters++
-                = reg < read_parameter_count ? from[reg] : static_cast<float>(frame[reg]);
-        }
-    }
+// Where modules and their parameters begin.
+struct Place {
+    std::size_t module = 0;
+    std::size_t parameter = 0;
 };
 
 class Derivation {
@@ -48,72 +34,37 @@ public:
         : model_(model)
         , options_(options)
         , machine_(model, options.seed)
-        , rewriter_(model, model.rules, machine_, model.stochastic)
-        , decomposition_(model, model.decomposition, machine_)
+        , table_(ContextTable::create(model))
+        , plan_(model)
+        , rewriter_(plan_, machine_, branches_)
     {
-        for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i) {
-            fixed_[i].is_fixed = set_fixed(static_cast<KindId>(i));
-            all_fixed_ = all_fixed_ && fixed_[i].is_fixed;
-        }
     }
 
     Result<ModuleString> run();
 
 private:
-    bool set_fixed(KindId kind);
     void start();
     Result<void> step(int number);
     Result<void> rewrite_fixed();
-    Result<void> rewrite(std::uint32_t step);
-    std::size_t rewrite_one(Modules const& rest, Surroundings const& around);
-    void decompose_successor(Surroundings const& around, std::size_t predecessor_length);
-    void append_one(Modules const& modules);
-    void append_fixed(FixedSuccessor const& fixed, float const* from);
+    Result<void> rewrite();
+    Result<void> rewrite_in_pieces();
+    std::vector<Place> find_pieces() const;
+    Place extent_of(std::span<KindId const> modules) const;
+    void write_fixed(Place const& from, Place const& from_end, Place const& to,
+                     Place const& to_end);
     Result<void> check_size(std::size_t modules, std::size_t parameters) const;
 
     Model const& model_;
     DeriveOptions const& options_;
     Machine machine_;
-    Rewriter rewriter_;
-    Expander decomposition_;
-    std::array<FixedSuccessor, 256> fixed_ {};
-    bool all_fixed_ = true;
+    std::optional<ContextTable> table_;
+    RulePlan plan_;
+    Branches branches_; // Of in_, where rules have contexts.
+    RangeRewriter rewriter_;
     int step_ = 0;
     ModuleString in_;
     ModuleString out_;
-    Branches branches_;      // Of in_, where rules have contexts.
-    ModuleString successor_; // Of one rule, before decomposition.
 };
-
-// Whether the kind always becomes the same; if so, fills fixed_.
-bool Derivation::set_fixed(KindId kind)
-{
-    auto const count = model_.alphabet[kind].parameter_count;
-    auto& fixed = fixed_[kind];
-    fixed.read_parameter_count = count;
-    auto const& rules = model_.rules.by_kind[kind];
-    if (model_.decomposition.specified || rules.size() > 1
-        || (rules.empty() && model_.alphabet[kind].symbol == '%'))
-        return false;
-    if (rules.empty()) {
-        fixed.first_kinds[0] = kind;
-        fixed.length = 1;
-        fixed.parameter_count = count;
-        return true;
-    }
-    auto const& rule = model_.rules.rules[rules.front()];
-    if (rule.predecessor.size() > 1 || !rule.left.empty() || !rule.right.empty()
-        || rule.has_condition || !rule.condition.empty() || !rule.successor_program.empty())
-        return false;
-    fixed.length = static_cast<std::uint32_t>(rule.successor.kinds.size());
-    fixed.parameter_count = static_cast<std::uint32_t>(rule.successor.parameters.size());
-    fixed.kinds = rule.successor.kinds.data();
-    fixed.parameters = rule.successor.parameters.data();
-    fixed.frame = rule.frame.data();
-    std::copy_n(fixed.kinds, std::min<std::size_t>(fixed.length, FixedSuccessor::kShort),
-                fixed.first_kinds.begin());
-    return true;
-}
 
 Result<ModuleString> Derivation::run()
 {
@@ -153,10 +104,15 @@ Result<void> Derivation::step(int number)
     auto const stream = static_cast<std::uint32_t>(number);
     machine_.begin_module(stream, kNoPosition);
     machine_.run(model_.start_each);
-    if (all_fixed_)
+    out_.kinds.clear();
+    out_.parameters.clear();
+    if (table_)
+        table_->rewrite(in_.kinds, out_.kinds, options_.max_modules);
+    else if (plan_.is_fixed())
         TRY(rewrite_fixed());
     else
-        TRY(rewrite(stream));
+        TRY(rewrite());
+    TRY(check_size(out_.size(), out_.parameters.size()));
     machine_.begin_module(stream, kNoPosition - 1);
     machine_.run(model_.end_each);
     TRY(machine_.check());
@@ -177,145 +133,141 @@ Result<void> Derivation::check_size(std::size_t modules, std::size_t parameters)
                     model_.name, step_, limit));
 }
 
-// Every module's successor is known beforehand: counts what comes out, then writes it.
-Result<void> Derivation::rewrite_fixed()
+Result<void> Derivation::rewrite()
 {
-    std::array<std::size_t, 256> counts {};
-    for (auto const kind : in_.kinds.span())
-        ++counts[kind];
-    std::size_t modules = 0;
-    std::size_t parameters = 0;
-    for (std::size_t kind = 0; kind < counts.size(); ++kind) {
-        modules += counts[kind] * fixed_[kind].length;
-        parameters += counts[kind] * fixed_[kind].parameter_count;
-    }
-    TRY(check_size(modules, parameters));
-    out_.kinds.reserve(modules + FixedSuccessor::kShort);
-    out_.parameters.reserve(parameters);
-    auto* kinds = out_.kinds.data();
-    auto* values = out_.parameters.data();
-    auto const* from = in_.parameters.data();
-    for (auto const kind : in_.kinds.span()) {
-        auto const& fixed = fixed_[kind];
-        fixed.write(from, kinds, values);
-        from += fixed.read_parameter_count;
-    }
-    out_.kinds.set_size(modules);
-    out_.parameters.set_size(parameters);
+    if (rewriter_.has_contexts())
+        find_branches(model_, in_, branches_);
+    if (in_.size() > 2 * kPiece && plan_.is_divisible() && thread_count() > 1)
+        return rewrite_in_pieces();
+    out_.kinds.reserve(in_.size());
+    out_.parameters.reserve(in_.parameters.size());
+    rewriter_.rewrite(in_, { 0, in_.size(), 0 }, static_cast<std::uint32_t>(step_),
+                      options_.max_modules, out_);
     return {};
 }
 
-// Module after module, from the left.
-Result<void> Derivation::rewrite(std::uint32_t step)
+// Several pieces at a time, each into a string of its own; then these are put one behind the other.
+Result<void> Derivation::rewrite_in_pieces()
 {
-    out_.kinds.clear();
-    out_.parameters.clear();
-    out_.kinds.reserve(in_.size());
-    out_.parameters.reserve(in_.parameters.size());
-    if (rewriter_.has_contexts() || decomposition_.has_contexts())
-        find_branches(model_, in_, branches_);
-    std::size_t parameter = 0;
-    for (std::size_t i = 0; i < in_.size();) {
-        auto const& fixed = fixed_[in_.kinds[i]];
-        if (fixed.is_fixed) {
-            append_fixed(fixed, in_.parameters.data() + parameter);
-            parameter += fixed.read_parameter_count;
-            ++i;
-            continue;
+    struct Piece {
+        ModuleString out;
+        bool loop_did_not_end = false;
+    };
+    auto const places = find_pieces();
+    auto const count = places.size() - 1;
+    std::vector<Piece> pieces(std::min(count, kPiecesAtATime));
+    for (std::size_t first = 0; first < count; first += pieces.size()) {
+        auto const now = std::span(pieces).first(std::min(pieces.size(), count - first));
+        parallel_for(now.size(), 1, [&](std::size_t begin, std::size_t end) {
+            Machine machine = machine_;
+            RangeRewriter rewriter(plan_, machine, branches_);
+            for (auto i = begin; i < end; ++i) {
+                auto const& place = places[first + i];
+                now[i].out.kinds.clear();
+                now[i].out.parameters.clear();
+                rewriter.rewrite(
+                    in_, { place.module, places[first + i + 1].module, place.parameter },
+                    static_cast<std::uint32_t>(step_), options_.max_modules, now[i].out);
+                now[i].loop_did_not_end = machine.loop_did_not_end();
+            }
+        });
+        for (auto const& piece : now)
+            if (piece.loop_did_not_end)
+                machine_.stop_loops();
+        std::vector<Place> to { { out_.size(), out_.parameters.size() } };
+        for (auto const& piece : now)
+            to.push_back({ to.back().module + piece.out.size(),
+                           to.back().parameter + piece.out.parameters.size() });
+        TRY(check_size(to.back().module, to.back().parameter));
+        out_.grow(to.back().module, to.back().parameter);
+        parallel_for(now.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (auto i = begin; i < end; ++i) {
+                auto const& piece = now[i].out;
+                std::copy_n(piece.kinds.data(), piece.size(), out_.kinds.data() + to[i].module);
+                std::copy_n(piece.parameters.data(), piece.parameters.size(),
+                            out_.parameters.data() + to[i].parameter);
+            }
+        });
+    }
+    return {};
+}
+
+// Where the pieces of in_ begin, and its end.
+std::vector<Place> Derivation::find_pieces() const
+{
+    std::vector<Place> places((in_.size() + kPiece - 1) / kPiece + 1);
+    parallel_for(places.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
+        for (auto i = begin; i < end; ++i) {
+            auto const last = std::min((i + 1) * kPiece, in_.size());
+            std::size_t parameters = 0;
+            if (!in_.parameters.empty())
+                for (auto k = i * kPiece; k < last; ++k)
+                    parameters += model_.alphabet[in_.kinds[k]].parameter_count;
+            places[i + 1] = { last, parameters };
         }
-        Modules const rest { in_.kinds.data() + i, in_.parameters.data() + parameter,
-                             in_.size() - i };
-        machine_.begin_module(step, i);
-        auto const count = rewrite_one(rest, { &in_, &branches_, i, parameter, i + 1, 0 });
-        for (std::size_t k = 0; k < count; ++k)
-            parameter += model_.alphabet[rest.kinds[k]].parameter_count;
-        i += count;
-        if (out_.size() > options_.max_modules || machine_.loop_did_not_end())
-            break;
-    }
-    return check_size(out_.size(), out_.parameters.size());
+    });
+    for (std::size_t i = 1; i < places.size(); ++i)
+        places[i].parameter += places[i - 1].parameter;
+    return places;
 }
 
-void Derivation::append_fixed(FixedSuccessor const& fixed, float const* from)
+// Every module's successor is known beforehand: counts what comes out, then writes it.
+Result<void> Derivation::rewrite_fixed()
 {
-    out_.kinds.reserve_more(fixed.length + FixedSuccessor::kShort);
-    out_.parameters.reserve_more(fixed.parameter_count);
-    auto* kinds = out_.kinds.data() + out_.kinds.size();
-    auto* parameters = out_.parameters.data() + out_.parameters.size();
-    fixed.write(from, kinds, parameters);
-    out_.kinds.set_size(out_.kinds.size() + fixed.length);
-    out_.parameters.set_size(out_.parameters.size() + fixed.parameter_count);
+    auto const from = find_pieces();
+    std::vector<Place> to(from.size()); // Where what becomes of the pieces begins.
+    parallel_for(from.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
+        for (auto i = begin; i < end; ++i)
+            to[i + 1] = extent_of(std::span(in_.kinds.data() + from[i].module,
+                                            in_.kinds.data() + from[i + 1].module));
+    });
+    for (std::size_t i = 1; i < to.size(); ++i)
+        to[i] = { to[i - 1].module + to[i].module, to[i - 1].parameter + to[i].parameter };
+    TRY(check_size(to.back().module, to.back().parameter));
+    out_.grow(to.back().module, to.back().parameter);
+    parallel_for(from.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
+        for (auto i = begin; i < end; ++i)
+            write_fixed(from[i], from[i + 1], to[i], to[i + 1]);
+    });
+    return {};
 }
 
-// Appends what the first module becomes; returns how many modules have been read.
-std::size_t Derivation::rewrite_one(Modules const& rest, Surroundings const& around)
+// How long what becomes of modules with known successors is.
+Place Derivation::extent_of(std::span<KindId const> modules) const
 {
-    auto const kind = rest.kinds[0];
-    auto const* const rule
-        = rewriter_.has_rules(kind) ? rewriter_.find(rest, around, true) : nullptr;
-    if (rule && !model_.decomposition.specified) {
-        rewriter_.apply(*rule, out_);
-        return rule->predecessor.size();
+    std::array<std::size_t, 256> counts {};
+    for (auto const kind : modules)
+        ++counts[kind];
+    Place result;
+    for (std::size_t kind = 0; kind < model_.alphabet.kinds.size(); ++kind) {
+        auto const& fixed = plan_.fixed(static_cast<KindId>(kind));
+        result.module += counts[kind] * fixed.length;
+        result.parameter += counts[kind] * fixed.parameter_count;
     }
-    if (rule) {
-        successor_.kinds.clear();
-        successor_.parameters.clear();
-        rewriter_.apply(*rule, successor_);
-        decompose_successor(around, rule->predecessor.size());
-        return rule->predecessor.size();
-    }
-    auto const symbol = model_.alphabet[kind];
-    if (decomposition_.has_rules(kind)) {
-        auto beyond = around;
-        beyond.right_parameters = around.left_parameters + symbol.parameter_count;
-        bool decomposed = true;
-        auto const count
-            = decomposition_.expand(rest, beyond, [&](Modules const& modules) -> std::size_t {
-                  decomposed = modules.kinds != rest.kinds;
-                  if (decomposed)
-                      append_one(modules);
-                  return out_.size() <= options_.max_modules;
-              });
-        if (decomposed)
-            return std::max<std::size_t>(count, 1);
-    }
-    if (symbol.symbol == '%' && symbol.parameter_count < 2)
-        return branch_end(model_, in_, around.left + 1) - around.left; // A cut.
-    append_one(rest);
-    return 1;
+    return result;
 }
 
-void Derivation::decompose_successor(Surroundings const& around, std::size_t predecessor_length)
+void Derivation::write_fixed(Place const& from, Place const& from_end, Place const& to,
+                             Place const& to_end)
 {
-    auto beyond = around;
-    beyond.right = around.left + predecessor_length;
-    beyond.right_parameters = around.left_parameters;
-    for (auto i = around.left; i < beyond.right; ++i)
-        beyond.right_parameters += model_.alphabet[in_.kinds[i]].parameter_count;
-    std::size_t parameter = 0;
-    for (std::size_t i = 0; i < successor_.size();) {
-        Modules const rest { successor_.kinds.data() + i, successor_.parameters.data() + parameter,
-                             successor_.size() - i };
-        std::size_t count = 1;
-        if (decomposition_.has_rules(rest.kinds[0]))
-            count = decomposition_.expand(rest, beyond, [&](Modules const& modules) -> std::size_t {
-                append_one(modules);
-                return out_.size() <= options_.max_modules;
-            });
-        else
-            append_one(rest);
-        if (count == 0)
-            return; // Too many modules: the caller says so.
-        for (std::size_t k = 0; k < count; ++k)
-            parameter += model_.alphabet[rest.kinds[k]].parameter_count;
-        i += count;
+    // In local variables: kinds are bytes, and the compiler must think that writing them changes
+    // whatever else lies in memory.
+    auto const* kind = in_.kinds.data() + from.module;
+    auto const* const end = in_.kinds.data() + from_end.module;
+    auto const* parameters = in_.parameters.data() + from.parameter;
+    auto const* const successors = &plan_.fixed(0);
+    ModuleWriter writer(out_.kinds.data() + to.module, out_.parameters.data() + to.parameter);
+    // The next piece begins where this one ends, so the last moves must not be too wide.
+    auto const* const wide_end
+        = out_.kinds.data() + to_end.module - std::min(FixedSuccessor::kShort, to_end.module);
+    for (; kind != end && writer.kinds <= wide_end; ++kind) {
+        successors[*kind].write(parameters, writer);
+        parameters += successors[*kind].read_parameter_count;
     }
-}
-
-void Derivation::append_one(Modules const& modules)
-{
-    out_.kinds.append(modules.kinds, 1);
-    out_.parameters.append(modules.parameters, model_.alphabet[modules.kinds[0]].parameter_count);
+    for (; kind != end; ++kind) {
+        successors[*kind].write_narrowly(parameters, writer);
+        parameters += successors[*kind].read_parameter_count;
+    }
 }
 
 } // namespace

@@ -45,6 +45,8 @@ public:
 
     // A loop that did not end within ten million rounds stops, and from then on this is true.
     bool loop_did_not_end() const { return loop_did_not_end_; }
+    // Takes note that one did not end on another machine, which ran a part of the same step.
+    void stop_loops() { loop_did_not_end_ = true; }
     // That as an error, the user's fault.
     Result<void> check() const;
 

@@ -480,9 +480,10 @@ Result<void> Parser::axiom()
 void Parser::set_ignored()
 {
     for (std::size_t i = 0; i < model_.alphabet.kinds.size(); ++i) {
-        bool const listed
-            = ignored_.symbols.find(model_.alphabet.kinds[i].symbol) != std::string::npos;
-        model_.ignored[i] = listed != ignored_.is_consider;
+        char const symbol = model_.alphabet.kinds[i].symbol;
+        bool const listed = ignored_.symbols.find(symbol) != std::string::npos;
+        bool const is_bracket = symbol == '[' || symbol == ']'; // Structure, whatever is listed.
+        model_.ignored[i] = listed != ignored_.is_consider && !is_bracket;
     }
 }
 

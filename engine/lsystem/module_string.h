@@ -96,6 +96,39 @@ struct ModuleString {
     std::uint64_t seed = 0; // Of the numbers that homomorphism rules draw.
 
     std::size_t size() const { return kinds.size(); }
+
+    // What is beyond the present size has no value yet.
+    void grow(std::size_t module_count, std::size_t parameter_count)
+    {
+        kinds.reserve_more(module_count - kinds.size());
+        kinds.set_size(module_count);
+        parameters.reserve_more(parameter_count - parameters.size());
+        parameters.set_size(parameter_count);
+    }
+};
+
+// Writes behind the end of a string that has been given room for it. What is written belongs to the
+// string after finish().
+struct ModuleWriter {
+    ModuleWriter(KindId* to_kinds, float* to_parameters)
+        : kinds(to_kinds)
+        , parameters(to_parameters)
+    {
+    }
+    explicit ModuleWriter(ModuleString& string)
+        : ModuleWriter(string.kinds.data() + string.kinds.size(),
+                       string.parameters.data() + string.parameters.size())
+    {
+    }
+
+    void finish(ModuleString& string) const
+    {
+        string.kinds.set_size(static_cast<std::size_t>(kinds - string.kinds.data()));
+        string.parameters.set_size(static_cast<std::size_t>(parameters - string.parameters.data()));
+    }
+
+    KindId* kinds;
+    float* parameters;
 };
 
 } // namespace tractus

@@ -50,6 +50,7 @@ Rewriter::Rewriter(Model const& model, RuleSet const& rules, Machine& machine, b
 {
     for (auto const& rule : rules.rules) {
         frames_.push_back(rule.frame);
+        successors_.push_back(FixedSuccessor::of(rule));
         has_contexts_ = has_contexts_ || !rule.left.empty() || !rule.right.empty();
     }
     for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i) {
@@ -247,17 +248,30 @@ bool Rewriter::matches_left(Rule const& rule, double* parameters, Surroundings c
     return true;
 }
 
+void Rewriter::load_predecessor(Rule const& rule, float const* parameters)
+{
+    auto* const values = frames_[index(rule)].data();
+    for (std::size_t i = 0; i < rule.predecessor_parameter_count; ++i)
+        values[i] = static_cast<double>(parameters[i]);
+}
+
 void Rewriter::apply(Rule const& rule, ModuleString& out)
 {
-    auto* const values = frame(rule);
+    out.kinds.reserve_more(rule.successor.kinds.size() + FixedSuccessor::kShort);
+    out.parameters.reserve_more(rule.successor.parameters.size());
+    ModuleWriter to(out);
+    apply(rule, to);
+    to.finish(out);
+}
+
+void Rewriter::apply(Rule const& rule, ModuleWriter& to)
+{
+    auto const number = index(rule);
+    auto* const values = frames_[number].data();
     machine_.run(rule.successor_program, values);
-    auto const& successor = rule.successor;
-    out.kinds.append(successor.kinds.data(), successor.kinds.size());
-    out.parameters.reserve_more(successor.parameters.size());
-    auto* to = out.parameters.data() + out.parameters.size();
-    for (auto const reg : successor.parameters)
-        *to++ = static_cast<float>(values[reg]);
-    out.parameters.set_size(out.parameters.size() + successor.parameters.size());
+    successors_[number].write_kinds(to.kinds);
+    for (auto const reg : rule.successor.parameters)
+        *to.parameters++ = static_cast<float>(values[reg]);
 }
 
 } // namespace tractus

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/lsystem/fixed_successor.h"
 #include "engine/lsystem/machine.h"
 #include "engine/lsystem/model.h"
 #include "engine/lsystem/module_string.h"
@@ -55,8 +56,14 @@ public:
     // Parameters, and what the condition's block has changed, are in the rule's frame.
     Rule const* find(Modules const& modules, Surroundings const& around, bool adjacent);
 
-    // Runs the block behind the condition and appends the successor.
+    // Fills the rule's frame with its predecessor's parameters: instead of find(), where it is
+    // known that the rule applies and that it has no contexts.
+    void load_predecessor(Rule const& rule, float const* parameters);
+
+    // Runs the block behind the condition and appends the successor; a writer must have room for
+    // it, and for FixedSuccessor::kShort kinds.
     void apply(Rule const& rule, ModuleString& out);
+    void apply(Rule const& rule, ModuleWriter& to);
 
     bool has_rules(KindId kind) const { return !rules_.by_kind[kind].empty(); }
     bool has_contexts() const { return has_contexts_; }
@@ -94,9 +101,9 @@ private:
             *to++ = static_cast<double>(*from++);
     }
     Rule const* choose(Modules const& modules, Surroundings const& around, bool adjacent);
-    double* frame(Rule const& rule)
+    std::size_t index(Rule const& rule) const
     {
-        return frames_[static_cast<std::size_t>(&rule - rules_.rules.data())].data();
+        return static_cast<std::size_t>(&rule - rules_.rules.data());
     }
 
     Model const& model_;
@@ -104,6 +111,7 @@ private:
     Machine& machine_;
     bool stochastic_;
     std::vector<RegisterFile> frames_;
+    std::vector<FixedSuccessor> successors_; // Of them only the kinds are used.
     struct Candidate {
         Rule const* rule = nullptr;
         double weight = 0;

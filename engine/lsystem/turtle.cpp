@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <fmt/core.h>
 
@@ -33,10 +34,34 @@ struct State {
     double width = 0; // Diameter in turtle units.
     double scale = 1;
     double elasticity = 0; // Of the older tropism.
-    std::array<double, kMaxTropisms> elasticities {};
     int color = 0;
     bool is_cylinder = false; // Between @Gs and @Ge.
     PlantBuilder::Place place;
+};
+
+// Elasticities of the view's tropisms: part of the state, but most models have none.
+using Elasticities = std::array<double, kMaxTropisms>;
+
+// Sine and cosine of the angles that came last: a model turns by few angles, again and again.
+class AngleCache {
+public:
+    struct Entry {
+        double angle_rad = 0;
+        double sine = 0;
+        double cosine = 1;
+    };
+
+    Entry const& at(double angle_rad)
+    {
+        auto const bits = std::bit_cast<std::uint64_t>(angle_rad);
+        auto& entry = entries_[(bits ^ bits >> 32) * 0x9e3779b97f4a7c15u >> 59];
+        if (entry.angle_rad != angle_rad)
+            entry = { angle_rad, std::sin(angle_rad), std::cos(angle_rad) };
+        return entry;
+    }
+
+private:
+    std::array<Entry, 32> entries_ {};
 };
 
 struct OpenPolygon {
@@ -70,7 +95,10 @@ public:
         if (view_.tropisms.size() > kMaxTropisms)
             warn(fmt::format("{}: only the first {} tropisms count", model.name, kMaxTropisms));
         for (std::size_t i = 0; i < tropism_count(); ++i)
-            state_.elasticities[i] = view_.tropisms[i].elasticity;
+            elasticities_[i] = view_.tropisms[i].elasticity;
+        for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i)
+            is_single_[i] = std::string_view("@~?").find(model.alphabet.kinds[i].symbol)
+                == std::string_view::npos;
     }
 
     // Draws the first symbol of `modules`; returns how many modules it had. 0: too many modules.
@@ -92,7 +120,7 @@ private:
     void close_polygon();
     void set_width(Symbol const& symbol, int sign);
     void set_color(Symbol const& symbol, int sign);
-    void rotate(Vec3& a, Vec3& b, double angle_rad) const;
+    void rotate(Vec3& a, Vec3& b, double angle_rad);
     void turn(Vec3& a, Vec3& b, Symbol const& symbol, double sign);
     void roll_horizontal();
     void set_position(Symbol const& symbol);
@@ -104,6 +132,14 @@ private:
     void add_organ(char letter, Symbol const& symbol);
     void add_round(OrganShape::Kind kind, Symbol const& symbol);
     std::size_t tropism_count() const { return std::min(view_.tropisms.size(), kMaxTropisms); }
+    MaterialId material()
+    {
+        if (state_.color != material_color_) {
+            material_ = builder_.material(state_.color);
+            material_color_ = state_.color;
+        }
+        return material_;
+    }
     float radius_mm() const
     {
         return static_cast<float>(std::min(state_.width * options_.unit_mm / 2, 1e6));
@@ -119,16 +155,24 @@ private:
     TurtleOptions const& options_;
     PlantBuilder builder_;
     State state_;
+    Elasticities elasticities_ {};
     std::vector<State> stack_;
+    std::vector<Elasticities> elasticity_stack_; // Used if there are tropisms.
+    AngleCache angles_;
     std::vector<OpenPolygon> polygons_;
     std::vector<std::string> warnings_;
+    int material_color_ = -1; // None.
+    MaterialId material_ = 0;
+    std::array<bool, 256> is_single_ {}; // Kinds that are a symbol by themselves.
     std::size_t drawn_ = 0;
     bool is_cut_ = false;
 };
 
 std::size_t Turtle::draw(Modules const& modules, bool in_homomorphism)
 {
-    auto const length = symbol_length(model_.alphabet, { modules.kinds, modules.count });
+    auto const length = is_single_[modules.kinds[0]]
+        ? 1
+        : symbol_length(model_.alphabet, { modules.kinds, modules.count });
     if (++drawn_ > options_.max_modules)
         return 0;
     Symbol symbol;
@@ -193,7 +237,7 @@ void Turtle::draw_symbol(Symbol const& symbol)
         return;
     case '{':
         if (symbol.parameter(0, 0) == 0)
-            polygons_.push_back({ {}, builder_.material(state_.color) });
+            polygons_.push_back({ {}, material() });
         else
             state_.is_cylinder = true;
         return;
@@ -273,8 +317,7 @@ void Turtle::step(Symbol const& symbol, bool draws, bool sets_vertex)
     if (is_inside && length_mm != 0) {
         state_.position_mm = tip_mm;
         if (polygons_.empty() && draws)
-            builder_.add_segment(state_.place,
-                                 { base_mm, tip_mm, radius_mm(), builder_.material(state_.color) });
+            builder_.add_segment(state_.place, { base_mm, tip_mm, radius_mm(), material() });
         else if (polygons_.empty())
             state_.place.axis = kNone;
     }
@@ -287,6 +330,8 @@ void Turtle::step(Symbol const& symbol, bool draws, bool sets_vertex)
 void Turtle::push()
 {
     stack_.push_back(state_);
+    if (tropism_count() > 0)
+        elasticity_stack_.push_back(elasticities_);
     state_.place.axis = kNone;
 }
 
@@ -298,6 +343,10 @@ void Turtle::pop()
     }
     state_ = stack_.back();
     stack_.pop_back();
+    if (tropism_count() > 0) {
+        elasticities_ = elasticity_stack_.back();
+        elasticity_stack_.pop_back();
+    }
 }
 
 void Turtle::close_polygon()
@@ -327,12 +376,11 @@ void Turtle::set_color(Symbol const& symbol, int sign)
 }
 
 // Turns a towards b in their plane.
-void Turtle::rotate(Vec3& a, Vec3& b, double angle_rad) const
+void Turtle::rotate(Vec3& a, Vec3& b, double angle_rad)
 {
-    double const s = std::sin(angle_rad);
-    double const c = std::cos(angle_rad);
-    Vec3 const turned = c * a + s * b;
-    b = c * b - s * a;
+    auto const& angle = angles_.at(angle_rad);
+    Vec3 const turned = angle.cosine * a + angle.sine * b;
+    b = angle.cosine * b - angle.sine * a;
     a = turned;
 }
 
@@ -346,9 +394,10 @@ void Turtle::turn(Vec3& a, Vec3& b, Symbol const& symbol, double sign)
 void Turtle::roll_horizontal()
 {
     Vec3 const left = Vec3::UnitZ().cross(state_.heading);
-    if (left.norm() < 1e-9)
+    double const length = left.norm();
+    if (length < 1e-9)
         return;
-    state_.left = left.normalized();
+    state_.left = left / length;
     state_.down = state_.left.cross(state_.heading);
 }
 
@@ -400,11 +449,13 @@ void Turtle::bend_by(Vec3 const& torque)
 // H x V and by its length in radians.
 void Turtle::bend_by_tropisms()
 {
+    if (tropism_count() == 0)
+        return;
     Vec3 pull = Vec3::Zero();
     bool has_torque = false;
     for (std::size_t i = 0; i < tropism_count(); ++i) {
         auto const& tropism = view_.tropisms[i];
-        auto const elasticity = state_.elasticities[i];
+        auto const elasticity = elasticities_[i];
         if (elasticity == 0)
             continue;
         has_torque = has_torque || tropism.is_torque;
@@ -434,7 +485,7 @@ void Turtle::twist_by_torques()
     Vec3 pull = Vec3::Zero();
     for (std::size_t i = 0; i < tropism_count(); ++i)
         if (view_.tropisms[i].is_torque)
-            pull += state_.elasticities[i] * from_model(view_.tropisms[i].direction);
+            pull += elasticities_[i] * from_model(view_.tropisms[i].direction);
     Vec3 const across = pull - pull.dot(state_.heading) * state_.heading;
     if (across.norm() < 1e-4 * pull.norm() || !(pull.norm() > 0))
         return;
@@ -458,7 +509,7 @@ void Turtle::set_elasticity(Symbol const& symbol)
         return;
     }
     auto const index = static_cast<std::size_t>(number) - 1;
-    auto& elasticity = state_.elasticities[index];
+    auto& elasticity = elasticities_[index];
     double const change = symbol.parameter(1, view_.tropisms[index].elasticity_step);
     if (symbol.name[2] == 's')
         elasticity = symbol.parameter(1, 0);
@@ -546,7 +597,8 @@ public:
     {
         while (at_ < string_.size()) {
             auto const count = draw_one();
-            TRY(machine_.check());
+            if (machine_.loop_did_not_end())
+                TRY(machine_.check());
             if (turtle_.is_full() || count == 0)
                 return fail(Fault::User,
                             fmt::format("{}: the homomorphism makes more than {} modules",

@@ -1,14 +1,13 @@
 #include "engine/mesh/make_mesh.h"
 
 #include "engine/base/check.h"
+#include "engine/base/parallel.h"
 #include "engine/mesh/organ_mesh.h"
 #include "engine/mesh/polygon_mesh.h"
 #include "engine/mesh/tube.h"
 
 #include <algorithm>
 #include <limits>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <span>
 #include <vector>
 
@@ -78,16 +77,14 @@ void for_each_axis(Plant const& plant, MeshOptions const& options, Runs& runs, U
     double const thickest = plant.node_radius_mm.empty()
         ? 0
         : *std::max_element(plant.node_radius_mm.begin(), plant.node_radius_mm.end());
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, plant.axes.size(), kAxesPerTask),
-        [&](tbb::blocked_range<std::size_t> const& range) {
-            Scratch scratch;
-            for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                trace_spine(plant, plant.axes[i], options, thickest, scratch.spine);
-                auto const first = runs.first_run[i];
-                use(scratch, std::span(runs.runs).subspan(first, runs.first_run[i + 1] - first));
-            }
-        });
+    parallel_for(plant.axes.size(), kAxesPerTask, [&](std::size_t begin, std::size_t end) {
+        Scratch scratch;
+        for (auto i = begin; i != end; ++i) {
+            trace_spine(plant, plant.axes[i], options, thickest, scratch.spine);
+            auto const first = runs.first_run[i];
+            use(scratch, std::span(runs.runs).subspan(first, runs.first_run[i + 1] - first));
+        }
+    });
 }
 
 // Gives every run its place; answers each material's total.

@@ -1,12 +1,12 @@
 #include "engine/variation/association.h"
 
+#include "engine/base/parallel.h"
 #include "engine/stroke/polyline.h"
 #include "engine/stroke/resample.h"
 #include "engine/stroke/smooth.h"
 #include "engine/variation/axis_levels.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 #include <utility>
 
 namespace tractus {
@@ -211,13 +211,16 @@ void JointBender::bend_descendants(std::span<SegmentId const> path, ArcLength co
 {
     Quat const from_path = rotation_of(base_.frame[path.front()]).conjugate() * to_base;
     auto const axes = descendants(path);
+    constexpr std::size_t kAxesPerPiece = 64;
     // Each axis has its own joints, so any order will do.
-    tbb::parallel_for(std::size_t { 0 }, axes.size(), [&](std::size_t i) {
-        auto const& axis = plant_.axes[axes[i]];
-        Quat const to_axis = rotation_of(base_.frame[axis.first_segment]) * from_path;
-        auto const segment_at
-            = [&](std::size_t n) { return axis.first_segment + static_cast<SegmentId>(n); };
-        bend(axis.segment_count, segment_at, curve, to_axis);
+    parallel_for(axes.size(), kAxesPerPiece, [&](std::size_t begin, std::size_t end) {
+        for (auto i = begin; i < end; ++i) {
+            auto const& axis = plant_.axes[axes[i]];
+            Quat const to_axis = rotation_of(base_.frame[axis.first_segment]) * from_path;
+            auto const segment_at
+                = [&](std::size_t n) { return axis.first_segment + static_cast<SegmentId>(n); };
+            bend(axis.segment_count, segment_at, curve, to_axis);
+        }
     });
 }
 

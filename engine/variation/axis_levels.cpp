@@ -1,8 +1,8 @@
 #include "engine/variation/axis_levels.h"
 
+#include "engine/base/parallel.h"
+
 #include <algorithm>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 namespace tractus {
 
@@ -44,10 +44,9 @@ void for_each_level(AxisLevels const& levels,
         }
         auto const segments_per_axis = levels.segment_count[number] / axes.size();
         auto const grain = std::max<std::size_t>(1, kSegmentsWorthThreads / 4 / segments_per_axis);
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, axes.size(), grain),
-                          [&](tbb::blocked_range<std::size_t> const& range) {
-                              work(axes.subspan(range.begin(), range.size()));
-                          });
+        parallel_for(axes.size(), grain, [&](std::size_t begin, std::size_t end) {
+            work(axes.subspan(begin, end - begin));
+        });
     }
 }
 

@@ -1,13 +1,12 @@
 #include "engine/variation/growth.h"
 
+#include "engine/base/parallel.h"
 #include "engine/variation/growth_tip.h"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <span>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 namespace tractus {
 
@@ -87,8 +86,8 @@ private:
 void carry_organs(GrowthPlan const& plan, std::span<Quat const> turns, Plant& plant)
 {
     constexpr std::size_t kGrain = 2048;
-    auto const carry = [&](tbb::blocked_range<std::size_t> const& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+    parallel_for(plan.organs.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (auto i = begin; i < end; ++i) {
             auto const& from = plan.organs[i];
             if (from.seat.bearer == kNone)
                 continue;
@@ -97,8 +96,7 @@ void carry_organs(GrowthPlan const& plan, std::span<Quat const> turns, Plant& pl
             organ.position_mm = plant.node_position_mm[from.seat.node] + turn * from.offset_mm;
             organ.orientation = turn * from.orientation;
         }
-    };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, plan.organs.size(), kGrain), carry);
+    });
 }
 
 void carry_polygons(GrowthPlan const& plan, std::span<Quat const> turns, Plant& plant)

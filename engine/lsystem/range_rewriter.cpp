@@ -1,0 +1,247 @@
+#include "engine/lsystem/range_rewriter.h"
+
+#include <algorithm>
+
+namespace tractus {
+
+static bool changes_globals(Program const& program)
+{
+    return std::any_of(program.begin(), program.end(), [](Instruction const& instruction) {
+        return instruction.op == Op::StoreGlobal || instruction.op == Op::StoreArray
+            || instruction.op == Op::SeedRandom;
+    });
+}
+
+static bool is_divisible(RuleSet const& rules)
+{
+    return std::all_of(rules.rules.begin(), rules.rules.end(), [](Rule const& rule) {
+        return rule.predecessor.size() == 1 && !changes_globals(rule.condition)
+            && !changes_globals(rule.successor_program) && !changes_globals(rule.probability);
+    });
+}
+
+RulePlan::RulePlan(Model const& model)
+    : model_(model)
+    , is_divisible_(tractus::is_divisible(model.rules)
+                    && tractus::is_divisible(model.decomposition))
+    , has_bounds_(!model.decomposition.specified)
+{
+    for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i) {
+        auto const& kind = model.alphabet.kinds[i];
+        if (kind.symbol == '%')
+            is_divisible_ = has_bounds_ = false;
+        most_parameters_ = std::max<std::size_t>(most_parameters_, kind.parameter_count);
+        ways_[i] = find_way(static_cast<KindId>(i));
+        is_fixed_ = is_fixed_ && ways_[i] == Way::Fixed;
+    }
+    for (auto const& rule : model.rules.rules) {
+        longest_ = std::max(longest_, rule.successor.kinds.size());
+        most_parameters_ = std::max(most_parameters_, rule.successor.parameters.size());
+        if (rule.predecessor.size() > 1)
+            has_bounds_ = false;
+    }
+}
+
+RulePlan::Way RulePlan::find_way(KindId kind)
+{
+    auto const& symbol = model_.alphabet[kind];
+    auto const& rules = model_.rules.by_kind[kind];
+    if (model_.decomposition.specified || (rules.empty() && symbol.symbol == '%'))
+        return Way::Search;
+    if (rules.empty()) {
+        fixed_[kind] = FixedSuccessor::copy(kind, symbol.parameter_count);
+        return Way::Fixed;
+    }
+    if (!find_chances(kind))
+        return Way::Search;
+    auto const& first = *candidates_[kind].front().rule;
+    if (candidates_[kind].size() > 1 || !first.successor_program.empty())
+        return Way::Chance;
+    fixed_[kind] = FixedSuccessor::of(first);
+    return Way::Fixed;
+}
+
+// Fills candidates_, if the kind's rules leave the choice to chance. Without chance the first rule
+// is the only one.
+bool RulePlan::find_chances(KindId kind)
+{
+    auto& candidates = candidates_[kind];
+    for (auto const number : model_.rules.by_kind[kind]) {
+        auto const& rule = model_.rules.rules[number];
+        if (rule.predecessor.size() > 1 || !rule.left.empty() || !rule.right.empty()
+            || rule.has_condition || !rule.condition.empty() || !rule.probability.empty())
+            return false;
+        double const weight = rule.has_probability ? rule.frame[rule.probability_result] : 1;
+        if (!model_.stochastic) {
+            candidates = { { &rule, 1 } };
+            break;
+        }
+        if (weight > 0) {
+            candidates.push_back({ &rule, weight });
+            total_weights_[kind] += weight;
+        }
+    }
+    return !candidates.empty();
+}
+
+RangeRewriter::RangeRewriter(RulePlan const& plan, Machine& machine, Branches const& branches)
+    : plan_(plan)
+    , model_(plan.model())
+    , machine_(machine)
+    , branches_(branches)
+    , rewriter_(model_, model_.rules, machine, model_.stochastic)
+    , decomposition_(model_, model_.decomposition, machine)
+{
+}
+
+void RangeRewriter::rewrite(ModuleString const& in, Range const& range, std::uint32_t step,
+                            std::size_t max_modules, ModuleString& out)
+{
+    in_ = &in;
+    out_ = &out;
+    max_modules_ = max_modules;
+    if (plan_.has_bounds())
+        rewrite_bounded(range, step);
+    else
+        rewrite_any(range, step);
+}
+
+Rule const& RangeRewriter::choose(KindId kind)
+{
+    auto const& candidates = plan_.candidates(kind);
+    if (candidates.size() == 1)
+        return *candidates.front().rule;
+    double left = plan_.total_weight(kind) * machine_.uniform();
+    for (auto const& candidate : candidates) {
+        left -= candidate.weight;
+        if (left < 0)
+            return *candidate.rule;
+    }
+    return *candidates.back().rule;
+}
+
+// Room is made for many modules at once.
+void RangeRewriter::rewrite_bounded(Range const& range, std::uint32_t step)
+{
+    constexpr std::size_t kBlock = 1024;
+    auto parameter = range.parameter;
+    for (auto begin = range.begin; begin < range.end && !is_over(); begin += kBlock) {
+        auto const end = std::min(begin + kBlock, range.end);
+        out_->kinds.reserve_more((end - begin) * plan_.longest() + FixedSuccessor::kShort);
+        out_->parameters.reserve_more((end - begin) * plan_.most_parameters());
+        ModuleWriter to(*out_);
+        for (auto i = begin; i < end; ++i) {
+            auto const kind = in_->kinds[i];
+            Modules const rest { in_->kinds.data() + i, in_->parameters.data() + parameter,
+                                 in_->size() - i };
+            if (plan_.way(kind) == RulePlan::Way::Fixed)
+                plan_.fixed(kind).write(rest.parameters, to);
+            else
+                rewrite_one_bounded(rest, { in_, &branches_, i, parameter, i + 1, 0 }, step, to);
+            parameter += model_.alphabet[kind].parameter_count;
+        }
+        to.finish(*out_);
+    }
+}
+
+void RangeRewriter::rewrite_one_bounded(Modules const& rest, Surroundings const& around,
+                                        std::uint32_t step, ModuleWriter& to)
+{
+    auto const kind = rest.kinds[0];
+    machine_.begin_module(step, around.left);
+    if (plan_.way(kind) == RulePlan::Way::Chance) {
+        auto const& rule = choose(kind);
+        rewriter_.load_predecessor(rule, rest.parameters);
+        return rewriter_.apply(rule, to);
+    }
+    if (auto const* const rule = rewriter_.find(rest, around, true))
+        return rewriter_.apply(*rule, to);
+    FixedSuccessor::copy(kind, model_.alphabet[kind].parameter_count).write(rest.parameters, to);
+}
+
+void RangeRewriter::rewrite_any(Range const& range, std::uint32_t step)
+{
+    auto parameter = range.parameter;
+    for (auto i = range.begin; i < range.end && !is_over();) {
+        Modules const rest { in_->kinds.data() + i, in_->parameters.data() + parameter,
+                             in_->size() - i };
+        machine_.begin_module(step, i);
+        auto const count = rewrite_one(rest, { in_, &branches_, i, parameter, i + 1, 0 });
+        for (std::size_t k = 0; k < count; ++k)
+            parameter += model_.alphabet[rest.kinds[k]].parameter_count;
+        i += count;
+    }
+}
+
+// Appends what the first module becomes; returns how many modules have been read.
+std::size_t RangeRewriter::rewrite_one(Modules const& rest, Surroundings const& around)
+{
+    auto const kind = rest.kinds[0];
+    auto const* const rule
+        = rewriter_.has_rules(kind) ? rewriter_.find(rest, around, true) : nullptr;
+    if (rule && !model_.decomposition.specified) {
+        rewriter_.apply(*rule, *out_);
+        return rule->predecessor.size();
+    }
+    if (rule) {
+        successor_.kinds.clear();
+        successor_.parameters.clear();
+        rewriter_.apply(*rule, successor_);
+        decompose_successor(around, rule->predecessor.size());
+        return rule->predecessor.size();
+    }
+    auto const symbol = model_.alphabet[kind];
+    if (decomposition_.has_rules(kind)) {
+        auto beyond = around;
+        beyond.right_parameters = around.left_parameters + symbol.parameter_count;
+        bool decomposed = true;
+        auto const count
+            = decomposition_.expand(rest, beyond, [&](Modules const& modules) -> std::size_t {
+                  decomposed = modules.kinds != rest.kinds;
+                  if (decomposed)
+                      append_one(modules);
+                  return !is_over();
+              });
+        if (decomposed)
+            return std::max<std::size_t>(count, 1);
+    }
+    if (symbol.symbol == '%' && symbol.parameter_count < 2)
+        return branch_end(model_, *in_, around.left + 1) - around.left; // A cut.
+    append_one(rest);
+    return 1;
+}
+
+void RangeRewriter::decompose_successor(Surroundings const& around, std::size_t predecessor_length)
+{
+    auto beyond = around;
+    beyond.right = around.left + predecessor_length;
+    beyond.right_parameters = around.left_parameters;
+    for (auto i = around.left; i < beyond.right; ++i)
+        beyond.right_parameters += model_.alphabet[in_->kinds[i]].parameter_count;
+    std::size_t parameter = 0;
+    for (std::size_t i = 0; i < successor_.size();) {
+        Modules const rest { successor_.kinds.data() + i, successor_.parameters.data() + parameter,
+                             successor_.size() - i };
+        std::size_t count = 1;
+        if (decomposition_.has_rules(rest.kinds[0]))
+            count = decomposition_.expand(rest, beyond, [&](Modules const& modules) -> std::size_t {
+                append_one(modules);
+                return !is_over();
+            });
+        else
+            append_one(rest);
+        if (count == 0)
+            return; // Too many modules: the caller says so.
+        for (std::size_t k = 0; k < count; ++k)
+            parameter += model_.alphabet[rest.kinds[k]].parameter_count;
+        i += count;
+    }
+}
+
+void RangeRewriter::append_one(Modules const& modules)
+{
+    out_->kinds.append(modules.kinds, 1);
+    out_->parameters.append(modules.parameters, model_.alphabet[modules.kinds[0]].parameter_count);
+}
+
+} // namespace tractus

@@ -1,0 +1,111 @@
+#pragma once
+
+#include "engine/lsystem/expander.h"
+#include "engine/lsystem/fixed_successor.h"
+#include "engine/lsystem/machine.h"
+#include "engine/lsystem/model.h"
+#include "engine/lsystem/module_string.h"
+#include "engine/lsystem/rewriter.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tractus {
+
+// What rewriting needs to know of a model's rules, found out once.
+class RulePlan {
+public:
+    // The model must outlive it.
+    explicit RulePlan(Model const& model);
+
+    Model const& model() const { return model_; }
+
+    // How modules of a kind are rewritten.
+    enum class Way : std::uint8_t {
+        Fixed,  // Always to the same successor.
+        Chance, // Chance alone chooses among rules without contexts and conditions.
+        Search, // Rules must be tried one after the other.
+    };
+    Way way(KindId kind) const { return ways_[kind]; }
+    FixedSuccessor const& fixed(KindId kind) const { return fixed_[kind]; }
+
+    struct Candidate {
+        Rule const* rule = nullptr;
+        double weight = 0;
+    };
+    std::vector<Candidate> const& candidates(KindId kind) const { return candidates_[kind]; }
+    double total_weight(KindId kind) const { return total_weights_[kind]; }
+
+    // Every kind's way is Fixed.
+    bool is_fixed() const { return is_fixed_; }
+    // A string may be cut into ranges that are rewritten by different rewriters, in any order: no
+    // rule changes a global variable, and none reads more modules than its predecessor.
+    bool is_divisible() const { return is_divisible_; }
+    // What one module becomes has at most so many modules and parameters, where the model has
+    // neither decomposition rules nor cuts.
+    bool has_bounds() const { return has_bounds_; }
+    std::size_t longest() const { return longest_; }
+    std::size_t most_parameters() const { return most_parameters_; }
+
+private:
+    Way find_way(KindId kind);
+    bool find_chances(KindId kind);
+
+    Model const& model_;
+    std::array<Way, 256> ways_ {};
+    std::array<FixedSuccessor, 256> fixed_ {};
+    std::array<std::vector<Candidate>, 256> candidates_;
+    std::array<double, 256> total_weights_ {};
+    bool is_fixed_ = true;
+    bool is_divisible_ = true;
+    bool has_bounds_ = true;
+    std::size_t longest_ = 1;
+    std::size_t most_parameters_ = 0;
+};
+
+// Rewrites a range of a string, module after module, from the left. Each thread needs its own.
+class RangeRewriter {
+public:
+    // All must outlive it; `branches` are of the string that will be rewritten, where rules have
+    // contexts.
+    RangeRewriter(RulePlan const& plan, Machine& machine, Branches const& branches);
+
+    bool has_contexts() const { return rewriter_.has_contexts() || decomposition_.has_contexts(); }
+
+    struct Range {
+        std::size_t begin = 0;
+        std::size_t end = 0;
+        std::size_t parameter = 0; // Where the first module's parameters begin.
+    };
+
+    // Appends what the modules of the range become in step `step`. Stops early when `out` has more
+    // than `max_modules` or a loop in a rule does not end.
+    void rewrite(ModuleString const& in, Range const& range, std::uint32_t step,
+                 std::size_t max_modules, ModuleString& out);
+
+private:
+    void rewrite_bounded(Range const& range, std::uint32_t step);
+    void rewrite_any(Range const& range, std::uint32_t step);
+    void rewrite_one_bounded(Modules const& rest, Surroundings const& around, std::uint32_t step,
+                             ModuleWriter& to);
+    Rule const& choose(KindId kind);
+    std::size_t rewrite_one(Modules const& rest, Surroundings const& around);
+    void decompose_successor(Surroundings const& around, std::size_t predecessor_length);
+    void append_one(Modules const& modules);
+    bool is_over() const { return out_->size() > max_modules_ || machine_.loop_did_not_end(); }
+
+    RulePlan const& plan_;
+    Model const& model_;
+    Machine& machine_;
+    Branches const& branches_;
+    Rewriter rewriter_;
+    Expander decomposition_;
+    ModuleString const* in_ = nullptr; // Not owned.
+    ModuleString* out_ = nullptr;      // Not owned.
+    std::size_t max_modules_ = 0;
+    ModuleString successor_; // Of one rule, before decomposition.
+};
+
+} // namespace tractus

@@ -1,0 +1,112 @@
+#include "tests/engine/lsystem/small_model.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <rapidcheck/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#include <vector>
+
+namespace tractus {
+namespace {
+
+// The same cases each time, unless the environment says otherwise.
+[[maybe_unused]] bool const has_parameters
+    = setenv("RC_PARAMS", "seed=1 max_success=500", 0) == 0; // NOLINT(concurrency-mt-unsafe)
+
+// Modules of a few kinds in random order, with branches that are mostly closed.
+rc::Gen<std::string> random_string(std::string const& symbols)
+{
+    return rc::gen::map(
+        rc::gen::container<std::string>(rc::gen::elementOf(symbols + "[[]]")),
+        [](std::string text) {
+            auto const depth = std::count(text.begin(), text.end(), '[')
+                - std::count(text.begin(), text.end(), ']');
+            return text
+                + std::string(static_cast<std::size_t>(std::max<std::ptrdiff_t>(depth, 0)), ']');
+        });
+}
+
+// A rule with or without a context of one module on each side.
+rc::Gen<std::string> random_rule()
+{
+    auto const context = [] { return rc::gen::element<std::string>("", "", "A", "B", "C", "+"); };
+    return rc::gen::map(rc::gen::tuple(context(), rc::gen::element<std::string>("A", "B", "C", "+"),
+                                       context(), random_string("ABC+-")),
+                        [](auto const& parts) {
+                            auto const& [left, predecessor, right, successor] = parts;
+                            return (left.empty() ? "" : left + " < ") + predecessor
+                                + (right.empty() ? "" : " > " + right) + " --> "
+                                + (successor.empty() ? "*" : successor) + "\n";
+                        });
+}
+
+std::string derived_by(int threads, Model const& model, DeriveOptions const& options)
+{
+    tbb::global_control const allow(tbb::global_control::max_allowed_parallelism, 4);
+    tbb::task_arena arena(threads);
+    return arena.execute([&] { return to_string(model, derive(model, options).value()); });
+}
+
+// A rule with a parameter that never applies keeps models away from the table.
+RC_GTEST_PROP(LSystemProperty, ContextTableAgreesWithTheSearch, ())
+{
+    auto const rules = *rc::gen::container<std::vector<std::string>>(random_rule());
+    auto const seen = *rc::gen::element<std::string>("", "ignore: +-\n", "consider: ABC\n");
+    std::string text = seen + "Axiom: A" + *random_string("ABC+-") + "\n";
+    for (auto const& rule : rules)
+        text += rule;
+    auto const steps = *rc::gen::inRange(1, 5);
+    auto const tabled = compiled(with_header(text, steps));
+    auto const searched = compiled(with_header(text + "Z(x) --> Z(x)", steps));
+    DeriveOptions options;
+    options.max_modules = 100'000;
+    auto const expected = derive(searched, options);
+    auto const string = derive(tabled, options);
+    RC_ASSERT(string.has_value() == expected.has_value());
+    if (string)
+        RC_ASSERT(to_string(tabled, *string) == to_string(searched, *expected));
+}
+
+RC_GTEST_PROP(LSystemProperty, StringsPrintAndParse, ())
+{
+    auto const text = "A" + *random_string("ABC+-F");
+    auto const model = compiled(with_header("Axiom: " + text, 0));
+    RC_ASSERT(to_string(model, derive(model).value()) == text);
+}
+
+TEST(LSystemThreads, ParametersAndChanceDoNotDependOnTheirNumber)
+{
+    auto const model
+        = compiled(with_header("Axiom: A(1)\n"
+                               "A(x) : x > 0.2 --> F(x)[+(30)A(x*0.97)]B(x)A(x*0.95) : 0.5\n"
+                               "A(x) : x > 0.1 --> F(x)[-(30)A(x*0.96)][B(ran(1))]A(x*0.94) : 0.5\n"
+                               "B(x) > A(y) --> C(x,y)B(nran(0,1)) : 2\n"
+                               "B(x) --> B(x) : 1",
+                               14));
+    auto const one = derived_by(1, model, {});
+    EXPECT_GT(std::count(one.begin(), one.end(), 'F'), 10'000);
+    EXPECT_TRUE(derived_by(2, model, {}) == one);
+    EXPECT_TRUE(derived_by(4, model, {}) == one);
+}
+
+TEST(LSystemThreads, KnownSuccessorsDoNotDependOnTheirNumber)
+{
+    auto const model = compiled(
+        with_header("Axiom: F(1)\nF(x) --> F(x)[+F(2)]G(x,3)[-XXXXXXXXXXXXXXXXXXXXF(x)]", 11));
+    auto const one = derived_by(1, model, {});
+    EXPECT_GT(one.size(), 1'000'000u);
+    EXPECT_TRUE(derived_by(2, model, {}) == one);
+    EXPECT_TRUE(derived_by(4, model, {}) == one);
+}
+
+TEST(LSystemThreads, GlobalVariablesKeepTheOrderOfModules)
+{
+    auto const model = compiled(
+        with_header("Start: {n = 0;}\nAxiom: A\nA : Q == 18 {n = n + 1;} --> B(n)\nA --> AA", 18));
+    auto const string = derived_by(4, model, {});
+    EXPECT_EQ(string.substr(0, 12), "B(1)B(2)B(3)");
+}
+
+} // namespace
+} // namespace tractus
