@@ -167,6 +167,8 @@ void Job::note_replay(Station const& station)
         paths.insert(association.path);
     report_.branches_selected = paths.size();
     note_heights(station.fuser_counts(), report_.notes);
+    for (auto& sentence : describe_faults(station.height_monitor(), {}))
+        report_.notes.push_back(std::move(sentence));
     if (counts.strokes == 0)
         report_.notes.push_back(
             station.fuser_counts().pens_without_height > 0

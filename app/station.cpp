@@ -32,6 +32,8 @@ Result<Pen> find_pen(std::span<DeviceInfo const> devices)
 
 Station::Station(StationOptions options, Fuser fuser)
     : fuser_(std::move(fuser))
+    , height_monitor_(options.rig)
+    , is_height_measured_(!options.scripted_height)
     , tablet_latency_(options.rig.tablet_latency)
     , tool_changes_ { { Timestamp::min(), options.tool } }
     , scene_(std::move(options.scene))
@@ -43,7 +45,6 @@ Result<Station> Station::create(std::span<DeviceInfo const> devices, StationOpti
     auto pen = TRY(find_pen(devices));
     auto fuser = options.scripted_height ? Fuser(options.rig, *options.scripted_height)
                                          : Fuser(options.rig);
-    bool const needs_sensor = !options.scripted_height;
     Station station(std::move(options), std::move(fuser));
     station.pen_device_ = pen.device;
     station.pen_decoder_ = std::move(pen.decoder);
@@ -55,7 +56,7 @@ Result<Station> Station::create(std::span<DeviceInfo const> devices, StationOpti
             station.height_device_ = i;
         }
     }
-    if (needs_sensor && !station.height_decoder_)
+    if (station.is_height_measured_ && !station.height_decoder_)
         return fail(Fault::User,
                     "there is no height sensor beside the pen: give the height with "
                     "--height, as millimetres or as rise, fall, arch or sway");
@@ -75,6 +76,8 @@ void Station::push(std::size_t device, Timestamp received, std::span<std::byte c
 
 void Station::push_pen(Timestamp received, std::span<std::byte const> report)
 {
+    if (is_height_measured_)
+        height_monitor_.advance(received);
     auto const sample = pen_decoder_->decode(received, report);
     if (!sample)
         return count_broken(sample.error());
@@ -95,8 +98,12 @@ void Station::push_height(Timestamp received, std::span<std::byte const> report)
     if (auto const decoded = height_decoder_->decode(received, report, heights_); !decoded)
         count_broken(decoded.error());
     counts_.height_samples += heights_.size();
-    for (auto const& height : heights_)
-        fuser_.push(height);
+    if (is_height_measured_)
+        for (auto const& height : heights_) {
+            height_monitor_.push(height);
+            if (!height_monitor_.is_on_rail(height))
+                fuser_.push(height);
+        }
     take_settled();
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/tools/tool.h"
 #include "calib/fuser.h"
+#include "calib/height_monitor.h"
 #include "calib/rig.h"
 #include "drivers/device_info.h"
 #include "drivers/height_decoder.h"
@@ -67,6 +68,9 @@ public:
     StationCounts const& counts() const { return counts_; }
     FuserCounts const& fuser_counts() const { return fuser_.counts(); }
 
+    // What is, and was, wrong with the height sensor; nothing if the height is scripted.
+    HeightMonitor const& height_monitor() const { return height_monitor_; }
+
     // For the screen: the ink of the stroke under way, the newest tip, and what it means.
     std::vector<TipSample> ink() const { return builder_.ink(); }
     std::optional<TipSample> const& newest_tip() const { return newest_tip_; }
@@ -89,13 +93,15 @@ private:
     void count_broken(Error const& error);
 
     Fuser fuser_;
+    HeightMonitor height_monitor_;
+    bool is_height_measured_; // Not scripted.
     Duration tablet_latency_;
     StrokeBuilder builder_;
     std::unique_ptr<PenDecoder> pen_decoder_;
     std::size_t pen_device_ = 0;
     std::unique_ptr<HeightDecoder> height_decoder_;
     std::size_t height_device_ = 0;
-    std::vector<HeightSample> heights_; // Of the report at hand; kept for its memory.
+    std::vector<HeightSample> heights_;    // Of the report at hand; kept for its memory.
     std::vector<ToolChange> tool_changes_; // In time order; the first is from the beginning.
     Scene scene_;
     std::vector<DrawnStroke> strokes_;

@@ -86,6 +86,58 @@ TEST(Station, CountsBrokenReportsAndGoesOn)
     EXPECT_EQ(station.strokes().size(), 1u);
 }
 
+// Draws for 400 ms; the sensor's cable is open between 200 and 350 ms.
+Station station_with_an_open_cable()
+{
+    StationOptions options;
+    options.rig.tablet_size_mm = { 200, 100 };
+    options.scene = small_scene();
+    auto station = Station::create(simple_rig(), std::move(options)).value();
+    for (int ms = 0; ms < 400; ms += 2) {
+        bool const is_open = ms >= 200 && ms < 350;
+        station.push(kHeight, at_ms(ms), height_report(is_open ? 4095 : 1000 + ms % 3));
+        station.push(kPen, at_ms(ms), pen_report(50 + 0.2 * ms, 50, true));
+    }
+    station.finish();
+    return station;
+}
+
+TEST(Station, DrawsNoStrokeToWhereAnOpenCableReads)
+{
+    auto const station = station_with_an_open_cable();
+    EXPECT_EQ(station.strokes().size(), 2u);
+    for (auto const& drawn : station.strokes())
+        for (auto const& tip : drawn.stroke.tips)
+            EXPECT_NEAR(tip.position_mm.z(), 100, 0.5);
+}
+
+TEST(Station, SaysWhatIsWrongWithTheHeightSensor)
+{
+    EXPECT_EQ(describe_faults(station_with_an_open_cable().height_monitor(), at_ms(0)),
+              std::vector<std::string>(
+                  { "the height sensor read 4095, an end of its range, once, for 0.1 s at 0.2 s: "
+                    "its wiper or its cable is open, or the spool is at its stop" }));
+}
+
+TEST(Station, TellsWhenTheHeightSensorSaysNothing)
+{
+    StationOptions options;
+    options.scene = small_scene();
+    auto station = Station::create(simple_rig(), std::move(options)).value();
+    draw_across(station, 0);
+    draw_across(station, 500);
+    ASSERT_TRUE(station.height_monitor().present());
+    EXPECT_EQ(station.height_monitor().present()->kind, HeightFaultKind::Silence);
+}
+
+TEST(Station, DoesNotMissASensorWhereTheHeightIsScripted)
+{
+    auto station = flat_station();
+    draw_across(station, 0);
+    draw_across(station, 500);
+    EXPECT_FALSE(station.height_monitor().present());
+}
+
 TEST(Station, LeavesOtherDevicesAside)
 {
     auto station = flat_station();
