@@ -21,3 +21,15 @@ wait_until() {
 figure() {
     echo "figure: $1 = $2${3:+ $3}"
 }
+
+# Records what there is until the process that plays the devices ends.
+#   record_while PLAYER_PID LOG [OPTION...]
+record_while() {
+    local player=$1 recorder
+    shift
+    tractus record -o "$@" &
+    recorder=$!
+    wait "$player" || fail "the player ended with $?" || return
+    kill -TERM "$recorder"
+    wait "$recorder"
+}

@@ -40,7 +40,7 @@ Result<Duration> clock_offset(Log const& sent, Log const& got)
         if (record.device == 0)
             sent_times.push_back(record.time);
     for (auto const& record : got.records)
-        if (record.device == 0 && offsets.size() < sent_times.size())
+        if (record.device == 0 && record.size > 0 && offsets.size() < sent_times.size())
             offsets.push_back(record.time - sent_times[offsets.size()]);
     if (offsets.empty() || offsets.size() != sent_times.size())
         return fail(Fault::Device,

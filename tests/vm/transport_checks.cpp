@@ -12,11 +12,13 @@ namespace tractus {
 
 namespace {
 
+// The reports of a device, without the empty ones that say that it went away.
 std::vector<LogRecord> records_of(Log const& log, std::size_t device)
 {
     std::vector<LogRecord> records;
-    std::copy_if(log.records.begin(), log.records.end(), std::back_inserter(records),
-                 [&](LogRecord const& record) { return record.device == device; });
+    std::copy_if(
+        log.records.begin(), log.records.end(), std::back_inserter(records),
+        [&](LogRecord const& record) { return record.device == device && record.size > 0; });
     return records;
 }
 

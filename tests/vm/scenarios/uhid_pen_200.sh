@@ -6,7 +6,7 @@ guest() {
     tractus sim uhid /files/scribble.tractus-log --device 0 --rate 200 &
     wait_until test -e /dev/hidraw0
     tractus devices
-    tractus record -o got.tractus-log
+    record_while $! got.tractus-log
     vm_check same-reports /files/scribble.tractus-log got.tractus-log --device 0
     vm_check gaps got.tractus-log
 }

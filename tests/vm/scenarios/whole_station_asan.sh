@@ -10,7 +10,7 @@ guest() {
     sed -n 's/^C: //p' /files/scribble.tractus-log >simulated.rig.toml
     tractus sim uhid /files/scribble.tractus-log &
     wait_until test -e /dev/hidraw1
-    tractus record --rig simulated.rig.toml -o got.tractus-log
+    record_while $! got.tractus-log --rig simulated.rig.toml
     vm_check same-reports /files/scribble.tractus-log got.tractus-log
     vm_check strokes /files/scribble.hand.toml /files/scribble.tractus-log got.tractus-log /files/daisy.l
 }
