@@ -293,10 +293,10 @@ std::optional<PenLayout> finish(Draft draft, HidReportDescriptor const& descript
 
 } // namespace
 
-void PenLayout::assume_size(Vec2 const& known_size_mm)
+void PenLayout::take_known_size(Vec2 const& known_size_mm)
 {
     if (size_source == Size::Assumed)
-        set_size(*this, known_size_mm, Size::Assumed);
+        set_size(*this, known_size_mm, Size::Known);
 }
 
 bool PenLayout::has_second_barrel_switch() const

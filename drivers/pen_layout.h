@@ -47,10 +47,10 @@ struct PenLayout {
     // device's pen reports say; for a range without a unit, thousandths of an inch; else 5080
     // counts per inch, as most tablets have, or 2540, whichever gives a longer side of 80 to 500
     // mm; else a longer side of 250 mm.
-    enum class Size { Declared, Assumed } size_source = Size::Declared;
+    enum class Size { Declared, Known, Assumed } size_source = Size::Declared;
 
     // Believes `known_size_mm`, from elsewhere, if the descriptor declares no size.
-    void assume_size(Vec2 const& known_size_mm);
+    void take_known_size(Vec2 const& known_size_mm);
 
     // By its proper name, and not by one of those that some makers use in its place.
     bool has_second_barrel_switch() const;

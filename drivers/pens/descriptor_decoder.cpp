@@ -210,7 +210,7 @@ Result<std::unique_ptr<PenDecoder>> make_descriptor_decoder(DeviceInfo const& in
         return fail(Fault::User, explain_no_pen(info, *descriptor));
     if (size_mm)
         for (auto& layout : layouts)
-            layout.assume_size(*size_mm);
+            layout.take_known_size(*size_mm);
     return std::make_unique<HidPenDecoder>(*descriptor, layouts, habits_of(info, layouts));
 }
 

@@ -1,6 +1,10 @@
 #include "drivers/pens/families.h"
 
+#include "drivers/pens/small_makers.h"
+#include "drivers/pens/uclogic.h"
+#include "drivers/pens/veikk.h"
 #include "drivers/pens/wacom.h"
+#include "drivers/pens/xp_pen.h"
 
 #include <algorithm>
 #include <vector>
@@ -11,7 +15,8 @@ std::span<PenFamily const> pen_families()
 {
     static auto const families = [] {
         std::vector<PenFamily> all;
-        for (auto const some : { wacom_families() })
+        for (auto const some : { wacom_families(), uclogic_families(), xp_pen_families(),
+                                 veikk_families(), small_makers_families() })
             all.insert(all.end(), some.begin(), some.end());
         return all;
     }();

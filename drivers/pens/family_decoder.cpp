@@ -13,6 +13,7 @@ PenTraits traits_of(PenFamily const& family, TabletShape const& shape)
 {
     return {
         .size_mm = shape.size_mm,
+        .is_size_assumed = shape.is_size_assumed,
         .has_pressure = shape.pressure_maximum > 0,
         .has_tilt = family.has_tilt,
         .has_in_range = family.reports_leaving,

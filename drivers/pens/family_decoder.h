@@ -9,7 +9,8 @@ namespace tractus {
 
 // What is known of one model of a tablet, since its reports do not tell.
 struct TabletShape {
-    Vec2 size_mm = Vec2::Zero(); // Of the active area; both sides above 0.
+    Vec2 size_mm = Vec2::Zero();  // Of the active area; both sides above 0.
+    bool is_size_assumed = false; // As PenTraits has it.
     // The greatest counts. Both axes begin at 0 and their maxima are above 0.
     std::int32_t x_maximum = 0;
     std::int32_t y_maximum = 0;

@@ -37,6 +37,24 @@ Fields decode_graphire(Report report, FamilyState&)
     };
 }
 
+// The Bamboo Pad: report 10, whose byte 1 tells the pen from its touch pad and its keys.
+Fields decode_bamboo_pad(Report report, FamilyState&)
+{
+    if (report.size() < 9 || u8(report, 0) != kSecondPenReport || u8(report, 1) != 0x01)
+        return std::nullopt;
+    if (!has_bit(report, 2, 5))
+        return kAway;
+    return PenFields {
+        .x = u16_le(report, 3),
+        .y = u16_le(report, 5),
+        .pressure = u16_le(report, 7),
+        .in_range = true,
+        .tip = has_bit(report, 2, 0) || u16_le(report, 7) > 0,
+        .invert = has_bit(report, 2, 3),
+        .buttons = (u8(report, 2) >> 1) & 1u,
+    };
+}
+
 // Intuos CTL and CTH, and the Bamboos before them: 8 to 10 bytes. At the surface's edge the place
 // is its edge.
 Fields decode_intuos(Report report, FamilyState&)
@@ -284,6 +302,10 @@ constexpr std::int32_t kIntuosProTouchAbove = 10;
 
 constexpr PenFamily kFamilies[] = {
     { .name = "wacom-graphire", .decode = decode_graphire, .has_eraser = true },
+    { .name = "wacom-bamboo-pad",
+      .decode = decode_bamboo_pad,
+      .has_eraser = true,
+      .button_count = 1 },
     { .name = "wacom-intuos", .decode = decode_intuos, .has_eraser = true },
     { .name = "wacom-intuos-pro",
       .decode = decode_intuos_pro,

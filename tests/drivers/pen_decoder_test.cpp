@@ -246,15 +246,15 @@ TEST(PenDecoder, ExplainsWhyADeviceIsNoPen)
               "Height Sensor (1209:0001) is not a pen that describes itself: its report "
               "descriptor has no X, Y and tip of a pen");
 
-    DeviceInfo const vendor { .name = "HS610",
+    DeviceInfo const vendor { .name = "Newcomer",
                               .vendor_id = 0x256c,
-                              .product_id = 0x006d,
+                              .product_id = 0xffff, // Not in the table of tablets.
                               .report_descriptor
                               = bytes("06 00 ff 09 01 a1 01 85 08 75 58 95 01 09 01 81 02 c0") };
     auto const secret = make_pen_decoder(vendor);
     ASSERT_FALSE(secret);
     EXPECT_EQ(secret.error().message,
-              "HS610 (256c:006d) is not a pen that describes itself: its report descriptor has "
+              "Newcomer (256c:ffff) is not a pen that describes itself: its report descriptor has "
               "reports in its maker's own format, and no X, Y and tip of a pen");
 }
 

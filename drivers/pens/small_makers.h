@@ -1,0 +1,13 @@
+#pragma once
+
+#include "drivers/pens/families.h"
+
+#include <span>
+
+namespace tractus {
+
+// The formats of which few tablets are known: "genius" and "waltop" (Genius, Trust and Waltop),
+// "lifetec", "robotpen", "woodpad" (ViewSonic), "floogoo".
+std::span<PenFamily const> small_makers_families();
+
+} // namespace tractus

@@ -1,0 +1,165 @@
+#include "drivers/tablets/tablet_decoder.h"
+
+#include "drivers/pens/descriptor_decoder.h"
+#include "drivers/report_descriptor.h"
+#include "drivers/tablets/string_descriptor.h"
+
+#include <algorithm>
+#include <bitset>
+#include <fmt/core.h>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+using ReportIds = std::bitset<256>;
+
+// The reports of Linux's hid-uclogic for keys and dials are its own invention: their id in a
+// descriptor tells that the driver wrote it (UCLOGIC_RDESC_V1_FRAME_ID in its source).
+constexpr std::uint8_t kKernelPadReport = 0xF7;
+
+struct NodeReports {
+    ReportIds described; // Fields of a known meaning.
+    ReportIds makers_own;
+    bool is_rewritten_by_kernel = false;
+};
+
+NodeReports reports_of(HidReportDescriptor const& descriptor)
+{
+    // Pages of the makers' own, and usages that no page defines.
+    auto const says_nothing
+        = [](HidUsage usage) { return usage >= 0xFF00'0000 || (usage & 0xFFFF) == 0; };
+    NodeReports result;
+    for (auto const& field : descriptor.fields)
+        if (field.kind == HidReportKind::Input)
+            (says_nothing(field.usage) ? result.makers_own : result.described).set(field.report_id);
+    result.makers_own &= ~result.described;
+    result.is_rewritten_by_kernel = result.described[kKernelPadReport];
+    return result;
+}
+
+// The strings whose reading is the switch have been read.
+bool is_switched_by_strings(DeviceInfo const& info, TabletIdentifier const& identifier)
+{
+    auto const& strings = identifier.setup.strings;
+    return !strings.empty() && std::all_of(strings.begin(), strings.end(), [&](int index) {
+        auto const found = info.strings.find(index);
+        return found != info.strings.end() && !found->second.empty();
+    });
+}
+
+class TabletDecoder final : public PenDecoder {
+public:
+    struct Parts {
+        PenFamily family;
+        std::unique_ptr<PenDecoder> own;       // Never null.
+        std::unique_ptr<PenDecoder> described; // Null if the descriptor describes no pen.
+        ReportIds described_ids;
+        bool own_comes_first = false;
+    };
+
+    explicit TabletDecoder(Parts parts)
+        : parts_(std::move(parts))
+        , last_(parts_.described && !parts_.own_comes_first ? parts_.described.get()
+                                                            : parts_.own.get())
+        , traits_(last_->traits())
+    {
+    }
+
+    using PenDecoder::decode;
+    PenTraits const& traits() const override { return traits_; }
+    Result<std::optional<PenSample>> decode(Timestamp received,
+                                            std::span<std::byte const> report) override;
+    std::optional<Duration> silence_limit() const override { return last_->silence_limit(); }
+    std::optional<PenSample> leave(Timestamp time) override { return last_->leave(time); }
+
+private:
+    PenDecoder* decoder_for(std::span<std::byte const> report) const;
+
+    Parts parts_;
+    PenDecoder* last_; // Whichever spoke last.
+    PenTraits traits_;
+};
+
+// Null for a report that is no pen's.
+PenDecoder* TabletDecoder::decoder_for(std::span<std::byte const> report) const
+{
+    FamilyState ignored;
+    bool const is_described = parts_.described_ids[std::to_integer<std::uint8_t>(report[0])];
+    if (!is_described || (parts_.own_comes_first && parts_.family.decode(report, ignored)))
+        return parts_.own.get();
+    return parts_.described.get();
+}
+
+Result<std::optional<PenSample>> TabletDecoder::decode(Timestamp received,
+                                                       std::span<std::byte const> report)
+{
+    if (report.empty())
+        return fail(Fault::Device, "an empty report");
+    auto* const decoder = decoder_for(report);
+    if (!decoder)
+        return std::nullopt;
+    auto const sample = TRY(decoder->decode(received, report));
+    if (!sample || decoder == last_)
+        return sample;
+    if (auto const left = std::exchange(last_, decoder)->leave(received))
+        return left;
+    return sample;
+}
+
+} // namespace
+
+TabletShape tablet_shape(DeviceInfo const& info, TabletMatch const& match)
+{
+    auto const& tablet = *match.tablet;
+    TabletShape shape { .size_mm = tablet.size_mm,
+                        .is_size_assumed = tablet.is_size_in_doubt || match.alternatives > 0,
+                        .x_maximum = tablet.x_maximum,
+                        .y_maximum = tablet.y_maximum,
+                        .pressure_maximum = tablet.pressure_maximum,
+                        .button_count = tablet.pen_buttons };
+    for (auto const& [index, text] : info.strings)
+        if (auto const told = parse_parameters(index, text)) {
+            shape.size_mm = told->size_mm();
+            shape.is_size_assumed = false;
+            shape.x_maximum = told->x_maximum;
+            shape.y_maximum = told->y_maximum;
+            shape.pressure_maximum = told->pressure_maximum;
+        }
+    return shape;
+}
+
+Result<std::unique_ptr<PenDecoder>> make_tablet_decoder(DeviceInfo const& info,
+                                                        TabletMatch const& match)
+{
+    auto const shape = tablet_shape(info, match);
+    auto described = make_descriptor_decoder(
+        info, shape.is_size_assumed ? std::nullopt : std::optional(shape.size_mm));
+    NodeReports reports;
+    if (auto const descriptor = parse_report_descriptor(info.report_descriptor))
+        reports = reports_of(*descriptor);
+    bool const is_switched
+        = is_switched_by_strings(info, *match.identifier) && !reports.is_rewritten_by_kernel;
+    if (reports.makers_own.none() && !is_switched && !info.report_descriptor.empty())
+        return described;
+
+    auto const* const family = find_pen_family(match.identifier->family);
+    if (!family) {
+        if (described)
+            return described;
+        return fail(Fault::User,
+                    fmt::format("{} ({:04x}:{:04x}) sends reports of a format that nobody has told "
+                                "us yet: connect it another way (cable or radio), if it has one",
+                                tablet_name(match), info.vendor_id, info.product_id));
+    }
+    return std::make_unique<TabletDecoder>(TabletDecoder::Parts {
+        .family = *family,
+        .own = make_family_decoder(*family, shape),
+        .described = described ? *std::move(described) : nullptr,
+        .described_ids = reports.described,
+        .own_comes_first = is_switched,
+    });
+}
+
+} // namespace tractus

@@ -1,0 +1,197 @@
+#include "drivers/tablets/tablet_lookup.h"
+
+#include "drivers/report_descriptor.h"
+#include "drivers/tablets/string_descriptor.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/core.h>
+#include <map>
+#include <regex>
+#include <set>
+#include <tuple>
+
+namespace tractus {
+
+namespace {
+
+struct Candidate {
+    Tablet const* tablet = nullptr;
+    TabletIdentifier const* identifier = nullptr;
+    std::size_t conditions_held = 0;
+
+    // Candidates with the same shape are the same for whoever reads their reports.
+    auto shape() const
+    {
+        return std::tuple(tablet->size_mm.x(), tablet->size_mm.y(), tablet->x_maximum,
+                          tablet->y_maximum, tablet->pressure_maximum,
+                          std::string_view(identifier->family));
+    }
+};
+using Candidates = std::vector<Candidate>;
+
+bool matches(std::string const& text, std::string const& pattern)
+{
+    return std::regex_search(text, std::regex(pattern));
+}
+
+// No value if one of the candidate's strings is known to be another.
+std::optional<Candidate> weigh(Tablet const& tablet, TabletIdentifier const& identifier,
+                               DeviceInfo const& info)
+{
+    if (identifier.vendor_id != info.vendor_id || identifier.product_id != info.product_id)
+        return std::nullopt;
+    if (identifier.interface_number && info.interface_number >= 0
+        && *identifier.interface_number != info.interface_number)
+        return std::nullopt;
+    Candidate candidate { &tablet, &identifier };
+    for (auto const& condition : identifier.conditions) {
+        auto const text = info.strings.find(condition.index);
+        if (text == info.strings.end())
+            continue;
+        if (!matches(text->second, condition.pattern))
+            return std::nullopt;
+        ++candidate.conditions_held;
+    }
+    return candidate;
+}
+
+// Keeps those that `is_better` is true for, if there are any.
+template<typename Predicate> void prefer(Candidates& candidates, Predicate is_better)
+{
+    if (std::any_of(candidates.begin(), candidates.end(), is_better))
+        std::erase_if(candidates, [&](auto const& candidate) { return !is_better(candidate); });
+}
+
+void prefer_most_conditions(Candidates& candidates)
+{
+    std::size_t most = 0;
+    for (auto const& candidate : candidates)
+        most = std::max(most, candidate.conditions_held);
+    prefer(candidates, [&](auto const& candidate) { return candidate.conditions_held == most; });
+}
+
+void prefer_told_maxima(Candidates& candidates, DeviceInfo const& info)
+{
+    for (auto const& [index, text] : info.strings)
+        if (auto const told = parse_parameters(index, text))
+            prefer(candidates, [&](auto const& candidate) {
+                return candidate.tablet->x_maximum == told->x_maximum
+                    && candidate.tablet->y_maximum == told->y_maximum;
+            });
+}
+
+// As TabletIdentifier counts it; no value if there is no such report.
+std::optional<std::size_t> longest_report(HidReportDescriptor const& descriptor, HidReportKind kind)
+{
+    std::optional<std::size_t> longest;
+    for (auto const& report : descriptor.reports)
+        if (report.kind == kind)
+            longest
+                = std::max(longest.value_or(0), report.bytes + (report.report_id == 0 ? 1u : 0u));
+    return longest;
+}
+
+void prefer_report_sizes(Candidates& candidates, DeviceInfo const& info)
+{
+    auto const descriptor = parse_report_descriptor(info.report_descriptor);
+    if (!descriptor)
+        return;
+    auto const input_size = longest_report(*descriptor, HidReportKind::Input);
+    auto const output_size = longest_report(*descriptor, HidReportKind::Output);
+    prefer(candidates, [&](auto const& candidate) {
+        return input_size && candidate.identifier->input_size == input_size;
+    });
+    prefer(candidates, [&](auto const& candidate) {
+        return output_size && candidate.identifier->output_size == output_size;
+    });
+}
+
+std::string lower_case(std::string_view text)
+{
+    std::string result(text);
+    for (auto& c : result)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return result;
+}
+
+// Without its maker: "HS610".
+std::string model_of(Tablet const& tablet)
+{
+    auto const blank = tablet.name.find(' ');
+    return lower_case(
+        std::string_view(tablet.name).substr(blank == std::string::npos ? 0 : blank + 1));
+}
+
+void prefer_own_name(Candidates& candidates, DeviceInfo const& info)
+{
+    auto const name = lower_case(info.name);
+    std::size_t longest = 0;
+    for (auto const& candidate : candidates)
+        if (auto const model = model_of(*candidate.tablet); name.find(model) != std::string::npos)
+            longest = std::max(longest, model.size());
+    prefer(candidates, [&](auto const& candidate) {
+        auto const model = model_of(*candidate.tablet);
+        return model.size() == longest && name.find(model) != std::string::npos;
+    });
+}
+
+TabletMatch choose(Candidates const& candidates)
+{
+    std::map<decltype(candidates.front().shape()), std::size_t> votes;
+    for (auto const& candidate : candidates)
+        ++votes[candidate.shape()];
+    auto const chosen
+        = std::max_element(candidates.begin(), candidates.end(), [&](auto const& a, auto const& b) {
+              return votes[a.shape()] < votes[b.shape()];
+          });
+    std::set<std::string_view> others;
+    for (auto const& candidate : candidates)
+        if (candidate.shape() != chosen->shape() && candidate.tablet != chosen->tablet)
+            others.insert(candidate.tablet->name);
+    return { chosen->tablet, chosen->identifier, others.size() };
+}
+
+} // namespace
+
+std::optional<TabletMatch> find_tablet(std::span<Tablet const> tablets, DeviceInfo const& info)
+{
+    Candidates candidates;
+    for (auto const& tablet : tablets)
+        for (auto const& identifier : tablet.identifiers)
+            if (auto const candidate = weigh(tablet, identifier, info))
+                candidates.push_back(*candidate);
+    if (candidates.empty())
+        return std::nullopt;
+    prefer_most_conditions(candidates);
+    prefer_told_maxima(candidates, info);
+    prefer_own_name(candidates, info);
+    prefer_report_sizes(candidates, info);
+    return choose(candidates);
+}
+
+std::optional<TabletMatch> find_tablet(DeviceInfo const& info)
+{
+    return find_tablet(known_tablets(), info);
+}
+
+std::string tablet_name(TabletMatch const& match)
+{
+    if (match.alternatives == 0)
+        return match.tablet->name;
+    return fmt::format("{} (or one of {} others with its ids)", match.tablet->name,
+                       match.alternatives);
+}
+
+std::vector<int> identifying_strings(std::uint16_t vendor_id, std::uint16_t product_id)
+{
+    std::set<int> indices;
+    for (auto const& tablet : known_tablets())
+        for (auto const& identifier : tablet.identifiers)
+            if (identifier.vendor_id == vendor_id && identifier.product_id == product_id)
+                for (auto const& condition : identifier.conditions)
+                    indices.insert(condition.index);
+    return { indices.begin(), indices.end() };
+}
+
+} // namespace tractus

@@ -1,0 +1,309 @@
+#include "drivers/tablets/tablet_decoder.h"
+
+#include "drivers/log.h"
+#include "drivers/pen_decoder.h"
+#include "drivers/tablets/string_descriptor.h"
+#include "tests/corpus.h"
+#include "tests/drivers/bytes.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+// A Huion HS610's vendor interface, and what the tablet says of itself.
+DeviceInfo hs610()
+{
+    return {
+        .name = "HUION Huion Tablet",
+        .vendor_id = 0x256c,
+        .product_id = 0x006d,
+        .report_descriptor = bytes("06 00 ff 09 01 a1 01 85 08 75 58 95 01 09 01 81 02 c0"),
+        .strings = { { 201, "HUION_T194_180726" } },
+    };
+}
+
+// The mouse that a Huion tablet is at first: report 9, and its pen, report 7. Both have ranges of
+// 40000 x 25000 on 10 x 6.25 inches.
+std::vector<std::byte> huion_v1_descriptor()
+{
+    return bytes("05 0d 09 02 a1 01 85 07 09 20 a1 00 09 42 09 44 09 45 15 00 25 01 75 01 95 03"
+                 "81 02 95 03 81 03 09 32 95 01 81 02 81 03 05 01 09 30 75 10 95 01 a4 55 0d 65 13"
+                 "35 00 46 10 27 27 40 9c 00 00 81 02 09 31 46 6a 18 26 a8 61 81 02 b4 05 0d 09 30"
+                 "26 ff 07 81 02 c0 c0");
+}
+
+DeviceInfo h690()
+{
+    return { .name = "Tablet",
+             .vendor_id = 0x256c,
+             .product_id = 0x006e,
+             .report_descriptor = huion_v1_descriptor(),
+             .strings = { { 6, "HuionH690" } } };
+}
+
+std::optional<PenSample> decode(PenDecoder& decoder, std::string_view report)
+{
+    auto const sample = decoder.decode(Timestamp(), bytes(report));
+    EXPECT_TRUE(sample) << sample.error().message;
+    return sample ? *sample : std::nullopt;
+}
+
+TEST(TabletDecoder, ReadsAMakersOwnFormatByTheTable)
+{
+    auto decoder = make_pen_decoder(hs610());
+    ASSERT_TRUE(decoder) << decoder.error().message;
+    auto const& traits = (*decoder)->traits();
+    EXPECT_EQ(traits.size_mm, Vec2(254, 158.75));
+    EXPECT_FALSE(traits.is_size_assumed);
+    EXPECT_EQ(traits.raw_pressure_maximum, 8191);
+    EXPECT_TRUE(traits.has_tilt);
+    EXPECT_EQ(traits.button_count, 2u);
+
+    // The middle of the surface, half pressed.
+    auto const sample = decode(**decoder, "08 81 38 63 03 3e 00 10 00 00 00 00");
+    ASSERT_TRUE(sample);
+    EXPECT_NEAR(sample->position_mm.x(), 127, 0.01);
+    EXPECT_NEAR(sample->position_mm.y(), 79.375, 0.01);
+    EXPECT_NEAR(sample->pressure.value(), 0.5, 0.001);
+    EXPECT_TRUE(sample->touching);
+}
+
+TEST(TabletDecoder, LetsASilentPenLeave)
+{
+    auto decoder = make_pen_decoder(hs610());
+    ASSERT_TRUE(decoder);
+    ASSERT_TRUE(decode(**decoder, "08 81 38 63 03 3e 00 10 00 00 00 00"));
+    EXPECT_EQ((*decoder)->silence_limit(), Duration(std::chrono::milliseconds(100)));
+    auto const left = (*decoder)->leave(Timestamp());
+    ASSERT_TRUE(left);
+    EXPECT_FALSE(left->touching);
+}
+
+TEST(TabletDecoder, BelievesTheTabletBeforeTheTable)
+{
+    auto info = hs610();
+    // 40000 x 25000, 2047 levels, 4000 counts per inch.
+    info.strings[200]
+        = string_descriptor_text(bytes("40 9c 00 a8 61 00 ff 07 a0 0f 00 00 00 00 00 00"));
+    auto const decoder = make_pen_decoder(info);
+    ASSERT_TRUE(decoder);
+    auto const& traits = (*decoder)->traits();
+    EXPECT_EQ(traits.raw_x_maximum, 40000);
+    EXPECT_EQ(traits.raw_pressure_maximum, 2047);
+    EXPECT_NEAR(traits.size_mm.x(), 254, 1e-9);
+}
+
+TEST(TabletDecoder, AssumesTheSizeOfATabletThatItCannotTellFromOthers)
+{
+    auto info = hs610();
+    info.strings.clear();
+    auto const decoder = make_pen_decoder(info);
+    ASSERT_TRUE(decoder);
+    EXPECT_TRUE((*decoder)->traits().is_size_assumed);
+    // … unless it says itself how large it is.
+    info.strings[200]
+        = string_descriptor_text(bytes("70 c6 00 06 7c 00 ff 1f d8 13 00 00 00 00 00 00"));
+    auto const sure = make_pen_decoder(info);
+    ASSERT_TRUE(sure);
+    EXPECT_FALSE((*sure)->traits().is_size_assumed);
+}
+
+TEST(TabletDecoder, AssumesASizeThatTheTableDoubts)
+{
+    DeviceInfo const info { .vendor_id = 0x28bd, .product_id = 0x0803 }; // XP-Pen Deco 02.
+    auto const decoder = make_pen_decoder(info);
+    ASSERT_TRUE(decoder);
+    EXPECT_TRUE((*decoder)->traits().is_size_assumed);
+}
+
+TEST(TabletDecoder, BelievesADescriptorThatLinuxHasRewritten)
+{
+    auto info = hs610();
+    // As hid-uclogic has it: report 8 is a pen with a bit "in range", 0 to 32000 on 160 mm, and
+    // report F7 is keys.
+    info.report_descriptor = bytes(
+        "05 0d 09 02 a1 01 85 08 09 20 a1 00 15 00 25 01 75 01 09 42 09 44 09 5a 95 03 81 02"
+        "95 03 81 03 09 32 95 01 81 02 95 01 81 03 05 01 65 11 55 0f 35 00 75 18 95 01"
+        "46 a0 00 27 00 7d 00 00 09 30 81 02 46 64 00 27 20 4e 00 00 09 31 81 02"
+        "05 0d 75 10 26 ff 1f 09 30 81 02 75 08 81 03 c0 c0"
+        "05 01 09 07 a1 01 85 f7 05 09 19 01 29 10 15 00 25 01 75 01 95 10 81 02 c0");
+    info.strings[200]
+        = string_descriptor_text(bytes("70 c6 00 06 7c 00 ff 1f d8 13 00 00 00 00 00 00"));
+    auto decoder = make_pen_decoder(info);
+    ASSERT_TRUE(decoder) << decoder.error().message;
+    EXPECT_NEAR((*decoder)->traits().size_mm.x(), 160, 0.01);
+    auto const sample = decode(**decoder, "08 41 00 7d 00 20 4e 00 ff 1f 00");
+    ASSERT_TRUE(sample);
+    EXPECT_NEAR(sample->position_mm.x(), 160, 0.01);
+}
+
+TEST(TabletDecoder, ReadsWhatTheDescriptorDescribesUntilTheTabletIsSwitched)
+{
+    auto decoder = make_pen_decoder(h690());
+    ASSERT_TRUE(decoder);
+    auto const sample = decode(**decoder, "07 41 10 27 10 27 00 00");
+    ASSERT_TRUE(sample);
+    EXPECT_TRUE(sample->in_range);
+    auto const left = decode(**decoder, "07 00 10 27 10 27 00 00");
+    ASSERT_TRUE(left);
+    EXPECT_FALSE(left->in_range);
+}
+
+TEST(TabletDecoder, ReadsTheFamilysReportsOnceStringsHaveSwitchedTheTablet)
+{
+    auto info = h690();
+    info.strings[100] = string_descriptor_text(bytes("a0 8c e4 57 00 00 ff 07 a0 0f"));
+    info.strings[123] = "HK On";
+    auto decoder = make_pen_decoder(info);
+    ASSERT_TRUE(decoder);
+    EXPECT_EQ((*decoder)->traits().raw_x_maximum, 36000);
+    // The bit that the descriptor calls "in range" is the other way round.
+    auto const sample = decode(**decoder, "07 81 10 27 10 27 ff 03");
+    ASSERT_TRUE(sample);
+    EXPECT_TRUE(sample->in_range);
+    EXPECT_NEAR(sample->position_mm.x(), 10000 / 36000.0 * 228.6, 0.01);
+    auto const left = decode(**decoder, "07 c0 10 27 10 27 00 00");
+    ASSERT_TRUE(left);
+    EXPECT_FALSE(left->in_range);
+}
+
+TEST(TabletDecoder, LetsThePenLeaveBeforeItGoesOnInTheOtherFormat)
+{
+    // Report 10 is a described pen of 0 to 32767, report 8 the maker's own.
+    auto info = hs610();
+    auto const described = bytes(
+        "05 0d 09 02 a1 01 85 0a 09 20 a1 00 09 42 09 44 09 45 09 3c 15 00 25 01 75 01 95 06"
+        "81 02 09 32 75 01 95 01 81 02 81 03 05 01 09 30 09 31 26 ff 7f 75 10 95 02 81 02"
+        "05 0d 09 30 26 ff 1f 95 01 81 02 c0 c0");
+    info.report_descriptor.insert(info.report_descriptor.end(), described.begin(), described.end());
+    auto decoder = make_pen_decoder(info);
+    ASSERT_TRUE(decoder);
+    EXPECT_EQ((*decoder)->traits().size_mm, Vec2(254, 158.75)); // Where the descriptor has none.
+    EXPECT_FALSE((*decoder)->traits().is_size_assumed);
+
+    ASSERT_TRUE(decode(**decoder, "0a 41 ff 3f ff 3f ff 0f")->touching);
+    auto const left = decode(**decoder, "08 81 38 63 03 3e 00 10 00 00 00 00");
+    ASSERT_TRUE(left);
+    EXPECT_FALSE(left->in_range);
+    auto const goes_on = decode(**decoder, "08 81 38 63 03 3e 00 10 00 00 00 00");
+    ASSERT_TRUE(goes_on);
+    EXPECT_TRUE(goes_on->touching);
+    EXPECT_NEAR(goes_on->position_mm.x(), 127, 0.01);
+}
+
+TEST(TabletDecoder, IsNotForTheKeysOfATablet)
+{
+    auto info = hs610();
+    info.report_descriptor
+        = bytes("05 01 09 06 a1 01 85 03 05 07 19 e0 29 e7 15 00 25 01 75 01 95 08 81 02 c0");
+    auto const decoder = make_pen_decoder(info);
+    ASSERT_FALSE(decoder);
+    EXPECT_EQ(decoder.error().fault, Fault::User);
+}
+
+TEST(TabletDecoder, SaysWhenAFormatIsNotKnown)
+{
+    DeviceInfo const info { .bus = 5, .vendor_id = 0x056a, .product_id = 0x0360 };
+    auto const decoder = make_pen_decoder(info);
+    ASSERT_FALSE(decoder);
+    EXPECT_EQ(decoder.error().fault, Fault::User);
+    EXPECT_EQ(decoder.error().message,
+              "Wacom PTH-660 (056a:0360) sends reports of a format that nobody has told us yet: "
+              "connect it another way (cable or radio), if it has one");
+}
+
+// Real tablets.
+
+struct Recorded {
+    char const* file;
+    Vec2 size_mm = Vec2::Zero(); // As published.
+    // As published, where its owner drew round the edges and pressed fully; 0: he did not.
+    std::int32_t x_reached = 0;
+    std::int32_t y_reached = 0;
+    std::int32_t pressure_reached = 0;
+};
+
+class RecordedTablet : public testing::TestWithParam<Recorded> { };
+
+TEST_P(RecordedTablet, ReachesItsPublishedMaxima)
+{
+    REQUIRE_CORPUS();
+    auto const& expected = GetParam();
+    auto const log = read_log(corpus() / "recordings" / expected.file);
+    ASSERT_TRUE(log) << log.error().message;
+    auto decoder = make_pen_decoder(log->devices.front());
+    ASSERT_TRUE(decoder) << decoder.error().message;
+    auto const& traits = (*decoder)->traits();
+    EXPECT_NEAR(traits.size_mm.x(), expected.size_mm.x(), 0.02 * expected.size_mm.x());
+    EXPECT_NEAR(traits.size_mm.y(), expected.size_mm.y(), 0.02 * expected.size_mm.y());
+
+    PenSample last;
+    Eigen::Array3i reached = Eigen::Array3i::Zero();
+    for (auto const& record : log->records) {
+        auto const sample = (*decoder)->decode(record.time, log->report(record));
+        ASSERT_TRUE(sample) << sample.error().message;
+        if (!*sample)
+            continue;
+        last = **sample;
+        reached = reached.max(Eigen::Array3i(last.raw_x, last.raw_y, last.raw_pressure));
+        EXPECT_TRUE(last.in_range || !last.touching);
+    }
+    if ((*decoder)->silence_limit())
+        last = (*decoder)->leave(last.time).value();
+    EXPECT_FALSE(last.touching);
+    EXPECT_LE(reached.x(), traits.raw_x_maximum);
+    EXPECT_LE(reached.y(), traits.raw_y_maximum);
+    EXPECT_LE(reached.z(), traits.raw_pressure_maximum);
+    EXPECT_GE(reached.x(), expected.x_reached);
+    EXPECT_GE(reached.y(), expected.y_reached);
+    EXPECT_GE(reached.z(), expected.pressure_reached);
+}
+
+Recorded const kRecorded[] {
+    { "uclogic/Huion_HS610__dumps__enabled__pen_coords__if0.hidrec",
+      { 254, 158.75 },
+      50800,
+      31750 },
+    { "uclogic/Huion_HS610__dumps__enabled__pen_pressure__if0.hidrec",
+      { 254, 158.75 },
+      0,
+      0,
+      8191 },
+    { "uclogic/Huion_HS610__dumps__enabled__pen_tilt__if0.hidrec", { 254, 158.75 }, 0, 0, 8191 },
+    { "uclogic/Huion_HS610__dumps__enabled__pen_buttons__if0.hidrec", { 254, 158.75 } },
+    { "uclogic/Huion_HS610__dumps__default__pen_coords__if1.hidrec",
+      { 254, 158.75 },
+      32767,
+      32767,
+      8191 },
+    { "uclogic/Huion_New_1060_Plus__dumps__pen_coords__if0.hidrec",
+      { 254, 158.75 },
+      50800,
+      31750,
+      8191 },
+    { "uclogic/Huion_New_1060_Plus__dumps__pen_pressure__if0.hidrec", { 254, 158.75 }, 0, 0, 8191 },
+    { "uclogic/Huion_New_1060_Plus__dumps__pen_buttons__if0.hidrec", { 254, 158.75 } },
+    { "uclogic/XP-Pen_Deco_01__dumps__pen_coords__if1.hidrec", { 254, 158.75 }, 25400, 15875 },
+    { "uclogic/XP-Pen_Deco_01__dumps__pen_pressure__if1.hidrec", { 254, 158.75 }, 0, 0, 8191 },
+    { "uclogic/Ugee_M708_v2__dumps__pen_coords__if1.hidrec", { 254, 152.4 }, 50700, 30400, 8191 },
+    { "uclogic/VEIKK_A30__dumps__pen_coords__if0.hidrec", { 254, 152.4 }, 32700, 32767 },
+    { "uclogic/VEIKK_A30__dumps__pen_pressure__if0.hidrec", { 254, 152.4 }, 0, 0, 8191 },
+    { "uclogic/XP-Pen_Artist_16_Pro__dumps__pen_coords__if1.hidrec",
+      { 344.16, 193.59 },
+      34000,
+      19000 },
+    { "wacom/Wacom_Bamboo_Pen_056a_00D4.hid", { 147.2, 92 }, 14720, 9200, 1000 },
+    { "wacom/Wacom_BambooFun_4x5_056a_0017.hid", { 147.6, 92.25 } },
+    { "wacom/Wacom_Bamboo_056a_0065.hid", { 147.6, 92.25 }, 0, 0, 511 },
+    { "wacom/Wacom_Graphire3_056a_0013.hid", { 127.6, 92.8 } },
+    { "wacom/Wacom_Intuos3_6x8_056a_00B1.hid", { 203.2, 152.4 } },
+    { "wacom/Wacom_Intuos4_4x6_056a_00B8.hid", { 157.48, 98.425 } },
+    { "wacom/Wacom_Intuos_Pro_S_056a_0314.hid", { 157.48, 98.425 } },
+};
+
+INSTANTIATE_TEST_SUITE_P(Corpus, RecordedTablet, testing::ValuesIn(kRecorded));
+
+} // namespace
+} // namespace tractus

@@ -1,0 +1,168 @@
+#include "drivers/tablets/tablet_lookup.h"
+
+#include "tests/drivers/bytes.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+DeviceInfo device(std::uint16_t vendor_id, std::uint16_t product_id,
+                  std::map<int, std::string> strings = {})
+{
+    return { .name = "Tablet",
+             .vendor_id = vendor_id,
+             .product_id = product_id,
+             .strings = std::move(strings) };
+}
+
+// The vendor interface of a Huion tablet: report 8, 12 bytes of which nothing is said.
+std::vector<std::byte> huion_descriptor()
+{
+    return bytes("06 00 ff 09 01 a1 01 85 08 75 58 95 01 09 01 81 02 c0");
+}
+
+std::string found_name(DeviceInfo const& info)
+{
+    auto const match = find_tablet(info);
+    return match ? tablet_name(*match) : "none";
+}
+
+TEST(TabletLookup, FindsATabletWithIdsOfItsOwn)
+{
+    auto const match = find_tablet(device(0x056a, 0x037a));
+    ASSERT_TRUE(match);
+    EXPECT_EQ(match->tablet->name, "Wacom CTL-472");
+    EXPECT_EQ(match->alternatives, 0u);
+}
+
+TEST(TabletLookup, KnowsNotEveryDevice)
+{
+    EXPECT_FALSE(find_tablet(device(0x1234, 0x5678)));
+}
+
+TEST(TabletLookup, TellsTabletsThatShareIdsApartByString201)
+{
+    EXPECT_EQ(found_name(device(0x256c, 0x006d, { { 201, "HUION_T194_180726" } })), "Huion HS610");
+    EXPECT_EQ(found_name(device(0x256c, 0x006d, { { 201, "HUION_T173_180101" } })), "Huion H640P");
+    EXPECT_EQ(found_name(device(0x256c, 0x006d, { { 201, "OEM02_T18e_190101" } })), "Gaomon S620");
+    EXPECT_EQ(found_name(device(0x256c, 0x0064, { { 201, "HUION_T227_210101" } })), "Huion HS610");
+}
+
+TEST(TabletLookup, TakesAnUnknownStringForAnUnknownTablet)
+{
+    EXPECT_EQ(found_name(device(0x256c, 0x006d, { { 201, "HUION_X999_180726" }, { 2, "" } })),
+              "none");
+}
+
+TEST(TabletLookup, NeedsAllOfSeveralStrings)
+{
+    EXPECT_EQ(
+        found_name(device(0x5543, 0x0081,
+                          { { 4, "F401-20111028" }, { 5, "UC-LOIC" }, { 6, "TABLET 1060" } })),
+        "UGEE M708");
+    EXPECT_EQ(found_name(
+                  device(0x28bd, 0x0905, { { 4, "UG901_BPU1002" }, { 5, "2020-10-23_Release3" } })),
+              "XP-Pen Deco 01 V2 (Variant 2)");
+    EXPECT_EQ(found_name(
+                  device(0x28bd, 0x0905, { { 4, "UG901_BPU1002" }, { 5, "2019-01-01_Release1" } })),
+              "XP-Pen Deco 01 V2");
+}
+
+TEST(TabletLookup, ReadsStringsWithZeros)
+{
+    using namespace std::string_literals;
+    EXPECT_EQ(found_name(device(0x256c, 0x006e,
+                                { { 6,
+                                    "\0"
+                                    "420\0\0"s } })),
+              "Huion 420");
+    EXPECT_EQ(found_name(device(0x256c, 0x006e, { { 6, "10594\0\0et\0"s } })), "Monoprice 10594");
+}
+
+TEST(TabletLookup, SaysHowManyOthersWouldFit)
+{
+    auto info = device(0x256c, 0x006d);
+    info.report_descriptor = huion_descriptor();
+    auto const match = find_tablet(info);
+    ASSERT_TRUE(match);
+    EXPECT_GT(match->alternatives, 20u);
+    EXPECT_NE(tablet_name(*match).find("others with its ids"), std::string::npos);
+    // Whichever it is, it has the resolution that they all have.
+    EXPECT_NEAR(match->tablet->x_maximum / match->tablet->size_mm.x(), 200, 0.1);
+}
+
+TEST(TabletLookup, BelievesTheTabletsOwnName)
+{
+    auto info = device(0x256c, 0x006d);
+    info.name = "HUION Huion Tablet_H640P Pen";
+    EXPECT_EQ(found_name(info), "Huion H640P");
+    info.name = "HUION H610 Pro V2";
+    EXPECT_EQ(found_name(info), "Huion H610 Pro V2"); // Not the H610 Pro.
+}
+
+TEST(TabletLookup, TellsFirmwareApartByTheLengthOfReports)
+{
+    auto info = device(0x2feb, 0x0002);
+    // Reports of 13 bytes: 12 without an id, which counts as one.
+    info.report_descriptor
+        = bytes("06 00 ff 09 01 a1 01 75 08 95 0c 15 00 26 ff 00 09 01 81 02 c0");
+    EXPECT_EQ(found_name(info), "VEIKK A30 V2");
+    info.report_descriptor
+        = bytes("06 00 ff 09 01 a1 01 75 08 95 08 15 00 26 ff 00 09 01 81 02 c0");
+    EXPECT_EQ(found_name(info), "VEIKK A30");
+}
+
+TEST(TabletLookup, TellsVariantsApartByTheLengthOfOutputReports)
+{
+    auto info = device(0x28bd, 0x0947);
+    auto const descriptor = [](std::string_view output_count) {
+        auto result = bytes("06 00 ff 09 01 a1 01 85 02 75 08 95 0b 15 00 26 ff 00 09 01 81 02 95");
+        for (auto const byte : bytes(output_count))
+            result.push_back(byte);
+        for (auto const byte : bytes("09 01 91 02 c0"))
+            result.push_back(byte);
+        return result;
+    };
+    info.report_descriptor = descriptor("0d");
+    EXPECT_EQ(found_name(info), "XP-Pen Deco 01 V3 (Variant 2)");
+    info.report_descriptor = descriptor("09");
+    EXPECT_EQ(found_name(info), "XP-Pen Deco 01 V3");
+}
+
+TEST(TabletLookup, TellsTabletsApartByTheMaximaThatTheyTell)
+{
+    // String 200: X to 32000, Y to 20000, pressure to 8191, 5080 counts per inch; an H640P and its
+    // kin.
+    using namespace std::string_literals;
+    auto info = device(0x256c, 0x006d);
+    info.report_descriptor = huion_descriptor();
+    info.strings[200] = "\u7d00\u2000\u004e\u1fff\u13d8\u0300\u0800\u0008"s;
+    auto const match = find_tablet(info);
+    ASSERT_TRUE(match);
+    EXPECT_EQ(match->tablet->x_maximum, 32000);
+    EXPECT_EQ(match->tablet->y_maximum, 20000);
+}
+
+TEST(TabletLookup, NamesTheStringsThatTellTabletsApart)
+{
+    EXPECT_EQ(identifying_strings(0x256c, 0x006d), (std::vector { 2, 201 }));
+    EXPECT_EQ(identifying_strings(0x5543, 0x0081), (std::vector { 4, 5, 6, 201 }));
+    EXPECT_TRUE(identifying_strings(0x056a, 0x037a).empty());
+}
+
+TEST(TabletLookup, KeepsToItsInterface)
+{
+    auto const tablets = parse_tablets("Maker One | 100 x 100 | 9000 x 9000 | 8191 | 2 | 0\n"
+                                       "    1234:0001 8 generic; interface 1\n");
+    ASSERT_TRUE(tablets);
+    auto info = device(0x1234, 0x0001);
+    EXPECT_TRUE(find_tablet(*tablets, info)); // It may be.
+    info.interface_number = 1;
+    EXPECT_TRUE(find_tablet(*tablets, info));
+    info.interface_number = 0;
+    EXPECT_FALSE(find_tablet(*tablets, info));
+}
+
+} // namespace
+} // namespace tractus
