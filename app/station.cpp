@@ -66,6 +66,7 @@ Result<Station> Station::create(std::span<DeviceInfo const> devices, StationOpti
 void Station::push(std::size_t device, Timestamp received, std::span<std::byte const> report)
 {
     ++counts_.reports;
+    pass_time(received);
     if (device == pen_device_)
         push_pen(received, report);
     else if (height_decoder_ && device == height_device_)
@@ -83,9 +84,21 @@ void Station::push_pen(Timestamp received, std::span<std::byte const> report)
         return count_broken(sample.error());
     if (!*sample)
         return;
+    pen_silence_.heard(**sample);
+    use_pen(**sample);
+}
+
+void Station::pass_time(Timestamp now)
+{
+    if (auto const gone = pen_silence_.leave_if_over(*pen_decoder_, now))
+        use_pen(*gone);
+}
+
+void Station::use_pen(PenSample const& sample)
+{
     ++counts_.pen_samples;
-    pen_in_range_ = (*sample)->in_range;
-    if (auto const tip = fuser_.push(**sample)) {
+    pen_in_range_ = sample.in_range;
+    if (auto const tip = fuser_.push(sample)) {
         builder_.push_live(*tip);
         newest_tip_ = *tip;
     }

@@ -60,6 +60,10 @@ public:
     // From the pen's samples at `time` on, strokes belong to `tool`.
     void set_tool(Timestamp time, Tool const& tool);
 
+    // Time has passed without a report: some pens leave by falling silent. Each report passes time
+    // by itself; live, call this when all that have come are pushed.
+    void pass_time(Timestamp now);
+
     // No more reports come: settles and finishes what is under way.
     void finish();
 
@@ -85,6 +89,7 @@ private:
 
     Station(StationOptions options, Fuser fuser);
 
+    void use_pen(PenSample const& sample);
     void push_pen(Timestamp received, std::span<std::byte const> report);
     void push_height(Timestamp received, std::span<std::byte const> report);
     void take_settled();
@@ -98,6 +103,7 @@ private:
     Duration tablet_latency_;
     StrokeBuilder builder_;
     std::unique_ptr<PenDecoder> pen_decoder_;
+    PenSilence pen_silence_;
     std::size_t pen_device_ = 0;
     std::unique_ptr<HeightDecoder> height_decoder_;
     std::size_t height_device_ = 0;

@@ -5,6 +5,14 @@
 
 namespace tractus {
 
+std::optional<PenSample> PenSilence::leave_if_over(PenDecoder& pen, Timestamp now) const
+{
+    auto const limit = pen.silence_limit();
+    if (!limit || now - last_ <= *limit)
+        return std::nullopt;
+    return pen.leave(last_ + *limit);
+}
+
 Result<std::unique_ptr<PenDecoder>> make_pen_decoder(DeviceInfo const& info)
 {
     if (auto const match = find_tablet(info))

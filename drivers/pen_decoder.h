@@ -60,16 +60,31 @@ public:
         return decode(report.received, report.bytes());
     }
 
-    // How long after the last report of any kind leave() is due, as things are now, if nothing more
-    // comes: some formats cannot say that the pen has left, and some devices say so wrongly for a
-    // moment. No value: the device will say so itself, or the pen is away.
+    // How long after its last sample the pen has left if no other comes, as things are now: some
+    // formats cannot say so, and some devices say so wrongly for a moment. No value: the device
+    // will say so itself, or the pen is away.
     //
-    // Whoever feeds the decoder keeps the time: that of the data in a replay, the clock's live.
+    // Whoever feeds the decoder keeps the time: see PenSilence.
     virtual std::optional<Duration> silence_limit() const = 0;
 
     // The pen has been silent for so long. The sample in which it leaves, where it was last; no
     // value if it is away already.
     virtual std::optional<PenSample> leave(Timestamp time) = 0;
+};
+
+// Keeps the time for one decoder: that of the data in a replay, that of the clock live.
+class PenSilence {
+public:
+    // The sample in which the pen leaves if it has been silent for too long at `now`, with the time
+    // at which that was so; else no value. Call it with the time of each report before decoding it,
+    // of other devices' as well, and live when no report is waiting.
+    std::optional<PenSample> leave_if_over(PenDecoder& pen, Timestamp now) const;
+
+    // The decoder has given a sample.
+    void heard(PenSample const& sample) { last_ = sample.time; }
+
+private:
+    Timestamp last_ {};
 };
 
 // The decoder for a device, by its report descriptor. Fails, as the user's fault, with the reason

@@ -35,6 +35,7 @@ using Sink = std::function<Result<void>(std::string_view)>;
 // One device of the log, and what came of its reports.
 struct Device {
     std::unique_ptr<PenDecoder> pen {}; // Null if it is none.
+    PenSilence silence {};
     std::size_t reports = 0;
     std::size_t samples = 0;
     std::size_t touching = 0;
@@ -133,12 +134,15 @@ Result<void> decode_all(Log const& log, std::vector<Device>& devices,
         ++device.reports;
         if (!device.pen)
             continue;
+        if (auto const gone = device.silence.leave_if_over(*device.pen, record.time))
+            TRY(use(record.device, *gone));
         auto const sample = device.pen->decode(record.time, log.report(record));
         if (!sample) {
             if (device.bad_reports++ == 0)
                 device.first_problem = fmt::format("at {:.6f} s: {}", to_seconds(record.time),
                                                    sample.error().message);
         } else if (*sample) {
+            device.silence.heard(**sample);
             TRY(use(record.device, **sample));
         }
     }

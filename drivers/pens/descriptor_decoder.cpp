@@ -106,17 +106,12 @@ PenFields read_fields(DescribedPen const& pen, std::span<std::byte const> report
     return fields;
 }
 
-// The mouse shape can name a pen's leaving no more than the formats of the makers' own.
 PenHabits habits_of(DeviceInfo const& info, std::vector<PenLayout> const& layouts)
 {
-    auto const any
-        = [&](auto const& says) { return std::any_of(layouts.begin(), layouts.end(), says); };
-    bool const has_second_button
-        = any([](PenLayout const& layout) { return layout.has_second_barrel_switch(); });
-    auto habits = has_second_button ? PenHabits() : known_habits(info.vendor_id, info.product_id);
-    habits.reports_leaving
-        = any([](PenLayout const& layout) { return layout.in_range.has_value(); });
-    return habits;
+    bool const is_put_right = std::any_of(layouts.begin(), layouts.end(), [](auto const& layout) {
+        return layout.has_second_barrel_switch();
+    });
+    return is_put_right ? PenHabits() : known_habits(info.vendor_id, info.product_id);
 }
 
 // Decodes what the report descriptor describes.

@@ -11,8 +11,10 @@ std::optional<Duration> PenState::silence_limit() const
     if (!last_.in_range)
         return std::nullopt;
     if (maybe_left_)
-        return habits_.false_leave;
-    return habits_.reports_leaving ? std::nullopt : std::optional(kSilence);
+        return *maybe_left_ - last_.time + habits_.false_leave;
+    if (says_in_range_ && habits_.reports_leaving)
+        return std::nullopt;
+    return kSilence;
 }
 
 std::optional<PenSample> PenState::leave(Timestamp time)
@@ -78,7 +80,8 @@ void PenState::place(PenSample& sample, PenFields const& fields, PenScale const&
 
 bool PenState::is_other_tool(PenSample const& sample) const
 {
-    bool const other_pen = sample.tool_serial != 0 && last_.tool_serial != 0
+    // No hand changes pens while it draws.
+    bool const other_pen = !last_.touching && sample.tool_serial != 0 && last_.tool_serial != 0
         && sample.tool_serial != last_.tool_serial;
     return last_.in_range && (sample.eraser != last_.eraser || other_pen);
 }
@@ -103,6 +106,7 @@ std::optional<PenSample> PenState::push(Timestamp received, PenFields fields, Pe
     if (maybe_left_ && received - *maybe_left_ > habits_.false_leave)
         return leave(*maybe_left_);
     undo_habits(fields);
+    says_in_range_ = fields.in_range.has_value();
 
     PenSample sample { .time = received,
                        .position_mm = last_.position_mm,

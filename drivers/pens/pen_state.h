@@ -28,7 +28,8 @@ struct PenScale {
 
 // How a device differs from what its reports say. The default is a device that does not.
 struct PenHabits {
-    // Without: the format has no way to say that the pen has left, and kSilence stands for it.
+    // Without: the format has no way to say that the pen has left, whatever its reports say of
+    // being in range, and kSilence stands for it.
     bool reports_leaving = true;
 
     bool second_button_is_eraser = false; // The eraser's bit is the second barrel button.
@@ -64,8 +65,8 @@ public:
     // The sample in which the pen leaves; no value if it is away already.
     std::optional<PenSample> leave(Timestamp time);
 
-    // After how long a silence from now on leave() is due. No value: the device says it itself, or
-    // the pen is away.
+    // How long after the last sample leave() is due. No value: the device says it itself, or the
+    // pen is away.
     std::optional<Duration> silence_limit() const;
 
 private:
@@ -78,6 +79,7 @@ private:
     PenHabits habits_;
     PenSample last_;
     bool has_position_ = false;
+    bool says_in_range_ = false;          // The last report did, one way or the other.
     std::optional<Timestamp> maybe_left_; // When the device said that the pen is gone.
 };
 

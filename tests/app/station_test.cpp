@@ -1,6 +1,7 @@
 #include "app/station.h"
 
 #include "tests/app/simple_rig.h"
+#include "tests/drivers/bytes.h"
 
 #include <gtest/gtest.h>
 
@@ -165,6 +166,58 @@ TEST(Station, TakesHeightsFromTheSensorBetweenThePensReports)
     auto const& tips = station.strokes()[0].stroke.tips;
     EXPECT_NEAR(tips.front().position_mm.z(), 120, 1);
     EXPECT_NEAR(tips.back().position_mm.z(), 139, 1);
+}
+
+// A tablet that its own driver has not switched: a mouse with tip pressure, 200 x 100 counts, which
+// never says that the pen has gone.
+DeviceInfo mouse_with_pressure()
+{
+    return {
+        .name = "Mouse",
+        .report_descriptor = bytes(
+            "05 01 09 02 a1 01 85 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 75 01 81 02"
+            "95 05 81 01 05 01 09 30 09 31 26 c8 00 95 02 75 10 81 02"
+            "05 0d 09 30 26 ff 1f 95 01 81 02 c0 c0")
+    };
+}
+
+Station station_with_mouse()
+{
+    StationOptions options;
+    options.scripted_height = ScriptedHeight {};
+    options.scene = small_scene();
+    std::vector const devices { mouse_with_pressure() };
+    return Station::create(devices, std::move(options)).value();
+}
+
+// Twenty reports of the mouse's tip, 5 ms apart, and not another word.
+void touch_with_mouse(Station& station, std::int64_t start_ms)
+{
+    for (int i = 0; i < 20; ++i) {
+        auto report = bytes("01 01 00 00 32 00 ff 0f");
+        report[2] = static_cast<std::byte>(10 + 5 * i);
+        station.push(0, at_ms(start_ms + 5 * i), report);
+    }
+}
+
+TEST(Station, ASilenceOf100MsEndsTheStrokeOfAPenThatCannotSayThatItHasLeft)
+{
+    auto station = station_with_mouse();
+    touch_with_mouse(station, 0);
+    station.pass_time(at_ms(195)); // 100 ms after the last report.
+    EXPECT_TRUE(station.pen_in_range());
+    station.pass_time(at_ms(196));
+    EXPECT_FALSE(station.pen_in_range());
+    EXPECT_EQ(station.strokes().size(), 1u);
+}
+
+TEST(Station, ReportsPassTheTimeOfTheData)
+{
+    auto station = station_with_mouse();
+    for (int const start_ms : { 0, 1000 })
+        touch_with_mouse(station, start_ms);
+    station.finish();
+    EXPECT_EQ(station.strokes().size(), 2u);
 }
 
 TEST(Station, NeedsAPenAndAHeight)

@@ -1,0 +1,272 @@
+#include "drivers/pens/family_decoder.h"
+#include "tests/drivers/bytes.h"
+
+#include <gtest/gtest.h>
+#include <set>
+#include <string>
+
+namespace tractus {
+namespace {
+
+// One tablet of a family, 200 x 100 mm with 100 counts per millimetre.
+class Tablet {
+public:
+    explicit Tablet(std::string_view family, std::int32_t pressure_maximum = 2047)
+        : decoder_(make_family_decoder(*find_pen_family(family),
+                                       { .size_mm = { 200, 100 },
+                                         .x_maximum = 20'000,
+                                         .y_maximum = 10'000,
+                                         .pressure_maximum = pressure_maximum }))
+    {
+    }
+
+    std::optional<PenSample> report(std::string const& text)
+    {
+        return decoder_->decode({}, bytes(text)).value();
+    }
+
+    // Of a report that must give one.
+    PenSample sample(std::string const& text)
+    {
+        auto const result = report(text);
+        EXPECT_TRUE(result) << text;
+        return result.value_or(PenSample());
+    }
+
+private:
+    std::unique_ptr<PenDecoder> decoder_;
+};
+
+TEST(Wacom, FamiliesHaveNamesOfTheirOwn)
+{
+    std::set<std::string_view> names;
+    for (auto const& family : pen_families()) {
+        EXPECT_TRUE(family.decode) << family.name;
+        EXPECT_TRUE(names.insert(family.name).second) << family.name;
+        EXPECT_EQ(find_pen_family(family.name)->name, family.name);
+    }
+    EXPECT_EQ(find_pen_family("no such family"), nullptr);
+}
+
+TEST(Wacom, FamiliesPassOverShortReports)
+{
+    for (auto const& family : pen_families())
+        for (auto const* text : { "02", "10 20", "1e 01 40", "1f", "02 e0 00 00" }) {
+            FamilyState state;
+            EXPECT_FALSE(family.decode(bytes(text), state)) << family.name << ' ' << text;
+        }
+}
+
+TEST(Wacom, GraphireReadsItsPen)
+{
+    Tablet tablet("wacom-graphire", 511);
+    auto const pen = tablet.sample("02 91 10 27 c4 09 ff 01");
+    EXPECT_EQ(pen.raw_x, 10'000);
+    EXPECT_EQ(pen.raw_y, 2500);
+    EXPECT_EQ(pen.pressure, 1.0);
+    EXPECT_TRUE(pen.touching);
+    EXPECT_NEAR(pen.position_mm.x(), 100, 1e-9);
+    EXPECT_NEAR(pen.position_mm.y(), 75, 1e-9);
+    EXPECT_EQ(tablet.sample("02 96 10 27 c4 09 00 00").buttons, 3u);
+    EXPECT_FALSE(tablet.sample("02 10 00 00 00 00 00 00").in_range);
+}
+
+TEST(Wacom, GraphireTellsTheEraserAndTheMouse)
+{
+    Tablet tablet("wacom-graphire", 511);
+    auto const eraser = tablet.sample("02 b1 10 27 c4 09 40 00");
+    EXPECT_TRUE(eraser.eraser && eraser.touching);
+    EXPECT_FALSE(tablet.sample("02 d0 10 27 c4 09 00 00").in_range); // The mouse: no pen.
+    EXPECT_EQ(tablet.report("02 d1 10 28 c4 09 00 00"), std::nullopt);
+}
+
+TEST(Wacom, GraphirePadReportsSayNothingOfThePen)
+{
+    Tablet tablet("wacom-graphire", 511);
+    EXPECT_EQ(tablet.report("02 00 00 00 00 00 00 c3"), std::nullopt);
+    EXPECT_EQ(tablet.report("63 00 00 00 00 00 00 00"), std::nullopt);
+}
+
+TEST(Wacom, IntuosReadsItsPen)
+{
+    Tablet tablet("wacom-intuos", 1023);
+    auto const pen = tablet.sample("02 f3 10 27 c4 09 ff 03 05");
+    EXPECT_EQ(pen.raw_x, 10'000);
+    EXPECT_EQ(pen.raw_y, 2500);
+    EXPECT_EQ(pen.pressure, 1.0);
+    EXPECT_TRUE(pen.touching);
+    EXPECT_EQ(pen.buttons, 1u);
+    EXPECT_FALSE(tablet.sample("02 80 00 00 00 00 00 00 00").in_range);
+    auto const eraser = tablet.sample("02 f8 10 27 c4 09 00 00 05");
+    EXPECT_TRUE(eraser.eraser && !eraser.touching);
+}
+
+TEST(Wacom, IntuosLeavesWhereItsPlaceIsNoLongerSure)
+{
+    Tablet tablet("wacom-intuos");
+    tablet.sample("02 f0 10 27 c4 09 00 00 02");
+    EXPECT_FALSE(tablet.sample("02 d0 0d 15 7e 10 00 00 00").in_range);
+}
+
+TEST(Wacom, IntuosProReadsPlacePressureAndTilt)
+{
+    Tablet tablet("wacom-intuos-pro");
+    EXPECT_EQ(tablet.report("02 c2 80 22 38 0a 9a 91 00 00"), std::nullopt);
+    // X 0x1388 << 1 | 1, Y 0x04e2 << 1, pressure 0x40 << 3 | 3 << 1 | 1, tilt 22 and 36 degrees.
+    auto const pen = tablet.sample("02 e1 13 88 04 e2 40 eb 64 02");
+    EXPECT_EQ(pen.raw_x, 10'001);
+    EXPECT_EQ(pen.raw_y, 2500);
+    EXPECT_EQ(pen.raw_pressure, 519);
+    EXPECT_TRUE(pen.touching);
+    EXPECT_FALSE(pen.eraser);
+    ASSERT_TRUE(pen.tilt_rad);
+    EXPECT_NEAR(pen.tilt_rad->x(), radians(22.0), 1e-12);
+    EXPECT_NEAR(pen.tilt_rad->y(), radians(-36.0), 1e-12); // Away from the user.
+}
+
+TEST(Wacom, IntuosProTellsItsPensApart)
+{
+    Tablet tablet("wacom-intuos-pro");
+    tablet.report("02 c2 80 22 38 0a 9a 91 00 00");
+    auto const pen = tablet.sample("02 e0 13 88 04 e2 00 2b 64 00");
+    EXPECT_EQ(pen.tool_serial, 0x2380a9a9u);
+    EXPECT_EQ(pen.tool_type, 0x10802u);
+    EXPECT_FALSE(tablet.sample("02 80 00 00 00 00 00 00 00 00").in_range);
+    tablet.report("02 c2 80 a2 38 0a 9a 91 00 00");
+    EXPECT_TRUE(tablet.sample("02 e0 13 88 04 e2 00 2b 64 00").eraser);
+}
+
+TEST(Wacom, IntuosProKeepsThePressureWhileAnArtPenTurns)
+{
+    Tablet tablet("wacom-intuos-pro");
+    tablet.report("02 c2 80 42 48 0d e2 11 00 00");
+    auto const pressing = tablet.sample("02 e2 13 88 04 e2 40 2b 64 00");
+    auto const turning = tablet.sample("02 ea 13 89 04 e2 7f c0 00 00");
+    EXPECT_EQ(turning.raw_x, 10'002);
+    EXPECT_EQ(turning.raw_pressure, pressing.raw_pressure);
+    EXPECT_EQ(turning.tilt_rad, pressing.tilt_rad);
+    EXPECT_EQ(turning.buttons, 1u);
+    EXPECT_TRUE(turning.touching);
+}
+
+TEST(Wacom, IntuosProIsAwayWhileItsPenIsTooHigh)
+{
+    Tablet tablet("wacom-intuos-pro");
+    tablet.sample("02 e0 13 88 04 e2 00 2b 64 00");
+    EXPECT_FALSE(tablet.sample("02 20 18 c3 00 00 00 00 00 fc").in_range);
+    EXPECT_EQ(tablet.report("02 2a 18 c3 00 00 00 00 00 fc"), std::nullopt);
+    EXPECT_TRUE(tablet.sample("02 e0 13 88 04 e2 00 2b 64 00").in_range);
+}
+
+TEST(Wacom, IntuosProTakesNoMouseForAPen)
+{
+    Tablet tablet("wacom-intuos-pro");
+    for (auto const* mouse : { "02 f0 13 88 04 e2 00 00 00 00", "02 ec 13 88 04 e2 00 20 53 3d",
+                               "02 ea 13 88 04 e2 00 20 53 3d" /* A mouse's second report. */,
+                               "0c 00 00 00 00 00 00 00 00 00" })
+        EXPECT_EQ(tablet.report(mouse), std::nullopt) << mouse;
+}
+
+TEST(Wacom, IntuosV2ReadsWideAxes)
+{
+    Tablet tablet("wacom-intuos-v2", 8191);
+    auto const pen = tablet.sample("10 63 10 27 00 c4 09 00 ff 1f 1e e2 00 00 00 00 10");
+    EXPECT_EQ(pen.raw_x, 10'000);
+    EXPECT_EQ(pen.raw_y, 2500);
+    EXPECT_EQ(pen.pressure, 1.0);
+    EXPECT_TRUE(pen.touching);
+    EXPECT_EQ(pen.buttons, 1u);
+    EXPECT_NEAR(pen.tilt_rad.value().x(), radians(30.0), 1e-12);
+    EXPECT_NEAR(pen.tilt_rad.value().y(), radians(30.0), 1e-12);
+    EXPECT_FALSE(tablet.sample("10 00 00 00 00 00 00 00 00 00 00 00 00").in_range);
+    EXPECT_TRUE(tablet.sample("10 70 10 27 00 c4 09 00 00 00 00 00 00").eraser);
+    EXPECT_FALSE(tablet.sample("10 00 00 00 00 00 00 00 00 00 00 00 00").in_range);
+    EXPECT_EQ(tablet.report("11 01 00 00 00 00 00 00 00 00 00 00 00"), std::nullopt);
+}
+
+TEST(Wacom, IntuosV2ReadsItsShiftedReports)
+{
+    Tablet tablet("wacom-intuos-v2", 8191);
+    auto const pen = tablet.sample("1e 01 69 10 27 00 c4 09 00 ff 1f 1e e2");
+    EXPECT_EQ(pen.raw_x, 10'000);
+    EXPECT_EQ(pen.raw_y, 2500);
+    EXPECT_EQ(pen.raw_pressure, 8191);
+    EXPECT_EQ(pen.buttons, 4u);
+    EXPECT_NEAR(pen.tilt_rad.value().x(), radians(30.0), 1e-12);
+}
+
+TEST(Wacom, IntuosV3ReadsLongReports)
+{
+    Tablet tablet("wacom-intuos-v3", 8191);
+    auto const pen = tablet.sample("1e 01 c3 10 27 00 c4 09 00 ff 1f 1e 00 e2 ff");
+    EXPECT_EQ(pen.raw_x, 10'000);
+    EXPECT_EQ(pen.raw_y, 2500);
+    EXPECT_EQ(pen.raw_pressure, 8191);
+    EXPECT_TRUE(pen.touching);
+    EXPECT_EQ(pen.buttons, 1u);
+    EXPECT_NEAR(pen.tilt_rad.value().x(), radians(30.0), 1e-12);
+    EXPECT_NEAR(pen.tilt_rad.value().y(), radians(30.0), 1e-12);
+    EXPECT_FALSE(tablet.sample("1e 01 80 00 00 00 00 00 00 00 00 00 00 00 00").in_range);
+    EXPECT_TRUE(tablet.sample("1e 01 60 10 27 00 c4 09 00 00 00 00 00 00 00").eraser);
+}
+
+TEST(Wacom, IntuosV3ReadsShortReports)
+{
+    Tablet tablet("wacom-intuos-v3", 8191);
+    auto const pen = tablet.sample("1f 01 48 10 27 c4 09 ff 1f 1e 00 e2 00 00 00");
+    EXPECT_EQ(pen.raw_x, 10'000);
+    EXPECT_EQ(pen.raw_y, 2500);
+    EXPECT_EQ(pen.raw_pressure, 8191);
+    EXPECT_EQ(pen.buttons, 4u);
+    EXPECT_NEAR(pen.tilt_rad.value().y(), radians(30.0), 1e-12);
+    EXPECT_EQ(tablet.report("1f 02 48 10 27 c4 09 ff 1f 1e 00 e2 00 00 00"), std::nullopt);
+}
+
+TEST(Wacom, DtuReadsItsPen)
+{
+    Tablet tablet("wacom-dtu", 511);
+    auto const pen = tablet.sample("02 21 10 27 c4 09 ff 01");
+    EXPECT_EQ(pen.raw_x, 10'000);
+    EXPECT_EQ(pen.pressure, 1.0);
+    EXPECT_TRUE(pen.touching);
+    EXPECT_EQ(tablet.sample("02 32 10 27 c4 09 00 00").buttons, 3u);
+    EXPECT_FALSE(tablet.sample("02 00 10 27 c4 09 00 00").in_range);
+    auto const eraser = tablet.sample("02 24 10 27 c4 09 40 00");
+    EXPECT_TRUE(eraser.eraser && eraser.touching);
+}
+
+TEST(Wacom, PlReadsItsSevenBitBytes)
+{
+    Tablet tablet("wacom-pl", 511);
+    // X = 0 << 14 | 0x4e << 7 | 0x10, Y = 0x13 << 7 | 0x44, pressure 0x3f << 2 | 2 | 1.
+    auto const pen = tablet.sample("02 40 4e 10 5c 13 44 7f");
+    EXPECT_EQ(pen.raw_x, 10'000);
+    EXPECT_EQ(pen.raw_y, 2500);
+    EXPECT_EQ(pen.raw_pressure, 255);
+    EXPECT_TRUE(pen.touching);
+    EXPECT_EQ(pen.buttons, 1u);
+    EXPECT_FALSE(tablet.sample("02 00 00 00 00 00 00 00").in_range);
+}
+
+TEST(Wacom, PlTakesThePenForTheEraserIfItComesWithTheBit)
+{
+    Tablet tablet("wacom-pl", 511);
+    EXPECT_FALSE(tablet.sample("02 40 4e 10 00 13 44 40").eraser);
+    EXPECT_EQ(tablet.sample("02 40 4e 10 20 13 44 40").buttons, 2u); // Its second button.
+    tablet.sample("02 00 00 00 00 00 00 00");
+    auto const eraser = tablet.sample("02 40 4e 10 28 13 44 7f");
+    EXPECT_TRUE(eraser.eraser && eraser.touching);
+    EXPECT_EQ(eraser.buttons, 0u);
+}
+
+TEST(Wacom, ReadsTheSameBehindAnotherSystemsByte)
+{
+    Tablet plain("wacom-intuos-pro");
+    Tablet shifted("wacom-driver-intuos-pro");
+    auto const report = std::string("02 e1 13 88 04 e2 40 eb 64 02");
+    EXPECT_EQ(shifted.sample("c0 " + report).position_mm, plain.sample(report).position_mm);
+    EXPECT_EQ(shifted.report("c0"), std::nullopt);
+}
+
+} // namespace
+} // namespace tractus
