@@ -34,7 +34,9 @@ std::optional<Stroke> StrokeBuilder::push(TipSample const& tip)
 
     bool const ends = !stroke_.tips.empty()
         && (!tip.touching || tip.time - stroke_.tips.back().time > options_.longest_gap);
-    auto ended = ends ? take_stroke() : std::nullopt;
+    std::optional<Stroke> ended;
+    if (ends)
+        ended = take_stroke();
     if (tip.touching)
         stroke_.tips.push_back(tip);
     return ended;
