@@ -10,8 +10,8 @@ tl::unexpected<Error> cannot_open_gpio_chip(std::string const& chip, int error_n
 {
     if (error_number == EACCES || error_number == EPERM)
         return fail(Fault::User,
-                    fmt::format("cannot open the GPIO chip {}: permission denied (are you in the "
-                                "group gpio, and is drivers/70-tractus.rules installed?)",
+                    fmt::format("cannot open the GPIO chip {}: permission denied (be in the group "
+                                "gpio, or see what drivers/70-tractus.rules says of GPIO)",
                                 chip));
     if (error_number == ENOENT || error_number == ENODEV || error_number == ENXIO)
         return fail(Fault::User,

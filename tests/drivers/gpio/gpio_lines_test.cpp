@@ -36,9 +36,10 @@ TEST(GpioLines, ExplainsWhatKeepsLinesFromBeingTaken)
     EXPECT_EQ(cannot_take_gpio_lines("gpiochip0", lines, EINVAL).value().message,
               "cannot take the lines 11,10 of the GPIO chip gpiochip0: the chip does not have them "
               "all, or one is named twice");
-    EXPECT_EQ(cannot_open_gpio_chip("gpiochip0", EACCES).value().message,
-              "cannot open the GPIO chip gpiochip0: permission denied (are you in the group gpio, "
-              "and is drivers/70-tractus.rules installed?)");
+    EXPECT_EQ(
+        cannot_open_gpio_chip("gpiochip0", EACCES).value().message,
+        "cannot open the GPIO chip gpiochip0: permission denied (be in the group gpio, or see "
+        "what drivers/70-tractus.rules says of GPIO)");
     EXPECT_EQ(lost_gpio_lines("gpiochip0", ENODEV).value().fault, Fault::Device);
 }
 
