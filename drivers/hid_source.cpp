@@ -1,19 +1,13 @@
 #include "drivers/hid_source.h"
 
 #include "drivers/file.h"
+#include "drivers/hid_link.h"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <charconv>
-#include <chrono>
-#include <cstring>
 #include <fmt/core.h>
-#include <hidapi.h>
-#include <limits>
 #include <string>
 #include <string_view>
-#include <unistd.h>
 #include <utility>
 
 namespace tractus {
@@ -22,59 +16,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct CloseHid {
-    void operator()(hid_device* device) const { hid_close(device); }
-};
-using Handle = std::unique_ptr<hid_device, CloseHid>;
-
-std::string narrow(wchar_t const* text)
-{
-    std::string result;
-    for (; text && *text; ++text)
-        result += *text < 128 ? static_cast<char>(*text) : '?';
-    return result;
-}
-
-// hidapi counts in milliseconds, and a negative timeout means for ever.
-int to_milliseconds(Duration timeout)
-{
-    auto const count = std::chrono::ceil<std::chrono::milliseconds>(timeout).count();
-    return static_cast<int>(std::clamp<std::int64_t>(count, 0, std::numeric_limits<int>::max()));
-}
-
 class HidSource final : public ReportSource {
 public:
-    HidSource(DeviceInfo info, Handle handle)
+    HidSource(DeviceInfo info, std::unique_ptr<PacketLink> link)
         : info_(std::move(info))
-        , handle_(std::move(handle))
+        , link_(std::move(link))
     {
     }
 
     DeviceInfo const& info() const override { return info_; }
-    Result<std::optional<RawReport>> read(Duration timeout) override;
+    Result<std::optional<RawReport>> read(Duration timeout) override
+    {
+        return link_->read(timeout);
+    }
 
 private:
     DeviceInfo info_;
-    Handle handle_;
-    std::array<unsigned char, sizeof(RawReport::storage) + 1>
-        buffer_ {}; // One more shows what is too long.
+    std::unique_ptr<PacketLink> link_;
 };
-
-Result<std::optional<RawReport>> HidSource::read(Duration timeout)
-{
-    int const size
-        = hid_read_timeout(handle_.get(), buffer_.data(), buffer_.size(), to_milliseconds(timeout));
-    auto const now = std::chrono::steady_clock::now().time_since_epoch();
-    if (size < 0)
-        return fail(Fault::Device,
-                    fmt::format("lost {} at {}: {} (was it unplugged?)", info_.name, info_.location,
-                                narrow(hid_error(handle_.get()))));
-    RawReport report { .received = Timestamp(now), .size = static_cast<std::size_t>(size) };
-    if (size == 0 || report.size > report.storage.size())
-        return std::optional<RawReport>();
-    std::memcpy(report.storage.data(), buffer_.data(), report.size);
-    return std::optional(report);
-}
 
 // The value of KEY in lines of KEY=value; empty if there is none.
 std::string_view value_of(std::string_view text, std::string_view key)
@@ -121,12 +80,6 @@ bool comes_first(DeviceInfo const& a, DeviceInfo const& b)
     return std::pair(a.location.size(), a.location) < std::pair(b.location.size(), b.location);
 }
 
-tl::unexpected<Error> cannot_open(DeviceInfo const& info, std::string const& why)
-{
-    return fail(Fault::User,
-                fmt::format("cannot open {} at {}: {}", info.name, info.location, why));
-}
-
 } // namespace
 
 std::vector<DeviceInfo> enumerate_hid(fs::path const& class_folder)
@@ -142,20 +95,8 @@ std::vector<DeviceInfo> enumerate_hid(fs::path const& class_folder)
 
 Result<std::unique_ptr<ReportSource>> open_hid(DeviceInfo info)
 {
-    // hidapi does not tell these apart.
-    if (::access(info.location.c_str(), R_OK | W_OK) != 0) {
-        if (errno == EACCES)
-            return cannot_open(
-                info, "permission denied (is drivers/70-tractus.rules in /etc/udev/rules.d?)");
-        if (errno == ENOENT)
-            return cannot_open(info, "there is no such device (was it unplugged?)");
-        return cannot_open(info, std::strerror(errno));
-    }
-    hid_init();
-    Handle handle(hid_open_path(info.location.c_str()));
-    if (!handle)
-        return cannot_open(info, narrow(hid_error(nullptr)));
-    return std::make_unique<HidSource>(std::move(info), std::move(handle));
+    auto link = TRY(open_hid_link(info));
+    return std::make_unique<HidSource>(std::move(info), std::move(link));
 }
 
 } // namespace tractus

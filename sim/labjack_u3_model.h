@@ -19,6 +19,8 @@ public:
         std::uint32_t serial_number = 320012345;
         double volts_per_count = 3.7231e-05; // Of the low-voltage inputs, single-ended.
         double offset_volts = 0;
+        double high_volts_per_count = 0.000314; // Of the high-voltage inputs.
+        double high_offset_volts = -10.3;
     };
 
     LabJackU3Model();
@@ -31,10 +33,10 @@ public:
     std::vector<std::byte> answer(std::span<std::byte const> command);
 
 private:
-    std::vector<std::byte> answer_feedback(std::span<std::byte const> command) const;
-    std::vector<std::byte> answer_config_io(std::span<std::byte const> command);
+    std::vector<std::byte> answer_feedback(std::span<std::byte const> data) const;
+    std::vector<std::byte> answer_config_io(std::span<std::byte const> data);
     std::vector<std::byte> answer_config_u3() const;
-    std::vector<std::byte> answer_read_memory(std::span<std::byte const> command) const;
+    std::vector<std::byte> answer_read_memory(std::span<std::byte const> data) const;
 
     Options options_;
     std::array<std::uint16_t, 16> counts_ {};

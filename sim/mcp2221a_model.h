@@ -9,7 +9,7 @@ namespace tractus {
 
 // A Microchip MCP2221A as its HID interface shows it: 64 bytes of command in, 64 bytes of reply out
 // (datasheet DS20005565, section 3.1). It knows the commands that have to do with its pins and its
-// converter, 0x10 status, 0x50 and 0x51 pins as GPIO, 0x60 and 0x61 settings, and answers every
+// converter, 0x10 status, 0x51 pins as GPIO, 0x60 and 0x61 settings, and answers every
 // other one as a command that it does not support.
 class Mcp2221aModel {
 public:
@@ -43,7 +43,9 @@ private:
     double supply_volts_;
     std::array<double, 4> volts_ {};
     std::array<std::uint8_t, 4> pins_;
-    std::uint8_t reference_ = 0; // Bits 2 and 1: which voltage; bit 0: it and not the supply.
+    // Bits 2 and 1: which voltage; bit 0: it and not the supply.
+    std::uint8_t reference_ = 0;
+    std::uint8_t told_reference_ = 0; // What the settings say that it is.
 };
 
 } // namespace tractus

@@ -1,5 +1,6 @@
 #include "drivers/usb/usb_context.h"
 
+#include "drivers/device_address.h"
 #include "engine/base/check.h"
 
 #include <array>
@@ -210,6 +211,17 @@ Result<std::vector<std::byte>> UsbDevice::string_bytes(std::uint8_t index) const
 Result<std::string> UsbDevice::string(std::uint8_t index) const
 {
     return utf8_of_utf16(TRY(string_bytes(index)));
+}
+
+Result<UsbDevice> open_usb_device(DeviceInfo const& info)
+{
+    auto const address = TRY(parse_device_address(info.location));
+    auto const* const usb = std::get_if<UsbAddress>(&address);
+    if (usb == nullptr)
+        return fail(Fault::User,
+                    fmt::format("{} at {} is no USB device by its port: expected usb:BUS-PORTS",
+                                info.name, info.location));
+    return UsbDevice::open(print_usb_port(usb->port));
 }
 
 } // namespace tractus

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drivers/device_info.h"
 #include "engine/base/result.h"
 
 #include <cstddef>
@@ -70,5 +71,9 @@ private:
     std::string address_;
     std::vector<int> claimed_;
 };
+
+// Opens the device at `info.location`, "usb:1-2.3". Fails as UsbDevice::open does, and, as the
+// user's fault, for another kind of address.
+Result<UsbDevice> open_usb_device(DeviceInfo const& info);
 
 } // namespace tractus

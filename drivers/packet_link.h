@@ -5,6 +5,7 @@
 #include "engine/base/time.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 
 namespace tractus {
@@ -25,6 +26,13 @@ public:
 
     virtual Timestamp now() = 0;
     virtual void sleep(Duration duration) = 0;
+};
+
+// A link in the world's time: that of the monotonic clock.
+class RealPacketLink : public PacketLink {
+public:
+    Timestamp now() override;
+    void sleep(Duration duration) override;
 };
 
 } // namespace tractus

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "drivers/device_info.h"
+#include "drivers/packet_link.h"
+#include "engine/base/result.h"
+
+#include <memory>
+
+namespace tractus {
+
+// The reports of the hidraw device at `info.location`, both ways, through hidapi. Output reports
+// are those of a device without report ids. Other readers, the kernel's own driver among them, go
+// on as before. Input reports longer than a RawReport holds are left out.
+//
+// Fails, as the user's fault, if the device is not there or may not be read and written, which the
+// rules in drivers/70-tractus.rules permit.
+Result<std::unique_ptr<PacketLink>> open_hid_link(DeviceInfo info);
+
+} // namespace tractus

@@ -1,0 +1,87 @@
+#include "drivers/sensors/height_frame_parser.h"
+
+#include <algorithm>
+
+namespace tractus {
+
+namespace {
+
+using Bytes = std::span<std::byte const>;
+
+std::uint8_t u8(Bytes bytes, std::size_t at)
+{
+    return std::to_integer<std::uint8_t>(bytes[at]);
+}
+
+std::uint16_t u16(Bytes bytes, std::size_t at)
+{
+    return static_cast<std::uint16_t>(u8(bytes, at) | u8(bytes, at + 1) << 8);
+}
+
+// Whether a frame may begin here, as far as the bytes at hand tell.
+bool may_be_frame(Bytes bytes)
+{
+    auto const length = std::min(bytes.size(), kHeightFrameMagic.size());
+    for (std::size_t i = 0; i < length; ++i)
+        if (u8(bytes, i) != kHeightFrameMagic[i])
+            return false;
+    return bytes.size() < kHeightFrameHeaderBytes
+        || (u8(bytes, 5) > 0 && u8(bytes, 5) <= kMaxHeightFrameSamples);
+}
+
+HeightFrame read_frame(Bytes bytes)
+{
+    HeightFrame frame;
+    frame.flags = u8(bytes, 4);
+    frame.count = u8(bytes, 5);
+    frame.sequence = u16(bytes, 6);
+    frame.device_us = u16(bytes, 8) | static_cast<std::uint32_t>(u16(bytes, 10)) << 16;
+    frame.period_us = u16(bytes, 12);
+    for (std::size_t i = 0; i < frame.count; ++i)
+        frame.counts[i] = u16(bytes, kHeightFrameHeaderBytes + 2 * i);
+    return frame;
+}
+
+} // namespace
+
+void HeightFrameParser::push(Bytes bytes, std::vector<HeightFrame>& out)
+{
+    if (unfinished_.empty()) { // As a rule: a transfer is one frame.
+        auto const used = parse(bytes, out);
+        unfinished_.assign(bytes.begin() + static_cast<std::ptrdiff_t>(used), bytes.end());
+        return;
+    }
+    unfinished_.insert(unfinished_.end(), bytes.begin(), bytes.end());
+    auto const used = parse(unfinished_, out);
+    unfinished_.erase(unfinished_.begin(), unfinished_.begin() + static_cast<std::ptrdiff_t>(used));
+}
+
+// How many bytes will not be needed again.
+std::size_t HeightFrameParser::parse(Bytes bytes, std::vector<HeightFrame>& out)
+{
+    std::size_t at = 0;
+    while (at < bytes.size()) {
+        auto const rest = bytes.subspan(at);
+        if (!may_be_frame(rest)) {
+            ++garbage_bytes_;
+            ++at;
+            continue;
+        }
+        if (rest.size() < kHeightFrameHeaderBytes)
+            break;
+        std::size_t const crc_at = kHeightFrameHeaderBytes + 2 * std::size_t { u8(rest, 5) };
+        if (rest.size() < crc_at + kHeightFrameCrcBytes)
+            break;
+        if (height_frame_crc(rest.first(crc_at)) != u16(rest, crc_at)) {
+            ++corrupt_frames_;
+            ++garbage_bytes_;
+            ++at;
+            continue;
+        }
+        out.push_back(read_frame(rest));
+        at += crc_at + kHeightFrameCrcBytes;
+    }
+    return at;
+}
+
+} // namespace tractus

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+// The U3's extended packets (U3 user's guide, section 5.2): a checksum of the header, F8, the
+// number of 16-bit words of data, the command, a checksum of the data, the data.
+constexpr std::size_t kLabJackHeaderBytes = 6;
+
+enum class LabJackCommand : std::uint8_t {
+    Feedback = 0x00,
+    ConfigU3 = 0x08,
+    ConfigIo = 0x0B,
+    ReadMemory = 0x2D,
+};
+
+// A packet with both checksums. `data` is filled up to whole words.
+std::vector<std::byte> labjack_packet(LabJackCommand command, std::span<std::byte const> data);
+
+// What is wrong with a packet, if anything is.
+enum class LabJackDefect {
+    None,
+    TooShort, // Than its own header says, or than a header.
+    NotExtended,
+    HeaderChecksum,
+    DataChecksum,
+};
+LabJackDefect check_labjack_packet(std::span<std::byte const> packet);
+
+} // namespace tractus

@@ -1,0 +1,221 @@
+#include "drivers/sensors/labjack_u3.h"
+
+#include "drivers/sensors/labjack_packet.h"
+#include "drivers/sensors/polled_source.h"
+#include "drivers/usb/usb_link.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/core.h>
+#include <string>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+constexpr std::uint16_t kVendorId = 0x0CD5;
+constexpr std::uint16_t kProductId = 0x0003;
+constexpr std::uint8_t kCommandEndpoint = 0x01;
+constexpr std::uint8_t kAnswerEndpoint = 0x82;
+
+constexpr Duration kPeriod = std::chrono::milliseconds(4); // What its firmware does at ease.
+constexpr int kAttempts = 5;
+constexpr std::int32_t kFullScale = 0xFFF0;
+
+constexpr std::byte kAnalogInput { 1 }; // IOType
+constexpr std::byte kAgainstGround { 31 };
+constexpr std::size_t kFeedbackBytes = 12;
+
+using Bytes = std::span<std::byte const>;
+
+std::uint16_t u16(Bytes bytes, std::size_t at)
+{
+    return static_cast<std::uint16_t>(std::to_integer<unsigned>(bytes[at])
+                                      | std::to_integer<unsigned>(bytes[at + 1]) << 8);
+}
+
+std::uint32_t u32(Bytes bytes, std::size_t at)
+{
+    return u16(bytes, at) | static_cast<std::uint32_t>(u16(bytes, at + 2)) << 16;
+}
+
+// Signed, 32 bits before the point and 32 behind it.
+double fixed_point(Bytes bytes, std::size_t at)
+{
+    return static_cast<std::int32_t>(u32(bytes, at + 4)) + u32(bytes, at) / 4294967296.0;
+}
+
+// The U3's own "I did not understand", when a checksum of ours came over wrong, is no answer.
+PacketTest answers(LabJackCommand command)
+{
+    return [command](Bytes packet) {
+        return check_labjack_packet(packet) == LabJackDefect::None
+            && packet[3] == static_cast<std::byte>(command);
+    };
+}
+
+struct Question {
+    LabJackCommand command {};
+    std::vector<std::byte> data {};
+    std::size_t answer_bytes = 0; // Of its data.
+};
+
+// The data of the answer, its error code first.
+Result<std::vector<std::byte>> ask(PacketLink& link, Question const& question,
+                                   std::string const& who)
+{
+    auto const number = static_cast<unsigned>(question.command);
+    auto const packet = labjack_packet(question.command, question.data);
+    auto const answer = TRY(exchange(link, packet, answers(question.command), kAttempts));
+    if (!answer || answer->size < kLabJackHeaderBytes + question.answer_bytes)
+        return fail(Fault::Device,
+                    fmt::format("{} does not answer command {:02x} as a U3 does (is another "
+                                "program using it?)",
+                                who, number));
+    auto const data = answer->bytes().subspan(kLabJackHeaderBytes);
+    if (data[0] != std::byte {})
+        return fail(Fault::Device,
+                    fmt::format("{} answers command {:02x} with error {}", who, number,
+                                std::to_integer<unsigned>(data[0])));
+    return std::vector<std::byte>(data.begin(), data.end());
+}
+
+struct Identity {
+    std::uint32_t serial_number = 0;
+    bool is_high_voltage = false;
+};
+
+Result<Identity> read_identity(PacketLink& link, std::string const& who)
+{
+    constexpr unsigned kHighVoltage = 18; // Both bits: a U3C with the front end of the HV.
+    auto const told
+        = TRY(ask(link, { LabJackCommand::ConfigU3, std::vector<std::byte>(20), 32 }, who));
+    return Identity { .serial_number = u32(told, 9),
+                      .is_high_voltage
+                      = (std::to_integer<unsigned>(told[31]) & kHighVoltage) == kHighVoltage };
+}
+
+struct Calibration {
+    double volts_per_count = 0; // Of 16 bits.
+    double offset_volts = 0;
+};
+
+// 32 bytes behind the error code and a spare byte.
+Result<std::vector<std::byte>> read_block(PacketLink& link, unsigned block, std::string const& who)
+{
+    auto data = TRY(ask(
+        link, { LabJackCommand::ReadMemory, { std::byte {}, static_cast<std::byte>(block) }, 34 },
+        who));
+    data.erase(data.begin(), data.begin() + 2);
+    return data;
+}
+
+// Section 5.4: block 0 has slope and offset of the low-voltage inputs against ground, blocks 3 and
+// 4 the slopes and the offsets of the four high-voltage ones.
+Result<Calibration> read_calibration(PacketLink& link, bool is_high_voltage, int channel,
+                                     std::string const& who)
+{
+    if (!is_high_voltage || channel >= 4) {
+        auto const block = TRY(read_block(link, 0, who));
+        return Calibration { fixed_point(block, 0), fixed_point(block, 8) };
+    }
+    auto const at = 8 * static_cast<std::size_t>(channel);
+    auto const slopes = TRY(read_block(link, 3, who));
+    auto const offsets = TRY(read_block(link, 4, who));
+    return Calibration { fixed_point(slopes, at), fixed_point(offsets, at) };
+}
+
+// Pins are digital when the U3 starts. Both bytes of analog pins are read first, and written with
+// one bit more.
+Result<void> set_up(PacketLink& link, int channel, std::string const& who)
+{
+    constexpr std::byte kWriteAnalog { 0x0C }; // FIO's and EIO's.
+    Question question { LabJackCommand::ConfigIo, std::vector<std::byte>(6), 6 };
+    auto const present = TRY(ask(link, question, who));
+    question.data = { kWriteAnalog, {}, present[2], present[3], present[4], present[5] };
+    auto& pins = question.data[channel < 8 ? 4 : 5];
+    pins |= static_cast<std::byte>(1 << channel % 8);
+    TRY(ask(link, question, who));
+    return {};
+}
+
+Result<void> check_answer(Bytes report)
+{
+    auto const defect = check_labjack_packet(report);
+    if (defect == LabJackDefect::TooShort || report.size() < kFeedbackBytes)
+        return fail(
+            Fault::Device,
+            fmt::format("LabJack answer: {} bytes, expected {}", report.size(), kFeedbackBytes));
+    if (defect != LabJackDefect::None)
+        return fail(Fault::Device, "LabJack answer: its checksum is wrong");
+    if (report[6] != std::byte {})
+        return fail(Fault::Device,
+                    fmt::format("LabJack answer: error {}, expected 0",
+                                std::to_integer<unsigned>(report[6])));
+    return {};
+}
+
+class LabJackU3Decoder final : public HeightDecoder {
+public:
+    std::int32_t full_scale() const override { return kFullScale; }
+
+    using HeightDecoder::decode;
+    Result<void> decode(Timestamp received, Bytes report, std::vector<HeightSample>& out) override
+    {
+        TRY(check_answer(report));
+        if (report[3] != static_cast<std::byte>(LabJackCommand::Feedback))
+            return {};
+        auto const counts = std::min<std::int32_t>(u16(report, 9), kFullScale);
+        out.push_back({ .time = received, .counts = counts, .full_scale = kFullScale });
+        return {};
+    }
+};
+
+} // namespace
+
+bool is_labjack_u3(DeviceInfo const& info)
+{
+    return info.vendor_id == kVendorId && info.product_id == kProductId;
+}
+
+Result<std::unique_ptr<ReportSource>> open_labjack_u3(DeviceInfo info,
+                                                      LabJackU3Options const& options)
+{
+    auto link = TRY(open_usb_link(info,
+                                  { .interface_number = 0,
+                                    .out_endpoint = kCommandEndpoint,
+                                    .in_endpoint = kAnswerEndpoint }));
+    return open_labjack_u3(std::move(info), std::move(link), options);
+}
+
+Result<std::unique_ptr<ReportSource>>
+open_labjack_u3(DeviceInfo info, std::unique_ptr<PacketLink> link, LabJackU3Options const& options)
+{
+    if (options.channel < 0 || options.channel > 15)
+        return fail(Fault::User,
+                    fmt::format("the U3 has no AIN{}: use AIN0 to AIN15", options.channel));
+    auto const who = fmt::format("{} at {}", info.name, info.location);
+    auto const identity = TRY(read_identity(*link, who));
+    auto const calibration
+        = TRY(read_calibration(*link, identity.is_high_voltage, options.channel, who));
+    info.name = fmt::format("LabJack U3-{} AIN{}, {:.6g} V per count from {:.6g} V",
+                            identity.is_high_voltage ? "HV" : "LV", options.channel,
+                            calibration.volts_per_count, calibration.offset_volts);
+    info.serial_number = std::to_string(identity.serial_number);
+    std::array const feedback { std::byte {}, kAnalogInput, static_cast<std::byte>(options.channel),
+                                kAgainstGround };
+    return open_polled(
+        std::move(info), std::move(link),
+        { .command = labjack_packet(LabJackCommand::Feedback, feedback),
+          .is_reply = answers(LabJackCommand::Feedback),
+          .period = kPeriod,
+          .set_up = [=](PacketLink& to) { return set_up(to, options.channel, who); } });
+}
+
+Result<std::unique_ptr<HeightDecoder>> make_labjack_u3_decoder(DeviceInfo const&)
+{
+    return std::make_unique<LabJackU3Decoder>();
+}
+
+} // namespace tractus

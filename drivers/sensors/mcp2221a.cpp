@@ -1,0 +1,166 @@
+#include "drivers/sensors/mcp2221a.h"
+
+#include "drivers/hid_link.h"
+#include "drivers/sensors/polled_source.h"
+#include "engine/base/check.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/core.h>
+#include <string_view>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+constexpr std::uint16_t kVendorId = 0x04D8;
+constexpr std::uint16_t kProductId = 0x00DD;
+constexpr std::size_t kPacketBytes = 64;
+using Packet = std::array<std::byte, kPacketBytes>;
+
+// Section 3.1 of the datasheet: a command's first byte; the answer repeats it.
+constexpr std::byte kStatus { 0x10 };
+constexpr std::byte kSetSettings { 0x60 };
+constexpr std::byte kGetSettings { 0x61 };
+constexpr std::byte kDone { 0x00 };
+
+constexpr std::byte kChange { 0x80 };
+constexpr std::byte kConverterFunction { 0x02 }; // Of GP1 to GP3.
+constexpr std::size_t kReferenceAt = 5;          // In the command that sets.
+constexpr std::size_t kChangePinsAt = 7;
+constexpr std::size_t kSetPinsAt = 8;
+constexpr std::size_t kToldPinsAt = 22; // In the answer of the command that gets.
+constexpr std::size_t kPins = 4;
+constexpr std::size_t kReadingsAt = 50; // In the status: GP1, GP2, GP3.
+
+// The fastest host controllers carry 500 questions and answers a second.
+constexpr Duration kPeriod = std::chrono::milliseconds(2);
+constexpr int kAttempts = 5;
+constexpr std::int32_t kFullScale = 1023;
+constexpr std::string_view kPinMark = ", GP";
+
+// Bits 2 and 1: which voltage; bit 0: it and not the supply.
+std::byte reference_bits(Mcp2221aReference reference)
+{
+    auto const index = static_cast<unsigned>(reference);
+    return index == 0 ? std::byte {} : static_cast<std::byte>(index << 1 | 1);
+}
+
+PacketTest answers(std::byte command)
+{
+    return [command](std::span<std::byte const> packet) {
+        return packet.size() == kPacketBytes && packet[0] == command;
+    };
+}
+
+Result<RawReport> ask(PacketLink& link, Packet const& command, std::string const& who)
+{
+    auto const answer = TRY(exchange(link, command, answers(command[0]), kAttempts));
+    auto const number = std::to_integer<unsigned>(command[0]);
+    if (!answer)
+        return fail(
+            Fault::Device,
+            fmt::format("{} does not answer command {:02x} (is it an MCP2221A?)", who, number));
+    if (answer->storage[1] != kDone)
+        return fail(Fault::Device,
+                    fmt::format("{} refuses command {:02x} with code {:02x}", who, number,
+                                std::to_integer<unsigned>(answer->storage[1])));
+    return *answer;
+}
+
+// Setting the pins puts the reference back to the supply, so one command sets both (section
+// 1.8.1.1), and sets all four pins: the others as they are.
+Result<void> set_up(PacketLink& link, Mcp2221aOptions const& options, std::string const& who)
+{
+    auto const settings = TRY(ask(link, Packet { kGetSettings }, who));
+    Packet command { kSetSettings };
+    command[kReferenceAt] = kChange | reference_bits(options.reference);
+    command[kChangePinsAt] = kChange;
+    std::copy_n(settings.storage.begin() + kToldPinsAt, kPins, command.begin() + kSetPinsAt);
+    command[kSetPinsAt + static_cast<std::size_t>(options.pin)] = kConverterFunction;
+    TRY(ask(link, command, who));
+    return {};
+}
+
+class Mcp2221aDecoder final : public HeightDecoder {
+public:
+    explicit Mcp2221aDecoder(std::size_t pin)
+        : pin_(pin)
+    {
+    }
+
+    std::int32_t full_scale() const override { return kFullScale; }
+
+    using HeightDecoder::decode;
+    Result<void> decode(Timestamp received, std::span<std::byte const> report,
+                        std::vector<HeightSample>& out) override;
+
+private:
+    std::size_t pin_;
+};
+
+Result<void> Mcp2221aDecoder::decode(Timestamp received, std::span<std::byte const> report,
+                                     std::vector<HeightSample>& out)
+{
+    if (report.empty() || report[0] != kStatus)
+        return {};
+    if (report.size() < kPacketBytes)
+        return fail(
+            Fault::Device,
+            fmt::format("MCP2221A status: {} bytes, expected {}", report.size(), kPacketBytes));
+    auto const at = kReadingsAt + 2 * (pin_ - 1);
+    auto const counts = std::to_integer<std::int32_t>(report[at])
+        | std::to_integer<std::int32_t>(report[at + 1]) << 8;
+    if (report[1] != kDone || counts > kFullScale)
+        return fail(Fault::Device,
+                    fmt::format("MCP2221A status: code {:02x} and {} counts on GP{}, expected 00 "
+                                "and at most {}",
+                                std::to_integer<unsigned>(report[1]), counts, pin_, kFullScale));
+    out.push_back({ .time = received, .counts = counts, .full_scale = kFullScale });
+    return {};
+}
+
+} // namespace
+
+bool is_mcp2221a(DeviceInfo const& info)
+{
+    return info.vendor_id == kVendorId && info.product_id == kProductId;
+}
+
+Result<std::unique_ptr<ReportSource>> open_mcp2221a(DeviceInfo info, Mcp2221aOptions const& options)
+{
+    auto link = TRY(open_hid_link(info));
+    return open_mcp2221a(std::move(info), std::move(link), options);
+}
+
+Result<std::unique_ptr<ReportSource>>
+open_mcp2221a(DeviceInfo info, std::unique_ptr<PacketLink> link, Mcp2221aOptions const& options)
+{
+    if (options.pin < 1 || options.pin > 3)
+        return fail(
+            Fault::User,
+            fmt::format("GP{} of the MCP2221A has no converter: use GP1, GP2 or GP3", options.pin));
+    auto const who = fmt::format("{} at {}", info.name, info.location);
+    info.name += fmt::format("{}{}", kPinMark, options.pin);
+    Packet const status { kStatus };
+    return open_polled(std::move(info), std::move(link),
+                       { .command = { status.begin(), status.end() },
+                         .is_reply = answers(kStatus),
+                         .period = kPeriod,
+                         .set_up = [=](PacketLink& to) { return set_up(to, options, who); },
+                         .spoils = answers(kSetSettings) });
+}
+
+Result<std::unique_ptr<HeightDecoder>> make_mcp2221a_decoder(DeviceInfo const& info)
+{
+    std::size_t pin = 1;
+    if (auto const at = info.name.rfind(kPinMark); at != std::string::npos) {
+        auto const digit = info.name.substr(at + kPinMark.size());
+        if (digit == "2" || digit == "3")
+            pin = static_cast<std::size_t>(digit[0] - '0');
+    }
+    return std::make_unique<Mcp2221aDecoder>(pin);
+}
+
+} // namespace tractus

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "drivers/device_info.h"
+#include "drivers/height_decoder.h"
+#include "drivers/packet_link.h"
+#include "drivers/report_source.h"
+#include "engine/base/result.h"
+
+#include <memory>
+
+namespace tractus {
+
+// Microchip's MCP2221A, a finished USB chip with a converter of 10 bits: a string potentiometer's
+// wiper on one of its pins is a height sensor (datasheet DS20005565).
+
+enum class Mcp2221aReference { Supply, Volts1024, Volts2048, Volts4096 }; // 1.024 V, …
+
+struct Mcp2221aOptions {
+    int pin = 1; // Wiper on GP1, GP2 or GP3.
+    // What full scale is. With the potentiometer between the chip's supply and ground, only the
+    // supply lets its drift cancel.
+    Mcp2221aReference reference = Mcp2221aReference::Supply;
+};
+
+// Whether the device is one, by its ids; the chip's maker lets others change them.
+bool is_mcp2221a(DeviceInfo const&);
+
+// Opens the chip at `info.location`, a hidraw node, makes the pin an input of the converter, and
+// reads 500 times a second: a report is the chip's 64-byte answer to its status command. The other
+// pins stay as they are. The kernel's driver may go on using the chip: its answers are dropped,
+// and the settings are made again when it has changed them, since that also changes the reference.
+//
+// The pin is added to the name in info(), where make_mcp2221a_decoder reads it.
+//
+// Fails, as the user's fault, if the node cannot be opened, and as the device's, if the chip does
+// not answer as such a chip does.
+Result<std::unique_ptr<ReportSource>> open_mcp2221a(DeviceInfo info,
+                                                    Mcp2221aOptions const& options = {});
+
+// The same over any link.
+Result<std::unique_ptr<ReportSource>>
+open_mcp2221a(DeviceInfo info, std::unique_ptr<PacketLink> link, Mcp2221aOptions const& options);
+
+// Counts of 0 to 1023 from the pin that the device's name tells, GP1 if it tells none. Decoding
+// passes over the answers to other commands, and fails if the chip says that it could not do what
+// it was told, or if an answer is cut off.
+Result<std::unique_ptr<HeightDecoder>> make_mcp2221a_decoder(DeviceInfo const&);
+
+} // namespace tractus

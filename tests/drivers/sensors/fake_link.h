@@ -1,0 +1,80 @@
+#pragma once
+
+#include "drivers/packet_link.h"
+
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+// A device that answers commands, in a time that passes only when somebody waits, with everything
+// that can go wrong on the way. Tests keep a pointer to the wire and give the driver a link to it.
+struct FakeWire {
+    using Answer = std::function<std::vector<std::byte>(std::span<std::byte const>)>;
+    using Bytes = std::vector<std::byte>;
+
+    Answer answer {};
+    Duration answer_time = std::chrono::milliseconds(1);
+    Timestamp now {};
+    bool is_plugged = true;
+
+    // Of each answer: what comes in its place, in order. Lets it through if it is empty.
+    std::function<std::vector<Bytes>(Bytes)> disturb {};
+
+    std::vector<Bytes> commands {};                        // As they were written.
+    std::deque<std::pair<Timestamp, Bytes>> on_the_way {}; // Answers, by the time of arrival.
+
+    // A packet that nobody asked for, now.
+    void intrude(Bytes packet) { on_the_way.emplace_back(now, std::move(packet)); }
+};
+
+class FakeLink final : public PacketLink {
+public:
+    explicit FakeLink(FakeWire& wire)
+        : wire_(wire)
+    {
+    }
+
+    Result<void> write(std::span<std::byte const> packet) override
+    {
+        if (!wire_.is_plugged)
+            return fail(Fault::Device, "unplugged");
+        wire_.commands.emplace_back(packet.begin(), packet.end());
+        auto answer = wire_.answer(packet);
+        auto const all = wire_.disturb ? wire_.disturb(std::move(answer))
+                                       : std::vector<FakeWire::Bytes> { std::move(answer) };
+        for (auto const& one : all)
+            wire_.on_the_way.emplace_back(wire_.now + wire_.answer_time, one);
+        return {};
+    }
+
+    Result<std::optional<RawReport>> read(Duration timeout) override
+    {
+        if (!wire_.is_plugged)
+            return fail(Fault::Device, "unplugged");
+        auto const end = wire_.now + timeout;
+        if (wire_.on_the_way.empty() || wire_.on_the_way.front().first > end) {
+            wire_.now = end;
+            return std::optional<RawReport>();
+        }
+        auto const [time, packet] = wire_.on_the_way.front();
+        wire_.on_the_way.pop_front();
+        wire_.now = std::max(wire_.now, time);
+        RawReport report { .received = wire_.now, .size = packet.size() };
+        std::copy(packet.begin(), packet.end(), report.storage.begin());
+        return std::optional(report);
+    }
+
+    Timestamp now() override { return wire_.now; }
+    void sleep(Duration duration) override { wire_.now += duration; }
+
+private:
+    FakeWire& wire_;
+};
+
+} // namespace tractus
