@@ -1,6 +1,7 @@
 #include "drivers/device_list.h"
 
 #include "drivers/device_address.h"
+#include "drivers/gpio/gpio_adc.h"
 #include "drivers/hid_source.h"
 
 #include <algorithm>
@@ -30,6 +31,8 @@ std::vector<DeviceInfo> list_devices()
 Result<DeviceInfo> find_device(std::string_view text)
 {
     auto const address = TRY(parse_device_address(text));
+    if (std::holds_alternative<GpioAddress>(address))
+        return describe_gpio_adc(std::string(text));
     auto devices = list_devices();
     auto const found = std::find_if(devices.begin(), devices.end(),
                                     [&](auto const& info) { return info.location == text; });
@@ -45,8 +48,10 @@ Result<DeviceInfo> find_device(std::string_view text)
 
 Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info)
 {
-    TRY(parse_device_address(info.location));
+    auto const address = TRY(parse_device_address(info.location));
     std::lock_guard const lock(library_mutex());
+    if (std::holds_alternative<GpioAddress>(address))
+        return open_gpio_adc(std::move(info));
     return open_hid(std::move(info));
 }
 

@@ -60,6 +60,13 @@ Result<Place> parse_place(std::string const& location)
     return Place { *address, &*converter };
 }
 
+void describe(DeviceInfo& info, GpioAddress const& address, Converter const& converter)
+{
+    info.name = fmt::format("{} channel {} on {}", converter.name, address.channel, address.chip);
+    info.bus = kBusSpi;
+    info.physical_path = info.location; // A log keeps it.
+}
+
 // The converter that a live or recorded device is by its name; none if it is none.
 Converter const* find_converter(DeviceInfo const& info)
 {
@@ -198,6 +205,14 @@ GpioClock steady_clock()
 
 } // namespace
 
+Result<DeviceInfo> describe_gpio_adc(std::string const& address)
+{
+    auto const place = TRY(parse_place(address));
+    DeviceInfo info { .location = address };
+    describe(info, place.address, *place.converter);
+    return info;
+}
+
 Result<std::unique_ptr<ReportSource>> open_gpio_adc(DeviceInfo info)
 {
     auto const [address, converter] = TRY(parse_place(info.location));
@@ -213,9 +228,7 @@ Result<std::unique_ptr<ReportSource>>
 open_gpio_adc(DeviceInfo info, std::unique_ptr<GpioLines> lines, GpioClock clock)
 {
     auto const [address, converter] = TRY(parse_place(info.location));
-    info.name = fmt::format("{} channel {} on {}", converter->name, address.channel, address.chip);
-    info.bus = kBusSpi;
-    info.physical_path = info.location; // A log keeps it.
+    describe(info, address, *converter);
     auto source = std::make_unique<GpioAdcSource>(
         std::move(info), Mcp3208Channel { .bits = converter->bits, .channel = address.channel },
         std::move(lines), std::move(clock));

@@ -32,6 +32,10 @@ struct GpioClock {
     std::function<void(Timestamp)> sleep_until;
 };
 
+// What is known of the converter at an address, whether it is there or not. Fails, as the user's
+// fault, if the text is no address of such a converter.
+Result<DeviceInfo> describe_gpio_adc(std::string const& address);
+
 // Opens the converter at `info.location` through libgpiod and reads it a few times. A conversion
 // that the scheduler interrupted for so long that the converter forgot what it had sampled is
 // repeated. Lines that are too slow for the converter at their best (those of a USB adapter) are

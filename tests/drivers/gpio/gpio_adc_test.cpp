@@ -1,5 +1,6 @@
 #include "drivers/gpio/gpio_adc.h"
 
+#include "drivers/device_list.h"
 #include "tests/drivers/bytes.h"
 #include "tests/drivers/gpio/simulated_converter.h"
 
@@ -208,6 +209,22 @@ TEST(GpioAdc, RefusesAddressesOfWhatCannotBe)
     EXPECT_EQ(why("gpio:gpiochip0:11,10,9,8:mcp3208:8"),
               "gpio:gpiochip0:11,10,9,8:mcp3208:8: the MCP3208 has the channels 0 to 7");
     EXPECT_EQ(why("/dev/hidraw0"), "/dev/hidraw0 is not the address of a converter on GPIO lines");
+}
+
+TEST(GpioAdc, IsKnownByItsAddressAlone)
+{
+    auto const info = find_device("gpio:gpiochip0:11,10,9,8:mcp3008:3");
+    ASSERT_TRUE(info) << info.error().message;
+    EXPECT_EQ(info->name, "MCP3008 channel 3 on gpiochip0");
+    EXPECT_EQ((*make_height_decoder(*info))->full_scale(), 1023);
+    EXPECT_FALSE(find_device("gpio:gpiochip0:11,10,9,8:mcp3008:9"));
+}
+
+TEST(GpioAdc, SaysThatItsChipIsNotThere)
+{
+    auto const source = open_device({ .location = "gpio:no such chip:11,10,9,8:mcp3208:0" });
+    ASSERT_FALSE(source);
+    EXPECT_EQ(source.error().fault, Fault::User);
 }
 
 DeviceInfo const kRecorded { .name = "MCP3208 channel 0 on gpiochip0", .bus = 0x1c };
