@@ -14,9 +14,15 @@ namespace tractus {
 
 namespace {
 
+using Then = DevicePlay::Then;
+
 constexpr Duration kKnockEvery = std::chrono::milliseconds(10);
 constexpr Duration kLongestSleep = std::chrono::milliseconds(50); // Until `stop` is looked at.
-constexpr Duration kFarewell = std::chrono::milliseconds(200);    // For what has not been taken.
+// Linux lets nothing through in the first 50 ms after a program has opened a USB HID device, since
+// it may be old; other hosts are no slower.
+constexpr Duration kHostWakes = std::chrono::milliseconds(100);
+constexpr Duration kFarewell = std::chrono::milliseconds(100);
+constexpr Duration kLongestFarewell = std::chrono::seconds(2);
 
 Timestamp clock_now()
 {
@@ -60,8 +66,38 @@ bool are_read(DevicePlay const& play)
 
 bool are_over(DevicePlay const& play)
 {
+    auto const now = clock_now();
     return std::all_of(play.parts.begin(), play.parts.end(),
-                       [](DevicePart const* part) { return part->is_over(); });
+                       [&](DevicePart const* part) { return part->is_over(now); });
+}
+
+bool are_waiting(DevicePlay const& play)
+{
+    return std::any_of(play.devices.begin(), play.devices.end(),
+                       [](KernelDevice const* device) { return device->waiting_count() > 0; });
+}
+
+void begin(DevicePlay const& play)
+{
+    for (auto* const part : play.parts)
+        part->begin(clock_now());
+}
+
+Result<void> go_on_for(Duration duration, DevicePlay const& play, std::atomic<bool> const& stop)
+{
+    auto const end = clock_now() + duration;
+    while (!stop && clock_now() < end)
+        TRY(take_step(play));
+    return {};
+}
+
+// For readers to take what waits, and then what the kernel still holds for them.
+Result<void> say_farewell(DevicePlay const& play, std::atomic<bool> const& stop)
+{
+    auto const latest = clock_now() + kLongestFarewell;
+    while (!stop && are_waiting(play) && clock_now() < latest)
+        TRY(take_step(play));
+    return go_on_for(kFarewell, play, stop);
 }
 
 } // namespace
@@ -76,20 +112,20 @@ ReportPart::ReportPart(KernelDevice& device, std::vector<RawReport> reports)
 void ReportPart::begin(Timestamp now)
 {
     begin_ = now;
-    has_begun_ = true;
-    next_ = device_.tells_readers_by_reports() ? 1 : 0; // See knock().
+    next_ = 0;
 }
 
 Timestamp ReportPart::due() const
 {
-    if (!has_begun_)
+    if (!begin_)
         return device_.tells_readers_by_reports() ? next_knock_ : Timestamp::max();
-    return is_over() ? Timestamp::max() : begin_ + reports_[next_].received.time_since_epoch();
+    return next_ == reports_.size() ? Timestamp::max()
+                                    : *begin_ + reports_[next_].received.time_since_epoch();
 }
 
 Result<void> ReportPart::play(Timestamp now)
 {
-    if (!has_begun_)
+    if (!begin_)
         return knock(now);
     for (; due() <= now; ++next_)
         TRY(device_.send(reports_[next_].bytes()));
@@ -97,7 +133,7 @@ Result<void> ReportPart::play(Timestamp now)
 }
 
 // Some devices learn that they are read from a report's being taken: the first one waits for that.
-// While there is no host it is lost, and sent again.
+// Programs rarely see it, see kHostWakes, and it is sent again at the begin.
 Result<void> ReportPart::knock(Timestamp now)
 {
     next_knock_ = now + kKnockEvery;
@@ -110,18 +146,18 @@ Result<void> play_parts(DevicePlay const& play, std::atomic<bool> const& stop)
 {
     while (!stop && !are_read(play))
         TRY(take_step(play));
+    TRY(go_on_for(kHostWakes, play, stop));
     if (stop)
         return {};
-    for (auto* const part : play.parts)
-        part->begin(clock_now());
+    begin(play);
     if (play.on_begin)
         play.on_begin();
-    while (!stop && !are_over(play))
+    while (!stop && (play.then != Then::Leave || !are_over(play))) {
+        if (play.then == Then::Repeat && are_over(play))
+            begin(play);
         TRY(take_step(play));
-    auto const end = clock_now() + kFarewell;
-    while (!stop && clock_now() < end)
-        TRY(take_step(play));
-    return {};
+    }
+    return say_farewell(play, stop);
 }
 
 } // namespace tractus

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace tractus {
@@ -18,7 +19,8 @@ class DevicePart {
 public:
     virtual ~DevicePart() = default;
 
-    // The play begins now. Before, the device is there, and whatever it measures stands still.
+    // The play begins now, or begins anew. Before, the device is there, and whatever it measures
+    // stands still.
     virtual void begin(Timestamp now) = 0;
 
     // When it wants to be called next, before the begin as well; Timestamp::max() for never.
@@ -27,8 +29,8 @@ public:
     // `now` is due() or later.
     virtual Result<void> play(Timestamp now) = 0;
 
-    // Whether all that was to be played has been.
-    virtual bool is_over() const = 0;
+    // Whether all that was to be played has been, `now`.
+    virtual bool is_over(Timestamp now) const = 0;
 };
 
 // Sends reports when their times have come.
@@ -40,7 +42,7 @@ public:
     void begin(Timestamp now) override;
     Timestamp due() const override;
     Result<void> play(Timestamp now) override;
-    bool is_over() const override { return next_ == reports_.size(); }
+    bool is_over(Timestamp) const override { return next_ == reports_.size(); }
 
 private:
     Result<void> knock(Timestamp now);
@@ -48,8 +50,7 @@ private:
     KernelDevice& device_;
     std::vector<RawReport> reports_;
     std::size_t next_ = 0;
-    bool has_begun_ = false;
-    Timestamp begin_ {};
+    std::optional<Timestamp> begin_ {};
     Timestamp next_knock_ {};
 };
 
@@ -57,13 +58,20 @@ private:
 struct DevicePlay {
     std::vector<KernelDevice*> devices {}; // All are served.
     std::vector<DevicePart*> parts {};
-    std::function<void()>
-        on_begin {}; // When all devices are read for the first time; may be empty.
+
+    // When all devices are read for the first time; may be empty.
+    std::function<void()> on_begin {};
+
+    enum class Then {
+        Leave,  // When the reports have been taken.
+        Stay,   // Until asked to stop.
+        Repeat, // From the begin, until asked to stop.
+    };
+    Then then = Then::Leave;
 };
 
-// Waits until some program reads each of the devices, then plays the parts to the end of them all
-// and until the reports have been taken; or until `stop` is set (by a signal handler, say). It
-// sleeps whenever there is nothing to do.
+// Waits until some program reads each of the devices, then plays the parts to the end of them all;
+// or until `stop` is set (by a signal handler, say). It sleeps whenever there is nothing to do.
 Result<void> play_parts(DevicePlay const& play, std::atomic<bool> const& stop);
 
 } // namespace tractus

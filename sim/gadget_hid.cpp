@@ -90,7 +90,9 @@ Result<void> GadgetHid::serve()
     discard_output();
     if (in_flight_ && is_taken()) {
         in_flight_ = false;
-        is_read_ = true;
+        // The first report that is taken may also have been swept away by the host's configuring.
+        is_read_ = ++taken_count_ > 1;
+        was_read_ |= is_read_;
     }
     if (!in_flight_ && !waiting_.empty())
         write_next();
@@ -100,12 +102,12 @@ Result<void> GadgetHid::serve()
 Result<void> GadgetHid::send(std::span<std::byte const> report)
 {
     if (!file_ && !open()) {
-        ++lost_count_;
+        lose(1);
         return {};
     }
     if (waiting_.size() == kMaxWaiting) {
         waiting_.pop_front();
-        ++lost_count_;
+        lose(1);
     }
     waiting_.emplace_back(report.begin(), report.end());
     return serve();
@@ -143,13 +145,20 @@ void GadgetHid::write_next()
     }
 }
 
+void GadgetHid::lose(std::size_t count)
+{
+    if (was_read_)
+        lost_count_ += count;
+}
+
 // There is no host any more, or none yet.
 void GadgetHid::leave()
 {
-    lost_count_ += waiting_count();
+    lose(waiting_count());
     waiting_.clear();
     in_flight_ = false;
     is_read_ = false;
+    taken_count_ = 0;
     file_.close();
 }
 

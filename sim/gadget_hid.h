@@ -47,13 +47,16 @@ private:
     bool is_taken() const;
     void discard_output();
     void write_next();
+    void lose(std::size_t count);
     void leave();
 
     std::filesystem::path folder_; // The function's, in configfs.
     FileDescriptor file_;          // Empty while the gadget is unplugged.
     std::deque<std::vector<std::byte>> waiting_;
-    bool in_flight_ = false; // The kernel has a report that the host has not asked for yet.
+    bool in_flight_ = false;        // The kernel has a report that the host has not asked for yet.
+    std::uint64_t taken_count_ = 0; // Since the gadget was plugged in.
     bool is_read_ = false;
+    bool was_read_ = false; // Ever: before, nothing counts as lost.
     std::uint64_t lost_count_ = 0;
 };
 

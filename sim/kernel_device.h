@@ -33,7 +33,8 @@ public:
     // Whether is_read() becomes true by a report's being taken, and by nothing else.
     virtual bool tells_readers_by_reports() const = 0;
 
-    // How many reports were dropped because nobody read them in time, or there was no host.
+    // How many reports were dropped because nobody read them in time, or there was no host any
+    // more; those from before the first reader do not count.
     virtual std::uint64_t lost_count() const = 0;
 
     // How many were sent and are not yet known to have been taken.

@@ -111,8 +111,7 @@ Result<void> UhidDevice::serve()
             is_open_ = false;
             break;
         case UHID_OUTPUT:
-            if (answers_.output)
-                answers_.output(bytes_of(event.u.output.data, event.u.output.size));
+            TRY(reply_to(bytes_of(event.u.output.data, event.u.output.size)));
             break;
         case UHID_GET_REPORT:
             TRY(write_event(file_, answer_get(event.u.get_report, answers_)));
@@ -127,6 +126,14 @@ Result<void> UhidDevice::serve()
     if (errno == EAGAIN || errno == EINTR)
         return {};
     return fail(Fault::User, fmt::format("cannot read {}: {}", kNode, std::strerror(errno)));
+}
+
+Result<void> UhidDevice::reply_to(std::span<std::byte const> output)
+{
+    if (!answers_.output)
+        return {};
+    auto const reply = answers_.output(output);
+    return reply.empty() ? Result<void>() : send(reply);
 }
 
 Result<void> UhidDevice::send(std::span<std::byte const> report)

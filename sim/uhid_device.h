@@ -18,8 +18,9 @@ namespace tractus {
 // What a device answers. Reports begin with their id if the device numbers them. Each may be left
 // out: then features are an input/output error to the kernel, and output reports are ignored.
 struct UhidAnswers {
-    // An output report has come.
-    std::function<void(std::span<std::byte const> report)> output {};
+    // An output report has come; what this gives, unless it is empty, is sent as an input report.
+    // A program's report begins with 0 if the device does not number them, a driver's does not.
+    std::function<std::vector<std::byte>(std::span<std::byte const> report)> output {};
     // The feature report of this id; no value is an input/output error.
     std::function<std::optional<std::vector<std::byte>>(std::uint8_t id)> get_feature {};
     // A report, feature or output, is set by a control request. False is an input/output error.
@@ -48,6 +49,8 @@ public:
 
 private:
     UhidDevice(FileDescriptor file, UhidAnswers answers);
+
+    Result<void> reply_to(std::span<std::byte const> output);
 
     FileDescriptor file_;
     UhidAnswers answers_;

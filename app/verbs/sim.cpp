@@ -3,6 +3,8 @@
 #include "app/console.h"
 #include "app/device_playback.h"
 #include "app/verbs/checks.h"
+#include "app/verbs/sim_converters.h"
+#include "app/verbs/sim_gadget.h"
 #include "sim/feature_store.h"
 #include "sim/uhid_device.h"
 
@@ -100,6 +102,8 @@ void add_sim_verb(CLI::App& root, Action& action)
         "has been taken, the devices are unplugged. Needs root, or the right to use /dev/uhid.");
     uhid->callback(
         [arguments, &action] { action = [arguments] { return play_through_uhid(*arguments); }; });
+    add_sim_gadget_verb(*verb, action);
+    add_sim_converter_verbs(*verb, action);
 }
 
 } // namespace tractus

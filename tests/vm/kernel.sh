@@ -3,7 +3,7 @@
 kernel=build/vm/kernel # vmlinux, release (its version), lib/modules.
 
 # The folders of modules in which a device's may lie.
-kernel_module_folders=(crypto drivers/{block,char,gpio,hid,i2c,input,leds,power,spi,usb,virtio} lib)
+kernel_module_folders=(crypto drivers/{block,char,gpio,hid,i2c,input,leds,power,spi,usb,virtio} fs/configfs lib)
 
 # Prints the name of the package that Debian's kernel for PCs is now, as these lists have it.
 #   kernel_package APT_OPTION...
@@ -40,9 +40,9 @@ cut_out_kernel() {
 
 # Makes build/vm/kernel, if it is not there: some 71 MB of download, 40 MB unpacked.
 fetch_kernel() {
-    [ -e "$kernel/vmlinux" ] && return
+    [ "$(cat "$kernel/folders" 2>/dev/null)" = "${kernel_module_folders[*]}" ] && return
     local part=$kernel.part
-    rm -rf "$kernel" "$part"
+    rm -rf "$part"
     mkdir -p "$part"
     download_kernel "$part" || return 1
     dpkg-deb --fsys-tarfile "$part"/*.deb | tar -x -C "$part" --wildcards './boot/vmlinuz-*' \
@@ -51,5 +51,7 @@ fetch_kernel() {
     cut_out_kernel "$part"/boot/vmlinuz-* >"$part/vmlinux"
     depmod --basedir "$part" "$(<"$part/release")"
     rm -rf "$part"/*.deb "$part/boot"
+    echo "${kernel_module_folders[*]}" >"$part/folders"
+    rm -rf "$kernel"
     mv "$part" "$kernel"
 }

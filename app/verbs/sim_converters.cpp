@@ -1,0 +1,157 @@
+#include "app/verbs/sim_converters.h"
+
+#include "app/verbs/checks.h"
+#include "app/verbs/sim_play.h"
+#include "sim/height_curve.h"
+#include "sim/uhid_converters.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+struct Arguments {
+    SimPlayArguments play;
+    std::vector<unsigned> lines { 0, 1, 2, 3 };
+    unsigned channel = 0;
+    std::optional<double> fail_after_s;
+};
+
+Timestamp clock_now()
+{
+    return Timestamp(std::chrono::steady_clock::now().time_since_epoch());
+}
+
+// The height of a recording, for a converter that is asked for it; and a fault when its time comes.
+class HeightPart final : public DevicePart {
+public:
+    explicit HeightPart(HeightCurve heights)
+        : heights_(std::move(heights))
+    {
+    }
+
+    void fail_after(double seconds, std::function<void()> fail)
+    {
+        fail_after_ = from_seconds(seconds);
+        fail_ = std::move(fail);
+    }
+
+    double fraction_now() const
+    {
+        return heights_.fraction_at(begin_ ? Timestamp(clock_now() - *begin_) : Timestamp());
+    }
+
+    void begin(Timestamp now) override { begin_ = now; }
+
+    Timestamp due() const override
+    {
+        return begin_ && fail_after_ ? *begin_ + *fail_after_ : Timestamp::max();
+    }
+
+    Result<void> play(Timestamp) override
+    {
+        fail_after_.reset();
+        fail_();
+        return {};
+    }
+
+    bool is_over(Timestamp now) const override
+    {
+        return begin_ && now - *begin_ > heights_.end().time_since_epoch();
+    }
+
+private:
+    HeightCurve heights_;
+    std::optional<Timestamp> begin_ {};
+    std::optional<Duration> fail_after_ {};
+    std::function<void()> fail_ {};
+};
+
+Result<void> play_part(KernelDevice& device, HeightPart& part, SimPlayArguments const& arguments)
+{
+    DevicePlay play;
+    play.devices = { &device };
+    play.parts = { &part };
+    return run_sim_play(std::move(play), arguments);
+}
+
+Result<void> play_mcp2221a(SimPlayArguments const& arguments)
+{
+    auto const log = TRY(load_sim_play(arguments));
+    HeightPart part(TRY(HeightCurve::read(log)));
+    auto const device = TRY(tractus::play_mcp2221a([&part] { return part.fraction_now(); }));
+    return play_part(*device, part, arguments);
+}
+
+Result<void> play_cp2112(Arguments const& arguments)
+{
+    auto const log = TRY(load_sim_play(arguments.play));
+    HeightPart part(TRY(HeightCurve::read(log)));
+    auto const input = [&](unsigned channel) {
+        return channel == arguments.channel ? part.fraction_now() : (channel + 1) / 10.0;
+    };
+    auto const& lines = arguments.lines;
+    Cp2112WithMcp3208 bridge({ .clk = lines[0], .din = lines[1], .dout = lines[2], .cs = lines[3] },
+                             input);
+    if (arguments.fail_after_s)
+        part.fail_after(*arguments.fail_after_s, [&bridge] { bridge.fail_readings(); });
+    auto const device = TRY(bridge.play());
+    return play_part(*device, part, arguments.play);
+}
+
+void add_mcp2221a_verb(CLI::App& sim, Action& action)
+{
+    auto* const verb = sim.add_subcommand(
+        "mcp2221a", "A Microchip MCP2221A that measures a recording's heights, through /dev/uhid");
+    auto arguments = std::make_shared<SimPlayArguments>();
+    add_sim_play_options(*verb, *arguments);
+    verb->footer(
+        "Its inputs GP1, GP2 and GP3 all have the height's voltage. The heights move from\n"
+        "when a program reads it. Needs root, or the right to use /dev/uhid.");
+    verb->callback(
+        [arguments, &action] { action = [arguments] { return play_mcp2221a(*arguments); }; });
+}
+
+void add_cp2112_verb(CLI::App& sim, Action& action)
+{
+    auto* const verb = sim.add_subcommand(
+        "cp2112", "An MCP3208 on the GPIO lines of a CP2112 that measures a recording's heights");
+    auto arguments = std::make_shared<Arguments>();
+    add_sim_play_options(*verb, arguments->play);
+    verb->add_option("--lines", arguments->lines,
+                     "The lines that CLK, DIN, DOUT and CS of the MCP3208 are wired to")
+        ->type_name("CLK DIN DOUT CS")
+        ->expected(4)
+        ->check(CLI::Range(0, 7))
+        ->capture_default_str();
+    verb->add_option("--channel", arguments->channel,
+                     "The channel that has the height; each other one, C, has (C + 1) / 10 of "
+                     "full scale")
+        ->type_name("C")
+        ->check(CLI::Range(0, 7))
+        ->capture_default_str();
+    verb->add_option("--fail-after", arguments->fail_after_s,
+                     "From then on the lines cannot be read, as if the cable were bad")
+        ->type_name("SECONDS")
+        ->check(number(0, 1e6));
+    verb->footer(
+        "The kernel's driver hid-cp2112 makes a gpiochip of it, labelled cp2112_gpio. Then the\n"
+        "station's address of channel 0 is gpio:cp2112_gpio:0,1,2,3:mcp3208:0. Needs root, or the\n"
+        "right to use /dev/uhid.");
+    verb->callback(
+        [arguments, &action] { action = [arguments] { return play_cp2112(*arguments); }; });
+}
+
+} // namespace
+
+void add_sim_converter_verbs(CLI::App& sim, Action& action)
+{
+    add_mcp2221a_verb(sim, action);
+    add_cp2112_verb(sim, action);
+}
+
+} // namespace tractus

@@ -1,0 +1,116 @@
+#include "app/verbs/sim_play.h"
+
+#include "app/console.h"
+#include "app/model_file.h"
+#include "app/resources.h"
+#include "app/simulated_recording.h"
+#include "drivers/file.h"
+
+#include <atomic>
+#include <csignal>
+#include <fmt/core.h>
+#include <sstream>
+
+namespace tractus {
+
+namespace {
+
+std::atomic<bool> stop_asked = false;
+
+void ask_to_stop(int)
+{
+    stop_asked = true;
+}
+
+Result<Log> simulate(SimPlayArguments const& arguments)
+{
+    auto const text = TRY(read_file(arguments.script));
+    auto const script = TRY(parse_gesture_script(text, arguments.script));
+    auto const model = TRY(find_model(arguments.model));
+    auto const edit = TRY(load_model_edit(model));
+    auto const scene = TRY(apply_edit({}, edit));
+    std::ostringstream recording;
+    TRY(write_simulated_recording(recording, script, scene));
+    return parse_log(recording.str(), arguments.script);
+}
+
+DevicePlay::Then what_then(SimPlayArguments const& arguments)
+{
+    if (arguments.repeat)
+        return DevicePlay::Then::Repeat;
+    return arguments.stay ? DevicePlay::Then::Stay : DevicePlay::Then::Leave;
+}
+
+} // namespace
+
+void add_sim_play_options(CLI::App& verb, SimPlayArguments& arguments)
+{
+    auto* const log
+        = verb.add_option("LOG", arguments.log,
+                          "The recording to play: a .tractus-log, or anybody's hid-recorder file");
+    auto* const simulate
+        = verb.add_option("--simulate", arguments.script,
+                          "Let the simulated hand do what this script says, a .hand.toml, as "
+                          "\"tractus record --simulate\" does")
+              ->type_name("SCRIPT")
+              ->excludes(log);
+    verb.add_option("--plant", arguments.model, "The model whose branches the script traces")
+        ->type_name("MODEL")
+        ->capture_default_str()
+        ->needs(simulate);
+    auto* const stay = verb.add_flag("--stay", arguments.stay,
+                                     "Stay plugged in when everything was played, until Ctrl-C");
+    verb.add_flag("--repeat", arguments.repeat, "Play it again and again, until Ctrl-C")
+        ->excludes(stay);
+}
+
+Result<Log> load_sim_play(SimPlayArguments const& arguments)
+{
+    if (arguments.log.empty() && arguments.script.empty())
+        return fail(Fault::User,
+                    "there is nothing to play: name a LOG, or a script with "
+                    "--simulate SCRIPT");
+    auto log = arguments.script.empty() ? TRY(read_log(arguments.log)) : TRY(simulate(arguments));
+    if (log.records.empty())
+        return fail(Fault::User, fmt::format("there are no reports to play in {}", log.name));
+    return log;
+}
+
+std::vector<RawReport> reports_of(Log const& log, std::size_t device, std::optional<double> rate_hz)
+{
+    std::vector<RawReport> reports;
+    for (auto const& record : log.records) {
+        if (record.device != device)
+            continue;
+        auto const bytes = log.report(record);
+        auto& report = reports.emplace_back();
+        report.received = Timestamp(record.time - log.records.front().time);
+        if (rate_hz)
+            report.received
+                = Timestamp(from_seconds(static_cast<double>(reports.size() - 1) / *rate_hz));
+        report.size = bytes.size();
+        std::copy(bytes.begin(), bytes.end(), report.storage.begin());
+    }
+    return reports;
+}
+
+Result<void> run_sim_play(DevicePlay play, SimPlayArguments const& arguments)
+{
+    play.then = what_then(arguments);
+    play.on_begin = [] { print_error("somebody reads: playing; Ctrl-C unplugs\n"); };
+    print_error("plugged in, waiting for a program to read; Ctrl-C unplugs\n");
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+    std::signal(SIGHUP, ask_to_stop);
+    TRY(play_parts(play, stop_asked));
+    std::uint64_t lost = 0;
+    for (auto const* const device : play.devices)
+        lost += device->lost_count();
+    print_error(lost ? fmt::format("unplugged; {} reports came too fast, or while nobody read, and "
+                                   "were lost\n",
+                                   lost)
+                     : "unplugged; nothing was lost\n");
+    return {};
+}
+
+} // namespace tractus

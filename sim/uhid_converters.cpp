@@ -1,0 +1,101 @@
+#include "sim/uhid_converters.h"
+
+#include "engine/base/time.h"
+
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+constexpr double kSupply_volts = 5;
+
+// One input and one output report of 64 bytes, without ids, on a vendor-defined page.
+std::vector<std::byte> mcp2221a_report_descriptor()
+{
+    std::vector<std::byte> descriptor;
+    for (int const item :
+         { 0x06, 0x00, 0xff, 0x09, 0x01, 0xa1, 0x01, 0x15, 0x00, 0x26, 0xff, 0x00, 0x75,
+           0x08, 0x95, 0x40, 0x09, 0x02, 0x81, 0x02, 0x09, 0x03, 0x91, 0x02, 0xc0 })
+        descriptor.push_back(static_cast<std::byte>(item));
+    return descriptor;
+}
+
+DeviceInfo mcp2221a_info()
+{
+    return {
+        .name = "Microchip Technology Inc. MCP2221 USB-I2C/UART Combo",
+        .location = "simulated",
+        .physical_path = "simulated/mcp2221a",
+        .vendor_id = 0x04d8,
+        .product_id = 0x00dd,
+        .report_descriptor = mcp2221a_report_descriptor(),
+    };
+}
+
+std::vector<std::byte> answer(Mcp2221aModel& model, double fraction,
+                              std::span<std::byte const> command)
+{
+    if (command.size() > Mcp2221aModel::kPacketBytes) // From a program, with a 0 for its id.
+        command = command.subspan(1);
+    for (int pin = 1; pin <= 3; ++pin)
+        model.set_volts(pin, fraction * kSupply_volts);
+    auto const packet = model.answer(command);
+    return { packet.begin(), packet.end() };
+}
+
+bool bit(unsigned levels, unsigned line)
+{
+    return levels >> line & 1;
+}
+
+} // namespace
+
+Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input)
+{
+    Mcp2221aModel::Options options;
+    options.supply_volts = kSupply_volts;
+    UhidAnswers answers;
+    answers.output = [model = Mcp2221aModel(options),
+                      input = std::move(input)](std::span<std::byte const> command) mutable {
+        return answer(model, input(), command);
+    };
+    return UhidDevice::create(mcp2221a_info(), std::move(answers));
+}
+
+// Through this bridge a conversion takes milliseconds, and the real converter's capacitor would
+// have lost a few counts by then; what is tested here are its lines. Without that, the converter
+// does not care what time it is.
+Cp2112WithMcp3208::Cp2112WithMcp3208(Wiring const& wiring,
+                                     std::function<double(unsigned channel)> input)
+    : wiring_(wiring)
+    , converter_([input = std::move(input)](unsigned channel, Timestamp) { return input(channel); },
+                 { .bits = 12, .droop_per_second = 0 })
+    , bridge_({ .driven = [this](std::uint8_t levels) { drive(levels); },
+                .levels = [this] { return levels(); } })
+{
+}
+
+Result<std::unique_ptr<UhidDevice>> Cp2112WithMcp3208::play()
+{
+    UhidAnswers answers;
+    answers.get_feature = [this](std::uint8_t id) { return bridge_.get_feature(id); };
+    answers.set_feature
+        = [this](std::span<std::byte const> report) { return bridge_.set_feature(report); };
+    return UhidDevice::create(Cp2112Model::info(), std::move(answers));
+}
+
+void Cp2112WithMcp3208::drive(std::uint8_t levels)
+{
+    converter_.set_pins(Timestamp(),
+                        { .clk = bit(levels, wiring_.clk),
+                          .din = bit(levels, wiring_.din),
+                          .cs = bit(levels, wiring_.cs) });
+}
+
+std::uint8_t Cp2112WithMcp3208::levels() const
+{
+    return static_cast<std::uint8_t>(converter_.dout().value_or(false) << wiring_.dout);
+}
+
+} // namespace tractus

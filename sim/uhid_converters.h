@@ -1,0 +1,53 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "sim/cp2112_model.h"
+#include "sim/mcp2221a_model.h"
+#include "sim/mcp3208_model.h"
+#include "sim/uhid_device.h"
+
+#include <functional>
+#include <memory>
+
+namespace tractus {
+
+// Converters that the kernel and every program take for real ones, through uhid.
+
+// What a converter's input is now, as a fraction of full scale: 0 to 1.
+using InputNow = std::function<double()>;
+
+// An MCP2221A whose inputs GP1 to GP3 all are `input`, read anew for each command.
+Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input);
+
+// An MCP3208 wired to lines of a CP2112, which the kernel's hid-cp2112 makes a gpiochip.
+class Cp2112WithMcp3208 {
+public:
+    struct Wiring {
+        unsigned clk = 0;
+        unsigned din = 1;
+        unsigned dout = 2;
+        unsigned cs = 3;
+    };
+
+    // `input` is what a channel, 0 to 7, has now.
+    Cp2112WithMcp3208(Wiring const& wiring, std::function<double(unsigned channel)> input);
+
+    Cp2112WithMcp3208(Cp2112WithMcp3208 const&) = delete;
+    Cp2112WithMcp3208& operator=(Cp2112WithMcp3208 const&) = delete;
+
+    // This must outlive the device.
+    Result<std::unique_ptr<UhidDevice>> play();
+
+    // From now on the lines cannot be read.
+    void fail_readings() { bridge_.fail_readings(); }
+
+private:
+    void drive(std::uint8_t levels);
+    std::uint8_t levels() const;
+
+    Wiring wiring_;
+    Mcp3208Model converter_;
+    Cp2112Model bridge_;
+};
+
+} // namespace tractus
