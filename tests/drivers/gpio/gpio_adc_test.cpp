@@ -4,6 +4,7 @@
 #include "tests/drivers/bytes.h"
 #include "tests/drivers/gpio/simulated_converter.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
 #include <utility>
@@ -209,6 +210,27 @@ TEST(GpioAdc, RefusesAddressesOfWhatCannotBe)
     EXPECT_EQ(why("gpio:gpiochip0:11,10,9,8:mcp3208:8"),
               "gpio:gpiochip0:11,10,9,8:mcp3208:8: the MCP3208 has the channels 0 to 7");
     EXPECT_EQ(why("/dev/hidraw0"), "/dev/hidraw0 is not the address of a converter on GPIO lines");
+}
+
+TEST(GpioAdc, TellsWhenTheSurfaceWasWhere)
+{
+    // The surface sways while the scheduler interrupts every tenth conversion somewhere.
+    auto const level = [](Timestamp time) { return 0.5 + 0.4 * std::sin(9 * to_seconds(time)); };
+    SimulatedGpio::Options options { .request_time = microseconds(4) };
+    for (std::uint64_t i = 10; i < 2000; i += 10)
+        options.pauses[request(i, i * 7 % 51)] = milliseconds(1 + i % 9);
+    Mcp3208Model model([&](unsigned, Timestamp time) { return level(time); }, {});
+    SimulatedGpio lines(model, options);
+    auto const source
+        = open_gpio_adc({ .location = kAddress }, std::make_unique<BorrowedLines>(lines),
+                        { .now = [&] { return lines.now(); },
+                          .sleep_until = [&](Timestamp time) { lines.sleep_until(time); } });
+    ASSERT_TRUE(source);
+    for (int i = 0; i < 1000; ++i) {
+        auto const sample = read(**source);
+        // A pause that is too short to be repeated lets the capacitor sink by a count at most.
+        ASSERT_NEAR(sample.counts, std::floor(4096 * level(sample.time)), 2) << i;
+    }
 }
 
 TEST(GpioAdc, IsKnownByItsAddressAlone)
