@@ -30,7 +30,7 @@ bool is_null(HidField const& field, std::int32_t value)
     return field.has_null_state && (value < field.logical_minimum || value > field.logical_maximum);
 }
 
-PenTraits describe(std::vector<PenLayout> const& layouts)
+PenTraits describe(std::vector<PenLayout> const& layouts, PenHabits const& habits)
 {
     PenTraits traits;
     for (auto const& layout : layouts) {
@@ -39,7 +39,7 @@ PenTraits describe(std::vector<PenLayout> const& layouts)
         traits.has_pressure |= layout.pressure.has_value();
         traits.has_tilt |= layout.tilt_x.has_value();
         traits.has_in_range |= layout.in_range.has_value();
-        traits.has_eraser |= layout.eraser || layout.invert;
+        traits.has_eraser |= layout.invert || (layout.eraser && !habits.second_button_is_eraser);
         auto const buttons = std::count_if(layout.buttons.begin(), layout.buttons.end(),
                                            [](auto const& button) { return button.has_value(); });
         traits.button_count = std::max(traits.button_count, static_cast<unsigned>(buttons));
@@ -51,6 +51,10 @@ PenTraits describe(std::vector<PenLayout> const& layouts)
         if (layout.pressure)
             raise(traits.raw_pressure_maximum, *layout.pressure);
     }
+    if (habits.second_button_is_eraser)
+        traits.button_count = std::max(traits.button_count, 2u);
+    if (habits.third_button_is_invert)
+        traits.button_count = std::max(traits.button_count, 3u);
     return traits;
 }
 
@@ -106,12 +110,19 @@ PenFields read_fields(DescribedPen const& pen, std::span<std::byte const> report
     return fields;
 }
 
-PenHabits habits_of(DeviceInfo const& info, std::vector<PenLayout> const& layouts)
+// What the pens' reports have among them; a mouse's do not count.
+PenButtons buttons_of(std::vector<PenLayout> const& layouts)
 {
-    bool const is_put_right = std::any_of(layouts.begin(), layouts.end(), [](auto const& layout) {
-        return layout.has_second_barrel_switch();
-    });
-    return is_put_right ? PenHabits() : known_habits(info.vendor_id, info.product_id);
+    PenButtons buttons;
+    for (auto const& layout : layouts) {
+        if (!layout.in_range)
+            continue;
+        buttons.has_second |= layout.buttons[1].has_value();
+        buttons.has_second_by_name |= layout.has_second_barrel_switch();
+        buttons.has_eraser |= layout.eraser.has_value();
+        buttons.has_invert |= layout.invert.has_value();
+    }
+    return buttons;
 }
 
 // Decodes what the report descriptor describes.
@@ -119,7 +130,7 @@ class HidPenDecoder final : public PenDecoder {
 public:
     HidPenDecoder(HidReportDescriptor const& descriptor, std::vector<PenLayout> const& layouts,
                   PenHabits const& habits)
-        : traits_(describe(layouts))
+        : traits_(describe(layouts, habits))
         , state_(habits)
     {
         for (auto const& layout : layouts)
@@ -206,7 +217,8 @@ Result<std::unique_ptr<PenDecoder>> make_descriptor_decoder(DeviceInfo const& in
     if (size_mm)
         for (auto& layout : layouts)
             layout.take_known_size(*size_mm);
-    return std::make_unique<HidPenDecoder>(*descriptor, layouts, habits_of(info, layouts));
+    auto const habits = known_habits(info.vendor_id, info.product_id, buttons_of(layouts));
+    return std::make_unique<HidPenDecoder>(*descriptor, layouts, habits);
 }
 
 } // namespace tractus

@@ -23,22 +23,33 @@ constexpr PenHabits kArtistProGen2 {
 
 constexpr PenHabits kKamvasPro19 { .third_button_is_invert = true };
 
+// Huion's and Gaomon's before a driver switches them.
+constexpr PenHabits kHuion { .second_button_is_eraser = true };
+
 constexpr KnownHabits kKnown[] = {
     { 0x28bd, 0x093a, kArtist24 },      // XP-Pen Artist 24.
     { 0x28bd, 0x092d, kArtist24 },      // XP-Pen Artist 24 Pro.
     { 0x28bd, 0x095a, kArtistProGen2 }, // XP-Pen Artist Pro 14 (Gen 2).
     { 0x28bd, 0x095b, kArtistProGen2 }, // XP-Pen Artist Pro 16 (Gen 2).
     { 0x256c, 0x006b, kKamvasPro19 },   // Huion Kamvas Pro 19.
+    { 0x256c, 0x0064, kHuion },         { 0x256c, 0x006d, kHuion },
+    { 0x256c, 0x006e, kHuion },         { 0x256c, 0x006f, kHuion },
 };
 
 } // namespace
 
-PenHabits known_habits(std::uint16_t vendor_id, std::uint16_t product_id)
+PenHabits known_habits(std::uint16_t vendor_id, std::uint16_t product_id, PenButtons const& buttons)
 {
+    if (buttons.has_second_by_name)
+        return {};
+    PenHabits habits;
     for (auto const& known : kKnown)
         if (known.vendor_id == vendor_id && known.product_id == product_id)
-            return known.habits;
-    return {};
+            habits = known.habits;
+    bool const cannot_turn = buttons.has_eraser && !buttons.has_invert;
+    habits.second_button_is_eraser
+        = !buttons.has_second && (habits.second_button_is_eraser || cannot_turn);
+    return habits;
 }
 
 } // namespace tractus

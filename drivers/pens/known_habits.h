@@ -6,9 +6,20 @@
 
 namespace tractus {
 
-// What is known of a model whose report descriptor misleads; the default for all others. Linux can
-// put such a descriptor right ("HID-BPF"); a descriptor that names a second barrel button has been,
-// and needs no habits.
-PenHabits known_habits(std::uint16_t vendor_id, std::uint16_t product_id);
+// What a report descriptor says of a pen's buttons and ends.
+struct PenButtons {
+    bool has_second = false;         // A second barrel button, under whatever name.
+    bool has_second_by_name = false; // Under its own.
+    bool has_eraser = false;
+    bool has_invert = false;
+};
+
+// What is known of pens whose report descriptor misleads; the default for all others.
+//
+// Linux can put such a descriptor right ("HID-BPF"): one that names a second barrel button has
+// been, and needs no habits. A pen that has one button and an eraser, but cannot be turned round,
+// has two buttons and no eraser: XP-Pen's and UGEE's are all so.
+PenHabits known_habits(std::uint16_t vendor_id, std::uint16_t product_id,
+                       PenButtons const& buttons);
 
 } // namespace tractus
