@@ -85,6 +85,54 @@ TEST(Corpus, FindsAPenInEveryPenDescriptor)
     EXPECT_GT(declared, pens * 9 / 10);
 }
 
+// "sysinfo.X8pBxWhnQo__0003_256C_006D.0008.hid.bin": bus, vendor, product; older ones have the last
+// two alone.
+DeviceInfo device_of(fs::path const& path)
+{
+    DeviceInfo info { .name = path.filename().string() };
+    auto const ids = info.name.substr(info.name.rfind("__") + 2);
+    bool const has_bus = ids.find('_', 5) != std::string::npos && ids[9] == '_';
+    auto const number = [&](std::size_t at) {
+        return static_cast<std::uint16_t>(std::stoul(ids.substr(at, 4), nullptr, 16));
+    };
+    if (has_bus)
+        info.bus = number(0);
+    info.vendor_id = number(has_bus ? 5 : 0);
+    info.product_id = number(has_bus ? 10 : 5);
+    auto const text = read_file(path);
+    EXPECT_TRUE(text);
+    for (char const byte : *text)
+        info.report_descriptor.push_back(static_cast<std::byte>(byte));
+    return info;
+}
+
+TEST(Corpus, MakesADecoderForEveryPen)
+{
+    REQUIRE_CORPUS();
+    int decoders = 0;
+    int assumed = 0;
+    for (auto const& path : files_below(corpus() / "descriptors" / "pen")) {
+        if (path.extension() != ".bin")
+            continue;
+        auto const decoder = make_pen_decoder(device_of(path));
+        if (!decoder) {
+            ADD_FAILURE() << path << ": " << decoder.error().message;
+            continue;
+        }
+        ++decoders;
+        auto const& traits = (*decoder)->traits();
+        EXPECT_GE(traits.size_mm.minCoeff(), 40) << path;
+        EXPECT_LE(traits.size_mm.maxCoeff(), 700) << path;
+        EXPECT_GT(traits.raw_x_maximum, 0) << path;
+        EXPECT_GT(traits.raw_y_maximum, 0) << path;
+        assumed += traits.is_size_assumed;
+    }
+    RecordProperty("pens", decoders);
+    RecordProperty("of_assumed_size", assumed);
+    EXPECT_EQ(decoders, 133);
+    EXPECT_LE(assumed, 5);
+}
+
 TEST(Corpus, FindsNoPenInOtherDescriptors)
 {
     REQUIRE_CORPUS();
