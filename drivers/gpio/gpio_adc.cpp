@@ -180,7 +180,7 @@ Result<void> GpioAdcDecoder::decode(Timestamp received, std::span<std::byte cons
                     fmt::format("{} report: {} bytes, expected {}", converter_.name, report.size(),
                                 kReportSize));
     auto const byte = [&](std::size_t i) { return std::to_integer<std::int32_t>(report[i]); };
-    if (byte(0) & kNothingAnswered)
+    if ((byte(0) & static_cast<std::int32_t>(kNothingAnswered)) != 0)
         return fail(Fault::Device,
                     fmt::format("{}: nothing answers on DOUT (check its wires and its supply)",
                                 converter_.name));

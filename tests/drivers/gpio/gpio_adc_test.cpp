@@ -1,12 +1,15 @@
 #include "drivers/gpio/gpio_adc.h"
 
 #include "drivers/device_list.h"
+#include "drivers/log.h"
+#include "drivers/log_writer.h"
 #include "tests/drivers/bytes.h"
 #include "tests/drivers/gpio/simulated_converter.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
+#include <sstream>
 #include <utility>
 
 namespace tractus {
@@ -256,6 +259,25 @@ TEST(GpioAdcDecoder, IsChosenForARecordedDevice)
     auto const decoder = make_height_decoder(kRecorded);
     ASSERT_TRUE(decoder) << decoder.error().message;
     EXPECT_EQ((*decoder)->full_scale(), 4095);
+}
+
+TEST(GpioAdcDecoder, DecodesALogAsItDidTheLiveDevice)
+{
+    SimulatedConverter converter;
+    converter.inputs[5] = 1234.5 / 4096;
+    auto const source = open(converter).value();
+    std::ostringstream text;
+    LogWriter writer(text, { .devices = { source->info() } });
+    auto const live = source->read(seconds(1)).value().value();
+    writer.write_report(0, live.received, live.bytes());
+
+    auto const log = parse_log(text.str(), "gpio").value();
+    auto const decoder = make_height_decoder(log.devices.at(0));
+    ASSERT_TRUE(decoder) << decoder.error().message;
+    std::vector<HeightSample> samples;
+    ASSERT_TRUE((*decoder)->decode(log.records.at(0).time, log.report(log.records[0]), samples));
+    EXPECT_EQ(samples.at(0).counts, 1234);
+    EXPECT_EQ(samples.at(0).full_scale, 4095);
 }
 
 TEST(GpioAdcDecoder, IsNotChosenForAHidDeviceOfThatName)
