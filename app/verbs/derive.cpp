@@ -50,7 +50,9 @@ void add_derive_verb(CLI::App& root, Action& action)
         "A model is in cpfg's language; MODEL.v beside MODEL.l, where there is one, gives\n"
         "angles, materials and organs. The same model and seed always give the same string.");
     verb->add_option("MODEL", arguments->model,
-                     "An L-system file (.l), or broadleaf, conifer, daisy or shrub")
+                     "An L-system file (.l), or one of our plants by its name, such as birch, "
+                     "broadleaf, conifer, "
+                     "daisy, fern, grass, leaf, magnolia, palm, poplar, shrub, sunflower or vine")
         ->required();
     verb->add_option("-n,--steps", arguments->steps,
                      "Derivation steps; without it, the model's own")

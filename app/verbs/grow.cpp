@@ -69,7 +69,9 @@ void add_grow_verb(CLI::App& root, Action& action)
     auto* const verb
         = root.add_subcommand("grow", "Grow a model and write it as glTF, OBJ or a picture");
     verb->add_option("MODEL", arguments->model,
-                     "An L-system file (.l), or broadleaf, conifer, daisy or shrub")
+                     "An L-system file (.l), or one of our plants by its name, such as birch, "
+                     "broadleaf, conifer, "
+                     "daisy, fern, grass, leaf, magnolia, palm, poplar, shrub, sunflower or vine")
         ->required();
     verb->add_option("-n,--steps", arguments->steps,
                      "Derivation steps; without it, the model's own")

@@ -91,7 +91,7 @@ TEST_F(Usage, AValueThatAnOptionCannotHaveIsWrongUsage)
 TEST_F(Usage, OneOfOurModelsIsFoundByItsName)
 {
     EXPECT_EQ(run("tractus derive shrub -n 2 --count").exit_code, 0);
-    expect_error(run("tractus derive oak --count"), 1, "one of broadleaf, conifer, daisy, shrub");
+    expect_error(run("tractus derive oak --count"), 1, "one of birch, broadleaf, conifer");
 }
 
 TEST_F(Usage, DevicesAreListedAsTextAndAsJson)
