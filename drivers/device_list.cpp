@@ -3,9 +3,14 @@
 #include "drivers/device_address.h"
 #include "drivers/gpio/gpio_adc.h"
 #include "drivers/hid_source.h"
+#include "drivers/sensors/labjack_u3.h"
+#include "drivers/sensors/mcp2221a.h"
+#include "drivers/sensors/usb_height_sensor.h"
+#include "drivers/sensors/usb_sensor_list.h"
 
 #include <algorithm>
 #include <fmt/core.h>
+#include <iterator>
 #include <mutex>
 #include <utility>
 
@@ -25,7 +30,10 @@ std::mutex& library_mutex()
 std::vector<DeviceInfo> list_devices()
 {
     std::lock_guard const lock(library_mutex());
-    return enumerate_hid();
+    auto devices = enumerate_hid();
+    auto sensors = list_usb_height_sensors();
+    std::move(sensors.begin(), sensors.end(), std::back_inserter(devices));
+    return devices;
 }
 
 Result<DeviceInfo> find_device(std::string_view text)
@@ -38,7 +46,8 @@ Result<DeviceInfo> find_device(std::string_view text)
                                     [&](auto const& info) { return info.location == text; });
     if (found != devices.end())
         return std::move(*found);
-    if (std::holds_alternative<HidrawAddress>(address))
+    if (std::holds_alternative<HidrawAddress>(address)
+        || std::holds_alternative<UsbAddress>(address))
         return fail(Fault::User,
                     fmt::format("there is no device at {}: \"tractus devices\" lists those there "
                                 "are",
@@ -52,6 +61,11 @@ Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info)
     std::lock_guard const lock(library_mutex());
     if (std::holds_alternative<GpioAddress>(address))
         return open_gpio_adc(std::move(info));
+    if (std::holds_alternative<UsbAddress>(address))
+        return is_labjack_u3(info) ? open_labjack_u3(std::move(info))
+                                   : open_usb_height_sensor(std::move(info));
+    if (is_mcp2221a(info))
+        return open_mcp2221a(std::move(info));
     return open_hid(std::move(info));
 }
 
