@@ -1,17 +1,21 @@
 #include "sim/simulated_height.h"
 
+#include "drivers/height_decoder.h"
 #include "engine/base/check.h"
+#include "sim/height_sensor_frames.h"
 #include "sim/random_streams.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
 
 namespace tractus {
 
 namespace {
 
 constexpr int kReportId = 1;
-constexpr std::size_t kReportSize = 4;
 
 std::vector<std::byte> report_descriptor(std::int32_t full_scale_counts)
 {
@@ -55,43 +59,145 @@ std::vector<std::byte> report_descriptor(std::int32_t full_scale_counts)
     return bytes;
 }
 
-RawReport encode(std::int32_t counts, Timestamp received)
+// Makes reports of readings.
+class Encoder {
+public:
+    virtual ~Encoder() = default;
+    virtual DeviceInfo info() const = 0;
+
+    // The report that a reading at `instant` completes, if it does. No reading: the sensor fails.
+    virtual std::optional<std::vector<std::byte>> encode(Timestamp instant,
+                                                         std::optional<std::int32_t> counts)
+        = 0;
+};
+
+class SliderEncoder final : public Encoder {
+public:
+    explicit SliderEncoder(std::int32_t full_scale_counts)
+        : full_scale_counts_(full_scale_counts)
+    {
+    }
+
+    DeviceInfo info() const override
+    {
+        return {
+            .name = "Simulated height sensor",
+            .location = "simulated",
+            .physical_path = "simulated/height",
+            .bus = 6,
+            .vendor_id = 0,
+            .product_id = 2,
+            .report_descriptor = report_descriptor(full_scale_counts_),
+        };
+    }
+
+    std::optional<std::vector<std::byte>> encode(Timestamp,
+                                                 std::optional<std::int32_t> counts) override
+    {
+        if (!counts)
+            return std::nullopt;
+        return std::vector { static_cast<std::byte>(kReportId),
+                             static_cast<std::byte>(*counts & 0xff),
+                             static_cast<std::byte>(*counts >> 8), std::byte {} };
+    }
+
+private:
+    std::int32_t full_scale_counts_;
+};
+
+class FrameEncoder final : public Encoder {
+public:
+    FrameEncoder(std::int32_t full_scale_counts, HeightOptions const& options)
+        : model_(HeightSensorModel::Options {
+            .full_scale = static_cast<std::uint16_t>(full_scale_counts),
+            .period_us
+            = static_cast<std::uint16_t>(options.timing.period / std::chrono::microseconds(1)),
+            .samples_per_frame = static_cast<std::uint8_t>(options.samples_per_frame) })
+        , clock_rate_(1 / (1 + options.clock_drift_ppm * 1e-6))
+    {
+        bool const is_on
+            = model_.accept({ .request_type = kVendorInterfaceOut,
+                              .request = std::uint8_t(HeightSensorRequest::SetStreaming),
+                              .value = 1 },
+                            {});
+        CHECK(is_on);
+    }
+
+    DeviceInfo info() const override { return model_.info(); }
+
+    std::optional<std::vector<std::byte>> encode(Timestamp instant,
+                                                 std::optional<std::int32_t> counts) override
+    {
+        constexpr std::uint32_t kFirstUs = 0xFFFF'FFFF - 2'000'000; // It wraps soon.
+        auto const since_us = std::llround(to_seconds(instant) * 1e6 * clock_rate_);
+        if (counts)
+            return model_.push(kFirstUs + static_cast<std::uint32_t>(since_us),
+                               static_cast<std::uint16_t>(*counts));
+        model_.lose_frames(0); // The unfinished one has a gap.
+        return std::nullopt;
+    }
+
+private:
+    HeightSensorModel model_;
+    double clock_rate_; // Of the sensor's clock.
+};
+
+std::unique_ptr<Encoder> make_encoder(std::int32_t full_scale_counts, HeightOptions const& options)
 {
-    RawReport raw { .received = received, .size = kReportSize };
-    raw.storage[0] = static_cast<std::byte>(kReportId);
-    raw.storage[1] = static_cast<std::byte>(counts & 0xff);
-    raw.storage[2] = static_cast<std::byte>(counts >> 8);
-    return raw;
+    if (options.wire == HeightWire::Frames)
+        return std::make_unique<FrameEncoder>(full_scale_counts, options);
+    return std::make_unique<SliderEncoder>(full_scale_counts);
+}
+
+// Of frames the decoder's clock decides, which sees the least latency and not the mean.
+Duration mean_latency(SimulatedDevice const& device, std::vector<Timestamp> const& instants)
+{
+    auto const decoder = make_height_decoder(device.info);
+    CHECK(decoder);
+    std::vector<HeightSample> samples;
+    for (auto const& report : device.reports)
+        CHECK((*decoder)->decode(report, samples));
+    CHECK(samples.size() == instants.size());
+    Duration sum {};
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        sum += samples[i].time - instants[i];
+    return samples.empty() ? Duration() : sum / static_cast<std::int64_t>(samples.size());
 }
 
 } // namespace
 
-SimulatedDevice simulate_height(Hand const& hand, RigGeometry const& geometry,
+SimulatedHeight simulate_height(Hand const& hand, RigGeometry const& geometry,
                                 HeightOptions const& options)
 {
-    SimulatedDevice device;
-    device.info = {
-        .name = "Simulated height sensor",
-        .location = "simulated",
-        .physical_path = "simulated/height",
-        .bus = 6,
-        .vendor_id = 0,
-        .product_id = 2,
-        .report_descriptor = report_descriptor(geometry.full_scale_counts),
-    };
+    auto const encoder = make_encoder(geometry.full_scale_counts, options);
+    SimulatedDevice device { .info = encoder->info(), .reports = {} };
     DeviceClock clock(options.timing, { .seed = options.seed, .stream = kHeightTimingStream });
     HeightFaults faults(options.faults);
     Random noise({ .seed = options.seed, .stream = kHeightNoiseStream });
+    std::vector<Timestamp> instants; // Of the readings in reports; then of those for the next one.
+    std::size_t sent = 0;
     for (auto now = clock.next_instant(); now < hand.end(); now = clock.next_instant()) {
         double const counts = ideal_counts(geometry, hand.at(now).position_mm.z())
             + options.noise_counts * noise.normal();
         double const read = std::clamp(std::round(counts), 0.0, double(geometry.full_scale_counts));
+        auto const reading
+            = faults.apply(now, static_cast<std::int32_t>(read), geometry.full_scale_counts);
+        auto const bytes = encoder->encode(now, reading);
         auto const arrival = clock.arrival(now);
-        if (auto const faulty
-            = faults.apply(now, static_cast<std::int32_t>(read), geometry.full_scale_counts))
-            device.reports.push_back(encode(*faulty, arrival));
+        instants.push_back(now);
+        if (!reading)
+            instants.resize(sent);
+        if (!bytes)
+            continue;
+        sent = instants.size();
+        RawReport report { .received = arrival, .size = bytes->size() };
+        std::ranges::copy(*bytes, report.storage.begin());
+        device.reports.push_back(report);
     }
-    return device;
+    instants.resize(sent);
+    auto const latency = options.wire == HeightWire::Frames ? mean_latency(device, instants)
+                                                            : options.timing.latency;
+    return { .device = std::move(device), .latency = latency };
 }
 
 } // namespace tractus

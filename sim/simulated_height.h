@@ -14,7 +14,9 @@ namespace tractus {
 // The height sensor: a string potentiometer on an analog-to-digital converter that speaks HID, as
 // an absolute Generic Desktop Slider (HID Usage Tables, page 0x01, usage 0x36) whose logical range
 // is the converter's. A report has four bytes: report id 1, the counts, least significant first,
-// and a spare zero.
+// and a spare zero. Or on the station's own kind of sensor, which sends frames of several readings
+// with the times of its own clock (sim/height_sensor_frames.h).
+enum class HeightWire { HidSlider, Frames };
 
 struct HeightOptions {
     std::uint64_t seed = 1;
@@ -23,13 +25,22 @@ struct HeightOptions {
         .latency = std::chrono::milliseconds(3),
         .jitter = std::chrono::microseconds(200),
     };
+    HeightWire wire = HeightWire::HidSlider;
+    int samples_per_frame = 5;                   // Of frames.
+    double clock_drift_ppm = 0;                  // How much the clock that frames tell is slow.
     double noise_counts = 1;                     // Standard deviation, before rounding.
     std::vector<SimulatedHeightFault> faults {}; // By the time of measuring.
 };
 
+struct SimulatedHeight {
+    SimulatedDevice device;
+    // How late its samples are in the mean, once decoded: what a calibration would measure.
+    Duration latency {};
+};
+
 // What the height sensor of a rig sends while a hand draws. Readings beyond the converter's range
 // are clamped to it. Full scale is at most 16 bits.
-SimulatedDevice simulate_height(Hand const& hand, RigGeometry const& geometry,
+SimulatedHeight simulate_height(Hand const& hand, RigGeometry const& geometry,
                                 HeightOptions const& options);
 
 } // namespace tractus

@@ -19,10 +19,11 @@ SimulatedRun simulate_rig(Hand const& hand, SimulatedRigOptions const& options)
     auto tablet = simulate_tablet(hand, options.geometry, tablet_options);
     auto rig = true_rig(options.geometry);
     rig.tablet_latency = tablet_options.timing.latency;
-    rig.height_latency = height_options.timing.latency;
+    auto height = simulate_height(hand, options.geometry, height_options);
+    rig.height_latency = height.latency;
     return {
         .tablet = std::move(tablet.device),
-        .height = simulate_height(hand, options.geometry, height_options),
+        .height = std::move(height.device),
         .rig = rig,
         .truth = std::move(tablet.truth),
     };

@@ -179,30 +179,86 @@ TEST(SimulatedRig, AnotherSeedIsAnotherRun)
     EXPECT_FALSE(same_reports(a.tablet, c.tablet));
 }
 
-TEST(SimulatedRig, ALogOfItFusesToTheSameStrokes)
+// A run as the log of it replays.
+SimulatedRun replayed_from_log(SimulatedRun const& run)
 {
-    auto const hand = fast_hand(1);
-    auto const run = simulate_rig(hand, {});
     std::ostringstream file;
     LogWriter writer(
         file, { .devices = { run.tablet.info, run.height.info }, .rig_text = print_rig(run.rig) });
     for (auto const& [device, report] : run.in_order_of_arrival())
         writer.write_report(device, report->received, report->bytes());
-    ASSERT_TRUE(writer.flush());
+    EXPECT_TRUE(writer.flush());
 
     auto const log = parse_log(file.str(), "simulated").value();
     SimulatedRun replayed { .tablet = { log.devices.at(0), {} },
-                            .height = { log.devices.at(1), {} } };
+                            .height = { log.devices.at(1), {} },
+                            .rig = parse_rig(log.rig_text, "simulated").value() };
     for (auto const& record : log.records) {
         RawReport report { .received = record.time, .size = record.size };
         std::ranges::copy(log.report(record), report.storage.begin());
         (record.device == 0 ? replayed.tablet : replayed.height).reports.push_back(report);
     }
+    return replayed;
+}
+
+void expect_same_tips_from_log(SimulatedRun const& run)
+{
+    auto const replayed = replayed_from_log(run);
     auto const live = fuse(run, run.rig).settled;
-    auto const read = fuse(replayed, parse_rig(log.rig_text, "simulated").value()).settled;
+    auto const read = fuse(replayed, replayed.rig).settled;
     ASSERT_EQ(read.size(), live.size());
     for (std::size_t i = 0; i < read.size(); ++i) // A log's times are whole microseconds.
         ASSERT_LT((read[i].position_mm - live[i].position_mm).norm(), 1e-3) << i;
+}
+
+// The station's own kind of sensor at a busy host, its clock slow by 200 ppm.
+SimulatedRigOptions with_frames()
+{
+    SimulatedRigOptions options;
+    options.height.wire = HeightWire::Frames;
+    options.height.clock_drift_ppm = 200;
+    return options;
+}
+
+TEST(SimulatedRig, ALogOfItFusesToTheSameStrokes)
+{
+    expect_same_tips_from_log(simulate_rig(fast_hand(1), {}));
+}
+
+TEST(SimulatedRig, ALogOfFramesFusesToTheSameStrokes)
+{
+    expect_same_tips_from_log(simulate_rig(fast_hand(1), with_frames()));
+}
+
+TEST(SimulatedRig, FramesAreNoWorseThanASlider)
+{
+    auto const hand = fast_hand(1);
+    auto const slider = simulate_rig(hand, {});
+    auto const frames = simulate_rig(hand, with_frames());
+    auto const slider_errors = errors_of(fuse(slider, slider.rig).settled, hand);
+    auto const frames_errors = errors_of(fuse(frames, frames.rig).settled, hand);
+    // The converter's noise, which is the same, makes nearly all of both.
+    EXPECT_LT(frames_errors.rms_mm, 1.01 * slider_errors.rms_mm);
+    EXPECT_LT(frames_errors.max_mm, 1.02 * slider_errors.max_mm);
+}
+
+// What comes while the host looks away, 60 ms in each half second, comes at the end of that.
+void look_away(SimulatedDevice& device)
+{
+    for (auto& report : device.reports)
+        if (auto const since = report.received.time_since_epoch() % 500ms; since < 60ms)
+            report.received += 60ms - since;
+}
+
+TEST(SimulatedRig, FramesKeepTheirTimesWhenTheHostLooksAway)
+{
+    auto const hand = fast_hand(1);
+    auto frames = simulate_rig(hand, with_frames());
+    auto slider = simulate_rig(hand, {});
+    look_away(frames.height);
+    look_away(slider.height);
+    EXPECT_LT(errors_of(fuse(frames, frames.rig).settled, hand).max_mm, 0.5);
+    EXPECT_GT(errors_of(fuse(slider, slider.rig).settled, hand).max_mm, 3);
 }
 
 TEST(SimulatedRig, AWrongHeightModelMissesTheTruth)
