@@ -1,0 +1,62 @@
+#include "drivers/height_decoder.h"
+#include "sim/height_sensor_frames.h"
+#include "tests/bench/report.h"
+
+#include <vector>
+
+namespace tractus {
+namespace {
+
+constexpr std::size_t kFrames = 200'000;
+constexpr std::size_t kSamplesPerFrame = 5; // As the sensor sends of itself.
+constexpr std::uint16_t kPeriodUs = 1000;
+
+struct Frame {
+    std::vector<std::byte> bytes;
+    Timestamp arrival;
+};
+
+// A quarter of an hour of a sensor whose clock is slow by 200 ppm.
+std::vector<Frame> const& frames()
+{
+    static auto const all = [] {
+        std::vector<Frame> made;
+        made.reserve(kFrames);
+        HeightFrame frame { .period_us = kPeriodUs, .count = kSamplesPerFrame };
+        for (std::size_t i = 0; i < kFrames; ++i) {
+            for (std::size_t k = 0; k < kSamplesPerFrame; ++k)
+                frame.counts[k] = static_cast<std::uint16_t>((i * kSamplesPerFrame + k) % 4096);
+            frame.sequence = static_cast<std::uint16_t>(i);
+            frame.device_us = static_cast<std::uint32_t>(i * kSamplesPerFrame * kPeriodUs);
+            auto const late_us = static_cast<std::int64_t>(i * 7919 % 400);
+            auto const sent_ns = static_cast<std::int64_t>(i * kSamplesPerFrame) * 1'000'200;
+            made.push_back({ encode_height_frame(frame), timestamp_ns(sent_ns + late_us * 1000) });
+        }
+        return made;
+    }();
+    return all;
+}
+
+void decode_height_frames(benchmark::State& state)
+{
+    auto const info = HeightSensorModel().info();
+    std::vector<HeightSample> samples;
+    for (auto _ : state) {
+        auto const decoder = *make_height_decoder(info);
+        for (auto const& frame : frames()) {
+            samples.clear();
+            auto const decoded = decoder->decode(frame.arrival, frame.bytes, samples);
+            benchmark::DoNotOptimize(decoded.has_value());
+            benchmark::DoNotOptimize(samples.data());
+        }
+    }
+    constexpr std::size_t kSamples = kFrames * kSamplesPerFrame;
+    report(state,
+           { .items = kSamples,
+             .item = "samples",
+             .bytes = kFrames * frames()[0].bytes.size() + kSamples * sizeof(HeightSample) });
+}
+BENCHMARK(decode_height_frames);
+
+} // namespace
+} // namespace tractus
