@@ -1,17 +1,13 @@
 #include "sim/simulated_gpio.h"
 
+#include "drivers/gpio/mcp3208.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace tractus {
 
 namespace {
-
-// Places in mcp3208_lines.
-constexpr std::uint32_t kClk = 1;
-constexpr std::uint32_t kDin = 2;
-constexpr std::uint32_t kDout = 4;
-constexpr std::uint32_t kCs = 8;
 
 tl::unexpected<Error> gone()
 {
@@ -42,9 +38,10 @@ Result<void> SimulatedGpio::set(std::uint32_t values)
             return {};
         return gone();
     }
-    model_.set_pins(
-        now_,
-        { .clk = (values & kClk) != 0, .din = (values & kDin) != 0, .cs = (values & kCs) != 0 });
+    model_.set_pins(now_,
+                    { .clk = (values & kMcp3208Clk) != 0,
+                      .din = (values & kMcp3208Din) != 0,
+                      .cs = (values & kMcp3208Cs) != 0 });
     return {};
 }
 
@@ -52,7 +49,7 @@ Result<std::uint32_t> SimulatedGpio::get()
 {
     if (!begin_request())
         return gone();
-    return model_.dout().value_or(options_.dout_pull) ? kDout : 0;
+    return model_.dout().value_or(options_.dout_pull) ? kMcp3208Dout : 0;
 }
 
 void SimulatedGpio::sleep_until(Timestamp time)

@@ -4,12 +4,6 @@ namespace tractus {
 
 namespace {
 
-// Places in mcp3208_lines.
-constexpr std::uint32_t kClk = 1;
-constexpr std::uint32_t kDin = 2;
-constexpr std::uint32_t kDout = 4;
-constexpr std::uint32_t kCs = 8;
-
 // Start bit, single-ended, and before the channel's three bits.
 constexpr unsigned kCommand = 0b11'000;
 constexpr unsigned kCommandBits = 5;
@@ -18,7 +12,7 @@ constexpr unsigned kCommandBits = 5;
 // falling one; DIN is left alone between the two, and changes with the clock low, at the next call.
 Result<void> rise(GpioLines& lines, std::uint32_t din)
 {
-    return lines.set(kClk | din);
+    return lines.set(kMcp3208Clk | din);
 }
 
 Result<void> fall(GpioLines& lines, std::uint32_t next_din)
@@ -31,12 +25,12 @@ std::uint32_t command_bit(unsigned channel, unsigned index)
     unsigned const command = kCommand | channel;
     if (index >= kCommandBits)
         return 0;
-    return command >> (kCommandBits - 1 - index) & 1 ? kDin : 0;
+    return command >> (kCommandBits - 1 - index) & 1 ? kMcp3208Din : 0;
 }
 
 Result<bool> read_dout(GpioLines& lines)
 {
-    return (TRY(lines.get()) & kDout) != 0;
+    return (TRY(lines.get()) & kMcp3208Dout) != 0;
 }
 
 } // namespace
@@ -70,7 +64,7 @@ Result<Mcp3208Reading> convert_mcp3208(GpioLines& lines, Mcp3208Channel const& c
         reading.counts = reading.counts << 1 | static_cast<std::int32_t>(TRY(read_dout(lines)));
     }
     reading.held = now() - before;
-    TRY(lines.set(kCs));
+    TRY(lines.set(kMcp3208Cs));
     return reading;
 }
 

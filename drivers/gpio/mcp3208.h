@@ -20,6 +20,12 @@ struct Mcp3208Wiring {
     unsigned cs = 0;
 };
 
+// The converter's pins in GpioLines' values, by the order of mcp3208_lines.
+constexpr std::uint32_t kMcp3208Clk = 1;
+constexpr std::uint32_t kMcp3208Din = 2;
+constexpr std::uint32_t kMcp3208Dout = 4;
+constexpr std::uint32_t kMcp3208Cs = 8;
+
 // The lines in the order in which convert_mcp3208 wants them, CS high and the clock low.
 std::array<GpioLine, 4> mcp3208_lines(Mcp3208Wiring const& wiring);
 
