@@ -33,3 +33,43 @@ record_while() {
     kill -TERM "$recorder"
     wait "$recorder"
 }
+
+are_nodes() {
+    [ "$(ls -d /dev/hidraw* 2>/dev/null | wc -l)" -eq "$1" ]
+}
+
+# What the pens of a log did, without its times.
+samples_of() {
+    tractus decode "$1" --csv 2>/dev/null | cut -d , -f 2-
+}
+
+# Which devices of a log send anything at all.
+sending_devices_of() {
+    awk 'BEGIN { device = 0 }
+        /^D: *[0-9]/ { sub(/^D: */, ""); device = $1 + 0 }
+        /^E:/ && !seen[device]++ { print device }' "$1" | sort -n
+}
+
+# Plays a recording through uhid, records it, and compares.
+#   play_recording FILE DRIVER_THAT_MUST_BIND
+play_recording() {
+    local file=$1 driver=$2 devices player node
+    rm -f got.tractus-log
+    basename "$file"
+    devices=$(sending_devices_of "$file")
+    tractus sim uhid "$file" --device $devices --rate 500 >/dev/null &
+    player=$!
+    wait_until are_nodes "$(echo "$devices" | wc -l)" || return
+    for node in /sys/class/hidraw/*; do
+        [ "$(basename "$(readlink "$node/device/driver")")" = "$driver" ] \
+            || fail "$driver does not drive it" || return
+    done
+    record_while $player got.tractus-log --device /dev/hidraw* >record.log 2>&1 || return
+    vm_check same-reports "$file" got.tractus-log --device $devices || return
+    samples_of "$file" >sent.csv
+    samples_of got.tractus-log >got.csv
+    cmp sent.csv got.csv || return
+    [ -s sent.csv ] || fail "it does not decode" || return
+    echo "  $(($(wc -l <sent.csv) - 1)) samples are the same"
+    wait_until are_nodes 0
+}
