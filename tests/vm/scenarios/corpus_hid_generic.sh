@@ -1,11 +1,13 @@
 # Real tablets' recordings through uhid and hid-generic: what hidraw delivers is what was sent, and
-# decodes to the same samples.
+# decodes to the same samples. Of the UC-Logic tablets one recording each, and the one with a report
+# that no descriptor has.
 modules='uhid hid-generic'
 corpus='recordings'
-limit_s=200
+limit_s=300
 
 guest() {
-    for file in $(find /corpus/recordings -name '*.hid' -o -name '*.hidrec' | sort); do
+    for file in $(find /corpus -name '*.hid' -o -name '*PenPartner*' -o -name '*pen_pressure*.hidrec' \
+        -o -name '*HS610__dumps__enabled__pen_coords*' | sort); do
         play_recording "$file" hid-generic
     done
 }
