@@ -1,6 +1,7 @@
 #include "drivers/sensors/height_frame_parser.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace tractus {
 
@@ -51,7 +52,7 @@ void HeightFrameParser::push(Bytes bytes, std::vector<HeightFrame>& out)
         unfinished_.assign(bytes.begin() + static_cast<std::ptrdiff_t>(used), bytes.end());
         return;
     }
-    unfinished_.insert(unfinished_.end(), bytes.begin(), bytes.end());
+    std::copy(bytes.begin(), bytes.end(), std::back_inserter(unfinished_));
     auto const used = parse(unfinished_, out);
     unfinished_.erase(unfinished_.begin(), unfinished_.begin() + static_cast<std::ptrdiff_t>(used));
 }
