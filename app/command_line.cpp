@@ -7,12 +7,14 @@
 #include "app/verbs/demo.h"
 #include "app/verbs/derive.h"
 #include "app/verbs/devices.h"
+#include "app/verbs/doctor.h"
 #include "app/verbs/grow.h"
 #include "app/verbs/record.h"
 #include "app/verbs/render.h"
 #include "app/verbs/replay.h"
 #include "app/verbs/sim.h"
 #include "app/verbs/verb.h"
+#include "app/verbs/watch.h"
 #include "app/verbs/window.h"
 
 #include <exception>
@@ -76,6 +78,8 @@ static void add_verbs(CLI::App& root, Action& action)
     add_render_verb(root, action);
     add_derive_verb(root, action);
     add_devices_verb(root, action);
+    add_doctor_verb(root, action);
+    add_watch_verb(root, action);
     add_record_verb(root, action);
     add_sim_verb(root, action);
     add_decode_verb(root, action);

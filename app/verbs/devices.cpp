@@ -1,9 +1,9 @@
 #include "app/verbs/devices.h"
 
 #include "app/console.h"
-#include "drivers/device_kind.h"
-#include "drivers/hid_source.h"
+#include "app/diagnosis/system_facts.h"
 
+#include <cstring>
 #include <fmt/core.h>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,23 +13,6 @@
 namespace tractus {
 
 namespace {
-
-// A device of this machine; `problem` says why it cannot be opened and is empty if it can.
-struct Found {
-    DeviceInfo info;
-    DeviceDescription description;
-    std::string problem;
-};
-
-std::vector<Found> find_devices()
-{
-    std::vector<Found> found;
-    for (auto const& info : enumerate_hid()) {
-        auto const source = open_hid(info);
-        found.push_back({ info, describe_device(info), source ? "" : source.error().message });
-    }
-    return found;
-}
 
 char const* name_of(DeviceKind kind)
 {
@@ -44,32 +27,53 @@ char const* name_of(DeviceKind kind)
     return "other";
 }
 
-std::string as_json_text(std::vector<Found> const& devices)
+std::string problem_of(DeviceFacts const& device)
+{
+    if (device.open_error == 0)
+        return {};
+    return fmt::format("cannot be opened: {} (\"tractus doctor\" says what to do)",
+                       std::strerror(device.open_error));
+}
+
+std::string as_json_text(std::vector<DeviceFacts> const& devices)
 {
     auto list = nlohmann::json::array();
-    for (auto const& [info, description, problem] : devices)
+    for (auto const& device : devices) {
+        auto const& info = device.info;
         list.push_back({ { "node", info.location },
                          { "name", info.name },
                          { "bus", info.bus },
                          { "vendor_id", fmt::format("{:04x}", info.vendor_id) },
                          { "product_id", fmt::format("{:04x}", info.product_id) },
-                         { "kind", name_of(description.kind) },
-                         { "description", description.text },
-                         { "can_open", problem.empty() },
-                         { "problem", problem } });
+                         { "serial_number", info.serial_number },
+                         { "interface", info.interface_number },
+                         { "driver", device.driver },
+                         { "kind", name_of(device.description.kind) },
+                         { "description", device.description.text },
+                         { "can_open", device.open_error == 0 },
+                         { "problem", problem_of(device) } });
+        if (device.poll_hz)
+            list.back()["poll_hz"] = *device.poll_hz;
+    }
     // A device may call itself anything, in no encoding.
     return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::string as_text(std::vector<Found> const& devices)
+std::string as_text(std::vector<DeviceFacts> const& devices)
 {
     std::string text;
     bool has_pen = false;
-    for (auto const& [info, description, problem] : devices) {
-        has_pen |= description.kind == DeviceKind::Pen;
+    for (auto const& device : devices) {
+        auto const& info = device.info;
+        has_pen |= device.description.kind == DeviceKind::Pen;
         text += fmt::format("{}  {} ({:04x}:{:04x})\n    {}\n", info.location, info.name,
-                            info.vendor_id, info.product_id, description.text);
-        text += fmt::format("    {}\n", problem.empty() ? "can be opened" : problem);
+                            info.vendor_id, info.product_id, device.description.text);
+        if (device.poll_hz)
+            text += fmt::format("    asked {:.0f} times a second at most\n", *device.poll_hz);
+        if (!device.driver.empty())
+            text += fmt::format("    the kernel's driver: {}\n", device.driver);
+        text += fmt::format("    {}\n",
+                            device.open_error == 0 ? "can be opened" : problem_of(device));
     }
     if (!has_pen)
         text += fmt::format(
@@ -86,13 +90,15 @@ void add_devices_verb(CLI::App& root, Action& action)
     auto* const verb
         = root.add_subcommand("devices", "List pen tablets, height sensors and other HID devices");
     verb->footer(
-        "For each hidraw node: its name and ids, what its report descriptor says it is, and\n"
-        "whether it can be opened, or why not.");
+        "For each device: its node, which is its address for --device, its name and ids, what\n"
+        "it is and how large, how often it is asked, and whether it can be opened, or why not.\n"
+        "Converters on GPIO lines cannot be found: they are named by their address,\n"
+        "gpio:CHIP:CLK,DIN,DOUT,CS:mcp3208:CHANNEL.");
     auto as_json = std::make_shared<bool>(false); // Shared by the parser's flag and the action.
     verb->add_flag("--json", *as_json, "Print a JSON array");
     verb->callback([&action, as_json] {
         action = [as_json]() -> Result<void> {
-            auto const devices = find_devices();
+            auto const devices = gather_system_facts().devices;
             return print_out(*as_json ? as_json_text(devices) : as_text(devices));
         };
     });

@@ -8,11 +8,10 @@
 #include "app/resources.h"
 #include "app/simulated_recording.h"
 #include "app/verbs/checks.h"
+#include "app/verbs/device_sources.h"
 #include "calib/rig_file.h"
 #include "drivers/file.h"
 
-#include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <fmt/core.h>
 #include <memory>
@@ -35,32 +34,12 @@ struct Arguments {
     std::string model = "broadleaf";
 };
 
-std::atomic<bool> stop_asked = false;
-
-void ask_to_stop(int)
-{
-    stop_asked = true;
-}
-
-// Those that were named, or else every pen and height sensor.
-Result<LiveDevices> open_devices(std::vector<std::string> const& names)
-{
-    if (!names.empty())
-        return LiveDevices::open_named(names);
-    auto const found = find_pens_and_height_sensors();
-    if (found.empty())
-        return fail(Fault::User,
-                    "there is no tablet and no height sensor to record: \"tractus doctor\" says "
-                    "why; the simulated rig is recorded with --device simulated");
-    return LiveDevices::open(found);
-}
-
 Result<void> record_devices(Arguments const& arguments)
 {
     TRY(check_new_file(arguments.output));
     auto const options = live_recording_by_the_clock(arguments.seconds);
     auto const start = options.now();
-    auto devices = TRY(open_devices(arguments.devices));
+    auto devices = TRY(open_devices(arguments.devices, "to record"));
     LogHeader header { .devices = devices.infos(), .rig_text = devices.rig_text(), .start = start };
     if (!arguments.rig.empty()) {
         auto const rig = TRY(load_rig(arguments.rig));
@@ -71,9 +50,7 @@ Result<void> record_devices(Arguments const& arguments)
         print_error(fmt::format("recording {} at {}\n", device.name, device.location));
     if (!arguments.seconds)
         print_error("until Ctrl-C\n");
-    std::signal(SIGINT, ask_to_stop);
-    std::signal(SIGTERM, ask_to_stop);
-    auto const counts = TRY(record_live(devices, recorder, options, stop_asked));
+    auto const counts = TRY(record_live(devices, recorder, options, stop_on_signals()));
     return print_out(fmt::format("{}: {} reports{}\n", arguments.output.string(), counts.reports,
                                  counts.lost ? fmt::format(", {} lost", counts.lost) : ""));
 }

@@ -1,0 +1,163 @@
+#include "app/diagnosis/device_monitor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <numbers>
+#include <numeric>
+
+namespace tractus {
+
+using namespace std::chrono_literals;
+
+static constexpr Duration kWindow = 1s;
+static constexpr Duration kPause = 100ms; // Longer intervals are no rhythm: the pen was away.
+
+DeviceMonitor::DeviceMonitor(DeviceInfo const& info)
+{
+    reading_.info = info;
+    reading_.description = describe_device(info);
+    if (auto pen = make_pen_decoder(info))
+        pen_ = *std::move(pen);
+    else if (auto height = make_height_decoder(info))
+        height_ = *std::move(height);
+    if (height_) {
+        Rig rig; // Without a calibration: jumps cannot be told, the other faults can.
+        rig.full_scale_counts = height_->full_scale();
+        height_monitor_.emplace(rig);
+    }
+}
+
+void DeviceMonitor::push(RawReport const& report)
+{
+    if (report.size == 0) {
+        ++reading_.departures;
+        reading_.is_away = true;
+        if (auto const gone = pen_ ? pen_->leave(report.received) : std::nullopt)
+            show(*gone);
+        return;
+    }
+    if (!begin_)
+        begin_ = report.received;
+    reading_.is_away = false;
+    ++reading_.reports;
+    ++reading_.first_bytes[std::to_integer<std::uint8_t>(report.storage[0])];
+    watch_pace(report.received);
+    reading_.last = report;
+    if (pen_)
+        push_pen(report);
+    else if (height_)
+        push_height(report);
+}
+
+void DeviceMonitor::push_pen(RawReport const& report)
+{
+    auto const sample = pen_->decode(report);
+    if (!sample)
+        return count_broken(sample.error());
+    if (!*sample)
+        return;
+    ++reading_.samples;
+    show(**sample);
+}
+
+void DeviceMonitor::push_height(RawReport const& report)
+{
+    heights_.clear();
+    if (auto const decoded = height_->decode(report, heights_); !decoded)
+        count_broken(decoded.error());
+    reading_.samples += heights_.size();
+    for (auto const& sample : heights_)
+        height_monitor_->push(sample);
+    if (!heights_.empty())
+        show(heights_.back());
+}
+
+void DeviceMonitor::pass_time(Timestamp now)
+{
+    while (!recent_.empty() && recent_.front() + kWindow < now)
+        recent_.pop_front();
+    if (!begin_)
+        begin_ = now;
+    if (height_monitor_)
+        height_monitor_->advance(now);
+}
+
+void DeviceMonitor::count_broken(Error const& error)
+{
+    if (reading_.broken_reports++ == 0)
+        reading_.first_broken = error.message;
+}
+
+void DeviceMonitor::watch_pace(Timestamp time)
+{
+    if (!recent_.empty() && time < recent_.back()) {
+        ++reading_.backward_times;
+        recent_.clear();
+    }
+    recent_.push_back(time);
+    while (recent_.front() + kWindow < time)
+        recent_.pop_front();
+}
+
+static std::string yes(bool value)
+{
+    return value ? "yes" : "no";
+}
+
+void DeviceMonitor::show(PenSample const& sample)
+{
+    auto& fields = reading_.fields;
+    fields = { { "x", fmt::format("{:.2f} mm", sample.position_mm.x()) },
+               { "y", fmt::format("{:.2f} mm", sample.position_mm.y()) } };
+    if (sample.pressure)
+        fields.emplace_back("pressure", fmt::format("{:.3f}", *sample.pressure));
+    if (sample.tilt_rad) {
+        Vec2 const tilt_deg = *sample.tilt_rad * (180 / std::numbers::pi);
+        fields.emplace_back("tilt", fmt::format("{:+.1f} {:+.1f} deg", tilt_deg.x(), tilt_deg.y()));
+    }
+    fields.emplace_back("in range", yes(sample.in_range));
+    fields.emplace_back("touching", yes(sample.touching));
+    fields.emplace_back("end", sample.eraser ? "eraser" : "tip");
+    fields.emplace_back("buttons", fmt::format("{:#05b}", sample.buttons));
+    fields.emplace_back("counts",
+                        fmt::format("{} {} {}", sample.raw_x, sample.raw_y, sample.raw_pressure));
+}
+
+void DeviceMonitor::show(HeightSample const& sample)
+{
+    reading_.fields
+        = { { "height", fmt::format("{} of {} counts", sample.counts, sample.full_scale) },
+            { "share", fmt::format("{:.2f} %", 100.0 * sample.counts / sample.full_scale) } };
+}
+
+static ReportPace pace_of(std::deque<Timestamp> const& times)
+{
+    std::vector<double> intervals_s;
+    for (std::size_t i = 1; i < times.size(); ++i)
+        if (auto const interval = times[i] - times[i - 1]; interval <= kPause)
+            intervals_s.push_back(to_seconds(interval));
+    if (intervals_s.empty())
+        return {};
+    auto const count = static_cast<double>(intervals_s.size());
+    double const mean_s = std::accumulate(intervals_s.begin(), intervals_s.end(), 0.0) / count;
+    double squares = 0;
+    for (double const interval_s : intervals_s)
+        squares += (interval_s - mean_s) * (interval_s - mean_s);
+    return { .rate_hz = mean_s > 0 ? 1 / mean_s : 0,
+             .mean_interval = from_seconds(mean_s),
+             .jitter = from_seconds(std::sqrt(squares / count)),
+             .longest_interval
+             = from_seconds(*std::max_element(intervals_s.begin(), intervals_s.end())) };
+}
+
+DeviceReading DeviceMonitor::reading() const
+{
+    auto reading = reading_;
+    reading.pace = pace_of(recent_);
+    if (height_monitor_)
+        reading.height_faults = describe_faults(*height_monitor_, begin_.value_or(Timestamp {}));
+    return reading;
+}
+
+} // namespace tractus

@@ -1,0 +1,305 @@
+#include "app/diagnosis/diagnose.h"
+
+#include "app/diagnosis/udev_rules.h"
+#include "drivers/device_address.h"
+#include "drivers/library_versions.h"
+#include "drivers/report_descriptor.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <ctime>
+#include <fmt/core.h>
+#include <set>
+
+namespace tractus {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kHidClass = 3;               // USB: human interface devices.
+constexpr HidUsage kMouse = 0x0001'0002;   // HID Usage Tables, Generic Desktop, Mouse.
+constexpr std::size_t kEnoughReports = 20; // To judge what a device sends.
+
+std::string who(DeviceInfo const& info)
+{
+    return fmt::format("{} ({:04x}:{:04x}) at {}", info.name.empty() ? "a device" : info.name,
+                       info.vendor_id, info.product_id, info.location);
+}
+
+// Makers whose devices are pen tablets, nearly all of them: those of 70-tractus.rules.
+bool is_tablet(std::uint16_t vendor_id, std::uint16_t)
+{
+    constexpr std::array<std::uint16_t, 8> kMakers { 0x0458, 0x056a, 0x172f, 0x1b96,
+                                                     0x256c, 0x28bd, 0x2feb, 0x5543 };
+    return std::find(kMakers.begin(), kMakers.end(), vendor_id) != kMakers.end();
+}
+
+Finding not_permitted(DeviceFacts const& device)
+{
+    return { .kind = FindingKind::NotPermitted,
+             .subject = who(device.info),
+             .what = fmt::format("The device is there, but you may not read and write it ({}).",
+                                 std::strerror(device.open_error)),
+             .remedy = { "sudo tractus doctor --install-rules",
+                         "sudo udevadm control --reload-rules && sudo udevadm trigger",
+                         "or write this rule to /etc/udev/rules.d/70-tractus.rules yourself:",
+                         udev_rule_for(device.info),
+                         "Over ssh nobody sits at the screen: install them with --for-group, and "
+                         "sudo adduser $USER plugdev, then log in again." } };
+}
+
+// What a tablet that nobody knows should be asked for.
+std::vector<std::string> how_to_describe_it(DeviceInfo const& info)
+{
+    // A recording's device has no address.
+    auto const address = parse_device_address(info.location) ? info.location : "DEVICE";
+    return {
+        "A pen's report has to hold: x and y (16 or 24 bits each), pressure (8 to 16 bits), and",
+        "bits for \"in range\", \"tip\" and each button; often tilt (two signed bytes) as well.",
+        fmt::format("See whether its bytes change with the pen: tractus watch {}", address),
+        "Record it, so that its format can be added: draw a slow line along each edge, press from",
+        "light to hard, tilt the pen, press each button, turn the pen over, lift it:",
+        fmt::format("tractus record -o my-tablet.tractus-log --seconds 30 --device {}", address),
+        "Try its other nodes, too: tractus devices",
+    };
+}
+
+void diagnose_found(DeviceFacts const& device, std::vector<Finding>& findings)
+{
+    bool const known = is_tablet(device.info.vendor_id, device.info.product_id);
+    bool const concerns_us = known || device.description.kind != DeviceKind::Other;
+    if (concerns_us && device.open_error != 0)
+        findings.push_back(not_permitted(device));
+}
+
+// Of one tablet's nodes one has to carry the pen.
+void diagnose_unknown(SystemFacts const& facts, std::vector<Finding>& findings)
+{
+    std::set<std::pair<std::uint16_t, std::uint16_t>> with_pen;
+    for (auto const& device : facts.devices)
+        if (device.description.kind == DeviceKind::Pen)
+            with_pen.insert({ device.info.vendor_id, device.info.product_id });
+    for (auto const& device : facts.devices) {
+        auto const& info = device.info;
+        if (!is_tablet(info.vendor_id, info.product_id)
+            || !with_pen.insert({ info.vendor_id, info.product_id }).second)
+            continue;
+        findings.push_back({ .kind = FindingKind::UnknownTablet,
+                             .subject = who(info),
+                             .what = fmt::format("It is a tablet, but none of its nodes carries a "
+                                                 "pen that is known: {}.",
+                                                 device.description.text),
+                             .remedy = how_to_describe_it(info) });
+    }
+}
+
+void diagnose_usb(UsbDeviceFacts const& device, std::vector<Finding>& findings)
+{
+    if (!is_tablet(device.vendor_id, device.product_id))
+        return;
+    for (auto const& interface : device.interfaces) {
+        if (interface.usb_class != kHidClass || interface.has_node)
+            continue;
+        bool const is_bound = !interface.driver.empty();
+        bool const is_taken = is_bound && interface.driver != "usbhid";
+        findings.push_back(
+            { .kind = is_taken ? FindingKind::DriverInTheWay : FindingKind::NoDriver,
+              .subject
+              = fmt::format("{} ({:04x}:{:04x}) at USB {}, interface {}", device.name,
+                            device.vendor_id, device.product_id, device.port, interface.number),
+              .what = is_taken
+                  ? fmt::format("The kernel's driver or another program holds it as \"{}\", so it "
+                                "has no hidraw node.",
+                                interface.driver)
+                  : "No driver of the kernel makes a hidraw node of it; a program that used it "
+                    "through libusb may have left it so.",
+              .remedy = { is_taken ? "Close the other tablet program (OpenTabletDriver, a maker's "
+                                     "own driver), then unplug the tablet and plug it in again."
+                                   : "sudo modprobe usbhid, then unplug the tablet and plug it in "
+                                     "again.",
+                          fmt::format("Or read it past the kernel: --device libusb:{}:{}",
+                                      device.port, interface.number) } });
+    }
+}
+
+bool is_in_mouse_collection(HidReportDescriptor const& descriptor, HidField const& field)
+{
+    for (auto collection = field.collection; collection;
+         collection = descriptor.collections[*collection].parent)
+        if (descriptor.collections[*collection].usage == kMouse)
+            return true;
+    return false;
+}
+
+// Whether all that came are reports of a mouse.
+bool sends_mouse_reports(DeviceReading const& reading)
+{
+    auto const descriptor = parse_report_descriptor(reading.info.report_descriptor);
+    if (!descriptor)
+        return false;
+    std::set<std::uint8_t> mouse_ids;
+    for (auto const& field : descriptor->fields)
+        if (field.kind == HidReportKind::Input && is_in_mouse_collection(*descriptor, field))
+            mouse_ids.insert(field.report_id);
+    return !mouse_ids.empty()
+        && std::all_of(reading.first_bytes.begin(), reading.first_bytes.end(),
+                       [&](auto const& entry) {
+                           return mouse_ids.contains(0) || mouse_ids.contains(entry.first);
+                       });
+}
+
+Finding mouse_mode(DeviceReading const& reading)
+{
+    return { .kind = FindingKind::MouseMode,
+             .subject = who(reading.info),
+             .what = fmt::format("All of its {} reports are a mouse's: the tablet has not been "
+                                 "switched to its full mode, or has lost it.",
+                                 reading.reports),
+             .remedy
+             = { "Unplug it and plug it in again while tractus runs: it is switched when it "
+                 "is opened.",
+                 "If that does not help: sudo modprobe -r wacom hid_uclogic; then plug it "
+                 "in again.",
+                 "Or read it past the kernel: --device libusb:BUS-PORTS:INTERFACE" } };
+}
+
+void diagnose_pen(DeviceReading const& reading, std::vector<Finding>& findings)
+{
+    bool const known = is_tablet(reading.info.vendor_id, reading.info.product_id);
+    if (reading.samples > 0 || reading.reports < kEnoughReports
+        || (reading.description.kind != DeviceKind::Pen && !known))
+        return;
+    if (sends_mouse_reports(reading))
+        findings.push_back(mouse_mode(reading));
+    else
+        findings.push_back({ .kind = FindingKind::UnknownTablet,
+                             .subject = who(reading.info),
+                             .what = fmt::format("It sends reports ({} so far), but none of them "
+                                                 "is a pen's as we know it.",
+                                                 reading.reports),
+                             .remedy = how_to_describe_it(reading.info) });
+}
+
+} // namespace
+
+std::vector<Finding> diagnose_system(SystemFacts const& facts)
+{
+    std::vector<Finding> findings;
+    if (!facts.has_hidraw)
+        findings.push_back({ .kind = FindingKind::NoDriver,
+                             .subject = "the kernel",
+                             .what = "It has no hidraw, through which tablets are read.",
+                             .remedy = { "Run a kernel with CONFIG_HIDRAW=y: Debian's has it." } });
+    for (auto const& device : facts.devices)
+        diagnose_found(device, findings);
+    diagnose_unknown(facts, findings);
+    for (auto const& device : facts.usb)
+        diagnose_usb(device, findings);
+    for (auto const& library : facts.libraries)
+        if (is_older_version(library.version, library.needed))
+            findings.push_back(
+                { .kind = FindingKind::OldLibrary,
+                  .subject = library.name,
+                  .what = fmt::format("Version {} is there, {} or newer is needed.",
+                                      library.version, library.needed),
+                  .remedy = { "Debian 12 and later have it: sudo apt install --upgrade" } });
+    bool const any_tablet
+        = std::any_of(facts.devices.begin(), facts.devices.end(), [](auto const& device) {
+              return device.description.kind == DeviceKind::Pen;
+          });
+    if (!any_tablet && findings.empty())
+        findings.push_back({ .kind = FindingKind::NoTablet,
+                             .subject = "tablets",
+                             .what = "None is plugged in.",
+                             .remedy = { "Look whether the kernel sees it: lsusb; journalctl -k -n "
+                                         "20",
+                                         "Try another cable and another socket: some cables carry "
+                                         "power alone.",
+                                         "Without one, tractus runs on a simulated tablet: tractus "
+                                         "window" } });
+    return findings;
+}
+
+std::vector<Finding> diagnose_device(DeviceReading const& reading, Duration listened)
+{
+    std::vector<Finding> findings;
+    diagnose_pen(reading, findings);
+    if (reading.broken_reports > 0)
+        findings.push_back(
+            { .kind = FindingKind::BrokenReports,
+              .subject = who(reading.info),
+              .what = fmt::format("{} of {} reports are not as they should be; the "
+                                  "first: {}.",
+                                  reading.broken_reports, reading.reports, reading.first_broken),
+              .remedy = { "A few are lost packets: try a shorter cable, no hub. "
+                          "Many: record them, and report it." } });
+    for (auto const& sentence : reading.height_faults)
+        findings.push_back({ .kind = FindingKind::HeightFault,
+                             .subject = who(reading.info),
+                             .what = sentence,
+                             .remedy = { "See firmware-notes/ for its wiring." } });
+    if (reading.backward_times > 0)
+        findings.push_back({ .kind = FindingKind::ClockJump,
+                             .subject = who(reading.info),
+                             .what = fmt::format("{} of {} reports are older than the one before "
+                                                 "them: the clock that stamped them jumped.",
+                                                 reading.backward_times, reading.reports),
+                             .remedy = { "Record again with tractus record, which stamps with the "
+                                         "monotonic clock." } });
+    bool const should_send = reading.description.kind == DeviceKind::Height;
+    if (should_send && reading.reports == 0 && reading.height_faults.empty()
+        && listened >= std::chrono::seconds(1))
+        findings.push_back(
+            { .kind = FindingKind::Silent,
+              .subject = who(reading.info),
+              .what = fmt::format("Nothing came from it in {:.1f} s.", to_seconds(listened)),
+              .remedy = { "Unplug it and plug it in again; then look at its power "
+                          "and its firmware." } });
+    return findings;
+}
+
+static Duration clock_time(clockid_t clock)
+{
+    timespec time {};
+    ::clock_gettime(clock, &time);
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+ClockReading read_clocks()
+{
+    return { .monotonic = clock_time(CLOCK_MONOTONIC),
+             .boottime = clock_time(CLOCK_BOOTTIME),
+             .realtime = clock_time(CLOCK_REALTIME) };
+}
+
+std::vector<Finding> diagnose_clocks(ClockReading const& before, ClockReading const& after)
+{
+    constexpr Duration kTolerance = 200ms; // The clocks are not read at the same instant.
+    auto const passed = after.monotonic - before.monotonic;
+    auto const slept = (after.boottime - before.boottime) - passed;
+    auto const set = (after.realtime - before.realtime) - (after.boottime - before.boottime);
+    std::vector<Finding> findings;
+    if (slept > kTolerance)
+        findings.push_back(
+            { .kind = FindingKind::ClockJump,
+              .subject = "the machine",
+              .what = fmt::format("It slept for {:.1f} s meanwhile: tablets may have "
+                                  "lost their mode.",
+                                  to_seconds(slept)),
+              .remedy = { "Nothing: devices are opened anew after sleep." } });
+    if (std::chrono::abs(set) > kTolerance)
+        findings.push_back({ .kind = FindingKind::ClockJump,
+                             .subject = "the wall clock",
+                             .what = fmt::format("It was set by {:+.1f} s meanwhile. Reports are "
+                                                 "stamped with the monotonic clock and do not "
+                                                 "mind, but waiting in hidapi's libusb back end "
+                                                 "does.",
+                                                 to_seconds(set)),
+                             .remedy = { "Let it be set slowly: sudo systemctl enable --now "
+                                         "systemd-timesyncd" } });
+    return findings;
+}
+
+} // namespace tractus

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "app/diagnosis/device_monitor.h"
+#include "app/diagnosis/finding.h"
+#include "app/diagnosis/system_facts.h"
+#include "engine/base/time.h"
+
+#include <vector>
+
+namespace tractus {
+
+// What is to be found without reading a device: permissions, drivers, unknown tablets, libraries.
+// Empty if nothing is the matter.
+std::vector<Finding> diagnose_system(SystemFacts const& facts);
+
+// What a device's reports show: a tablet in mouse mode or with unknown reports, broken reports, a
+// sensor's faults, times that go backwards. `listened` is how long it was listened to. Empty if
+// nothing is the matter.
+std::vector<Finding> diagnose_device(DeviceReading const& reading, Duration listened);
+
+// The machine's clocks at one instant.
+struct ClockReading {
+    Duration monotonic {}; // Our own: it stands while the machine sleeps.
+    Duration boottime {};  // It goes on while the machine sleeps.
+    Duration realtime {};  // The wall clock, which people and NTP set.
+};
+
+ClockReading read_clocks();
+
+// What happened to the clocks between two readings. Empty if nothing did.
+std::vector<Finding> diagnose_clocks(ClockReading const& before, ClockReading const& after);
+
+} // namespace tractus

@@ -1,0 +1,64 @@
+#include "app/diagnosis/finding.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+namespace tractus {
+
+std::string_view name_of(FindingKind kind)
+{
+    switch (kind) {
+    case FindingKind::Fine:
+        return "fine";
+    case FindingKind::NoTablet:
+        return "no-tablet";
+    case FindingKind::NotPermitted:
+        return "not-permitted";
+    case FindingKind::NoDriver:
+        return "no-driver";
+    case FindingKind::DriverInTheWay:
+        return "driver-in-the-way";
+    case FindingKind::MouseMode:
+        return "mouse-mode";
+    case FindingKind::UnknownTablet:
+        return "unknown-tablet";
+    case FindingKind::BrokenReports:
+        return "broken-reports";
+    case FindingKind::Silent:
+        return "silent";
+    case FindingKind::HeightFault:
+        return "height-fault";
+    case FindingKind::ClockJump:
+        return "clock-jump";
+    case FindingKind::OldLibrary:
+        return "old-library";
+    }
+    return "fine";
+}
+
+std::string print_findings(std::span<Finding const> findings)
+{
+    std::string text;
+    for (auto const& finding : findings) {
+        text += fmt::format("{} {}\n    {}\n",
+                            finding.kind == FindingKind::Fine ? "ok:     " : "problem:",
+                            finding.subject, finding.what);
+        for (auto const& line : finding.remedy)
+            text += fmt::format("      {}\n", line);
+    }
+    return text;
+}
+
+std::string print_findings_json(std::span<Finding const> findings)
+{
+    auto list = nlohmann::json::array();
+    for (auto const& finding : findings)
+        list.push_back({ { "kind", name_of(finding.kind) },
+                         { "subject", finding.subject },
+                         { "what", finding.what },
+                         { "remedy", finding.remedy } });
+    // A device may call itself anything, in no encoding.
+    return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+} // namespace tractus

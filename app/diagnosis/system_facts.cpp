@@ -1,0 +1,182 @@
+#include "app/diagnosis/system_facts.h"
+
+#include "drivers/device_address.h"
+#include "drivers/device_list.h"
+#include "drivers/file.h"
+#include "drivers/hid_source.h"
+#include "drivers/library_versions.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <fmt/core.h>
+#include <unistd.h>
+
+namespace tractus {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A file of sysfs in one line; empty if it cannot be read.
+std::string read_line(fs::path const& path)
+{
+    auto text = read_file(path, 4096);
+    if (!text)
+        return {};
+    while (!text->empty() && (text->back() == '\n' || text->back() == ' '))
+        text->pop_back();
+    return *std::move(text);
+}
+
+int read_number(fs::path const& path, int base)
+{
+    auto const text = read_line(path);
+    int value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value, base);
+    return value;
+}
+
+// The name of what a link in sysfs points to; empty if there is none.
+std::string link_name(fs::path const& link)
+{
+    std::error_code ignored;
+    return fs::read_symlink(link, ignored).filename().string();
+}
+
+std::vector<fs::path> entries_of(fs::path const& folder)
+{
+    std::vector<fs::path> entries;
+    std::error_code ignored;
+    for (fs::directory_iterator entry(folder, ignored); entry != fs::directory_iterator();
+         entry.increment(ignored))
+        entries.push_back(entry->path());
+    std::sort(entries.begin(), entries.end());
+    return entries;
+}
+
+// A HID device's folder is named by its ids, "0003:056A:037A.0001", and holds its hidraw node.
+bool has_node(fs::path const& interface)
+{
+    std::error_code ignored;
+    for (auto const& entry : entries_of(interface))
+        if (fs::exists(entry / "hidraw", ignored))
+            return true;
+    return false;
+}
+
+UsbDeviceFacts describe_usb(fs::path const& folder)
+{
+    UsbDeviceFacts device {
+        .port = folder.filename().string(),
+        .vendor_id = static_cast<std::uint16_t>(read_number(folder / "idVendor", 16)),
+        .product_id = static_cast<std::uint16_t>(read_number(folder / "idProduct", 16)),
+        .name = read_line(folder / "product"),
+    };
+    for (auto const& entry : entries_of(folder)) {
+        if (!entry.filename().string().starts_with(device.port + ":"))
+            continue;
+        device.interfaces.push_back({ .number = read_number(entry / "bInterfaceNumber", 16),
+                                      .usb_class = read_number(entry / "bInterfaceClass", 16),
+                                      .driver = link_name(entry / "driver"),
+                                      .has_node = has_node(entry) });
+    }
+    return device;
+}
+
+std::vector<UsbDeviceFacts> gather_usb(fs::path const& root)
+{
+    std::vector<UsbDeviceFacts> devices;
+    for (auto const& folder : entries_of(root / "sys/bus/usb/devices")) {
+        auto const name = folder.filename().string();
+        // "usb1" is a root hub, "1-2:1.0" an interface.
+        if (name.find(':') == std::string::npos && !name.starts_with("usb"))
+            devices.push_back(describe_usb(folder));
+    }
+    return devices;
+}
+
+// Of the first endpoint into the computer; "8ms", "1ms", "125us".
+std::optional<double> poll_rate_hz(fs::path const& interface)
+{
+    for (auto const& entry : entries_of(interface)) {
+        if (!entry.filename().string().starts_with("ep_8"))
+            continue;
+        auto const text = read_line(entry / "interval");
+        double value = 0;
+        auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        auto const unit
+            = std::string_view(text).substr(static_cast<std::size_t>(end - text.data()));
+        if (error != std::errc() || value <= 0 || (unit != "ms" && unit != "us"))
+            return std::nullopt;
+        return (unit == "ms" ? 1e3 : 1e6) / value;
+    }
+    return std::nullopt;
+}
+
+DeviceFacts describe(DeviceInfo const& info, fs::path const& root)
+{
+    DeviceFacts facts { .info = info,
+                        .description = describe_device(info),
+                        .open_error = opening_error(info, root),
+                        .poll_hz = {} };
+    auto const node = fs::path(info.location).filename();
+    if (info.location.starts_with("/dev/hidraw")) {
+        auto const device = root / "sys/class/hidraw" / node / "device";
+        facts.driver = link_name(device / "driver");
+        std::error_code ignored;
+        auto const interface = fs::canonical(device, ignored).parent_path();
+        facts.poll_hz = poll_rate_hz(interface);
+    }
+    return facts;
+}
+
+bool has_rules(fs::path const& root)
+{
+    std::error_code ignored;
+    for (auto const* const folder : { "etc/udev/rules.d", "lib/udev/rules.d",
+                                      "usr/lib/udev/rules.d", "usr/local/lib/udev/rules.d" })
+        if (fs::exists(root / folder / "70-tractus.rules", ignored))
+            return true;
+    return false;
+}
+
+int access_error(fs::path const& path)
+{
+    return ::access(path.c_str(), R_OK | W_OK) == 0 ? 0 : errno;
+}
+
+} // namespace
+
+int opening_error(DeviceInfo const& info, fs::path const& root)
+{
+    auto const address = parse_device_address(info.location);
+    if (!address)
+        return 0;
+    if (auto const* const hidraw = std::get_if<HidrawAddress>(&*address))
+        return access_error(root / fs::path(hidraw->node).relative_path());
+    if (auto const* const gpio = std::get_if<GpioAddress>(&*address))
+        return gpio->chip.starts_with("gpiochip") ? access_error(root / "dev" / gpio->chip) : 0;
+    auto const* const usb = std::get_if<UsbAddress>(&*address);
+    auto const& port = usb ? usb->port : std::get<LibusbAddress>(*address).port;
+    auto const folder = root / "sys/bus/usb/devices" / print_usb_port(port);
+    return access_error(root
+                        / fmt::format("dev/bus/usb/{:03}/{:03}", read_number(folder / "busnum", 10),
+                                      read_number(folder / "devnum", 10)));
+}
+
+SystemFacts gather_system_facts(fs::path const& root)
+{
+    SystemFacts facts { .usb = gather_usb(root) };
+    auto const devices = root == "/" ? list_devices() : enumerate_hid(root / "sys/class/hidraw");
+    for (auto const& info : devices)
+        facts.devices.push_back(describe(info, root));
+    for (auto const& library : library_versions())
+        facts.libraries.push_back({ library.name, library.version, library.needed });
+    std::error_code ignored;
+    facts.has_hidraw = fs::exists(root / "sys/class/hidraw", ignored);
+    facts.has_our_rules = has_rules(root);
+    return facts;
+}
+
+} // namespace tractus

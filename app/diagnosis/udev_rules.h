@@ -1,0 +1,25 @@
+#pragma once
+
+#include "drivers/device_info.h"
+
+#include <string>
+#include <string_view>
+
+namespace tractus {
+
+// drivers/70-tractus.rules, as it was when the program was built.
+std::string_view udev_rules_text();
+
+// Who may use the devices.
+enum class RuleHolder {
+    Seat,  // Whoever sits at the screen.
+    Group, // The members of the group plugdev, over ssh as well.
+};
+
+// The rules file for one of both.
+std::string udev_rules(RuleHolder holder);
+
+// The one rule, in one line, that permits this device.
+std::string udev_rule_for(DeviceInfo const& info);
+
+} // namespace tractus

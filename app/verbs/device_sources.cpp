@@ -1,0 +1,31 @@
+#include "app/verbs/device_sources.h"
+
+#include <csignal>
+#include <fmt/core.h>
+
+namespace tractus {
+
+static std::atomic<bool> stop_asked = false;
+
+std::atomic<bool> const& stop_on_signals()
+{
+    auto const ask_to_stop = [](int) { stop_asked = true; };
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+    return stop_asked;
+}
+
+Result<LiveDevices> open_devices(std::vector<std::string> const& names, std::string const& purpose)
+{
+    if (!names.empty())
+        return LiveDevices::open_named(names);
+    auto const found = find_pens_and_height_sensors();
+    if (found.empty())
+        return fail(Fault::User,
+                    fmt::format("there is no tablet and no height sensor {}: \"tractus doctor\" "
+                                "says why; the simulated rig goes by the name simulated",
+                                purpose));
+    return LiveDevices::open(found);
+}
+
+} // namespace tractus

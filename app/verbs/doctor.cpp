@@ -1,0 +1,197 @@
+#include "app/verbs/doctor.h"
+
+#include "app/console.h"
+#include "app/diagnosis/diagnose.h"
+#include "app/diagnosis/udev_rules.h"
+#include "app/live_devices.h"
+#include "app/verbs/checks.h"
+#include "app/verbs/device_sources.h"
+#include "drivers/file.h"
+#include "drivers/foreign_log.h"
+
+#include <chrono>
+#include <fmt/core.h>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+constexpr auto kRest = std::chrono::milliseconds(2);
+
+struct Arguments {
+    std::vector<std::string> devices;
+    std::string log;
+    double seconds = 3;
+    bool as_json = false;
+    bool install_rules = false;
+    bool for_group = false;
+    std::string rules_file = "/etc/udev/rules.d/70-tractus.rules";
+};
+
+void append(std::vector<Finding>& all, std::vector<Finding> some)
+{
+    for (auto& finding : some)
+        all.push_back(std::move(finding));
+}
+
+Finding all_is_well(DeviceReading const& reading)
+{
+    return { .kind = FindingKind::Fine,
+             .subject = fmt::format("{} at {}", reading.info.name, reading.info.location),
+             .what = fmt::format("{}; {} reports, {:.0f} per second.", reading.description.text,
+                                 reading.reports, reading.pace.rate_hz) };
+}
+
+void judge(std::vector<DeviceMonitor> const& monitors, Duration listened,
+           std::vector<Finding>& findings)
+{
+    for (auto const& monitor : monitors) {
+        auto const reading = monitor.reading();
+        auto found = diagnose_device(reading, listened);
+        if (found.empty() && reading.description.kind != DeviceKind::Other)
+            found.push_back(all_is_well(reading));
+        append(findings, std::move(found));
+    }
+}
+
+// Listens to the devices while a hand moves the pen.
+Result<void> listen(LiveDevices& devices, double seconds, std::vector<Finding>& findings)
+{
+    std::vector<DeviceMonitor> monitors;
+    for (auto const& info : devices.infos())
+        monitors.emplace_back(info);
+    auto const before = read_clocks();
+    auto const& stop = stop_on_signals();
+    std::vector<LiveReport> reports;
+    Duration listened {};
+    while (!stop && devices.any_left() && to_seconds(listened) < seconds) {
+        devices.take(reports);
+        for (auto const& [device, report] : reports)
+            monitors[device].push(report);
+        auto const now = read_clocks().monotonic;
+        listened = now - before.monotonic;
+        for (auto& monitor : monitors)
+            monitor.pass_time(Timestamp(now));
+        if (reports.empty())
+            std::this_thread::sleep_for(kRest);
+    }
+    append(findings, diagnose_clocks(before, read_clocks()));
+    judge(monitors, listened, findings);
+    return {};
+}
+
+// The devices of the machine that can be opened.
+Result<void> examine_machine(Arguments const& arguments, std::vector<Finding>& findings)
+{
+    auto const facts = gather_system_facts();
+    append(findings, diagnose_system(facts));
+    std::vector<DeviceInfo> usable;
+    for (auto const& device : facts.devices)
+        if (device.description.kind != DeviceKind::Other && device.open_error == 0)
+            usable.push_back(device.info);
+    if (usable.empty())
+        return {};
+    print_error(fmt::format("Listening for {:g} s: move the pen over the tablet, press it, and "
+                            "move the surface.\n",
+                            arguments.seconds));
+    auto devices = TRY(LiveDevices::open(usable));
+    return listen(devices, arguments.seconds, findings);
+}
+
+Result<void> examine_log(std::string const& path, std::vector<Finding>& findings)
+{
+    auto const log = TRY(read_any_log(path));
+    std::vector<DeviceMonitor> monitors;
+    for (auto const& info : log.devices)
+        monitors.emplace_back(info);
+    RawReport report;
+    for (auto const& record : log.records) {
+        auto const bytes = log.report(record);
+        report.received = record.time;
+        report.size = bytes.size();
+        std::copy(bytes.begin(), bytes.end(), report.storage.begin());
+        monitors[record.device].push(report);
+    }
+    auto const listened
+        = log.records.empty() ? Duration(0) : log.records.back().time - log.records.front().time;
+    for (auto& monitor : monitors)
+        if (!log.records.empty())
+            monitor.pass_time(log.records.back().time);
+    judge(monitors, listened, findings);
+    return {};
+}
+
+Result<void> install_rules(Arguments const& arguments)
+{
+    TRY(write_file(arguments.rules_file,
+                   udev_rules(arguments.for_group ? RuleHolder::Group : RuleHolder::Seat)));
+    return print_out(fmt::format("{} is written. Now, as root:\n"
+                                 "  udevadm control --reload-rules && udevadm trigger\n"
+                                 "or unplug the devices and plug them in again.\n{}",
+                                 arguments.rules_file,
+                                 arguments.for_group
+                                     ? "Who may use them: sudo adduser USER plugdev, then log in "
+                                       "again.\n"
+                                     : ""));
+}
+
+Result<void> run(Arguments const& arguments)
+{
+    if (arguments.install_rules)
+        return install_rules(arguments);
+    std::vector<Finding> findings;
+    if (!arguments.log.empty()) {
+        TRY(examine_log(arguments.log, findings));
+    } else if (!arguments.devices.empty()) {
+        auto devices = TRY(LiveDevices::open_named(arguments.devices));
+        TRY(listen(devices, arguments.seconds, findings));
+    } else {
+        TRY(examine_machine(arguments, findings));
+    }
+    return print_out(arguments.as_json ? print_findings_json(findings) : print_findings(findings));
+}
+
+} // namespace
+
+void add_doctor_verb(CLI::App& root, Action& action)
+{
+    auto arguments = std::make_shared<Arguments>();
+    auto* const verb = root.add_subcommand(
+        "doctor", "Find out why a tablet or sensor does not work, and what to do about it");
+    auto* const log
+        = verb->add_option("LOG", arguments->log, "A recording to examine in place of the machine");
+    auto* const device
+        = verb->add_option("--device", arguments->devices,
+                           fmt::format("What to listen to, each {}; without it, everything",
+                                       device_name_help()))
+              ->type_name("DEVICE...")
+              ->excludes(log);
+    verb->add_option("--seconds", arguments->seconds, "How long to listen")
+        ->type_name("SECONDS")
+        ->check(number(0, 3600))
+        ->capture_default_str();
+    verb->add_flag("--json", arguments->as_json, "Print a JSON array");
+    auto* const install
+        = verb->add_flag("--install-rules", arguments->install_rules,
+                         "Write the udev rules that permit the devices to whoever sits at the "
+                         "screen")
+              ->excludes(log, device);
+    verb->add_flag("--for-group", arguments->for_group,
+                   "Permit them to the group plugdev in place, for users over ssh")
+        ->needs(install);
+    verb->add_option("--rules-file", arguments->rules_file, "Where the rules are written")
+        ->type_name("FILE")
+        ->capture_default_str()
+        ->needs(install);
+    verb->footer(
+        "Looks at nodes and permissions, at the kernel's drivers and at libraries; then listens\n"
+        "for tablets in mouse mode or with unknown reports, for a sensor on a rail, stuck,\n"
+        "jumping or silent, and for clocks that jump. Each finding comes with its remedy.");
+    verb->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+}
+
+} // namespace tractus

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// A library of the system that a driver stands on.
+struct LibraryVersion {
+    std::string name {}; // "hidapi"
+    std::string
+        version {};        // That runs, or where it does not tell, that the program was built with.
+    std::string needed {}; // The oldest that does all we ask of it.
+};
+
+std::vector<LibraryVersion> library_versions();
+
+// Whether the first version, numbers with points between them, is the older one. What is no number
+// counts as 0.
+bool is_older_version(std::string const& version, std::string const& than);
+
+} // namespace tractus

@@ -1,0 +1,82 @@
+#include "tests/app/command_line/workshop.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+class DiagnosisCommands : public Workshop {
+protected:
+    void write_demo()
+    {
+        record();
+        if (HasFatalFailure())
+            return;
+        ASSERT_TRUE(exists("hand.tractus-log"));
+    }
+};
+
+TEST_F(DiagnosisCommands, DoctorExaminesALog)
+{
+    write_demo();
+    auto const outcome = run("tractus doctor hand.tractus-log");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("ok:      Simulated pen tablet"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("ok:      Simulated height sensor"), std::string::npos);
+    EXPECT_EQ(outcome.out.find("problem"), std::string::npos) << outcome.out;
+}
+
+TEST_F(DiagnosisCommands, DoctorPrintsJson)
+{
+    write("pen.hid", "R: 1 c0\nN: tablet\nI: 3 056a fffe\n");
+    EXPECT_EQ(run("tractus doctor --json pen.hid").out, "[]\n");
+}
+
+TEST_F(DiagnosisCommands, DoctorWritesTheRules)
+{
+    auto const outcome = run("tractus doctor --install-rules --rules-file 70-tractus.rules");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("udevadm control --reload-rules"), std::string::npos);
+    EXPECT_NE(read("70-tractus.rules").find("TAG+=\"uaccess\""), std::string::npos);
+    expect_error(run("tractus doctor --install-rules --rules-file no/folder/70-tractus.rules"), 1,
+                 "no/folder");
+    expect_error(run("tractus doctor --for-group"), 2, "--install-rules");
+}
+
+TEST_F(DiagnosisCommands, WatchPrintsALogsDevices)
+{
+    write_demo();
+    auto const outcome = run("tractus watch hand.tractus-log --seconds 0.5");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("Simulated pen tablet"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("height sensor, 0 to 4095"), std::string::npos);
+}
+
+// In a terminal of its own: script gives it one, and passes keys on.
+TEST_F(DiagnosisCommands, WatchFillsATerminalAndRecordsWithAKey)
+{
+    if (run("command -v script").exit_code != 0)
+        GTEST_SKIP() << "there is no script (Debian's bsdutils) to make a terminal";
+    auto const outcome
+        = run("i=0; { sleep 0.5; printf r; while [ $i -lt 100 ] && ! grep -qs ^E "
+              "watch-*.tractus-log; do sleep 0.1; i=$((i+1)); done; printf rq; sleep 0.5; } | "
+              "TERM=xterm script -qec \"stty rows 40 cols 120; '" TRACTUS_PROGRAM
+              "' watch simulated --seconds 30\" /dev/null");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+    EXPECT_NE(outcome.out.find("Simulated pen tablet"), std::string::npos);
+    EXPECT_NE(outcome.out.find("touching"), std::string::npos);
+    EXPECT_NE(outcome.out.find("q quit"), std::string::npos);
+    auto const decoded = run("tractus decode watch-*.tractus-log");
+    EXPECT_EQ(decoded.exit_code, 0) << decoded.err;
+    EXPECT_NE(decoded.out.find("Simulated pen tablet"), std::string::npos) << decoded.out;
+}
+
+TEST_F(DiagnosisCommands, DevicesAreListedAsJson)
+{
+    auto const outcome = run("tractus devices --json");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.front(), '[');
+}
+
+} // namespace
+} // namespace tractus
