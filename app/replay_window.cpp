@@ -148,7 +148,7 @@ void ReplayWindow::show_live()
         ++state_.live_revision;
     state_.tool = describe(station.tool());
     state_.live_ink.clear();
-    if (auto const ink = station.ink(); !ink.empty())
+    for (auto const& ink : station.inks())
         state_.live_ink.push_back(ink_line(ink, station.tool()));
     if (auto const& tip = station.newest_tip()) {
         state_.surface_height_mm = tip->position_mm.z();

@@ -6,50 +6,21 @@
 
 namespace tractus {
 
-namespace {
-
-struct Pen {
-    std::size_t device = 0;
-    std::unique_ptr<PenDecoder> decoder;
-};
-
-// The first device that is a pen, or why none is.
-Result<Pen> find_pen(std::span<DeviceInfo const> devices)
-{
-    std::string reasons;
-    for (std::size_t i = 0; i < devices.size(); ++i) {
-        auto decoder = make_pen_decoder(devices[i]);
-        if (decoder)
-            return Pen { i, *std::move(decoder) };
-        reasons += fmt::format("{}{}", reasons.empty() ? "" : "; ", decoder.error().message);
-    }
-    return fail(Fault::User,
-                fmt::format("there is no pen to draw with: {}",
-                            reasons.empty() ? "no device at all" : reasons));
-}
-
-} // namespace
-
-Station::Station(StationOptions options, Fuser fuser)
-    : fuser_(std::move(fuser))
-    , height_monitor_(options.rig)
+Station::Station(StationOptions const& options)
+    : height_monitor_(options.rig)
     , is_height_measured_(!options.scripted_height)
     , tablet_latency_(options.rig.tablet_latency)
     , tool_changes_ { { Timestamp::min(), options.tool } }
-    , scene_(std::move(options.scene))
 {
 }
 
 Result<Station> Station::create(std::span<DeviceInfo const> devices, StationOptions options)
 {
-    auto pen = TRY(find_pen(devices));
-    auto fuser = options.scripted_height ? Fuser(options.rig, *options.scripted_height)
-                                         : Fuser(options.rig);
-    Station station(std::move(options), std::move(fuser));
-    station.pen_device_ = pen.device;
-    station.pen_decoder_ = std::move(pen.decoder);
+    Station station(options);
+    TRY(station.add_pens(devices, options));
+    station.scene_ = std::move(options.scene);
     for (std::size_t i = 0; i < devices.size() && !station.height_decoder_; ++i) {
-        if (i == pen.device)
+        if (station.find_pen(i))
             continue;
         if (auto decoder = make_height_decoder(devices[i])) {
             station.height_decoder_ = *std::move(decoder);
@@ -63,76 +34,159 @@ Result<Station> Station::create(std::span<DeviceInfo const> devices, StationOpti
     return station;
 }
 
+Result<void> Station::add_pens(std::span<DeviceInfo const> devices, StationOptions const& options)
+{
+    std::string reasons;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        auto decoder = make_pen_decoder(devices[i]);
+        if (!decoder) {
+            reasons += fmt::format("{}{}", reasons.empty() ? "" : "; ", decoder.error().message);
+            continue;
+        }
+        auto rig = options.rig;
+        if (!pens_.empty())
+            rig.tablet_size_mm = (*decoder)->traits().size_mm;
+        pens_.push_back({ .device = i,
+                          .decoder = *std::move(decoder),
+                          .silence = {},
+                          .fuser = options.scripted_height ? Fuser(rig, *options.scripted_height)
+                                                           : Fuser(rig) });
+    }
+    if (!pens_.empty())
+        return {};
+    return fail(Fault::User,
+                fmt::format("there is no pen to draw with: {}",
+                            reasons.empty() ? "no device at all" : reasons));
+}
+
+Station::Pen* Station::find_pen(std::size_t device)
+{
+    auto const found = std::find_if(pens_.begin(), pens_.end(),
+                                    [&](Pen const& pen) { return pen.device == device; });
+    return found == pens_.end() ? nullptr : &*found;
+}
+
 void Station::push(std::size_t device, Timestamp received, std::span<std::byte const> report)
 {
-    ++counts_.reports;
+    counts_.reports += !report.empty();
     pass_time(received);
-    if (device == pen_device_)
-        push_pen(received, report);
+    if (auto* const pen = find_pen(device))
+        push_pen(*pen, received, report);
     else if (height_decoder_ && device == height_device_)
         push_height(received, report);
     else
-        ++counts_.ignored_reports;
+        counts_.ignored_reports += !report.empty();
 }
 
-void Station::push_pen(Timestamp received, std::span<std::byte const> report)
+void Station::push_pen(Pen& pen, Timestamp received, std::span<std::byte const> report)
 {
     if (is_height_measured_)
         height_monitor_.advance(received);
-    auto const sample = pen_decoder_->decode(received, report);
+    if (report.empty()) {
+        if (auto const gone = pen.decoder->leave(received))
+            use_pen(pen, *gone);
+        return;
+    }
+    auto const sample = pen.decoder->decode(received, report);
     if (!sample)
         return count_broken(sample.error());
     if (!*sample)
         return;
-    pen_silence_.heard(**sample);
-    use_pen(**sample);
+    pen.silence.heard(**sample);
+    use_pen(pen, **sample);
 }
 
 void Station::pass_time(Timestamp now)
 {
-    if (auto const gone = pen_silence_.leave_if_over(*pen_decoder_, now))
-        use_pen(*gone);
+    for (auto& pen : pens_)
+        if (auto const gone = pen.silence.leave_if_over(*pen.decoder, now))
+            use_pen(pen, *gone);
 }
 
-void Station::use_pen(PenSample const& sample)
+void Station::use_pen(Pen& pen, PenSample const& sample)
 {
     ++counts_.pen_samples;
     pen_in_range_ = sample.in_range;
-    if (auto const tip = fuser_.push(sample)) {
-        builder_.push_live(*tip);
+    if (!is_height_there_)
+        return; // Nobody knows where it is.
+    if (auto const tip = pen.fuser.push(sample)) {
+        pen.builder.push_live(*tip);
         newest_tip_ = *tip;
     }
-    take_settled();
+    take_settled(pen);
 }
 
 void Station::push_height(Timestamp received, std::span<std::byte const> report)
 {
+    if (report.empty())
+        return end_with_height();
     heights_.clear();
     if (auto const decoded = height_decoder_->decode(received, report, heights_); !decoded)
         count_broken(decoded.error());
     counts_.height_samples += heights_.size();
+    is_height_there_ |= !heights_.empty();
     if (is_height_measured_)
         for (auto const& height : heights_) {
             height_monitor_.push(height);
             if (!height_monitor_.is_on_rail(height))
-                fuser_.push(height);
+                for (auto& pen : pens_)
+                    pen.fuser.push(height);
         }
-    take_settled();
+    for (auto& pen : pens_)
+        take_settled(pen);
 }
 
-void Station::take_settled()
+// The height sensor went away. Strokes under way end with what it has measured; what the pens do
+// from now on has no place in space.
+void Station::end_with_height()
 {
-    for (auto const& tip : fuser_.take_settled())
-        if (auto stroke = builder_.push(tip))
+    if (!is_height_measured_)
+        return;
+    is_height_there_ = false;
+    for (auto& pen : pens_)
+        finish(pen);
+}
+
+void Station::take_settled(Pen& pen)
+{
+    for (auto const& tip : pen.fuser.take_settled())
+        if (auto stroke = pen.builder.push(tip))
             finish_stroke(*std::move(stroke));
+}
+
+void Station::finish(Pen& pen)
+{
+    pen.fuser.flush();
+    take_settled(pen);
+    if (auto stroke = pen.builder.finish())
+        finish_stroke(*std::move(stroke));
 }
 
 void Station::finish()
 {
-    fuser_.flush();
-    take_settled();
-    if (auto stroke = builder_.finish())
-        finish_stroke(*std::move(stroke));
+    for (auto& pen : pens_)
+        finish(pen);
+}
+
+std::vector<std::vector<TipSample>> Station::inks() const
+{
+    std::vector<std::vector<TipSample>> inks;
+    for (auto const& pen : pens_)
+        if (auto ink = pen.builder.ink(); !ink.empty())
+            inks.push_back(std::move(ink));
+    return inks;
+}
+
+FuserCounts Station::fuser_counts() const
+{
+    auto sum = pens_.front().fuser.counts(); // All have seen the same heights.
+    for (std::size_t i = 1; i < pens_.size(); ++i) {
+        auto const& counts = pens_[i].fuser.counts();
+        sum.pens += counts.pens;
+        sum.settled += counts.settled;
+        sum.pens_without_height += counts.pens_without_height;
+    }
+    return sum;
 }
 
 void Station::set_tool(Timestamp time, Tool const& tool)

@@ -48,13 +48,18 @@ struct DrawnStroke {
 // The whole way of the data, from reports to the scene: decode, fuse, stroke, mean. The only class
 // that knows it. Reports and tool changes go in as they come, from devices or from a log, and the
 // scene is what they amount to. Not thread-safe: it lives on the main thread.
+//
+// Several tablets may be drawn on at once, each with its own pen and strokes. The rig is the first
+// one's; others lie with their centre where the first one's is.
 class Station {
 public:
-    // Takes the first device that decodes as a pen, and the first that decodes as a height sensor.
-    // Fails, as the user's fault, if there is no pen, or neither height sensor nor scripted height.
+    // Takes all devices that decode as pens, and the first that decodes as a height sensor. Fails,
+    // as the user's fault, if there is no pen, or neither height sensor nor scripted height.
     static Result<Station> create(std::span<DeviceInfo const> devices, StationOptions options);
 
     // One report of one of the devices. A report that its decoder refuses is counted and forgotten.
+    // An empty report says that the device went away: a stroke that it was drawing, or whose height
+    // it measured, ends there and is kept.
     void push(std::size_t device, Timestamp received, std::span<std::byte const> report);
 
     // From the pen's samples at `time` on, strokes belong to `tool`.
@@ -70,13 +75,14 @@ public:
     Scene const& scene() const { return scene_; }
     std::vector<DrawnStroke> const& strokes() const { return strokes_; }
     StationCounts const& counts() const { return counts_; }
-    FuserCounts const& fuser_counts() const { return fuser_.counts(); }
+    FuserCounts fuser_counts() const; // Of all pens.
 
     // What is, and was, wrong with the height sensor; nothing if the height is scripted.
     HeightMonitor const& height_monitor() const { return height_monitor_; }
 
-    // For the screen: the ink of the stroke under way, the newest tip, and what it means.
-    std::vector<TipSample> ink() const { return builder_.ink(); }
+    // For the screen: the ink of each pen's stroke under way, none of it empty; the newest tip of
+    // all pens, and what it means.
+    std::vector<std::vector<TipSample>> inks() const;
     std::optional<TipSample> const& newest_tip() const { return newest_tip_; }
     bool pen_in_range() const { return pen_in_range_; }
     Tool const& tool() const { return tool_changes_.back().tool; }
@@ -87,27 +93,37 @@ private:
         Tool tool;
     };
 
-    Station(StationOptions options, Fuser fuser);
+    // One tablet's pen, from its reports to its strokes.
+    struct Pen {
+        std::size_t device = 0;
+        std::unique_ptr<PenDecoder> decoder;
+        PenSilence silence;
+        Fuser fuser;
+        StrokeBuilder builder {};
+    };
 
-    void use_pen(PenSample const& sample);
-    void push_pen(Timestamp received, std::span<std::byte const> report);
+    explicit Station(StationOptions const& options); // Without the scene.
+
+    Result<void> add_pens(std::span<DeviceInfo const> devices, StationOptions const& options);
+    Pen* find_pen(std::size_t device);
+    void use_pen(Pen& pen, PenSample const& sample);
+    void push_pen(Pen& pen, Timestamp received, std::span<std::byte const> report);
     void push_height(Timestamp received, std::span<std::byte const> report);
-    void take_settled();
+    void end_with_height();
+    void take_settled(Pen& pen);
+    void finish(Pen& pen);
     void finish_stroke(Stroke stroke);
     Tool tool_at(Timestamp time) const;
     void count_broken(Error const& error);
 
-    Fuser fuser_;
     HeightMonitor height_monitor_;
-    bool is_height_measured_; // Not scripted.
+    bool is_height_measured_;     // Not scripted.
+    bool is_height_there_ = true; // The sensor that measures it has not gone away.
     Duration tablet_latency_;
-    StrokeBuilder builder_;
-    std::unique_ptr<PenDecoder> pen_decoder_;
-    PenSilence pen_silence_;
-    std::size_t pen_device_ = 0;
+    std::vector<Pen> pens_; // In the order of their devices.
     std::unique_ptr<HeightDecoder> height_decoder_;
     std::size_t height_device_ = 0;
-    std::vector<HeightSample> heights_;    // Of the report at hand; kept for its memory.
+    std::vector<HeightSample> heights_;    // Of one report; kept for its memory.
     std::vector<ToolChange> tool_changes_; // In time order; the first is from the beginning.
     Scene scene_;
     std::vector<DrawnStroke> strokes_;

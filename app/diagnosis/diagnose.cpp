@@ -4,9 +4,9 @@
 #include "drivers/device_address.h"
 #include "drivers/library_versions.h"
 #include "drivers/report_descriptor.h"
+#include "drivers/tablets/tablet_lookup.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <ctime>
 #include <fmt/core.h>
@@ -28,12 +28,9 @@ std::string who(DeviceInfo const& info)
                        info.vendor_id, info.product_id, info.location);
 }
 
-// Makers whose devices are pen tablets, nearly all of them: those of 70-tractus.rules.
-bool is_tablet(std::uint16_t vendor_id, std::uint16_t)
+bool is_tablet(std::uint16_t vendor_id, std::uint16_t product_id)
 {
-    constexpr std::array<std::uint16_t, 8> kMakers { 0x0458, 0x056a, 0x172f, 0x1b96,
-                                                     0x256c, 0x28bd, 0x2feb, 0x5543 };
-    return std::find(kMakers.begin(), kMakers.end(), vendor_id) != kMakers.end();
+    return find_tablet({ .vendor_id = vendor_id, .product_id = product_id }).has_value();
 }
 
 Finding not_permitted(DeviceFacts const& device)

@@ -131,11 +131,15 @@ Result<void> decode_all(Log const& log, std::vector<Device>& devices,
 {
     for (auto const& record : log.records) {
         auto& device = devices[record.device];
-        ++device.reports;
+        bool const went_away = record.size == 0;
+        device.reports += !went_away;
         if (!device.pen)
             continue;
-        if (auto const gone = device.silence.leave_if_over(*device.pen, record.time))
+        if (auto const gone = went_away ? device.pen->leave(record.time)
+                                        : device.silence.leave_if_over(*device.pen, record.time))
             TRY(use(record.device, *gone));
+        if (went_away)
+            continue;
         auto const sample = device.pen->decode(record.time, log.report(record));
         if (!sample) {
             if (device.bad_reports++ == 0)

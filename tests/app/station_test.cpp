@@ -43,11 +43,87 @@ TEST(Station, FinishesTheStrokeUnderWay)
     for (int i = 0; i < 20; ++i)
         station.push(kPen, at_ms(5 * i), pen_report(50 + 5 * i, 50, true));
     EXPECT_EQ(station.strokes().size(), 0u);
-    EXPECT_FALSE(station.ink().empty());
+    EXPECT_EQ(station.inks().size(), 1u);
     station.finish();
     EXPECT_EQ(station.strokes().size(), 1u);
     station.finish();
     EXPECT_EQ(station.strokes().size(), 1u);
+}
+
+TEST(Station, KeepsTheStrokeOfAPenThatIsUnplugged)
+{
+    auto station = flat_station();
+    for (int i = 0; i < 10; ++i)
+        station.push(kPen, at_ms(5 * i), pen_report(50 + 5 * i, 50, true));
+    station.push(kPen, at_ms(50), {});
+    ASSERT_EQ(station.strokes().size(), 1u);
+    EXPECT_EQ(station.strokes()[0].stroke.tips.size(), 10u);
+    EXPECT_TRUE(station.inks().empty());
+    EXPECT_FALSE(station.pen_in_range());
+    // It comes back while the pen touches: that is another stroke.
+    for (int i = 0; i < 10; ++i)
+        station.push(kPen, at_ms(5000 + 5 * i), pen_report(100 + 5 * i, 50, true));
+    station.finish();
+    EXPECT_EQ(station.strokes().size(), 2u);
+    EXPECT_EQ(station.counts().reports, 20u);
+    EXPECT_EQ(station.counts().broken_reports, 0u);
+}
+
+TEST(Station, KeepsTheStrokeWhoseHeightSensorIsUnplugged)
+{
+    StationOptions options;
+    options.rig.tablet_size_mm = { 200, 100 };
+    options.scene = small_scene();
+    auto station = Station::create(simple_rig(), std::move(options)).value();
+    auto const draw = [&](std::int64_t from_ms, bool with_height) {
+        for (int i = 0; i < 20; ++i) {
+            if (with_height)
+                station.push(kHeight, at_ms(from_ms + 5 * i), height_report(1000));
+            station.push(kPen, at_ms(from_ms + 5 * i + 1), pen_report(50 + 5 * i, 50, true));
+        }
+    };
+    draw(0, true);
+    EXPECT_EQ(station.strokes().size(), 0u);
+    station.push(kHeight, at_ms(100), {});
+    ASSERT_EQ(station.strokes().size(), 1u);
+    auto const length = station.strokes()[0].stroke.tips.size();
+    EXPECT_GE(length, 19u);
+    draw(105, false); // Without a height, nothing is drawn.
+    EXPECT_TRUE(station.inks().empty());
+    draw(1000, true);
+    station.finish();
+    EXPECT_EQ(station.strokes().size(), 2u);
+}
+
+TEST(Station, TakesTwoTabletsAtOnce)
+{
+    StationOptions options;
+    options.rig.tablet_size_mm = { 200, 100 };
+    options.scripted_height = ScriptedHeight {
+        .scenario = { .kind = HeightScenario::Kind::Constant, .constant_mm = 100 },
+        .first_pen = {},
+        .last_pen = {},
+    };
+    options.scene = small_scene();
+    auto station
+        = Station::create(std::vector { simple_pen(), simple_height_sensor(), simple_pen() },
+                          std::move(options))
+              .value();
+    constexpr std::size_t kSecondPen = 2;
+    for (int i = 0; i < 20; ++i) {
+        station.push(kPen, at_ms(5 * i), pen_report(50 + 5 * i, 50, true));
+        station.push(kSecondPen, at_ms(5 * i + 2), pen_report(50 + 5 * i, 90, true));
+    }
+    EXPECT_EQ(station.inks().size(), 2u);
+    station.push(kPen, at_ms(100), pen_report(150, 50, false));
+    EXPECT_EQ(station.strokes().size(), 1u);
+    station.push(kSecondPen, at_ms(102), pen_report(150, 90, false));
+    ASSERT_EQ(station.strokes().size(), 2u);
+    EXPECT_NEAR(station.strokes()[0].stroke.tips.front().position_mm.y(), 0, 0.1);
+    EXPECT_NEAR(station.strokes()[1].stroke.tips.front().position_mm.y(), -40, 0.1);
+    EXPECT_EQ(station.strokes()[1].stroke.tips.size(), 20u);
+    EXPECT_EQ(station.counts().ignored_reports, 0u);
+    EXPECT_EQ(station.fuser_counts().pens, 42u);
 }
 
 TEST(Station, GivesAStrokeTheToolInHandWhenItBegan)
