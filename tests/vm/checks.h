@@ -4,6 +4,7 @@
 #include "engine/base/result.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,26 @@ void print_figure(std::string const& name, double value, std::string const& unit
 Result<void> compare_reports(std::string const& sent_name, std::string const& got_name,
                              std::vector<std::size_t> sent_devices);
 
-// How regularly the reports of the log's first device came. Gaps of more than `pause_ms` are left
+// How regularly the reports of one of the log's devices came. Gaps of more than `pause_ms` are left
 // out: the pen was away.
-Result<void> measure_gaps(std::string const& log_name, double pause_ms);
+Result<void> measure_gaps(std::string const& log_name, std::size_t device, double pause_ms);
+
+struct HeightExpectation {
+    double fraction = 0;       // Of full scale, in the mean …
+    double tolerance = 0.0005; // … of all samples, so far off at most.
+};
+
+// Whether the log's first height sensor always said the same.
+Result<void> check_height(std::string const& log_name, HeightExpectation const& expected);
+
+struct StreamExpectation {
+    std::uint64_t max_lost_frames = 0;
+    std::uint64_t restarts = 0; // How often the sensor was plugged in again.
+};
+
+// Whether the frames of the station's own height sensor came whole and in order. Broken ones never
+// may.
+Result<void> check_stream(std::string const& log_name, StreamExpectation const& expected);
 
 struct TruthOptions {
     std::string script; // What the simulated hand was told to do, one stroke to a gesture.
@@ -33,6 +51,11 @@ struct TruthOptions {
 // How far the strokes that the station makes of a recording lie from where the hand was. Fails
 // above 1 mm root mean square or 3 mm anywhere, or if there is not one stroke for each gesture.
 Result<void> compare_strokes(TruthOptions const& options);
+
+// Whether the station made strokes of a recording in which a device was away from time to time,
+// each of them without such a gap, and at least so many.
+Result<void> check_interrupted_strokes(std::string const& log_name, std::string const& model,
+                                       std::size_t least);
 
 // Reads a device on a thread of its own, with nobody taking what was read for `seconds`; then what
 // came must begin with what was sent, and be all of it.

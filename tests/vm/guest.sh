@@ -72,3 +72,7 @@ play_recording() {
     echo "  $(grep -c "^[0-9]" sent.csv) samples are the same"
     wait_until are_nodes 0
 }
+
+# Processor time of a process so far, in hundredths of a second, and how many files it has open.
+cpu_time() { awk '{ print $14 + $15 }' "/proc/$1/stat"; }
+open_files() { ls "/proc/$1/fd" | wc -l; }

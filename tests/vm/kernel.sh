@@ -33,11 +33,9 @@ cut_out_kernel() {
     local image=$1
     number_at() { od -An -v -t "u$2" -j "$1" -N "$2" "$image" | tr -d ' '; }
     local setup_bytes=$((($(number_at 0x1f1 1) + 1) * 512))
-    local packed_at=$((setup_bytes + $(number_at 0x248 4))) unpack=xz
-    [ "$(number_at $packed_at 4)" != $((0xfd2fb528)) ] || unpack=zstd # Debian 13's.
-    # Behind it stand four bytes of its length.
     dd if="$image" bs=64K iflag=skip_bytes,count_bytes status=none \
-        skip=$packed_at count=$(($(number_at 0x24c 4) - 4)) | $unpack -dc
+        skip=$((setup_bytes + $(number_at 0x248 4))) count="$(number_at 0x24c 4)" \
+        | xz -dc --single-stream # Behind it stands its length.
 }
 
 # Makes build/vm/kernel, if it is not there: some 71 MB of download, 40 MB unpacked.
@@ -47,11 +45,8 @@ fetch_kernel() {
     rm -rf "$part"
     mkdir -p "$part"
     download_kernel "$part" || return 1
-    # Debian 13 has the modules under /usr, and packed.
-    dpkg-deb --fsys-tarfile "$part"/*.deb | tar -x -C "$part" --wildcards --transform 's|^\./usr/lib|./lib|' \
-        './boot/vmlinuz-*' '*/lib/modules/*/modules.*' \
-        "${kernel_module_folders[@]/#/*/lib/modules/*/kernel/}"
-    find "$part/lib" -name '*.ko.xz' -exec unxz {} +
+    dpkg-deb --fsys-tarfile "$part"/*.deb | tar -x -C "$part" --wildcards './boot/vmlinuz-*' \
+        './lib/modules/*/modules.*' "${kernel_module_folders[@]/#/./lib/modules/*/kernel/}"
     (cd "$part/lib/modules" && echo *) >"$part/release"
     cut_out_kernel "$part"/boot/vmlinuz-* >"$part/vmlinux"
     depmod --basedir "$part" "$(<"$part/release")"

@@ -94,4 +94,24 @@ Result<void> compare_strokes(TruthOptions const& options)
     return {};
 }
 
+Result<void> check_interrupted_strokes(std::string const& log_name, std::string const& model,
+                                       std::size_t least)
+{
+    constexpr Duration kLongestGap = std::chrono::milliseconds(200);
+    auto const log = TRY(read_log(log_name));
+    auto const strokes = TRY(strokes_of_recording(log, model));
+    std::size_t count = 0;
+    for (auto const& drawn : strokes) {
+        auto const& tips = drawn.stroke.tips;
+        count += tips.size();
+        for (std::size_t i = 1; i < tips.size(); ++i)
+            if (tips[i].time - tips[i - 1].time > kLongestGap)
+                return fail(Fault::Station, "a stroke goes on where a device was away");
+    }
+    fmt::print("{} strokes with {} tips\n", strokes.size(), count);
+    if (strokes.size() < least)
+        return fail(Fault::Station, fmt::format("expected {} strokes at least", least));
+    return {};
+}
+
 } // namespace tractus

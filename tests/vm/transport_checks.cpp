@@ -106,10 +106,10 @@ Result<void> compare_reports(std::string const& sent_name, std::string const& go
     return {};
 }
 
-Result<void> measure_gaps(std::string const& log_name, double pause_ms)
+Result<void> measure_gaps(std::string const& log_name, std::size_t device, double pause_ms)
 {
     auto const log = TRY(read_log(log_name));
-    auto const records = records_of(log, 0);
+    auto const records = records_of(log, device);
     std::vector<double> gaps_ms;
     for (std::size_t i = 1; i < records.size(); ++i) {
         double const gap_ms = 1000 * to_seconds(records[i].time - records[i - 1].time);
@@ -127,7 +127,9 @@ Result<void> measure_gaps(std::string const& log_name, double pause_ms)
         variance += std::pow(gap_ms - mean_ms, 2) / (count - 1);
     print_figure("gap mean", mean_ms, "ms");
     print_figure("gap sd", std::sqrt(variance), "ms");
-    print_figure("gap max", *std::max_element(gaps_ms.begin(), gaps_ms.end()), "ms");
+    std::sort(gaps_ms.begin(), gaps_ms.end());
+    print_figure("gap p99", gaps_ms[gaps_ms.size() * 99 / 100], "ms");
+    print_figure("gap max", gaps_ms.back(), "ms");
     return {};
 }
 

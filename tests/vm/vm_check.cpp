@@ -15,7 +15,11 @@ namespace {
 struct Arguments {
     TruthOptions truth;
     std::vector<std::size_t> devices;
+    std::size_t device = 0;
     double pause_ms = 50;
+    HeightExpectation height;
+    StreamExpectation stream;
+    std::size_t least_strokes = 1;
     std::string node;
     double seconds = 1;
 };
@@ -32,10 +36,13 @@ void add_checks(CLI::App& root, Arguments& arguments, Check& check)
     same->callback(
         [&] { check = [&] { return compare_reports(truth.sent, truth.got, arguments.devices); }; });
 
-    auto* const gaps = root.add_subcommand("gaps", "How regularly did the first device send?");
+    auto* const gaps = root.add_subcommand("gaps", "How regularly did a device send?");
     gaps->add_option("GOT", truth.got)->required();
+    gaps->add_option("--device", arguments.device, "Of GOT; without it, the first");
     gaps->add_option("--pause-ms", arguments.pause_ms, "Longer gaps do not count");
-    gaps->callback([&] { check = [&] { return measure_gaps(truth.got, arguments.pause_ms); }; });
+    gaps->callback([&] {
+        check = [&] { return measure_gaps(truth.got, arguments.device, arguments.pause_ms); };
+    });
 
     auto* const strokes = root.add_subcommand("strokes", "Are the strokes where the hand was?");
     strokes->add_option("SCRIPT", truth.script)->required();
@@ -43,6 +50,17 @@ void add_checks(CLI::App& root, Arguments& arguments, Check& check)
     strokes->add_option("GOT", truth.got)->required();
     strokes->add_option("MODEL", truth.model)->required();
     strokes->callback([&] { check = [&] { return compare_strokes(truth); }; });
+
+    auto* const interrupted
+        = root.add_subcommand("interrupted-strokes", "Was what was drawn kept, piece by piece?");
+    interrupted->add_option("GOT", truth.got)->required();
+    interrupted->add_option("MODEL", truth.model)->required();
+    interrupted->add_option("--least", arguments.least_strokes);
+    interrupted->callback([&] {
+        check = [&] {
+            return check_interrupted_strokes(truth.got, truth.model, arguments.least_strokes);
+        };
+    });
 
     auto* const late = root.add_subcommand("read-late", "Is all there if nobody takes it at once?");
     late->add_option("NODE", arguments.node)->required();
@@ -52,12 +70,29 @@ void add_checks(CLI::App& root, Arguments& arguments, Check& check)
         [&] { check = [&] { return read_late(arguments.node, truth.sent, arguments.seconds); }; });
 }
 
+void add_height_checks(CLI::App& root, Arguments& arguments, Check& check)
+{
+    auto& got = arguments.truth.got;
+    auto* const height = root.add_subcommand("height", "Did the height sensor say what it should?");
+    height->add_option("GOT", got)->required();
+    height->add_option("--fraction", arguments.height.fraction, "Of full scale")->required();
+    height->add_option("--tolerance", arguments.height.tolerance, "The same");
+    height->callback([&] { check = [&] { return check_height(got, arguments.height); }; });
+
+    auto* const stream = root.add_subcommand("stream", "Did the own sensor's frames come whole?");
+    stream->add_option("GOT", got)->required();
+    stream->add_option("--max-lost", arguments.stream.max_lost_frames);
+    stream->add_option("--restarts", arguments.stream.restarts, "Of the sensor's clock");
+    stream->callback([&] { check = [&] { return check_stream(got, arguments.stream); }; });
+}
+
 int run(int argc, char const* const* argv)
 {
     CLI::App root("Judges what a scenario did");
     Arguments arguments;
     Check check;
     add_checks(root, arguments, check);
+    add_height_checks(root, arguments, check);
     root.require_subcommand(1);
     CLI11_PARSE(root, argc, argv);
     auto const result = check();
