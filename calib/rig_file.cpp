@@ -1,5 +1,6 @@
 #include "calib/rig_file.h"
 
+#include "calib/height_model_file.h"
 #include "calib/toml_table.h"
 #include "drivers/file.h"
 
@@ -33,46 +34,9 @@ static Result<Duration> duration_ms(TomlTable& table, std::string_view key, Numb
     return from_milliseconds(milliseconds);
 }
 
-static Result<HeightModel> parse_linear(TomlTable& table)
-{
-    LinearHeight model;
-    model.mm_per_count = TRY(table.number("mm_per_count", NumberRange::Positive));
-    model.zero_counts = TRY(table.number("zero_counts"));
-    return model;
-}
-
-static Result<HeightModel> parse_string(TomlTable& table)
-{
-    StringHeight model;
-    model.mm_per_count = TRY(table.number("mm_per_count", NumberRange::Positive));
-    model.zero_length_mm = TRY(table.number("zero_length_mm"));
-    model.offset_mm = TRY(table.number("offset_mm", NumberRange::NotNegative));
-    model.base_mm = TRY(table.number("base_mm", NumberRange::NotNegative));
-    return model;
-}
-
-// The models by their names in the file.
-struct NamedModel {
-    std::string_view name;
-    Result<HeightModel> (*parse)(TomlTable&);
-};
-
-static constexpr NamedModel kModels[] = {
-    { "linear", parse_linear },
-    { "string", parse_string },
-};
-
-static Result<HeightModel> parse_model(TomlTable& table)
-{
-    std::vector<std::string_view> names;
-    for (auto const& model : kModels)
-        names.push_back(model.name);
-    return kModels[TRY(table.word("model", names))].parse(table);
-}
-
 static Result<void> parse_height(TomlTable& table, Rig& rig)
 {
-    rig.height_model = TRY(parse_model(table));
+    rig.height_model = TRY(parse_height_model(table));
 
     auto const full_scale = TRY(table.integer("full_scale_counts", NumberRange::Positive));
     if (full_scale > std::numeric_limits<std::int32_t>::max())
@@ -139,29 +103,6 @@ Result<Rig> parse_rig(std::string_view text, std::string const& file)
     return rig;
 }
 
-static std::string print_model(LinearHeight const& model)
-{
-    return fmt::format(R"(model = "linear"     # height = mm_per_count * (counts - zero_counts)
-mm_per_count = {}
-zero_counts = {}
-)",
-                       model.mm_per_count, model.zero_counts);
-}
-
-static std::string print_model(StringHeight const& model)
-{
-    return fmt::format(
-        R"(model = "string"     # A string that runs aslant to a spool beside the carriage's way:
-                     # length = mm_per_count * counts + zero_length_mm
-                     # height = sqrt(length^2 - offset_mm^2) - base_mm
-mm_per_count = {}    # String per count.
-zero_length_mm = {}  # String at reading 0.
-offset_mm = {}       # From the spool across to the way of the string's end.
-base_mm = {}         # From the spool up to the string's end at height zero.
-)",
-        model.mm_per_count, model.zero_length_mm, model.offset_mm, model.base_mm);
-}
-
 static std::string print_pen(PressureResponse const& pressure)
 {
     return fmt::format(
@@ -176,8 +117,6 @@ pressure_exponent = {}        # Between the two: above 1 the ink stays thin for 
 
 std::string print_rig(Rig const& rig)
 {
-    auto const model
-        = std::visit([](auto const& kind) { return print_model(kind); }, rig.height_model);
     return fmt::format(
                R"(# A rig: what calibration found out about one tractus. Lengths are millimetres, times milliseconds,
 # angles degrees, counts what the height sensor's converter reads.
@@ -195,7 +134,7 @@ latency_ms = {}               # From the pen's being there to its report's arriv
 rotation_deg = {}             # Of the tablet on its carriage, counterclockwise seen from above.
 travel_shear = [{}, {}]       # Drift to the right and away from the user per millimetre of rise.
 )",
-               kVersion, model, rig.full_scale_counts, rig.calibrated_min_counts,
+               kVersion, print_height_model(rig.height_model), rig.full_scale_counts, rig.calibrated_min_counts,
                rig.calibrated_max_counts, to_milliseconds(rig.height_latency),
                to_milliseconds(rig.max_height_age), rig.tablet_size_mm.x(), rig.tablet_size_mm.y(),
                to_milliseconds(rig.tablet_latency), rig.rotation_deg, rig.travel_shear.x(),

@@ -231,23 +231,52 @@ Result<Vec3> TomlTable::vec3(std::string_view key)
     return Vec3(values[0], values[1], values[2]);
 }
 
-Result<std::vector<Vec3>> TomlTable::vec3_list(std::string_view key)
+Result<std::vector<double>> TomlTable::number_list(std::string_view key)
 {
-    constexpr std::string_view kExpected = "an array of points, each an array of 3 numbers";
+    constexpr std::string_view kExpected = "an array of numbers";
     auto const* const node = TRY(find(key, kExpected));
     auto const* const array = node->as_array();
+    if (array)
+        if (auto const values = numbers_in(*node, array->size(), NumberRange::Any))
+            return *values;
+    return wrong(key, fmt::format("is {}, expected {}", describe(*node), kExpected));
+}
+
+Result<std::vector<std::vector<double>>> TomlTable::points(std::string_view key,
+                                                           std::size_t dimensions)
+{
+    auto const expected
+        = fmt::format("an array of points, each an array of {} numbers", dimensions);
+    auto const* const node = TRY(find(key, expected));
+    auto const* const array = node->as_array();
     if (!array)
-        return wrong(key, fmt::format("is {}, expected {}", describe(*node), kExpected));
-    std::vector<Vec3> points;
+        return wrong(key, fmt::format("is {}, expected {}", describe(*node), expected));
+    std::vector<std::vector<double>> points;
     for (auto const& element : *array) {
-        auto const values = numbers_in(element, 3, NumberRange::Any);
+        auto const values = numbers_in(element, dimensions, NumberRange::Any);
         if (!values)
             return wrong(key,
                          fmt::format("has {} as point {}, expected {}", describe(element),
-                                     points.size() + 1, kExpected));
-        points.emplace_back((*values)[0], (*values)[1], (*values)[2]);
+                                     points.size() + 1, expected));
+        points.push_back(*values);
     }
     return points;
+}
+
+Result<std::vector<Vec2>> TomlTable::vec2_list(std::string_view key)
+{
+    std::vector<Vec2> places;
+    for (auto const& values : TRY(points(key, 2)))
+        places.emplace_back(values[0], values[1]);
+    return places;
+}
+
+Result<std::vector<Vec3>> TomlTable::vec3_list(std::string_view key)
+{
+    std::vector<Vec3> places;
+    for (auto const& values : TRY(points(key, 3)))
+        places.emplace_back(values[0], values[1], values[2]);
+    return places;
 }
 
 Result<TomlTable> TomlTable::table(std::string_view key)

@@ -50,7 +50,11 @@ public:
     Result<Vec2> vec2_or(std::string_view key, Vec2 const& fallback);
     Result<Vec3> vec3(std::string_view key);
 
-    // An array of arrays of three numbers.
+    // An array of numbers, however many.
+    Result<std::vector<double>> number_list(std::string_view key);
+
+    // An array of arrays of two, or of three, numbers.
+    Result<std::vector<Vec2>> vec2_list(std::string_view key);
     Result<std::vector<Vec3>> vec3_list(std::string_view key);
 
     Result<TomlTable> table(std::string_view key);
@@ -83,6 +87,7 @@ private:
     Result<toml::node const*> find(std::string_view key, std::string_view expected);
     std::string path_of(std::string_view key) const;
     Result<std::vector<double>> numbers(std::string_view key, std::size_t count, NumberRange range);
+    Result<std::vector<std::vector<double>>> points(std::string_view key, std::size_t dimensions);
 
     // Shared by the tables of one file: they all point into it.
     std::shared_ptr<Document const> document_;

@@ -1,0 +1,395 @@
+#include "calib/height_fit.h"
+
+#include "calib/height_capture_checks.h"
+#include "engine/base/check.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+#include <fmt/core.h>
+
+namespace tractus {
+
+namespace {
+
+using Captures = std::span<HeightCapture const>;
+
+constexpr double kGreatestChance = 0.01;
+constexpr double kSlipDeviations = 4;
+constexpr std::size_t kMostKnots = 12;
+constexpr std::array<std::string_view, 3> kNames { "linear", "string", "monotone" };
+
+// A model's fit with what it leaves out.
+struct RobustFit {
+    HeightModelKind kind = HeightModelKind::Linear;
+    ModelFit fit {};
+    std::vector<std::size_t> slipped {}; // Rising.
+    std::size_t used = 0;
+
+    std::size_t parameters() const
+    {
+        return static_cast<std::size_t>(parameters_of(fit.model).size());
+    }
+    // How many captures are left to tell the error: a slipped one is a parameter, too.
+    std::size_t freedom() const { return used - std::min(used, parameters()); }
+    double variance_mm2() const
+    {
+        return freedom() > 0 ? fit.sum_of_squares_mm2 / static_cast<double>(freedom()) : 0;
+    }
+    double rms_mm() const
+    {
+        return std::sqrt(fit.sum_of_squares_mm2 / static_cast<double>(used));
+    }
+};
+
+using Fitter = std::function<std::optional<ModelFit>(Captures)>;
+
+std::vector<HeightCapture> without(Captures captures, std::vector<std::size_t> const& left_out)
+{
+    std::vector<HeightCapture> rest;
+    for (std::size_t i = 0; i < captures.size(); ++i)
+        if (std::find(left_out.begin(), left_out.end(), i) == left_out.end())
+            rest.push_back(captures[i]);
+    return rest;
+}
+
+// The fit without the capture whose absence makes the rest fit best.
+std::optional<RobustFit> leave_one_out(Captures captures, RobustFit const& present,
+                                       Fitter const& fitter)
+{
+    std::optional<RobustFit> best;
+    for (std::size_t i = 0; i < captures.size(); ++i) {
+        auto left_out = present.slipped;
+        if (std::find(left_out.begin(), left_out.end(), i) != left_out.end())
+            continue;
+        left_out.push_back(i);
+        auto const fit = fitter(without(captures, left_out));
+        if (!fit || (best && best->fit.sum_of_squares_mm2 <= fit->sum_of_squares_mm2))
+            continue;
+        best = RobustFit { present.kind, *fit, left_out, captures.size() - left_out.size() };
+    }
+    return best;
+}
+
+std::optional<RobustFit> fit_robustly(HeightModelKind kind, Captures captures,
+                                      double ruler_error_mm, Fitter const& fitter)
+{
+    auto const whole = fitter(captures);
+    if (!whole)
+        return std::nullopt;
+    RobustFit present { kind, *whole, {}, captures.size() };
+    while (present.slipped.size() < most_slips(captures.size()) && present.freedom() > 1) {
+        auto const rest = leave_one_out(captures, present, fitter);
+        if (!rest)
+            break;
+        double const variance = std::max(ruler_error_mm * ruler_error_mm, rest->variance_mm2());
+        if (present.fit.sum_of_squares_mm2 - rest->fit.sum_of_squares_mm2
+            <= kSlipDeviations * kSlipDeviations * variance)
+            break;
+        present = *rest;
+    }
+    std::sort(present.slipped.begin(), present.slipped.end());
+    return present;
+}
+
+std::size_t distinct_readings(Captures captures)
+{
+    std::vector<double> counts;
+    for (auto const& capture : captures)
+        counts.push_back(capture.counts);
+    std::sort(counts.begin(), counts.end());
+    auto const end = std::unique(counts.begin(), counts.end(),
+                                 [](double a, double b) { return b - a < 1; });
+    return static_cast<std::size_t>(end - counts.begin());
+}
+
+// With the number of knots that leaves the least variance. Where the captures are too few to tell
+// one (asked for all the same), through all of them.
+std::optional<RobustFit> fit_best_monotone(Captures captures, HeightFitOptions const& options)
+{
+    auto const kind = HeightModelKind::Monotone;
+    auto const with_knots = [&](std::size_t knots) {
+        return fit_robustly(kind, captures, options.ruler_error_mm,
+                            [=](Captures some) -> std::optional<ModelFit> {
+                                if (some.size() < knots)
+                                    return std::nullopt;
+                                return fit_monotone(some, { knots });
+                            });
+    };
+    std::optional<RobustFit> best;
+    for (auto knots = parameter_count(kind);
+         knots + 2 <= captures.size() && knots <= kMostKnots; ++knots) {
+        auto const fit = with_knots(knots);
+        if (fit && fit->freedom() > 0
+            && (!best || fit->variance_mm2() < best->variance_mm2()))
+            best = fit;
+    }
+    if (!best && options.kind)
+        best = with_knots(std::min(distinct_readings(captures), kMostKnots));
+    return best;
+}
+
+std::optional<RobustFit> fit_kind(HeightModelKind kind, Captures captures,
+                                  HeightFitOptions const& options)
+{
+    switch (kind) {
+    case HeightModelKind::Linear:
+        return fit_robustly(kind, captures, options.ruler_error_mm, fit_linear);
+    case HeightModelKind::String:
+        return fit_robustly(kind, captures, options.ruler_error_mm, fit_string);
+    case HeightModelKind::Monotone:
+        return fit_best_monotone(captures, options);
+    }
+    return std::nullopt;
+}
+
+// The chance that a model without merit would gain as much over the simpler one. Residuals far
+// below what a ruler can tell are luck, and do not count as merit.
+double chance_of_gain(RobustFit const& simple, RobustFit const& rich, double ruler_error_mm)
+{
+    double const least_variance = ruler_error_mm * ruler_error_mm / 9;
+    if (rich.freedom() == 0 || rich.freedom() >= simple.freedom())
+        return 1;
+    auto const extra = static_cast<double>(simple.freedom() - rich.freedom());
+    double const gain = simple.fit.sum_of_squares_mm2 - rich.fit.sum_of_squares_mm2;
+    if (!(gain > 0))
+        return 1;
+    double const f = gain / extra / std::max(rich.variance_mm2(), least_variance);
+    boost::math::fisher_f const distribution(extra, static_cast<double>(rich.freedom()));
+    return boost::math::cdf(boost::math::complement(distribution, f));
+}
+
+struct Choice {
+    RobustFit fit {};
+    std::vector<HeightCandidate> candidates {};
+    std::string reason {};
+};
+
+HeightCandidate candidate_of(RobustFit const& fit)
+{
+    return { .kind = fit.kind,
+             .parameters = fit.parameters(),
+             .slipped = fit.slipped.size(),
+             .rms_mm = fit.rms_mm() };
+}
+
+std::string reason_for(Choice const& choice)
+{
+    auto const name = name_of(choice.fit.kind);
+    if (choice.candidates.size() == 1)
+        return fmt::format("{}: the only model that {} captures can tell", name, choice.fit.used);
+    double p_value = 1;
+    for (auto const& candidate : choice.candidates)
+        if (candidate.p_value && (candidate.kind == choice.fit.kind || choice.fit.kind == HeightModelKind::Linear))
+            p_value = std::min(p_value, *candidate.p_value);
+    if (choice.fit.kind == HeightModelKind::Linear)
+        return fmt::format("linear: what richer models gain may be chance (F test, p = {:.2g})",
+                           p_value);
+    return fmt::format("{}: it gains more than chance over simpler ones (F test, p = {:.2g})", name,
+                       p_value);
+}
+
+Result<Choice> choose_model(Captures captures, HeightFitOptions const& options)
+{
+    std::optional<Choice> choice;
+    std::vector<HeightCandidate> candidates;
+    for (auto const kind :
+         { HeightModelKind::Linear, HeightModelKind::String, HeightModelKind::Monotone }) {
+        // What leaves no capture over cannot be told from what is simpler.
+        if (captures.size() < parameter_count(kind) + (kind == HeightModelKind::Linear ? 0 : 1))
+            continue;
+        auto const fit = fit_kind(kind, captures, options);
+        if (!fit)
+            continue;
+        candidates.push_back(candidate_of(*fit));
+        if (choice)
+            candidates.back().p_value = chance_of_gain(choice->fit, *fit, options.ruler_error_mm);
+        if (!choice || *candidates.back().p_value < kGreatestChance)
+            choice = Choice { .fit = *fit };
+    }
+    if (!choice)
+        return fail(Fault::User,
+                    "no model fits the captures: check what was typed and capture them again");
+    choice->candidates = std::move(candidates);
+    choice->reason = reason_for(*choice);
+    return *choice;
+}
+
+Result<Choice> fit_asked_kind(Captures captures, HeightFitOptions const& options)
+{
+    auto const kind = *options.kind;
+    auto const needed = kind == HeightModelKind::Monotone ? 2 : parameter_count(kind);
+    if (captures.size() < needed)
+        return fail(Fault::User,
+                    fmt::format("a {} model has {} parameters and there are only {} captures: "
+                                "capture at least {} more heights",
+                                name_of(kind), needed, captures.size(), needed - captures.size()));
+    auto const fit = fit_kind(kind, captures, options);
+    if (!fit)
+        return fail(Fault::User,
+                    fmt::format("a {} model does not fit the captures: choose another, or leave "
+                                "the choice to the program",
+                                name_of(kind)));
+    return Choice { .fit = *fit,
+                    .candidates = { candidate_of(*fit) },
+                    .reason = fmt::format("{}: as was asked for", name_of(kind)) };
+}
+
+std::vector<std::string_view> parameter_names(HeightModel const& model)
+{
+    if (std::holds_alternative<LinearHeight>(model))
+        return { "mm_per_count", "zero_counts" };
+    if (std::holds_alternative<StringHeight>(model))
+        return { "mm_per_count", "zero_length_mm", "offset_mm", "base_mm" };
+    return std::vector<std::string_view>(static_cast<std::size_t>(parameters_of(model).size()),
+                                         "knot_mm");
+}
+
+std::vector<FitParameter> parameters_with_errors(HeightModel const& model,
+                                                 Eigen::MatrixXd const& covariance)
+{
+    auto const values = parameters_of(model);
+    auto const names = parameter_names(model);
+    std::vector<FitParameter> parameters;
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+        parameters.push_back({ .name = names[static_cast<std::size_t>(i)],
+                               .value = values[i],
+                               .standard_error = std::sqrt(std::max(0.0, covariance(i, i))) });
+    return parameters;
+}
+
+struct Mean {
+    double value = 0;
+    double variance = 0; // Of the mean.
+    std::size_t count = 0;
+};
+
+Mean mean_of(std::vector<double> const& values)
+{
+    Mean mean { .count = values.size() };
+    auto const count = static_cast<double>(values.size());
+    for (double const value : values)
+        mean.value += value / count;
+    for (double const value : values)
+        mean.variance += (value - mean.value) * (value - mean.value) / (count * (count - 1));
+    return mean;
+}
+
+std::optional<Hysteresis> hysteresis_of(Captures captures, HeightFit const& fit)
+{
+    std::vector<double> from_below;
+    std::vector<double> from_above;
+    for (std::size_t i = 0; i < captures.size(); ++i) {
+        if (std::binary_search(fit.slipped.begin(), fit.slipped.end(), i))
+            continue;
+        if (captures[i].from == HeightCapture::From::Below)
+            from_below.push_back(-fit.residuals_mm[i]);
+        else if (captures[i].from == HeightCapture::From::Above)
+            from_above.push_back(-fit.residuals_mm[i]);
+    }
+    if (from_below.size() < 2 || from_above.size() < 2)
+        return std::nullopt;
+    auto const up = mean_of(from_below);
+    auto const down = mean_of(from_above);
+    return Hysteresis { .mm = up.value - down.value,
+                        .standard_error_mm = std::sqrt(up.variance + down.variance) };
+}
+
+double pooled_noise(Captures captures)
+{
+    double squares = 0;
+    double readings = 0;
+    for (auto const& capture : captures) {
+        auto const weight = static_cast<double>(capture.readings);
+        squares += weight * capture.noise_counts * capture.noise_counts;
+        readings += weight;
+    }
+    return readings > 0 ? std::sqrt(squares / readings) : 0;
+}
+
+void tell_range(Captures captures, HeightFit& fit)
+{
+    bool is_first = true;
+    for (std::size_t i = 0; i < captures.size(); ++i) {
+        if (std::binary_search(fit.slipped.begin(), fit.slipped.end(), i))
+            continue;
+        double const counts = captures[i].counts;
+        fit.low_counts = is_first ? counts : std::min(fit.low_counts, counts);
+        fit.high_counts = is_first ? counts : std::max(fit.high_counts, counts);
+        is_first = false;
+    }
+    auto const one = height_mm(fit.model, fit.low_counts);
+    auto const other = height_mm(fit.model, fit.high_counts);
+    CHECK(one && other); // The captures were fitted.
+    fit.low_mm = std::min(*one, *other);
+    fit.high_mm = std::max(*one, *other);
+}
+
+HeightFit describe(Captures captures, Choice choice, HeightFitOptions const& options)
+{
+    HeightFit fit;
+    fit.model = choice.fit.fit.model;
+    fit.reason = std::move(choice.reason);
+    fit.candidates = std::move(choice.candidates);
+    fit.slipped = choice.fit.slipped;
+    fit.capture_error_mm
+        = std::sqrt(std::max(options.ruler_error_mm * options.ruler_error_mm,
+                             choice.fit.variance_mm2()));
+    fit.covariance
+        = choice.fit.fit.unit_covariance * fit.capture_error_mm * fit.capture_error_mm;
+    fit.parameters = parameters_with_errors(fit.model, fit.covariance);
+    fit.rms_mm = choice.fit.rms_mm();
+    for (std::size_t i = 0; i < captures.size(); ++i) {
+        double const height = height_mm(fit.model, captures[i].counts).value_or(0);
+        fit.residuals_mm.push_back(captures[i].ruler_mm - height);
+        if (!std::binary_search(fit.slipped.begin(), fit.slipped.end(), i))
+            fit.max_mm = std::max(fit.max_mm, std::abs(fit.residuals_mm.back()));
+    }
+    fit.hysteresis = hysteresis_of(captures, fit);
+    fit.noise_counts = pooled_noise(captures);
+    tell_range(captures, fit);
+    return fit;
+}
+
+} // namespace
+
+std::string_view name_of(HeightModelKind kind)
+{
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::optional<HeightModelKind> parse_height_model_kind(std::string_view name)
+{
+    auto const found = std::find(kNames.begin(), kNames.end(), name);
+    if (found == kNames.end())
+        return std::nullopt;
+    return static_cast<HeightModelKind>(found - kNames.begin());
+}
+
+void tell_directions(std::vector<HeightCapture>& captures)
+{
+    constexpr double kLeastMove_mm = 1;
+    for (std::size_t i = 0; i < captures.size(); ++i) {
+        double const rise_mm = i > 0 ? captures[i].ruler_mm - captures[i - 1].ruler_mm : 0;
+        captures[i].from = rise_mm > kLeastMove_mm ? HeightCapture::From::Below
+            : rise_mm < -kLeastMove_mm             ? HeightCapture::From::Above
+                                                   : HeightCapture::From::Nowhere;
+    }
+}
+
+double height_error_mm(HeightFit const& fit, double counts)
+{
+    auto const gradient = height_gradient(fit.model, counts);
+    return std::sqrt(std::max(0.0, gradient.dot(fit.covariance * gradient)));
+}
+
+Result<HeightFit> fit_height(Captures captures, HeightFitOptions const& options)
+{
+    TRY(check_captures(captures));
+    auto choice = options.kind ? TRY(fit_asked_kind(captures, options))
+                               : TRY(choose_model(captures, options));
+    return describe(captures, std::move(choice), options);
+}
+
+} // namespace tractus

@@ -1,0 +1,114 @@
+#pragma once
+
+#include "calib/height_capture.h"
+#include "calib/height_model.h"
+#include "calib/height_model_fit.h"
+#include "engine/base/result.h"
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tractus {
+
+struct HeightFitOptions {
+    // The model to fit; no value: the simplest that the captures support.
+    std::optional<HeightModelKind> kind {};
+
+    // How exactly the person reads the ruler: the standard deviation of a capture. What a fit makes
+    // of its parameters' errors never rests on less than this.
+    double ruler_error_mm = 0.3;
+};
+
+// One number of a model with its standard error.
+struct FitParameter {
+    std::string_view name; // As in the rig file: "mm_per_count".
+    double value = 0;
+    double standard_error = 0;
+};
+
+// How one kind of model fared, for the person who wonders about the choice.
+struct HeightCandidate {
+    HeightModelKind kind = HeightModelKind::Linear;
+    std::size_t parameters = 0;
+    std::size_t slipped = 0; // Captures that it would leave out.
+    double rms_mm = 0;
+
+    // How likely a gain over the simpler choice as great as this one would be by chance alone (F
+    // test); no value for the simplest.
+    std::optional<double> p_value {};
+};
+
+// How much higher the model takes the carriage to be when it comes from below than when it comes
+// from above: slack, friction, play.
+struct Hysteresis {
+    double mm = 0;
+    double standard_error_mm = 0;
+};
+
+struct HeightFit {
+    HeightModel model {};
+    std::string reason; // Why this model, in a sentence.
+    std::vector<HeightCandidate> candidates;
+
+    std::vector<FitParameter> parameters;
+    Eigen::MatrixXd covariance; // Of parameters_of(model).
+
+    std::vector<double> residuals_mm; // Ruler less model, for each capture, slipped ones too.
+    std::vector<std::size_t> slipped; // Captures that were left out, rising.
+    double rms_mm = 0;                // Of the captures that were used; as the next.
+    double max_mm = 0;
+    double capture_error_mm = 0; // What the errors rest on: the standard deviation of a capture.
+
+    std::optional<Hysteresis> hysteresis; // No value unless two captures came from either side.
+    double noise_counts = 0;              // At rest, of all captures.
+    double low_counts = 0;                // The captures' range, slipped ones left out …
+    double high_counts = 0;
+    double low_mm = 0; // … and the model's heights there: low_mm < high_mm, whichever way it counts.
+    double high_mm = 0;
+};
+
+// The standard error of a fit's height at a reading, as far as it comes from the parameters.
+double height_error_mm(HeightFit const& fit, double counts);
+
+// Fits the height sensor's model to captures, in the order in which they were made.
+//
+// The model is the simplest that the captures support: linear (2 parameters), string (4), monotone
+// (as many as it has knots, 5 at least). One with more parameters is taken if its gain over the
+// present choice would come about by chance in less than 1 of 100 cases, by the F test for the
+// extra sum of squares (G. Seber, C. Wild, "Nonlinear Regression", 1989, section 5.3). Not by the
+// corrected Akaike criterion: with seven captures that one wants a string to be 55 times closer
+// than a line before it takes it, since its correction divides by the captures that are left. A
+// monotone curve with its knots comes nearer to a string's than any ruler can tell, so that the two
+// are compared as if one contained the other; its number of knots is the one with the least
+// estimated variance.
+//
+// A capture that lies apart is taken for a slip of the ruler or of the tongue if without it the sum
+// of squares falls by more than (4 s)^2, s the ruler's error or the rest's standard deviation if
+// that is greater. It is left out and named, and counts as a parameter in the test (the mean shift
+// model of R. Cook and S. Weisberg, "Residuals and Influence in Regression", 1982). So it goes on
+// with the worst one, for at most a fifth of the captures, and as long as more are left than the
+// model has parameters.
+//
+// Standard errors are those of the linear approximation, times the greater one of the ruler's error
+// and the residuals' own standard deviation.
+//
+// Fails, as the user's fault, with a sentence that says what to do: fewer captures than parameters
+// or than two, heights all the same, heights that do not follow one direction, readings that stay
+// the same while the ruler rises (a slack string).
+Result<HeightFit> fit_height(std::span<HeightCapture const> captures,
+                             HeightFitOptions const& options = {});
+
+// Fills in each capture's `from`, from the heights in their order.
+void tell_directions(std::vector<HeightCapture>& captures);
+
+// "linear", "string" or "monotone".
+std::string_view name_of(HeightModelKind kind);
+std::optional<HeightModelKind> parse_height_model_kind(std::string_view name);
+
+} // namespace tractus

@@ -1,0 +1,112 @@
+#include "calib/height_model_file.h"
+
+#include <fmt/core.h>
+
+namespace tractus {
+
+namespace {
+
+Result<double> scale(TomlTable& table)
+{
+    double const mm_per_count = TRY(table.number("mm_per_count"));
+    if (mm_per_count == 0)
+        return table.wrong("mm_per_count", "is 0, expected a number other than 0");
+    return mm_per_count;
+}
+
+Result<HeightModel> parse_linear(TomlTable& table)
+{
+    LinearHeight model;
+    model.mm_per_count = TRY(scale(table));
+    model.zero_counts = TRY(table.number("zero_counts"));
+    return model;
+}
+
+Result<HeightModel> parse_string(TomlTable& table)
+{
+    StringHeight model;
+    model.mm_per_count = TRY(scale(table));
+    model.zero_length_mm = TRY(table.number("zero_length_mm"));
+    model.offset_mm = TRY(table.number("offset_mm", NumberRange::NotNegative));
+    model.base_mm = TRY(table.number("base_mm"));
+    if (table.has("spool"))
+        model.spool = static_cast<StringHeight::Spool>(
+            TRY(table.word("spool", { "below", "above" })));
+    return model;
+}
+
+Result<HeightModel> parse_monotone(TomlTable& table)
+{
+    MonotoneHeight model;
+    for (auto const& knot : TRY(table.vec2_list("knots")))
+        model.knots.push_back({ knot.x(), knot.y() });
+    if (!is_valid(model))
+        return table.wrong("knots",
+                           "do not rise or fall all the way, expected [counts, height_mm] with "
+                           "counts that rise and heights that only rise or only fall");
+    return model;
+}
+
+// The models by their names in the file, in the order of HeightModel.
+struct NamedModel {
+    std::string_view name;
+    Result<HeightModel> (*parse)(TomlTable&);
+};
+
+constexpr NamedModel kModels[] = {
+    { "linear", parse_linear },
+    { "string", parse_string },
+    { "monotone", parse_monotone },
+};
+
+std::string print(LinearHeight const& model)
+{
+    return fmt::format(R"(model = "linear"     # height = mm_per_count * (counts - zero_counts)
+mm_per_count = {}
+zero_counts = {}
+)",
+                       model.mm_per_count, model.zero_counts);
+}
+
+std::string print(StringHeight const& model)
+{
+    bool const is_below = model.spool == StringHeight::Spool::Below;
+    return fmt::format(
+        R"(model = "string"     # A string that runs aslant to a spool beside the carriage's way:
+                     # length = mm_per_count * counts + zero_length_mm
+                     # height = {}sqrt(length^2 - offset_mm^2) - base_mm
+mm_per_count = {}    # String per count.
+zero_length_mm = {}  # String at reading 0.
+offset_mm = {}       # From the spool across to the way of the string's end.
+base_mm = {}         # From the spool up to the string's end at height zero.
+spool = "{}"      # Where the spool is, seen from the carriage.
+)",
+        is_below ? "" : "-", model.mm_per_count, model.zero_length_mm, model.offset_mm,
+        model.base_mm, is_below ? "below" : "above");
+}
+
+std::string print(MonotoneHeight const& model)
+{
+    std::string text = "model = \"monotone\"   # A smooth curve through knots [counts, height_mm], "
+                       "straight on beyond them.\nknots = [\n";
+    for (auto const& knot : model.knots)
+        text += fmt::format("    [{}, {}],\n", knot.counts, knot.height_mm);
+    return text + "]\n";
+}
+
+} // namespace
+
+Result<HeightModel> parse_height_model(TomlTable& table)
+{
+    std::vector<std::string_view> names;
+    for (auto const& model : kModels)
+        names.push_back(model.name);
+    return kModels[TRY(table.word("model", names))].parse(table);
+}
+
+std::string print_height_model(HeightModel const& model)
+{
+    return std::visit([](auto const& kind) { return print(kind); }, model);
+}
+
+} // namespace tractus

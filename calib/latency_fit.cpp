@@ -1,0 +1,220 @@
+#include "calib/latency_fit.h"
+
+#include "calib/least_squares.h"
+#include "calib/pen_track.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+constexpr std::size_t kLeastTouches = 200;
+constexpr double kLeastRise_mm = 50;
+constexpr double kLeastRun_mm = 20;
+constexpr double kTurn_mm = 20; // A way back that counts as a turn.
+constexpr int kLeastTurns = 2;
+constexpr double kLeastCorrelation = 0.9;
+constexpr int kFarthest_ms = 150;
+constexpr int kStep_ms = 2;
+
+struct Data {
+    std::vector<TouchPoint> touches;
+    HeightTrack track;
+};
+
+// Touches for which every delay has its height, so that all delays are judged by the same ones.
+Data data_of(std::span<PenSample const> pens, std::span<HeightSample const> heights, Rig rig)
+{
+    rig.tablet_latency = rig.height_latency = Duration {};
+    auto track = height_track(heights, rig);
+    std::vector<TouchPoint> touches;
+    auto const farthest = std::chrono::milliseconds(kFarthest_ms + kStep_ms);
+    for (auto const& point : touch_points(pens, rig))
+        if (height_between(track, point.time) && height_between(track, point.time - farthest)
+            && height_between(track, point.time + farthest))
+            touches.push_back(point);
+    return { std::move(touches), std::move(track) };
+}
+
+// The heights that belong to the touches if the pen is `delay_ms` later than the height. No value
+// where one is missing.
+std::optional<Eigen::VectorXd> heights_at(Data const& data, double delay_ms)
+{
+    Eigen::VectorXd heights(static_cast<Eigen::Index>(data.touches.size()));
+    for (std::size_t i = 0; i < data.touches.size(); ++i) {
+        auto const height
+            = height_between(data.track, data.touches[i].time - from_seconds(delay_ms / 1000));
+        if (!height)
+            return std::nullopt;
+        heights[static_cast<Eigen::Index>(i)] = *height;
+    }
+    return heights;
+}
+
+Eigen::MatrixX2d places_of(Data const& data)
+{
+    Eigen::MatrixX2d places(static_cast<Eigen::Index>(data.touches.size()), 2);
+    for (std::size_t i = 0; i < data.touches.size(); ++i)
+        places.row(static_cast<Eigen::Index>(i)) = data.touches[i].position_mm.transpose();
+    return places;
+}
+
+// The edge as the tablet sees it: place = start_mm + run_per_rise * height.
+struct Edge {
+    Vec2 start_mm = Vec2::Zero();
+    Vec2 run_per_rise = Vec2::Zero();
+    double correlation = 0;
+};
+
+Edge edge_at(Eigen::MatrixX2d const& places, Eigen::VectorXd const& heights)
+{
+    Eigen::RowVector2d const mean_place = places.colwise().mean();
+    double const mean_height = heights.mean();
+    Eigen::VectorXd const rises = heights.array() - mean_height;
+    Eigen::MatrixX2d const ways = places.rowwise() - mean_place;
+    Vec2 const run = ways.transpose() * rises / std::max(rises.squaredNorm(), 1e-12);
+    double const explained = run.squaredNorm() * rises.squaredNorm();
+    return { .start_mm = mean_place.transpose() - run * mean_height,
+             .run_per_rise = run,
+             .correlation = std::sqrt(explained / std::max(ways.squaredNorm(), 1e-12)) };
+}
+
+int count_turns(Eigen::VectorXd const& heights)
+{
+    int turns = 0;
+    double direction = 0;
+    double farthest = heights[0];
+    for (double const height : heights) {
+        if (direction == 0 && std::abs(height - farthest) > kTurn_mm) {
+            direction = height > farthest ? 1 : -1;
+            farthest = height;
+        } else if (direction != 0 && direction * (height - farthest) > 0) {
+            farthest = height;
+        } else if (direction != 0 && direction * (farthest - height) > kTurn_mm) {
+            ++turns;
+            direction = -direction;
+            farthest = height;
+        }
+    }
+    return turns;
+}
+
+Result<void> check_movement(Data const& data)
+{
+    if (data.touches.size() < kLeastTouches)
+        return fail(Fault::User,
+                    fmt::format("the pen touched in only {} reports with a height, expected at "
+                                "least {}: let it follow the edge for ten seconds or more",
+                                data.touches.size(), kLeastTouches));
+    auto const heights = heights_at(data, 0).value();
+    if (double const rise_mm = heights.maxCoeff() - heights.minCoeff(); rise_mm < kLeastRise_mm)
+        return fail(Fault::User,
+                    fmt::format("the surface moved by only {:.0f} mm while the pen touched, "
+                                "expected at least {}: move it further",
+                                rise_mm, kLeastRise_mm));
+    if (int const turns = count_turns(heights); turns < kLeastTurns)
+        return fail(Fault::User,
+                    fmt::format("the surface turned {} times while the pen touched, expected at "
+                                "least {}: move it up and down several times",
+                                turns, kLeastTurns));
+    return {};
+}
+
+double run_of(Eigen::MatrixX2d const& places, Edge const& edge)
+{
+    Eigen::VectorXd const along = places * edge.run_per_rise.normalized();
+    return along.maxCoeff() - along.minCoeff();
+}
+
+Result<int> coarse_delay_ms(Data const& data, Eigen::MatrixX2d const& places)
+{
+    int best_ms = 0;
+    double best = -1;
+    for (int delay_ms = -kFarthest_ms; delay_ms <= kFarthest_ms; delay_ms += kStep_ms) {
+        auto const edge = edge_at(places, heights_at(data, delay_ms).value());
+        if (edge.correlation > best) {
+            best = edge.correlation;
+            best_ms = delay_ms;
+        }
+    }
+    if (best < kLeastCorrelation)
+        return fail(Fault::User,
+                    fmt::format("the pen's place and the height do not belong together "
+                                "(correlation {:.2f}, expected at least {}): keep the pen against "
+                                "one inclined edge that does not move",
+                                best, kLeastCorrelation));
+    if (std::abs(best_ms) == kFarthest_ms)
+        return fail(Fault::User,
+                    fmt::format("pen and height differ by {} ms or more: check that both devices "
+                                "are connected directly, then try again",
+                                kFarthest_ms));
+    return best_ms;
+}
+
+// Edge and delay together; parameters are start x, y, run x, y, delay in milliseconds.
+std::optional<LeastSquares> refine(Data const& data, Eigen::MatrixX2d const& places, int start_ms)
+{
+    auto const edge = edge_at(places, heights_at(data, start_ms).value());
+    auto const residuals
+        = [&](Eigen::VectorXd const& parameters) -> std::optional<Eigen::VectorXd> {
+        auto const heights = heights_at(data, parameters[4]);
+        if (!heights)
+            return std::nullopt;
+        Eigen::VectorXd misses(2 * heights->size());
+        for (Eigen::Index i = 0; i < heights->size(); ++i)
+            for (int axis = 0; axis < 2; ++axis)
+                misses[2 * i + axis] = parameters[axis] + parameters[2 + axis] * (*heights)[i]
+                    - places(i, axis);
+        return misses;
+    };
+    Eigen::VectorXd start(5);
+    start << edge.start_mm, edge.run_per_rise, start_ms;
+    return fit_least_squares(residuals, start);
+}
+
+} // namespace
+
+Result<LatencyFit> fit_latency(std::span<PenSample const> pens,
+                               std::span<HeightSample const> heights, Rig const& rig)
+{
+    auto const data = data_of(pens, heights, rig);
+    TRY(check_movement(data));
+    auto const places = places_of(data);
+    int const coarse_ms = TRY(coarse_delay_ms(data, places));
+    auto const edge = edge_at(places, heights_at(data, coarse_ms).value());
+    double const run_mm = run_of(places, edge);
+    if (run_mm < kLeastRun_mm)
+        return fail(Fault::User,
+                    fmt::format("the pen went only {:.0f} mm along the tablet, expected at least "
+                                "{}: incline the edge more, 45 degrees say",
+                                run_mm, kLeastRun_mm));
+    auto const fit = refine(data, places, coarse_ms);
+    if (!fit)
+        return fail(Fault::User, "the delay cannot be told: record the movement again");
+    std::vector<int> stretches;
+    for (auto const& touch : data.touches)
+        stretches.insert(stretches.end(), 2, stretch_of(touch.time));
+    return LatencyFit {
+        .delay_ms = fit->parameters[4],
+        .error_ms = std::sqrt(block_covariance(*fit, stretches)(4, 4)),
+        .correlation = edge.correlation,
+        .rms_mm
+        = std::sqrt(fit->sum_of_squares() / static_cast<double>(data.touches.size())),
+        .run_mm = run_mm,
+        .touches = data.touches.size(),
+    };
+}
+
+Rig with_delay(Rig rig, LatencyFit const& fit)
+{
+    auto const delay = from_seconds(fit.delay_ms / 1000);
+    rig.tablet_latency = std::max(rig.height_latency + delay, Duration {});
+    rig.height_latency = rig.tablet_latency - delay;
+    return rig;
+}
+
+} // namespace tractus

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "calib/rig.h"
+#include "drivers/height_sample.h"
+#include "drivers/pen_sample.h"
+#include "engine/base/result.h"
+#include "engine/base/time.h"
+
+#include <cstddef>
+#include <span>
+
+namespace tractus {
+
+// How much later than the height the pen arrives, from a pen that follows a fixed inclined edge
+// while the surface moves up and down: where the edge is fixed, place and height must agree.
+struct LatencyFit {
+    // Tablet's latency less height sensor's; only their difference shows. Below 0 where the height
+    // is the later one.
+    double delay_ms = 0;
+    double error_ms = 0; // Standard error.
+
+    double correlation = 0; // Of place and height at that delay: 1 for a perfect edge and hand.
+    double rms_mm = 0;      // By how much the pen strayed from the edge.
+    double run_mm = 0;      // How far it went along the tablet.
+    std::size_t touches = 0;
+};
+
+// Finds the delay within 150 ms to either side of none: first as the greatest correlation of place
+// and height among delays 2 ms apart, then by least squares for the edge and the delay together
+// (Gauss and Newton), which is as exact as the noise allows and tells its error. The rig's own
+// latencies do not matter.
+//
+// Fails, as the user's fault, with what to do: fewer than 200 touches with a height, less than 50
+// mm of rise or 20 mm along the tablet, fewer than two turns from up to down or down to up, place
+// and height that do not belong together (correlation below 0.9), a delay at the end of the search.
+Result<LatencyFit> fit_latency(std::span<PenSample const> pens,
+                               std::span<HeightSample const> heights, Rig const& rig);
+
+// The rig with latencies that differ by the delay: the height sensor's stays, and the tablet's
+// follows, unless that would be less than nothing; then it is nothing, and the height sensor's
+// follows.
+Rig with_delay(Rig rig, LatencyFit const& fit);
+
+} // namespace tractus

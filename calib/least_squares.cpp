@@ -1,0 +1,131 @@
+#include "calib/least_squares.h"
+
+#include "engine/base/check.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+namespace tractus {
+
+namespace {
+
+constexpr int kMostSteps = 200;
+constexpr double kSmallestStep = 1e-10; // Of a parameter, relative.
+constexpr double kGreatestDamping = 1e12;
+
+// Central differences, or one-sided ones at the model's border.
+std::optional<Eigen::MatrixXd> jacobian_at(ResidualFunction const& residuals,
+                                           Eigen::VectorXd const& parameters,
+                                           Eigen::VectorXd const& here)
+{
+    Eigen::MatrixXd jacobian(here.size(), parameters.size());
+    for (Eigen::Index i = 0; i < parameters.size(); ++i) {
+        double const step = 1e-6 * std::max(std::abs(parameters[i]), 1e-4);
+        Eigen::VectorXd low = parameters;
+        Eigen::VectorXd high = parameters;
+        low[i] -= step;
+        high[i] += step;
+        auto const below = residuals(low);
+        auto const above = residuals(high);
+        if (!below && !above)
+            return std::nullopt;
+        jacobian.col(i) = ((above ? *above : here) - (below ? *below : here))
+            / ((above ? step : 0) + (below ? step : 0));
+    }
+    return jacobian;
+}
+
+// The Moore-Penrose inverse of J^T J, which is there even if a parameter does not matter.
+Eigen::MatrixXd inverse_normal(Eigen::MatrixXd const& jacobian)
+{
+    Eigen::VectorXd const scale = jacobian.colwise().norm().cwiseMax(1e-300);
+    Eigen::MatrixXd const scaled = jacobian * scale.cwiseInverse().asDiagonal();
+    Eigen::MatrixXd const half = scaled.completeOrthogonalDecomposition().pseudoInverse();
+    return scale.cwiseInverse().asDiagonal() * (half * half.transpose())
+        * scale.cwiseInverse().asDiagonal();
+}
+
+struct Point {
+    Eigen::VectorXd parameters;
+    Eigen::VectorXd residuals;
+};
+
+// The next better point, more damped with each one that is not; no value if there is none.
+std::optional<Point> better_point(ResidualFunction const& residuals, Point const& here,
+                                  Eigen::MatrixXd const& jacobian, double& damping)
+{
+    Eigen::MatrixXd const normal = jacobian.transpose() * jacobian;
+    Eigen::VectorXd const gradient = jacobian.transpose() * here.residuals;
+    Eigen::VectorXd const scale = normal.diagonal().cwiseMax(1e-300);
+    for (; damping < kGreatestDamping; damping *= 10) {
+        Eigen::MatrixXd damped = normal;
+        damped.diagonal() += damping * scale;
+        Eigen::VectorXd const next = here.parameters - damped.ldlt().solve(gradient);
+        auto const there = residuals(next);
+        if (there && there->squaredNorm() <= here.residuals.squaredNorm())
+            return Point { next, *there };
+    }
+    return std::nullopt;
+}
+
+bool is_small(Eigen::VectorXd const& step, Eigen::VectorXd const& parameters)
+{
+    return (step.array().abs() <= kSmallestStep * parameters.array().abs().max(1e-6)).all();
+}
+
+} // namespace
+
+std::optional<LeastSquares> fit_least_squares(ResidualFunction const& residuals,
+                                              Eigen::VectorXd const& start)
+{
+    auto const first = residuals(start);
+    if (!first)
+        return std::nullopt;
+    Point here { start, *first };
+    double damping = 1e-3;
+    for (int step = 0; step < kMostSteps; ++step) {
+        auto const jacobian = jacobian_at(residuals, here.parameters, here.residuals);
+        if (!jacobian)
+            return std::nullopt;
+        auto next = better_point(residuals, here, *jacobian, damping);
+        if (!next)
+            break;
+        bool const is_there = is_small(next->parameters - here.parameters, here.parameters);
+        here = *std::move(next);
+        damping = std::max(damping / 10, 1e-15);
+        if (is_there)
+            break;
+    }
+    auto const jacobian = jacobian_at(residuals, here.parameters, here.residuals);
+    if (!jacobian)
+        return std::nullopt;
+    return LeastSquares { .parameters = here.parameters,
+                          .residuals = here.residuals,
+                          .jacobian = *jacobian,
+                          .unit_covariance = inverse_normal(*jacobian) };
+}
+
+Eigen::MatrixXd block_covariance(LeastSquares const& fit, std::span<int const> block)
+{
+    CHECK(static_cast<Eigen::Index>(block.size()) == fit.residuals.size());
+    auto const count = fit.jacobian.cols();
+    Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(count, count);
+    Eigen::VectorXd score = Eigen::VectorXd::Zero(count);
+    int blocks = 0;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+        auto const row = static_cast<Eigen::Index>(i);
+        score += fit.jacobian.row(row).transpose() * fit.residuals[row];
+        if (i + 1 == block.size() || block[i + 1] != block[i]) {
+            scatter += score * score.transpose();
+            score.setZero();
+            ++blocks;
+        }
+    }
+    double const correction = blocks > count ? static_cast<double>(blocks) / double(blocks - count)
+                                             : static_cast<double>(blocks);
+    return correction * fit.unit_covariance * scatter * fit.unit_covariance;
+}
+
+} // namespace tractus

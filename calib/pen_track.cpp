@@ -1,0 +1,48 @@
+#include "calib/pen_track.h"
+
+namespace tractus {
+
+static constexpr Duration kAllOfIt = std::chrono::hours(24);
+static constexpr Duration kLongestGap = std::chrono::milliseconds(50);
+static constexpr Duration kStretch = std::chrono::milliseconds(500);
+
+std::vector<TouchPoint> touch_points(std::span<PenSample const> pens, Rig const& rig)
+{
+    auto level = rig;
+    level.travel_shear = Vec2::Zero();
+    auto const T_world_tablet = tractus::T_world_tablet(level);
+    std::vector<TouchPoint> points;
+    for (auto const& pen : pens) {
+        if (!pen.touching)
+            continue;
+        Vec3 const place_mm
+            = T_world_tablet * Vec3(pen.position_mm.x(), pen.position_mm.y(), 0);
+        points.push_back({ pen.time - rig.tablet_latency, place_mm.head<2>() });
+    }
+    return points;
+}
+
+HeightTrack height_track(std::span<HeightSample const> heights, Rig const& rig)
+{
+    HeightTrack track(kAllOfIt);
+    for (auto const& sample : heights)
+        if (sample.full_scale == rig.full_scale_counts)
+            if (auto const height = height_mm(rig.height_model, sample.counts))
+                track.add(sample.time - rig.height_latency, *height);
+    return track;
+}
+
+std::optional<double> height_between(HeightTrack const& track, Timestamp time)
+{
+    auto const estimate = track.at(time, kLongestGap);
+    if (!estimate || estimate->kind != TipSample::Height::Interpolated)
+        return std::nullopt;
+    return estimate->height_mm;
+}
+
+int stretch_of(Timestamp time)
+{
+    return static_cast<int>(time.time_since_epoch() / kStretch);
+}
+
+} // namespace tractus

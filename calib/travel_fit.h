@@ -1,0 +1,41 @@
+#pragma once
+
+#include "calib/rig.h"
+#include "drivers/height_sample.h"
+#include "drivers/pen_sample.h"
+#include "engine/base/result.h"
+#include "engine/base/vectors.h"
+
+#include <cstddef>
+#include <span>
+
+namespace tractus {
+
+// How the carriage really travels, from a pen held against a vertical straight edge that stands on
+// the desk: what the pen seems to drift over the tablet, the tablet drifts under it.
+struct TravelFit {
+    Vec2 shear = Vec2::Zero(); // As Rig::travel_shear: drift to +x and +y per millimetre of rise.
+    Vec2 shear_error = Vec2::Zero(); // Standard errors.
+
+    // Between the carriage's way and the tablet's normal.
+    double tilt_rad = 0;
+    double tilt_error_rad = 0;
+
+    double rise_mm = 0; // Between the lowest and the highest touch.
+    double rms_mm = 0;  // By how much the pen strayed from the edge.
+    std::size_t touches = 0;
+};
+
+// Fits the shear to what pen and height sensor sent meanwhile, with the rig's height model and
+// latencies. An edge that leans is not told from a carriage that does: 1 mm in 500 is 0.002.
+//
+// A pen that slips off for a moment does not spoil it: points far off the edge count less (P.
+// Huber, "Robust estimation of a location parameter", Ann. Math. Stat. 35, 1964). Standard errors
+// take into account that a hand's tremor is no white noise (block_covariance of least_squares.h).
+//
+// Fails, as the user's fault, with what to do: fewer than 100 touches with a height, less than 100
+// mm of rise, a pen that strayed by more than 3 mm in the mean.
+Result<TravelFit> fit_travel(std::span<PenSample const> pens,
+                             std::span<HeightSample const> heights, Rig const& rig);
+
+} // namespace tractus
