@@ -8,6 +8,7 @@ namespace tractus {
 Fuser::Fuser(Rig const& rig)
     : rig_(rig)
     , T_world_tablet_(tractus::T_world_tablet(rig))
+    , calibrated_(calibrated_heights(rig))
     , heights_(kPatience + rig.max_height_age + HeightTrack::kHalfWidth)
 {
 }
@@ -47,6 +48,7 @@ TipSample Fuser::tip(PenSample const& pen, HeightTrack::Estimate const& height) 
         .touching = pen.touching,
         .eraser = pen.eraser,
         .height = height.kind,
+        .outside_calibration = !is_calibrated(height.height_mm),
     };
 }
 
@@ -57,6 +59,13 @@ std::optional<HeightTrack::Estimate> Fuser::height_at(PenSample const& pen) cons
     double const height = height_mm(scripted_->scenario, pen.time - scripted_->first_pen,
                                     scripted_->last_pen - scripted_->first_pen);
     return HeightTrack::Estimate { height, TipSample::Height::Interpolated };
+}
+
+bool Fuser::is_calibrated(double height_mm) const
+{
+    return scripted_ || !calibrated_
+        || (height_mm >= calibrated_->low_mm - kCalibrationMargin_mm
+            && height_mm <= calibrated_->high_mm + kCalibrationMargin_mm);
 }
 
 // Whether later readings, should they come in order, cannot change the height at `pen` any more.
@@ -129,6 +138,7 @@ void Fuser::settle_next()
         settled_.push_back(tip(pen, *height));
         lift_after_gap(settled_.back(), gap_before_settled_);
         ++counts_.settled;
+        counts_.settled_uncalibrated += settled_.back().outside_calibration;
     } else {
         gap_before_settled_ = true;
         ++counts_.pens_without_height;

@@ -34,6 +34,9 @@ struct FuserCounts {
     std::size_t heights = 0;
     std::size_t heights_refused = 0;
     std::size_t heights_uncalibrated = 0;
+
+    // Of the settled tips, those outside the calibrated range.
+    std::size_t settled_uncalibrated = 0;
 };
 
 // Joins the two sensors: a pen on the tablet and the height of the tablet's carriage.
@@ -48,6 +51,9 @@ struct FuserCounts {
 // plane and 200 mm/s in height, tips lie 0.1 mm from the truth in the mean; settled ones at most
 // 0.5 mm, live ones at most 1 mm.
 //
+// A tip more than kCalibrationMargin_mm above or below the rig's calibrated range is marked as
+// such: its height is a guess. (Within the margin it may be noise at either end of the travel.)
+//
 // Samples of one sensor should come in time order; a height that comes late is put in its place as
 // far as tips are not settled yet. The two sensors may interleave in any way, as long as neither
 // runs ahead of the other by more than kPatience. Not thread-safe: it lives on the main thread. No
@@ -55,6 +61,7 @@ struct FuserCounts {
 class Fuser {
 public:
     static constexpr Duration kPatience = std::chrono::seconds(1);
+    static constexpr double kCalibrationMargin_mm = 1;
 
     explicit Fuser(Rig const& rig);
 
@@ -88,12 +95,14 @@ private:
     TipSample tip(PenSample const& pen, HeightTrack::Estimate const& height) const;
     Timestamp instant(PenSample const& pen) const { return pen.time - rig_.tablet_latency; }
     std::optional<HeightTrack::Estimate> height_at(PenSample const& pen) const;
+    bool is_calibrated(double height_mm) const;
     bool has_all_readings(PenSample const& pen) const;
     void settle_ready();
     void settle_next();
 
     Rig rig_;
     Eigen::Affine3d T_world_tablet_;
+    std::optional<HeightRange> calibrated_;
     std::optional<ScriptedHeight> scripted_;
     HeightTrack heights_;
     std::deque<PenSample> pending_; // Not settled yet.

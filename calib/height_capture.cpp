@@ -29,10 +29,11 @@ Statistics statistics(std::span<HeightSample const> samples)
     Statistics result;
     auto const count = static_cast<double>(samples.size());
     for (auto const& sample : samples) {
-        result.mean += sample.counts / count;
+        result.mean += sample.counts; // Whole numbers: exact.
         result.on_low_rail += sample.counts <= 0;
         result.on_high_rail += sample.counts >= sample.full_scale;
     }
+    result.mean /= std::max(1.0, count);
     double squares = 0;
     double difference_squares = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -152,6 +153,12 @@ std::vector<int> scatter_about(double mean, std::span<HeightSample const> sample
     return { scatter.begin() + spare, scatter.end() - spare };
 }
 
+// For whoever reads them in a file; far below what a mean can tell.
+double to_thousandths(double counts)
+{
+    return std::round(counts * 1000) / 1000;
+}
+
 } // namespace
 
 double noise_bin_counts(std::int32_t full_scale_counts)
@@ -182,8 +189,8 @@ Result<HeightCapture> capture_at_rest(std::span<HeightSample const> samples, dou
     TRY(check_rest(seen, samples));
     return HeightCapture {
         .ruler_mm = ruler_mm,
-        .counts = seen.mean,
-        .noise_counts = seen.deviation,
+        .counts = to_thousandths(seen.mean),
+        .noise_counts = to_thousandths(seen.deviation),
         .readings = samples.size(),
         .scatter = scatter_about(seen.mean, samples),
     };

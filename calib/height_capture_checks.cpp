@@ -32,9 +32,8 @@ std::vector<std::size_t> by_height(Captures captures)
 Result<void> check_span(Captures captures)
 {
     auto const [low, high]
-        = std::minmax_element(captures.begin(), captures.end(), [](auto const& a, auto const& b) {
-              return a.ruler_mm < b.ruler_mm;
-          });
+        = std::minmax_element(captures.begin(), captures.end(),
+                              [](auto const& a, auto const& b) { return a.ruler_mm < b.ruler_mm; });
     if (high->ruler_mm - low->ruler_mm < kLeastSpan_mm)
         return fail(Fault::User,
                     fmt::format("all {} captures are at one height, {:g} to {:g} mm: move the "
@@ -75,9 +74,9 @@ Result<void> check_slack(Captures captures, std::vector<std::size_t> const& orde
             ++next;
         if (next < order.size()) {
             auto const& there = captures[order[next]];
-            steps.push_back({ order[i], order[next],
-                              std::abs(there.counts - here.counts)
-                                  / (there.ruler_mm - here.ruler_mm) });
+            steps.push_back(
+                { order[i], order[next],
+                  std::abs(there.counts - here.counts) / (there.ruler_mm - here.ruler_mm) });
         }
         i = next;
     }

@@ -37,10 +37,7 @@ struct RobustFit {
     {
         return freedom() > 0 ? fit.sum_of_squares_mm2 / static_cast<double>(freedom()) : 0;
     }
-    double rms_mm() const
-    {
-        return std::sqrt(fit.sum_of_squares_mm2 / static_cast<double>(used));
-    }
+    double rms_mm() const { return std::sqrt(fit.sum_of_squares_mm2 / static_cast<double>(used)); }
 };
 
 using Fitter = std::function<std::optional<ModelFit>(Captures)>;
@@ -99,8 +96,8 @@ std::size_t distinct_readings(Captures captures)
     for (auto const& capture : captures)
         counts.push_back(capture.counts);
     std::sort(counts.begin(), counts.end());
-    auto const end = std::unique(counts.begin(), counts.end(),
-                                 [](double a, double b) { return b - a < 1; });
+    auto const end
+        = std::unique(counts.begin(), counts.end(), [](double a, double b) { return b - a < 1; });
     return static_cast<std::size_t>(end - counts.begin());
 }
 
@@ -118,11 +115,10 @@ std::optional<RobustFit> fit_best_monotone(Captures captures, HeightFitOptions c
                             });
     };
     std::optional<RobustFit> best;
-    for (auto knots = parameter_count(kind);
-         knots + 2 <= captures.size() && knots <= kMostKnots; ++knots) {
+    for (auto knots = parameter_count(kind); knots + 2 <= captures.size() && knots <= kMostKnots;
+         ++knots) {
         auto const fit = with_knots(knots);
-        if (fit && fit->freedom() > 0
-            && (!best || fit->variance_mm2() < best->variance_mm2()))
+        if (fit && fit->freedom() > 0 && (!best || fit->variance_mm2() < best->variance_mm2()))
             best = fit;
     }
     if (!best && options.kind)
@@ -181,7 +177,8 @@ std::string reason_for(Choice const& choice)
         return fmt::format("{}: the only model that {} captures can tell", name, choice.fit.used);
     double p_value = 1;
     for (auto const& candidate : choice.candidates)
-        if (candidate.p_value && (candidate.kind == choice.fit.kind || choice.fit.kind == HeightModelKind::Linear))
+        if (candidate.p_value
+            && (candidate.kind == choice.fit.kind || choice.fit.kind == HeightModelKind::Linear))
             p_value = std::min(p_value, *candidate.p_value);
     if (choice.fit.kind == HeightModelKind::Linear)
         return fmt::format("linear: what richer models gain may be chance (F test, p = {:.2g})",
@@ -333,11 +330,9 @@ HeightFit describe(Captures captures, Choice choice, HeightFitOptions const& opt
     fit.reason = std::move(choice.reason);
     fit.candidates = std::move(choice.candidates);
     fit.slipped = choice.fit.slipped;
-    fit.capture_error_mm
-        = std::sqrt(std::max(options.ruler_error_mm * options.ruler_error_mm,
-                             choice.fit.variance_mm2()));
-    fit.covariance
-        = choice.fit.fit.unit_covariance * fit.capture_error_mm * fit.capture_error_mm;
+    fit.capture_error_mm = std::sqrt(
+        std::max(options.ruler_error_mm * options.ruler_error_mm, choice.fit.variance_mm2()));
+    fit.covariance = choice.fit.fit.unit_covariance * fit.capture_error_mm * fit.capture_error_mm;
     fit.parameters = parameters_with_errors(fit.model, fit.covariance);
     fit.rms_mm = choice.fit.rms_mm();
     for (std::size_t i = 0; i < captures.size(); ++i) {

@@ -69,7 +69,8 @@ struct HeightFit {
     double noise_counts = 0;              // At rest, of all captures.
     double low_counts = 0;                // The captures' range, slipped ones left out …
     double high_counts = 0;
-    double low_mm = 0; // … and the model's heights there: low_mm < high_mm, whichever way it counts.
+    double low_mm
+        = 0; // … and the model's heights there: low_mm < high_mm, whichever way it counts.
     double high_mm = 0;
 };
 

@@ -35,8 +35,8 @@ double end_slope(std::vector<Knot> const& knots, std::size_t outer, std::size_t 
         return outer_secant;
     double const outer_width = knots[outer + 1].counts - knots[outer].counts;
     double const next_width = knots[next + 1].counts - knots[next].counts;
-    double const ratio = ((2 * outer_width + next_width) * outer_secant
-                          - outer_width * secant(knots, next))
+    double const ratio
+        = ((2 * outer_width + next_width) * outer_secant - outer_width * secant(knots, next))
         / (outer_width + next_width) / outer_secant;
     return outer_secant * std::clamp(ratio, 0.1, 3.0);
 }

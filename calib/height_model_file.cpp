@@ -30,8 +30,8 @@ Result<HeightModel> parse_string(TomlTable& table)
     model.offset_mm = TRY(table.number("offset_mm", NumberRange::NotNegative));
     model.base_mm = TRY(table.number("base_mm"));
     if (table.has("spool"))
-        model.spool = static_cast<StringHeight::Spool>(
-            TRY(table.word("spool", { "below", "above" })));
+        model.spool
+            = static_cast<StringHeight::Spool>(TRY(table.word("spool", { "below", "above" })));
     return model;
 }
 

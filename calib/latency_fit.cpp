@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <limits>
 #include <vector>
 
 namespace tractus {
@@ -21,23 +22,58 @@ constexpr double kLeastCorrelation = 0.9;
 constexpr int kFarthest_ms = 150;
 constexpr int kStep_ms = 2;
 
+// The heights at whole milliseconds, since each is asked for hundreds of times. Between them a
+// straight line will do: what they are smoothed over is 36 times as long.
+class HeightTable {
+public:
+    HeightTable(HeightTrack const& track, Timestamp first, Timestamp last)
+        : first_(first)
+    {
+        for (auto time = first; time <= last + kSpacing; time += kSpacing)
+            heights_mm_.push_back(
+                height_between(track, time).value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+
+    // No value where there are no readings nearby.
+    std::optional<double> at(Timestamp time) const
+    {
+        double const place = to_seconds(time - first_) / to_seconds(kSpacing);
+        if (!(place >= 0 && place < static_cast<double>(heights_mm_.size()) - 1))
+            return std::nullopt;
+        auto const i = static_cast<std::size_t>(place);
+        double const part = place - static_cast<double>(i);
+        double const height = (1 - part) * heights_mm_[i] + part * heights_mm_[i + 1];
+        return std::isfinite(height) ? std::optional(height) : std::nullopt;
+    }
+
+private:
+    static constexpr Duration kSpacing = std::chrono::milliseconds(1);
+
+    Timestamp first_;
+    std::vector<double> heights_mm_;
+};
+
 struct Data {
     std::vector<TouchPoint> touches;
-    HeightTrack track;
+    HeightTable heights;
 };
 
 // Touches for which every delay has its height, so that all delays are judged by the same ones.
 Data data_of(std::span<PenSample const> pens, std::span<HeightSample const> heights, Rig rig)
 {
     rig.tablet_latency = rig.height_latency = Duration {};
-    auto track = height_track(heights, rig);
-    std::vector<TouchPoint> touches;
+    auto const points = touch_points(pens, rig);
+    if (points.empty())
+        return { {}, HeightTable(HeightTrack(Duration {}), {}, {}) };
     auto const farthest = std::chrono::milliseconds(kFarthest_ms + kStep_ms);
-    for (auto const& point : touch_points(pens, rig))
-        if (height_between(track, point.time) && height_between(track, point.time - farthest)
-            && height_between(track, point.time + farthest))
-            touches.push_back(point);
-    return { std::move(touches), std::move(track) };
+    HeightTable const table(height_track(heights, rig), points.front().time - farthest,
+                            points.back().time + farthest);
+    Data data { {}, table };
+    for (auto const& point : points)
+        if (table.at(point.time) && table.at(point.time - farthest)
+            && table.at(point.time + farthest))
+            data.touches.push_back(point);
+    return data;
 }
 
 // The heights that belong to the touches if the pen is `delay_ms` later than the height. No value
@@ -46,8 +82,7 @@ std::optional<Eigen::VectorXd> heights_at(Data const& data, double delay_ms)
 {
     Eigen::VectorXd heights(static_cast<Eigen::Index>(data.touches.size()));
     for (std::size_t i = 0; i < data.touches.size(); ++i) {
-        auto const height
-            = height_between(data.track, data.touches[i].time - from_seconds(delay_ms / 1000));
+        auto const height = data.heights.at(data.touches[i].time - from_seconds(delay_ms / 1000));
         if (!height)
             return std::nullopt;
         heights[static_cast<Eigen::Index>(i)] = *height;
@@ -167,13 +202,15 @@ std::optional<LeastSquares> refine(Data const& data, Eigen::MatrixX2d const& pla
         Eigen::VectorXd misses(2 * heights->size());
         for (Eigen::Index i = 0; i < heights->size(); ++i)
             for (int axis = 0; axis < 2; ++axis)
-                misses[2 * i + axis] = parameters[axis] + parameters[2 + axis] * (*heights)[i]
-                    - places(i, axis);
+                misses[2 * i + axis]
+                    = parameters[axis] + parameters[2 + axis] * (*heights)[i] - places(i, axis);
         return misses;
     };
     Eigen::VectorXd start(5);
     start << edge.start_mm, edge.run_per_rise, start_ms;
-    return fit_least_squares(residuals, start);
+    Eigen::VectorXd steps(5); // Times are nanoseconds, and heights pieces of lines.
+    steps << 1e-3, 1e-3, 1e-6, 1e-6, 0.5;
+    return fit_least_squares(residuals, start, steps);
 }
 
 } // namespace
@@ -202,8 +239,7 @@ Result<LatencyFit> fit_latency(std::span<PenSample const> pens,
         .delay_ms = fit->parameters[4],
         .error_ms = std::sqrt(block_covariance(*fit, stretches)(4, 4)),
         .correlation = edge.correlation,
-        .rms_mm
-        = std::sqrt(fit->sum_of_squares() / static_cast<double>(data.touches.size())),
+        .rms_mm = std::sqrt(fit->sum_of_squares() / static_cast<double>(data.touches.size())),
         .run_mm = run_mm,
         .touches = data.touches.size(),
     };

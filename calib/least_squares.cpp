@@ -13,16 +13,19 @@ namespace {
 
 constexpr int kMostSteps = 200;
 constexpr double kSmallestStep = 1e-10; // Of a parameter, relative.
+constexpr double kSmallestGain = 1e-12; // Of the sum of squares, relative.
 constexpr double kGreatestDamping = 1e12;
 
 // Central differences, or one-sided ones at the model's border.
 std::optional<Eigen::MatrixXd> jacobian_at(ResidualFunction const& residuals,
                                            Eigen::VectorXd const& parameters,
-                                           Eigen::VectorXd const& here)
+                                           Eigen::VectorXd const& here,
+                                           Eigen::VectorXd const& steps)
 {
     Eigen::MatrixXd jacobian(here.size(), parameters.size());
     for (Eigen::Index i = 0; i < parameters.size(); ++i) {
-        double const step = 1e-6 * std::max(std::abs(parameters[i]), 1e-4);
+        double const step
+            = steps.size() > 0 ? steps[i] : 1e-6 * std::max(std::abs(parameters[i]), 1e-4);
         Eigen::VectorXd low = parameters;
         Eigen::VectorXd high = parameters;
         low[i] -= step;
@@ -42,7 +45,10 @@ Eigen::MatrixXd inverse_normal(Eigen::MatrixXd const& jacobian)
 {
     Eigen::VectorXd const scale = jacobian.colwise().norm().cwiseMax(1e-300);
     Eigen::MatrixXd const scaled = jacobian * scale.cwiseInverse().asDiagonal();
-    Eigen::MatrixXd const half = scaled.completeOrthogonalDecomposition().pseudoInverse();
+    // With J = Q R, J^T J = R^T R, and R is small.
+    Eigen::MatrixXd const r
+        = scaled.householderQr().matrixQR().topRows(jacobian.cols()).triangularView<Eigen::Upper>();
+    Eigen::MatrixXd const half = r.completeOrthogonalDecomposition().pseudoInverse();
     return scale.cwiseInverse().asDiagonal() * (half * half.transpose())
         * scale.cwiseInverse().asDiagonal();
 }
@@ -78,7 +84,8 @@ bool is_small(Eigen::VectorXd const& step, Eigen::VectorXd const& parameters)
 } // namespace
 
 std::optional<LeastSquares> fit_least_squares(ResidualFunction const& residuals,
-                                              Eigen::VectorXd const& start)
+                                              Eigen::VectorXd const& start,
+                                              Eigen::VectorXd const& steps)
 {
     auto const first = residuals(start);
     if (!first)
@@ -86,19 +93,20 @@ std::optional<LeastSquares> fit_least_squares(ResidualFunction const& residuals,
     Point here { start, *first };
     double damping = 1e-3;
     for (int step = 0; step < kMostSteps; ++step) {
-        auto const jacobian = jacobian_at(residuals, here.parameters, here.residuals);
+        auto const jacobian = jacobian_at(residuals, here.parameters, here.residuals, steps);
         if (!jacobian)
             return std::nullopt;
         auto next = better_point(residuals, here, *jacobian, damping);
         if (!next)
             break;
-        bool const is_there = is_small(next->parameters - here.parameters, here.parameters);
+        bool const is_there = is_small(next->parameters - here.parameters, here.parameters)
+            || next->residuals.squaredNorm() >= (1 - kSmallestGain) * here.residuals.squaredNorm();
         here = *std::move(next);
         damping = std::max(damping / 10, 1e-15);
         if (is_there)
             break;
     }
-    auto const jacobian = jacobian_at(residuals, here.parameters, here.residuals);
+    auto const jacobian = jacobian_at(residuals, here.parameters, here.residuals, steps);
     if (!jacobian)
         return std::nullopt;
     return LeastSquares { .parameters = here.parameters,

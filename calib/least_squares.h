@@ -26,10 +26,12 @@ struct LeastSquares {
 
 // The parameters with the least sum of squared residuals near `start`: Levenberg's and Marquardt's
 // method with Marquardt's scaling and differences for derivatives (D. Marquardt, "An algorithm for
-// least-squares estimation of nonlinear parameters", SIAM J. Appl. Math. 11, 1963). No value where
-// the model does not hold at `start`.
+// least-squares estimation of nonlinear parameters", SIAM J. Appl. Math. 11, 1963). `steps` says by
+// how much each parameter is changed for its derivative; empty: by a millionth of itself. No value
+// where the model does not hold at `start`.
 std::optional<LeastSquares> fit_least_squares(ResidualFunction const& residuals,
-                                              Eigen::VectorXd const& start);
+                                              Eigen::VectorXd const& start,
+                                              Eigen::VectorXd const& steps = {});
 
 // The covariance of parameters whose residuals depend on their neighbours (a hand trembles slowly
 // compared with a tablet's reports), so that many of them say little more than a few: `block` names

@@ -15,8 +15,7 @@ std::vector<TouchPoint> touch_points(std::span<PenSample const> pens, Rig const&
     for (auto const& pen : pens) {
         if (!pen.touching)
             continue;
-        Vec3 const place_mm
-            = T_world_tablet * Vec3(pen.position_mm.x(), pen.position_mm.y(), 0);
+        Vec3 const place_mm = T_world_tablet * Vec3(pen.position_mm.x(), pen.position_mm.y(), 0);
         points.push_back({ pen.time - rig.tablet_latency, place_mm.head<2>() });
     }
     return points;

@@ -1,6 +1,17 @@
 #include "calib/rig.h"
 
+#include <algorithm>
+
 namespace tractus {
+
+std::optional<HeightRange> calibrated_heights(Rig const& rig)
+{
+    auto const one = height_mm(rig.height_model, rig.calibrated_min_counts);
+    auto const other = height_mm(rig.height_model, rig.calibrated_max_counts);
+    if (!one || !other)
+        return std::nullopt;
+    return HeightRange { .low_mm = std::min(*one, *other), .high_mm = std::max(*one, *other) };
+}
 
 Eigen::Affine3d T_world_tablet(Rig const& rig)
 {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "calib/calibration_record.h"
 #include "calib/height_model.h"
 #include "calib/pressure_response.h"
 #include "engine/base/time.h"
 #include "engine/base/vectors.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace tractus {
 
@@ -14,8 +16,8 @@ namespace tractus {
 // logs without a height sensor.
 struct Rig {
     // The height sensor. Its readings are refused if its converter's greatest reading is another
-    // one. Readings outside the range in which the model was fitted are used, and counted by the
-    // fuser, for they are guesses.
+    // one. Readings outside the range in which the model was fitted are used, but the fuser marks
+    // the tips that come of them, for they are guesses.
     HeightModel height_model = LinearHeight {};
     std::int32_t full_scale_counts = 4095;
     double calibrated_min_counts = 0;
@@ -36,7 +38,18 @@ struct Rig {
 
     // How long one height reading stands for the height before and after it.
     Duration max_height_age = std::chrono::milliseconds(50);
+
+    // How all this was found out, and how exactly.
+    CalibrationRecord calibration {};
 };
+
+// The heights at the ends of a rig's calibrated range, the lower one first, whichever way the
+// sensor counts. No value where the model has no height there.
+struct HeightRange {
+    double low_mm = 0;
+    double high_mm = 0;
+};
+std::optional<HeightRange> calibrated_heights(Rig const& rig);
 
 // Takes (x, y, height) to the world frame: x and y in the tablet frame, height over the carriage's
 // zero, all in millimetres. The tablet turns about its centre, which is over the world's origin at

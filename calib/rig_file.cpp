@@ -1,5 +1,6 @@
 #include "calib/rig_file.h"
 
+#include "calib/calibration_record_file.h"
 #include "calib/height_model_file.h"
 #include "calib/toml_table.h"
 #include "drivers/file.h"
@@ -10,7 +11,7 @@
 
 namespace tractus {
 
-static constexpr std::int64_t kVersion = 1;
+static constexpr std::int64_t kVersion = 2; // 1 had no [calibration], and knew no monotone models.
 static constexpr std::size_t kMaxBytes = std::size_t { 1 } << 20;
 
 // Milliseconds in files; the nearest nanosecond.
@@ -99,6 +100,10 @@ Result<Rig> parse_rig(std::string_view text, std::string const& file)
         auto pen = TRY(root.table("pen"));
         TRY(parse_pen(pen, rig.pressure));
     }
+    if (root.has("calibration")) {
+        auto calibration = TRY(root.table("calibration"));
+        rig.calibration = TRY(parse_calibration_record(calibration));
+    }
     TRY(root.refuse_unknown_keys());
     return rig;
 }
@@ -134,12 +139,12 @@ latency_ms = {}               # From the pen's being there to its report's arriv
 rotation_deg = {}             # Of the tablet on its carriage, counterclockwise seen from above.
 travel_shear = [{}, {}]       # Drift to the right and away from the user per millimetre of rise.
 )",
-               kVersion, print_height_model(rig.height_model), rig.full_scale_counts, rig.calibrated_min_counts,
-               rig.calibrated_max_counts, to_milliseconds(rig.height_latency),
-               to_milliseconds(rig.max_height_age), rig.tablet_size_mm.x(), rig.tablet_size_mm.y(),
-               to_milliseconds(rig.tablet_latency), rig.rotation_deg, rig.travel_shear.x(),
-               rig.travel_shear.y())
-        + print_pen(rig.pressure);
+               kVersion, print_height_model(rig.height_model), rig.full_scale_counts,
+               rig.calibrated_min_counts, rig.calibrated_max_counts,
+               to_milliseconds(rig.height_latency), to_milliseconds(rig.max_height_age),
+               rig.tablet_size_mm.x(), rig.tablet_size_mm.y(), to_milliseconds(rig.tablet_latency),
+               rig.rotation_deg, rig.travel_shear.x(), rig.travel_shear.y())
+        + print_pen(rig.pressure) + print_calibration_record(rig.calibration);
 }
 
 Result<Rig> load_rig(std::filesystem::path const& path)
@@ -147,8 +152,21 @@ Result<Rig> load_rig(std::filesystem::path const& path)
     return parse_rig(TRY(read_file(path, kMaxBytes)), path.string());
 }
 
+// The file as it is, beside itself. No file, no copy.
+static Result<void> keep_previous(std::filesystem::path const& path)
+{
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error))
+        return {};
+    auto const bytes = TRY(read_file(path));
+    auto backup = path;
+    backup += ".bak";
+    return write_file(backup, bytes);
+}
+
 Result<void> save_rig(Rig const& rig, std::filesystem::path const& path)
 {
+    TRY(keep_previous(path));
     return write_file(path, print_rig(rig));
 }
 

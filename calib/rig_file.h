@@ -11,7 +11,7 @@ namespace tractus {
 
 // A rig in a file (.rig.toml): TOML with the units in its keys, angles in degrees. Print a rig to
 // see all keys with what they mean; these may be left out: tablet.rotation_deg,
-// tablet.travel_shear, height.max_age_ms.
+// tablet.travel_shear, height.max_age_ms, [pen] and [calibration].
 
 // The rig that `text` describes. Fails as the user's fault, naming `file` and the line, for what is
 // not TOML, a missing, unknown or wrong key, and a version later than this program's.
@@ -22,6 +22,8 @@ std::string print_rig(Rig const& rig);
 
 Result<Rig> load_rig(std::filesystem::path const& path);
 
+// Writes the file at once or not at all; the one that was there is kept beside it, with ".bak"
+// behind its name.
 Result<void> save_rig(Rig const& rig, std::filesystem::path const& path);
 
 } // namespace tractus

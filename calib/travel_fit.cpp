@@ -3,6 +3,7 @@
 #include "calib/least_squares.h"
 #include "calib/pen_track.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
@@ -103,8 +104,8 @@ Result<double> check_rise(std::vector<Touch> const& touches)
 
 } // namespace
 
-Result<TravelFit> fit_travel(std::span<PenSample const> pens,
-                             std::span<HeightSample const> heights, Rig const& rig)
+Result<TravelFit> fit_travel(std::span<PenSample const> pens, std::span<HeightSample const> heights,
+                             Rig const& rig)
 {
     constexpr int kRounds = 10;
     auto touches = touches_with_height(pens, heights, rig);

@@ -35,7 +35,7 @@ struct TravelFit {
 //
 // Fails, as the user's fault, with what to do: fewer than 100 touches with a height, less than 100
 // mm of rise, a pen that strayed by more than 3 mm in the mean.
-Result<TravelFit> fit_travel(std::span<PenSample const> pens,
-                             std::span<HeightSample const> heights, Rig const& rig);
+Result<TravelFit> fit_travel(std::span<PenSample const> pens, std::span<HeightSample const> heights,
+                             Rig const& rig);
 
 } // namespace tractus

@@ -15,8 +15,8 @@ std::vector<SetHeight> set_heights(std::span<double const> aimed_mm, PersonOptio
     Random ruler({ .seed = options.seed, .stream = kRulerStream });
     std::vector<SetHeight> heights;
     for (double const aimed : aimed_mm)
-        heights.push_back({ .true_mm = aimed + options.ruler_error_mm * ruler.normal(),
-                            .said_mm = aimed });
+        heights.push_back(
+            { .true_mm = aimed + options.ruler_error_mm * ruler.normal(), .said_mm = aimed });
     if (options.slip)
         heights[options.slip->capture].said_mm += options.slip->wrong_by_mm;
     return heights;

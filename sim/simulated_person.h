@@ -22,7 +22,7 @@ struct PersonOptions {
     std::uint64_t seed = 1;
     double ruler_error_mm = 0.3; // Standard deviation.
     std::optional<Slip> slip {};
-    double noise_counts = 1; // Of the sensor, before rounding.
+    double noise_counts = 1;    // Of the sensor, before rounding.
     std::size_t readings = 500; // Per capture.
 };
 

@@ -23,6 +23,9 @@ struct TipSample {
                       // come.
     };
     Height height = Height::Interpolated;
+
+    // The carriage is higher or lower than it was ever calibrated: the height is a guess.
+    bool outside_calibration = false;
 };
 
 } // namespace tractus

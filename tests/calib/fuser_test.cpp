@@ -234,6 +234,42 @@ TEST(Fuser, UsesAndCountsReadingsOutsideTheCalibratedRange)
     EXPECT_NEAR(fuser.push(pen(8ms))->position_mm.z(), 300.1, 1e-9);
 }
 
+TEST(Fuser, MarksTipsOutsideTheCalibratedRange)
+{
+    auto rig = kRig;
+    rig.calibrated_min_counts = 1000; // 100 mm.
+    rig.calibrated_max_counts = 3000; // 300 mm.
+    struct Case {
+        std::int32_t counts = 0;
+        bool is_outside = false;
+    };
+    for (auto const& [counts, is_outside] :
+         { Case { 980, true }, Case { 995, false }, Case { 2000, false }, Case { 3005, false },
+           Case { 3020, true } }) {
+        Fuser fuser(rig);
+        fuser.push(height(3ms, counts));
+        EXPECT_EQ(fuser.push(pen(8ms))->outside_calibration, is_outside) << counts;
+        fuser.flush();
+        EXPECT_EQ(fuser.take_settled().at(0).outside_calibration, is_outside) << counts;
+        EXPECT_EQ(fuser.counts().settled_uncalibrated, is_outside ? 1u : 0u);
+    }
+}
+
+TEST(Fuser, TakesASensorThatCountsDown)
+{
+    auto rig = kRig;
+    rig.height_model = LinearHeight { .mm_per_count = -0.1, .zero_counts = 4000 };
+    rig.calibrated_min_counts = 1000; // 300 mm.
+    rig.calibrated_max_counts = 3000; // 100 mm.
+    Fuser fuser(rig);
+    fuser.push(height(3ms, 1500));
+    auto const tip = fuser.push(pen(8ms));
+    EXPECT_NEAR(tip->position_mm.z(), 250, 1e-9);
+    EXPECT_FALSE(tip->outside_calibration);
+    fuser.push(height(9ms, 500));
+    EXPECT_TRUE(fuser.push(pen(60ms))->outside_calibration);
+}
+
 TEST(Fuser, TakesThePressureThatTheTabletMeasures)
 {
     Fuser fuser(kRig);

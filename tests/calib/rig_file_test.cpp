@@ -129,6 +129,97 @@ TEST(RigFile, GivesTheSameStringRigBack)
     EXPECT_EQ(read.base_mm, model.base_mm);
 }
 
+TEST(RigFile, GivesTheSameCurveAndSpoolBack)
+{
+    auto rig = awkward_rig();
+    rig.calibrated_max_counts = 70'000;
+    rig.height_model
+        = MonotoneHeight { .knots = { { 1.0 / 3, 20 }, { 700, 10.0 / 7 }, { 1e4, -3 } } };
+    auto back = parse_rig(print_rig(rig), "printed").value();
+    expect_same(back, rig);
+    EXPECT_EQ(parameters_of(back.height_model), parameters_of(rig.height_model));
+    rig.height_model = StringHeight { .spool = StringHeight::Spool::Above };
+    back = parse_rig(print_rig(rig), "printed").value();
+    EXPECT_EQ(std::get<StringHeight>(back.height_model).spool, StringHeight::Spool::Above);
+}
+
+TEST(RigFile, RefusesACurveThatTurns)
+{
+    auto const text = with("model = \"string\"\nmm_per_count = 0.1\nzero_length_mm = 120\n"
+                           "offset_mm = 110\nbase_mm = 80\n",
+                           "model = \"monotone\"\nknots = [[0, 0], [1000, 90], [2000, 80]]\n");
+    EXPECT_EQ(error_of(text),
+              "my.rig.toml:4: height.knots do not rise or fall all the way, expected [counts, "
+              "height_mm] with counts that rise and heights that only rise or only fall");
+}
+
+TEST(RigFile, KeepsHowTheRigWasCalibrated)
+{
+    auto rig = parse_rig(kText, "my.rig.toml").value();
+    HeightRecord height { .date = "2026-11-21",
+                          .sensor = { "A \"sensor\"", "0003:1209:0001", "7" },
+                          .asked_kind = HeightModelKind::String,
+                          .reason = "string: as was asked for",
+                          .errors = { 0.1, 0.2 },
+                          .slipped = { 1 },
+                          .hysteresis_mm = Vec2(0.1, 0.02),
+                          .raised_mm = -0.5 };
+    height.captures = { { .ruler_mm = 60,
+                          .counts = 812.25,
+                          .noise_counts = 1,
+                          .readings = 500,
+                          .scatter = { 1, 2, 1 } },
+                        { .ruler_mm = 90, .counts = 900, .from = HeightCapture::From::Below } };
+    rig.calibration = { .height = height,
+                        .travel = TravelRecord { .date = "2026-11-21", .touches = 400 },
+                        .latency = LatencyRecord { .date = "2026-11-21", .delay_ms = -5.25 },
+                        .check = CheckRecord { .date = "2026-11-21",
+                                               .heights_mm = { 100 },
+                                               .errors_mm = { -0.4 },
+                                               .within_mm = 0.4 } };
+    auto const back = parse_rig(print_rig(rig), "printed").value();
+    expect_same(back, rig);
+    EXPECT_EQ(back.calibration.height->sensor, height.sensor);
+    EXPECT_EQ(back.calibration.height->captures[0].scatter, (std::vector { 1, 2, 1 }));
+    EXPECT_EQ(back.calibration.height->captures[1].from, HeightCapture::From::Below);
+    EXPECT_EQ(back.calibration.height->slipped, height.slipped);
+    EXPECT_EQ(back.calibration.latency->delay_ms, -5.25);
+}
+
+TEST(RigFile, SaysWhatIsWrongInARecord)
+{
+    auto const text = [](std::string_view captures) {
+        return std::string(kText)
+            + "[calibration.height]\ndate = \"2026-11-21\"\nsensor = \"\"\nsensor_id = \"\"\n"
+              "sensor_serial = \"\"\nreason = \"\"\nerrors = []\nrms_mm = 0\nmax_mm = 0\n"
+              "heights_mm = [0, 1]\nmm_per_count = [1, 1]\nnoise_counts = 1\nraised_mm = 0\n"
+              "ruler_error_mm = 0.3\n"
+            + std::string(captures);
+    };
+    EXPECT_EQ(
+        error_of(text("slipped = []\ncaptures = [{ ruler_mm = 1 }]\n")),
+        "my.rig.toml:29: calibration.height.captures[1].counts is missing, expected a number");
+    EXPECT_EQ(error_of(text("slipped = [2]\ncaptures = [{ ruler_mm = 1, counts = 1, noise_counts "
+                            "= 1, readings = 1, from = \"above\", scatter = [] }]\n")),
+              "my.rig.toml:28: calibration.height.slipped has 2, expected numbers of captures, 1 "
+              "to 1");
+}
+
+TEST(RigFile, KeepsThePreviousFile)
+{
+    auto const path = std::filesystem::path(::testing::TempDir()) / "tractus-rig-bak.rig.toml";
+    auto const backup = path.string() + ".bak";
+    auto rig = parse_rig(kText, "my.rig.toml").value();
+    ASSERT_TRUE(save_rig(rig, path));
+    EXPECT_FALSE(std::filesystem::exists(backup));
+    rig.rotation_deg = 2;
+    ASSERT_TRUE(save_rig(rig, path));
+    EXPECT_EQ(load_rig(path)->rotation_deg, 2);
+    EXPECT_EQ(load_rig(backup)->rotation_deg, 0);
+    std::filesystem::remove(path);
+    std::filesystem::remove(backup);
+}
+
 TEST(RigFile, SavesAndLoads)
 {
     auto const path = std::filesystem::path(::testing::TempDir()) / "tractus-rig-test.rig.toml";
@@ -143,7 +234,7 @@ TEST(RigFile, SavesAndLoads)
 TEST(RigFile, NamesAMissingKey)
 {
     EXPECT_EQ(error_of(with("mm_per_count = 0.1\n", "")),
-              "my.rig.toml:2: height.mm_per_count is missing, expected a number greater than 0");
+              "my.rig.toml:2: height.mm_per_count is missing, expected a number");
     EXPECT_EQ(error_of(with("size_mm = [254, 158.75]\n", "")),
               "my.rig.toml:11: tablet.size_mm is missing, expected an array of 2 numbers, each a "
               "number greater than 0");
@@ -163,12 +254,22 @@ TEST(RigFile, RefusesEveryKeyThatIsMissing)
         EXPECT_NE(error_of(with(line, "")).find("is missing"), std::string::npos) << line;
 }
 
-TEST(RigFile, RefusesANegativeOrZeroScale)
+TEST(RigFile, TakesASensorThatCountsDown)
 {
-    EXPECT_EQ(error_of(with("0.1", "-0.1")),
-              "my.rig.toml:4: height.mm_per_count is -0.1, expected a number greater than 0");
+    auto const rig = parse_rig(with("0.1", "-0.1"), "my.rig.toml");
+    EXPECT_EQ(rig.error().message,
+              "my.rig.toml:9: height.calibrated_counts holds 150, where the model has no height: "
+              "the string would be shorter than its offset");
+    auto text = with("mm_per_count = 0.1\nzero_length_mm = 120",
+                     "mm_per_count = -0.1\nzero_length_mm = 530");
+    auto const down = parse_rig(text, "my.rig.toml").value();
+    EXPECT_GT(*height_mm(down.height_model, 150), *height_mm(down.height_model, 3900));
+}
+
+TEST(RigFile, RefusesAScaleOfZero)
+{
     EXPECT_EQ(error_of(with("0.1", "0")),
-              "my.rig.toml:4: height.mm_per_count is 0, expected a number greater than 0");
+              "my.rig.toml:4: height.mm_per_count is 0, expected a number other than 0");
 }
 
 TEST(RigFile, RefusesWhatIsNotANumber)
@@ -185,14 +286,15 @@ TEST(RigFile, RefusesWhatIsNotANumber)
 TEST(RigFile, RefusesAWrongType)
 {
     EXPECT_EQ(error_of(with("base_mm = 80", "base_mm = \"80\"")),
-              "my.rig.toml:7: height.base_mm is '80', expected a number of 0 or more");
+              "my.rig.toml:7: height.base_mm is '80', expected a number");
     EXPECT_EQ(error_of(with("4095", "4095.5")),
               "my.rig.toml:8: height.full_scale_counts is 4095.5, expected a whole number greater "
               "than 0");
     EXPECT_EQ(error_of("version = 1\nheight = 3\n"),
               "my.rig.toml:2: height is 3, expected a table [height]");
     EXPECT_EQ(error_of(with("model = \"string\"", "model = {}")),
-              "my.rig.toml:3: height.model is a table, expected one of \"linear\", \"string\"");
+              "my.rig.toml:3: height.model is a table, expected one of \"linear\", \"string\", "
+              "\"monotone\"");
 }
 
 TEST(RigFile, ShowsTheStartOfALongValue)
@@ -200,7 +302,7 @@ TEST(RigFile, ShowsTheStartOfALongValue)
     EXPECT_EQ(
         error_of(with("base_mm = 80", "base_mm = [[1, 2], \"" + std::string(99, 'x') + "\"]")),
         "my.rig.toml:7: height.base_mm is [[1, 2], '" + std::string(30, 'x')
-            + " …, expected a number of 0 or more");
+            + " …, expected a number");
 }
 
 TEST(RigFile, ReadsAPensPressures)
@@ -231,14 +333,15 @@ TEST(RigFile, RefusesPressuresWithoutSense)
 TEST(RigFile, RefusesAnUnknownModel)
 {
     EXPECT_EQ(error_of(with("\"string\"", "\"laser\"")),
-              "my.rig.toml:3: height.model is 'laser', expected one of \"linear\", \"string\"");
+              "my.rig.toml:3: height.model is 'laser', expected one of \"linear\", \"string\", "
+              "\"monotone\"");
 }
 
 TEST(RigFile, RefusesANewerVersion)
 {
     EXPECT_EQ(
-        error_of(with("version = 1", "version = 2")),
-        "my.rig.toml:1: version is 2, expected at most 1: a later tractus wrote this file, so "
+        error_of(with("version = 1", "version = 3")),
+        "my.rig.toml:1: version is 3, expected at most 2: a later tractus wrote this file, so "
         "use that one to read it");
 }
 

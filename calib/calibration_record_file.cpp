@@ -1,0 +1,257 @@
+#include "calib/calibration_record_file.h"
+
+#include "calib/height_fit.h"
+
+#include <cmath>
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <sstream>
+
+namespace tractus {
+
+namespace {
+
+using From = HeightCapture::From;
+
+std::vector<std::string_view> const kFroms { "nowhere", "below", "above" }; // As in From.
+std::vector<std::string_view> const kKinds { "linear", "string", "monotone" };
+
+// A text in quotes, as TOML wants it.
+std::string quoted(std::string const& text)
+{
+    std::ostringstream out;
+    out << toml::value(text);
+    return out.str();
+}
+
+Result<std::size_t> whole(TomlTable& table, std::string_view key)
+{
+    return static_cast<std::size_t>(TRY(table.integer(key, NumberRange::NotNegative)));
+}
+
+Result<HeightCapture> parse_capture(TomlTable& table)
+{
+    HeightCapture capture;
+    capture.ruler_mm = TRY(table.number("ruler_mm"));
+    capture.counts = TRY(table.number("counts"));
+    capture.noise_counts = TRY(table.number("noise_counts", NumberRange::NotNegative));
+    capture.readings = TRY(whole(table, "readings"));
+    capture.from = static_cast<From>(TRY(table.word("from", kFroms)));
+    for (double const tally : TRY(table.number_list("scatter")))
+        capture.scatter.push_back(static_cast<int>(std::clamp(tally, 0.0, 1e9)));
+    TRY(table.refuse_unknown_keys());
+    return capture;
+}
+
+// Counted from 1 in the file.
+Result<std::vector<std::size_t>> parse_slipped(TomlTable& table, std::size_t captures)
+{
+    std::vector<std::size_t> slipped;
+    for (double const number : TRY(table.number_list("slipped"))) {
+        if (!(number >= 1 && number <= static_cast<double>(captures)
+              && number == std::floor(number)))
+            return table.wrong(
+                "slipped",
+                fmt::format("has {}, expected numbers of captures, 1 to {}", number, captures));
+        slipped.push_back(static_cast<std::size_t>(number) - 1);
+    }
+    return slipped;
+}
+
+Result<HeightRecord> parse_height(TomlTable& table)
+{
+    HeightRecord record { .date = TRY(table.text("date")) };
+    record.sensor = { .name = TRY(table.text("sensor")),
+                      .id = TRY(table.text("sensor_id")),
+                      .serial = TRY(table.text("sensor_serial")) };
+    record.reason = TRY(table.text("reason"));
+    record.errors = TRY(table.number_list("errors"));
+    record.rms_mm = TRY(table.number("rms_mm", NumberRange::NotNegative));
+    record.max_mm = TRY(table.number("max_mm", NumberRange::NotNegative));
+    record.heights_mm = TRY(table.vec2("heights_mm"));
+    record.mm_per_count = TRY(table.vec2("mm_per_count", NumberRange::NotNegative));
+    record.noise_counts = TRY(table.number("noise_counts", NumberRange::NotNegative));
+    if (table.has("hysteresis_mm"))
+        record.hysteresis_mm = TRY(table.vec2("hysteresis_mm"));
+    record.raised_mm = TRY(table.number("raised_mm"));
+    record.ruler_error_mm = TRY(table.number("ruler_error_mm", NumberRange::Positive));
+    if (table.has("asked_model"))
+        record.asked_kind = static_cast<HeightModelKind>(TRY(table.word("asked_model", kKinds)));
+    for (auto& capture : TRY(table.tables("captures")))
+        record.captures.push_back(TRY(parse_capture(capture)));
+    record.slipped = TRY(parse_slipped(table, record.captures.size()));
+    TRY(table.refuse_unknown_keys());
+    return record;
+}
+
+Result<TravelRecord> parse_travel(TomlTable& table)
+{
+    TravelRecord record { .date = TRY(table.text("date")) };
+    record.shear_error = TRY(table.vec2("shear_error", NumberRange::NotNegative));
+    record.tilt_deg = TRY(table.number("tilt_deg"));
+    record.tilt_error_deg = TRY(table.number("tilt_error_deg", NumberRange::NotNegative));
+    record.rise_mm = TRY(table.number("rise_mm"));
+    record.rms_mm = TRY(table.number("rms_mm", NumberRange::NotNegative));
+    record.touches = TRY(whole(table, "touches"));
+    TRY(table.refuse_unknown_keys());
+    return record;
+}
+
+Result<LatencyRecord> parse_latency(TomlTable& table)
+{
+    LatencyRecord record { .date = TRY(table.text("date")) };
+    record.delay_ms = TRY(table.number("delay_ms"));
+    record.error_ms = TRY(table.number("error_ms", NumberRange::NotNegative));
+    record.correlation = TRY(table.number("correlation"));
+    record.rms_mm = TRY(table.number("rms_mm", NumberRange::NotNegative));
+    record.touches = TRY(whole(table, "touches"));
+    TRY(table.refuse_unknown_keys());
+    return record;
+}
+
+Result<CheckRecord> parse_check(TomlTable& table)
+{
+    CheckRecord record { .date = TRY(table.text("date")) };
+    record.within_mm = TRY(table.number("within_mm", NumberRange::NotNegative));
+    record.heights_mm = TRY(table.number_list("heights_mm"));
+    record.errors_mm = TRY(table.number_list("errors_mm"));
+    TRY(table.refuse_unknown_keys());
+    return record;
+}
+
+std::string print_capture(HeightCapture const& capture)
+{
+    return fmt::format("    {{ ruler_mm = {}, counts = {}, noise_counts = {}, readings = {}, "
+                       "from = \"{}\", scatter = [{}] }},\n",
+                       capture.ruler_mm, capture.counts, capture.noise_counts, capture.readings,
+                       kFroms[static_cast<std::size_t>(capture.from)],
+                       fmt::join(capture.scatter, ", "));
+}
+
+std::string print(HeightRecord const& record)
+{
+    auto text
+        = fmt::format(R"(
+[calibration.height]
+date = {}
+sensor = {}
+sensor_id = {}  # Bus, vendor, product.
+sensor_serial = {}
+reason = {}
+)",
+                      quoted(record.date), quoted(record.sensor.name), quoted(record.sensor.id),
+                      quoted(record.sensor.serial), quoted(record.reason));
+    text += fmt::format(R"(errors = [{}]  # Standard errors of the model's numbers, in their order.
+rms_mm = {}                   # Of ruler less model, slipped captures left out …
+max_mm = {}                   # … and the greatest.
+heights_mm = [{}, {}]         # The calibrated range …
+mm_per_count = [{}, {}]       # … and what a count is worth at its ends.
+noise_counts = {}             # Standard deviation at rest.
+)",
+                        fmt::join(record.errors, ", "), record.rms_mm, record.max_mm,
+                        record.heights_mm.x(), record.heights_mm.y(), record.mm_per_count.x(),
+                        record.mm_per_count.y(), record.noise_counts);
+    if (record.hysteresis_mm)
+        text += fmt::format(
+            "hysteresis_mm = [{}, {}]  # Coming from below less from above; standard error.\n",
+            record.hysteresis_mm->x(), record.hysteresis_mm->y());
+    text += fmt::format("raised_mm = {}                # By re-zeroing since.\n"
+                        "ruler_error_mm = {}           # Standard deviation.\n",
+                        record.raised_mm, record.ruler_error_mm);
+    if (record.asked_kind)
+        text += fmt::format("asked_model = \"{}\"\n", name_of(*record.asked_kind));
+    auto slipped = record.slipped;
+    for (auto& index : slipped)
+        ++index;
+    text += fmt::format("slipped = [{}]  # Captures, counted from 1, that the fit left out.\n"
+                        "captures = [\n",
+                        fmt::join(slipped, ", "));
+    for (auto const& capture : record.captures)
+        text += print_capture(capture);
+    return text + "]\n";
+}
+
+std::string print(TravelRecord const& record)
+{
+    return fmt::format(R"(
+[calibration.travel]          # Of tablet.travel_shear.
+date = {}
+shear_error = [{}, {}]
+tilt_deg = {}                 # Between the carriage's way and the tablet's normal.
+tilt_error_deg = {}
+rise_mm = {}
+rms_mm = {}                   # By how much the pen strayed from the edge.
+touches = {}
+)",
+                       quoted(record.date), record.shear_error.x(), record.shear_error.y(),
+                       record.tilt_deg, record.tilt_error_deg, record.rise_mm, record.rms_mm,
+                       record.touches);
+}
+
+std::string print(LatencyRecord const& record)
+{
+    return fmt::format(R"(
+[calibration.latency]         # Of tablet.latency_ms less height.latency_ms.
+date = {}
+delay_ms = {}
+error_ms = {}
+correlation = {}              # Of place and height.
+rms_mm = {}                   # By how much the pen strayed from the edge.
+touches = {}
+)",
+                       quoted(record.date), record.delay_ms, record.error_ms, record.correlation,
+                       record.rms_mm, record.touches);
+}
+
+std::string print(CheckRecord const& record)
+{
+    return fmt::format(R"(
+[calibration.check]
+date = {}
+within_mm = {}
+heights_mm = [{}]  # By the ruler …
+errors_mm = [{}]   # … and the rig's height less that.
+)",
+                       quoted(record.date), record.within_mm, fmt::join(record.heights_mm, ", "),
+                       fmt::join(record.errors_mm, ", "));
+}
+
+// The table `key` where it is there.
+template<typename Record>
+Result<std::optional<Record>> parse_optional(TomlTable& table, std::string_view key,
+                                             Result<Record> (*parse)(TomlTable&))
+{
+    if (!table.has(key))
+        return std::optional<Record>();
+    auto part = TRY(table.table(key));
+    return std::optional<Record>(TRY(parse(part)));
+}
+
+} // namespace
+
+Result<CalibrationRecord> parse_calibration_record(TomlTable& table)
+{
+    CalibrationRecord record;
+    record.height = TRY(parse_optional(table, "height", parse_height));
+    record.travel = TRY(parse_optional(table, "travel", parse_travel));
+    record.latency = TRY(parse_optional(table, "latency", parse_latency));
+    record.check = TRY(parse_optional(table, "check", parse_check));
+    TRY(table.refuse_unknown_keys());
+    return record;
+}
+
+std::string print_calibration_record(CalibrationRecord const& record)
+{
+    std::string text;
+    if (record.height)
+        text += print(*record.height);
+    if (record.travel)
+        text += print(*record.travel);
+    if (record.latency)
+        text += print(*record.latency);
+    if (record.check)
+        text += print(*record.check);
+    return text;
+}
+
+} // namespace tractus

@@ -1,0 +1,227 @@
+#include "calib/height_fit.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+HeightCapture capture(double ruler_mm, double counts)
+{
+    return { .ruler_mm = ruler_mm, .counts = counts, .noise_counts = 1, .readings = 500 };
+}
+
+// What a person without any error captures from a sensor.
+std::vector<HeightCapture> captures_of(HeightModel const& model, std::vector<double> const& heights)
+{
+    std::vector<HeightCapture> captures;
+    for (double const height : heights)
+        captures.push_back(capture(height, counts_at_height(model, height).value()));
+    tell_directions(captures);
+    return captures;
+}
+
+std::vector<double> const kHeights { 0, 20, 60, 120, 200, 300, 400 };
+
+LinearHeight const kLinear { .mm_per_count = 0.12, .zero_counts = 150 };
+StringHeight const kString {
+    .mm_per_count = 0.1, .zero_length_mm = 124, .offset_mm = 120, .base_mm = 80
+};
+
+std::string refusal_of(std::vector<HeightCapture> const& captures,
+                       HeightFitOptions const& options = {})
+{
+    auto const fit = fit_height(captures, options);
+    if (fit)
+        return "fitted";
+    EXPECT_EQ(fit.error().fault, Fault::User);
+    return fit.error().message;
+}
+
+TEST(HeightFit, FindsALinearSensor)
+{
+    auto const fit = fit_height(captures_of(kLinear, kHeights)).value();
+    auto const& model = std::get<LinearHeight>(fit.model);
+    EXPECT_NEAR(model.mm_per_count, 0.12, 1e-9);
+    EXPECT_NEAR(model.zero_counts, 150, 1e-6);
+    EXPECT_NEAR(fit.low_mm, 0, 1e-6);
+    EXPECT_NEAR(fit.high_mm, 400, 1e-6);
+    EXPECT_LT(fit.max_mm, 1e-6);
+}
+
+TEST(HeightFit, FindsAString)
+{
+    auto const fit = fit_height(captures_of(kString, kHeights)).value();
+    auto const& model = std::get<StringHeight>(fit.model);
+    EXPECT_NEAR(model.offset_mm, 120, 0.01);
+    EXPECT_NEAR(model.base_mm, 80, 0.01);
+    EXPECT_NEAR(model.mm_per_count, 0.1, 1e-5);
+    EXPECT_EQ(model.spool, StringHeight::Spool::Below);
+    EXPECT_NE(fit.reason.find("string: it gains more than chance"), std::string::npos);
+}
+
+// The same captures with the potentiometer's outer wires swapped.
+std::vector<HeightCapture> counting_down(std::vector<HeightCapture> captures)
+{
+    for (auto& one : captures)
+        one.counts = 4095 - one.counts;
+    return captures;
+}
+
+TEST(HeightFit, TakesSensorsThatCountDown)
+{
+    for (auto const& sensor : { HeightModel(kLinear), HeightModel(kString) }) {
+        auto const fit = fit_height(counting_down(captures_of(sensor, kHeights))).value();
+        EXPECT_EQ(fit.model.index(), sensor.index());
+        EXPECT_LT(parameters_of(fit.model)[0], 0) << "millimetres per count";
+        EXPECT_NEAR(height_mm(fit.model, 4095 - *counts_at_height(sensor, 250)).value(), 250, 1e-3);
+        EXPECT_LT(fit.low_counts, fit.high_counts);
+        EXPECT_LT(fit.low_mm, fit.high_mm);
+    }
+}
+
+TEST(HeightFit, TakesASpoolAboveTheCarriage)
+{
+    StringHeight const above { .mm_per_count = 0.1,
+                               .zero_length_mm = 124,
+                               .offset_mm = 120,
+                               .base_mm = -480,
+                               .spool = StringHeight::Spool::Above };
+    auto const captures = captures_of(above, kHeights);
+    EXPECT_GT(captures.front().counts, captures.back().counts);
+    auto const fit = fit_height(captures).value();
+    auto const& model = std::get<StringHeight>(fit.model);
+    EXPECT_EQ(model.spool, StringHeight::Spool::Above);
+    EXPECT_NEAR(model.base_mm, -480, 0.1);
+    EXPECT_NEAR(model.offset_mm, 120, 0.1);
+}
+
+TEST(HeightFit, FollowsAWornPotentiometer)
+{
+    std::vector<HeightCapture> captures;
+    for (int i = 0; i <= 14; ++i) {
+        double const height = i * 400.0 / 14;
+        captures.push_back(
+            capture(height, 200 + 8 * height + 120 * std::sin(height / 400 * 2 * 3.14159265)));
+    }
+    auto const fit = fit_height(captures).value();
+    EXPECT_EQ(name_of(fit.model), "monotone");
+    EXPECT_LT(fit.rms_mm, 0.3);
+    for (double height = 5; height < 400; height += 10) {
+        double const counts = 200 + 8 * height + 120 * std::sin(height / 400 * 2 * 3.14159265);
+        EXPECT_NEAR(height_mm(fit.model, counts).value(), height, 1.5);
+    }
+}
+
+TEST(HeightFit, KeepsToALineWhereOtherModelsGainNothing)
+{
+    auto captures = captures_of(kLinear, kHeights);
+    double const errors[] { 0.2, -0.3, 0.1, 0.25, -0.15, -0.3, 0.2 };
+    for (std::size_t i = 0; i < captures.size(); ++i)
+        captures[i].ruler_mm += errors[i];
+    auto const fit = fit_height(captures).value();
+    EXPECT_EQ(name_of(fit.model), "linear");
+    EXPECT_NE(fit.reason.find("linear: what richer models gain may be chance (F test, p = "),
+              std::string::npos);
+    ASSERT_EQ(fit.candidates.size(), 3u);
+    EXPECT_GT(fit.candidates[1].p_value, 0.01);
+}
+
+TEST(HeightFit, NamesACaptureThatSlipped)
+{
+    auto captures = captures_of(kString, kHeights);
+    captures[3].ruler_mm += 20;
+    auto const fit = fit_height(captures).value();
+    EXPECT_EQ(fit.slipped, std::vector<std::size_t> { 3 });
+    EXPECT_NEAR(fit.residuals_mm[3], 20, 0.1);
+    EXPECT_LT(fit.max_mm, 0.1) << "of the others";
+}
+
+TEST(HeightFit, TellsHysteresis)
+{
+    std::vector<HeightCapture> captures;
+    for (double const height : { 0.0, 100.0, 200.0, 300.0, 400.0 })
+        captures.push_back(capture(height, 150 + (height + 0.4) / 0.12));
+    for (double const height : { 300.0, 200.0, 100.0, 0.0 })
+        captures.push_back(capture(height, 150 + (height - 0.4) / 0.12));
+    tell_directions(captures);
+    auto const fit = fit_height(captures).value();
+    ASSERT_TRUE(fit.hysteresis);
+    EXPECT_NEAR(fit.hysteresis->mm, 0.8, 0.1);
+    EXPECT_LT(fit.hysteresis->standard_error_mm, 0.1);
+}
+
+TEST(HeightFit, DoesWhatItIsAskedFor)
+{
+    auto const fit
+        = fit_height(captures_of(kString, kHeights), { .kind = HeightModelKind::Linear }).value();
+    EXPECT_EQ(name_of(fit.model), "linear");
+    EXPECT_EQ(fit.reason, "linear: as was asked for");
+    auto const curve
+        = fit_height(captures_of(kString, kHeights), { .kind = HeightModelKind::Monotone }).value();
+    EXPECT_EQ(name_of(curve.model), "monotone");
+    EXPECT_LT(curve.rms_mm, 0.3);
+}
+
+TEST(HeightFit, TellsErrorsThatShrinkWithTheRulersError)
+{
+    auto const captures = captures_of(kLinear, kHeights);
+    auto const coarse = fit_height(captures, { .ruler_error_mm = 1 }).value();
+    auto const fine = fit_height(captures, { .ruler_error_mm = 0.1 }).value();
+    EXPECT_NEAR(coarse.parameters[0].standard_error, 10 * fine.parameters[0].standard_error, 1e-9);
+    EXPECT_NEAR(height_error_mm(fine, fine.low_counts), 0.06, 0.02);
+}
+
+TEST(HeightFit, RefusesFewerThanTwoCaptures)
+{
+    EXPECT_EQ(refusal_of({}),
+              "no capture was given, and a height needs at least two (five or more are advised): "
+              "capture more heights");
+    EXPECT_EQ(refusal_of({ capture(0, 100) }),
+              "one capture was given, and a height needs at least two (five or more are advised): "
+              "capture more heights");
+}
+
+TEST(HeightFit, RefusesFewerCapturesThanParameters)
+{
+    EXPECT_EQ(
+        refusal_of(captures_of(kLinear, { 0, 100, 200 }), { .kind = HeightModelKind::String }),
+        "a string model has 4 parameters and there are only 3 captures: capture at least 1 "
+        "more heights");
+}
+
+TEST(HeightFit, RefusesCapturesAllAtOneHeight)
+{
+    EXPECT_EQ(refusal_of(captures_of(kLinear, { 100, 101, 99, 100 })),
+              "all 4 captures are at one height, 99 to 101 mm: move the surface over most of its "
+              "travel, at least 20 mm, between captures");
+}
+
+TEST(HeightFit, RefusesASlackString)
+{
+    auto captures = captures_of(kLinear, { 0, 60, 120, 180, 240, 300, 360 });
+    captures[0].counts = captures[1].counts = 660;
+    captures[2].counts = 1160;
+    EXPECT_EQ(
+        refusal_of(captures),
+        "the reading stayed at 660 counts while the ruler went from 0 to 60 mm: the string "
+        "is slack or the sensor is stuck there; tighten it, then capture these heights again");
+    for (auto& one : captures)
+        one.counts = 812;
+    EXPECT_EQ(refusal_of(captures).find(
+                  "the reading stayed at 812 counts while the ruler went from 0 to 360 mm: "),
+              0u);
+}
+
+TEST(HeightFit, RefusesCapturesOutOfOrder)
+{
+    auto captures = captures_of(kLinear, { 0, 60, 120, 180, 240, 300, 360 });
+    std::swap(captures[1].ruler_mm, captures[5].ruler_mm);
+    EXPECT_EQ(refusal_of(captures),
+              "captures 2 (300 mm), 6 (60 mm) are out of order: their readings do not lie between "
+              "those of the heights next to them; check what was typed and capture these heights "
+              "again");
+}
+
+} // namespace
+} // namespace tractus
