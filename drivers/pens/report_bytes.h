@@ -39,6 +39,13 @@ inline int u24_le(std::span<std::byte const> report, std::size_t at)
     return u16_le(report, at) | u8(report, at + 2) << 16;
 }
 
+// `count` bits of one byte, from `first` on.
+inline std::uint32_t bits(std::span<std::byte const> report, std::size_t at, unsigned first,
+                          unsigned count)
+{
+    return (std::to_integer<std::uint32_t>(report[at]) >> first) & ((1u << count) - 1);
+}
+
 inline bool has_bit(std::span<std::byte const> report, std::size_t at, unsigned bit)
 {
     return (u8(report, at) >> bit & 1) != 0;

@@ -14,7 +14,7 @@ constexpr std::uint8_t kSecondPenReport = 0x10; // The same, or IntuosV2's own.
 constexpr std::uint8_t kLongPenReport = 0x1E;
 constexpr std::uint8_t kShortPenReport = 0x1F;
 
-constexpr PenFields kAway { .carries_position = false, .in_range = false, .tip = false };
+PenFields const kAway { .carries_position = false, .in_range = false, .tip = false };
 
 // PenPartner, Graphire and the first Bamboos: 8 or 9 bytes. A mouse may lie on the tablet in the
 // pen's place. The same report tells of the tablet's keys when no pen is near.
@@ -33,7 +33,7 @@ Fields decode_graphire(Report report, FamilyState&)
         .in_range = true,
         .tip = touches,
         .invert = has_bit(report, 1, 5),
-        .buttons = (u8(report, 1) >> 1) & 3u,
+        .buttons = bits(report, 1, 1, 2),
     };
 }
 
@@ -51,7 +51,7 @@ Fields decode_bamboo_pad(Report report, FamilyState&)
         .in_range = true,
         .tip = has_bit(report, 2, 0) || u16_le(report, 7) > 0,
         .invert = has_bit(report, 2, 3),
-        .buttons = (u8(report, 2) >> 1) & 1u,
+        .buttons = bits(report, 2, 1, 1),
     };
 }
 
@@ -70,7 +70,7 @@ Fields decode_intuos(Report report, FamilyState&)
         .in_range = true,
         .tip = has_bit(report, 1, 0),
         .invert = has_bit(report, 1, 3),
-        .buttons = (u8(report, 1) >> 1) & 3u,
+        .buttons = bits(report, 1, 1, 2),
     };
 }
 
@@ -126,7 +126,7 @@ PenFields intuos_pro_fields(Report report, FamilyState& state)
     if (kind == IntuosProKind::Pen) {
         fields.pressure
             = u8(report, 6) << 3 | (u8(report, 7) & 0xC0) >> 5 | int { has_bit(report, 1, 0) };
-        state.buttons = (u8(report, 1) >> 1) & 3u;
+        state.buttons = bits(report, 1, 1, 2);
     }
     if (kind != IntuosProKind::Rotation)
         fields.tilt_deg = intuos_pro_tilt_deg(report);
@@ -164,7 +164,7 @@ struct WideLayout {
     std::size_t flags = 0;
     unsigned eraser_bit = 0;
     unsigned near_bit = 0;
-    unsigned button_mask = 3;
+    unsigned button_count = 2;
     std::size_t x = 0;
     std::size_t y = 0;
     std::size_t pressure = 0;
@@ -182,7 +182,7 @@ PenFields wide_fields(Report report, WideLayout const& at)
         .in_range = true,
         .tip = has_bit(report, at.flags, 0),
         .invert = has_bit(report, at.flags, at.eraser_bit),
-        .buttons = (u8(report, at.flags) >> 1) & at.button_mask,
+        .buttons = bits(report, at.flags, 1, at.button_count),
     };
 }
 
@@ -200,7 +200,7 @@ Fields decode_intuos_v2(Report report, FamilyState&)
     static constexpr WideLayout kShifted { .flags = 2,
                                            .eraser_bit = 4,
                                            .near_bit = 5,
-                                           .button_mask = 7,
+                                           .button_count = 3,
                                            .x = 3,
                                            .y = 6,
                                            .pressure = 9,
@@ -221,14 +221,13 @@ Fields decode_intuos_v3(Report report, FamilyState&)
     bool const is_short = u8(report, 0) == kShortPenReport && u8(report, 1) == 1;
     if (u8(report, 0) != kLongPenReport && !is_short)
         return std::nullopt;
-    auto const flags = u8(report, 2);
     if (!has_bit(report, 2, 6))
         return kAway;
     PenFields fields { .in_range = true,
                        .tip = has_bit(report, 2, 0),
                        .invert = has_bit(report, 2, 5),
                        .eraser_touch = has_bit(report, 2, 4),
-                       .buttons = (flags >> 1) & 7u };
+                       .buttons = bits(report, 2, 1, 3) };
     if (is_short) {
         fields.x = u16_le(report, 3);
         fields.y = u16_le(report, 5);
@@ -250,7 +249,6 @@ Fields decode_dtu(Report report, FamilyState&)
         return std::nullopt;
     if (!has_bit(report, 1, 5))
         return kAway;
-    auto const flags = u8(report, 1);
     return PenFields {
         .x = u16_le(report, 2),
         .y = u16_le(report, 4),
@@ -259,7 +257,7 @@ Fields decode_dtu(Report report, FamilyState&)
         .tip = has_bit(report, 1, 0),
         .invert = has_bit(report, 1, 3),
         .eraser_touch = has_bit(report, 1, 2),
-        .buttons = (flags >> 1 & 1u) | (flags >> 3 & 2u),
+        .buttons = bits(report, 1, 1, 1) | bits(report, 1, 4, 1) << 1,
     };
 }
 
@@ -287,7 +285,7 @@ Fields decode_pl(Report report, FamilyState& state)
         .in_range = true,
         .tip = has_bit(report, 4, 3),
         .invert = state.is_eraser,
-        .buttons = (flags >> 4 & 1u) | (eraser_or_second && !state.is_eraser ? 2u : 0u),
+        .buttons = bits(report, 4, 4, 1) | (eraser_or_second && !state.is_eraser ? 2u : 0u),
     };
 }
 

@@ -1,6 +1,7 @@
 #include "drivers/log.h"
 #include "drivers/log_writer.h"
 #include "drivers/pen_decoder.h"
+#include "drivers/pens/family_decoder.h"
 #include "tests/bench/report.h"
 #include "tests/drivers/devices.h"
 
@@ -63,6 +64,51 @@ void decode_pen_reports(benchmark::State& state)
              .bytes = kReports * (kReportBytes + sizeof(PenSample)) });
 }
 BENCHMARK(decode_pen_reports);
+
+// One maker's format: a pen that touches, whose place is in bytes `x` and on, low byte first.
+void decode_family_reports(benchmark::State& state, char const* family, char const* text,
+                           std::size_t x)
+{
+    auto const decoder = make_family_decoder(*find_pen_family(family),
+                                             { .size_mm = { 254, 158.75 },
+                                               .x_maximum = 65'535,
+                                               .y_maximum = 65'535,
+                                               .pressure_maximum = 8191 });
+    auto const report = bytes(text);
+    std::vector<std::byte> all;
+    all.reserve(kReports * report.size());
+    for (std::size_t i = 0; i < kReports; ++i) {
+        all.insert(all.end(), report.begin(), report.end());
+        auto const place = all.end() - static_cast<std::ptrdiff_t>(report.size() - x);
+        place[0] = static_cast<std::byte>(i & 255);
+        place[1] = static_cast<std::byte>((i >> 8) & 255);
+    }
+    for (auto _ : state)
+        for (std::size_t i = 0; i < kReports; ++i) {
+            auto sample = decoder->decode(
+                timestamp_ns(static_cast<std::int64_t>(i)),
+                std::span<std::byte const>(all).subspan(i * report.size(), report.size()));
+            benchmark::DoNotOptimize(sample);
+        }
+    tractus::report(
+        state,
+        { .items = kReports,
+          .item = "reports",
+          .bytes = static_cast<double>(kReports * (report.size() + sizeof(PenSample))) });
+}
+BENCHMARK_CAPTURE(decode_family_reports, graphire, "wacom-graphire", "02 91 00 00 c4 09 ff 00", 2);
+BENCHMARK_CAPTURE(decode_family_reports, intuos, "wacom-intuos", "02 f1 00 00 c4 09 ff 03 05", 2);
+BENCHMARK_CAPTURE(decode_family_reports, intuos_pro, "wacom-intuos-pro",
+                  "02 e1 00 00 04 e2 40 eb 64 02", 2);
+BENCHMARK_CAPTURE(decode_family_reports, intuos_v2, "wacom-intuos-v2",
+                  "10 61 00 00 00 c4 09 00 ff 1f 1e e2 00", 2);
+BENCHMARK_CAPTURE(decode_family_reports, intuos_v3, "wacom-intuos-v3",
+                  "1e 01 c1 00 00 00 c4 09 00 ff 1f 1e 00 e2 ff", 3);
+BENCHMARK_CAPTURE(decode_family_reports, uclogic_v2, "uclogic-v2-tilt",
+                  "08 81 00 00 c4 09 ff 03 00 00 1e e2", 2);
+BENCHMARK_CAPTURE(decode_family_reports, xp_pen, "xp-pen", "07 a1 00 00 c4 09 ff 03 1e e2", 2);
+BENCHMARK_CAPTURE(decode_family_reports, veikk, "veikk-tilt",
+                  "09 41 a1 00 00 00 c4 09 00 ff 03 1e e2", 3);
 
 void read_log(benchmark::State& state)
 {

@@ -1,0 +1,65 @@
+// The first byte chooses a format of some maker's; the rest are its reports, each behind a byte
+// that is its length, in the lower seven bits, and says whether the pen was silent before it.
+// Whatever comes, the samples tell of one pen that behaves.
+
+#include "drivers/pens/family_decoder.h"
+#include "engine/base/check.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace {
+
+using namespace tractus;
+
+class Watch {
+public:
+    void see(PenSample const& sample)
+    {
+        CHECK(sample.position_mm.allFinite());
+        CHECK(sample.in_range || (!sample.touching && sample.buttons == 0));
+        CHECK(sample.in_range || last_.in_range); // A pen that is away says nothing.
+        CHECK(!(sample.in_range && last_.in_range && sample.eraser != last_.eraser));
+        CHECK(sample.in_range || sample.position_mm == last_.position_mm);
+        CHECK(!sample.pressure || (*sample.pressure >= 0 && *sample.pressure <= 1));
+        CHECK(sample.time >= last_.time);
+        last_ = sample;
+    }
+
+private:
+    PenSample last_;
+};
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
+{
+    if (size == 0)
+        return 0;
+    auto const families = pen_families();
+    auto const decoder = make_family_decoder(families[data[0] % families.size()],
+                                             { .size_mm = { 254, 158.75 },
+                                               .x_maximum = 50'800,
+                                               .y_maximum = 31'750,
+                                               .pressure_maximum = 8191 });
+    auto rest = std::as_bytes(std::span(data, size)).subspan(1);
+    Watch watch;
+    PenSilence silence;
+    Timestamp time {};
+    while (!rest.empty()) {
+        auto const header = std::to_integer<unsigned>(rest[0]);
+        auto const length = std::min<std::size_t>(header & 0x7F, rest.size() - 1);
+        time += std::chrono::milliseconds(header & 0x80 ? 150 : 5);
+        if (auto const gone = silence.leave_if_over(*decoder, time))
+            watch.see(*gone);
+        auto const sample = decoder->decode(time, rest.subspan(1, length));
+        if (sample && *sample) {
+            watch.see(**sample);
+            silence.heard(**sample);
+        }
+        rest = rest.subspan(1 + length);
+    }
+    return 0;
+}
