@@ -24,7 +24,7 @@ static bool is_plain(Model const& model, Rule const& rule)
 std::optional<ContextTable> ContextTable::create(Model const& model)
 {
     auto const& kinds = model.alphabet.kinds;
-    bool const is_small = std::bit_width(kinds.size()) <= kMaxKindBits;
+    bool const is_small = static_cast<unsigned>(std::bit_width(kinds.size())) <= kMaxKindBits;
     bool const is_simple = !model.stochastic && !model.ring && !model.decomposition.specified;
     bool const has_plain_kinds
         = std::all_of(kinds.begin(), kinds.end(), [](ModuleKind const& kind) {

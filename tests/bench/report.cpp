@@ -124,13 +124,23 @@ std::string limit_of(Run const& run)
     return "";
 }
 
+// Why a benchmark was broken off; null if it was not. Google Benchmark 1.8 gave the members other
+// names.
+template<typename AnyRun> std::string const* failure_of(AnyRun const& run)
+{
+    if constexpr (requires { run.skip_message; })
+        return run.skipped ? &run.skip_message : nullptr;
+    else
+        return run.error_occurred ? &run.error_message : nullptr;
+}
+
 void print_run(Run const& run)
 {
     auto const name = run.run_name.args.empty()
         ? run.run_name.function_name
         : fmt::format("{}/{}", run.run_name.function_name, run.run_name.args);
-    if (run.error_occurred) {
-        fmt::print("{:<36}{}\n", name, run.error_message);
+    if (auto const* failure = failure_of(run)) {
+        fmt::print("{:<36}{}\n", name, *failure);
         return;
     }
     double const rate = counter(run, "items_per_second");
