@@ -1,5 +1,7 @@
 #include "drivers/library_versions.h"
 
+#include "drivers/gpio/gpio_lines.h"
+
 #include <charconv>
 #include <fmt/core.h>
 #include <hidapi.h>
@@ -16,7 +18,7 @@ std::vector<LibraryVersion> library_versions()
         { "hidapi", hid_version_str(), "0.10.0" },
         { "libusb", fmt::format("{}.{}.{}", usb.major, usb.minor, usb.micro), "1.0.22" },
         // Lines with a drive and a bias of their own.
-        { "libgpiod", TRACTUS_LIBGPIOD_VERSION, "1.6" },
+        { "libgpiod", gpio_library_version(), "1.6" },
     };
 }
 
