@@ -35,6 +35,10 @@ struct DeviceInfo {
     // USB string descriptors that were read at opening, since what the reports mean depends on
     // them: index → text in UTF-8. A log keeps them, so that it decodes as the live device did.
     std::map<int, std::string> strings {};
+
+    // What went wrong at opening and does not keep the device from working after a fashion: each is
+    // one sentence for the user. Not in a log.
+    std::vector<std::string> warnings {};
 };
 
 } // namespace tractus

@@ -1,5 +1,6 @@
 #include "drivers/hid_link.h"
 
+#include "drivers/hid_back_end.h"
 #include "engine/base/check.h"
 
 #include <algorithm>
@@ -18,11 +19,6 @@ namespace tractus {
 
 namespace {
 
-struct CloseHid {
-    void operator()(hid_device* device) const { hid_close(device); }
-};
-using Handle = std::unique_ptr<hid_device, CloseHid>;
-
 std::string narrow(wchar_t const* text)
 {
     std::string result;
@@ -40,8 +36,9 @@ int to_milliseconds(Duration timeout)
 
 class HidLink final : public RealPacketLink {
 public:
-    HidLink(DeviceInfo info, Handle handle)
-        : info_(std::move(info))
+    HidLink(HidBackEnd const& back_end, HidHandle handle, DeviceInfo info)
+        : back_end_(back_end)
+        , info_(std::move(info))
         , handle_(std::move(handle))
     {
     }
@@ -54,11 +51,12 @@ private:
     {
         return fail(Fault::Device,
                     fmt::format("lost {} at {}: {} (was it unplugged?)", info_.name, info_.location,
-                                narrow(hid_error(handle_.get()))));
+                                narrow(back_end_.error(handle_.get()))));
     }
 
+    HidBackEnd const& back_end_;
     DeviceInfo info_;
-    Handle handle_;
+    HidHandle handle_;
     std::array<unsigned char, sizeof(RawReport::storage) + 1>
         buffer_ {}; // One more shows what is too long, or is a report's number.
 };
@@ -68,15 +66,15 @@ Result<void> HidLink::write(std::span<std::byte const> packet)
     CHECK(packet.size() < buffer_.size());
     buffer_[0] = 0; // No report ids.
     std::memcpy(buffer_.data() + 1, packet.data(), packet.size());
-    if (hid_write(handle_.get(), buffer_.data(), packet.size() + 1) < 0)
+    if (back_end_.write(handle_.get(), buffer_.data(), packet.size() + 1) < 0)
         return lost();
     return {};
 }
 
 Result<std::optional<RawReport>> HidLink::read(Duration timeout)
 {
-    int const size
-        = hid_read_timeout(handle_.get(), buffer_.data(), buffer_.size(), to_milliseconds(timeout));
+    int const size = back_end_.read_timeout(handle_.get(), buffer_.data(), buffer_.size(),
+                                            to_milliseconds(timeout));
     auto const arrival = now();
     if (size < 0)
         return lost();
@@ -106,11 +104,21 @@ Result<std::unique_ptr<PacketLink>> open_hid_link(DeviceInfo info)
             return cannot_open(info, "there is no such device (was it unplugged?)");
         return cannot_open(info, std::strerror(errno));
     }
+    static constexpr HidBackEnd kHidraw { .write = hid_write,
+                                          .read_timeout = hid_read_timeout,
+                                          .close = hid_close,
+                                          .error = hid_error };
     hid_init();
-    Handle handle(hid_open_path(info.location.c_str()));
+    HidHandle handle(hid_open_path(info.location.c_str()), kHidraw.close);
     if (!handle)
         return cannot_open(info, narrow(hid_error(nullptr)));
-    return std::make_unique<HidLink>(std::move(info), std::move(handle));
+    return make_hid_link(kHidraw, std::move(handle), std::move(info));
+}
+
+std::unique_ptr<PacketLink> make_hid_link(HidBackEnd const& back_end, HidHandle handle,
+                                          DeviceInfo info)
+{
+    return std::make_unique<HidLink>(back_end, std::move(handle), std::move(info));
 }
 
 } // namespace tractus

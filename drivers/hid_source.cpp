@@ -1,7 +1,9 @@
 #include "drivers/hid_source.h"
 
 #include "drivers/file.h"
+#include "drivers/hid_back_end.h"
 #include "drivers/hid_link.h"
+#include "drivers/hid_sysfs.h"
 
 #include <algorithm>
 #include <charconv>
@@ -65,7 +67,14 @@ DeviceInfo describe(fs::path const& folder)
     if (auto const event = read_file(folder / "device" / "uevent")) {
         info.name = value_of(*event, "HID_NAME");
         info.physical_path = value_of(*event, "HID_PHYS");
+        info.serial_number = value_of(*event, "HID_UNIQ");
         read_ids(value_of(*event, "HID_ID"), info);
+    }
+    if (auto const usb = find_usb_parent(folder)) {
+        info.manufacturer = usb->manufacturer;
+        info.interface_number = usb->interface_number;
+        if (info.serial_number.empty())
+            info.serial_number = usb->serial_number;
     }
     if (auto const descriptor = read_file(folder / "device" / "report_descriptor")) {
         auto const bytes = std::as_bytes(std::span(*descriptor));
@@ -96,6 +105,11 @@ std::vector<DeviceInfo> enumerate_hid(fs::path const& class_folder)
 Result<std::unique_ptr<ReportSource>> open_hid(DeviceInfo info)
 {
     auto link = TRY(open_hid_link(info));
+    return make_hid_source(std::move(info), std::move(link));
+}
+
+std::unique_ptr<ReportSource> make_hid_source(DeviceInfo info, std::unique_ptr<PacketLink> link)
+{
     return std::make_unique<HidSource>(std::move(info), std::move(link));
 }
 

@@ -141,7 +141,9 @@ Result<std::unique_ptr<PenDecoder>> make_tablet_decoder(DeviceInfo const& info,
         reports = reports_of(*descriptor);
     bool const is_switched
         = is_switched_by_strings(info, *match.identifier) && !reports.is_rewritten_by_kernel;
-    if (reports.makers_own.none() && !is_switched && !info.report_descriptor.empty())
+    bool const has_own_reports
+        = reports.makers_own.any() || is_switched || info.report_descriptor.empty();
+    if (!has_own_reports || match.identifier->family == kPadFamily)
         return described;
 
     auto const* const family = find_pen_family(match.identifier->family);

@@ -19,6 +19,7 @@ struct Candidate {
     Tablet const* tablet = nullptr;
     TabletIdentifier const* identifier = nullptr;
     std::size_t conditions_held = 0;
+    bool is_refuted = false; // One of its strings is another.
 
     // Candidates with the same shape are the same for whoever reads their reports.
     auto shape() const
@@ -35,7 +36,7 @@ bool matches(std::string const& text, std::string const& pattern)
     return std::regex_search(text, std::regex(pattern));
 }
 
-// No value if one of the candidate's strings is known to be another.
+// No value if the ids or the interface are others.
 std::optional<Candidate> weigh(Tablet const& tablet, TabletIdentifier const& identifier,
                                DeviceInfo const& info)
 {
@@ -49,9 +50,10 @@ std::optional<Candidate> weigh(Tablet const& tablet, TabletIdentifier const& ide
         auto const text = info.strings.find(condition.index);
         if (text == info.strings.end())
             continue;
-        if (!matches(text->second, condition.pattern))
-            return std::nullopt;
-        ++candidate.conditions_held;
+        if (matches(text->second, condition.pattern))
+            ++candidate.conditions_held;
+        else
+            candidate.is_refuted = true;
     }
     return candidate;
 }
@@ -92,18 +94,42 @@ std::optional<std::size_t> longest_report(HidReportDescriptor const& descriptor,
     return longest;
 }
 
-void prefer_report_sizes(Candidates& candidates, DeviceInfo const& info)
+struct LongestReports {
+    std::optional<std::size_t> input;
+    std::optional<std::size_t> output;
+};
+
+LongestReports longest_reports(DeviceInfo const& info)
 {
     auto const descriptor = parse_report_descriptor(info.report_descriptor);
     if (!descriptor)
-        return;
-    auto const input_size = longest_report(*descriptor, HidReportKind::Input);
-    auto const output_size = longest_report(*descriptor, HidReportKind::Output);
+        return {};
+    return { longest_report(*descriptor, HidReportKind::Input),
+             longest_report(*descriptor, HidReportKind::Output) };
+}
+
+// An interface is a tablet's pad if its reports have that length, and only then.
+void tell_pads_from_pens(Candidates& candidates, LongestReports const& longest)
+{
+    auto const is_pad
+        = [](auto const& candidate) { return candidate.identifier->family == kPadFamily; };
+    std::erase_if(candidates, [&](auto const& candidate) {
+        auto const& [input_size, output_size]
+            = std::tie(candidate.identifier->input_size, candidate.identifier->output_size);
+        bool const fits = input_size == longest.input
+            && (!output_size || *output_size == longest.output.value_or(0));
+        return is_pad(candidate) && !fits;
+    });
+    prefer(candidates, is_pad);
+}
+
+void prefer_report_sizes(Candidates& candidates, LongestReports const& longest)
+{
     prefer(candidates, [&](auto const& candidate) {
-        return input_size && candidate.identifier->input_size == input_size;
+        return longest.input && candidate.identifier->input_size == longest.input;
     });
     prefer(candidates, [&](auto const& candidate) {
-        return output_size && candidate.identifier->output_size == output_size;
+        return longest.output && candidate.identifier->output_size == longest.output;
     });
 }
 
@@ -149,7 +175,8 @@ TabletMatch choose(Candidates const& candidates)
     for (auto const& candidate : candidates)
         if (candidate.shape() != chosen->shape() && candidate.tablet != chosen->tablet)
             others.insert(candidate.tablet->name);
-    return { chosen->tablet, chosen->identifier, others.size() };
+    std::size_t const least = chosen->is_refuted ? 1 : 0;
+    return { chosen->tablet, chosen->identifier, std::max(others.size(), least) };
 }
 
 } // namespace
@@ -161,12 +188,15 @@ std::optional<TabletMatch> find_tablet(std::span<Tablet const> tablets, DeviceIn
         for (auto const& identifier : tablet.identifiers)
             if (auto const candidate = weigh(tablet, identifier, info))
                 candidates.push_back(*candidate);
+    auto const longest = longest_reports(info);
+    tell_pads_from_pens(candidates, longest);
     if (candidates.empty())
         return std::nullopt;
+    prefer(candidates, [](auto const& candidate) { return !candidate.is_refuted; });
     prefer_most_conditions(candidates);
     prefer_told_maxima(candidates, info);
     prefer_own_name(candidates, info);
-    prefer_report_sizes(candidates, info);
+    prefer_report_sizes(candidates, longest);
     return choose(candidates);
 }
 

@@ -20,13 +20,14 @@ struct TabletMatch {
     std::size_t alternatives = 0;
 };
 
-// Looks a device up by its ids, its strings and the lengths of its reports. No value if no known
-// tablet has its ids.
+// Looks a device up by its ids, its strings and the lengths of its reports; it may also be found to
+// be the interface of a tablet's keys (kPadFamily). No value if no known tablet has its ids.
 //
 // Many models share ids. What tells them apart, the strongest first: a string in
 // DeviceInfo::strings, the maxima that string 200 or 100 tells, the model's name in the device's,
 // the longest input and output report that the descriptor has (which some get wrong). Where none
-// does, the shape that most of the models have is taken, and of those the first.
+// does, the shape that most of the models have is taken, and of those the first. So it is if the
+// strings are of none of them: new models come with old ids, and differ little.
 std::optional<TabletMatch> find_tablet(DeviceInfo const& info);
 
 // The same in a table of one's own.

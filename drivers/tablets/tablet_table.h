@@ -38,7 +38,7 @@ struct TabletIdentifier {
     std::uint16_t vendor_id = 0;
     std::uint16_t product_id = 0;
     // The longest of the interface's reports in bytes, the report id's included, which a device
-    // that uses no ids counts as well. No value: not known, or none.
+    // that uses no ids counts as well; 0: it has none. No value: not known.
     std::optional<std::size_t> input_size {};
     std::optional<std::size_t> output_size {};
 
@@ -62,6 +62,9 @@ struct Tablet {
     unsigned pad_keys = 0;
     std::vector<TabletIdentifier> identifiers {};
 };
+
+// The family of an interface of keys or touch, which carries no pen.
+inline constexpr std::string_view kPadFamily = "pad";
 
 // Families whose name begins so stand for a format that is not known.
 inline constexpr std::string_view kUnknownFamily = "unknown-";

@@ -49,10 +49,48 @@ TEST(TabletLookup, TellsTabletsThatShareIdsApartByString201)
     EXPECT_EQ(found_name(device(0x256c, 0x0064, { { 201, "HUION_T227_210101" } })), "Huion HS610");
 }
 
-TEST(TabletLookup, TakesAnUnknownStringForAnUnknownTablet)
+TEST(TabletLookup, TakesANewModelForOneOfItsKin)
 {
-    EXPECT_EQ(found_name(device(0x256c, 0x006d, { { 201, "HUION_X999_180726" }, { 2, "" } })),
-              "none");
+    auto const match
+        = find_tablet(device(0x256c, 0x006d, { { 201, "HUION_X999_180726" }, { 2, "" } }));
+    ASSERT_TRUE(match);
+    EXPECT_GT(match->alternatives, 0u);
+    // Even where there is only one that it could be.
+    auto const only = find_tablet(device(0x256c, 0x0067, { { 201, "HUION_X999_180726" } }));
+    ASSERT_TRUE(only);
+    EXPECT_EQ(only->alternatives, 1u);
+}
+
+// Interfaces of a Wacom CTH-480: its pen has reports of 10 bytes, its touch of 64.
+TEST(TabletLookup, TellsATabletsPadFromItsPen)
+{
+    auto info = device(0x056a, 0x0302);
+    info.report_descriptor
+        = bytes("06 00 ff 09 01 a1 01 85 02 75 08 95 3f 15 00 26 ff 00 09 01 81 02 c0");
+    auto const pad = find_tablet(info);
+    ASSERT_TRUE(pad);
+    EXPECT_EQ(pad->identifier->family, kPadFamily);
+    info.report_descriptor
+        = bytes("06 00 ff 09 01 a1 01 85 02 75 08 95 09 15 00 26 ff 00 09 01 81 02 c0");
+    auto const pen = find_tablet(info);
+    ASSERT_TRUE(pen);
+    EXPECT_EQ(pen->identifier->family, "wacom-intuos");
+}
+
+// Those of an XP-Pen Artist 13.3 differ in their output reports alone.
+TEST(TabletLookup, TellsATabletsPadFromItsPenByOutputReports)
+{
+    auto info = device(0x28bd, 0x000b);
+    info.report_descriptor
+        = bytes("06 00 ff 09 01 a1 01 85 02 75 08 95 07 15 00 26 ff 00 09 01 81 02 c0");
+    auto const pad = find_tablet(info);
+    ASSERT_TRUE(pad);
+    EXPECT_EQ(pad->identifier->family, kPadFamily);
+    info.report_descriptor
+        = bytes("06 00 ff 09 01 a1 01 85 02 75 08 95 07 15 00 26 ff 00 09 01 81 02 09 01 91 02 c0");
+    auto const pen = find_tablet(info);
+    ASSERT_TRUE(pen);
+    EXPECT_EQ(pen->identifier->family, "xp-pen");
 }
 
 TEST(TabletLookup, NeedsAllOfSeveralStrings)

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "drivers/device_address.h"
+#include "drivers/device_info.h"
+#include "drivers/usb/usb_context.h"
+#include "engine/base/result.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace tractus {
+
+// The string descriptors of a USB device, asked for while its interfaces are in use by others: a
+// control transfer to the device needs none of them. Opens the device at the first one.
+class UsbStrings {
+public:
+    // "1-2.3"; empty for a device that is not on USB.
+    explicit UsbStrings(std::string usb_address)
+        : address_(std::move(usb_address))
+    {
+    }
+
+    // As TabletPort::read_string.
+    Result<std::string> read(int index);
+
+private:
+    std::string address_;
+    std::optional<UsbDevice> device_;
+};
+
+// What one interface of a USB device is: ids, names and number from sysfs, the report descriptor
+// from the device itself, for which the interface is taken from the kernel's driver for a moment.
+// `info` keeps its location. Fails, as the user's fault, if there is no such device or it may not
+// be opened.
+Result<DeviceInfo> describe_usb_tablet(LibusbAddress const& address, DeviceInfo info,
+                                       std::filesystem::path const& devices_folder
+                                       = "/sys/bus/usb/devices");
+
+} // namespace tractus
