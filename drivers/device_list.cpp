@@ -7,6 +7,7 @@
 #include "drivers/sensors/mcp2221a.h"
 #include "drivers/sensors/usb_height_sensor.h"
 #include "drivers/sensors/usb_sensor_list.h"
+#include "drivers/tablets/open_tablet.h"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -66,7 +67,7 @@ Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info)
                                    : open_usb_height_sensor(std::move(info));
     if (is_mcp2221a(info))
         return open_mcp2221a(std::move(info));
-    return open_hid(std::move(info));
+    return open_tablet(std::move(info));
 }
 
 } // namespace tractus

@@ -104,10 +104,9 @@ Result<std::unique_ptr<PacketLink>> open_hid_link(DeviceInfo info)
             return cannot_open(info, "there is no such device (was it unplugged?)");
         return cannot_open(info, std::strerror(errno));
     }
-    static constexpr HidBackEnd kHidraw { .write = hid_write,
-                                          .read_timeout = hid_read_timeout,
-                                          .close = hid_close,
-                                          .error = hid_error };
+    static constexpr HidBackEnd kHidraw {
+        .write = hid_write, .read_timeout = hid_read_timeout, .close = hid_close, .error = hid_error
+    };
     hid_init();
     HidHandle handle(hid_open_path(info.location.c_str()), kHidraw.close);
     if (!handle)
