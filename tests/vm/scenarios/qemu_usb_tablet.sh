@@ -1,0 +1,19 @@
+# QEMU's USB tablet, which somebody else wrote, moved from outside: what hidraw delivers is where it
+# was moved.
+modules='xhci-pci usbhid hid-generic'
+virtual_time=no
+qemu='-device qemu-xhci -device usb-tablet'
+
+outside() {
+    move_pointer
+}
+
+# In the report: buttons, x and y with the low byte first, wheel.
+guest() {
+    wait_until test -e /dev/hidraw0
+    tractus devices
+    tractus record -o got.tractus-log --device /dev/hidraw0 --seconds 3
+    awk '/^E:/ { reports++; on_diagonal += $5 $6 == $7 $8; places += !seen[$5 $6]++ }
+        END { print reports + 0, "reports", on_diagonal + 0, "on the diagonal", places + 0, "places"
+            exit !(reports >= 20 && on_diagonal == reports && places >= 20) }' got.tractus-log
+}
