@@ -22,9 +22,9 @@ struct PlayedDevice {
 // When a log's reports are sent. The times between them stay as they were recorded, unless one of
 // these says otherwise.
 struct PlaybackOptions {
-    std::optional<double> rate_hz; // All reports, of all devices, in even steps.
-    bool at_once = false;          // Each as soon as the one before is on its way.
-    bool stay = false;             // After the last report stay plugged in until asked to stop.
+    std::optional<double> rate_hz {}; // All reports, of all devices, in even steps.
+    bool at_once = false;             // Each as soon as the one before is on its way.
+    bool stay = false;                // After the last report stay plugged in until asked to stop.
 };
 
 struct PlaybackCounts {

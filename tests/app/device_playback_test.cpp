@@ -33,6 +33,7 @@ public:
         return {};
     }
     bool is_read() const override { return serves_until_read == 0; }
+    bool tells_readers_by_reports() const override { return false; }
     std::uint64_t lost_count() const override { return lost; }
     std::size_t waiting_count() const override { return 0; }
 
