@@ -1,0 +1,82 @@
+// drivers/70-tractus.rules and the table of tablets name the same vendors.
+
+#include "drivers/file.h"
+#include "drivers/tablets/tablet_table.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace tractus {
+namespace {
+
+// What a line asks of a device on USB before it lets the seat's user read it.
+struct Rule {
+    bool is_for_usb = false; // The device itself, not its hidraw nodes.
+    std::string vendors;     // Alternatives: "0458|056a".
+    std::string products;    // Empty: all.
+};
+
+std::string match_of(std::string const& line, char const* key)
+{
+    std::smatch found;
+    std::regex const pattern(fmt::format("ATTRS?\\{{{}\\}}==\"([^\"]*)\"", key));
+    return std::regex_search(line, found, pattern) ? found[1].str() : std::string();
+}
+
+std::vector<Rule> read_rules()
+{
+    auto const text
+        = read_file(std::filesystem::path(TRACTUS_SOURCE_FOLDER) / "drivers" / "70-tractus.rules");
+    EXPECT_TRUE(text);
+    std::vector<Rule> rules;
+    std::istringstream lines(text.value_or(""));
+    for (std::string line; std::getline(lines, line);)
+        if (!line.starts_with('#') && line.find("TAG+=\"uaccess\"") != std::string::npos)
+            rules.push_back({ .is_for_usb = line.starts_with("SUBSYSTEM==\"usb\""),
+                              .vendors = match_of(line, "idVendor"),
+                              .products = match_of(line, "idProduct") });
+    return rules;
+}
+
+bool names(std::string const& alternatives, std::uint16_t id)
+{
+    return ("|" + alternatives + "|").find(fmt::format("|{:04x}|", id)) != std::string::npos;
+}
+
+bool permits(std::vector<Rule> const& rules, bool as_usb, TabletIdentifier const& identifier)
+{
+    return std::any_of(rules.begin(), rules.end(), [&](Rule const& rule) {
+        return rule.is_for_usb == as_usb && names(rule.vendors, identifier.vendor_id)
+            && (rule.products.empty() || names(rule.products, identifier.product_id));
+    });
+}
+
+TEST(Rules, PermitEveryKnownTablet)
+{
+    auto const rules = read_rules();
+    for (auto const& tablet : known_tablets())
+        for (auto const& identifier : tablet.identifiers) {
+            EXPECT_TRUE(permits(rules, false, identifier))
+                << "hidraw: " << tablet.name << ' ' << identifier.vendor_id;
+            EXPECT_TRUE(permits(rules, true, identifier))
+                << "usb: " << tablet.name << ' ' << identifier.vendor_id;
+        }
+}
+
+// These makers of chips have ids on very many devices that are no tablets.
+TEST(Rules, PermitNotAllDevicesOfMakersOfChips)
+{
+    std::vector<std::uint16_t> const vendor_ids { 0x0483, 0x0a12, 0x04d8, 0x1209 };
+    for (auto const& rule : read_rules())
+        for (auto const vendor_id : vendor_ids)
+            EXPECT_FALSE(names(rule.vendors, vendor_id) && rule.products.empty()) << rule.vendors;
+}
+
+} // namespace
+} // namespace tractus
