@@ -2,7 +2,7 @@
 
 #include "drivers/pens/descriptor_decoder.h"
 #include "drivers/report_descriptor.h"
-#include "drivers/tablets/string_descriptor.h"
+#include "drivers/tablets/tablet_parameters.h"
 
 #include <algorithm>
 #include <bitset>

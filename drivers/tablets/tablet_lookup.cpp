@@ -1,7 +1,7 @@
 #include "drivers/tablets/tablet_lookup.h"
 
 #include "drivers/report_descriptor.h"
-#include "drivers/tablets/string_descriptor.h"
+#include "drivers/tablets/tablet_parameters.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,7 @@
 #include "drivers/tablets/usb_tablet.h"
 
 #include "drivers/file.h"
-#include "drivers/tablets/string_descriptor.h"
+#include "drivers/usb/string_descriptor.h"
 
 #include <array>
 #include <charconv>

@@ -1,6 +1,7 @@
 #include "drivers/usb/usb_context.h"
 
 #include "drivers/device_address.h"
+#include "drivers/usb/string_descriptor.h"
 #include "engine/base/check.h"
 
 #include <array>
@@ -79,46 +80,6 @@ std::string advice(int code)
     return code == LIBUSB_ERROR_ACCESS
         ? "permission denied (is drivers/70-tractus.rules in /etc/udev/rules.d?)"
         : usb_error_text(code);
-}
-
-// One UTF-16 code unit of a well-formed pair at a time; a lone surrogate becomes U+FFFD.
-std::string utf8_of_utf16(std::span<std::byte const> bytes)
-{
-    auto const unit = [&](std::size_t i) {
-        return std::to_integer<std::uint32_t>(bytes[i])
-            | std::to_integer<std::uint32_t>(bytes[i + 1]) << 8;
-    };
-    auto const is_surrogate = [](std::uint32_t value, std::uint32_t first) {
-        return value >= first && value < first + 0x400;
-    };
-    std::string text;
-    auto const put = [&](std::uint32_t value) { text += static_cast<char>(value); };
-    for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
-        auto code = unit(i);
-        if (is_surrogate(code, 0xD800) && i + 3 < bytes.size()
-            && is_surrogate(unit(i + 2), 0xDC00)) {
-            code = 0x10000 + ((code - 0xD800) << 10) + (unit(i + 2) - 0xDC00);
-            i += 2;
-        } else if (code >= 0xD800 && code < 0xE000) {
-            code = 0xFFFD;
-        }
-        if (code < 0x80) {
-            put(code);
-        } else if (code < 0x800) {
-            put(0xC0 | code >> 6);
-            put(0x80 | (code & 0x3F));
-        } else if (code < 0x10000) {
-            put(0xE0 | code >> 12);
-            put(0x80 | (code >> 6 & 0x3F));
-            put(0x80 | (code & 0x3F));
-        } else {
-            put(0xF0 | code >> 18);
-            put(0x80 | (code >> 12 & 0x3F));
-            put(0x80 | (code >> 6 & 0x3F));
-            put(0x80 | (code & 0x3F));
-        }
-    }
-    return text;
 }
 
 } // namespace
@@ -210,7 +171,7 @@ Result<std::vector<std::byte>> UsbDevice::string_bytes(std::uint8_t index) const
 
 Result<std::string> UsbDevice::string(std::uint8_t index) const
 {
-    return utf8_of_utf16(TRY(string_bytes(index)));
+    return string_descriptor_text(TRY(string_bytes(index)));
 }
 
 Result<UsbDevice> open_usb_device(DeviceInfo const& info)

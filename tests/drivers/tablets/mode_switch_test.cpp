@@ -2,7 +2,7 @@
 
 #include "drivers/pen_decoder.h"
 #include "drivers/tablets/hidraw_port.h"
-#include "drivers/tablets/string_descriptor.h"
+#include "drivers/usb/string_descriptor.h"
 #include "tests/drivers/bytes.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "drivers/log.h"
 #include "drivers/pen_decoder.h"
-#include "drivers/tablets/string_descriptor.h"
+#include "drivers/usb/string_descriptor.h"
 #include "tests/corpus.h"
 #include "tests/drivers/bytes.h"
 

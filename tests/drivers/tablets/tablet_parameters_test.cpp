@@ -1,5 +1,6 @@
-#include "drivers/tablets/string_descriptor.h"
+#include "drivers/tablets/tablet_parameters.h"
 
+#include "drivers/usb/string_descriptor.h"
 #include "tests/drivers/bytes.h"
 
 #include <gtest/gtest.h>
