@@ -101,31 +101,38 @@ void UhidDevice::add_files_to(std::vector<pollfd>& files) const
 
 Result<void> UhidDevice::serve()
 {
+    constexpr int kAtOnce = 16; // Whoever asks quickly enough would keep us here for ever.
     uhid_event event {};
-    while (::read(file_.number(), &event, sizeof event) > 0) {
-        switch (event.type) {
-        case UHID_OPEN:
-            is_open_ = true;
-            break;
-        case UHID_CLOSE:
-            is_open_ = false;
-            break;
-        case UHID_OUTPUT:
-            TRY(reply_to(bytes_of(event.u.output.data, event.u.output.size)));
-            break;
-        case UHID_GET_REPORT:
-            TRY(write_event(file_, answer_get(event.u.get_report, answers_)));
-            break;
-        case UHID_SET_REPORT:
-            TRY(write_event(file_, answer_set(event.u.set_report, answers_)));
-            break;
-        default: // UHID_START and UHID_STOP: a driver has come or gone.
-            break;
-        }
+    for (int i = 0; i < kAtOnce; ++i) {
+        if (::read(file_.number(), &event, sizeof event) > 0)
+            TRY(serve(event));
+        else if (errno == EAGAIN || errno == EINTR)
+            return {};
+        else
+            return fail(Fault::User,
+                        fmt::format("cannot read {}: {}", kNode, std::strerror(errno)));
     }
-    if (errno == EAGAIN || errno == EINTR)
+    return {};
+}
+
+Result<void> UhidDevice::serve(uhid_event const& event)
+{
+    switch (event.type) {
+    case UHID_OPEN:
+        is_open_ = true;
         return {};
-    return fail(Fault::User, fmt::format("cannot read {}: {}", kNode, std::strerror(errno)));
+    case UHID_CLOSE:
+        is_open_ = false;
+        return {};
+    case UHID_OUTPUT:
+        return reply_to(bytes_of(event.u.output.data, event.u.output.size));
+    case UHID_GET_REPORT:
+        return write_event(file_, answer_get(event.u.get_report, answers_));
+    case UHID_SET_REPORT:
+        return write_event(file_, answer_set(event.u.set_report, answers_));
+    default: // UHID_START and UHID_STOP: a driver has come or gone.
+        return {};
+    }
 }
 
 Result<void> UhidDevice::reply_to(std::span<std::byte const> output)

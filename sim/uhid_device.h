@@ -13,6 +13,8 @@
 #include <span>
 #include <vector>
 
+struct uhid_event; // linux/uhid.h
+
 namespace tractus {
 
 // What a device answers. Reports begin with their id if the device numbers them. Each may be left
@@ -50,6 +52,7 @@ public:
 private:
     UhidDevice(FileDescriptor file, UhidAnswers answers);
 
+    Result<void> serve(uhid_event const& event);
     Result<void> reply_to(std::span<std::byte const> output);
 
     FileDescriptor file_;

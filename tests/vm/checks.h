@@ -32,6 +32,11 @@ struct HeightExpectation {
 // Whether the log's first height sensor always said the same.
 Result<void> check_height(std::string const& log_name, HeightExpectation const& expected);
 
+// Whether the log's first height sensor saw the heights of another log, at one and the same
+// distance in time throughout, which is found out. `tolerance` is of full scale, anywhere.
+Result<void> compare_heights(std::string const& sent_name, std::string const& got_name,
+                             double tolerance);
+
 struct StreamExpectation {
     std::uint64_t max_lost_frames = 0;
     std::uint64_t restarts = 0; // How often the sensor was plugged in again.

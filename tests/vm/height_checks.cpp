@@ -1,7 +1,10 @@
 #include "drivers/height_decoder.h"
 #include "drivers/log.h"
+#include "sim/height_curve.h"
 #include "tests/vm/checks.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <fmt/core.h>
 #include <memory>
@@ -38,7 +41,39 @@ Result<DecodedHeights> decode_heights(std::string const& log_name)
     return fail(Fault::Device, fmt::format("{} has no height sensor", log_name));
 }
 
+// The farthest that samples lie from a curve that is `offset` later than it was recorded.
+double farthest(HeightCurve const& curve, std::vector<HeightSample> const& samples, Duration offset)
+{
+    double far = 0;
+    for (auto const& sample : samples)
+        far = std::max(far,
+                       std::abs(double(sample.counts) / sample.full_scale
+                                - curve.fraction_at(sample.time - offset)));
+    return far;
+}
+
 } // namespace
+
+Result<void> compare_heights(std::string const& sent_name, std::string const& got_name,
+                             double tolerance)
+{
+    constexpr Duration kLargestOffset = std::chrono::seconds(2);
+    auto const sent = TRY(read_log(sent_name));
+    auto const curve = TRY(HeightCurve::read(sent));
+    auto const heights = TRY(decode_heights(got_name));
+    if (heights.broken_reports > 0)
+        return fail(Fault::Device, fmt::format("{} reports are broken", heights.broken_reports));
+    double nearest = 1;
+    for (auto offset = -kLargestOffset; offset < kLargestOffset;
+         offset += std::chrono::milliseconds(1))
+        nearest = std::min(nearest, farthest(curve, heights.samples, offset));
+    fmt::print("{} samples, full scale {}\n", heights.samples.size(),
+               heights.samples.front().full_scale);
+    print_figure("height error max", 100 * nearest, "% of full scale");
+    if (nearest > tolerance)
+        return fail(Fault::Device, "these are not the heights that were sent");
+    return {};
+}
 
 Result<void> check_height(std::string const& log_name, HeightExpectation const& expected)
 {

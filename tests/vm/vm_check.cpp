@@ -79,6 +79,16 @@ void add_height_checks(CLI::App& root, Arguments& arguments, Check& check)
     height->add_option("--tolerance", arguments.height.tolerance, "The same");
     height->callback([&] { check = [&] { return check_height(got, arguments.height); }; });
 
+    auto* const same = root.add_subcommand("same-heights", "Were these the heights, in time?");
+    same->add_option("SENT", arguments.truth.sent)->required();
+    same->add_option("GOT", got)->required();
+    same->add_option("--tolerance", arguments.height.tolerance, "Of full scale");
+    same->callback([&] {
+        check = [&] {
+            return compare_heights(arguments.truth.sent, got, arguments.height.tolerance);
+        };
+    });
+
     auto* const stream = root.add_subcommand("stream", "Did the own sensor's frames come whole?");
     stream->add_option("GOT", got)->required();
     stream->add_option("--max-lost", arguments.stream.max_lost_frames);

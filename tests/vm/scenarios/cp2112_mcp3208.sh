@@ -1,26 +1,58 @@
 # An MCP3208, modelled at its pins, on the lines of a CP2112, which the kernel's own driver makes a
-# gpiochip: our driver reads each of its channels right through libgpiod. Then the lines fail, and
-# then the bridge is unplugged, each in mid-recording: both are told, and nothing hangs.
+# gpiochip: our driver reads each of its channels right through libgpiod, and the heights as they
+# move. Then the lines fail, and then the bridge is unplugged, each in mid-recording: both are told.
 modules='uhid hid-cp2112'
 files='build/vm/scribble.tractus-log'
 
+log=/files/scribble.tractus-log
 address=gpio:cp2112_gpio:0,1,2,3:mcp3208
 
-# Channel 7 has 0.8 of full scale, and so on down; the pen's recording is none of our business.
+# The height while it moves, and then the other channels, which have levels of their own.
 read_channels() {
     local channel
-    for channel in 0 1 2 3 4 5 6 7; do
-        tractus record --device $address:$channel --seconds 0.3 -o channel$channel.tractus-log
-    done
+    tractus record --device $address:0 --seconds 2 -o got.tractus-log
+    vm_check same-heights $log got.tractus-log --tolerance 0.002
+    vm_check gaps got.tractus-log
     for channel in 1 2 3 4 5 6 7; do
+        tractus record --device $address:$channel --seconds 0.1 -o channel$channel.tractus-log
         vm_check height channel$channel.tractus-log --fraction 0.$((channel + 1))
     done
-    vm_check gaps channel7.tractus-log
+}
+
+# Until the recorder tells that the converter has gone, and then until it ends when it is asked to.
+lose_converter() {
+    wait_until grep -q 'has gone' messages
+    cat messages
+    kill -TERM "$1"
+    wait "$1"
+}
+
+unplug() {
+    kill -$1 $player
+    wait $player || true
+    wait_until test ! -e /dev/gpiochip0
 }
 
 guest() {
-    tractus sim cp2112 /files/scribble.tractus-log --repeat &
+    local player
+    tractus sim cp2112 $log --stay &
+    player=$!
     wait_until test -e /dev/gpiochip0
     read_channels
-    kill -KILL $!
+    unplug TERM
+
+    tractus sim cp2112 $log --stay --fail-after 0.5 &
+    player=$!
+    wait_until test -e /dev/gpiochip0
+    tractus record --device $address:0 -o failed.tractus-log 2>messages &
+    lose_converter $!
+    unplug TERM
+
+    tractus sim cp2112 $log --stay &
+    player=$!
+    wait_until test -e /dev/gpiochip0
+    tractus record --device $address:0 -o unplugged.tractus-log 2>messages &
+    sleep 0.5
+    unplug KILL
+    lose_converter $!
 }
