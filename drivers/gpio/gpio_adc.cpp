@@ -144,7 +144,8 @@ RawReport encode(Mcp3208Reading const& reading, unsigned repeats)
 Result<std::optional<RawReport>> GpioAdcSource::read(Duration timeout)
 {
     constexpr unsigned kMaxRepeats = 7; // Where each is interrupted, nothing better will come.
-    auto const deadline = clock_.now() + timeout;
+    constexpr Duration kForEver = std::chrono::hours(24);
+    auto const deadline = clock_.now() + std::min(timeout, kForEver);
     clock_.sleep_until(std::min(due_, deadline));
     if (due_ > deadline)
         return std::optional<RawReport>();
