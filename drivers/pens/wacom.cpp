@@ -56,10 +56,10 @@ Fields decode_bamboo_pad(Report report, FamilyState&)
 }
 
 // Intuos CTL and CTH, and the Bamboos before them: 8 to 10 bytes. At the surface's edge the place
-// is its edge.
+// is its edge. Longer reports with the same id are of fingers.
 Fields decode_intuos(Report report, FamilyState&)
 {
-    if (report.size() < 8 || u8(report, 0) != kPenReport)
+    if (report.size() < 8 || report.size() > 10 || u8(report, 0) != kPenReport)
         return std::nullopt;
     if (!has_bit(report, 1, 5))
         return kAway;
@@ -135,10 +135,11 @@ PenFields intuos_pro_fields(Report report, FamilyState& state)
 }
 
 // Intuos 1 to 5 and Pro, the Cintiqs of their time, CTL-490 and its kin: 10 bytes. A report for the
-// tool that comes, then what it does; its pressure tells whether it touches.
+// tool that comes, then what it does; its pressure tells whether it touches. Longer reports with
+// the same ids are of fingers.
 Fields decode_intuos_pro(Report report, FamilyState& state)
 {
-    if (report.size() < 10 || (u8(report, 0) != kPenReport && u8(report, 0) != kSecondPenReport))
+    if (report.size() != 10 || (u8(report, 0) != kPenReport && u8(report, 0) != kSecondPenReport))
         return std::nullopt;
     auto const flags = u8(report, 1);
     if ((flags & 0xFC) == 0xC0) {

@@ -57,6 +57,14 @@ TEST(Wacom, FamiliesPassOverShortReports)
         }
 }
 
+TEST(Wacom, TakesNoFingersForAPen)
+{
+    // Their reports have the pen's id, and are longer.
+    auto const fingers = std::string("02 e1 13 88 04 e2 40 eb 64 02 00 00 00 00 00 00 00 00 00 00");
+    for (auto const* family : { "wacom-intuos", "wacom-intuos-pro" })
+        EXPECT_EQ(Tablet(family).report(fingers), std::nullopt) << family;
+}
+
 TEST(Wacom, GraphireReadsItsPen)
 {
     Tablet tablet("wacom-graphire", 511);
