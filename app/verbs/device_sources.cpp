@@ -1,5 +1,7 @@
 #include "app/verbs/device_sources.h"
 
+#include "app/console.h"
+
 #include <csignal>
 #include <fmt/core.h>
 
@@ -15,7 +17,8 @@ std::atomic<bool> const& stop_on_signals()
     return stop_asked;
 }
 
-Result<LiveDevices> open_devices(std::vector<std::string> const& names, std::string const& purpose)
+static Result<LiveDevices> open_named_or_found(std::vector<std::string> const& names,
+                                               std::string const& purpose)
 {
     if (!names.empty())
         return LiveDevices::open_named(names);
@@ -26,6 +29,15 @@ Result<LiveDevices> open_devices(std::vector<std::string> const& names, std::str
                                 "says why; the simulated rig goes by the name simulated",
                                 purpose));
     return LiveDevices::open(found);
+}
+
+Result<LiveDevices> open_devices(std::vector<std::string> const& names, std::string const& purpose)
+{
+    auto devices = TRY(open_named_or_found(names, purpose));
+    for (auto const& info : devices.infos())
+        for (auto const& warning : info.warnings)
+            print_error(fmt::format("warning: {}\n", warning));
+    return devices;
 }
 
 } // namespace tractus

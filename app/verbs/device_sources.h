@@ -10,8 +10,8 @@
 namespace tractus {
 
 // What a verb reads: the devices and logs that were named, or else every pen and height sensor that
-// is found. Fails, as the user's fault, if none was named and none is found; `purpose` says what
-// for, such as "to record".
+// is found. Says on standard error what did not go well (DeviceInfo::warnings). Fails, as the
+// user's fault, if none was named and none is found; `purpose` says what for, such as "to record".
 Result<LiveDevices> open_devices(std::vector<std::string> const& names, std::string const& purpose);
 
 // Set by SIGINT and SIGTERM from now on, in place of ending the program.

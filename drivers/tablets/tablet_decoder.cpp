@@ -23,6 +23,7 @@ struct NodeReports {
     ReportIds described; // Fields of a known meaning.
     ReportIds makers_own;
     bool is_rewritten_by_kernel = false;
+    bool use_ids = true;
 };
 
 NodeReports reports_of(HidReportDescriptor const& descriptor)
@@ -36,6 +37,7 @@ NodeReports reports_of(HidReportDescriptor const& descriptor)
             (says_nothing(field.usage) ? result.makers_own : result.described).set(field.report_id);
     result.makers_own &= ~result.described;
     result.is_rewritten_by_kernel = result.described[kKernelPadReport];
+    result.use_ids = !result.described[0] && !result.makers_own[0];
     return result;
 }
 
@@ -57,6 +59,7 @@ public:
         std::unique_ptr<PenDecoder> described; // Null if the descriptor describes no pen.
         ReportIds described_ids;
         bool own_comes_first = false;
+        bool use_ids = true;
     };
 
     explicit TabletDecoder(Parts parts)
@@ -75,11 +78,14 @@ public:
     std::optional<PenSample> leave(Timestamp time) override { return last_->leave(time); }
 
 private:
+    Result<std::optional<PenSample>> decode_with_id(Timestamp received,
+                                                    std::span<std::byte const> report);
     PenDecoder* decoder_for(std::span<std::byte const> report) const;
 
     Parts parts_;
     PenDecoder* last_; // Whichever spoke last.
     PenTraits traits_;
+    RawReport with_id_; // A report that came without one.
 };
 
 // Null for a report that is no pen's.
@@ -92,15 +98,28 @@ PenDecoder* TabletDecoder::decoder_for(std::span<std::byte const> report) const
     return parts_.described.get();
 }
 
+// Formats count from the report id: where a device uses none, 0 stands for it.
 Result<std::optional<PenSample>> TabletDecoder::decode(Timestamp received,
                                                        std::span<std::byte const> report)
 {
     if (report.empty())
         return fail(Fault::Device, "an empty report");
+    if (parts_.use_ids)
+        return decode_with_id(received, report);
+    with_id_.size = std::min(report.size() + 1, with_id_.storage.size());
+    std::copy_n(report.begin(), with_id_.size - 1, with_id_.storage.begin() + 1);
+    return decode_with_id(received, with_id_.bytes());
+}
+
+Result<std::optional<PenSample>> TabletDecoder::decode_with_id(Timestamp received,
+                                                               std::span<std::byte const> report)
+{
     auto* const decoder = decoder_for(report);
     if (!decoder)
         return std::nullopt;
-    auto const sample = TRY(decoder->decode(received, report));
+    bool const is_described = decoder == parts_.described.get();
+    auto const as_it_came = is_described && !parts_.use_ids ? report.subspan(1) : report;
+    auto const sample = TRY(decoder->decode(received, as_it_came));
     if (!sample || decoder == last_)
         return sample;
     if (auto const left = std::exchange(last_, decoder)->leave(received))
@@ -161,6 +180,7 @@ Result<std::unique_ptr<PenDecoder>> make_tablet_decoder(DeviceInfo const& info,
         .described = described ? *std::move(described) : nullptr,
         .described_ids = reports.described,
         .own_comes_first = is_switched,
+        .use_ids = reports.use_ids,
     });
 }
 

@@ -209,6 +209,8 @@ std::string tablet_name(TabletMatch const& match)
 {
     if (match.alternatives == 0)
         return match.tablet->name;
+    if (match.alternatives == 1)
+        return match.tablet->name + " (or another one with its ids)";
     return fmt::format("{} (or one of {} others with its ids)", match.tablet->name,
                        match.alternatives);
 }

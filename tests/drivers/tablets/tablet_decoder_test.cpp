@@ -193,6 +193,23 @@ TEST(TabletDecoder, LetsThePenLeaveBeforeItGoesOnInTheOtherFormat)
     EXPECT_NEAR(goes_on->position_mm.x(), 127, 0.01);
 }
 
+TEST(TabletDecoder, ReadsReportsWithoutIds)
+{
+    // A VEIKK A30's of its second kind, if it used no ids.
+    DeviceInfo const info {
+        .vendor_id = 0x2feb,
+        .product_id = 0x0002,
+        .report_descriptor
+        = bytes("06 00 ff 09 01 a1 01 09 01 15 00 26 ff 00 75 08 95 0c 81 02 c0"),
+    };
+    auto decoder = make_pen_decoder(info);
+    ASSERT_TRUE(decoder) << decoder.error().message;
+    auto const sample = decode(**decoder, "41 a1 70 c6 00 10 77 00 ff 1f 00 00");
+    ASSERT_TRUE(sample);
+    EXPECT_EQ(sample->raw_x, 50800);
+    EXPECT_EQ(sample->raw_pressure, 8191);
+}
+
 TEST(TabletDecoder, IsNotForTheKeysOfATablet)
 {
     auto info = hs610();
