@@ -2,6 +2,7 @@
 
 #include "app/log_replay.h"
 #include "app/model_file.h"
+#include "app/paced_log.h"
 #include "app/pictures.h"
 #include "app/render/contact_sheet.h"
 #include "app/render/mesh_measures.h"
@@ -126,6 +127,17 @@ Result<Scene> Job::load_plant()
     return scene;
 }
 
+// All of it, at a multiple of the hand's pace or at once.
+static void play(LogReplay& replay, std::optional<double> const& speed)
+{
+    constexpr Duration kStep = std::chrono::milliseconds(10);
+    if (!speed)
+        return replay.run();
+    auto const pace = pace_from_now(replay.begin(), *speed);
+    while (replay.advance_to(pace.data_time(pace.now())))
+        pace.wait(kStep);
+}
+
 Result<Station> Job::replay(Scene scene)
 {
     progress_.begin("reading the log");
@@ -142,7 +154,7 @@ Result<Station> Job::replay(Scene scene)
     if (options_.height)
         replay_options.height = TRY(parse_height_scenario(*options_.height));
     auto replay = TRY(LogReplay::create(log, std::move(replay_options)));
-    replay.run();
+    play(replay, options_.speed);
     auto const& counts = replay.station().counts();
     if (counts.pen_samples == 0 && counts.broken_reports > 0)
         return fail(Fault::Device,

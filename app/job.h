@@ -18,9 +18,10 @@ struct JobOptions {
     std::filesystem::path model;
     std::optional<std::filesystem::path> rig; // A calibration in place of the log's own.
     std::optional<std::string> height;        // A height scenario in place of the height sensor.
-    std::uint64_t seed = 1;                   // Of the variations.
-    std::size_t variations = 12;              // In the collection; at least 1.
-    std::filesystem::path folder = ".";       // Made if it is not there.
+    std::optional<double> speed {}; // Times the pace of the hand; no value: as fast as it is read.
+    std::uint64_t seed = 1;         // Of the variations.
+    std::size_t variations = 12;    // In the collection; at least 1.
+    std::filesystem::path folder = "."; // Made if it is not there.
 };
 
 // What was read, and what became of it.

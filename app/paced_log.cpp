@@ -54,6 +54,11 @@ Timestamp Pace::real_time(Timestamp data) const
     return real_begin + from_seconds(to_seconds(data - data_begin) / speed);
 }
 
+Timestamp Pace::data_time(Timestamp real) const
+{
+    return data_begin + from_seconds(to_seconds(real - real_begin) * speed);
+}
+
 Pace pace_from_now(Timestamp data_begin, double speed)
 {
     auto const now = [] { return Timestamp(std::chrono::steady_clock::now().time_since_epoch()); };

@@ -21,6 +21,9 @@ struct Pace {
 
     // When a moment of the log comes.
     Timestamp real_time(Timestamp data) const;
+
+    // The moment of the log that comes at one of the clock's.
+    Timestamp data_time(Timestamp real) const;
 };
 
 // A pace by the monotonic clock that begins now.

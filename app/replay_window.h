@@ -1,15 +1,12 @@
 #pragma once
 
 #include "app/log_replay.h"
+#include "app/station_view.h"
 #include "app/window/window_model.h"
 #include "drivers/log.h"
 #include "engine/base/result.h"
-#include "engine/mesh/mesh.h"
-#include "engine/scene/scene.h"
 
 #include <filesystem>
-#include <memory>
-#include <optional>
 
 namespace tractus {
 
@@ -23,7 +20,7 @@ public:
                                        std::filesystem::path pictures);
 
     void advance(Duration real_step) override;
-    WindowState const& state() const override { return state_; }
+    WindowState const& state() const override { return view_.state(); }
     void perform(WindowCommand const& command) override;
 
 private:
@@ -35,22 +32,13 @@ private:
     void perform_kind(Restart const&);
     void perform_kind(NextVariation const&);
     void perform_kind(SavePicture const& command);
-
-    void show_live();
-    void show_scene();
-    void show_skeleton();
-    void grow_plant();
+    void perform_kind(ChooseTool const&) { } // The recording chooses.
 
     Log const* log_;        // Not owned.
     ReplayOptions options_; // To begin again.
-    std::filesystem::path pictures_;
     LogReplay replay_;
     Timestamp now_; // Of the log.
-    std::size_t shown_strokes_ = 0;
-    std::size_t shown_pen_samples_ = 0;
-    // On the heap, since the state points to it when this moves.
-    std::unique_ptr<Mesh const> plant_;
-    WindowState state_;
+    StationView view_;
 };
 
 } // namespace tractus

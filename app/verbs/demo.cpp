@@ -5,6 +5,7 @@
 #include "app/progress.h"
 #include "app/resources.h"
 #include "app/verbs/checks.h"
+#include "app/verbs/shared_options.h"
 
 #include <fmt/core.h>
 #include <memory>
@@ -22,24 +23,14 @@ void add_demo_verb(CLI::App& root, Action& action)
     auto* const verb = root.add_subcommand(
         "demo",
         "See what the station is for: a drawing recorded on the simulated rig varies a plant");
-    verb->add_option("-o,--output", arguments->job.folder,
-                     "The folder for pictures, glTF and report; made if it is not there")
-        ->type_name("FOLDER")
-        ->capture_default_str();
-    verb->footer(
-        "Writes base.png (the plant as its model gives it), strokes.png (what was drawn),\n"
-        "varied.png (one variation), collection.png and collection.glb (all of them) and\n"
-        "report.txt, which is printed, too. The same seed gives the same plants.");
+    add_folder_option(*verb, arguments->job.folder);
+    verb->footer(job_footer());
     verb->add_option("--plant", arguments->plant,
                      "Which of our plants: broadleaf, conifer, daisy or shrub")
         ->type_name("NAME")
         ->check(one_of({ "broadleaf", "conifer", "daisy", "shrub" }))
         ->capture_default_str();
-    verb->add_option("--seed", arguments->job.seed,
-                     "Chooses the variations: another seed, other plants")
-        ->type_name("N")
-        ->check(seed_number())
-        ->capture_default_str();
+    add_seed_option(*verb, arguments->job.seed);
     verb->callback([arguments, &action] {
         action = [arguments]() -> Result<void> {
             auto job = arguments->job;

@@ -1,19 +1,27 @@
 #include "app/verbs/window.h"
 
+#include "app/live_devices.h"
+#include "app/live_window.h"
 #include "app/log_replay.h"
 #include "app/model_file.h"
 #include "app/replay_window.h"
 #include "app/resources.h"
 #include "app/simulated_recording.h"
 #include "app/verbs/checks.h"
+#include "app/verbs/shared_options.h"
 #include "app/window/window.h"
 #include "calib/rig_file.h"
+#include "drivers/device_kind.h"
 #include "drivers/file.h"
 #include "drivers/log.h"
 
+#include <algorithm>
+#include <chrono>
 #include <fmt/core.h>
 #include <memory>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace tractus {
 
@@ -21,6 +29,8 @@ namespace {
 
 struct Arguments {
     std::string log;
+    std::vector<std::string> devices;
+    std::string recording;
     std::string model = "broadleaf";
     std::string rig;
     std::string height;
@@ -42,12 +52,27 @@ Result<Log> drawn_by_the_simulated_hand(std::filesystem::path const& model, Scen
     return parse_log(log.str(), "simulated hand");
 }
 
-Result<void> open_window(Arguments const& arguments)
+Result<Scene> load_scene(std::filesystem::path const& model)
+{
+    auto const edit = TRY(load_model_edit(model));
+    return apply_edit({}, edit);
+}
+
+WindowOptions window_options(Arguments const& arguments, std::string const& what,
+                             std::filesystem::path const& model)
+{
+    WindowOptions options;
+    options.title = fmt::format("tractus: {} on {}", what, model.stem().string());
+    options.frames = arguments.frames;
+    options.screenshot = arguments.screenshot;
+    return options;
+}
+
+Result<void> show_replay(Arguments const& arguments)
 {
     auto const model = TRY(find_model(arguments.model));
-    auto const edit = TRY(load_model_edit(model));
     ReplayOptions options;
-    options.scene = TRY(apply_edit({}, edit));
+    options.scene = TRY(load_scene(model));
     if (!arguments.rig.empty())
         options.rig = TRY(load_rig(arguments.rig));
     if (!arguments.height.empty())
@@ -55,13 +80,57 @@ Result<void> open_window(Arguments const& arguments)
     auto const log = TRY(arguments.log.empty() ? drawn_by_the_simulated_hand(model, options.scene)
                                                : read_log(arguments.log));
     auto window = TRY(ReplayWindow::create(log, options, std::filesystem::current_path()));
-    WindowOptions window_options;
-    window_options.title
-        = fmt::format("tractus: {} on {}", std::filesystem::path(log.name).filename().string(),
-                      model.stem().string());
-    window_options.frames = arguments.frames;
-    window_options.screenshot = arguments.screenshot;
-    return run_window(window, window_options);
+    auto const name = std::filesystem::path(log.name).filename().string();
+    return run_window(window, window_options(arguments, name, model));
+}
+
+// A hand that draws now has no end at which a movement could be over.
+Result<double> constant_height_mm(std::string const& text)
+{
+    auto const scenario = TRY(parse_height_scenario(text));
+    if (scenario.kind != HeightScenario::Kind::Constant)
+        return fail(Fault::User,
+                    fmt::format("--height {}: a made-up movement needs a recording; while devices "
+                                "are read, give millimetres",
+                                text));
+    return scenario.constant_mm;
+}
+
+Result<void> show_devices(Arguments const& arguments, LiveDevices devices)
+{
+    auto const model = TRY(find_model(arguments.model));
+    LiveWindowOptions options;
+    options.scene = TRY(load_scene(model));
+    if (!arguments.rig.empty())
+        options.rig = TRY(load_rig(arguments.rig));
+    if (!arguments.height.empty())
+        options.height_mm = TRY(constant_height_mm(arguments.height));
+    options.pictures = std::filesystem::current_path();
+    options.recording = arguments.recording;
+    options.now = [] { return Timestamp(std::chrono::steady_clock::now().time_since_epoch()); };
+    auto const name = devices.infos().empty() ? "" : devices.infos().front().name;
+    auto window = TRY(LiveWindow::create(std::move(devices), std::move(options)));
+    return run_window(window, window_options(arguments, name, model));
+}
+
+// What was asked for; else the devices that are there; else the simulated hand.
+Result<void> open_window(Arguments const& arguments)
+{
+    if (!arguments.log.empty())
+        return show_replay(arguments);
+    if (!arguments.devices.empty())
+        return show_devices(arguments, TRY(LiveDevices::open_named(arguments.devices)));
+    auto const found = find_pens_and_height_sensors();
+    bool const any_pen = std::any_of(found.begin(), found.end(), [](auto const& info) {
+        return describe_device(info).kind == DeviceKind::Pen;
+    });
+    if (any_pen)
+        return show_devices(arguments, TRY(LiveDevices::open(found)));
+    if (!arguments.recording.empty())
+        return fail(Fault::User,
+                    "there is no tablet to record: \"tractus doctor\" says why; the simulated rig "
+                    "is read with --device simulated");
+    return show_replay(arguments);
 }
 
 } // namespace
@@ -70,23 +139,25 @@ void add_window_verb(CLI::App& root, Action& action)
 {
     auto arguments = std::make_shared<Arguments>();
     auto* const verb = root.add_subcommand(
-        "window", "Open the station's window: a recorded hand draws, and the plant changes");
-    verb->add_option("LOG", arguments->log,
-                     "The drawing: a .tractus-log, or anybody's hid-recorder file; without it, the "
-                     "model's demo on the simulated rig");
-    verb->add_option("--plant", arguments->model,
-                     "The plant's model: an L-system file (.l), or broadleaf, conifer, daisy or "
-                     "shrub")
-        ->type_name("MODEL")
-        ->capture_default_str();
-    verb->add_option("--rig", arguments->rig,
-                     "The rig's calibration, a .rig.toml; without it, the log's own")
-        ->type_name("FILE");
-    verb->add_option("--height", arguments->height,
-                     "The surface's height in place of the log's height sensor: millimetres above "
-                     "the desk, or a made-up movement: rise, fall, arch or sway")
-        ->type_name("MM|MOVEMENT")
-        ->check(height_scenario());
+        "window", "Open the station's window: a hand draws, and the plant changes");
+    auto* const log
+        = verb->add_option("LOG", arguments->log,
+                           "A drawing to replay, a .tractus-log or anybody's hid-recorder file; "
+                           "without it, the tablets and the height sensor that are found, or "
+                           "else the model's demo on the simulated rig");
+    verb->add_option(
+            "--device", arguments->devices,
+            fmt::format("What to read in place of what is found, each {}", device_name_help()))
+        ->type_name("DEVICE...")
+        ->excludes(log);
+    verb->add_option("--record", arguments->recording,
+                     "Record all that the devices send and every choice of a tool: a new "
+                     ".tractus-log")
+        ->type_name("FILE")
+        ->excludes(log);
+    add_plant_option(*verb, arguments->model);
+    add_rig_option(*verb, arguments->rig);
+    add_height_option(*verb, arguments->height);
     verb->add_option("--frames", arguments->frames,
                      "Close after so many frames of 1/60 s; 0 stays open")
         ->type_name("N")
@@ -95,7 +166,10 @@ void add_window_verb(CLI::App& root, Action& action)
     verb->add_option("--screenshot", arguments->screenshot, "Write the last frame as a PNG")
         ->type_name("FILE.png")
         ->check(picture_name());
-    verb->footer("Needs a display. Pictures that are saved appear in the working folder.");
+    verb->footer(
+        "Needs a display. Pictures that are saved appear in the working folder. While a pen is\n"
+        "in range, the mouse counts for nothing in the window, since the desktop moves it with\n"
+        "the pen; drivers/70-tractus.rules says how to stop that everywhere.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return open_window(*arguments); }; });
 }

@@ -148,30 +148,71 @@ void Layout::show_plant(WindowState const& state, Renderer& renderer, ImVec2 con
 
 void Layout::show_controls(WindowModel& model, Renderer& renderer)
 {
-    // A command may change the state under us: what is shown is taken first.
     auto const& state = model.state();
-    bool const playing = state.playing;
-    auto speed = static_cast<float>(state.speed);
+    bool const is_live = state.is_live;
     ImGui::ProgressBar(static_cast<float>(state.progress), { -1, kProgressHeight_px * scale_ }, "");
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(state.status.c_str());
 
-    float const height = theme::kButtonHeight_px * scale_;
-    auto const button = [&](char const* text, float width) {
-        return ImGui::Button(text, { width * scale_, height });
-    };
-    if (button(playing ? "Pause" : "Play", 150))
-        model.perform(SetPlaying { !playing });
-    ImGui::SameLine();
-    if (button("Restart", 150))
-        model.perform(Restart {});
+    if (is_live) {
+        show_tool_buttons(model);
+        ImGui::SameLine();
+        if (button("Start again", 180))
+            model.perform(Restart {});
+    } else {
+        show_playing_buttons(model);
+    }
     ImGui::SameLine();
     if (button("Another one", 200))
         model.perform(NextVariation {});
     ImGui::SameLine();
     if (button("Save picture", 200))
         model.perform(SavePicture { plant_.picture(renderer, kSavedWidth_px, kSavedHeight_px) });
+    if (!is_live) {
+        ImGui::SameLine();
+        show_speed(model);
+    }
+}
+
+bool Layout::button(char const* text, float width) const
+{
+    return ImGui::Button(text, { width * scale_, theme::kButtonHeight_px * scale_ });
+}
+
+void Layout::show_playing_buttons(WindowModel& model) const
+{
+    bool const playing = model.state().playing;
+    if (button(playing ? "Pause" : "Play", 150))
+        model.perform(SetPlaying { !playing });
     ImGui::SameLine();
+    if (button("Restart", 150))
+        model.perform(Restart {});
+}
+
+void Layout::show_tool_buttons(WindowModel& model) const
+{
+    struct Choice {
+        char const* text;
+        Tool tool;
+    };
+    static std::array<Choice, 4> const choices {
+        { { "Branch by branch", { Tool::Kind::DrawInOrder } },
+          { "Select", { Tool::Kind::Select } },
+          { "Draw", { Tool::Kind::Draw, Propagation::Both } },
+          { "Lean", { Tool::Kind::Indicate } } }
+    };
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (i > 0)
+            ImGui::SameLine();
+        if (button(choices[i].text, i == 0 ? 250 : 130))
+            model.perform(ChooseTool { choices[i].tool });
+    }
+}
+
+void Layout::show_speed(WindowModel& model) const
+{
+    auto speed = static_cast<float>(model.state().speed);
+    float const height = theme::kButtonHeight_px * scale_;
     ImGui::SetNextItemWidth(std::min(420 * scale_, ImGui::GetContentRegionAvail().x));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         { 16 * scale_, (height - ImGui::GetFontSize()) / 2 });

@@ -22,6 +22,10 @@ private:
     void show_skeleton(WindowState const& state, Renderer& renderer, ImVec2 const& size_px);
     void show_plant(WindowState const& state, Renderer& renderer, ImVec2 const& size_px);
     void show_controls(WindowModel& model, Renderer& renderer);
+    void show_playing_buttons(WindowModel& model) const;
+    void show_tool_buttons(WindowModel& model) const;
+    void show_speed(WindowModel& model) const;
+    bool button(char const* text, float width) const;
     void show_title(char const* title, char const* detail) const;
 
     ImFont* title_font_ = nullptr;

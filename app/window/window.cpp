@@ -8,9 +8,13 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <algorithm>
+#include <array>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <cstdint>
 #include <fmt/core.h>
+#include <string>
+#include <utility>
 
 namespace tractus {
 
@@ -19,7 +23,8 @@ namespace {
 constexpr Duration kTestStep { 1'000'000'000 / 60 };
 constexpr int kSettlingFrames = 3; // ImGui and the views answer an event within so many frames.
 constexpr double kIdleWait_s = 1;  // Longest sleep, should an event have come with the last one.
-constexpr double kLongestStep_s = 0.25; // After a pause of the whole machine, time does not jump.
+constexpr double kLiveWait_s = 1.0 / 120; // The same while devices may send.
+constexpr double kLongestStep_s = 0.25;   // After a pause of the whole machine, time does not jump.
 
 tl::unexpected<Error> no_window(char const* what)
 {
@@ -153,27 +158,57 @@ bool mouse_is_used()
     return delta.x != 0 || delta.y != 0 || ImGui::IsAnyMouseDown();
 }
 
-// Lets events come in. While nothing plays only they change the window, so it sleeps until the next
-// one.
+// Lets events come in. While nothing plays only they, and devices that are read, change the window,
+// so it sleeps until the next one.
 class Events {
 public:
-    void take(WindowModel const& model, WindowOptions const& options)
+    // True if the window may look different now, whatever its model says.
+    bool take(WindowModel const& model, WindowOptions const& options)
     {
         bool const stirs = options.frames > 0 || model.state().playing || mouse_is_used();
         if (stirs || still_frames_ < kSettlingFrames) {
             glfwPollEvents();
             still_frames_ = stirs ? 0 : still_frames_ + 1;
-            return;
+            return true;
         }
+        double const wait_s = model.state().is_live ? kLiveWait_s : kIdleWait_s;
         double const begin_s = glfwGetTime();
-        glfwWaitEventsTimeout(kIdleWait_s);
-        if (glfwGetTime() - begin_s < kIdleWait_s)
+        glfwWaitEventsTimeout(wait_s);
+        if (glfwGetTime() - begin_s < wait_s)
             still_frames_ = 0;
+        return still_frames_ == 0 || !model.state().is_live;
     }
 
 private:
     int still_frames_ = 0; // Since something happened.
 };
+
+// Whether the model shows something else than at the last call.
+class Changes {
+public:
+    bool any(WindowState const& state)
+    {
+        std::array const revisions { state.live_revision, state.strokes_revision,
+                                     state.skeleton_revision, state.plant_revision };
+        bool const same_revisions = std::exchange(revisions_, revisions) == revisions;
+        bool const same_status = std::exchange(status_, state.status) == state.status;
+        return !same_revisions || !same_status;
+    }
+
+private:
+    std::array<std::uint64_t, 4> revisions_ {};
+    std::string status_;
+};
+
+// The window system moves its mouse with the pen that the station reads.
+void ignore_mouse_of_the_pen(WindowState const& state)
+{
+    auto& flags = ImGui::GetIO().ConfigFlags;
+    if (state.is_live && state.pen.in_range)
+        flags |= ImGuiConfigFlags_NoMouse;
+    else
+        flags &= ~ImGuiConfigFlags_NoMouse;
+}
 
 } // namespace
 
@@ -189,11 +224,15 @@ Result<void> run_window(WindowModel& model, WindowOptions const& options)
         host.end_frame();
     };
     Events events;
+    Changes changes;
     double last_s = glfwGetTime();
     for (int frame = 0; !host.wants_to_close() && (options.frames == 0 || frame < options.frames);
          ++frame) {
-        events.take(model, options);
+        bool const may_differ = events.take(model, options);
         model.advance(step_since(last_s, options.frames));
+        if (!changes.any(model.state()) && !may_differ)
+            continue;
+        ignore_mouse_of_the_pen(model.state());
         draw_frame();
         glfwSwapBuffers(host.window());
     }

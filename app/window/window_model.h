@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/render/image.h"
+#include "app/tools/tool.h"
 #include "engine/base/time.h"
 #include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"
@@ -73,8 +74,11 @@ struct WindowState {
     // The newest one; null before the first. Lives until the next advance().
     Mesh const* plant = nullptr;
 
-    std::string tool;    // What the pen means now, for example "Draw".
-    std::string status;  // One line: what is going on, or what was done.
+    std::string tool;   // What the pen means now, for example "Draw".
+    std::string status; // One line: what is going on, or what was done.
+    // Devices are read: there is no recording to be paused, and while a pen is in range the mouse
+    // counts for nothing, since the window system takes that pen for one.
+    bool is_live = false;
     double progress = 0; // Of the recording, 0 to 1.
     bool playing = true;
     double speed = 1;       // Of the recording, 1 as it was made.
@@ -88,12 +92,16 @@ struct SetPlaying {
 struct SetSpeed {
     double speed = 1; // 0.25 to 4.
 };
-struct Restart { };       // The recording from its start.
+struct Restart { };       // The recording, or the drawing, from its start.
 struct NextVariation { }; // "Another one": the next seed.
 struct SavePicture {
     Image picture; // The plant as the window sees it; the receiver names and writes the file.
 };
-using WindowCommand = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture>;
+struct ChooseTool {
+    Tool tool; // What the pen means from now on.
+};
+using WindowCommand
+    = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture, ChooseTool>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

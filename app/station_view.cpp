@@ -1,0 +1,207 @@
+#include "app/station_view.h"
+
+#include "app/tools/tool.h"
+#include "drivers/file.h"
+#include "engine/mesh/make_mesh.h"
+#include "engine/variation/growth.h"
+
+#include <ctime>
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+constexpr float kInkWidth_mm = 3.5f;
+
+InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool)
+{
+    InkLine line;
+    line.is_indicator = tool.kind == Tool::Kind::Indicate;
+    for (auto const& tip : tips)
+        line.points.push_back({ tip.position_mm.cast<float>(),
+                                kInkWidth_mm * static_cast<float>(0.35 + 0.65 * tip.pressure) });
+    return line;
+}
+
+std::string describe(Tool const& tool)
+{
+    switch (tool.kind) {
+    case Tool::Kind::Select:
+        return "Select";
+    case Tool::Kind::Indicate:
+        return "Motion indicator";
+    case Tool::Kind::DrawInOrder:
+        return "Draw, branch by branch";
+    case Tool::Kind::Draw:
+        break;
+    }
+    switch (tool.propagation) {
+    case Propagation::Descendants:
+        return "Draw: all that the branch bears";
+    case Propagation::Both:
+        return "Draw: the branch and all that it bears";
+    case Propagation::Selected:
+        break;
+    }
+    return "Draw: the branch";
+}
+
+std::string describe(DrawnStroke const& drawn)
+{
+    if (!drawn.refusal.empty())
+        return drawn.refusal;
+    switch (drawn.tool.kind) {
+    case Tool::Kind::Select:
+        return "A branch is selected";
+    case Tool::Kind::Indicate:
+        return "The plant leans with the indicator";
+    case Tool::Kind::Draw:
+    case Tool::Kind::DrawInOrder:
+        break;
+    }
+    return "The stroke shapes the branch";
+}
+
+// A run of an axis' segments in one state.
+SkeletonLine skeleton_line(Plant const& plant, Axis const& axis, std::uint32_t from,
+                           std::uint32_t to, SkeletonLine::State state)
+{
+    SkeletonLine line;
+    line.state = state;
+    line.width_mm = 2 * plant.node_radius_mm[axis.first_node + from];
+    for (std::uint32_t i = from; i <= to; ++i)
+        line.points_mm.push_back(plant.node_position_mm[axis.first_node + i].cast<float>());
+    return line;
+}
+
+std::vector<SkeletonLine::State> segment_states(Scene const& scene)
+{
+    std::vector<SkeletonLine::State> states(scene.base->segment_count(),
+                                            SkeletonLine::State::Unselected);
+    for (auto const& association : scene.associations)
+        for (auto const segment : association.path)
+            states[segment] = SkeletonLine::State::Assigned;
+    for (auto const& path : scene.selection)
+        for (auto const segment : path)
+            states[segment] = SkeletonLine::State::Selected;
+    return states;
+}
+
+} // namespace
+
+StationView::StationView(Station const& station, std::filesystem::path pictures)
+    : pictures_(std::move(pictures))
+{
+    DrawingVolume const volume;
+    state_.volume_mm.add({ -volume.width_mm / 2, -volume.depth_mm / 2, 0 });
+    state_.volume_mm.add({ volume.width_mm / 2, volume.depth_mm / 2, volume.height_mm });
+    auto const& scene = station.scene();
+    state_.seed = scene.growth_seed;
+    state_.T_world_plant
+        = Eigen::Affine3f(Eigen::Scaling(static_cast<float>(scene.placement.scale)));
+    show_scene(station);
+}
+
+void StationView::show(Station const& station)
+{
+    show_live(station);
+    if (station.strokes().size() == shown_strokes_)
+        return;
+    state_.status = describe(station.strokes().back());
+    show_scene(station);
+}
+
+void StationView::begin_again(Station const& station)
+{
+    shown_pen_samples_ = 0;
+    ++state_.live_revision;
+    show_live(station);
+    show_scene(station);
+}
+
+void StationView::show_live(Station const& station)
+{
+    // Without a sample of the pen there is nothing new to see: the hand rests, or is away.
+    if (std::exchange(shown_pen_samples_, station.counts().pen_samples)
+        != station.counts().pen_samples)
+        ++state_.live_revision;
+    state_.tool = describe(station.tool());
+    state_.live_ink.clear();
+    for (auto const& ink : station.inks())
+        state_.live_ink.push_back(ink_line(ink, station.tool()));
+    if (auto const& tip = station.newest_tip()) {
+        state_.surface_height_mm = tip->position_mm.z();
+        state_.pen = { station.pen_in_range(), tip->touching, tip->position_mm.cast<float>() };
+    }
+}
+
+void StationView::show_scene(Station const& station)
+{
+    shown_strokes_ = station.strokes().size();
+    state_.strokes.clear();
+    for (auto const& drawn : station.strokes())
+        if (drawn.tool.kind != Tool::Kind::Select && drawn.refusal.empty())
+            state_.strokes.push_back(ink_line(drawn.stroke.tips, drawn.tool));
+    ++state_.strokes_revision;
+    show_skeleton(station.scene());
+    grow_plant(station.scene());
+}
+
+void StationView::show_skeleton(Scene const& scene)
+{
+    auto const states = segment_states(scene);
+    state_.skeleton.clear();
+    for (auto const& axis : scene.base->axes) {
+        std::uint32_t from = 0;
+        for (std::uint32_t i = 1; i <= axis.segment_count; ++i) {
+            auto const state = states[axis.first_segment + from];
+            if (i < axis.segment_count && states[axis.first_segment + i] == state)
+                continue;
+            state_.skeleton.push_back(skeleton_line(*scene.base, axis, from, i, state));
+            from = i;
+        }
+    }
+    state_.indicators.clear();
+    for (auto const& indicator : scene.indicators)
+        state_.indicators.push_back(
+            { scene.placement.plant_of_world(indicator.start_mm).cast<float>(),
+              scene.placement.plant_of_world(indicator.end_mm).cast<float>() });
+    ++state_.skeleton_revision;
+}
+
+void StationView::grow_plant(Scene const& scene)
+{
+    auto const plan = plan_growth(scene);
+    if (!plan) {
+        state_.status = plan.error().message;
+        return;
+    }
+    Grower grower(*plan);
+    plant_ = std::make_unique<Mesh const>(make_mesh(grower.grow({ state_.seed, 0 })));
+    state_.plant = plant_.get();
+    ++state_.plant_revision;
+}
+
+void StationView::show_next_variation(Station const& station)
+{
+    ++state_.seed;
+    grow_plant(station.scene());
+    state_.status = fmt::format("Another one: seed {}", state_.seed);
+}
+
+void StationView::save(Image const& picture, Station const& station)
+{
+    // The date makes the name, so that nobody needs a keyboard to save a picture.
+    auto const stem = std::filesystem::path(station.scene().model_name).stem().string();
+    auto const path = pictures_
+        / fmt::format("{}-{:%Y-%m-%d-%H%M%S}-seed-{}.png", stem, fmt::localtime(std::time(nullptr)),
+                      state_.seed);
+    auto const written
+        = write_file(path, [&](std::ostream& out) { return write_png(out, picture); });
+    state_.status = written ? fmt::format("Saved {}", path.string()) : written.error().message;
+}
+
+} // namespace tractus

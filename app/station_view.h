@@ -1,0 +1,52 @@
+#pragma once
+
+#include "app/render/image.h"
+#include "app/station.h"
+#include "app/window/window_model.h"
+#include "engine/mesh/mesh.h"
+#include "engine/scene/scene.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+
+namespace tractus {
+
+// A station as the window shows it, wherever its reports come from: the hand, its strokes, what is
+// selected, and the plant, which is grown anew after each stroke. Whoever owns it says in state()
+// what else is to be seen.
+class StationView {
+public:
+    // `pictures` is the folder in which saved pictures appear.
+    StationView(Station const& station, std::filesystem::path pictures);
+
+    WindowState& state() { return state_; }
+    WindowState const& state() const { return state_; }
+
+    // What has changed since the last call. A new stroke is named in the status.
+    void show(Station const& station);
+
+    // Another station in place of the one before, or one that has begun again.
+    void begin_again(Station const& station);
+
+    // The next seed's plant.
+    void show_next_variation(Station const& station);
+
+    // Writes a picture; the status says where.
+    void save(Image const& picture, Station const& station);
+
+private:
+    void show_live(Station const& station);
+    void show_scene(Station const& station);
+    void show_skeleton(Scene const& scene);
+    void grow_plant(Scene const& scene);
+
+    std::filesystem::path pictures_;
+    std::size_t shown_strokes_ = 0;
+    std::size_t shown_pen_samples_ = 0;
+    // On the heap, since the state points to it when this moves.
+    std::unique_ptr<Mesh const> plant_;
+    WindowState state_;
+};
+
+} // namespace tractus

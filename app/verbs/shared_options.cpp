@@ -1,0 +1,48 @@
+#include "app/verbs/shared_options.h"
+
+#include "app/verbs/checks.h"
+
+namespace tractus {
+
+CLI::Option* add_plant_option(CLI::App& verb, std::string& model)
+{
+    auto* const option = verb.add_option("--plant", model,
+                                         "The plant's model: an L-system file (.l), or one of "
+                                         "ours by its name: broadleaf, conifer, daisy, shrub, …")
+                             ->type_name("MODEL");
+    return model.empty() ? option->required() : option->capture_default_str();
+}
+
+CLI::Option* add_rig_option(CLI::App& verb, std::string& file)
+{
+    return verb
+        .add_option("--rig", file, "The rig's calibration, a .rig.toml; without it, the log's own")
+        ->type_name("FILE");
+}
+
+CLI::Option* add_height_option(CLI::App& verb, std::string& height)
+{
+    return verb
+        .add_option("--height", height,
+                    "The surface's height in place of the height sensor's: millimetres above "
+                    "the desk, or a made-up movement: rise, fall, arch or sway")
+        ->type_name("MM|MOVEMENT")
+        ->check(height_scenario());
+}
+
+CLI::Option* add_seed_option(CLI::App& verb, std::uint64_t& seed)
+{
+    return verb.add_option("--seed", seed, "Chooses the variations: another seed, other plants")
+        ->type_name("N")
+        ->check(seed_number())
+        ->capture_default_str();
+}
+
+char const* job_footer()
+{
+    return "Writes base.png (the plant as its model gives it), strokes.png (what was drawn),\n"
+           "varied.png (one variation), collection.png and collection.glb (all of them) and\n"
+           "report.txt, which is printed, too. The same seed gives the same plants.";
+}
+
+} // namespace tractus

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+namespace tractus {
+
+// The options that several verbs have, declared once, so that they are named, checked and explained
+// alike. Where the value is already set, the help shows it as the default.
+
+// "--plant MODEL": a file or one of our models.
+CLI::Option* add_plant_option(CLI::App& verb, std::string& model);
+
+// "--rig FILE": a calibration in place of the one in the log.
+CLI::Option* add_rig_option(CLI::App& verb, std::string& file);
+
+// "--height MM|MOVEMENT": a height in place of the height sensor's.
+CLI::Option* add_height_option(CLI::App& verb, std::string& height);
+
+// "--seed N": of the variations.
+CLI::Option* add_seed_option(CLI::App& verb, std::uint64_t& seed);
+
+// "-o, --output FOLDER": where a job's files go; `Path` is std::filesystem::path or std::string.
+template<typename Path> CLI::Option* add_folder_option(CLI::App& verb, Path& folder)
+{
+    return verb
+        .add_option("-o,--output", folder,
+                    "The folder for pictures, glTF and report; made if it is not there")
+        ->type_name("FOLDER")
+        ->capture_default_str();
+}
+
+// What a job writes, for the end of a verb's help.
+char const* job_footer();
+
+} // namespace tractus

@@ -1,0 +1,141 @@
+#include "app/live_window.h"
+
+#include "app/paced_log.h"
+#include "calib/rig_file.h"
+#include "tests/app/simple_rig.h"
+
+#include <filesystem>
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Sends what it is told to send, when it is told to; nothing else knows the time.
+class Script : public ReportSource {
+public:
+    Script(DeviceInfo info, std::vector<RawReport> reports)
+        : info_(std::move(info))
+        , reports_(std::move(reports))
+    {
+    }
+
+    DeviceInfo const& info() const override { return info_; }
+
+    Result<std::optional<RawReport>> read(Duration) override
+    {
+        if (next_ == reports_.size())
+            return fail(Fault::User, "the script is over");
+        return std::optional(reports_[next_++]);
+    }
+
+private:
+    DeviceInfo info_;
+    std::vector<RawReport> reports_;
+    std::size_t next_ = 0;
+};
+
+RawReport arrived(std::int64_t milliseconds, std::vector<std::byte> const& bytes)
+{
+    RawReport report { .received = at_ms(milliseconds), .size = bytes.size() };
+    std::copy(bytes.begin(), bytes.end(), report.storage.begin());
+    return report;
+}
+
+// A stroke across the tablet, which ends when the tablet is unplugged if it `goes_away`.
+LiveDevices drawing_devices(bool goes_away)
+{
+    std::vector<RawReport> reports;
+    for (int i = 0; i < 20; ++i)
+        reports.push_back(arrived(5 * i, pen_report(50 + 5 * i, 50, true)));
+    reports.push_back(goes_away ? RawReport { .received = at_ms(100) }
+                                : arrived(100, pen_report(150, 50, false)));
+    std::vector<std::unique_ptr<ReportSource>> sources;
+    sources.push_back(std::make_unique<Script>(simple_pen(), std::move(reports)));
+    return LiveDevices::start(std::move(sources)).value();
+}
+
+LiveWindowOptions options_for_tests()
+{
+    return { .scene = small_scene(), .now = [] { return at_ms(100); } };
+}
+
+// Until the script is over and was seen to be.
+void advance_to_end(LiveWindow& window)
+{
+    for (int i = 0; i < 100'000 && window.state().status.find("is over") == std::string::npos; ++i)
+        window.advance(std::chrono::milliseconds(16));
+}
+
+TEST(LiveWindow, ShowsWhatTheDevicesDraw)
+{
+    auto window = LiveWindow::create(drawing_devices(false), options_for_tests()).value();
+    EXPECT_TRUE(window.state().is_live);
+    EXPECT_FALSE(window.state().playing);
+    auto const plants = window.state().plant_revision;
+    advance_to_end(window);
+    EXPECT_EQ(window.station().strokes().size(), 1u);
+    EXPECT_EQ(window.state().strokes.size(), 1u);
+    EXPECT_EQ(window.state().plant_revision, plants + 1);
+    EXPECT_FALSE(window.state().pen.touching);
+}
+
+TEST(LiveWindow, KeepsTheStrokeOfATabletThatIsUnplugged)
+{
+    auto window = LiveWindow::create(drawing_devices(true), options_for_tests()).value();
+    advance_to_end(window);
+    EXPECT_EQ(window.station().strokes().size(), 1u);
+    EXPECT_TRUE(window.state().live_ink.empty());
+    EXPECT_FALSE(window.state().pen.in_range); // The mouse counts again.
+}
+
+TEST(LiveWindow, RecordsWhatReplaysToTheSame)
+{
+    auto const path
+        = fs::temp_directory_path() / fmt::format("tractus_live_{}.tractus-log", ::getpid());
+    fs::remove(path);
+    auto options = options_for_tests();
+    options.recording = path;
+    {
+        auto window = LiveWindow::create(drawing_devices(true), std::move(options)).value();
+        window.perform(ChooseTool { { Tool::Kind::Indicate } });
+        EXPECT_EQ(window.state().tool, "Motion indicator");
+        advance_to_end(window);
+    }
+    auto const log = read_log(path).value();
+    EXPECT_EQ(log.records.size(), 21u);
+    EXPECT_EQ(log.records.back().size, 0u);
+    ASSERT_EQ(log.tools.size(), 1u);
+    EXPECT_EQ(log.tools[0].tool, "indicate");
+    EXPECT_TRUE(parse_rig(log.rig_text, "log"));
+    fs::remove(path);
+}
+
+TEST(LiveWindow, BeginsAgainWithTheSameTool)
+{
+    auto window = LiveWindow::create(drawing_devices(false), options_for_tests()).value();
+    window.perform(ChooseTool { { Tool::Kind::Indicate } });
+    advance_to_end(window);
+    window.perform(Restart {});
+    EXPECT_TRUE(window.state().strokes.empty());
+    EXPECT_EQ(window.state().tool, "Motion indicator");
+    EXPECT_TRUE(window.station().strokes().empty());
+}
+
+TEST(LiveWindow, AsksForACalibration)
+{
+    std::vector<std::unique_ptr<ReportSource>> sources;
+    sources.push_back(std::make_unique<Script>(simple_pen(), std::vector<RawReport> {}));
+    sources.push_back(std::make_unique<Script>(simple_height_sensor(), std::vector<RawReport> {}));
+    auto const window
+        = LiveWindow::create(LiveDevices::start(std::move(sources)).value(), options_for_tests());
+    ASSERT_FALSE(window);
+    EXPECT_EQ(window.error().fault, Fault::User);
+    EXPECT_NE(window.error().message.find("--rig"), std::string::npos);
+}
+
+} // namespace
+} // namespace tractus
