@@ -68,17 +68,18 @@ Result<std::unique_ptr<ReconnectingSource>> ReconnectingSource::open(DeviceInfo 
                                                                      Reconnection reconnection)
 {
     CHECK(reconnection.list && reconnection.open && reconnection.now && reconnection.slept);
-    auto source = TRY(reconnection.open(std::move(info)));
+    auto source = TRY(reconnection.open(info));
     return std::unique_ptr<ReconnectingSource>(
-        new ReconnectingSource(std::move(reconnection), std::move(source)));
+        new ReconnectingSource(std::move(info), std::move(reconnection), std::move(source)));
 }
 
-ReconnectingSource::ReconnectingSource(Reconnection reconnection,
+ReconnectingSource::ReconnectingSource(DeviceInfo listed, Reconnection reconnection,
                                        std::unique_ptr<ReportSource> source)
-    : reconnection_(std::move(reconnection))
+    : listed_(std::move(listed))
+    , reconnection_(std::move(reconnection))
     , source_(std::move(source))
     , info_(source_->info())
-    , location_(info_.location)
+    , location_(listed_.location)
     , slept_(reconnection_.slept())
 {
     reconnection_.open_locations->take(location_);
@@ -126,14 +127,14 @@ void ReconnectingSource::look_for_it()
             reconnection_.open_locations->release(info.location);
         return !is_free;
     });
-    if (auto const index = find_again(info_, found)) {
+    if (auto const index = find_again(listed_, found)) {
         try_to_open(found[*index]);
         return;
     }
     // What no list names stands where it stood, if anywhere.
-    auto const address = parse_device_address(info_.location);
+    auto const address = parse_device_address(listed_.location);
     if (address && !std::holds_alternative<HidrawAddress>(*address))
-        try_to_open(info_);
+        try_to_open(listed_);
 }
 
 void ReconnectingSource::try_to_open(DeviceInfo const& info)

@@ -73,12 +73,14 @@ public:
     bool is_connected() const { return is_connected_.load(std::memory_order_relaxed); }
 
 private:
-    ReconnectingSource(Reconnection reconnection, std::unique_ptr<ReportSource> source);
+    ReconnectingSource(DeviceInfo listed, Reconnection reconnection,
+                       std::unique_ptr<ReportSource> source);
 
     RawReport lose();
     void look_for_it();
     void try_to_open(DeviceInfo const& info);
 
+    DeviceInfo listed_; // As it was found; opening may tell more of it.
     Reconnection reconnection_;
     std::unique_ptr<ReportSource> source_; // Null while the device is away.
     DeviceInfo info_;

@@ -5,6 +5,7 @@
 #include "drivers/file.h"
 #include "drivers/hid_source.h"
 #include "drivers/library_versions.h"
+#include "drivers/tablets/tablet_lookup.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -120,6 +121,10 @@ DeviceFacts describe(DeviceInfo const& info, fs::path const& root)
                         .description = describe_device(info),
                         .open_error = opening_error(info, root),
                         .poll_hz = {} };
+    if (auto const match = find_tablet(info)) {
+        facts.tablet = tablet_name(*match);
+        facts.family = match->identifier->family;
+    }
     auto const node = fs::path(info.location).filename();
     if (info.location.starts_with("/dev/hidraw")) {
         auto const device = root / "sys/class/hidraw" / node / "device";

@@ -15,6 +15,8 @@ namespace tractus {
 struct DeviceFacts {
     DeviceInfo info {};
     DeviceDescription description {};
+    std::string tablet {}; // Its model, if it is known: "Huion HS610"; else empty.
+    std::string family {}; // The format of that model's reports (drivers/pens/families.h).
     std::string driver {}; // The kernel's, bound to it: "wacom", "hid-generic"; may be empty.
     int open_error = 0;    // Why it may not be opened, an errno; 0 if it may.
     std::optional<double> poll_hz; // How often USB asks it at most; no value if that is not known.

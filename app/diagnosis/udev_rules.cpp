@@ -15,12 +15,10 @@ std::string udev_rules(RuleHolder holder)
     std::string text(udev_rules_text());
     if (holder == RuleHolder::Seat)
         return text;
-    // Comments stay as they are: they speak of both.
     for (std::size_t at = 0; (at = text.find(kSeat, at)) != std::string::npos;) {
-        bool const is_comment = text[text.rfind('\n', at) + 1] == '#';
-        if (!is_comment)
-            text.replace(at, kSeat.size(), kGroup);
-        at += kGroup.size();
+        bool const ends_a_rule = text.substr(at + kSeat.size(), 1) == "\n";
+        text.replace(at, kSeat.size(), ends_a_rule ? kGroup : kSeat);
+        at += kSeat.size();
     }
     return text;
 }

@@ -47,6 +47,8 @@ std::string as_json_text(std::vector<DeviceFacts> const& devices)
                          { "product_id", fmt::format("{:04x}", info.product_id) },
                          { "serial_number", info.serial_number },
                          { "interface", info.interface_number },
+                         { "tablet", device.tablet },
+                         { "family", device.family },
                          { "driver", device.driver },
                          { "kind", name_of(device.description.kind) },
                          { "description", device.description.text },
@@ -68,6 +70,8 @@ std::string as_text(std::vector<DeviceFacts> const& devices)
         has_pen |= device.description.kind == DeviceKind::Pen;
         text += fmt::format("{}  {} ({:04x}:{:04x})\n    {}\n", info.location, info.name,
                             info.vendor_id, info.product_id, device.description.text);
+        if (!device.tablet.empty())
+            text += fmt::format("    {}, reports as {}\n", device.tablet, device.family);
         if (device.poll_hz)
             text += fmt::format("    asked {:.0f} times a second at most\n", *device.poll_hz);
         if (!device.driver.empty())

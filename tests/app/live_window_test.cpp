@@ -77,7 +77,8 @@ TEST(LiveWindow, ShowsWhatTheDevicesDraw)
     EXPECT_FALSE(window.state().playing);
     auto const plants = window.state().plant_revision;
     advance_to_end(window);
-    EXPECT_EQ(window.station().strokes().size(), 1u);
+    ASSERT_EQ(window.station().strokes().size(), 1u);
+    EXPECT_EQ(window.station().strokes()[0].refusal, "");
     EXPECT_EQ(window.state().strokes.size(), 1u);
     EXPECT_EQ(window.state().plant_revision, plants + 1);
     EXPECT_FALSE(window.state().pen.touching);

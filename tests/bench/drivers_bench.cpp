@@ -1,12 +1,16 @@
+#include "drivers/file.h"
 #include "drivers/log.h"
 #include "drivers/log_writer.h"
 #include "drivers/pen_decoder.h"
 #include "drivers/pens/family_decoder.h"
+#include "engine/base/check.h"
 #include "tests/bench/report.h"
 #include "tests/drivers/devices.h"
 
+#include <filesystem>
 #include <sstream>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 namespace tractus {
@@ -110,7 +114,7 @@ BENCHMARK_CAPTURE(decode_family_reports, xp_pen, "xp-pen", "07 a1 00 00 c4 09 ff
 BENCHMARK_CAPTURE(decode_family_reports, veikk, "veikk-tilt",
                   "09 41 a1 00 00 00 c4 09 00 ff 03 1e e2", 3);
 
-void read_log(benchmark::State& state)
+void parse_log_text(benchmark::State& state)
 {
     for (auto _ : state) {
         auto log = parse_log(log_text(), "bench");
@@ -119,7 +123,22 @@ void read_log(benchmark::State& state)
     auto const bytes = log_text().size() + kReports * (kReportBytes + sizeof(LogRecord));
     report(state, { .items = kReports, .item = "reports", .bytes = static_cast<double>(bytes) });
 }
-BENCHMARK(read_log);
+BENCHMARK(parse_log_text);
+
+void read_log_file(benchmark::State& state)
+{
+    auto const path = std::filesystem::temp_directory_path()
+        / ("tractus_bench_" + std::to_string(::getpid()) + ".tractus-log");
+    CHECK(write_file(path, log_text()));
+    for (auto _ : state) {
+        auto log = read_log(path);
+        benchmark::DoNotOptimize(log);
+    }
+    std::filesystem::remove(path);
+    auto const bytes = 2 * log_text().size() + kReports * (kReportBytes + sizeof(LogRecord));
+    report(state, { .items = kReports, .item = "reports", .bytes = static_cast<double>(bytes) });
+}
+BENCHMARK(read_log_file);
 
 void write_log(benchmark::State& state)
 {

@@ -56,6 +56,19 @@ TEST_F(RecordCommand, MixesLogs)
     EXPECT_EQ(log.devices[1].name, "b");
 }
 
+TEST_F(RecordCommand, ReplaysAtAnyPaceToTheSame)
+{
+    record();
+    for (std::string const name : { "at_once", "paced" }) {
+        auto const outcome = run("tractus replay hand.tractus-log --plant small.l --count 1 -o "
+                                 + name + (name == "paced" ? " --speed 50" : ""));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    }
+    EXPECT_FALSE(read("at_once/collection.glb").empty());
+    EXPECT_EQ(read("at_once/collection.glb"), read("paced/collection.glb"));
+    expect_error(run("tractus replay hand.tractus-log --plant small.l --speed 0"), 2, "'0'");
+}
+
 TEST_F(RecordCommand, SaysWhichDeviceIsNotThere)
 {
     expect_error(run("tractus record -o x --device /dev/hidraw999"), 1,

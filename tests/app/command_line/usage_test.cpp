@@ -9,8 +9,9 @@ using Usage = Workshop;
 
 TEST_F(Usage, HelpGoesToStandardOutputAndIsNoFailure)
 {
-    for (std::string const verb : { "", "decode", "demo", "derive", "devices", "grow", "record",
-                                    "render", "replay", "sim", "window" }) {
+    for (std::string const verb :
+         { "", "convert", "decode", "demo", "derive", "devices", "doctor", "grow", "record",
+           "render", "replay", "sim", "watch", "window" }) {
         auto const help = run("tractus " + verb + " --help");
         EXPECT_EQ(help.exit_code, 0) << verb;
         EXPECT_EQ(help.err, "") << verb;
@@ -24,15 +25,17 @@ TEST_F(Usage, HelpNamesEveryVerbAndTheExitCodes)
 {
     auto const help = run("tractus --help").out;
     for (char const* const verb :
-         { "\n  decode ", "\n  demo ", "\n  derive ", "\n  devices ", "\n  grow ", "\n  record ",
-           "\n  render ", "\n  replay ", "\n  sim ", "\n  window ", "\nExit codes: " })
+         { "\n  convert ", "\n  decode ", "\n  demo ", "\n  derive ", "\n  devices ", "\n  doctor ",
+           "\n  grow ", "\n  record ", "\n  render ", "\n  watch ", "\n  replay ", "\n  sim ",
+           "\n  window ", "\nExit codes: " })
         EXPECT_NE(help.find(verb), std::string::npos) << verb;
 }
 
 TEST_F(Usage, HelpFitsInto85Columns)
 {
-    for (std::string const verb : { "", "decode", "demo", "derive", "devices", "grow", "record",
-                                    "render", "replay", "sim", "window" }) {
+    for (std::string const verb :
+         { "", "convert", "decode", "demo", "derive", "devices", "doctor", "grow", "record",
+           "render", "replay", "sim", "watch", "window" }) {
         std::istringstream help(run("tractus " + verb + " --help").out);
         for (std::string line; std::getline(help, line);)
             EXPECT_LE(line.size(), 85u) << line;

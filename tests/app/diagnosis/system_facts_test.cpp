@@ -58,6 +58,8 @@ TEST_F(SystemFactsTest, KnowsDriversNodesAndPollRate)
     ASSERT_EQ(facts.devices.size(), 1u);
     EXPECT_EQ(facts.devices[0].info.location, "/dev/hidraw0");
     EXPECT_EQ(facts.devices[0].driver, "wacom");
+    EXPECT_NE(facts.devices[0].tablet.find("CTL-472"), std::string::npos);
+    EXPECT_FALSE(facts.devices[0].family.empty());
     EXPECT_EQ(facts.devices[0].poll_hz, 125);
     EXPECT_EQ(facts.devices[0].open_error, 0);
     ASSERT_EQ(facts.usb.size(), 1u);
