@@ -37,12 +37,14 @@ Result<LiveDevices> LiveDevices::start(std::vector<std::unique_ptr<ReportSource>
     return devices;
 }
 
-Result<LiveDevices> LiveDevices::open(std::vector<DeviceInfo> const& infos)
+LiveDevices LiveDevices::open_usable(std::vector<DeviceInfo> const& infos,
+                                     std::vector<RefusedDevice>& refused)
 {
     LiveDevices devices;
     auto const reconnection = system_reconnection();
     for (auto const& info : infos)
-        TRY(devices.add_real(info, reconnection));
+        if (auto const added = devices.add_real(info, reconnection); !added)
+            refused.push_back({ info, added.error() });
     return devices;
 }
 

@@ -21,6 +21,12 @@ struct LiveReport {
     RawReport report {};    // Empty: the device went away.
 };
 
+// A device that could not be opened.
+struct RefusedDevice {
+    DeviceInfo info {};
+    Error error {};
+};
+
 // Devices that send while the program runs: real ones, which may go away and come back, and logs
 // that are played at their pace. Each is read on a thread of its own; this object belongs to one
 // thread.
@@ -35,8 +41,9 @@ public:
     // Sources at hand. Fails, as the station's fault, if the system gives no threads.
     static Result<LiveDevices> start(std::vector<std::unique_ptr<ReportSource>> sources);
 
-    // Real devices. Fails as opening one does.
-    static Result<LiveDevices> open(std::vector<DeviceInfo> const& devices);
+    // Those of the real devices that can be opened; the others, and why, into `refused`.
+    static LiveDevices open_usable(std::vector<DeviceInfo> const& devices,
+                                   std::vector<RefusedDevice>& refused);
 
     // The devices and logs that people name: see name_help().
     static Result<LiveDevices> open_named(std::span<std::string const> names);

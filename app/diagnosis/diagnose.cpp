@@ -219,6 +219,16 @@ std::vector<Finding> diagnose_system(SystemFacts const& facts)
     return findings;
 }
 
+Finding diagnose_refusal(DeviceInfo const& info, Error const& error)
+{
+    return { .kind = FindingKind::DriverInTheWay,
+             .subject = who(info),
+             .what = fmt::format("It may be read, but could not be opened: {}.", error.message),
+             .remedy = { "Close other programs that use it (a second tractus, OpenTabletDriver, a "
+                         "maker's own driver).",
+                         "Then unplug it and plug it in again." } };
+}
+
 std::vector<Finding> diagnose_device(DeviceReading const& reading, Duration listened)
 {
     std::vector<Finding> findings;

@@ -3,6 +3,7 @@
 #include "app/diagnosis/device_monitor.h"
 #include "app/diagnosis/finding.h"
 #include "app/diagnosis/system_facts.h"
+#include "engine/base/result.h"
 #include "engine/base/time.h"
 
 #include <vector>
@@ -12,6 +13,9 @@ namespace tractus {
 // What is to be found without reading a device: permissions, drivers, unknown tablets, libraries.
 // Empty if nothing is the matter.
 std::vector<Finding> diagnose_system(SystemFacts const& facts);
+
+// A device that the system permits, but that could not be opened.
+Finding diagnose_refusal(DeviceInfo const& info, Error const& error);
 
 // What a device's reports show: a tablet in mouse mode or with unknown reports, broken reports, a
 // sensor's faults, times that go backwards. `listened` is how long it was listened to. Empty if

@@ -28,7 +28,18 @@ static Result<LiveDevices> open_named_or_found(std::vector<std::string> const& n
                     fmt::format("there is no tablet and no height sensor {}: \"tractus doctor\" "
                                 "says why; the simulated rig goes by the name simulated",
                                 purpose));
-    return LiveDevices::open(found);
+    return open_found(found);
+}
+
+Result<LiveDevices> open_found(std::vector<DeviceInfo> const& found)
+{
+    std::vector<RefusedDevice> refused;
+    auto devices = LiveDevices::open_usable(found, refused);
+    if (devices.infos().empty() && !refused.empty())
+        return tl::unexpected(refused.front().error);
+    for (auto const& [info, error] : refused)
+        print_error(fmt::format("without {}: {}\n", info.name, error.message));
+    return devices;
 }
 
 Result<LiveDevices> open_devices(std::vector<std::string> const& names, std::string const& purpose)

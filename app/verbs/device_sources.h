@@ -14,6 +14,10 @@ namespace tractus {
 // user's fault, if none was named and none is found; `purpose` says what for, such as "to record".
 Result<LiveDevices> open_devices(std::vector<std::string> const& names, std::string const& purpose);
 
+// Those of the devices that can be opened; the others are named on standard error. Fails if none
+// can, as the first of them does.
+Result<LiveDevices> open_found(std::vector<DeviceInfo> const& found);
+
 // Set by SIGINT and SIGTERM from now on, in place of ending the program.
 std::atomic<bool> const& stop_on_signals();
 

@@ -98,7 +98,10 @@ Result<void> examine_machine(Arguments const& arguments, std::vector<Finding>& f
     print_error(fmt::format("Listening for {:g} s: move the pen over the tablet, press it, and "
                             "move the surface.\n",
                             arguments.seconds));
-    auto devices = TRY(LiveDevices::open(usable));
+    std::vector<RefusedDevice> refused;
+    auto devices = LiveDevices::open_usable(usable, refused);
+    for (auto const& [info, error] : refused)
+        findings.push_back(diagnose_refusal(info, error));
     return listen(devices, arguments.seconds, findings);
 }
 

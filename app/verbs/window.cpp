@@ -8,6 +8,7 @@
 #include "app/resources.h"
 #include "app/simulated_recording.h"
 #include "app/verbs/checks.h"
+#include "app/verbs/device_sources.h"
 #include "app/verbs/shared_options.h"
 #include "app/window/window.h"
 #include "calib/rig_file.h"
@@ -125,7 +126,7 @@ Result<void> open_window(Arguments const& arguments)
         return describe_device(info).kind == DeviceKind::Pen;
     });
     if (any_pen)
-        return show_devices(arguments, TRY(LiveDevices::open(found)));
+        return show_devices(arguments, TRY(open_found(found)));
     if (!arguments.recording.empty())
         return fail(Fault::User,
                     "there is no tablet to record: \"tractus doctor\" says why; the simulated rig "

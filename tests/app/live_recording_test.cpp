@@ -188,6 +188,18 @@ TEST(LiveRecording, EndsWhenTheTimeIsOver)
     EXPECT_EQ(now, ms(20'000));
 }
 
+TEST(LiveDevices, GoOnWithoutThoseThatCannotBeOpened)
+{
+    auto missing = simple_pen();
+    missing.location = "/dev/hidraw999";
+    std::vector<RefusedDevice> refused;
+    auto const devices = LiveDevices::open_usable({ missing }, refused);
+    EXPECT_TRUE(devices.infos().empty());
+    ASSERT_EQ(refused.size(), 1u);
+    EXPECT_EQ(refused[0].info.location, "/dev/hidraw999");
+    EXPECT_NE(refused[0].error.message.find("/dev/hidraw999"), std::string::npos);
+}
+
 TEST(LiveDevices, NamesTheDeviceThatIsNotThere)
 {
     auto const devices = LiveDevices::open_named(std::vector<std::string> { "/dev/hidraw999" });

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fmt/core.h>
 #include <gtest/gtest.h>
+#include <thread>
 #include <unistd.h>
 
 namespace tractus {
@@ -63,11 +64,14 @@ LiveWindowOptions options_for_tests()
     return { .scene = small_scene(), .now = [] { return at_ms(100); } };
 }
 
-// Until the script is over and was seen to be.
+// Until the script is over and was seen to be: it is read on a thread of its own, which a loaded
+// machine may let wait.
 void advance_to_end(LiveWindow& window)
 {
-    for (int i = 0; i < 100'000 && window.state().status.find("is over") == std::string::npos; ++i)
+    for (int i = 0; i < 60'000 && window.state().status.find("is over") == std::string::npos; ++i) {
         window.advance(std::chrono::milliseconds(16));
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
 }
 
 TEST(LiveWindow, ShowsWhatTheDevicesDraw)

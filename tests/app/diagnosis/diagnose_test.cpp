@@ -183,6 +183,14 @@ TEST(DiagnoseDevice, NamesTimesThatGoBackwards)
     EXPECT_EQ(kinds(diagnose_device(monitor.reading(), {})), Names { "clock-jump" });
 }
 
+TEST(DiagnoseRefusal, KeepsTheReason)
+{
+    auto const finding
+        = diagnose_refusal(simple_pen(), { Fault::User, "another program has its interface" });
+    EXPECT_EQ(name_of(finding.kind), "driver-in-the-way");
+    EXPECT_TRUE(mentions(finding, "another program has its interface"));
+}
+
 TEST(DiagnoseClocks, TellsSleepFromASetClock)
 {
     using namespace std::chrono_literals;
