@@ -28,9 +28,23 @@ std::string who(DeviceInfo const& info)
                        info.vendor_id, info.product_id, info.location);
 }
 
+// A tablet that is known, or another device of somebody who makes tablets. Not the makers of chips,
+// whose ids some tablets bear: they make everything.
 bool is_tablet(std::uint16_t vendor_id, std::uint16_t product_id)
 {
-    return find_tablet({ .vendor_id = vendor_id, .product_id = product_id }).has_value();
+    static std::set<std::uint16_t> const makers = [] {
+        std::set<std::uint16_t> ids;
+        for (auto const& tablet : known_tablets())
+            for (auto const& identifier : tablet.identifiers)
+                ids.insert(identifier.vendor_id);
+        constexpr std::uint16_t kStMicroelectronics = 0x0483;
+        constexpr std::uint16_t kCambridgeSiliconRadio = 0x0a12;
+        ids.erase(kStMicroelectronics);
+        ids.erase(kCambridgeSiliconRadio);
+        return ids;
+    }();
+    return makers.contains(vendor_id)
+        || find_tablet({ .vendor_id = vendor_id, .product_id = product_id }).has_value();
 }
 
 Finding not_permitted(DeviceFacts const& device)
