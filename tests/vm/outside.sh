@@ -10,12 +10,14 @@ qmp() {
     return 1
 }
 
-# Moves QEMU's own tablets along the diagonal, x as large as y, back and forth, until the machine is
-# over. Until somebody reads one of them, there is nothing to move, and QEMU answers with an error.
+# Moves QEMU's own tablets along the diagonal, x as large as y, back and forth, until the verdict is
+# there: QEMU may hang if it is told something while it ends. Until somebody reads one of the
+# tablets, there is nothing to move, and QEMU answers with an error.
 move_pointer() {
     local place=0 position
     qmp '{"execute": "qmp_capabilities"}'
-    while sleep 0.01; do
+    until [ -s "$folder/verdict" ]; do
+        sleep 0.01
         place=$(((place + 97) % 32768))
         position=$(printf '{"type": "abs", "data": {"axis": "%s", "value": %d}}, ' x $place y $place)
         qmp "{\"execute\": \"input-send-event\", \"arguments\": {\"events\": [${position%, }]}}" || return
