@@ -19,8 +19,8 @@ using Then = DevicePlay::Then;
 constexpr Duration kKnockEvery = std::chrono::milliseconds(10);
 constexpr Duration kLongestSleep = std::chrono::milliseconds(50); // Until `stop` is looked at.
 // Linux lets nothing through in the first 50 ms after a program has opened a USB HID device, since
-// it may be old; other hosts are no slower.
-constexpr Duration kHostWakes = std::chrono::milliseconds(100);
+// it may be old; and programs look at a device before they open it for good.
+constexpr Duration kHostWakes = std::chrono::milliseconds(500);
 constexpr Duration kFarewell = std::chrono::milliseconds(100);
 constexpr Duration kLongestFarewell = std::chrono::seconds(2);
 

@@ -140,8 +140,9 @@ void add_sim_gadget_verb(CLI::App& sim, Action& action)
         ->capture_default_str();
     verb->footer(
         "The host sees a pen tablet, the station's own height sensor, or one device that is\n"
-        "both, as if they were plugged in. Reports are sent from when the host reads them all.\n"
-        "Ctrl-C, or the end, unplugs the device and leaves nothing behind.\n"
+        "both, as if they were plugged in. Reports are sent from when the host reads them all;\n"
+        "until then the pen repeats its first one. Ctrl-C, or the end, unplugs the device and "
+        "leaves nothing behind.\n"
         "\n"
         "On a Raspberry Pi with a USB device port (Zero, 4, 5): add the line\n"
         "\"dtoverlay=dwc2\" to config.txt, restart, and then\n"

@@ -15,10 +15,17 @@ namespace tractus {
 
 void print_figure(std::string const& name, double value, std::string const& unit);
 
+// A gadget learns that it is read from its first report's being taken, and repeats it until then.
+// Linux lets no such repetition through, hidapi's libusb back end does.
+enum class FirstReport {
+    Once,
+    Repeated,
+};
+
 // Whether every report of these devices of `sent`, or of all, is in `got`, and nothing else, in the
 // same order. A device of `got` is the same one if its report descriptor is.
 Result<void> compare_reports(std::string const& sent_name, std::string const& got_name,
-                             std::vector<std::size_t> sent_devices);
+                             std::vector<std::size_t> sent_devices, FirstReport first);
 
 // How regularly the reports of one of the log's devices came. Gaps of more than `pause_ms` are left
 // out: the pen was away.

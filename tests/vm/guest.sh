@@ -76,3 +76,17 @@ play_recording() {
 # Processor time of a process so far, in hundredths of a second, and how many files it has open.
 cpu_time() { awk '{ print $14 + $15 }' "/proc/$1/stat"; }
 open_files() { ls "/proc/$1/fd" | wc -l; }
+
+# Plays the simulated pen of a recording as a USB gadget, records it, and compares. At the begin its
+# first report may come several times, some 10 ms apart.
+#   play_gadget_pen LOG RATE_HZ DEVICE
+play_gadget_pen() {
+    echo "$2 Hz through $3"
+    rm -f got.tractus-log
+    tractus sim gadget pen "$1" --rate "$2" &
+    wait_until test -e /dev/hidraw0 || return
+    record_while $! got.tractus-log --device "$3" || return
+    vm_check same-reports "$1" got.tractus-log --device 0 --first-repeated || return
+    vm_check gaps got.tractus-log --pause-ms 9 || return
+    test -z "$(ls /sys/kernel/config/usb_gadget)" || fail "the gadget was not removed"
+}

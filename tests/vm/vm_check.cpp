@@ -15,6 +15,7 @@ namespace {
 struct Arguments {
     TruthOptions truth;
     std::vector<std::size_t> devices;
+    bool is_first_repeated = false;
     std::size_t device = 0;
     double pause_ms = 50;
     HeightExpectation height;
@@ -33,8 +34,14 @@ void add_checks(CLI::App& root, Arguments& arguments, Check& check)
     same->add_option("SENT", truth.sent)->required();
     same->add_option("GOT", truth.got)->required();
     same->add_option("--device", arguments.devices, "Of SENT; without it, all");
-    same->callback(
-        [&] { check = [&] { return compare_reports(truth.sent, truth.got, arguments.devices); }; });
+    same->add_flag("--first-repeated", arguments.is_first_repeated, "As gadgets do");
+    same->callback([&] {
+        check = [&] {
+            return compare_reports(truth.sent, truth.got, arguments.devices,
+                                   arguments.is_first_repeated ? FirstReport::Repeated
+                                                               : FirstReport::Once);
+        };
+    });
 
     auto* const gaps = root.add_subcommand("gaps", "How regularly did a device send?");
     gaps->add_option("GOT", truth.got)->required();
