@@ -9,6 +9,7 @@
 #include "app/verbs/devices.h"
 #include "app/verbs/doctor.h"
 #include "app/verbs/grow.h"
+#include "app/verbs/lsystem.h"
 #include "app/verbs/record.h"
 #include "app/verbs/render.h"
 #include "app/verbs/replay.h"
@@ -77,6 +78,7 @@ static void add_verbs(CLI::App& root, Action& action)
     add_grow_verb(root, action);
     add_render_verb(root, action);
     add_derive_verb(root, action);
+    add_lsystem_verb(root, action);
     add_devices_verb(root, action);
     add_doctor_verb(root, action);
     add_watch_verb(root, action);

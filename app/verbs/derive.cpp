@@ -4,6 +4,7 @@
 #include "app/model_file.h"
 #include "app/resources.h"
 #include "app/verbs/checks.h"
+#include "app/verbs/model_options.h"
 #include "engine/lsystem/derive.h"
 #include "engine/lsystem/print.h"
 
@@ -16,22 +17,22 @@ namespace tractus {
 namespace {
 
 struct Arguments {
-    std::string model;
-    int steps = -1;
-    DeriveOptions options;
+    ModelOptions model;
+    std::size_t max_modules = DeriveOptions().max_modules;
     bool counts = false;
     bool string = false;
 };
 
 Result<void> run(Arguments const& arguments)
 {
-    auto const path = TRY(find_model(arguments.model));
+    auto const path = TRY(find_model(arguments.model.model));
     auto const model = TRY(load_model(path));
     for (auto const& warning : model.warnings)
         print_error(fmt::format("warning: {}\n", warning));
-    auto options = arguments.options;
-    if (arguments.steps >= 0)
-        options.steps = arguments.steps;
+    DeriveOptions options;
+    options.steps = arguments.model.steps;
+    options.seed = arguments.model.seed;
+    options.max_modules = arguments.max_modules;
     auto const string = TRY(derive(model, options));
     if (arguments.counts)
         return print_out(nlohmann::json(count_symbols(model, string)).dump() + "\n");
@@ -49,21 +50,8 @@ void add_derive_verb(CLI::App& root, Action& action)
     verb->footer(
         "A model is in cpfg's language; MODEL.v beside MODEL.l, where there is one, gives\n"
         "angles, materials and organs. The same model and seed always give the same string.");
-    verb->add_option("MODEL", arguments->model,
-                     "An L-system file (.l), or one of our plants by its name, such as birch, "
-                     "broadleaf, conifer, "
-                     "daisy, fern, grass, leaf, magnolia, palm, poplar, shrub, sunflower or vine")
-        ->required();
-    verb->add_option("-n,--steps", arguments->steps,
-                     "Derivation steps; without it, the model's own")
-        ->type_name("STEPS")
-        ->check(whole_number(0, 1'000'000'000));
-    verb->add_option("--seed", arguments->options.seed,
-                     "Of the model's stochastic rules: another seed, another string")
-        ->type_name("N")
-        ->check(seed_number())
-        ->capture_default_str();
-    verb->add_option("--max-modules", arguments->options.max_modules,
+    add_model_options(*verb, arguments->model);
+    verb->add_option("--max-modules", arguments->max_modules,
                      "Stop with an error beyond this many modules")
         ->type_name("N")
         ->check(whole_number(1, 1'000'000'000))

@@ -5,6 +5,7 @@
 #include "app/pictures.h"
 #include "app/resources.h"
 #include "app/verbs/checks.h"
+#include "app/verbs/model_options.h"
 #include "drivers/file.h"
 #include "engine/export/glb_writer.h"
 #include "engine/export/obj_writer.h"
@@ -14,16 +15,13 @@
 #include <filesystem>
 #include <fmt/core.h>
 #include <memory>
-#include <optional>
 
 namespace tractus {
 
 namespace {
 
 struct Arguments {
-    std::string model;
-    std::optional<int> steps;
-    std::uint64_t seed = 1;
+    ModelOptions model;
     std::filesystem::path output;
 };
 
@@ -47,10 +45,10 @@ Result<void> write_plant(Mesh const& mesh, std::string const& name,
 
 Result<void> grow_model(Arguments const& arguments)
 {
-    auto const path = TRY(find_model(arguments.model));
+    auto const path = TRY(find_model(arguments.model.model));
     auto edit = TRY(load_model_edit(path));
-    edit.steps = arguments.steps;
-    edit.seed = arguments.seed;
+    edit.steps = arguments.model.steps;
+    edit.seed = arguments.model.seed;
     auto const scene = TRY(apply_edit({}, edit));
     for (auto const& warning : scene.model_warnings)
         print_error(fmt::format("warning: {}\n", warning));
@@ -68,20 +66,7 @@ void add_grow_verb(CLI::App& root, Action& action)
     auto arguments = std::make_shared<Arguments>();
     auto* const verb
         = root.add_subcommand("grow", "Grow a model and write it as glTF, OBJ or a picture");
-    verb->add_option("MODEL", arguments->model,
-                     "An L-system file (.l), or one of our plants by its name, such as birch, "
-                     "broadleaf, conifer, "
-                     "daisy, fern, grass, leaf, magnolia, palm, poplar, shrub, sunflower or vine")
-        ->required();
-    verb->add_option("-n,--steps", arguments->steps,
-                     "Derivation steps; without it, the model's own")
-        ->type_name("STEPS")
-        ->check(whole_number(0, 1'000'000'000));
-    verb->add_option("--seed", arguments->seed,
-                     "Of the model's stochastic rules: another seed, another plant")
-        ->type_name("N")
-        ->check(seed_number())
-        ->capture_default_str();
+    add_model_options(*verb, arguments->model);
     verb->add_option("-o,--output", arguments->output,
                      "What to write: its ending, .glb, .obj or .png, says in which format")
         ->type_name("FILE")

@@ -72,8 +72,13 @@ Result<ModuleString> Derivation::run()
     machine_.globals[1] = steps;
     start();
     TRY(check_size(in_.size(), in_.parameters.size()));
-    for (int i = 1; i <= steps; ++i)
+    if (options_.on_step)
+        options_.on_step(0, in_);
+    for (int i = 1; i <= steps; ++i) {
         TRY(step(i));
+        if (options_.on_step)
+            options_.on_step(i, in_);
+    }
     machine_.begin_module(static_cast<std::uint32_t>(step_), kNoPosition - 2);
     machine_.run(model_.end);
     TRY(machine_.check());

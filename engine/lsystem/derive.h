@@ -6,14 +6,18 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 namespace tractus {
 
 struct DeriveOptions {
-    std::optional<int> steps; // The model's derivation length when there is none.
-    std::uint64_t seed = 1;   // Together with the model's own: another seed, another plant.
+    std::optional<int> steps {}; // The model's derivation length when there is none.
+    std::uint64_t seed = 1;      // Together with the model's own: another seed, another plant.
     std::size_t max_modules = 100'000'000;
+
+    // Called with the axiom as step 0 and with the string after each step.
+    std::function<void(int step, ModuleString const& string)> on_step {};
 };
 
 // Rewrites the model's axiom `steps` times.

@@ -85,5 +85,35 @@ TEST_F(DeriveVerb, StopsARunawayModel)
     EXPECT_NE(outcome.err.find("more than 1000 modules"), std::string::npos) << outcome.err;
 }
 
+TEST_F(DeriveVerb, TellsWhatAModelUses)
+{
+    auto const path = write("m.l",
+                            "Lsystem: 1\nderivation length: 2\nAxiom: A(1)\n"
+                            "A(x) : x > 0 --> F(x)[+A(x*2)]@Q : 2\nB < A(x) --> B\nendlsystem\n");
+    auto const outcome = run({ "lsystem", "check", path });
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out,
+              path
+                  + ": understood\n\nUses\n  2 rules\n  parameters\n  conditions\n"
+                    "  left context\n  rules chosen at random\n\n"
+                    "Step      modules   parameters\n"
+                    "   0            1            1\n"
+                    "   1            7            2\n"
+                    "   2           13            3\n\n"
+                    "Draws 2 segments on 2 axes, 0 organs, 0 polygons\n\n"
+                    "Warnings\n  "
+                  + path + ": the turtle symbol @Q is not supported; it draws nothing\n");
+    EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(DeriveVerb, ChecksOurModelsWithoutWarnings)
+{
+    auto const outcome = run({ "lsystem", "check", "daisy", "-n", "5" });
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("homomorphism of 14 rules, to depth 40"), std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("\nNo warnings\n"), std::string::npos) << outcome.out;
+}
+
 } // namespace
 } // namespace tractus

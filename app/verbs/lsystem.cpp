@@ -1,0 +1,90 @@
+#include "app/verbs/lsystem.h"
+
+#include "app/console.h"
+#include "app/model_file.h"
+#include "app/resources.h"
+#include "app/verbs/checks.h"
+#include "app/verbs/model_options.h"
+#include "engine/lsystem/derive.h"
+#include "engine/lsystem/features.h"
+#include "engine/lsystem/turtle.h"
+
+#include <fmt/format.h>
+#include <memory>
+
+namespace tractus {
+
+namespace {
+
+struct Arguments {
+    ModelOptions model;
+    std::size_t max_modules = DeriveOptions().max_modules;
+};
+
+std::string features_text(Model const& model)
+{
+    std::string text = fmt::format("{}: understood\n\nUses\n", model.name);
+    for (auto const& feature : features_used(model))
+        text += fmt::format("  {}\n", feature);
+    return text;
+}
+
+// What the turtle leaves out is known only once it has drawn.
+Result<std::string> drawing_text(Model const& model, ModuleString const& string)
+{
+    auto const drawn = TRY(interpret_with_warnings(model, string));
+    auto const& plant = drawn.plant;
+    std::string text = fmt::format("\nDraws {} segments on {} axes, {} organs, {} polygons\n",
+                                   plant.segment_count(), plant.axes.size(), plant.organs.size(),
+                                   plant.polygons.size());
+    auto warnings = model.warnings;
+    warnings.insert(warnings.end(), drawn.warnings.begin(), drawn.warnings.end());
+    text += warnings.empty() ? "\nNo warnings\n" : "\nWarnings\n";
+    for (auto const& warning : warnings)
+        text += fmt::format("  {}\n", warning);
+    return text;
+}
+
+Result<void> check(Arguments const& arguments)
+{
+    auto const path = TRY(find_model(arguments.model.model));
+    auto const model = TRY(load_model(path));
+    TRY(print_out(features_text(model) + "\nStep      modules   parameters\n"));
+    DeriveOptions options;
+    options.steps = arguments.model.steps;
+    options.seed = arguments.model.seed;
+    options.max_modules = arguments.max_modules;
+    Result<void> printed;
+    options.on_step = [&](int step, ModuleString const& string) {
+        if (printed)
+            printed = print_out(
+                fmt::format("{:4} {:12} {:12}\n", step, string.size(), string.parameters.size()));
+    };
+    auto const string = TRY(derive(model, options));
+    TRY(std::move(printed));
+    auto const drawing = TRY(drawing_text(model, string));
+    return print_out(drawing);
+}
+
+} // namespace
+
+void add_lsystem_verb(CLI::App& root, Action& action)
+{
+    auto* const verb = root.add_subcommand("lsystem", "Check an L-system");
+    verb->require_subcommand(1);
+    auto* const check_verb = verb->add_subcommand(
+        "check", "List what a model uses, its warnings, and the modules after each step");
+    // Shared with the callback, which outlives this.
+    auto const arguments = std::make_shared<Arguments>();
+    add_model_options(*check_verb, arguments->model);
+    check_verb
+        ->add_option("--max-modules", arguments->max_modules,
+                     "Stop with an error beyond this many modules")
+        ->type_name("N")
+        ->check(whole_number(1, 1'000'000'000))
+        ->capture_default_str();
+    check_verb->callback(
+        [&action, arguments] { action = [arguments] { return check(*arguments); }; });
+}
+
+} // namespace tractus

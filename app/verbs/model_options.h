@@ -1,0 +1,20 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace tractus {
+
+// Which plant a verb is about: MODEL, --steps and --seed mean the same everywhere.
+struct ModelOptions {
+    std::string model; // For find_model().
+    std::optional<int> steps;
+    std::uint64_t seed = 1;
+};
+
+// Adds them to a verb. `options` must live as long as the verb.
+void add_model_options(CLI::App& verb, ModelOptions& options);
+
+} // namespace tractus
