@@ -1,6 +1,7 @@
 # The own height sensor is unplugged and plugged in again ten times while a recording runs and the
 # pen draws: it is found each time, nothing of what it sent is broken, what was drawn until then is
-# kept as strokes, and the recorder neither leaks nor spins. There is no udevd here, so nobody tells that it has come back.
+# kept as strokes, and the recorder neither leaks nor spins. There is no udevd here, so nobody tells
+# that it has come back.
 modules='dummy_hcd libcomposite usb_f_fs uhid hid-generic'
 files='build/vm/scribble.tractus-log app/models/daisy.l app/models/daisy.v'
 

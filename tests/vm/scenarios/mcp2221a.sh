@@ -3,11 +3,32 @@
 modules='uhid hid-generic'
 files='build/vm/scribble.tractus-log'
 
+log=/files/scribble.tractus-log
+
 guest() {
-    tractus sim mcp2221a /files/scribble.tractus-log &
+    local player recorder
+    tractus sim mcp2221a $log &
     wait_until test -e /dev/hidraw0
-    tractus devices
     record_while $! got.tractus-log
-    vm_check same-heights /files/scribble.tractus-log got.tractus-log --tolerance 0.002
+    vm_check same-heights $log got.tractus-log --tolerance 0.002
     vm_check gaps got.tractus-log
+    wait_until test ! -e /dev/hidraw0
+
+    tractus sim mcp2221a $log --stay &
+    player=$!
+    wait_until test -e /dev/hidraw0
+    tractus record -o unplugged.tractus-log 2>messages &
+    recorder=$!
+    sleep 1
+    kill -KILL $player
+    wait_until grep -q 'has gone' messages
+    tractus sim mcp2221a $log --stay &
+    player=$!
+    wait_until grep -q 'is back' messages
+    sleep 0.5
+    kill -TERM $recorder
+    wait $recorder
+    cat messages
+    kill -TERM $player
+    wait $player
 }
