@@ -191,9 +191,10 @@ void add_doctor_verb(CLI::App& root, Action& action)
         ->capture_default_str()
         ->needs(install);
     verb->footer(
-        "Looks at nodes and permissions, at the kernel's drivers and at libraries; then listens\n"
-        "for tablets in mouse mode or with unknown reports, for a sensor on a rail, stuck,\n"
-        "jumping or silent, and for clocks that jump. Each finding comes with its remedy.");
+        "Looks at nodes and permissions, at the kernel's drivers and at libraries; then\n"
+        "listens for tablets in mouse mode or with unknown reports, for a sensor on a rail,\n"
+        "stuck, jumping or silent, and for clocks that jump. Each finding comes with its\n"
+        "remedy.");
     verb->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }
 
