@@ -38,21 +38,21 @@ public:
     // With the mutex locked.
     static void begin()
     {
-        if (open_count_ == 0)
+        if (open_count == 0)
             tractus_libusb_hid_exit();
         tractus_libusb_hid_init();
     }
-    static void count_opened() { ++open_count_; }
+    static void count_opened() { ++open_count; }
 
     static void close(hid_device* device)
     {
         std::lock_guard const lock(mutex());
         tractus_libusb_hid_close(device);
-        --open_count_;
+        --open_count;
     }
 
 private:
-    static inline int open_count_ = 0;
+    static inline int open_count = 0;
 };
 
 constexpr HidBackEnd kBackEnd { .write = tractus_libusb_hid_write,

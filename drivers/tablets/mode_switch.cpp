@@ -33,11 +33,6 @@ void switch_to_full_mode(DeviceInfo& info, TabletPort& port, SwitchedBy switched
     auto const identified
         = read_strings(info, port, identifying_strings(info.vendor_id, info.product_id));
     auto const match = find_tablet(info);
-    if (!identified)
-        info.warnings.push_back(fmt::format("cannot tell which tablet {} is, and takes it for {}: "
-                                            "{}",
-                                            info.name, match ? tablet_name(*match) : "none",
-                                            identified.error().message));
     if (!match || match->identifier->family == kPadFamily)
         return;
     auto const& setup = match->identifier->setup;
@@ -47,7 +42,11 @@ void switch_to_full_mode(DeviceInfo& info, TabletPort& port, SwitchedBy switched
                 "cannot switch {} to its full mode, so it stays in the one it is in: {}",
                 match->tablet->name, result.error().message));
     };
-    if (identified)
+    if (!identified && match->alternatives > 0)
+        info.warnings.push_back(
+            fmt::format("cannot tell which tablet {} is, and takes it for {}: {}", info.name,
+                        tablet_name(*match), identified.error().message));
+    else
         warn(read_strings(info, port, setup.strings));
     if (switched_by == SwitchedBy::Kernel)
         return;

@@ -173,11 +173,24 @@ TEST(ModeSwitch, WarnsWhereStringsCannotBeRead)
     port.has_usb = false;
     auto info = device(0x256c, 0x0067);
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
-    EXPECT_EQ(
-        info.warnings,
-        Told { "cannot tell which tablet Tablet is, and takes it for Huion H951P: cannot open "
-               "the USB device at 1-2" });
+    EXPECT_EQ(info.warnings,
+              Told { "cannot switch Huion H951P to its full mode, so it stays in the one it is in: "
+                     "cannot open the USB device at 1-2" });
     EXPECT_TRUE(info.strings.empty());
+}
+
+TEST(ModeSwitch, WarnsWhereItCannotTellTabletsApart)
+{
+    FakePort port;
+    port.has_usb = false;
+    auto info = device(0x256c, 0x006d);
+    switch_to_full_mode(info, port, SwitchedBy::Nobody);
+    ASSERT_EQ(info.warnings.size(), 1u);
+    auto const& warning = info.warnings[0];
+    EXPECT_TRUE(warning.starts_with("cannot tell which tablet Tablet is, and takes it for "))
+        << warning;
+    EXPECT_TRUE(warning.ends_with("others with its ids): cannot open the USB device at 1-2"))
+        << warning;
 }
 
 // Which interface takes a report.
