@@ -37,12 +37,12 @@ void switch_to_full_mode(DeviceInfo& info, TabletPort& port, SwitchedBy switched
         return;
     auto const& setup = match->identifier->setup;
     auto const warn = [&](Result<void> const& result) {
-        if (!result)
+        if (!result && switched_by == SwitchedBy::Nobody)
             info.warnings.push_back(fmt::format(
                 "cannot switch {} to its full mode, so it stays in the one it is in: {}",
                 match->tablet->name, result.error().message));
     };
-    if (!identified && match->alternatives > 0)
+    if (!identified && match->alternatives > 0 && switched_by == SwitchedBy::Nobody)
         info.warnings.push_back(
             fmt::format("cannot tell which tablet {} is, and takes it for {}: {}", info.name,
                         tablet_name(*match), identified.error().message));

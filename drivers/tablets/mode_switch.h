@@ -6,7 +6,7 @@
 namespace tractus {
 
 // Whether Linux's own driver for the tablet has switched it already; the reports that switch are
-// left out then.
+// left out then, and nothing is warned of, since the driver's descriptor says all that matters.
 enum class SwitchedBy { Nobody, Kernel };
 
 // Finds out which tablet this is, and makes it leave the mode in which it powers up:

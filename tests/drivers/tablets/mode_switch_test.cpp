@@ -95,6 +95,13 @@ TEST(ModeSwitch, LeavesToTheKernelWhatItsDriverDoes)
     auto info = device(0x056a, 0x037a);
     switch_to_full_mode(info, port, SwitchedBy::Kernel);
     EXPECT_TRUE(port.told.empty());
+
+    port.has_usb = false;
+    for (std::uint16_t const product_id : { std::uint16_t { 0x0067 }, std::uint16_t { 0x006d } }) {
+        auto huion = device(0x256c, product_id);
+        switch_to_full_mode(huion, port, SwitchedBy::Kernel);
+        EXPECT_TRUE(huion.warnings.empty()) << huion.warnings.front();
+    }
 }
 
 TEST(ModeSwitch, ReadsTheStringsOfAHuion)
