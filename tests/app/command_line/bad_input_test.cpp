@@ -107,12 +107,12 @@ TEST_F(BadInput, ALogWithoutHeightsNeedsThemGiven)
 TEST_F(BadInput, ARigThatCannotBe)
 {
     record();
-    write_rig("negative.toml", "mm_per_count", "mm_per_count = -0.1");
+    write_rig("flat.toml", "mm_per_count", "mm_per_count = 0");
     write_rig("missing.toml", "zero_length_mm", "");
     write_rig("nan.toml", "offset_mm", "offset_mm = nan");
     write_rig("broken.toml", "base_mm", "base_mm = = 3");
-    expect_error(replay("hand.tractus-log", "--rig negative.toml"), 1,
-                 "height.mm_per_count is -0.1, expected a number greater than 0");
+    expect_error(replay("hand.tractus-log", "--rig flat.toml"), 1,
+                 "height.mm_per_count is 0, expected a number other than 0");
     expect_error(replay("hand.tractus-log", "--rig missing.toml"), 1,
                  "height.zero_length_mm is missing");
     expect_error(replay("hand.tractus-log", "--rig nan.toml"), 1, "height.offset_mm is nan");
