@@ -54,7 +54,8 @@ void decode_height_frames(benchmark::State& state)
     report(state,
            { .items = kSamples,
              .item = "samples",
-             .bytes = kFrames * frames()[0].bytes.size() + kSamples * sizeof(HeightSample) });
+             .bytes = static_cast<double>(kFrames * frames()[0].bytes.size()
+                                          + kSamples * sizeof(HeightSample)) });
 }
 BENCHMARK(decode_height_frames);
 
