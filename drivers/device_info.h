@@ -19,6 +19,10 @@ struct DeviceInfo {
     // it came from: "FILE:device 1", "simulated".
     std::string location {};
 
+    // What its user wants of it, behind the @ of an address: "GP2,4.096V" (drivers/device_list.h).
+    // Empty for what the driver takes by itself.
+    std::string settings {};
+
     // The kernel's: "usb-0000:00:14.0-2/input1"; may be empty. The number behind "/input" is the
     // USB interface's.
     std::string physical_path {};

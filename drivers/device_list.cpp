@@ -37,7 +37,7 @@ std::vector<DeviceInfo> list_devices()
     return devices;
 }
 
-Result<DeviceInfo> find_device(std::string_view text)
+static Result<DeviceInfo> find_at_address(std::string_view text)
 {
     auto const address = TRY(parse_device_address(text));
     if (std::holds_alternative<GpioAddress>(address))
@@ -56,17 +56,30 @@ Result<DeviceInfo> find_device(std::string_view text)
     return DeviceInfo { .name = std::string(text), .location = std::string(text) };
 }
 
+Result<DeviceInfo> find_device(std::string_view text)
+{
+    // A GPIO chip's label may have an @ of its own, and its converter has no settings.
+    auto const at = text.starts_with("gpio:") ? text.size() : std::min(text.find('@'), text.size());
+    auto info = TRY(find_at_address(text.substr(0, at)));
+    info.settings = text.substr(std::min(at + 1, text.size()));
+    return info;
+}
+
 Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info)
 {
     auto const address = TRY(parse_device_address(info.location));
     std::lock_guard const lock(library_mutex());
-    if (std::holds_alternative<GpioAddress>(address))
-        return open_gpio_adc(std::move(info));
     if (std::holds_alternative<UsbAddress>(address))
         return is_labjack_u3(info) ? open_labjack_u3(std::move(info))
                                    : open_usb_height_sensor(std::move(info));
     if (is_mcp2221a(info))
         return open_mcp2221a(std::move(info));
+    if (!info.settings.empty())
+        return fail(Fault::User,
+                    fmt::format("{} at {} has no settings: leave @{} away", info.name,
+                                info.location, info.settings));
+    if (std::holds_alternative<GpioAddress>(address))
+        return open_gpio_adc(std::move(info));
     return open_tablet(std::move(info));
 }
 

@@ -18,6 +18,14 @@ std::vector<DeviceInfo> list_devices();
 // What is known of the device at an address (see drivers/device_address.h). A GPIO converter is
 // known by its address alone. Fails, as the user's fault, if the text is no address or nothing is
 // there.
+//
+// Behind an @ may stand settings, of which height sensors know some:
+//   /dev/hidraw3@GP2,4.096V   MCP2221A: the wiper's pin, GP1 to GP3, and the reference:
+//   VDD, 1.024V,
+//                             2.048V or 4.096V; GP1 and VDD by itself
+//   usb:1-2@AIN3              LabJack U3: the wiper's input, AIN0 to AIN15; AIN0 by itself
+//   usb:1-2@2000us,internal   the station's own kind: the time between readings, and the reference,
+//                             supply or internal; what the sensor has by itself
 Result<DeviceInfo> find_device(std::string_view address);
 
 // Opens a device with the driver that its location and ids ask for. Safe to call from any thread,

@@ -141,7 +141,9 @@ void ReconnectingSource::try_to_open(DeviceInfo const& info)
 {
     if (!reconnection_.open_locations->take(info.location))
         return;
-    auto opened = reconnection_.open(info);
+    auto wanted = info;
+    wanted.settings = info_.settings;
+    auto opened = reconnection_.open(std::move(wanted));
     if (!opened) {
         // Often not yet permitted: udev is still at work.
         reconnection_.open_locations->release(info.location);

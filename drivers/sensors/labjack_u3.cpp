@@ -2,6 +2,7 @@
 
 #include "drivers/sensors/labjack_packet.h"
 #include "drivers/sensors/polled_source.h"
+#include "drivers/sensors/settings.h"
 #include "drivers/usb/usb_link.h"
 
 #include <algorithm>
@@ -179,9 +180,24 @@ bool is_labjack_u3(DeviceInfo const& info)
     return info.vendor_id == kVendorId && info.product_id == kProductId;
 }
 
-Result<std::unique_ptr<ReportSource>> open_labjack_u3(DeviceInfo info,
-                                                      LabJackU3Options const& options)
+Result<LabJackU3Options> parse_labjack_u3_options(std::string_view settings)
 {
+    LabJackU3Options options;
+    for (auto const word : split_settings(settings)) {
+        auto const channel = number_between("AIN", word, "");
+        if (!channel || *channel > 15)
+            return fail(Fault::User,
+                        fmt::format("'{}' is no setting of the U3: expected AIN0 to "
+                                    "AIN15",
+                                    word));
+        options.channel = *channel;
+    }
+    return options;
+}
+
+Result<std::unique_ptr<ReportSource>> open_labjack_u3(DeviceInfo info)
+{
+    auto const options = TRY(parse_labjack_u3_options(info.settings));
     auto link = TRY(open_usb_link(info,
                                   { .interface_number = 0,
                                     .out_endpoint = kCommandEndpoint,
@@ -199,10 +215,10 @@ open_labjack_u3(DeviceInfo info, std::unique_ptr<PacketLink> link, LabJackU3Opti
     auto const identity = TRY(read_identity(*link, who));
     auto const calibration
         = TRY(read_calibration(*link, identity.is_high_voltage, options.channel, who));
-    info.name = fmt::format("LabJack U3-{} AIN{}, {:.6g} V per count from {:.6g} V",
-                            identity.is_high_voltage ? "HV" : "LV", options.channel,
-                            calibration.volts_per_count, calibration.offset_volts);
-    info.serial_number = std::to_string(identity.serial_number);
+    // Not in info's serial number: that is USB's, by which the device is found again.
+    info.name = fmt::format("LabJack U3-{} {}, AIN{}, {:.6g} V per count from {:.6g} V",
+                            identity.is_high_voltage ? "HV" : "LV", identity.serial_number,
+                            options.channel, calibration.volts_per_count, calibration.offset_volts);
     std::array const feedback { std::byte {}, kAnalogInput, static_cast<std::byte>(options.channel),
                                 kAgainstGround };
     return open_polled(

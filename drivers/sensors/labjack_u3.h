@@ -7,6 +7,7 @@
 #include "engine/base/result.h"
 
 #include <memory>
+#include <string_view>
 
 namespace tractus {
 
@@ -19,18 +20,20 @@ struct LabJackU3Options {
     int channel = 0;
 };
 
+// "AIN3", or nothing for the defaults. Fails, as the user's fault, for anything else.
+Result<LabJackU3Options> parse_labjack_u3_options(std::string_view settings);
+
 // Whether the device is one, by its ids.
 bool is_labjack_u3(DeviceInfo const&);
 
-// Opens the U3 at `info.location` ("usb:1-2.3") through libusb, makes the channel an analog input,
-// the other pins staying as they are, and reads it 250 times a second: a report is the U3's answer
-// to its Feedback command. Model, serial number, channel, and the calibration constants of that
-// input as the U3's memory has them, stand in info(): the first and the last ones in its name.
+// Opens the U3 at `info.location` ("usb:1-2.3") through libusb, with `info.settings` as options,
+// makes the channel an analog input, the other pins staying as they are, and reads it 250 times a
+// second: a report is the U3's answer to its Feedback command. Model, serial number, channel, and
+// the calibration constants of that input as the U3's memory has them, stand in info()'s name.
 //
 // Fails, as the user's fault, if it cannot be opened, and as the device's if it does not answer as
 // a U3 does.
-Result<std::unique_ptr<ReportSource>> open_labjack_u3(DeviceInfo info,
-                                                      LabJackU3Options const& options = {});
+Result<std::unique_ptr<ReportSource>> open_labjack_u3(DeviceInfo info);
 
 // The same over any link.
 Result<std::unique_ptr<ReportSource>>

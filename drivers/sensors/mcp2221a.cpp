@@ -2,6 +2,7 @@
 
 #include "drivers/hid_link.h"
 #include "drivers/sensors/polled_source.h"
+#include "drivers/sensors/settings.h"
 #include "engine/base/check.h"
 
 #include <algorithm>
@@ -128,8 +129,28 @@ bool is_mcp2221a(DeviceInfo const& info)
     return info.vendor_id == kVendorId && info.product_id == kProductId;
 }
 
-Result<std::unique_ptr<ReportSource>> open_mcp2221a(DeviceInfo info, Mcp2221aOptions const& options)
+Result<Mcp2221aOptions> parse_mcp2221a_options(std::string_view settings)
 {
+    constexpr std::array<std::string_view, 4> kReferences { "VDD", "1.024V", "2.048V", "4.096V" };
+    Mcp2221aOptions options;
+    for (auto const word : split_settings(settings)) {
+        auto const reference = std::find(kReferences.begin(), kReferences.end(), word);
+        if (word == "GP1" || word == "GP2" || word == "GP3")
+            options.pin = word[2] - '0';
+        else if (reference != kReferences.end())
+            options.reference = static_cast<Mcp2221aReference>(reference - kReferences.begin());
+        else
+            return fail(Fault::User,
+                        fmt::format("'{}' is no setting of the MCP2221A: expected "
+                                    "GP1 to GP3, VDD, 1.024V, 2.048V or 4.096V",
+                                    word));
+    }
+    return options;
+}
+
+Result<std::unique_ptr<ReportSource>> open_mcp2221a(DeviceInfo info)
+{
+    auto const options = TRY(parse_mcp2221a_options(info.settings));
     auto link = TRY(open_hid_link(info));
     return open_mcp2221a(std::move(info), std::move(link), options);
 }

@@ -7,6 +7,7 @@
 #include "engine/base/result.h"
 
 #include <memory>
+#include <string_view>
 
 namespace tractus {
 
@@ -22,20 +23,24 @@ struct Mcp2221aOptions {
     Mcp2221aReference reference = Mcp2221aReference::Supply;
 };
 
+// Options as words between commas, in any order: "GP2,4.096V"; none for the defaults. Fails, as the
+// user's fault, for other words.
+Result<Mcp2221aOptions> parse_mcp2221a_options(std::string_view settings);
+
 // Whether the device is one, by its ids; the chip's maker lets others change them.
 bool is_mcp2221a(DeviceInfo const&);
 
-// Opens the chip at `info.location`, a hidraw node, makes the pin an input of the converter, and
-// reads 500 times a second: a report is the chip's 64-byte answer to its status command. The other
-// pins stay as they are. The kernel's driver may go on using the chip: its answers are dropped,
-// and the settings are made again when it has changed them, since that also changes the reference.
+// Opens the chip at `info.location`, a hidraw node, with `info.settings` as options, makes the pin
+// an input of the converter, and reads 500 times a second: a report is the chip's 64-byte answer to
+// its status command. The other pins stay as they are. The kernel's driver may go on using the
+// chip: its answers are dropped, and the settings are made again when it has changed them, since
+// that also changes the reference.
 //
 // The pin is added to the name in info(), where make_mcp2221a_decoder reads it.
 //
 // Fails, as the user's fault, if the node cannot be opened, and as the device's, if the chip does
 // not answer as such a chip does.
-Result<std::unique_ptr<ReportSource>> open_mcp2221a(DeviceInfo info,
-                                                    Mcp2221aOptions const& options = {});
+Result<std::unique_ptr<ReportSource>> open_mcp2221a(DeviceInfo info);
 
 // The same over any link.
 Result<std::unique_ptr<ReportSource>>

@@ -1,5 +1,6 @@
 #include "drivers/sensors/usb_height_sensor.h"
 
+#include "drivers/sensors/settings.h"
 #include "drivers/usb/usb_context.h"
 #include "drivers/usb/usb_reader.h"
 
@@ -212,9 +213,29 @@ Result<void> apply(HeightSensorLink& link, UsbHeightSensorOptions const& options
 
 } // namespace
 
-Result<std::unique_ptr<ReportSource>> open_usb_height_sensor(DeviceInfo info,
-                                                             UsbHeightSensorOptions const& options)
+Result<UsbHeightSensorOptions> parse_usb_height_sensor_options(std::string_view settings)
 {
+    UsbHeightSensorOptions options;
+    for (auto const word : split_settings(settings)) {
+        auto const period_us = number_between("", word, "us");
+        if (word == "supply")
+            options.reference = HeightReference::Supply;
+        else if (word == "internal")
+            options.reference = HeightReference::Internal;
+        else if (period_us && *period_us > 0 && *period_us <= 0xFFFF)
+            options.period_us = static_cast<std::uint16_t>(*period_us);
+        else
+            return fail(Fault::User,
+                        fmt::format("'{}' is no setting of the height sensor: expected "
+                                    "a period such as 2000us, supply or internal",
+                                    word));
+    }
+    return options;
+}
+
+Result<std::unique_ptr<ReportSource>> open_usb_height_sensor(DeviceInfo info)
+{
+    auto const options = TRY(parse_usb_height_sensor_options(info.settings));
     auto device = TRY(open_usb_device(info));
     auto const place = find_place(device);
     if (!place)

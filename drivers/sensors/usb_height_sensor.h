@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace tractus {
@@ -21,16 +22,19 @@ struct UsbHeightSensorOptions {
     std::optional<HeightReference> reference {};
 };
 
+// "2000us,internal": the period, and supply or internal; nothing for the defaults. Fails, as the
+// user's fault, for other words.
+Result<UsbHeightSensorOptions> parse_usb_height_sensor_options(std::string_view settings);
+
 // Opens the station's own height sensor (firmware-notes/height-sensor-protocol.md) at
-// `info.location` ("usb:1-2.3") through libusb, has it stop, forgets what it had sent before, and
-// has it start: a report is one transfer as it came, as a rule one frame. It stops when the source
-// goes.
+// `info.location` ("usb:1-2.3") through libusb, with `info.settings` as options, has it stop,
+// forgets what it had sent before, and has it start: a report is one transfer as it came, as a rule
+// one frame. It stops when the source goes.
 //
 // Fails, as the user's fault, if it cannot be opened or refuses the options, and as the device's if
 // it is no such sensor or speaks another version. A read fails, as the device's fault, when it was
 // unplugged, whatever libusb calls that.
-Result<std::unique_ptr<ReportSource>>
-open_usb_height_sensor(DeviceInfo info, UsbHeightSensorOptions const& options = {});
+Result<std::unique_ptr<ReportSource>> open_usb_height_sensor(DeviceInfo info);
 
 // The way to such a sensor. The requests are those to its interface.
 class HeightSensorLink {

@@ -113,6 +113,25 @@ TEST(ReconnectingSource, FindsTheDeviceUnderAnotherName)
     EXPECT_EQ(bus.open_now, 1);
 }
 
+TEST(ReconnectingSource, KeepsWhatItsUserWantsOfTheDevice)
+{
+    Bus bus { .plugged = { pen_at("/dev/hidraw0") } };
+    auto means = reconnection(bus);
+    std::vector<std::string> settings;
+    means.open = [&settings, open = means.open](DeviceInfo info) {
+        settings.push_back(info.settings);
+        return open(std::move(info));
+    };
+    auto wanted = bus.plugged[0];
+    wanted.settings = "GP2";
+    auto const source = ReconnectingSource::open(wanted, means).value();
+    bus.plugged.clear();
+    EXPECT_EQ(reads(*source, 2), "g-");
+    bus.plugged = { pen_at("/dev/hidraw7") };
+    EXPECT_EQ(reads(*source, 2), "-r");
+    EXPECT_EQ(settings, (std::vector<std::string> { "GP2", "GP2" }));
+}
+
 TEST(ReconnectingSource, ComesBackAsOftenAsItGoes)
 {
     Bus bus { .plugged = { pen_at("/dev/hidraw0") } };

@@ -84,17 +84,17 @@ TEST_F(LabJackU3, ReadsItsFirstInput)
 TEST_F(LabJackU3, TellsWhoItIsAndItsCalibration)
 {
     auto const source = open().value();
-    EXPECT_EQ(source->info().name, "LabJack U3-LV AIN0, 3.7231e-05 V per count from 0 V");
-    EXPECT_EQ(source->info().serial_number, "320012345");
+    EXPECT_EQ(source->info().name,
+              "LabJack U3-LV 320012345, AIN0, 3.7231e-05 V per count from 0 V");
 }
 
 TEST_F(LabJackU3, ReadsTheHighVoltageInputsCalibration)
 {
     model = LabJackU3Model({ .is_high_voltage = true });
     EXPECT_EQ(open({ .channel = 2 }).value()->info().name,
-              "LabJack U3-HV AIN2, 0.000314 V per count from -10.3 V");
+              "LabJack U3-HV 320012345, AIN2, 0.000314 V per count from -10.3 V");
     EXPECT_EQ(open({ .channel = 4 }).value()->info().name,
-              "LabJack U3-HV AIN4, 3.7231e-05 V per count from 0 V");
+              "LabJack U3-HV 320012345, AIN4, 3.7231e-05 V per count from 0 V");
 }
 
 TEST_F(LabJackU3, MakesOnePinAnalogAndKeepsTheOthers)
@@ -183,6 +183,14 @@ TEST_F(LabJackU3, BlamesTheUserForAChannelThatIsNotThere)
     auto const source = open({ .channel = 16 });
     ASSERT_FALSE(source);
     EXPECT_EQ(source.error().fault, Fault::User);
+}
+
+TEST(LabJackU3Options, AreReadFromAnAddress)
+{
+    EXPECT_EQ(parse_labjack_u3_options("").value().channel, 0);
+    EXPECT_EQ(parse_labjack_u3_options("AIN15").value().channel, 15);
+    for (auto const* const wrong : { "AIN16", "AIN", "AIN-1", "FIO0", "AIN1x" })
+        EXPECT_FALSE(parse_labjack_u3_options(wrong)) << wrong;
 }
 
 TEST_F(LabJackU3, DecoderTellsAnErrorOfTheDevice)

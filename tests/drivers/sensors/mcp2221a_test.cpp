@@ -210,6 +210,22 @@ TEST_F(Mcp2221a, BlamesTheUserForAPinWithoutConverter)
     EXPECT_EQ(source.error().fault, Fault::User);
 }
 
+TEST(Mcp2221aOptions, AreReadFromAnAddress)
+{
+    auto const none = parse_mcp2221a_options("").value();
+    EXPECT_EQ(none.pin, 1);
+    EXPECT_EQ(none.reference, Mcp2221aReference::Supply);
+    auto const both = parse_mcp2221a_options("4.096V,GP3").value();
+    EXPECT_EQ(both.pin, 3);
+    EXPECT_EQ(both.reference, Mcp2221aReference::Volts4096);
+    auto const wrong = parse_mcp2221a_options("GP0");
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().fault, Fault::User);
+    EXPECT_EQ(wrong.error().message,
+              "'GP0' is no setting of the MCP2221A: expected GP1 to GP3, VDD, 1.024V, 2.048V or "
+              "4.096V");
+}
+
 TEST_F(Mcp2221a, DecoderRefusesWhatTheChipCannotSay)
 {
     auto const decoder = make_height_decoder(chip()).value();

@@ -160,6 +160,16 @@ TEST(UsbHeightSensor, SaysThatItWasUnplugged)
     EXPECT_FALSE(source->read(10ms));
 }
 
+TEST(UsbHeightSensor, ItsOptionsAreReadFromAnAddress)
+{
+    auto const options = parse_usb_height_sensor_options("2000us,internal").value();
+    EXPECT_EQ(options.period_us, 2000);
+    EXPECT_EQ(options.reference, HeightReference::Internal);
+    EXPECT_FALSE(parse_usb_height_sensor_options("").value().period_us);
+    for (auto const* const wrong : { "0us", "65536us", "us", "fast", "2ms" })
+        EXPECT_FALSE(parse_usb_height_sensor_options(wrong)) << wrong;
+}
+
 TEST(UsbHeightSensor, NeedsAnAddressOnUsb)
 {
     auto const source = open_usb_height_sensor({ .name = "Sensor", .location = "/dev/hidraw0" });
