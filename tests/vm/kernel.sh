@@ -38,7 +38,7 @@ cut_out_kernel() {
         | xz -dc --single-stream # Behind it stands its length.
 }
 
-# Makes build/vm/kernel, if it is not there: some 71 MB of download, 40 MB unpacked.
+# Makes build/vm/kernel, if it is not there: some 71 MB of download, 66 MB unpacked.
 fetch_kernel() {
     [ "$(cat "$kernel/folders" 2>/dev/null)" = "${kernel_module_folders[*]}" ] && return
     local part=$kernel.part
@@ -48,8 +48,8 @@ fetch_kernel() {
     dpkg-deb --fsys-tarfile "$part"/*.deb | tar -x -C "$part" --wildcards './boot/vmlinuz-*' \
         './lib/modules/*/modules.*' "${kernel_module_folders[@]/#/./lib/modules/*/kernel/}"
     (cd "$part/lib/modules" && echo *) >"$part/release"
-    cut_out_kernel "$part"/boot/vmlinuz-* >"$part/vmlinux"
-    depmod --basedir "$part" "$(<"$part/release")"
+    cut_out_kernel "$part"/boot/vmlinuz-* >"$part/vmlinux" || return
+    depmod --basedir "$part" "$(<"$part/release")" || return
     rm -rf "$part"/*.deb "$part/boot"
     echo "${kernel_module_folders[*]}" >"$part/folders"
     rm -rf "$kernel"
