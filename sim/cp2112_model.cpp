@@ -8,14 +8,12 @@ namespace tractus {
 
 namespace {
 
-// Report ids, and how long the reports are with them (AN495 section 5).
-enum : std::uint8_t {
-    kGpioConfiguration = 2, // Then: outputs, push-pull ones, special functions, clock divider.
-    kGetLines = 3,          // Then: levels.
-    kSetLines = 4,          // Then: levels, mask.
-    kVersion = 5,           // Then: part number, version.
-    kBusConfiguration = 6,
-};
+// Report ids, what stands behind them, and how long a report is with its id (AN495 section 5).
+constexpr std::uint8_t kGpioConfiguration = 2; // Outputs, push-pull ones, special ones, clock.
+constexpr std::uint8_t kGetLines = 3;          // Levels.
+constexpr std::uint8_t kSetLines = 4;          // Levels, mask.
+constexpr std::uint8_t kVersion = 5;           // Part number, version.
+constexpr std::uint8_t kBusConfiguration = 6;
 constexpr std::size_t kSetLinesBytes = 3;
 constexpr std::size_t kOutputs = 1; // In report 2.
 

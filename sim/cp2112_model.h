@@ -32,10 +32,11 @@ public:
     // As the kernel sees it: ids, name, and a report descriptor with these reports.
     static DeviceInfo info();
 
-    // The feature report of an id; no value for one that is not there, and while failing.
+    // The feature report of an id; no value for one that is not there, and for the lines' levels
+    // while readings fail.
     std::optional<std::vector<std::byte>> get_feature(std::uint8_t id) const;
 
-    // False for a report that is not there or too short, and while failing.
+    // False for a report that is not there or too short.
     bool set_feature(std::span<std::byte const> report);
 
     // From now on the device is as if its cable were bad: every reading of lines fails.
