@@ -2,6 +2,7 @@
 
 #include "app/console.h"
 #include "app/help.h"
+#include "app/verbs/calibrate.h"
 #include "app/verbs/convert.h"
 #include "app/verbs/decode.h"
 #include "app/verbs/demo.h"
@@ -82,6 +83,7 @@ static void add_verbs(CLI::App& root, Action& action)
     add_devices_verb(root, action);
     add_doctor_verb(root, action);
     add_watch_verb(root, action);
+    add_calibrate_verb(root, action);
     add_record_verb(root, action);
     add_sim_verb(root, action);
     add_decode_verb(root, action);

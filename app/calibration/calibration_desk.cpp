@@ -1,0 +1,251 @@
+#include "app/calibration/calibration_desk.h"
+
+#include "app/calibration/calibration_report.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fmt/core.h>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> kNames { "height", "travel", "latency", "zero", "check" };
+constexpr Duration kPenRest = std::chrono::milliseconds(500);
+constexpr double kPenStill_mm = 4;
+constexpr double kFarthest_mm = 10'000;
+
+Result<double> parse_height(std::string_view text)
+{
+    double height_mm = 0;
+    auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), height_mm);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(height_mm)
+        || std::abs(height_mm) > kFarthest_mm)
+        return fail(Fault::User,
+                    fmt::format("\"{}\" is no height: give millimetres, such as 120.5", text));
+    return height_mm;
+}
+
+} // namespace
+
+std::string_view name_of(CalibrationProcedure procedure)
+{
+    return kNames[static_cast<std::size_t>(procedure)];
+}
+
+bool takes_captures(CalibrationProcedure procedure)
+{
+    return procedure != CalibrationProcedure::Travel && procedure != CalibrationProcedure::Latency;
+}
+
+Result<CalibrationDesk> CalibrationDesk::create(std::span<DeviceInfo const> devices,
+                                                Options options)
+{
+    CalibrationDesk desk(std::move(options));
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        if (!desk.pen_decoder_)
+            if (auto pen = make_pen_decoder(devices[i])) {
+                desk.pen_decoder_ = *std::move(pen);
+                desk.pen_device_ = i;
+                continue;
+            }
+        if (!desk.height_decoder_)
+            if (auto height = make_height_decoder(devices[i])) {
+                desk.height_decoder_ = *std::move(height);
+                desk.height_device_ = i;
+                desk.sensor_ = identity_of(devices[i]);
+            }
+    }
+    if (!desk.height_decoder_)
+        return fail(Fault::User, "there is no height sensor to calibrate: connect it, or name it "
+                                 "with --device");
+    if (!desk.pen_decoder_ && !takes_captures(desk.procedure()))
+        return fail(Fault::User,
+                    fmt::format("there is no pen, and {} needs one: connect the tablet, or name it "
+                                "with --device",
+                                name_of(desk.procedure())));
+    return desk;
+}
+
+void CalibrationDesk::push(std::size_t device, Timestamp received,
+                           std::span<std::byte const> report)
+{
+    if (pen_decoder_ && device == pen_device_) {
+        if (auto const sample = pen_decoder_->decode(received, report); sample && *sample)
+            push_pen(**sample);
+    } else if (device == height_device_) {
+        new_heights_.clear();
+        (void)height_decoder_->decode(received, report, new_heights_); // The good ones are there.
+        for (auto const& sample : new_heights_)
+            push_height(sample);
+    }
+}
+
+void CalibrationDesk::push_pen(PenSample const& sample)
+{
+    pen_ = sample;
+    if (!sample.touching)
+        touch_.reset();
+    else if (!touch_ || (sample.position_mm - touch_->position_mm).norm() > kPenStill_mm) {
+        touch_ = sample;
+        is_rest_told_ = false;
+    }
+    if (!takes_captures(procedure()) && is_moving_) {
+        pens_.push_back(sample);
+        touches_ += sample.touching;
+    }
+}
+
+void CalibrationDesk::push_height(HeightSample const& sample)
+{
+    recent_.add(sample);
+    if (!takes_captures(procedure()))
+        heights_.push_back(sample);
+    if (!pending_ || sample.time < pending_->begin)
+        return;
+    if (sample.time - pending_->begin < kCaptureTime)
+        pending_->samples.push_back(sample);
+    else
+        close_capture();
+}
+
+void CalibrationDesk::close_capture()
+{
+    auto const pending = *std::exchange(pending_, {});
+    auto const capture = capture_at_rest(pending.samples, pending.ruler_mm);
+    if (!capture) {
+        refusal_ = fmt::format("the capture at {:g} mm: {}", pending.ruler_mm,
+                               capture.error().message);
+        return;
+    }
+    refusal_.clear();
+    captures_.push_back(*capture);
+    tell_directions(captures_);
+}
+
+bool CalibrationDesk::take_pen_rest()
+{
+    if (!touch_ || is_rest_told_ || pen_->time - touch_->time < kPenRest)
+        return false;
+    is_rest_told_ = true;
+    return true;
+}
+
+Result<void> CalibrationDesk::capture(Timestamp time, std::string_view height)
+{
+    if (pending_)
+        return fail(Fault::User, "a capture is under way: wait a second for its end");
+    pending_ = Pending { .ruler_mm = TRY(parse_height(height)), .begin = time };
+    return {};
+}
+
+Result<void> CalibrationDesk::command(Timestamp time, std::string_view words)
+{
+    constexpr std::string_view kCapture = "capture ";
+    if (last_command_ && time < *last_command_)
+        return fail(Fault::User,
+                    fmt::format("\"{}\" at {:.3f} s comes after a command at {:.3f} s: captures "
+                                "are out of order, so the log was changed; record it again",
+                                words, to_seconds(time), to_seconds(*last_command_)));
+    last_command_ = time;
+    if (takes_captures(procedure()) && words.starts_with(kCapture))
+        return capture(time, words.substr(kCapture.size()));
+    if (takes_captures(procedure()) && words == "undo") {
+        if (refusal_.empty() && !captures_.empty())
+            captures_.pop_back();
+        refusal_.clear();
+        return {};
+    }
+    if (!takes_captures(procedure()) && (words == "begin" || words == "end")) {
+        is_moving_ = words == "begin";
+        if (is_moving_) { // What was before does not count.
+            pens_.clear();
+            touches_ = 0;
+        }
+        return {};
+    }
+    return fail(Fault::User,
+                fmt::format("\"{}\" is no command of calibrate {}: expected {}", words,
+                            name_of(procedure()),
+                            takes_captures(procedure()) ? "capture MM or undo" : "begin or end"));
+}
+
+Result<CalibrationOutcome> CalibrationDesk::finish(std::string const& date) const
+{
+    if (pending_)
+        return fail(Fault::Device,
+                    fmt::format("the readings end before the capture at {:g} mm does: check that "
+                                "the height sensor sends, then capture it again",
+                                pending_->ruler_mm));
+    if (!refusal_.empty())
+        return fail(Fault::User, refusal_);
+    switch (procedure()) {
+    case CalibrationProcedure::Height:
+        return finish_height(date);
+    case CalibrationProcedure::Travel:
+        return finish_travel(date);
+    case CalibrationProcedure::Latency:
+        return finish_latency(date);
+    case CalibrationProcedure::Zero:
+        return finish_zero();
+    case CalibrationProcedure::Check:
+        return finish_check(date);
+    }
+    return CalibrationOutcome {};
+}
+
+Result<CalibrationOutcome> CalibrationDesk::finish_height(std::string const& date) const
+{
+    HeightCalibration const calibration { .fit = TRY(fit_height(captures_, options_.height)),
+                                          .captures = captures_,
+                                          .options = options_.height,
+                                          .full_scale_counts = height_decoder_->full_scale(),
+                                          .sensor = sensor_ };
+    CalibrationOutcome outcome { .rig = with_height(options_.rig, calibration, date),
+                                 .height_fit = calibration.fit };
+    if (pen_decoder_ && !pen_decoder_->traits().is_size_assumed)
+        outcome.rig.tablet_size_mm = pen_decoder_->traits().size_mm;
+    outcome.report = describe(calibration, outcome.rig);
+    return outcome;
+}
+
+Result<CalibrationOutcome> CalibrationDesk::finish_travel(std::string const& date) const
+{
+    auto const fit = TRY(fit_travel(pens_, heights_, options_.rig));
+    return CalibrationOutcome { .rig = with_travel(options_.rig, fit, date),
+                                .report = describe(fit) };
+}
+
+Result<CalibrationOutcome> CalibrationDesk::finish_latency(std::string const& date) const
+{
+    auto const fit = TRY(fit_latency(pens_, heights_, options_.rig));
+    CalibrationOutcome outcome { .rig = with_latency(options_.rig, fit, date) };
+    outcome.report = describe(fit, outcome.rig);
+    return outcome;
+}
+
+Result<CalibrationOutcome> CalibrationDesk::finish_zero() const
+{
+    if (captures_.empty())
+        return fail(Fault::User, "nothing was captured: set the surface to a known height, let it "
+                                 "rest and capture it");
+    auto const& capture = captures_.back();
+    auto const before = height_mm(options_.rig.height_model, capture.counts);
+    CalibrationOutcome outcome {
+        .rig = TRY(zeroed(options_.rig, capture, height_decoder_->full_scale()))
+    };
+    outcome.report = fmt::format("zero: what was {:.2f} mm is {:g} mm now; the scale is as it was\n",
+                                 before.value_or(0), capture.ruler_mm);
+    return outcome;
+}
+
+Result<CalibrationOutcome> CalibrationDesk::finish_check(std::string const& date) const
+{
+    auto const check = TRY(check_height(captures_, height_decoder_->full_scale(), options_.rig));
+    return CalibrationOutcome { .rig = with_check(options_.rig, check, date),
+                                .report = describe(check) };
+}
+
+} // namespace tractus

@@ -1,0 +1,135 @@
+#pragma once
+
+#include "calib/calibrate.h"
+#include "calib/height_capture.h"
+#include "calib/rig.h"
+#include "drivers/device_info.h"
+#include "drivers/height_decoder.h"
+#include "drivers/pen_decoder.h"
+#include "engine/base/result.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tractus {
+
+// What a person calibrates.
+enum class CalibrationProcedure {
+    Height,  // What the sensor's readings mean.
+    Travel,  // How the surface moves aside while it rises.
+    Latency, // How much later the pen arrives than the height.
+    Zero,    // Where height zero is; the scale stays.
+    Check,   // Nothing: tells how exact the rig is.
+};
+
+std::string_view name_of(CalibrationProcedure procedure); // "height", "travel", …
+
+// Whether a procedure consists of captures at rest; the others are one movement, from begin to end.
+bool takes_captures(CalibrationProcedure procedure);
+
+// What came of a procedure.
+struct CalibrationOutcome {
+    Rig rig {};                             // With what was found out, and its record.
+    std::optional<HeightFit> height_fit {}; // After Height.
+    std::string report {};                  // For the person; lines that end in a line break.
+};
+
+// A calibration under way: devices' reports and a person's commands in, a rig out. Live devices,
+// simulated ones and a log go through it alike: it is told the time with everything, and a log of
+// what it was told gives the same rig. Commands are words, as they stand behind "calibrate" in a
+// log's tool lines:
+//
+//     capture 120.5    the surface is at 120.5 mm and rests; what the sensor sends from now on for
+//                      kCaptureTime is the capture
+//     undo             the last capture was wrong
+//     begin, end       of the movement of travel and latency; in a log without them it is all of it
+class CalibrationDesk {
+public:
+    struct Options {
+        CalibrationProcedure procedure = CalibrationProcedure::Height;
+        Rig rig {}; // As it was so far.
+        HeightFitOptions height {};
+    };
+
+    // Takes the first pen and the first height sensor. Fails, as the user's fault, if one that the
+    // procedure needs is not there.
+    static Result<CalibrationDesk> create(std::span<DeviceInfo const> devices, Options options);
+
+    // One report of one of the devices, in the order of their times. Broken ones are left out.
+    void push(std::size_t device, Timestamp received, std::span<std::byte const> report);
+
+    // Fails, as the user's fault, for words that mean nothing here, and for times that go back.
+    Result<void> command(Timestamp time, std::string_view words);
+
+    // What is wrong with the last capture: a sentence that says what to do. Empty if nothing is.
+    std::string const& refusal() const { return refusal_; }
+    bool is_capturing() const { return pending_.has_value(); }
+    bool is_moving() const { return is_moving_; } // Between begin and end.
+
+    CalibrationProcedure procedure() const { return options_.procedure; }
+    Rig const& rig() const { return options_.rig; }
+    std::vector<HeightCapture> const& captures() const { return captures_; }
+    std::optional<HeightReading> reading() const { return recent_.reading(); }
+    std::optional<PenSample> const& pen() const { return pen_; } // The last one.
+    std::size_t touches() const { return touches_; }             // Of the movement, so far.
+
+    // When the pen has touched for a while without moving, once for each touch: a person's sign
+    // that the surface rests. The time is that of the data.
+    bool take_pen_rest();
+
+    // What follows from everything so far. Fails as the procedure's fit does, and if a capture was
+    // refused and not made again.
+    Result<CalibrationOutcome> finish(std::string const& date) const;
+
+private:
+    struct Pending {
+        double ruler_mm = 0;
+        Timestamp begin {};
+        std::vector<HeightSample> samples {};
+    };
+
+    explicit CalibrationDesk(Options options)
+        : options_(std::move(options))
+    {
+    }
+
+    void push_pen(PenSample const& sample);
+    void push_height(HeightSample const& sample);
+    void close_capture();
+    Result<void> capture(Timestamp time, std::string_view height);
+    Result<CalibrationOutcome> finish_height(std::string const& date) const;
+    Result<CalibrationOutcome> finish_travel(std::string const& date) const;
+    Result<CalibrationOutcome> finish_latency(std::string const& date) const;
+    Result<CalibrationOutcome> finish_zero() const;
+    Result<CalibrationOutcome> finish_check(std::string const& date) const;
+
+    Options options_;
+    std::unique_ptr<PenDecoder> pen_decoder_;
+    std::size_t pen_device_ = 0;
+    std::unique_ptr<HeightDecoder> height_decoder_;
+    std::size_t height_device_ = 0;
+    SensorIdentity sensor_;
+
+    RecentReadings recent_;
+    std::vector<HeightSample> new_heights_; // Kept for its memory.
+    std::optional<Pending> pending_;
+    std::vector<HeightCapture> captures_;
+    std::string refusal_;
+    std::optional<Timestamp> last_command_;
+
+    std::optional<PenSample> pen_;
+    std::optional<PenSample> touch_; // The present touch's first sample.
+    bool is_rest_told_ = false;
+
+    bool is_moving_ = true; // In a log without begin and end, always.
+    std::size_t touches_ = 0;
+    std::vector<PenSample> pens_; // Of travel and latency.
+    std::vector<HeightSample> heights_;
+};
+
+} // namespace tractus

@@ -1,0 +1,117 @@
+#include "app/calibration/calibration_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+namespace tractus {
+
+namespace {
+
+std::string describe_candidates(HeightFit const& fit)
+{
+    std::string text;
+    for (auto const& candidate : fit.candidates)
+        text += fmt::format("  {:8} {:2} parameters, residuals {:.3f} mm RMS{}{}\n",
+                            name_of(candidate.kind), candidate.parameters, candidate.rms_mm,
+                            candidate.slipped ? fmt::format(", {} left out", candidate.slipped)
+                                              : "",
+                            candidate.p_value ? fmt::format(", p = {:.2g}", *candidate.p_value)
+                                              : "");
+    return text;
+}
+
+std::string describe_slips(HeightCalibration const& calibration)
+{
+    std::string text;
+    for (auto const slipped : calibration.fit.slipped)
+        text += fmt::format("  capture {} at {:g} mm is off by {:+.1f} mm and was left out: measure "
+                            "it again\n",
+                            slipped + 1, calibration.captures[slipped].ruler_mm,
+                            calibration.fit.residuals_mm[slipped]);
+    return text;
+}
+
+// Whether something is left to be done, though the fit is made.
+std::string describe_doubts(HeightCalibration const& calibration)
+{
+    auto const& fit = calibration.fit;
+    auto const used = calibration.captures.size() - fit.slipped.size();
+    auto const parameters = static_cast<std::size_t>(parameters_of(fit.model).size());
+    std::string text;
+    if (used <= parameters)
+        text += "  the captures are as few as the model's parameters, so nothing checks it: take "
+                "five or more\n";
+    else if (fit.capture_error_mm > 3 * calibration.options.ruler_error_mm)
+        text += fmt::format("  the residuals are {:.0f} times the ruler's error: the model does not "
+                            "suit the sensor, or the captures are too few to tell a better one\n",
+                            fit.capture_error_mm / calibration.options.ruler_error_mm);
+    if (fit.hysteresis && std::abs(fit.hysteresis->mm) > 3 * fit.hysteresis->standard_error_mm
+        && std::abs(fit.hysteresis->mm) > 0.5)
+        text += "  up and down differ: look for slack in the string and play in its ends\n";
+    return text;
+}
+
+} // namespace
+
+std::string describe(HeightCalibration const& calibration, Rig const& rig)
+{
+    auto const& fit = calibration.fit;
+    auto const& record = rig.calibration.height.value();
+    auto text = fmt::format("height: {}\n", fit.reason) + describe_candidates(fit);
+    for (auto const& parameter : fit.parameters)
+        text += fmt::format("  {} = {:.6g} ± {:.2g}\n", parameter.name, parameter.value,
+                            parameter.standard_error);
+    text += describe_slips(calibration);
+    text += fmt::format("  residuals: {:.2f} mm RMS, {:.2f} mm at most\n", fit.rms_mm, fit.max_mm);
+    if (fit.hysteresis)
+        text += fmt::format("  up against down: {:+.2f} ± {:.2f} mm\n", fit.hysteresis->mm,
+                            fit.hysteresis->standard_error_mm);
+    text += fmt::format("  noise at rest: {:.2f} counts, {:.3f} mm at the bottom, {:.3f} mm at the "
+                        "top\n",
+                        fit.noise_counts, fit.noise_counts * record.mm_per_count.x(),
+                        fit.noise_counts * record.mm_per_count.y());
+    text += fmt::format("  resolution: {:.3g} mm per count at the bottom, {:.3g} at the top\n",
+                        record.mm_per_count.x(), record.mm_per_count.y());
+    text += fmt::format("  calibrated from {:.1f} to {:.1f} mm, with {} captures\n", fit.low_mm,
+                        fit.high_mm, calibration.captures.size());
+    return text + describe_doubts(calibration);
+}
+
+std::string describe(TravelFit const& fit)
+{
+    return fmt::format("travel: per metre of rise the surface drifts {:+.2f} ± {:.2f} mm to the "
+                       "right and {:+.2f} ± {:.2f} mm away\n"
+                       "  its way is tilted by {:.3f} ± {:.3f} degrees against the tablet's normal\n"
+                       "  {} touches over {:.0f} mm, {:.2f} mm off the edge\n",
+                       1000 * fit.shear.x(), 1000 * fit.shear_error.x(), 1000 * fit.shear.y(),
+                       1000 * fit.shear_error.y(), degrees(fit.tilt_rad),
+                       degrees(fit.tilt_error_rad), fit.touches, fit.rise_mm, fit.rms_mm);
+}
+
+std::string describe(LatencyFit const& fit, Rig const& rig)
+{
+    return fmt::format("latency: the pen arrives {:.2f} ± {:.2f} ms {} than the height\n"
+                       "  so the tablet's latency is {:.2f} ms and the height sensor's {:.2f} ms\n"
+                       "  {} touches over {:.0f} mm, {:.2f} mm off the edge, correlation {:.5f}\n",
+                       std::abs(fit.delay_ms), fit.error_ms, fit.delay_ms < 0 ? "earlier" : "later",
+                       1000 * to_seconds(rig.tablet_latency), 1000 * to_seconds(rig.height_latency),
+                       fit.touches, fit.run_mm, fit.rms_mm, fit.correlation);
+}
+
+std::string describe(HeightCheck const& check)
+{
+    auto text = quote(check) + "\n";
+    for (std::size_t i = 0; i < check.heights_mm.size(); ++i)
+        text += fmt::format("  at {:g} mm: {:+.2f} mm\n", check.heights_mm[i], check.errors_mm[i]);
+    if (!check.known_mm.empty())
+        text += fmt::format("  {} mm was used for the fit, which proves less: check other heights\n",
+                            fmt::join(check.known_mm, ", "));
+    if (!check.outside_mm.empty())
+        text += fmt::format("  {} mm is outside the calibrated range\n",
+                            fmt::join(check.outside_mm, ", "));
+    return text;
+}
+
+} // namespace tractus

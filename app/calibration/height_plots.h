@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/calibration/plot.h"
+#include "calib/height_fit.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+// Four diagrams of a height calibration: the fit with its captures, the residuals with the bands in
+// which they should lie, up against down, and how readings scatter at rest.
+std::vector<Plot> height_plots(HeightFit const& fit, std::span<HeightCapture const> captures,
+                               std::int32_t full_scale_counts);
+
+} // namespace tractus

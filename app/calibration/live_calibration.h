@@ -1,0 +1,52 @@
+#pragma once
+
+#include "app/calibration/calibration_desk.h"
+#include "app/live_devices.h"
+#include "app/live_recorder.h"
+#include "engine/base/result.h"
+#include "engine/base/time.h"
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// A person at a terminal, or a script that writes to standard input in one's place. Characters:
+//
+//     digits, point, minus   a height; backspace takes one back
+//     Enter                  captures there, or begins and ends the movement
+//     u                      the last capture was wrong
+//     f                      done: fit
+//     q                      away, and nothing is changed
+struct CalibrationPerson {
+    std::function<std::optional<char>()> key; // No value: none now. '\4' is the input's end: f.
+    std::function<void(std::string const&)> say; // A line, without its break.
+    std::function<void(std::string const&)> show; // What the line under all others says now.
+    bool is_script = false; // Nobody is there to try again: what is refused is a failure.
+};
+
+struct LiveCalibrationOptions {
+    std::vector<double> heights_mm {}; // To be captured in this order; empty: the person says them.
+    LiveRecorder* recorder = nullptr;  // Not owned; null: nothing is recorded.
+    Timestamp start {};                // Of the recording.
+    std::function<Timestamp()> now {};
+    std::function<void(Duration)> rest {};
+};
+
+// Lets a person calibrate with live devices until the end: heights are captured at Enter, or when
+// the pen has rested on the tablet. The desk sees times as a log has them, so that the recording
+// gives the same rig. True when all was done, false when the person went away or `stop` was set.
+// Fails if the devices end before, if the recording cannot be written, and, with a script, if a
+// capture is refused.
+Result<bool> calibrate_live(CalibrationDesk& desk, LiveDevices& devices,
+                            CalibrationPerson const& person, LiveCalibrationOptions const& options,
+                            std::atomic<bool> const& stop);
+
+// What the reading is like, in one line for the screen: "2034 counts (49.7 %), noise 1.0, at rest,
+// 123.4 mm".
+std::string describe_reading(CalibrationDesk const& desk);
+
+} // namespace tractus

@@ -1,0 +1,40 @@
+#include "app/calibration/log_calibration.h"
+
+#include <fmt/core.h>
+
+namespace tractus {
+
+static Result<CalibrationOutcome> run(Log const& log, CalibrationDesk::Options options,
+                                      std::string const& date)
+{
+    auto desk = TRY(CalibrationDesk::create(log.devices, std::move(options)));
+    std::size_t next_tool = 0;
+    auto const give_commands_before = [&](std::size_t position) -> Result<void> {
+        for (; next_tool < log.tools.size() && log.tools[next_tool].position <= position;
+             ++next_tool) {
+            auto const& line = log.tools[next_tool];
+            if (line.tool == kCalibrateTool)
+                TRY(desk.command(line.time, line.arguments));
+        }
+        return {};
+    };
+    for (std::size_t i = 0; i < log.records.size(); ++i) {
+        auto const& record = log.records[i];
+        TRY(give_commands_before(i));
+        desk.push(record.device, record.time, log.report(record));
+    }
+    TRY(give_commands_before(log.records.size()));
+    return desk.finish(date);
+}
+
+Result<CalibrationOutcome> calibrate_from_log(Log const& log, CalibrationDesk::Options options,
+                                              std::string const& date)
+{
+    auto outcome = run(log, std::move(options), date);
+    if (!outcome)
+        return fail(outcome.error().fault,
+                    fmt::format("{}: {}", log.name, outcome.error().message));
+    return outcome;
+}
+
+} // namespace tractus

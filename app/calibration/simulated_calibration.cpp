@@ -1,0 +1,145 @@
+#include "app/calibration/simulated_calibration.h"
+
+#include "app/calibration/log_calibration.h"
+#include "drivers/log_writer.h"
+
+#include <fmt/core.h>
+#include <string>
+
+namespace tractus {
+
+namespace {
+
+constexpr Duration kUntilCapture = std::chrono::milliseconds(700); // After the pen came to rest.
+
+struct Command {
+    Timestamp time {};
+    std::string words;
+};
+
+// What the person does: what the hand draws, and how it is said.
+struct Performance {
+    std::vector<HandStroke> strokes;
+    std::vector<std::string> words; // One per stroke for captures.
+};
+
+// A line too short and slow to be one: a pen that is held still for two seconds.
+HandStroke hold_still(double height_mm)
+{
+    return { .path = make_path(LineShape { { 20, -10, height_mm }, { 22, -10, height_mm } }),
+             .speed_mm_s = 1 };
+}
+
+Performance captures(SimulatedCalibration const& calibration)
+{
+    auto const aimed_mm = calibration.heights_mm.empty()
+        ? proposed_heights_mm(calibration.procedure)
+        : calibration.heights_mm;
+    Performance performance;
+    for (auto const& height : set_heights(aimed_mm, calibration.person)) {
+        performance.strokes.push_back(hold_still(height.true_mm));
+        performance.words.push_back(fmt::format("capture {}", height.said_mm));
+    }
+    return performance;
+}
+
+Performance follow_edge(Vec3 const& low_mm, Vec3 const& high_mm)
+{
+    constexpr int kTimes = 4;
+    constexpr double kSpeed_mm_s = 180;
+    Performance performance;
+    for (int i = 0; i < kTimes; ++i) {
+        performance.strokes.push_back(
+            { .path = make_path(LineShape { low_mm, high_mm }), .speed_mm_s = kSpeed_mm_s });
+        performance.strokes.push_back(
+            { .path = make_path(LineShape { high_mm, low_mm }), .speed_mm_s = kSpeed_mm_s });
+    }
+    return performance;
+}
+
+Performance perform(SimulatedCalibration const& calibration)
+{
+    double const top_mm = calibration.geometry.travel_mm - 20;
+    switch (calibration.procedure) {
+    case CalibrationProcedure::Travel:
+        return follow_edge({ 10, 5, 20 }, { 10, 5, top_mm });
+    case CalibrationProcedure::Latency:
+        return follow_edge({ -70, -20, 60 }, { 70, 20, 60 + 0.6 * top_mm });
+    default:
+        return captures(calibration);
+    }
+}
+
+std::vector<Command> commands_of(Performance const& performance, Hand const& hand)
+{
+    std::vector<Command> commands;
+    for (std::size_t i = 0; i < performance.words.size(); ++i)
+        commands.push_back({ hand.strokes()[i].down + kUntilCapture, performance.words[i] });
+    if (performance.words.empty()) {
+        commands.push_back({ hand.strokes().front().chosen, "begin" });
+        commands.push_back({ hand.strokes().back().up, "end" });
+    }
+    return commands;
+}
+
+Result<void> check_heights(Performance const& performance, RigGeometry const& geometry)
+{
+    for (auto const& stroke : performance.strokes) {
+        double const height_mm = stroke.path.points_mm().front().z();
+        double const counts = ideal_counts(geometry, height_mm);
+        if (height_mm < -geometry.string_base_mm || counts < 0
+            || counts > geometry.full_scale_counts)
+            return fail(Fault::User,
+                        fmt::format("the simulated rig has no height of {:.0f} mm: it travels from "
+                                    "0 to {} mm",
+                                    height_mm, geometry.travel_mm));
+    }
+    return {};
+}
+
+} // namespace
+
+std::vector<double> proposed_heights_mm(CalibrationProcedure procedure)
+{
+    switch (procedure) {
+    case CalibrationProcedure::Height:
+        return { 0, 60, 200, 400, 300, 120, 20 };
+    case CalibrationProcedure::Check:
+        return { 40, 90, 160, 250, 350 };
+    case CalibrationProcedure::Zero:
+        return { 0 };
+    default:
+        return {};
+    }
+}
+
+RigGeometry simulated_geometry()
+{
+    RigGeometry geometry;
+    geometry.travel_shear = { 0.012, -0.007 };
+    return geometry;
+}
+
+Result<void> write_simulated_calibration(std::ostream& out, SimulatedCalibration const& calibration)
+{
+    auto const performance = perform(calibration);
+    TRY(check_heights(performance, calibration.geometry));
+    Hand const hand(performance.strokes,
+                    { .seed = calibration.person.seed, .height_tremor_mm = 0.02 });
+    SimulatedRigOptions options { .geometry = calibration.geometry,
+                                  .seed = calibration.person.seed };
+    options.height.noise_counts = calibration.person.noise_counts;
+    auto const run = simulate_rig(hand, options);
+
+    LogWriter log(out, { .devices = { run.tablet.info, run.height.info } });
+    auto const commands = commands_of(performance, hand);
+    std::size_t next = 0;
+    for (auto const& arrived : run.in_order_of_arrival()) {
+        for (; next < commands.size() && commands[next].time <= arrived.report->received; ++next)
+            log.write_tool(commands[next].time, kCalibrateTool, commands[next].words);
+        log.write_report(arrived.device, arrived.report->received, arrived.report->bytes());
+    }
+    return log.flush();
+}
+
+} // namespace tractus

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/calibration/calibration_desk.h"
+#include "engine/base/result.h"
+#include "sim/simulated_person.h"
+#include "sim/simulated_rig.h"
+
+#include <ostream>
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+// The heights at which the simulated person captures, and which the program proposes: closer
+// together at the bottom, where a string runs aslant and a slip would pass for another string.
+// Millimetres; none for travel and latency.
+std::vector<double> proposed_heights_mm(CalibrationProcedure procedure);
+
+struct SimulatedCalibration {
+    CalibrationProcedure procedure = CalibrationProcedure::Height;
+    std::vector<double> heights_mm {}; // Empty: the proposed ones.
+    PersonOptions person {};           // The devices have its seed, too.
+    RigGeometry geometry {};
+};
+
+// A rig whose surface moves a little aside, as real ones do.
+RigGeometry simulated_geometry();
+
+// Lets a simulated person calibrate the simulated rig, and writes the log that a recording of it
+// would have given, commands included. At each height the person holds the pen still on the tablet
+// as well, as a sign that the surface rests. Travel follows an upright edge, latency an inclined
+// one. A pure function. Fails, as the user's fault, for heights out of the rig's reach.
+Result<void> write_simulated_calibration(std::ostream& out, SimulatedCalibration const& calibration);
+
+} // namespace tractus

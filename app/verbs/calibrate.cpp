@@ -1,0 +1,309 @@
+#include "app/verbs/calibrate.h"
+
+#include "app/calibration/calibration_desk.h"
+#include "app/calibration/height_plots.h"
+#include "app/calibration/live_calibration.h"
+#include "app/calibration/log_calibration.h"
+#include "app/calibration/plot_svg.h"
+#include "app/calibration/simulated_calibration.h"
+#include "app/console.h"
+#include "app/live_devices.h"
+#include "app/live_recorder.h"
+#include "app/live_recording.h"
+#include "app/terminal_keys.h"
+#include "app/verbs/checks.h"
+#include "calib/rig_file.h"
+#include "drivers/file.h"
+#include "drivers/log.h"
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <ctime>
+#include <filesystem>
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+#include <memory>
+#include <sstream>
+
+namespace tractus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+    CalibrationProcedure procedure = CalibrationProcedure::Height;
+    std::string rig;
+    std::string log;
+    std::vector<std::string> devices;
+    bool simulate = false;
+    std::uint64_t seed = 1;
+    std::string record;
+    std::vector<double> heights_mm;
+    std::string model;
+    double ruler_error_mm = 0.3;
+};
+
+std::atomic<bool> stop_asked = false;
+
+void ask_to_stop(int)
+{
+    stop_asked = true;
+}
+
+std::string today()
+{
+    return fmt::format("{:%Y-%m-%d}", fmt::localtime(std::time(nullptr)));
+}
+
+// The rig so far: its file, else the log's, else one that height makes from nothing.
+Result<Rig> load_start(Arguments const& arguments, std::string const& log_rig)
+{
+    std::error_code error;
+    if (fs::exists(arguments.rig, error))
+        return load_rig(arguments.rig);
+    if (!log_rig.empty())
+        return parse_rig(log_rig, arguments.log);
+    if (arguments.procedure == CalibrationProcedure::Height)
+        return Rig {};
+    return fail(Fault::User,
+                fmt::format("{} is not there, and calibrate {} needs the heights in it: use "
+                            "\"tractus calibrate height --rig {}\" first",
+                            arguments.rig, name_of(arguments.procedure), arguments.rig));
+}
+
+CalibrationDesk::Options desk_options(Arguments const& arguments, Rig rig)
+{
+    CalibrationDesk::Options options { .procedure = arguments.procedure, .rig = std::move(rig) };
+    options.height.ruler_error_mm = arguments.ruler_error_mm;
+    if (!arguments.model.empty())
+        options.height.kind = parse_height_model_kind(arguments.model);
+    return options;
+}
+
+Result<CalibrationOutcome> from_log(Arguments const& arguments)
+{
+    auto const log = TRY(read_log(arguments.log));
+    auto rig = TRY(load_start(arguments, log.rig_text));
+    return calibrate_from_log(log, desk_options(arguments, std::move(rig)), today());
+}
+
+Result<CalibrationOutcome> from_simulation(Arguments const& arguments)
+{
+    auto rig = TRY(load_start(arguments, {}));
+    SimulatedCalibration simulated { .procedure = arguments.procedure,
+                                     .heights_mm = arguments.heights_mm,
+                                     .geometry = simulated_geometry() };
+    simulated.person.seed = arguments.seed;
+    std::ostringstream text;
+    TRY(write_simulated_calibration(text, simulated));
+    if (!arguments.record.empty()) {
+        TRY(check_new_file(arguments.record));
+        TRY(write_file(arguments.record, text.str()));
+    }
+    auto const log = TRY(parse_log(text.str(), "simulated"));
+    return calibrate_from_log(log, desk_options(arguments, std::move(rig)), today());
+}
+
+CalibrationPerson person_at(TerminalKeys& keys)
+{
+    bool const has_screen = keys.is_terminal();
+    return {
+        .key = [&keys] { return keys.read(); },
+        .say =
+            [has_screen](std::string const& line) {
+                print_error((has_screen ? "\r\x1b[K" : "") + line + "\n");
+            },
+        .show =
+            [has_screen](std::string const& line) {
+                if (has_screen)
+                    print_error("\r\x1b[K" + line);
+            },
+        .is_script = !has_screen,
+    };
+}
+
+Result<LiveDevices> open_devices(std::vector<std::string> const& names)
+{
+    if (!names.empty())
+        return LiveDevices::open_named(names);
+    auto const found = find_pens_and_height_sensors();
+    if (found.empty())
+        return fail(Fault::User, "there is no height sensor to calibrate: \"tractus doctor\" says "
+                                 "why; the simulated rig is calibrated with --simulate");
+    return LiveDevices::open(found);
+}
+
+// No value if the person went away.
+Result<std::optional<CalibrationOutcome>> from_devices(Arguments const& arguments)
+{
+    auto rig = TRY(load_start(arguments, {}));
+    auto devices = TRY(open_devices(arguments.devices));
+    auto const clock = live_recording_by_the_clock({});
+    LiveCalibrationOptions options { .heights_mm = arguments.heights_mm,
+                                     .start = clock.now(),
+                                     .now = clock.now,
+                                     .rest = clock.rest };
+    std::unique_ptr<LiveRecorder> recorder;
+    if (!arguments.record.empty()) {
+        std::error_code error;
+        LogHeader const header { .devices = devices.infos(),
+                                 .rig_text = fs::exists(arguments.rig, error) ? print_rig(rig) : "",
+                                 .start = options.start };
+        recorder = std::make_unique<LiveRecorder>(
+            TRY(LiveRecorder::create(arguments.record, header)));
+        options.recorder = recorder.get();
+    }
+    auto desk = TRY(CalibrationDesk::create(devices.infos(), desk_options(arguments, std::move(rig))));
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+    bool is_done = false;
+    {
+        TerminalKeys keys;
+        is_done = TRY(calibrate_live(desk, devices, person_at(keys), options, stop_asked));
+        if (keys.is_terminal())
+            print_error("\n");
+    }
+    if (!is_done)
+        return std::optional<CalibrationOutcome>();
+    return std::optional<CalibrationOutcome>(TRY(desk.finish(today())));
+}
+
+// Beside my.rig.toml: my.rig.svg.
+fs::path picture_path(std::string const& rig)
+{
+    return fs::path(rig).replace_extension(".svg");
+}
+
+Result<void> write_picture(Arguments const& arguments, CalibrationOutcome const& outcome)
+{
+    auto const& record = outcome.rig.calibration.height.value();
+    auto const plots
+        = height_plots(*outcome.height_fit, record.captures, outcome.rig.full_scale_counts);
+    PlotSheet const sheet {
+        .title = "Height calibration",
+        .subtitle
+        = fmt::format("{} · {} · {} · calibrated from {:g} to {:g} mm",
+                      fs::path(arguments.rig).filename().string(), record.sensor.name, record.date,
+                      record.heights_mm.x(), record.heights_mm.y()),
+    };
+    return write_file(picture_path(arguments.rig), print_svg(sheet, plots));
+}
+
+Result<void> keep(Arguments const& arguments, CalibrationOutcome const& outcome)
+{
+    TRY(save_rig(outcome.rig, arguments.rig));
+    auto text = outcome.report + fmt::format("{}: written\n", arguments.rig);
+    if (outcome.height_fit) {
+        TRY(write_picture(arguments, outcome));
+        text += fmt::format("{}: its picture\n", picture_path(arguments.rig).string());
+    }
+    return print_out(text);
+}
+
+Result<void> calibrate(Arguments const& arguments)
+{
+    if (!arguments.log.empty())
+        return keep(arguments, TRY(from_log(arguments)));
+    if (arguments.simulate)
+        return keep(arguments, TRY(from_simulation(arguments)));
+    auto const outcome = TRY(from_devices(arguments));
+    if (!outcome)
+        return fail(Fault::User, fmt::format("stopped; {} is as it was", arguments.rig));
+    return keep(arguments, *outcome);
+}
+
+void add_source_options(CLI::App& verb, Arguments& arguments)
+{
+    auto* const log = verb.add_option("LOG", arguments.log,
+                                      "A recording of this calibration: it is done again; without "
+                                      "it, live devices are calibrated");
+    auto* const device
+        = verb.add_option("--device", arguments.devices,
+                          fmt::format("What to calibrate, each {}; without it, every pen and height "
+                                      "sensor that is found",
+                                      device_name_help()))
+              ->type_name("DEVICE...")
+              ->excludes(log);
+    auto* const simulate = verb.add_flag("--simulate", arguments.simulate,
+                                         "Let a simulated person calibrate the simulated rig")
+                               ->excludes(log, device);
+    verb.add_option("--seed", arguments.seed, "Of the simulated person's hand and the noise")
+        ->type_name("N")
+        ->check(seed_number())
+        ->capture_default_str()
+        ->needs(simulate);
+    verb.add_option("--record", arguments.record,
+                    "Record the calibration in this new .tractus-log, which gives the same rig "
+                    "again")
+        ->type_name("FILE")
+        ->excludes(log);
+}
+
+// One procedure as a verb of its own.
+CLI::App* add_procedure(CLI::App& parent, CalibrationProcedure procedure, std::string const& text,
+                        Action& action)
+{
+    auto arguments = std::make_shared<Arguments>();
+    arguments->procedure = procedure;
+    auto* const verb = parent.add_subcommand(std::string(name_of(procedure)), text);
+    verb->add_option("--rig", arguments->rig,
+                     "The rig's file, a .rig.toml; what was there is kept as .bak")
+        ->type_name("FILE")
+        ->required()
+        ->check(name_ending_in({ ".toml" }));
+    add_source_options(*verb, *arguments);
+    if (takes_captures(procedure))
+        verb->add_option("--heights", arguments->heights_mm,
+                         "The heights to capture, in their order; without it, they are typed")
+            ->type_name("MM,MM,...")
+            ->delimiter(',');
+    if (procedure == CalibrationProcedure::Height) {
+        verb->add_option("--model", arguments->model,
+                         "linear, string or monotone; without it, the simplest that the captures "
+                         "support")
+            ->type_name("MODEL")
+            ->check(one_of({ "linear", "string", "monotone" }));
+        verb->add_option("--ruler-error", arguments->ruler_error_mm,
+                         "How exactly the ruler is read: the standard deviation of a height")
+            ->type_name("MM")
+            ->check(number(0.01, 10))
+            ->capture_default_str();
+    }
+    verb->callback([arguments, &action] { action = [arguments] { return calibrate(*arguments); }; });
+    return verb;
+}
+
+} // namespace
+
+void add_calibrate_verb(CLI::App& root, Action& action)
+{
+    auto* const verb = root.add_subcommand(
+        "calibrate", "Find out what a rig's sensors mean, and how exactly");
+    verb->require_subcommand(1);
+    add_procedure(*verb, CalibrationProcedure::Height,
+                  "What the height sensor's readings mean: set the surface to known heights", action)
+        ->footer("Five heights or more are advised, up and down, closer together where the string "
+                 "runs\naslant: 0, 60, 200, 400, 300, 120, 20. Enter captures, u takes back, f fits, "
+                 "q quits; a\npen that rests on the tablet captures the next of --heights.");
+    add_procedure(*verb, CalibrationProcedure::Travel,
+                  "How the surface moves aside while it rises: hold the pen against an upright edge",
+                  action)
+        ->footer("Stand a straight edge upright on the desk, hold the pen against it and on the "
+                 "tablet,\nand move the surface up and down. Enter begins and ends.");
+    add_procedure(*verb, CalibrationProcedure::Latency,
+                  "How much later the pen arrives than the height: follow an inclined edge", action)
+        ->footer("Fix a straight edge at some 45 degrees over the tablet, let the pen follow it "
+                 "while the\nsurface moves up and down several times. Enter begins and ends.");
+    add_procedure(*verb, CalibrationProcedure::Zero,
+                  "Where height zero is, from one capture; the scale stays", action)
+        ->footer("Set the surface to a known height, 0 say, let it rest, type it and press Enter.");
+    add_procedure(*verb, CalibrationProcedure::Check,
+                  "How exact the rig is, at heights that were not used to calibrate it", action)
+        ->footer("Says what a person would: within 0.6 mm over 60–380 mm. The rig's numbers stay.");
+    for (auto* const procedure : verb->get_subcommands({}))
+        procedure->set_help_flag("-h,--help", "Print this help");
+}
+
+} // namespace tractus

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/verbs/verb.h"
+
+namespace tractus {
+
+// tractus calibrate height|travel|latency|zero|check: finds out a rig's numbers, or how good they
+// are, and keeps them in its file.
+void add_calibrate_verb(CLI::App& root, Action& action);
+
+} // namespace tractus
