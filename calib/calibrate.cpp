@@ -59,7 +59,9 @@ Rig with_height(Rig rig, HeightCalibration const& calibration, std::string const
     record.slipped = fit.slipped;
     record.rms_mm = rounded(fit.rms_mm, kErrorDigits);
     record.max_mm = rounded(fit.max_mm, kErrorDigits);
-    record.heights_mm = rounded(Vec2(fit.low_mm, fit.high_mm), kFigureDigits);
+    // To hundredths, and without a zero below zero.
+    record.heights_mm
+        = Vec2(std::round(fit.low_mm * 100) / 100 + 0.0, std::round(fit.high_mm * 100) / 100 + 0.0);
     record.mm_per_count = rounded(Vec2(worth_of_a_count(rig.height_model, fit.low_mm + 0.1),
                                        worth_of_a_count(rig.height_model, fit.high_mm - 0.1)),
                                   kErrorDigits);

@@ -83,8 +83,10 @@ Result<Rig> zeroed(Rig rig, HeightCapture const& capture, std::int32_t full_scal
     double const rise_mm
         = std::round((capture.ruler_mm - TRY(height_of(capture, rig))) * 1000) / 1000;
     rig.height_model = raised(rig.height_model, rise_mm);
-    if (rig.calibration.height)
-        rig.calibration.height->raised_mm += rise_mm;
+    if (auto& record = rig.calibration.height) {
+        record->raised_mm += rise_mm;
+        record->heights_mm.array() += rise_mm;
+    }
     return rig;
 }
 

@@ -289,8 +289,12 @@ std::optional<Hysteresis> hysteresis_of(Captures captures, HeightFit const& fit)
         return std::nullopt;
     auto const up = mean_of(from_below);
     auto const down = mean_of(from_above);
+    // A few captures may agree by luck: no better than the ruler.
+    double const least_variance = fit.capture_error_mm * fit.capture_error_mm
+        * (1 / static_cast<double>(up.count) + 1 / static_cast<double>(down.count));
     return Hysteresis { .mm = up.value - down.value,
-                        .standard_error_mm = std::sqrt(up.variance + down.variance) };
+                        .standard_error_mm
+                        = std::sqrt(std::max(up.variance + down.variance, least_variance)) };
 }
 
 double pooled_noise(Captures captures)

@@ -59,8 +59,9 @@ Result<CalibrationDesk> CalibrationDesk::create(std::span<DeviceInfo const> devi
             }
     }
     if (!desk.height_decoder_)
-        return fail(Fault::User, "there is no height sensor to calibrate: connect it, or name it "
-                                 "with --device");
+        return fail(Fault::User,
+                    "there is no height sensor to calibrate: connect it, or name it "
+                    "with --device");
     if (!desk.pen_decoder_ && !takes_captures(desk.procedure()))
         return fail(Fault::User,
                     fmt::format("there is no pen, and {} needs one: connect the tablet, or name it "
@@ -116,8 +117,8 @@ void CalibrationDesk::close_capture()
     auto const pending = *std::exchange(pending_, {});
     auto const capture = capture_at_rest(pending.samples, pending.ruler_mm);
     if (!capture) {
-        refusal_ = fmt::format("the capture at {:g} mm: {}", pending.ruler_mm,
-                               capture.error().message);
+        refusal_
+            = fmt::format("the capture at {:g} mm: {}", pending.ruler_mm, capture.error().message);
         return;
     }
     refusal_.clear();
@@ -206,7 +207,8 @@ Result<CalibrationOutcome> CalibrationDesk::finish_height(std::string const& dat
     CalibrationOutcome outcome { .rig = with_height(options_.rig, calibration, date),
                                  .height_fit = calibration.fit };
     if (pen_decoder_ && !pen_decoder_->traits().is_size_assumed)
-        outcome.rig.tablet_size_mm = pen_decoder_->traits().size_mm;
+        outcome.rig.tablet_size_mm
+            = (pen_decoder_->traits().size_mm.array() * 1000).round() / 1000; // Micrometres.
     outcome.report = describe(calibration, outcome.rig);
     return outcome;
 }
@@ -229,15 +231,16 @@ Result<CalibrationOutcome> CalibrationDesk::finish_latency(std::string const& da
 Result<CalibrationOutcome> CalibrationDesk::finish_zero() const
 {
     if (captures_.empty())
-        return fail(Fault::User, "nothing was captured: set the surface to a known height, let it "
-                                 "rest and capture it");
+        return fail(Fault::User,
+                    "nothing was captured: set the surface to a known height, let it "
+                    "rest and capture it");
     auto const& capture = captures_.back();
     auto const before = height_mm(options_.rig.height_model, capture.counts);
-    CalibrationOutcome outcome {
-        .rig = TRY(zeroed(options_.rig, capture, height_decoder_->full_scale()))
-    };
-    outcome.report = fmt::format("zero: what was {:.2f} mm is {:g} mm now; the scale is as it was\n",
-                                 before.value_or(0), capture.ruler_mm);
+    CalibrationOutcome outcome { .rig = TRY(zeroed(options_.rig, capture,
+                                                   height_decoder_->full_scale())) };
+    outcome.report
+        = fmt::format("zero: what was {:.2f} mm is {:g} mm now; the scale is as it was\n",
+                      before.value_or(0), capture.ruler_mm);
     return outcome;
 }
 

@@ -30,10 +30,17 @@ constexpr Group kGroups[] { { From::Nowhere, PlotTone::FromNowhere, "first captu
                             { From::Below, PlotTone::FromBelow, "going up" },
                             { From::Above, PlotTone::FromAbove, "going down" } };
 
+enum class Labels {
+    Shown,
+    Hidden, // Another plot beside this one has them.
+};
+
 // The captures, each at the place that `place` gives it; slipped ones as crosses.
 template<typename Place>
-void add_captures(Plot& plot, HeightFit const& fit, Captures captures, Place const& place)
+void add_captures(Plot& plot, HeightFit const& fit, Captures captures, Labels labels,
+                  Place const& place)
 {
+    auto const first_new = plot.series.size();
     PlotSeries slipped { .kind = Kind::Crosses,
                          .tone = PlotTone::Slipped,
                          .label = "slipped, left out" };
@@ -47,6 +54,8 @@ void add_captures(Plot& plot, HeightFit const& fit, Captures captures, Place con
     }
     if (!slipped.points.empty())
         plot.series.push_back(std::move(slipped));
+    for (auto i = first_new; labels == Labels::Hidden && i < plot.series.size(); ++i)
+        plot.series[i].label.clear();
 }
 
 Plot fit_plot(HeightFit const& fit, Captures captures)
@@ -56,12 +65,13 @@ Plot fit_plot(HeightFit const& fit, Captures captures)
                 .y_label = "height, mm" };
     PlotSeries curve { .kind = Kind::Line, .tone = PlotTone::Model, .label = "model" };
     for (int i = 0; i <= kCurvePoints; ++i) {
-        double const counts = fit.low_counts + (fit.high_counts - fit.low_counts) * i / kCurvePoints;
+        double const counts
+            = fit.low_counts + (fit.high_counts - fit.low_counts) * i / kCurvePoints;
         if (auto const height = height_mm(fit.model, counts))
             curve.points.emplace_back(counts, *height);
     }
     plot.series.push_back(std::move(curve));
-    add_captures(plot, fit, captures,
+    add_captures(plot, fit, captures, Labels::Shown,
                  [&](std::size_t i) { return Vec2(captures[i].counts, captures[i].ruler_mm); });
     fit_range(plot, PlotRange::Tight);
     return plot;
@@ -76,9 +86,12 @@ void add_bands(Plot& plot, HeightFit const& fit)
                             .label = fmt::format("±{:.2g} mm, where 95 % should lie", capture_mm),
                             .points = { { fit.low_mm, -capture_mm }, { fit.high_mm, -capture_mm } },
                             .upper = { { fit.low_mm, capture_mm }, { fit.high_mm, capture_mm } } });
-    PlotSeries model { .kind = Kind::Band, .tone = PlotTone::Model, .label = "the model's own error" };
+    PlotSeries model { .kind = Kind::Band,
+                       .tone = PlotTone::Model,
+                       .label = "the model's own error" };
     for (int i = 0; i <= kCurvePoints; ++i) {
-        double const counts = fit.low_counts + (fit.high_counts - fit.low_counts) * i / kCurvePoints;
+        double const counts
+            = fit.low_counts + (fit.high_counts - fit.low_counts) * i / kCurvePoints;
         auto const height = height_mm(fit.model, counts);
         if (!height)
             continue;
@@ -102,9 +115,8 @@ Plot residual_plot(HeightFit const& fit, Captures captures)
         if (!is_slipped(fit, i))
             border_mm = std::max(border_mm, std::abs(fit.residuals_mm[i]));
     border_mm *= 1.4;
-    add_captures(plot, fit, captures, [&](std::size_t i) {
-        return Vec2(captures[i].ruler_mm,
-                    std::clamp(fit.residuals_mm[i], -border_mm, border_mm));
+    add_captures(plot, fit, captures, Labels::Hidden, [&](std::size_t i) {
+        return Vec2(captures[i].ruler_mm, std::clamp(fit.residuals_mm[i], -border_mm, border_mm));
     });
     fit_range(plot, PlotRange::SymmetricY);
     return plot;
@@ -153,10 +165,9 @@ Plot noise_plot(HeightFit const& fit, Captures captures, std::int32_t full_scale
     double readings = 0;
     for (auto const& capture : captures)
         bins = std::max(bins, capture.scatter.size());
-    PlotSeries bars { .kind = Kind::Bars,
-                      .tone = PlotTone::Measured,
-                      .label = "measured",
-                      .bar_width = width };
+    PlotSeries bars {
+        .kind = Kind::Bars, .tone = PlotTone::Measured, .label = "measured", .bar_width = width
+    };
     double const middle = (static_cast<double>(bins) - 1) / 2;
     for (std::size_t i = 0; i < bins; ++i)
         bars.points.emplace_back((static_cast<double>(i) - middle) * width, 0);
@@ -172,8 +183,8 @@ Plot noise_plot(HeightFit const& fit, Captures captures, std::int32_t full_scale
         for (int i = 0; i <= kCurvePoints; ++i) {
             double const x = -reach + 2 * reach * i / kCurvePoints;
             double const z = x / fit.noise_counts;
-            normal.points.emplace_back(x, readings * width / fit.noise_counts / std::sqrt(2 * kPi)
-                                           * std::exp(-z * z / 2));
+            normal.points.emplace_back(
+                x, readings * width / fit.noise_counts / std::sqrt(2 * kPi) * std::exp(-z * z / 2));
         }
         plot.series.push_back(std::move(normal));
     }

@@ -130,8 +130,9 @@ Result<LiveDevices> open_devices(std::vector<std::string> const& names)
         return LiveDevices::open_named(names);
     auto const found = find_pens_and_height_sensors();
     if (found.empty())
-        return fail(Fault::User, "there is no height sensor to calibrate: \"tractus doctor\" says "
-                                 "why; the simulated rig is calibrated with --simulate");
+        return fail(Fault::User,
+                    "there is no height sensor to calibrate: \"tractus doctor\" says "
+                    "why; the simulated rig is calibrated with --simulate");
     return LiveDevices::open(found);
 }
 
@@ -151,11 +152,12 @@ Result<std::optional<CalibrationOutcome>> from_devices(Arguments const& argument
         LogHeader const header { .devices = devices.infos(),
                                  .rig_text = fs::exists(arguments.rig, error) ? print_rig(rig) : "",
                                  .start = options.start };
-        recorder = std::make_unique<LiveRecorder>(
-            TRY(LiveRecorder::create(arguments.record, header)));
+        recorder
+            = std::make_unique<LiveRecorder>(TRY(LiveRecorder::create(arguments.record, header)));
         options.recorder = recorder.get();
     }
-    auto desk = TRY(CalibrationDesk::create(devices.infos(), desk_options(arguments, std::move(rig))));
+    auto desk
+        = TRY(CalibrationDesk::create(devices.infos(), desk_options(arguments, std::move(rig))));
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
     bool is_done = false;
@@ -183,10 +185,9 @@ Result<void> write_picture(Arguments const& arguments, CalibrationOutcome const&
         = height_plots(*outcome.height_fit, record.captures, outcome.rig.full_scale_counts);
     PlotSheet const sheet {
         .title = "Height calibration",
-        .subtitle
-        = fmt::format("{} · {} · {} · calibrated from {:g} to {:g} mm",
-                      fs::path(arguments.rig).filename().string(), record.sensor.name, record.date,
-                      record.heights_mm.x(), record.heights_mm.y()),
+        .subtitle = fmt::format("{} · {} · {} · calibrated from {:.1f} to {:.1f} mm",
+                                fs::path(arguments.rig).filename().string(), record.sensor.name,
+                                record.date, record.heights_mm.x() + 0.0, record.heights_mm.y()),
     };
     return write_file(picture_path(arguments.rig), print_svg(sheet, plots));
 }
@@ -220,10 +221,11 @@ void add_source_options(CLI::App& verb, Arguments& arguments)
                                       "A recording of this calibration: it is done again; without "
                                       "it, live devices are calibrated");
     auto* const device
-        = verb.add_option("--device", arguments.devices,
-                          fmt::format("What to calibrate, each {}; without it, every pen and height "
-                                      "sensor that is found",
-                                      device_name_help()))
+        = verb.add_option(
+                  "--device", arguments.devices,
+                  fmt::format("What to calibrate, each {}; without it, every pen and height "
+                              "sensor that is found",
+                              device_name_help()))
               ->type_name("DEVICE...")
               ->excludes(log);
     auto* const simulate = verb.add_flag("--simulate", arguments.simulate,
@@ -271,7 +273,8 @@ CLI::App* add_procedure(CLI::App& parent, CalibrationProcedure procedure, std::s
             ->check(number(0.01, 10))
             ->capture_default_str();
     }
-    verb->callback([arguments, &action] { action = [arguments] { return calibrate(*arguments); }; });
+    verb->callback(
+        [arguments, &action] { action = [arguments] { return calibrate(*arguments); }; });
     return verb;
 }
 
@@ -279,17 +282,19 @@ CLI::App* add_procedure(CLI::App& parent, CalibrationProcedure procedure, std::s
 
 void add_calibrate_verb(CLI::App& root, Action& action)
 {
-    auto* const verb = root.add_subcommand(
-        "calibrate", "Find out what a rig's sensors mean, and how exactly");
+    auto* const verb
+        = root.add_subcommand("calibrate", "Find out what a rig's sensors mean, and how exactly");
     verb->require_subcommand(1);
     add_procedure(*verb, CalibrationProcedure::Height,
-                  "What the height sensor's readings mean: set the surface to known heights", action)
-        ->footer("Five heights or more are advised, up and down, closer together where the string "
-                 "runs\naslant: 0, 60, 200, 400, 300, 120, 20. Enter captures, u takes back, f fits, "
-                 "q quits; a\npen that rests on the tablet captures the next of --heights.");
-    add_procedure(*verb, CalibrationProcedure::Travel,
-                  "How the surface moves aside while it rises: hold the pen against an upright edge",
+                  "What the height sensor's readings mean: set the surface to known heights",
                   action)
+        ->footer(
+            "Five heights or more are advised, up and down, closer together where the string "
+            "runs\naslant: 0, 60, 200, 400, 300, 120, 20. Enter captures, u takes back, f fits, "
+            "q quits; a\npen that rests on the tablet captures the next of --heights.");
+    add_procedure(
+        *verb, CalibrationProcedure::Travel,
+        "How the surface moves aside while it rises: hold the pen against an upright edge", action)
         ->footer("Stand a straight edge upright on the desk, hold the pen against it and on the "
                  "tablet,\nand move the surface up and down. Enter begins and ends.");
     add_procedure(*verb, CalibrationProcedure::Latency,

@@ -148,7 +148,8 @@ TEST(HeightFit, TellsHysteresis)
     auto const fit = fit_height(captures).value();
     ASSERT_TRUE(fit.hysteresis);
     EXPECT_NEAR(fit.hysteresis->mm, 0.8, 0.1);
-    EXPECT_LT(fit.hysteresis->standard_error_mm, 0.1);
+    EXPECT_GT(fit.hysteresis->standard_error_mm, 0.2) << "four captures to a side";
+    EXPECT_LT(fit.hysteresis->standard_error_mm, 0.4);
 }
 
 TEST(HeightFit, DoesWhatItIsAskedFor)

@@ -1,0 +1,129 @@
+#include "calib/rig_file.h"
+#include "drivers/file.h"
+#include "tests/app/verbs/outcome.h"
+
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CalibrateVerb : public testing::Test {
+protected:
+    void SetUp() override { fs::create_directories(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string path(std::string const& name) const { return (folder_ / name).string(); }
+    std::string text(std::string const& name) const { return read_file(path(name)).value(); }
+
+    Outcome calibrate(std::vector<std::string> arguments) const
+    {
+        arguments.insert(arguments.begin(), "calibrate");
+        return run(arguments);
+    }
+
+    fs::path folder_
+        = fs::temp_directory_path() / ("tractus_calibrate_" + std::to_string(::getpid()));
+};
+
+TEST_F(CalibrateVerb, ReplaysALogToTheSameFileByteForByte)
+{
+    auto const live = calibrate({ "height", "--rig", path("live.rig.toml"), "--simulate", "--seed",
+                                  "5", "--record", path("cal.tractus-log") });
+    ASSERT_EQ(live.exit_code, 0) << live.err;
+    auto const again
+        = calibrate({ "height", "--rig", path("again.rig.toml"), path("cal.tractus-log") });
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(text("again.rig.toml"), text("live.rig.toml"));
+    EXPECT_NE(text("again.rig.svg").find("Residuals: "), std::string::npos);
+}
+
+TEST_F(CalibrateVerb, DoesAllProceduresOneAfterAnother)
+{
+    for (auto const* procedure : { "height", "travel", "latency", "check", "zero" }) {
+        auto const outcome = calibrate({ procedure, "--rig", path("my.rig.toml"), "--simulate" });
+        ASSERT_EQ(outcome.exit_code, 0) << procedure << ": " << outcome.err;
+        EXPECT_NE(outcome.out.find("my.rig.toml: written\n"), std::string::npos);
+    }
+    auto const rig = load_rig(path("my.rig.toml")).value();
+    EXPECT_TRUE(rig.calibration.height && rig.calibration.travel && rig.calibration.latency
+                && rig.calibration.check);
+    EXPECT_TRUE(fs::exists(path("my.rig.toml.bak")));
+}
+
+TEST_F(CalibrateVerb, KeepsTheOldFileWhenTheCalibrationIsRefused)
+{
+    ASSERT_EQ(calibrate({ "height", "--rig", path("my.rig.toml"), "--simulate" }).exit_code, 0);
+    auto const before = text("my.rig.toml");
+    auto const outcome = calibrate(
+        { "height", "--rig", path("my.rig.toml"), "--simulate", "--heights", "100,101" });
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("are at one height, 100 to 101 mm: move the surface"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(text("my.rig.toml"), before);
+}
+
+TEST_F(CalibrateVerb, RefusesFewerCapturesThanParameters)
+{
+    auto const outcome = calibrate({ "height", "--rig", path("my.rig.toml"), "--simulate",
+                                     "--heights", "0,200,400", "--model", "string" });
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("a string model has 4 parameters and there are only 3 captures"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_FALSE(fs::exists(path("my.rig.toml")));
+}
+
+TEST_F(CalibrateVerb, WantsTheHeightsFirst)
+{
+    auto const outcome = calibrate({ "check", "--rig", path("my.rig.toml"), "--simulate" });
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("is not there, and calibrate check needs the heights in it: use "
+                               "\"tractus calibrate height --rig "),
+              std::string::npos)
+        << outcome.err;
+}
+
+TEST_F(CalibrateVerb, RefusesARigOfALaterVersion)
+{
+    std::ofstream(path("my.rig.toml")) << "version = 99\n";
+    auto const outcome = calibrate({ "height", "--rig", path("my.rig.toml"), "--simulate" });
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("a later tractus wrote this file, so use that one to read it"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(text("my.rig.toml"), "version = 99\n");
+}
+
+TEST_F(CalibrateVerb, RefusesHeightsThatTheSimulatedRigDoesNotHave)
+{
+    auto const outcome = calibrate(
+        { "height", "--rig", path("my.rig.toml"), "--simulate", "--heights", "0,4000" });
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("the simulated rig has no height of 4000 mm"), std::string::npos)
+        << outcome.err;
+}
+
+// The pen of a log that is played at its pace rests on the tablet at each height.
+TEST_F(CalibrateVerb, CalibratesLiveDevicesByTheirPen)
+{
+    ASSERT_EQ(calibrate({ "height", "--rig", path("a.rig.toml"), "--simulate", "--heights",
+                          "100,250", "--record", path("played.tractus-log") })
+                  .exit_code,
+              0);
+    auto const live = calibrate({ "height", "--rig", path("live.rig.toml"), "--device",
+                                  path("played.tractus-log"), "--heights", "100,250", "--record",
+                                  path("live.tractus-log") });
+    ASSERT_EQ(live.exit_code, 0) << live.err;
+    ASSERT_EQ(calibrate({ "height", "--rig", path("again.rig.toml"), path("live.tractus-log") })
+                  .exit_code,
+              0);
+    EXPECT_EQ(text("again.rig.toml"), text("live.rig.toml"));
+}
+
+} // namespace
+} // namespace tractus

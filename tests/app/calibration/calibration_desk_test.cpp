@@ -1,0 +1,280 @@
+#include "app/calibration/calibration_desk.h"
+
+#include "app/calibration/live_calibration.h"
+#include "app/calibration/log_calibration.h"
+#include "app/calibration/simulated_calibration.h"
+#include "calib/rig_file.h"
+#include "drivers/log.h"
+
+#include <cmath>
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace tractus {
+namespace {
+
+constexpr auto kDate = "2026-11-21";
+
+std::string simulated_text(SimulatedCalibration calibration)
+{
+    calibration.geometry = simulated_geometry();
+    std::ostringstream text;
+    EXPECT_TRUE(write_simulated_calibration(text, calibration));
+    return text.str();
+}
+
+Result<CalibrationOutcome> outcome_of(std::string const& text, CalibrationProcedure procedure,
+                                      Rig const& rig = {})
+{
+    auto const log = parse_log(text, "my.tractus-log").value();
+    return calibrate_from_log(log, { .procedure = procedure, .rig = rig }, kDate);
+}
+
+std::string refusal_of(std::string const& text,
+                       CalibrationProcedure procedure = CalibrationProcedure::Height)
+{
+    auto const outcome = outcome_of(text, procedure);
+    return outcome ? "no error" : outcome.error().message;
+}
+
+// A rig that the simulated person has calibrated.
+Rig calibrated_rig()
+{
+    return outcome_of(simulated_text({}), CalibrationProcedure::Height).value().rig;
+}
+
+TEST(CalibrationDesk, CalibratesTheSimulatedRigsHeight)
+{
+    auto const rig = calibrated_rig();
+    auto const truth = true_rig(simulated_geometry());
+    for (double counts = rig.calibrated_min_counts; counts < rig.calibrated_max_counts;
+         counts += 50)
+        EXPECT_NEAR(height_mm(rig.height_model, counts).value(),
+                    height_mm(truth.height_model, counts).value(), 1.2);
+    EXPECT_EQ(rig.calibration.height->captures.size(), 7u);
+    EXPECT_EQ(rig.calibration.height->sensor.name, "Simulated height sensor");
+    EXPECT_EQ(rig.calibration.height->sensor.id, "0006:0000:0002");
+    EXPECT_EQ(rig.tablet_size_mm, Vec2(254, 159));
+}
+
+TEST(CalibrationDesk, GivesTheSameRigFromTheSameLog)
+{
+    auto const text = simulated_text({});
+    EXPECT_EQ(print_rig(outcome_of(text, CalibrationProcedure::Height).value().rig),
+              print_rig(outcome_of(text, CalibrationProcedure::Height).value().rig));
+}
+
+TEST(CalibrationDesk, FitsAgainWhatARigFileKept)
+{
+    auto const rig = parse_rig(print_rig(calibrated_rig()), "my.rig.toml").value();
+    auto const again = refit_height(rig).value();
+    Eigen::VectorXd const difference = parameters_of(again.model) - parameters_of(rig.height_model);
+    EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-5);
+}
+
+TEST(CalibrationDesk, FindsTravelAndLatency)
+{
+    auto rig = calibrated_rig();
+    auto const travel = outcome_of(simulated_text({ .procedure = CalibrationProcedure::Travel }),
+                                   CalibrationProcedure::Travel, rig)
+                            .value();
+    EXPECT_NEAR(travel.rig.travel_shear.x(), 0.012, 0.002);
+    EXPECT_NEAR(travel.rig.travel_shear.y(), -0.007, 0.002);
+    EXPECT_NEAR(travel.rig.calibration.travel->tilt_deg,
+                degrees(std::atan(std::hypot(0.012, 0.007))), 0.1);
+    auto const latency = outcome_of(simulated_text({ .procedure = CalibrationProcedure::Latency }),
+                                    CalibrationProcedure::Latency, travel.rig)
+                             .value();
+    EXPECT_NEAR(1000 * to_seconds(latency.rig.tablet_latency - latency.rig.height_latency), 5, 0.5);
+}
+
+TEST(CalibrationDesk, QuotesHowExactARigIs)
+{
+    auto const outcome = outcome_of(simulated_text({ .procedure = CalibrationProcedure::Check }),
+                                    CalibrationProcedure::Check, calibrated_rig())
+                             .value();
+    EXPECT_EQ(outcome.report.substr(0, 7), "within ");
+    EXPECT_NE(outcome.report.find(" mm over 40–350 mm\n"), std::string::npos) << outcome.report;
+    EXPECT_LE(outcome.rig.calibration.check->within_mm, 2);
+}
+
+TEST(CalibrationDesk, ZeroesWithoutTouchingTheScale)
+{
+    auto const rig = calibrated_rig();
+    auto const text
+        = simulated_text({ .procedure = CalibrationProcedure::Zero, .heights_mm = { 100 } });
+    auto shifted = text;
+    auto const place = shifted.find("capture 100");
+    shifted.replace(place, 11, "capture 0");
+    auto const outcome = outcome_of(shifted, CalibrationProcedure::Zero, rig).value();
+    EXPECT_NEAR(height_mm(outcome.rig.height_model, 2000).value(),
+                height_mm(rig.height_model, 2000).value() - 100, 2);
+    EXPECT_NEAR(mm_per_count_at(outcome.rig.height_model, 2000).value(),
+                mm_per_count_at(rig.height_model, 2000).value(), 1e-9);
+    EXPECT_NEAR(outcome.rig.calibration.height->raised_mm, -100, 2);
+}
+
+TEST(CalibrationDesk, NamesASlippedCaptureInItsReport)
+{
+    SimulatedCalibration slipped;
+    slipped.person.slip = Slip { .capture = 2, .wrong_by_mm = 20 };
+    auto const outcome = outcome_of(simulated_text(slipped), CalibrationProcedure::Height).value();
+    EXPECT_EQ(outcome.rig.calibration.height->slipped, std::vector<std::size_t> { 2 });
+    EXPECT_NE(outcome.report.find("capture 3 at 220 mm is off by +"), std::string::npos)
+        << outcome.report;
+}
+
+// The log with one of its lines changed.
+std::string with_line(std::string text, std::string_view from, std::string_view to)
+{
+    auto const place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    return text.replace(place, from.size(), to);
+}
+
+TEST(CalibrationDesk, UndoesACapture)
+{
+    auto const text = simulated_text({});
+    auto const place = text.find("T: ", text.find("capture 60"));
+    auto const time = text.substr(place, 13);
+    auto const undone = std::string(text).insert(place, time + " calibrate undo\n");
+    auto const rig = outcome_of(undone, CalibrationProcedure::Height).value().rig;
+    EXPECT_EQ(rig.calibration.height->captures.size(), 6u);
+    EXPECT_EQ(rig.calibration.height->captures[1].ruler_mm, 200);
+}
+
+TEST(CalibrationDesk, RefusesACaptureWhileTheSurfaceMoves)
+{
+    // The last capture's command comes when the surface is on its way to that height.
+    auto const text = simulated_text({ .heights_mm = { 0, 300 } });
+    auto const last = text.rfind("calibrate capture 300");
+    auto const line = text.rfind('\n', last) + 1;
+    auto const end = text.find('\n', last) + 1;
+    auto const moved = text.substr(line, end - line);
+    auto early = text.substr(0, line) + text.substr(end);
+    auto const first = text.find("calibrate capture 0\n");
+    auto const seconds = std::stod(text.substr(text.rfind("T: ", first) + 3));
+    auto const time = seconds + 2.0;
+    // Into the file's order: before the first report after that time.
+    std::size_t at = early.find("\nE: ") + 1;
+    while (std::stod(early.substr(early.find("E: ", at) + 3)) < time)
+        at = early.find("\nE: ", at) + 1;
+    early.insert(at, fmt::format("T: {:013.6f} calibrate capture 300\n", time));
+    EXPECT_NE(refusal_of(early).find("my.tractus-log: the capture at 300 mm: the surface moved "
+                                     "during the capture, by "),
+              std::string::npos)
+        << refusal_of(early);
+}
+
+TEST(CalibrationDesk, RefusesCommandsOutOfOrder)
+{
+    auto const text = simulated_text({ .heights_mm = { 0, 100 } });
+    auto const second = text.rfind("T: ", text.find("calibrate capture 100"));
+    auto changed = text;
+    changed.replace(second, 16, "T: 000000.100000");
+    EXPECT_NE(refusal_of(changed).find("captures are out of order, so the log was changed; record "
+                                       "it again"),
+              std::string::npos)
+        << refusal_of(changed);
+}
+
+TEST(CalibrationDesk, RefusesWordsThatMeanNothing)
+{
+    auto const text = simulated_text({ .heights_mm = { 0, 100 } });
+    EXPECT_EQ(refusal_of(with_line(text, "capture 100", "capture high")),
+              "my.tractus-log: \"high\" is no height: give millimetres, such as 120.5");
+    EXPECT_EQ(refusal_of(with_line(text, "capture 100", "jump")),
+              "my.tractus-log: \"jump\" is no command of calibrate height: expected capture MM or "
+              "undo");
+}
+
+TEST(CalibrationDesk, RefusesALogThatEndsTooEarly)
+{
+    auto const text = simulated_text({ .heights_mm = { 0, 100 } });
+    auto const last = text.find('\n', text.find("calibrate capture 100"));
+    EXPECT_EQ(refusal_of(text.substr(0, last + 1)),
+              "my.tractus-log: the readings end before the capture at 100 mm does: check that the "
+              "height sensor sends, then capture it again");
+}
+
+TEST(CalibrationDesk, RefusesALogWithoutCaptures)
+{
+    auto const text = simulated_text({ .procedure = CalibrationProcedure::Travel });
+    EXPECT_NE(refusal_of(with_line(with_line(text, "calibrate begin", "x"), "calibrate end", "x"))
+                  .find("no capture was given"),
+              std::string::npos);
+}
+
+TEST(CalibrationDesk, RefusesTravelThatDoesNotMove)
+{
+    auto const text = simulated_text({ .heights_mm = { 100 } });
+    auto const outcome = outcome_of(with_line(text, "calibrate capture 100", "x"),
+                                    CalibrationProcedure::Travel, calibrated_rig());
+    EXPECT_EQ(outcome.error().message.substr(0, 60),
+              "my.tractus-log: the surface moved by only 0 mm while the pen");
+    auto const latency = outcome_of(with_line(text, "calibrate capture 100", "x"),
+                                    CalibrationProcedure::Latency, calibrated_rig());
+    EXPECT_NE(latency.error().message.find("the surface moved by only 0 mm"), std::string::npos);
+}
+
+TEST(CalibrationDesk, RefusesLatencyAlongAnUprightEdge)
+{
+    auto const text = simulated_text({ .procedure = CalibrationProcedure::Travel });
+    auto const outcome = outcome_of(text, CalibrationProcedure::Latency, calibrated_rig());
+    EXPECT_FALSE(outcome);
+    EXPECT_NE(outcome.error().message.find("inclin"), std::string::npos) << outcome.error().message;
+}
+
+TEST(CalibrationDesk, RefusesAnotherConverterThanTheRigs)
+{
+    auto rig = calibrated_rig();
+    rig.full_scale_counts = 1023;
+    auto const outcome = outcome_of(simulated_text({ .procedure = CalibrationProcedure::Check }),
+                                    CalibrationProcedure::Check, rig);
+    EXPECT_EQ(outcome.error().message,
+              "my.tractus-log: the height sensor reads up to 4095 and the rig was calibrated with "
+              "one up to 1023: connect that one, or calibrate the height anew");
+}
+
+TEST(CalibrationDesk, NeedsASensor)
+{
+    EXPECT_EQ(CalibrationDesk::create({}, {}).error().message,
+              "there is no height sensor to calibrate: connect it, or name it with --device");
+}
+
+// A person without hands: the pen that rests on the tablet says when.
+TEST(LiveCalibration, CapturesWhenThePenRestsAndRecordsWhatGivesTheSameRig)
+{
+    std::ostringstream text;
+    SimulatedCalibration simulated { .heights_mm = { 0, 150 } };
+    ASSERT_TRUE(write_simulated_calibration(text, simulated));
+    auto const played = parse_log(text.str(), "played").value();
+
+    // The log as live devices, at once; the clock is that of the newest report.
+    auto desk = CalibrationDesk::create(played.devices, {}).value();
+    Timestamp now {};
+    std::size_t next = 0;
+    std::ostringstream recorded_text;
+    LogWriter recorder(recorded_text, { .devices = played.devices });
+    std::size_t captured = 0;
+    for (; next < played.records.size(); ++next) {
+        auto const& record = played.records[next];
+        now = record.time;
+        desk.push(record.device, record.time, played.report(record));
+        recorder.write_report(record.device, record.time, played.report(record));
+        if (desk.take_pen_rest() && captured < simulated.heights_mm.size()) {
+            auto const words = fmt::format("capture {}", simulated.heights_mm[captured++]);
+            ASSERT_TRUE(desk.command(now, words));
+            recorder.write_tool(now, kCalibrateTool, words);
+        }
+    }
+    ASSERT_TRUE(recorder.flush());
+    auto const live = desk.finish(kDate).value();
+    EXPECT_EQ(live.rig.calibration.height->captures.size(), 2u);
+    EXPECT_EQ(print_rig(outcome_of(recorded_text.str(), CalibrationProcedure::Height).value().rig),
+              print_rig(live.rig));
+}
+
+} // namespace
+} // namespace tractus
