@@ -134,6 +134,7 @@ void StationView::show_live(Station const& station)
         state_.live_ink.push_back(ink_line(ink, station.tool()));
     if (auto const& tip = station.newest_tip()) {
         state_.surface_height_mm = tip->position_mm.z();
+        state_.is_outside_calibration = tip->outside_calibration;
         state_.pen = { station.pen_in_range(), tip->touching, tip->position_mm.cast<float>() };
     }
 }

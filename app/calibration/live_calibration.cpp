@@ -45,9 +45,12 @@ public:
                 TRY(options_.recorder->flush_if_due(options_.now()));
             TRY(hear());
             show();
-            if (!any && !devices_.any_left())
-                return fail(Fault::User, "the devices ended before the calibration did: give a "
-                                         "longer log, or connect them");
+            if (!any && !devices_.any_left() && is_moving_)
+                TRY(finish());
+            else if (!any && !devices_.any_left())
+                return fail(Fault::User,
+                            "the devices ended before the calibration did: give a "
+                            "longer log, or connect them");
             if (!any)
                 options_.rest(kRest);
         }
@@ -66,6 +69,7 @@ private:
                 continue;
             desk_.push(report.device, time_in_log(report.report.received, options_.start),
                        report.report.bytes());
+            newest_ = report.report.received;
             if (options_.recorder)
                 options_.recorder->write(report);
         }
@@ -80,7 +84,7 @@ private:
             return {}; // Keys wait until the capture is over.
         }
         if (takes_captures(desk_.procedure()) && desk_.take_pen_rest() && next_height())
-            return enter();
+            return enter(newest_); // However late we notice it.
         if (auto const key = person_.key())
             return press(*key);
         return {};
@@ -91,7 +95,7 @@ private:
         switch (key) {
         case '\n':
         case '\r':
-            return enter();
+            return enter(options_.now());
         case kBackspace:
         case kDelete:
             if (!entry_.empty())
@@ -100,8 +104,9 @@ private:
         case 'u':
             return undo();
         case 'f':
-        case kEndOfInput:
             return finish();
+        case kEndOfInput:
+            return go_on_alone();
         case 'q':
             is_away_ = true;
             return {};
@@ -112,23 +117,22 @@ private:
         }
     }
 
-    Result<void> command(std::string const& words)
+    Result<void> command(Timestamp time, std::string const& words)
     {
-        auto const now = options_.now();
-        auto const done = desk_.command(time_in_log(now, options_.start), words);
+        auto const done = desk_.command(time_in_log(time, options_.start), words);
         if (done && options_.recorder)
-            options_.recorder->write_tool(now, kCalibrateTool, words);
+            options_.recorder->write_tool(time, kCalibrateTool, words);
         if (done || person_.is_script)
             return done;
         person_.say(done.error().message);
         return {};
     }
 
-    Result<void> enter()
+    Result<void> enter(Timestamp time)
     {
         if (!takes_captures(desk_.procedure())) {
             is_moving_ = !is_moving_;
-            TRY(command(is_moving_ ? "begin" : "end"));
+            TRY(command(time, is_moving_ ? "begin" : "end"));
             is_done_ = !is_moving_;
             if (is_moving_)
                 ask();
@@ -137,7 +141,7 @@ private:
         auto const height = next_height();
         if (!height)
             return {}; // An empty line.
-        TRY(command("capture " + *height));
+        TRY(command(time, "capture " + *height));
         entry_.clear();
         was_capturing_ = desk_.is_capturing();
         return {};
@@ -166,8 +170,8 @@ private:
         person_.say(fmt::format("  {}. {:g} mm: {:.2f} counts, noise {:.2f}",
                                 desk_.captures().size(), capture.ruler_mm, capture.counts,
                                 capture.noise_counts));
-        bool const is_last = !options_.heights_mm.empty()
-            && desk_.captures().size() >= options_.heights_mm.size();
+        bool const is_last
+            = !options_.heights_mm.empty() && desk_.captures().size() >= options_.heights_mm.size();
         is_done_ = is_last || desk_.procedure() == CalibrationProcedure::Zero;
         if (!is_done_)
             ask();
@@ -178,18 +182,27 @@ private:
     {
         if (!takes_captures(desk_.procedure()))
             return {};
-        TRY(command("undo"));
+        TRY(command(options_.now(), "undo"));
         person_.say(fmt::format("  {} captures are left", desk_.captures().size()));
         ask();
         return {};
     }
 
+    // Nobody says anything more: the pen's rest captures the heights that are left, and a movement
+    // is all that the devices send.
+    Result<void> go_on_alone()
+    {
+        if (takes_captures(desk_.procedure()))
+            return next_height() ? Result<void>() : finish();
+        return is_moving_ ? Result<void>() : enter(options_.now());
+    }
+
     Result<void> finish()
     {
         if (!desk_.refusal().empty())
-            TRY(command("undo")); // The refused capture is not wanted any more.
+            TRY(command(options_.now(), "undo")); // The refused capture is not wanted any more.
         if (!takes_captures(desk_.procedure()))
-            TRY(command("end"));
+            TRY(command(options_.now(), "end"));
         is_done_ = true;
         return {};
     }
@@ -228,6 +241,7 @@ private:
     bool is_moving_ = false;
     bool is_done_ = false;
     bool is_away_ = false;
+    Timestamp newest_ {}; // Of the reports.
     Timestamp shown_ {};
 };
 
@@ -245,9 +259,9 @@ std::string describe_reading(CalibrationDesk const& desk)
     auto const reading = desk.reading();
     if (!reading)
         return "no reading yet";
-    auto text = fmt::format("{:.1f} counts ({:.1f} % of the supply), noise {:.1f}", reading->counts,
-                            100 * reading->counts / reading->full_scale_counts,
-                            reading->noise_counts);
+    auto text
+        = fmt::format("{:.1f} counts ({:.1f} % of the supply), noise {:.1f}", reading->counts,
+                      100 * reading->counts / reading->full_scale_counts, reading->noise_counts);
     if (reading->is_on_rail)
         text += ", AT THE CONVERTER'S END";
     else

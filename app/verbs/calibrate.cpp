@@ -6,19 +6,20 @@
 #include "app/calibration/log_calibration.h"
 #include "app/calibration/plot_svg.h"
 #include "app/calibration/simulated_calibration.h"
+#include "app/calibration_window.h"
 #include "app/console.h"
 #include "app/live_devices.h"
 #include "app/live_recorder.h"
 #include "app/live_recording.h"
+#include "app/paced_log.h"
 #include "app/terminal_keys.h"
 #include "app/verbs/checks.h"
+#include "app/verbs/device_sources.h"
+#include "app/window/window.h"
 #include "calib/rig_file.h"
 #include "drivers/file.h"
 #include "drivers/log.h"
 
-#include <atomic>
-#include <chrono>
-#include <csignal>
 #include <ctime>
 #include <filesystem>
 #include <fmt/chrono.h>
@@ -43,14 +44,10 @@ struct Arguments {
     std::vector<double> heights_mm;
     std::string model;
     double ruler_error_mm = 0.3;
+    bool window = false;
+    int frames = 0;
+    std::string screenshot;
 };
-
-std::atomic<bool> stop_asked = false;
-
-void ask_to_stop(int)
-{
-    stop_asked = true;
-}
 
 std::string today()
 {
@@ -89,9 +86,8 @@ Result<CalibrationOutcome> from_log(Arguments const& arguments)
     return calibrate_from_log(log, desk_options(arguments, std::move(rig)), today());
 }
 
-Result<CalibrationOutcome> from_simulation(Arguments const& arguments)
+Result<Log> simulated_log(Arguments const& arguments)
 {
-    auto rig = TRY(load_start(arguments, {}));
     SimulatedCalibration simulated { .procedure = arguments.procedure,
                                      .heights_mm = arguments.heights_mm,
                                      .geometry = simulated_geometry() };
@@ -102,7 +98,13 @@ Result<CalibrationOutcome> from_simulation(Arguments const& arguments)
         TRY(check_new_file(arguments.record));
         TRY(write_file(arguments.record, text.str()));
     }
-    auto const log = TRY(parse_log(text.str(), "simulated"));
+    return parse_log(text.str(), "simulated");
+}
+
+Result<CalibrationOutcome> from_simulation(Arguments const& arguments)
+{
+    auto rig = TRY(load_start(arguments, {}));
+    auto const log = TRY(simulated_log(arguments));
     return calibrate_from_log(log, desk_options(arguments, std::move(rig)), today());
 }
 
@@ -124,23 +126,11 @@ CalibrationPerson person_at(TerminalKeys& keys)
     };
 }
 
-Result<LiveDevices> open_devices(std::vector<std::string> const& names)
-{
-    if (!names.empty())
-        return LiveDevices::open_named(names);
-    auto const found = find_pens_and_height_sensors();
-    if (found.empty())
-        return fail(Fault::User,
-                    "there is no height sensor to calibrate: \"tractus doctor\" says "
-                    "why; the simulated rig is calibrated with --simulate");
-    return LiveDevices::open(found);
-}
-
 // No value if the person went away.
 Result<std::optional<CalibrationOutcome>> from_devices(Arguments const& arguments)
 {
     auto rig = TRY(load_start(arguments, {}));
-    auto devices = TRY(open_devices(arguments.devices));
+    auto devices = TRY(open_devices(arguments.devices, "to calibrate"));
     auto const clock = live_recording_by_the_clock({});
     LiveCalibrationOptions options { .heights_mm = arguments.heights_mm,
                                      .start = clock.now(),
@@ -158,12 +148,10 @@ Result<std::optional<CalibrationOutcome>> from_devices(Arguments const& argument
     }
     auto desk
         = TRY(CalibrationDesk::create(devices.infos(), desk_options(arguments, std::move(rig))));
-    std::signal(SIGINT, ask_to_stop);
-    std::signal(SIGTERM, ask_to_stop);
     bool is_done = false;
     {
         TerminalKeys keys;
-        is_done = TRY(calibrate_live(desk, devices, person_at(keys), options, stop_asked));
+        is_done = TRY(calibrate_live(desk, devices, person_at(keys), options, stop_on_signals()));
         if (keys.is_terminal())
             print_error("\n");
     }
@@ -192,19 +180,61 @@ Result<void> write_picture(Arguments const& arguments, CalibrationOutcome const&
     return write_file(picture_path(arguments.rig), print_svg(sheet, plots));
 }
 
-Result<void> keep(Arguments const& arguments, CalibrationOutcome const& outcome)
+// Writes the rig's file and its picture; what was written.
+Result<std::string> write_rig(Arguments const& arguments, CalibrationOutcome const& outcome)
 {
     TRY(save_rig(outcome.rig, arguments.rig));
-    auto text = outcome.report + fmt::format("{}: written\n", arguments.rig);
+    auto text = fmt::format("{}: written\n", arguments.rig);
     if (outcome.height_fit) {
         TRY(write_picture(arguments, outcome));
         text += fmt::format("{}: its picture\n", picture_path(arguments.rig).string());
     }
-    return print_out(text);
+    return text;
+}
+
+Result<void> keep(Arguments const& arguments, CalibrationOutcome const& outcome)
+{
+    return print_out(outcome.report + TRY(write_rig(arguments, outcome)));
+}
+
+// Real devices, or a log that is played at its pace.
+Result<LiveDevices> open_for_window(Arguments const& arguments)
+{
+    if (!arguments.log.empty())
+        return open_devices({ arguments.log }, "to calibrate");
+    if (!arguments.simulate)
+        return open_devices(arguments.devices, "to calibrate");
+    // Shared by the sources of its devices.
+    auto const log = std::make_shared<Log const>(TRY(simulated_log(arguments)));
+    auto const pace = pace_from_now(Timestamp {});
+    std::vector<std::unique_ptr<ReportSource>> sources;
+    for (std::size_t i = 0; i < log->devices.size(); ++i)
+        sources.push_back(open_paced(log, i, pace));
+    return LiveDevices::start(std::move(sources));
+}
+
+Result<void> calibrate_in_window(Arguments const& arguments)
+{
+    auto rig = TRY(load_start(arguments, {}));
+    auto devices = TRY(open_for_window(arguments));
+    auto window = TRY(CalibrationWindow::create(std::move(devices),
+                                                { .desk = desk_options(arguments, std::move(rig)),
+                                                  .heights_mm = arguments.heights_mm,
+                                                  .date = today(),
+                                                  .now = live_recording_by_the_clock({}).now,
+                                                  .keep = [&](CalibrationOutcome const& outcome) {
+                                                      return write_rig(arguments, outcome);
+                                                  } }));
+    return run_window(window,
+                      { .title = fmt::format("tractus: calibrating {}", arguments.rig),
+                        .frames = arguments.frames,
+                        .screenshot = arguments.screenshot });
 }
 
 Result<void> calibrate(Arguments const& arguments)
 {
+    if (arguments.window)
+        return calibrate_in_window(arguments);
     if (!arguments.log.empty())
         return keep(arguments, TRY(from_log(arguments)));
     if (arguments.simulate)
@@ -243,6 +273,22 @@ void add_source_options(CLI::App& verb, Arguments& arguments)
         ->excludes(log);
 }
 
+void add_window_options(CLI::App& verb, Arguments& arguments)
+{
+    auto* const window = verb.add_flag(
+        "--window", arguments.window, "In a window, with plots; a LOG is played at its pace there");
+    verb.add_option("--frames", arguments.frames,
+                    "Close the window after so many frames; 0 stays open")
+        ->type_name("N")
+        ->check(whole_number(0, 1'000'000'000))
+        ->capture_default_str()
+        ->needs(window);
+    verb.add_option("--screenshot", arguments.screenshot, "Write the window's last frame as a PNG")
+        ->type_name("FILE.png")
+        ->check(picture_name())
+        ->needs(window);
+}
+
 // One procedure as a verb of its own.
 CLI::App* add_procedure(CLI::App& parent, CalibrationProcedure procedure, std::string const& text,
                         Action& action)
@@ -256,6 +302,7 @@ CLI::App* add_procedure(CLI::App& parent, CalibrationProcedure procedure, std::s
         ->required()
         ->check(name_ending_in({ ".toml" }));
     add_source_options(*verb, *arguments);
+    add_window_options(*verb, *arguments);
     if (takes_captures(procedure))
         verb->add_option("--heights", arguments->heights_mm,
                          "The heights to capture, in their order; without it, they are typed")
@@ -288,19 +335,18 @@ void add_calibrate_verb(CLI::App& root, Action& action)
     add_procedure(*verb, CalibrationProcedure::Height,
                   "What the height sensor's readings mean: set the surface to known heights",
                   action)
-        ->footer(
-            "Five heights or more are advised, up and down, closer together where the string "
-            "runs\naslant: 0, 60, 200, 400, 300, 120, 20. Enter captures, u takes back, f fits, "
-            "q quits; a\npen that rests on the tablet captures the next of --heights.");
+        ->footer("Five heights or more are advised, up and down, closer together where the string\n"
+                 "runs aslant: 0, 60, 200, 400, 300, 120, 20. Enter captures, u takes back, f\n"
+                 "fits, q quits; a pen that rests on the tablet captures the next of --heights.");
     add_procedure(
         *verb, CalibrationProcedure::Travel,
         "How the surface moves aside while it rises: hold the pen against an upright edge", action)
-        ->footer("Stand a straight edge upright on the desk, hold the pen against it and on the "
-                 "tablet,\nand move the surface up and down. Enter begins and ends.");
+        ->footer("Stand a straight edge upright on the desk, hold the pen against it and on the\n"
+                 "tablet, and move the surface up and down. Enter begins and ends.");
     add_procedure(*verb, CalibrationProcedure::Latency,
                   "How much later the pen arrives than the height: follow an inclined edge", action)
-        ->footer("Fix a straight edge at some 45 degrees over the tablet, let the pen follow it "
-                 "while the\nsurface moves up and down several times. Enter begins and ends.");
+        ->footer("Fix a straight edge at some 45 degrees over the tablet, let the pen follow it\n"
+                 "while the surface moves up and down several times. Enter begins and ends.");
     add_procedure(*verb, CalibrationProcedure::Zero,
                   "Where height zero is, from one capture; the scale stays", action)
         ->footer("Set the surface to a known height, 0 say, let it rest, type it and press Enter.");

@@ -42,9 +42,15 @@ void draw_height_gauge(WindowState const& state, ImVec2 const& corner, ImVec2 co
     float const mark = size.x * 0.20f;
     draw->AddTriangleFilled({ x + 2, y }, { x + 2 + mark, y - mark * 0.6f },
                             { x + 2 + mark, y + mark * 0.6f }, packed(theme::kInk));
-    auto const text = fmt::format("{:.0f} mm", state.surface_height_mm);
+    auto const text = fmt::format("{:.0f} mm{}", state.surface_height_mm,
+                                  state.is_outside_calibration ? " ?" : "");
     ImVec2 const text_size = ImGui::CalcTextSize(text.c_str());
-    draw->AddText({ corner.x + 6, top - text_size.y - 6 }, packed(theme::kInk), text.c_str());
+    draw->AddText({ corner.x + 6, top - text_size.y - 6 },
+                  packed(state.is_outside_calibration ? theme::kIndicator : theme::kInk),
+                  text.c_str());
+    if (state.is_outside_calibration)
+        draw->AddText({ x + 2 + mark, y + mark }, packed(theme::kIndicator),
+                      "outside the calibrated range");
 }
 
 constexpr int kLegendLines = 4;
@@ -85,6 +91,11 @@ void Layout::show(WindowModel& model, Renderer& renderer)
     ImGui::Begin("station", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
                      | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    if (auto* const calibration = model.calibration()) {
+        calibration_.show(*calibration);
+        ImGui::End();
+        return;
+    }
     auto const& style = ImGui::GetStyle();
     float const controls_px = (theme::kButtonHeight_px + kProgressHeight_px) * scale_
         + ImGui::GetFrameHeight() + 3 * style.ItemSpacing.y;

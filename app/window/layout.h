@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/window/calibration_panel.h"
 #include "app/window/views.h"
 
 namespace tractus {
@@ -12,6 +13,7 @@ public:
     Layout(ImFont* title_font, float scale)
         : title_font_(title_font)
         , scale_(scale)
+        , calibration_(title_font, scale)
     {
     }
 
@@ -30,6 +32,7 @@ private:
 
     ImFont* title_font_ = nullptr;
     float scale_ = 1;
+    CalibrationPanel calibration_;
     PadView pad_;
     SkeletonView skeleton_;
     PlantView plant_;

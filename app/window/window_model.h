@@ -2,6 +2,7 @@
 
 #include "app/render/image.h"
 #include "app/tools/tool.h"
+#include "app/window/calibration_view.h"
 #include "engine/base/time.h"
 #include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"
@@ -58,6 +59,8 @@ struct WindowState {
 
     std::uint64_t live_revision = 0;
     double surface_height_mm = 0; // World frame.
+    bool is_outside_calibration
+        = false; // The height is a guess: the rig was never calibrated there.
     PenView pen;
     std::vector<InkLine> live_ink; // Being drawn now.
 
@@ -115,6 +118,9 @@ public:
     virtual WindowState const& state() const = 0;
 
     virtual void perform(WindowCommand const& command) = 0;
+
+    // The calibration to show in place of the state; null for none.
+    virtual CalibrationModel* calibration() { return nullptr; }
 };
 
 } // namespace tractus

@@ -1,0 +1,286 @@
+#include "app/window/calibration_panel.h"
+
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/core.h>
+
+namespace tractus {
+
+namespace {
+
+constexpr std::array kProcedures { CalibrationProcedure::Height, CalibrationProcedure::Travel,
+                                   CalibrationProcedure::Latency, CalibrationProcedure::Zero,
+                                   CalibrationProcedure::Check };
+constexpr std::array<char const*, 5> kTitles { "Height", "Travel", "Latency", "Zero", "Check" };
+
+Vec3f const kRefused { 0.93f, 0.40f, 0.33f };
+
+Vec3f color_of(PlotTone tone)
+{
+    switch (tone) {
+    case PlotTone::Model:
+        return theme::kAssigned;
+    case PlotTone::FromBelow:
+        return theme::kSelected;
+    case PlotTone::FromAbove:
+        return theme::kStroke;
+    case PlotTone::FromNowhere:
+        return theme::kUnselected;
+    case PlotTone::Slipped:
+        return kRefused;
+    case PlotTone::Expected:
+        return theme::kUnselected;
+    case PlotTone::Measured:
+        return theme::kSelected;
+    }
+    return theme::kUnselected;
+}
+
+ImU32 packed(Vec3f const& color, float alpha = 1)
+{
+    return ImGui::ColorConvertFloat4ToU32(theme::imgui_color(color, alpha));
+}
+
+// A plot's frame on the screen.
+class Frame {
+public:
+    Frame(Plot const& plot, ImVec2 const& corner, ImVec2 const& size)
+        : plot_(plot)
+        , draw_(*ImGui::GetWindowDrawList())
+        , letter_(ImGui::GetFontSize())
+        , low_(corner.x + 3.6f * letter_, corner.y + 1.6f * letter_)
+        , high_(corner.x + size.x - 0.6f * letter_, corner.y + size.y - 2.6f * letter_)
+    {
+    }
+
+    void draw()
+    {
+        draw_grid();
+        draw_.PushClipRect(low_, high_, true);
+        for (auto const& series : plot_.series)
+            draw_series(series);
+        draw_.PopClipRect();
+        draw_labels();
+    }
+
+private:
+    ImVec2 place(Vec2 const& value) const
+    {
+        Vec2 const part = (value - plot_.low).cwiseQuotient(plot_.high - plot_.low);
+        return { low_.x + static_cast<float>(part.x()) * (high_.x - low_.x),
+                 high_.y - static_cast<float>(part.y()) * (high_.y - low_.y) };
+    }
+
+    void draw_grid()
+    {
+        auto const dim = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+        for (double const x : ticks_between(plot_.low.x(), plot_.high.x(), 5)) {
+            auto const at = place({ x, plot_.low.y() });
+            auto const text = tick_text(x);
+            draw_.AddLine(at, { at.x, low_.y }, packed(theme::kGrid));
+            draw_.AddText({ at.x - ImGui::CalcTextSize(text.c_str()).x / 2, high_.y + 2 }, dim,
+                          text.c_str());
+        }
+        for (double const y : ticks_between(plot_.low.y(), plot_.high.y(), 5)) {
+            auto const at = place({ plot_.low.x(), y });
+            auto const text = tick_text(y);
+            draw_.AddLine(at, { high_.x, at.y }, packed(theme::kGrid));
+            draw_.AddText({ at.x - ImGui::CalcTextSize(text.c_str()).x - 6, at.y - letter_ / 2 },
+                          dim, text.c_str());
+        }
+    }
+
+    void draw_series(PlotSeries const& series)
+    {
+        auto const color = packed(color_of(series.tone));
+        switch (series.kind) {
+        case PlotSeries::Kind::Line:
+            for (std::size_t i = 1; i < series.points.size(); ++i)
+                draw_.AddLine(place(series.points[i - 1]), place(series.points[i]), color, 2.5f);
+            break;
+        case PlotSeries::Kind::Band:
+            for (std::size_t i = 1; i < std::min(series.points.size(), series.upper.size()); ++i)
+                draw_.AddQuadFilled(place(series.points[i - 1]), place(series.points[i]),
+                                    place(series.upper[i]), place(series.upper[i - 1]),
+                                    packed(color_of(series.tone), 0.22f));
+            break;
+        case PlotSeries::Kind::Bars:
+            for (auto const& point : series.points)
+                draw_.AddRectFilled(place({ point.x() - 0.47 * series.bar_width, point.y() }),
+                                    place({ point.x() + 0.47 * series.bar_width, 0 }), color);
+            break;
+        case PlotSeries::Kind::Dots:
+            for (auto const& point : series.points)
+                draw_.AddCircleFilled(place(point), letter_ * 0.32f, color);
+            break;
+        case PlotSeries::Kind::Crosses:
+            for (auto const& point : series.points)
+                draw_cross(place(point), color);
+            break;
+        }
+    }
+
+    void draw_cross(ImVec2 const& at, ImU32 color)
+    {
+        float const reach = letter_ * 0.35f;
+        draw_.AddLine({ at.x - reach, at.y - reach }, { at.x + reach, at.y + reach }, color, 4);
+        draw_.AddLine({ at.x - reach, at.y + reach }, { at.x + reach, at.y - reach }, color, 4);
+    }
+
+    void draw_labels()
+    {
+        auto const dim = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+        draw_.AddText({ low_.x, low_.y - 1.5f * letter_ }, ImGui::GetColorU32(ImGuiCol_Text),
+                      plot_.title.c_str());
+        auto const label = fmt::format("{} over {}", plot_.y_label, plot_.x_label);
+        draw_.AddText({ low_.x, high_.y + 1.15f * letter_ }, dim, label.c_str());
+    }
+
+    Plot const& plot_;
+    ImDrawList& draw_;
+    float letter_;
+    ImVec2 low_;  // Upper left …
+    ImVec2 high_; // … and lower right corner of the frame.
+};
+
+char const* word_for(HeightCapture::From from)
+{
+    switch (from) {
+    case HeightCapture::From::Below:
+        return "up";
+    case HeightCapture::From::Above:
+        return "down";
+    case HeightCapture::From::Nowhere:
+        return "-";
+    }
+    return "-";
+}
+
+} // namespace
+
+void show_plot(Plot const& plot, ImVec2 const& size_px)
+{
+    auto const corner = ImGui::GetCursorScreenPos();
+    ImGui::Dummy(size_px);
+    Frame(plot, corner, size_px).draw();
+}
+
+void CalibrationPanel::show(CalibrationModel& model)
+{
+    show_procedures(model);
+    show_reading(model.view());
+    ImVec2 const room = ImGui::GetContentRegionAvail();
+    auto const spacing = ImGui::GetStyle().ItemSpacing;
+    ImGui::BeginChild("captures", { room.x * 0.38f, 0 });
+    show_controls(model);
+    show_captures(model.view());
+    ImGui::EndChild();
+    ImGui::SameLine();
+    ImGui::BeginChild("plots", { 0, 0 });
+    auto const& plots = model.view().plots;
+    ImVec2 const inside = ImGui::GetContentRegionAvail();
+    ImVec2 const size((inside.x - spacing.x) / 2, (inside.y - spacing.y) / 2);
+    for (std::size_t i = 0; i < plots.size(); ++i) {
+        if (i % 2 == 1)
+            ImGui::SameLine();
+        show_plot(plots[i], size);
+    }
+    ImGui::EndChild();
+}
+
+void CalibrationPanel::show_procedures(CalibrationModel& model)
+{
+    auto const present = model.view().procedure;
+    for (std::size_t i = 0; i < kProcedures.size(); ++i) {
+        if (i > 0)
+            ImGui::SameLine();
+        bool const is_present = kProcedures[i] == present;
+        if (is_present)
+            ImGui::PushStyleColor(ImGuiCol_Button, theme::imgui_color(theme::kAssigned));
+        if (ImGui::Button(kTitles[i], { 150 * scale_, theme::kButtonHeight_px * scale_ })
+            && !is_present)
+            model.perform(ChooseProcedure { kProcedures[i] });
+        if (is_present)
+            ImGui::PopStyleColor();
+    }
+}
+
+void CalibrationPanel::show_reading(CalibrationView const& view)
+{
+    ImGui::PushFont(title_font_);
+    if (view.is_on_rail)
+        ImGui::TextColored(theme::imgui_color(kRefused), "%s", view.reading.c_str());
+    else
+        ImGui::TextUnformatted(view.reading.c_str());
+    ImGui::PopFont();
+    ImGui::PushStyleColor(ImGuiCol_Text,
+                          theme::imgui_color(view.is_refusal ? kRefused : theme::kInk));
+    ImGui::TextWrapped("%s", view.message.c_str());
+    ImGui::PopStyleColor();
+}
+
+void CalibrationPanel::show_controls(CalibrationModel& model)
+{
+    // A command may change the view under us: what is shown is taken first.
+    auto const& view = model.view();
+    bool const is_moving = view.is_moving;
+    bool const may_capture = view.may_capture;
+    bool const may_keep = view.may_keep;
+    bool const has_captures = !view.captures.empty();
+    bool const captures = takes_captures(view.procedure);
+    if (view.proposed_mm != proposed_mm_) {
+        proposed_mm_ = view.proposed_mm;
+        height_mm_ = static_cast<float>(view.proposed_mm);
+    }
+    ImVec2 const size(150 * scale_, theme::kButtonHeight_px * scale_);
+    if (captures) {
+        ImGui::SetNextItemWidth(220 * scale_);
+        ImGui::InputFloat("mm", &height_mm_, 0, 0, "%.1f");
+        ImGui::BeginDisabled(!may_capture);
+        if (ImGui::Button("Capture", size))
+            model.perform(CaptureAt { static_cast<double>(height_mm_) });
+        ImGui::EndDisabled();
+        ImGui::SameLine();
+        ImGui::BeginDisabled(!has_captures);
+        if (ImGui::Button("Undo", size))
+            model.perform(UndoCapture {});
+        ImGui::EndDisabled();
+    } else if (ImGui::Button(is_moving ? "End" : "Begin", size)) {
+        is_moving ? model.perform(EndMovement {}) : model.perform(BeginMovement {});
+    }
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!may_keep);
+    if (ImGui::Button("Keep", size))
+        model.perform(KeepRig {});
+    ImGui::EndDisabled();
+}
+
+void CalibrationPanel::show_captures(CalibrationView const& view)
+{
+    for (std::size_t i = 0; i < view.captures.size(); ++i) {
+        auto const& capture = view.captures[i];
+        auto text = fmt::format("{:2}  {:7.1f} mm {:>5}  {:9.2f} counts", i + 1, capture.ruler_mm,
+                                word_for(capture.from), capture.counts);
+        if (i < view.residuals_mm.size())
+            text += fmt::format("  {:+.2f} mm", view.residuals_mm[i]);
+        bool const is_slipped
+            = std::find(view.slipped.begin(), view.slipped.end(), i) != view.slipped.end();
+        if (is_slipped)
+            text += "  slipped";
+        ImGui::PushStyleColor(ImGuiCol_Text,
+                              is_slipped ? theme::imgui_color(kRefused)
+                                         : ImGui::GetStyle().Colors[ImGuiCol_Text]);
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::PopStyleColor();
+    }
+    if (!view.report.empty()) {
+        ImGui::Separator();
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextUnformatted(view.report.c_str());
+        ImGui::PopTextWrapPos();
+    }
+}
+
+} // namespace tractus

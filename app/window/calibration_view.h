@@ -1,0 +1,57 @@
+#pragma once
+
+#include "app/calibration/calibration_desk.h"
+#include "app/calibration/plot.h"
+#include "engine/base/time.h"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace tractus {
+
+// All that the calibration's panel shows at one moment.
+struct CalibrationView {
+    CalibrationProcedure procedure = CalibrationProcedure::Height;
+    std::string reading {}; // The sensor's, with noise and whether it rests.
+    bool is_on_rail = false;
+    bool may_capture = false; // The surface rests, and nothing is being captured.
+    bool is_capturing = false;
+    bool is_moving = false; // Between begin and end of travel and latency.
+    std::vector<HeightCapture> captures {};
+    std::vector<double> residuals_mm {}; // One per capture, or empty before the first fit.
+    std::vector<std::size_t> slipped {}; // Captures that the fit leaves out.
+    double proposed_mm = 0;              // The height to go to next.
+    std::string message {};              // What to do, or what was refused and why.
+    bool is_refusal = false;             // Of the message.
+    std::string report {};               // Of the fit so far; empty before the first.
+    std::vector<Plot> plots {};          // Of the fit so far.
+    bool may_keep = false;               // There is something to write to the rig's file.
+};
+
+// What a person asks for in the panel.
+struct ChooseProcedure {
+    CalibrationProcedure procedure = CalibrationProcedure::Height;
+};
+struct CaptureAt {
+    double ruler_mm = 0;
+};
+struct UndoCapture { };
+struct BeginMovement { };
+struct EndMovement { };
+struct KeepRig { }; // Writes the rig's file.
+using CalibrationCommand
+    = std::variant<ChooseProcedure, CaptureAt, UndoCapture, BeginMovement, EndMovement, KeepRig>;
+
+// Where the panel's contents come from. Called from the window's thread only.
+class CalibrationModel {
+public:
+    virtual ~CalibrationModel() = default;
+
+    // As of now; valid until the next perform() or until the window's model advances.
+    virtual CalibrationView const& view() const = 0;
+
+    virtual void perform(CalibrationCommand const& command) = 0;
+};
+
+} // namespace tractus

@@ -1,0 +1,78 @@
+#include "app/calibration/height_plots.h"
+#include "app/window/palette.h"
+#include "app/window/window.h"
+#include "drivers/file.h"
+#include "sim/simulated_person.h"
+#include "tests/app/render/read_png.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+// Shows one calibration.
+class StillCalibration : public WindowModel, public CalibrationModel {
+public:
+    StillCalibration()
+    {
+        double const heights[] { 0, 60, 200, 400, 300, 120, 20 };
+        view_.captures
+            = simulate_captures({}, heights, { .slip = Slip { .capture = 2, .wrong_by_mm = 20 } });
+        auto const fit = fit_height(view_.captures).value();
+        view_.residuals_mm = fit.residuals_mm;
+        view_.slipped = fit.slipped;
+        view_.plots = height_plots(fit, view_.captures, 4095);
+        view_.reading = "2034.0 counts, noise 1.0, at rest";
+        view_.message = "Press Keep to write the rig's file, or capture more heights.";
+        view_.report = fit.reason;
+        view_.may_keep = true;
+    }
+
+    void advance(Duration) override { }
+    WindowState const& state() const override { return state_; }
+    void perform(WindowCommand const&) override { }
+    CalibrationModel* calibration() override { return this; }
+    CalibrationView const& view() const override { return view_; }
+    void perform(CalibrationCommand const&) override { ++commands; }
+
+    int commands = 0;
+
+private:
+    WindowState state_;
+    CalibrationView view_;
+};
+
+// How many pixels are within 12 levels of a colour.
+int colored(Image const& picture, Vec3f const& srgb)
+{
+    auto const wanted = color_from(srgb);
+    auto const near = [](std::uint8_t a, std::uint8_t b) { return std::abs(a - b) <= 12; };
+    int count = 0;
+    for (auto const& pixel : picture.pixels())
+        count += near(pixel.red, wanted.red) && near(pixel.green, wanted.green)
+            && near(pixel.blue, wanted.blue);
+    return count;
+}
+
+TEST(CalibrationPanel, ShowsCapturesAndPlots)
+{
+    auto const path = std::filesystem::temp_directory_path()
+        / ("tractus_calibration_" + std::to_string(::getpid()) + ".png");
+    StillCalibration model;
+    auto const shown
+        = run_window(model, { .width = 1500, .height = 900, .frames = 3, .screenshot = path });
+    ASSERT_TRUE(shown) << shown.error().message;
+    auto const picture = read_png(read_file(path).value());
+    std::filesystem::remove(path);
+    EXPECT_GT(colored(picture, theme::kAssigned), 2000) << "the fit's curves";
+    EXPECT_GT(colored(picture, theme::kSelected), 5000) << "the noise, and captures from below";
+    EXPECT_GT(colored(picture, theme::kStroke), 300) << "captures from above";
+    EXPECT_GT(colored(picture, { 0.93f, 0.40f, 0.33f }), 200) << "the slip";
+    EXPECT_EQ(model.commands, 0);
+}
+
+} // namespace
+} // namespace tractus
