@@ -13,12 +13,11 @@ std::string describe_candidates(HeightFit const& fit)
 {
     std::string text;
     for (auto const& candidate : fit.candidates)
-        text += fmt::format("  {:8} {:2} parameters, residuals {:.3f} mm RMS{}{}\n",
-                            name_of(candidate.kind), candidate.parameters, candidate.rms_mm,
-                            candidate.slipped ? fmt::format(", {} left out", candidate.slipped)
-                                              : "",
-                            candidate.p_value ? fmt::format(", p = {:.2g}", *candidate.p_value)
-                                              : "");
+        text += fmt::format(
+            "  {:8} {:2} parameters, residuals {:.3f} mm RMS{}{}\n", name_of(candidate.kind),
+            candidate.parameters, candidate.rms_mm,
+            candidate.slipped ? fmt::format(", {} left out", candidate.slipped) : "",
+            candidate.p_value ? fmt::format(", p = {:.2g}", *candidate.p_value) : "");
     return text;
 }
 
@@ -26,10 +25,11 @@ std::string describe_slips(HeightCalibration const& calibration)
 {
     std::string text;
     for (auto const slipped : calibration.fit.slipped)
-        text += fmt::format("  capture {} at {:g} mm is off by {:+.1f} mm and was left out: measure "
-                            "it again\n",
-                            slipped + 1, calibration.captures[slipped].ruler_mm,
-                            calibration.fit.residuals_mm[slipped]);
+        text
+            += fmt::format("  capture {} at {:g} mm is off by {:+.1f} mm and was left out: measure "
+                           "it again\n",
+                           slipped + 1, calibration.captures[slipped].ruler_mm,
+                           calibration.fit.residuals_mm[slipped]);
     return text;
 }
 
@@ -44,9 +44,10 @@ std::string describe_doubts(HeightCalibration const& calibration)
         text += "  the captures are as few as the model's parameters, so nothing checks it: take "
                 "five or more\n";
     else if (fit.capture_error_mm > 3 * calibration.options.ruler_error_mm)
-        text += fmt::format("  the residuals are {:.0f} times the ruler's error: the model does not "
-                            "suit the sensor, or the captures are too few to tell a better one\n",
-                            fit.capture_error_mm / calibration.options.ruler_error_mm);
+        text
+            += fmt::format("  the residuals are {:.0f} times the ruler's error: the model does not "
+                           "suit the sensor, or the captures are too few to tell a better one\n",
+                           fit.capture_error_mm / calibration.options.ruler_error_mm);
     if (fit.hysteresis && std::abs(fit.hysteresis->mm) > 3 * fit.hysteresis->standard_error_mm
         && std::abs(fit.hysteresis->mm) > 0.5)
         text += "  up and down differ: look for slack in the string and play in its ends\n";
@@ -81,13 +82,14 @@ std::string describe(HeightCalibration const& calibration, Rig const& rig)
 
 std::string describe(TravelFit const& fit)
 {
-    return fmt::format("travel: per metre of rise the surface drifts {:+.2f} ± {:.2f} mm to the "
-                       "right and {:+.2f} ± {:.2f} mm away\n"
-                       "  its way is tilted by {:.3f} ± {:.3f} degrees against the tablet's normal\n"
-                       "  {} touches over {:.0f} mm, {:.2f} mm off the edge\n",
-                       1000 * fit.shear.x(), 1000 * fit.shear_error.x(), 1000 * fit.shear.y(),
-                       1000 * fit.shear_error.y(), degrees(fit.tilt_rad),
-                       degrees(fit.tilt_error_rad), fit.touches, fit.rise_mm, fit.rms_mm);
+    return fmt::format(
+        "travel: per metre of rise the surface drifts {:+.2f} ± {:.2f} mm to the "
+        "right and {:+.2f} ± {:.2f} mm away\n"
+        "  its way is tilted by {:.3f} ± {:.3f} degrees against the tablet's normal\n"
+        "  {} touches over {:.0f} mm, {:.2f} mm off the edge\n",
+        1000 * fit.shear.x(), 1000 * fit.shear_error.x(), 1000 * fit.shear.y(),
+        1000 * fit.shear_error.y(), degrees(fit.tilt_rad), degrees(fit.tilt_error_rad), fit.touches,
+        fit.rise_mm, fit.rms_mm);
 }
 
 std::string describe(LatencyFit const& fit, Rig const& rig)
@@ -106,8 +108,9 @@ std::string describe(HeightCheck const& check)
     for (std::size_t i = 0; i < check.heights_mm.size(); ++i)
         text += fmt::format("  at {:g} mm: {:+.2f} mm\n", check.heights_mm[i], check.errors_mm[i]);
     if (!check.known_mm.empty())
-        text += fmt::format("  {} mm was used for the fit, which proves less: check other heights\n",
-                            fmt::join(check.known_mm, ", "));
+        text
+            += fmt::format("  {} mm was used for the fit, which proves less: check other heights\n",
+                           fmt::join(check.known_mm, ", "));
     if (!check.outside_mm.empty())
         text += fmt::format("  {} mm is outside the calibrated range\n",
                             fmt::join(check.outside_mm, ", "));

@@ -22,8 +22,8 @@ namespace tractus {
 //     f                      done: fit
 //     q                      away, and nothing is changed
 struct CalibrationPerson {
-    std::function<std::optional<char>()> key; // No value: none now. '\4' is the input's end.
-    std::function<void(std::string const&)> say; // A line, without its break.
+    std::function<std::optional<char>()> key;     // No value: none now. '\4' is the input's end.
+    std::function<void(std::string const&)> say;  // A line, without its break.
     std::function<void(std::string const&)> show; // What the line under all others says now.
     bool is_script = false; // Nobody is there to try again: what is refused is a failure.
 };
@@ -39,9 +39,9 @@ struct LiveCalibrationOptions {
 // Lets a person calibrate with live devices until the end: heights are captured at Enter, or when
 // the pen has rested on the tablet. The desk sees times as a log has them, so that the recording
 // gives the same rig. At the input's end nobody is there any more: the pen's rests capture the
-// heights that are left, and a movement is all that comes until the devices end. True when all was done, false when the person went away or `stop` was set.
-// Fails if the devices end before, if the recording cannot be written, and, with a script, if a
-// capture is refused.
+// heights that are left, and a movement is all that comes until the devices end. True when all was
+// done, false when the person went away or `stop` was set. Fails if the devices end before, if the
+// recording cannot be written, and, with a script, if a capture is refused.
 Result<bool> calibrate_live(CalibrationDesk& desk, LiveDevices& devices,
                             CalibrationPerson const& person, LiveCalibrationOptions const& options,
                             std::atomic<bool> const& stop);

@@ -41,8 +41,8 @@ struct Plot {
     std::string title {};
     std::string x_label {}; // With the unit.
     std::string y_label {};
-    Vec2 low = Vec2::Zero(); // The corner of what is shown …
-    Vec2 high = Vec2::Ones(); // … and the opposite one, greater in both.
+    Vec2 low = Vec2::Zero();           // The corner of what is shown …
+    Vec2 high = Vec2::Ones();          // … and the opposite one, greater in both.
     std::vector<PlotSeries> series {}; // The first lies below.
 };
 

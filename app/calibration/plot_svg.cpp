@@ -95,7 +95,8 @@ private:
     {
         for (double const x : ticks_between(plot_.low.x(), plot_.high.x(), 7)) {
             auto const top = place({ x, plot_.high.y() });
-            add("<path class=\"grid\" d=\"M{:.1f},{:.1f}v{:.1f}\"/>\n", top.x(), top.y(), size_.y());
+            add("<path class=\"grid\" d=\"M{:.1f},{:.1f}v{:.1f}\"/>\n", top.x(), top.y(),
+                size_.y());
             add("<text class=\"tick\" text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
                 top.x(), top.y() + size_.y() + 18, tick_text(x));
         }
@@ -148,7 +149,8 @@ private:
     void print_mark(PlotSeries::Kind kind, Vec2 const& at, std::string_view color)
     {
         if (kind == PlotSeries::Kind::Crosses)
-            add("<path stroke=\"{}\" stroke-width=\"3\" d=\"M{:.1f},{:.1f}l12,12m-12,0l12,-12\"/>\n",
+            add("<path stroke=\"{}\" stroke-width=\"3\" "
+                "d=\"M{:.1f},{:.1f}l12,12m-12,0l12,-12\"/>\n",
                 color, at.x() - 6, at.y() - 6);
         else
             add("<circle fill=\"{}\" stroke=\"#fff\" stroke-width=\"1.5\" cx=\"{:.1f}\" "

@@ -30,6 +30,7 @@ RigGeometry simulated_geometry();
 // would have given, commands included. At each height the person holds the pen still on the tablet
 // as well, as a sign that the surface rests. Travel follows an upright edge, latency an inclined
 // one. A pure function. Fails, as the user's fault, for heights out of the rig's reach.
-Result<void> write_simulated_calibration(std::ostream& out, SimulatedCalibration const& calibration);
+Result<void> write_simulated_calibration(std::ostream& out,
+                                         SimulatedCalibration const& calibration);
 
 } // namespace tractus
