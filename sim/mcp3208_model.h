@@ -52,8 +52,9 @@ public:
     // What DOUT is. No value: high impedance, and whatever pulls the wire decides.
     std::optional<bool> dout() const;
 
-    // A wire that is broken. A broken CLK or DIN is taken to read low; a broken CS reads high, which
-    // is what the pull-up in firmware-notes/wiring.md is for; a broken DOUT is high impedance.
+    // A wire that is broken. A broken CLK or DIN is taken to read low; a broken CS reads high,
+    // which is what the pull-up in firmware-notes/wiring.md is for; a broken DOUT is high
+    // impedance.
     enum class Wire { Clk, Din, Dout, Cs };
     void break_wire(Wire wire);
     void mend_wire(Wire wire);
