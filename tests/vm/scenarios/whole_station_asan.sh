@@ -3,6 +3,7 @@
 # undefined-behaviour sanitizers..
 preset=asan
 memory_mb=1024
+instruction_shift=1
 modules='uhid hid-generic'
 files='build/vm/scribble.tractus-log tests/vm/scribble.hand.toml app/models/daisy.l app/models/daisy.v'
 
