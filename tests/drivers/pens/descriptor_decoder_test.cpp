@@ -64,11 +64,17 @@ DeviceInfo wacom_page_pen()
 
 constexpr char const* kSerial = " 78 56 34 12 42 08";
 
+std::string with_serial(std::string report)
+{
+    report += kSerial;
+    return report;
+}
+
 TEST(WacomPage, ReadsPlacePressureAndTip)
 {
     Device device(wacom_page_pen());
     EXPECT_NEAR(device.decoder().traits().size_mm.x(), 200, 1e-9);
-    auto const pen = device.sample(std::string("10 33 10 27 00 c4 09 00 ff 0f") + kSerial);
+    auto const pen = device.sample(with_serial("10 33 10 27 00 c4 09 00 ff 0f"));
     EXPECT_NEAR(pen.position_mm.x(), 100, 1e-9);
     EXPECT_NEAR(pen.position_mm.y(), 75, 1e-9);
     EXPECT_EQ(pen.pressure, 1.0);
@@ -79,7 +85,7 @@ TEST(WacomPage, ReadsPlacePressureAndTip)
 TEST(WacomPage, SerialAndTypeComeWithTheTool)
 {
     Device device(wacom_page_pen());
-    auto const pen = device.sample(std::string("10 30 10 27 00 c4 09 00 00 00") + kSerial);
+    auto const pen = device.sample(with_serial("10 30 10 27 00 c4 09 00 00 00"));
     EXPECT_EQ(pen.tool_serial, 0x12345678u);
     EXPECT_EQ(pen.tool_type, 0x0842u);
 }
@@ -87,9 +93,9 @@ TEST(WacomPage, SerialAndTypeComeWithTheTool)
 TEST(WacomPage, ProximityWithoutRangeDoesNotMoveThePen)
 {
     Device device(wacom_page_pen());
-    auto const high = std::string("10 10 00 00 00 00 00 00 00 00") + kSerial;
+    auto const high = with_serial("10 10 00 00 00 00 00 00 00 00");
     EXPECT_EQ(device.report(high), std::nullopt);
-    device.sample(std::string("10 30 10 27 00 c4 09 00 00 00") + kSerial);
+    device.sample(with_serial("10 30 10 27 00 c4 09 00 00 00"));
     auto const gone = device.sample(high);
     EXPECT_FALSE(gone.in_range);
     EXPECT_NEAR(gone.position_mm.x(), 100, 1e-9);
@@ -98,7 +104,7 @@ TEST(WacomPage, ProximityWithoutRangeDoesNotMoveThePen)
 TEST(WacomPage, OutOfRangeIsSaidOnce)
 {
     Device device(wacom_page_pen());
-    device.sample(std::string("10 30 10 27 00 c4 09 00 00 00") + kSerial);
+    device.sample(with_serial("10 30 10 27 00 c4 09 00 00 00"));
     auto const out = "10 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00";
     EXPECT_FALSE(device.sample(out).in_range);
     EXPECT_EQ(device.report(out), std::nullopt);
@@ -108,7 +114,7 @@ TEST(WacomPage, OutOfRangeIsSaidOnce)
 TEST(WacomPage, ABatteryReportIsNoEvent)
 {
     Device device(wacom_page_pen());
-    auto const hovering = std::string("10 30 10 27 00 c4 09 00 00 00") + kSerial;
+    auto const hovering = with_serial("10 30 10 27 00 c4 09 00 00 00");
     auto const before = device.sample(hovering);
     EXPECT_EQ(device.report("13 40"), std::nullopt);
     EXPECT_EQ(device.sample(hovering).position_mm, before.position_mm);
