@@ -75,8 +75,8 @@ std::string describe(HeightCalibration const& calibration, Rig const& rig)
                         fit.noise_counts * record.mm_per_count.y());
     text += fmt::format("  resolution: {:.3g} mm per count at the bottom, {:.3g} at the top\n",
                         record.mm_per_count.x(), record.mm_per_count.y());
-    text += fmt::format("  calibrated from {:.1f} to {:.1f} mm, with {} captures\n", fit.low_mm,
-                        fit.high_mm, calibration.captures.size());
+    text += fmt::format("  calibrated from {}, with {} captures\n",
+                        describe_heights(fit.low_mm, fit.high_mm), calibration.captures.size());
     return text + describe_doubts(calibration);
 }
 
@@ -115,6 +115,12 @@ std::string describe(HeightCheck const& check)
         text += fmt::format("  {} mm is outside the calibrated range\n",
                             fmt::join(check.outside_mm, ", "));
     return text;
+}
+
+std::string describe_heights(double low_mm, double high_mm)
+{
+    auto const tenths = [](double mm) { return std::round(mm * 10) / 10 + 0.0; }; // No "-0.0".
+    return fmt::format("{:.1f} to {:.1f} mm", tenths(low_mm), tenths(high_mm));
 }
 
 } // namespace tractus

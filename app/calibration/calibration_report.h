@@ -14,4 +14,7 @@ std::string describe(TravelFit const& fit);
 std::string describe(LatencyFit const& fit, Rig const& rig);
 std::string describe(HeightCheck const& check);
 
+// Heights in millimetres as "0.0 to 400.1 mm", in no line of its own.
+std::string describe_heights(double low_mm, double high_mm);
+
 } // namespace tractus

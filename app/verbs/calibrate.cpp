@@ -1,6 +1,7 @@
 #include "app/verbs/calibrate.h"
 
 #include "app/calibration/calibration_desk.h"
+#include "app/calibration/calibration_report.h"
 #include "app/calibration/height_plots.h"
 #include "app/calibration/live_calibration.h"
 #include "app/calibration/log_calibration.h"
@@ -173,9 +174,10 @@ Result<void> write_picture(Arguments const& arguments, CalibrationOutcome const&
         = height_plots(*outcome.height_fit, record.captures, outcome.rig.full_scale_counts);
     PlotSheet const sheet {
         .title = "Height calibration",
-        .subtitle = fmt::format("{} · {} · {} · calibrated from {:.1f} to {:.1f} mm",
-                                fs::path(arguments.rig).filename().string(), record.sensor.name,
-                                record.date, record.heights_mm.x() + 0.0, record.heights_mm.y()),
+        .subtitle
+        = fmt::format("{} · {} · {} · calibrated from {}",
+                      fs::path(arguments.rig).filename().string(), record.sensor.name, record.date,
+                      describe_heights(record.heights_mm.x(), record.heights_mm.y())),
     };
     return write_file(picture_path(arguments.rig), print_svg(sheet, plots));
 }
