@@ -1,6 +1,5 @@
-# The whole station without a screen: a simulated hand's pen and height sensor, as the kernel has
-# them, recorded live; the strokes lie where the hand was. With the
-# thread sanitizer..
+# The scenario whole_station with the thread sanitizer. Its processor is faster, for what they
+# add would leave it behind the devices.
 preset=tsan
 memory_mb=1024
 instruction_shift=1
