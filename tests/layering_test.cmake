@@ -3,7 +3,7 @@
 set(engine/base)
 set(engine/stroke    engine/base)
 set(engine/plant     engine/base engine/stroke)
-set(engine/lsystem   engine/base engine/plant)
+set(engine/lsystem   engine/base engine/stroke engine/plant)
 set(engine/variation engine/base engine/stroke engine/plant)
 set(engine/mesh      engine/base engine/plant)
 set(engine/scene     engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh)

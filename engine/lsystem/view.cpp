@@ -15,7 +15,7 @@ namespace tractus {
 namespace {
 
 // cpfg's statements that do not concern geometry, or that we leave to others.
-constexpr std::array<std::string_view, 50> kIgnoredKeys { "viewpoint",
+constexpr std::array<std::string_view, 49> kIgnoredKeys { "viewpoint",
                                                           "view reference point",
                                                           "twist",
                                                           "projection",
@@ -55,7 +55,6 @@ constexpr std::array<std::string_view, 50> kIgnoredKeys { "viewpoint",
                                                           "initial scale",
                                                           "scale multiplier",
                                                           "environment display",
-                                                          "curve",
                                                           "antialiasing",
                                                           "min zoom",
                                                           "max zoom",
@@ -122,6 +121,7 @@ private:
     Result<void> tropism(std::string_view value, bool is_torque);
     Result<void> function(std::string_view value);
     Result<void> function_set(std::string_view value);
+    Result<void> curve(std::string_view value);
     Result<void> material(std::string_view value);
     Result<void> organ(std::string_view value);
     Result<void> organ_field(OrganDefinition& organ, std::string_view field);
@@ -172,6 +172,8 @@ Result<void> ViewParser::statement(std::string_view key, std::string_view value)
         return function(value);
     if (key == "function set")
         return function_set(value);
+    if (key == "curve")
+        return curve(value);
     if (key == "material")
         return material(value);
     if (key == "organ")
@@ -321,6 +323,30 @@ Result<void> ViewParser::function_set(std::string_view value)
     }
     for (auto& table : TRY(parse_functions(name, *text)))
         view_.functions.push_back(std::move(table));
+    return {};
+}
+
+Result<void> ViewParser::curve(std::string_view value)
+{
+    auto const parts = words(value, " \t");
+    if (parts.empty())
+        return error("found nothing, expected the curve's file");
+    auto const name = std::string(parts[0]);
+    auto const samples = parts.size() > 1 ? TRY(read_number(parts[1])) : 100;
+    auto const text = include_ ? include_(name)
+                               : Result<std::string>(fail(Fault::User, "this model has no folder"));
+    if (!text) {
+        warn(fmt::format("cannot read the curve {} ({}); it is a point", name,
+                         text.error().message));
+        CurveTable point;
+        point.name = name.substr(0, name.find('.'));
+        point.control.assign(4, Vec3::Zero());
+        point.lengths.assign(2, 0);
+        view_.curves.push_back(std::move(point));
+        return {};
+    }
+    view_.curves.push_back(TRY(
+        parse_curve(name, *text, static_cast<std::size_t>(std::clamp(samples, 2.0, 100'000.0)))));
     return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "engine/base/vectors.h"
+#include "engine/lsystem/curve_file.h"
 #include "engine/lsystem/source_text.h"
 #include "engine/plant/material.h"
 #include "engine/plant/organ_shape.h"
@@ -59,8 +60,9 @@ struct View {
     double elasticity = 0;
     double elasticity_step = 0;
     std::vector<Tropism> tropisms;
-    std::vector<FunctionTable> functions;
-    std::map<int, Material> materials; // By turtle colour.
+    std::vector<FunctionTable> functions; // func(1, x) is the first.
+    std::vector<CurveTable> curves;       // curveX(1, t) is the first.
+    std::map<int, Material> materials;    // By turtle colour.
     std::vector<OrganDefinition> organs;
     bool pipe_model = false;
     double pipe_exponent = 2;
@@ -69,7 +71,8 @@ struct View {
 };
 
 // Reads a view file. Fails, as the user's fault, with "FILE:LINE:COLUMN: …". `include` gives the
-// functions' files too; one that cannot be read is a warning, and the function is 0.
+// files of functions and curves too; one that cannot be read is a warning, and the function is 0,
+// the curve a point.
 Result<View> parse_view(std::string const& name, std::string_view text,
                         IncludeReader const& include);
 

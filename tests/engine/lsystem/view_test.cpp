@@ -117,5 +117,83 @@ TEST(Functions, RefuseTooFewPoints)
     EXPECT_EQ(functions.error().message, "f.func:4: expected at least 4 control points");
 }
 
+CurveTable curve(std::string const& text)
+{
+    auto read = parse_curve("path.crv", text);
+    EXPECT_TRUE(read) << read.error().message;
+    return read ? *std::move(read) : CurveTable {};
+}
+
+std::string curve_error(std::string const& text)
+{
+    auto const read = parse_curve("path.crv", text);
+    return read ? "no error" : read.error().message;
+}
+
+TEST(Curves, AreWalkedByLength)
+{
+    // A straight line whose points crowd at its beginning.
+    auto const line = curve("points: 4\ndim: 3\ntype: bezier\n0 0 1\n0 0 1\n0 1 1\n0 8 1\n");
+    EXPECT_EQ(line.name, "path");
+    for (double const share : { 0.0, 0.125, 0.5, 0.77, 1.0 })
+        EXPECT_LT((line.at(share) - Vec3(0, 8 * share, 1)).norm(), 2e-3) << share;
+    EXPECT_EQ(line.at(-3), Vec3(0, 0, 1));
+    EXPECT_EQ(line.at(3), Vec3(0, 8, 1));
+}
+
+TEST(Curves, BeginAndEndAsTheirTypeSays)
+{
+    std::string const square = "0 0\n6 0\n6 6\n0 6\n";
+    auto const of_type = [&](std::string const& type) {
+        return curve("points: 4\ntype: " + type + "\n" + square);
+    };
+    EXPECT_LT((of_type("bspline").at(0) - Vec3(5, 1, 0)).norm(), 1e-12); // (0 + 4·6 + 6) / 6 = 5
+    EXPECT_LT((of_type("bspline-endpoint").at(1) - Vec3(0, 6, 0)).norm(), 1e-12);
+    EXPECT_LT((of_type("bspline-phantom").at(0) - Vec3(0, 0, 0)).norm(), 1e-12);
+    EXPECT_LT((of_type("bspline-phantom").at(1) - Vec3(0, 6, 0)).norm(), 1e-12);
+    auto const closed = of_type("bspline-closed");
+    EXPECT_LT((closed.at(0) - closed.at(1)).norm(), 1e-12);
+    EXPECT_LT((closed.at(0.25) - Vec3(5, 5, 0)).norm(), 1e-4); // A quarter of its way round.
+}
+
+TEST(Curves, RepeatPointsAndSkipAnEditorsCurves)
+{
+    auto const plain = curve("points: 5\ndim: 3\ntype: bspline\n"
+                             "0 0 0\n0 0 0\n0 0 0\n1 2 3\n4 5 6\n");
+    auto const repeated = curve("version: 1.0\ncontact: 0 0 0\npoints: 3\nrange: 0 1\ndim: 4\n"
+                                "type: bspline\n// first\n0 0 0 3\npoints: 2\ndim: 2\n7 7\n8 8\n"
+                                "1 2 3 1\n4 5 6 1\n");
+    EXPECT_EQ(plain.control, repeated.control);
+    EXPECT_EQ(plain.lengths, repeated.lengths);
+}
+
+TEST(Curves, NameThePlaceOfAnError)
+{
+    EXPECT_EQ(curve_error("points: 4\n0 0\n1 1 1\n"),
+              "path.crv:3: expected a control point of 2 numbers");
+    EXPECT_EQ(curve_error("points: 4\n0 0\n"),
+              "path.crv:2: the file ends before the curve's last point");
+    EXPECT_EQ(curve_error("points: 2\n0 0\n1 1\n"), "path.crv: expected at least 4 control points");
+    EXPECT_EQ(curve_error("0 0\n"), "path.crv:1: expected 'points:' before the points");
+}
+
+TEST(View, ReadsCurves)
+{
+    auto const include = [](std::string const& name) -> Result<std::string> {
+        if (name == "a.crv")
+            return std::string("points: 4\ntype: bezier\n0 0\n1 0\n2 0\n3 0\n");
+        return fail(Fault::User, "no such file");
+    };
+    auto const view = parse_view("model.v", "curve: a.crv 50\ncurve: b.crv\n", include);
+    ASSERT_TRUE(view) << view.error().message;
+    ASSERT_EQ(view->curves.size(), 2u);
+    EXPECT_EQ(view->curves[0].lengths.size(), 50u);
+    EXPECT_LT((view->curves[0].at(0.5) - Vec3(1.5, 0, 0)).norm(), 1e-9);
+    EXPECT_EQ(view->curves[1].at(0.5), Vec3::Zero());
+    ASSERT_EQ(view->warnings.size(), 1u);
+    EXPECT_EQ(view->warnings[0],
+              "model.v:2:1: cannot read the curve b.crv (no such file); it is a point");
+}
+
 } // namespace
 } // namespace tractus

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace tractus {
+
+// The lines of a text one after another, without blanks at their ends.
+struct TextLines {
+    std::string_view rest;
+    int number = 0; // Of the line that came last, from 1.
+
+    // False at the text's end.
+    bool next(std::string_view& line);
+};
+
+// The numbers of a line, separated by blanks. None at all where something else stands in it.
+std::vector<double> numbers_in(std::string_view line);
+
+// What follows `key` and blanks in a line that begins with it.
+std::string_view after_key(std::string_view line, std::string_view key);
+
+} // namespace tractus
