@@ -25,7 +25,8 @@ std::optional<ContextTable> ContextTable::create(Model const& model)
 {
     auto const& kinds = model.alphabet.kinds;
     bool const is_small = static_cast<unsigned>(std::bit_width(kinds.size())) <= kMaxKindBits;
-    bool const is_simple = !model.stochastic && !model.ring && !model.decomposition.specified;
+    bool const is_simple = !model.stochastic && !model.ring && !model.decomposition.specified
+        && model.subsystems.empty();
     bool const has_plain_kinds
         = std::all_of(kinds.begin(), kinds.end(), [](ModuleKind const& kind) {
               return kind.parameter_count == 0 && kind.symbol != '%';

@@ -54,7 +54,7 @@ public:
     // "FILE:LINE:COLUMN: found …, expected …", for the place here.
     tl::unexpected<Error> unexpected(std::string_view expected);
     // "FILE:LINE:COLUMN: …"
-    tl::unexpected<Error> error(std::string_view what) { return error_at(at_, what); }
+    tl::unexpected<Error> error(std::string_view what) const { return error_at(at_, what); }
     tl::unexpected<Error> error_at(std::size_t position, std::string_view what) const;
 
 private:

@@ -3,8 +3,11 @@
 #include "engine/base/parallel.h"
 #include "engine/lsystem/context_table.h"
 #include "engine/lsystem/range_rewriter.h"
+#include "engine/lsystem/subsystem_rewriter.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/core.h>
 #include <optional>
 #include <span>
@@ -35,15 +38,20 @@ public:
         , options_(options)
         , machine_(model, options.seed)
         , table_(ContextTable::create(model))
-        , plan_(model)
+        , plan_(model, model)
         , rewriter_(plan_, machine_, branches_)
     {
+        machine_.set_printer(&options.print);
+        machine_.set_time_limit(&options.time);
+        if (!model.subsystems.empty())
+            subsystems_.emplace(model, machine_, branches_);
     }
 
     Result<ModuleString> run();
 
 private:
-    void start();
+    Result<void> start();
+    int length();
     Result<void> step(int number);
     Result<void> rewrite_fixed();
     Result<void> rewrite();
@@ -52,6 +60,7 @@ private:
     Place extent_of(std::span<KindId const> modules) const;
     void write_fixed(Place const& from, Place const& from_end, Place const& to,
                      Place const& to_end);
+    StringLimit limit() const;
     Result<void> check_size(std::size_t modules, std::size_t parameters) const;
 
     Model const& model_;
@@ -61,6 +70,7 @@ private:
     RulePlan plan_;
     Branches branches_; // Of in_, where rules have contexts.
     RangeRewriter rewriter_;
+    std::optional<SubsystemRewriter> subsystems_;
     int step_ = 0;
     ModuleString in_;
     ModuleString out_;
@@ -69,12 +79,13 @@ private:
 Result<ModuleString> Derivation::run()
 {
     auto const steps = options_.steps.value_or(model_.steps);
-    machine_.globals[1] = steps;
-    start();
+    machine_.global(GlobalIndex::Steps) = steps;
+    machine_.global(GlobalIndex::DerivationLength) = steps;
+    TRY(start());
     TRY(check_size(in_.size(), in_.parameters.size()));
     if (options_.on_step)
         options_.on_step(0, in_);
-    for (int i = 1; i <= steps; ++i) {
+    for (int i = 1; i <= length(); ++i) {
         TRY(step(i));
         if (options_.on_step)
             options_.on_step(i, in_);
@@ -88,66 +99,100 @@ Result<ModuleString> Derivation::run()
     return std::move(in_);
 }
 
-void Derivation::start()
+// How many steps there are, as far as the model has decided by now.
+int Derivation::length()
+{
+    if (options_.steps)
+        return *options_.steps;
+    double const length = machine_.global(GlobalIndex::DerivationLength);
+    return static_cast<int>(std::clamp(std::isnan(length) ? 0 : length, 0.0, 1e9));
+}
+
+Result<void> Derivation::start()
 {
     machine_.begin_module(0, kNoPosition);
     machine_.run(model_.start);
     auto frame = model_.axiom_program.frame;
     machine_.run(model_.axiom_program.program, frame.data());
+    TRY(machine_.check());
     auto const& axiom = model_.axiom;
     in_.kinds.append(axiom.kinds.data(), axiom.kinds.size());
     for (auto const reg : axiom.parameters) {
         auto const value = static_cast<float>(frame[reg]);
         in_.parameters.append(&value, 1);
     }
+    if (subsystems_)
+        TRY(subsystems_->add_calls(in_, 0, 0));
+    return {};
 }
 
 Result<void> Derivation::step(int number)
 {
     step_ = number;
-    machine_.globals[0] = number;
+    machine_.global(GlobalIndex::Step) = number;
     auto const stream = static_cast<std::uint32_t>(number);
     machine_.begin_module(stream, kNoPosition);
+    machine_.spend(in_.size() + 1);
     machine_.run(model_.start_each);
     out_.kinds.clear();
     out_.parameters.clear();
     if (table_)
-        table_->rewrite(in_.kinds, out_.kinds, options_.max_modules);
-    else if (plan_.is_fixed())
+        table_->rewrite(in_.kinds, out_.kinds, limit().modules);
+    else if (plan_.is_fixed() && !subsystems_)
         TRY(rewrite_fixed());
     else
         TRY(rewrite());
-    TRY(check_size(out_.size(), out_.parameters.size()));
     machine_.begin_module(stream, kNoPosition - 1);
+    TRY(machine_.check());
+    TRY(check_size(out_.size(), out_.parameters.size()));
     machine_.run(model_.end_each);
     TRY(machine_.check());
     in_.kinds.swap(out_.kinds);
     in_.parameters.swap(out_.parameters);
+    in_.calls.swap(out_.calls);
     return {};
+}
+
+// Of the string that a step makes. Columns grow by half of themselves, and what is rewritten, with
+// the places of its branches, stays until the step is done.
+StringLimit Derivation::limit() const
+{
+    auto const held = in_.byte_size()
+        + (branches_.partner.capacity() + branches_.parameters.capacity()) * sizeof(std::uint32_t);
+    auto const left = options_.max_memory_bytes - std::min(held, options_.max_memory_bytes);
+    return { std::min(options_.max_modules, kMaxModules), left / 3 * 2 };
 }
 
 Result<void> Derivation::check_size(std::size_t modules, std::size_t parameters) const
 {
-    // Modules have few parameters; the factor only keeps hostile models in memory.
-    auto const limit = std::min(options_.max_modules, kMaxModules);
-    if (modules <= limit && parameters / 16 <= limit)
-        return {};
-    return fail(
-        Fault::User,
-        fmt::format("{}: step {} makes more than {} modules; derive fewer steps or raise the limit",
-                    model_.name, step_, limit));
+    auto const most = limit();
+    auto const where = step_ == 0 ? std::string("the axiom") : fmt::format("step {}", step_);
+    // Modules have few parameters; the factor only keeps their places within 32 bits.
+    if (modules > most.modules || parameters / 16 > most.modules)
+        return fail(Fault::User,
+                    fmt::format("{}: {} makes more than {} modules; derive fewer steps or raise "
+                                "the limit of modules",
+                                model_.name, where, most.modules));
+    if (modules * sizeof(KindId) + parameters * sizeof(float) > most.bytes)
+        return fail(Fault::User,
+                    fmt::format("{}: {} needs more than {} MB of memory; derive fewer steps or "
+                                "raise the limit of memory",
+                                model_.name, where, options_.max_memory_bytes >> 20));
+    return {};
 }
 
 Result<void> Derivation::rewrite()
 {
-    if (rewriter_.has_contexts())
+    if (subsystems_ ? subsystems_->has_contexts() : rewriter_.has_contexts())
         find_branches(model_, in_, branches_);
-    if (in_.size() > 2 * kPiece && plan_.is_divisible() && thread_count() > 1)
+    if (in_.size() > 2 * kPiece && plan_.is_divisible() && thread_count() > 1 && !subsystems_)
         return rewrite_in_pieces();
     out_.kinds.reserve(in_.size());
     out_.parameters.reserve(in_.parameters.size());
-    rewriter_.rewrite(in_, { 0, in_.size(), 0 }, static_cast<std::uint32_t>(step_),
-                      options_.max_modules, out_);
+    RangeRewriter::Task const task { in_, static_cast<std::uint32_t>(step_), limit(), out_ };
+    if (subsystems_)
+        return subsystems_->rewrite(task, step_ >= length());
+    rewriter_.rewrite(task, { 0, in_.size(), 0 });
     return {};
 }
 
@@ -156,10 +201,11 @@ Result<void> Derivation::rewrite_in_pieces()
 {
     struct Piece {
         ModuleString out;
-        bool loop_did_not_end = false;
+        Machine::Stop stop = Machine::Stop::None;
     };
     auto const places = find_pieces();
     auto const count = places.size() - 1;
+    auto const most = limit();
     std::vector<Piece> pieces(std::min(count, kPiecesAtATime));
     for (std::size_t first = 0; first < count; first += pieces.size()) {
         auto const now = std::span(pieces).first(std::min(pieces.size(), count - first));
@@ -170,15 +216,14 @@ Result<void> Derivation::rewrite_in_pieces()
                 auto const& place = places[first + i];
                 now[i].out.kinds.clear();
                 now[i].out.parameters.clear();
-                rewriter.rewrite(
-                    in_, { place.module, places[first + i + 1].module, place.parameter },
-                    static_cast<std::uint32_t>(step_), options_.max_modules, now[i].out);
-                now[i].loop_did_not_end = machine.loop_did_not_end();
+                rewriter.rewrite({ in_, static_cast<std::uint32_t>(step_), most, now[i].out },
+                                 { place.module, places[first + i + 1].module, place.parameter });
+                now[i].stop = machine.stop();
             }
         });
         for (auto const& piece : now)
-            if (piece.loop_did_not_end)
-                machine_.stop_loops();
+            machine_.stop_too(piece.stop);
+        TRY(machine_.check());
         std::vector<Place> to { { out_.size(), out_.parameters.size() } };
         for (auto const& piece : now)
             to.push_back({ to.back().module + piece.out.size(),
@@ -280,46 +325,6 @@ void Derivation::write_fixed(Place const& from, Place const& from_end, Place con
 Result<ModuleString> derive(Model const& model, DeriveOptions const& options)
 {
     return Derivation(model, options).run();
-}
-
-Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& string,
-                                        std::size_t max_modules)
-{
-    Machine machine(model, string);
-    Expander homomorphism(model, model.homomorphism, machine);
-    ModuleString result;
-    Branches branches;
-    if (homomorphism.has_contexts())
-        find_branches(model, string, branches);
-    std::size_t parameter = 0;
-    for (std::size_t i = 0; i < string.size();) {
-        Modules const rest { string.kinds.data() + i, string.parameters.data() + parameter,
-                             string.size() - i };
-        machine.begin_module(kHomomorphismStep, i);
-        Surroundings const around {
-            &string,   &branches, i,
-            parameter, i + 1,     parameter + model.alphabet[rest.kinds[0]].parameter_count
-        };
-        auto const count
-            = homomorphism.expand(rest, around, [&](Modules const& modules) -> std::size_t {
-                  result.kinds.append(modules.kinds, 1);
-                  result.parameters.append(modules.parameters,
-                                           model.alphabet[modules.kinds[0]].parameter_count);
-                  return result.size() <= max_modules;
-              });
-        TRY(machine.check());
-        if (count == 0)
-            return fail(Fault::User,
-                        fmt::format("{}: the homomorphism makes more than {} modules", model.name,
-                                    max_modules));
-        for (std::size_t k = 0; k < count; ++k)
-            parameter += model.alphabet[rest.kinds[k]].parameter_count;
-        i += count;
-    }
-    result.globals = string.globals;
-    result.arrays = string.arrays;
-    result.seed = string.seed;
-    return result;
 }
 
 } // namespace tractus

@@ -1,20 +1,32 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/lsystem/limits.h"
 #include "engine/lsystem/model.h"
 #include "engine/lsystem/module_string.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
+#include <string_view>
 
 namespace tractus {
 
 struct DeriveOptions {
-    std::optional<int> steps {}; // The model's derivation length when there is none.
-    std::uint64_t seed = 1;      // Together with the model's own: another seed, another plant.
+    // The model's derivation length when there is none. A model that is given its steps cannot
+    // change their number by SetDerivationLength().
+    std::optional<int> steps {};
+    std::uint64_t seed = 1; // Together with the model's own: another seed, another plant.
+
+    // What the derivation may cost. Memory is that of the strings; the plant comes on top.
     std::size_t max_modules = 100'000'000;
+    std::size_t max_memory_bytes = std::numeric_limits<std::size_t>::max();
+    TimeLimit time {};
+
+    // What printf in rules and blocks prints, but not in homomorphism rules; goes nowhere without.
+    std::function<void(std::string_view text)> print {};
 
     // Called with the axiom as step 0 and with the string after each step.
     std::function<void(int step, ModuleString const& string)> on_step {};
@@ -22,13 +34,9 @@ struct DeriveOptions {
 
 // Rewrites the model's axiom `steps` times.
 //
-// Fails, as the user's fault, when the string grows beyond `max_modules` or a loop in the model
-// does not end. The same model and options always give the same string.
+// Fails, as the user's fault, beyond a limit in the options, when a loop in the model does not end,
+// or when a ?(…) calls a sub-L-system that the model does not have. The same model and options
+// always give the same string.
 Result<ModuleString> derive(Model const& model, DeriveOptions const& options = {});
-
-// The string with every module replaced by what the homomorphism rules make of it: what the turtle
-// reads. Fails as derive() does.
-Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& string,
-                                        std::size_t max_modules = 100'000'000);
 
 } // namespace tractus

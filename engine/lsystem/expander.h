@@ -8,18 +8,21 @@
 
 namespace tractus {
 
-// What homomorphism rules draw at random is of this step.
-constexpr std::uint32_t kHomomorphismStep = 0xffffffff;
-
 // Rewrites one module after the other with a set of rules, at once and again and again until no
 // rule matches or the set's maximum depth is reached: how decomposition and homomorphism rules
 // work. Their contexts are looked for around the module in the string that is being rewritten.
 class Expander {
 public:
-    Expander(Model const& model, RuleSet const& rules, Machine& machine)
+    // Of one L-system of the model; without it, of the main one.
+    Expander(Model const& model, LSystem const& system, RuleSet const& rules, Machine& machine)
         : model_(model)
         , rules_(rules)
-        , rewriter_(model, rules, machine, model.stochastic)
+        , machine_(machine)
+        , rewriter_(model, system, rules, machine)
+    {
+    }
+    Expander(Model const& model, RuleSet const& rules, Machine& machine)
+        : Expander(model, model, rules, machine)
     {
     }
 
@@ -30,7 +33,7 @@ public:
     // Hands what the first of `modules` becomes to `sink`, a callable that takes Modules, reads one
     // turtle symbol or one module of them, and returns how many it has read. Returns how many of
     // `modules` were read: more than one for rules with longer predecessors.
-    // Stops when sink returns 0.
+    // Returns 0 when sink has returned 0, or the machine has stopped.
     template<typename Sink>
     std::size_t expand(Modules const& modules, Surroundings const& around, Sink&& sink)
     {
@@ -58,7 +61,7 @@ public:
                 && has_rules(rest.kinds[0]))
                 inner = rewriter_.find(rest, around, false);
             auto const count = inner ? inner->predecessor.size() : sink(rest);
-            if (count == 0)
+            if (count == 0 || machine_.has_stopped())
                 return 0;
             for (std::size_t i = 0; i < count; ++i)
                 level.next_parameters += model_.alphabet[rest.kinds[i]].parameter_count;
@@ -85,12 +88,14 @@ private:
         level.begin = level.next = buffer_.kinds.size();
         level.begin_parameters = level.next_parameters = buffer_.parameters.size();
         rewriter_.apply(rule, buffer_);
+        machine_.spend(1);
         level.end = buffer_.kinds.size();
         levels_.push_back(level);
     }
 
     Model const& model_;
     RuleSet const& rules_;
+    Machine& machine_;
     Rewriter rewriter_;
     ModuleString buffer_;
     std::vector<Level> levels_;

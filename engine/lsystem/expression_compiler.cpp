@@ -1,6 +1,7 @@
 #include "engine/lsystem/expression_compiler.h"
 
-#include "engine/lsystem/arithmetic.h"
+#include "engine/lsystem/functions.h"
+#include "engine/lsystem/model.h"
 
 #include <algorithm>
 #include <array>
@@ -13,51 +14,6 @@ namespace tractus {
 namespace {
 
 constexpr int kMaxNesting = 200;
-constexpr std::size_t kMaxSize = 30000; // Registers and instructions are numbered with 16 bits.
-
-struct FunctionEntry {
-    std::string_view name;
-    Op op;
-    int parameter_count;
-};
-
-constexpr std::array kFunctions {
-    FunctionEntry { "sin", Op::Sin, 1 },          FunctionEntry { "cos", Op::Cos, 1 },
-    FunctionEntry { "tan", Op::Tan, 1 },          FunctionEntry { "asin", Op::Asin, 1 },
-    FunctionEntry { "acos", Op::Acos, 1 },        FunctionEntry { "atan", Op::Atan, 1 },
-    FunctionEntry { "atan2", Op::Atan2, 2 },      FunctionEntry { "exp", Op::Exp, 1 },
-    FunctionEntry { "log", Op::Log, 1 },          FunctionEntry { "floor", Op::Floor, 1 },
-    FunctionEntry { "ceil", Op::Ceil, 1 },        FunctionEntry { "trunc", Op::Round, 1 },
-    FunctionEntry { "fabs", Op::Abs, 1 },         FunctionEntry { "sign", Op::Sign, 1 },
-    FunctionEntry { "sqrt", Op::Sqrt, 1 },        FunctionEntry { "pow", Op::Power, 2 },
-    FunctionEntry { "ran", Op::Random, 1 },       FunctionEntry { "nran", Op::Normal, 2 },
-    FunctionEntry { "bran", Op::Beta, 2 },        FunctionEntry { "biran", Op::Binomial, 2 },
-    FunctionEntry { "srand", Op::SeedRandom, 1 }, FunctionEntry { "func", Op::Function, 2 },
-};
-
-// cpfg's functions that we lack. Their value is 0.
-constexpr std::array<std::string_view, 22> kIgnoredFunctions { "printf",
-                                                               "fprintf",
-                                                               "fopen",
-                                                               "fclose",
-                                                               "fflush",
-                                                               "fscanf",
-                                                               "stop",
-                                                               "play",
-                                                               "inblob",
-                                                               "curveX",
-                                                               "curveY",
-                                                               "curveZ",
-                                                               "curveGAL",
-                                                               "SetDerivationLength",
-                                                               "GetDerivationLength",
-                                                               "Display",
-                                                               "vvXmin",
-                                                               "vvXmax",
-                                                               "vvYmin",
-                                                               "vvYmax",
-                                                               "vvZmin",
-                                                               "vvZmax" };
 
 struct BinaryOperator {
     std::string_view text;
@@ -93,20 +49,6 @@ BinaryOperator const* binary_operator(Cursor& cursor, int level)
 
 } // namespace
 
-std::optional<std::uint16_t> GlobalNames::find(std::string_view name) const
-{
-    auto const found = std::find(variables.begin(), variables.end(), name);
-    if (found == variables.end())
-        return std::nullopt;
-    return static_cast<std::uint16_t>(found - variables.begin());
-}
-
-void GlobalNames::warn(std::string warning)
-{
-    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
-        warnings.push_back(std::move(warning));
-}
-
 std::optional<std::string> ExpressionCompiler::name(Cursor& cursor)
 {
     std::string result;
@@ -125,255 +67,24 @@ std::optional<std::string> ExpressionCompiler::name(Cursor& cursor)
 
 std::optional<Register> ExpressionCompiler::add_parameter(std::string const& name)
 {
-    auto const reg = new_register(0);
-    if (!reg || !names_.emplace(name, *reg).second)
+    auto const reg = frame_.add();
+    if (!reg || !locals_.emplace(name, *reg).second)
         return std::nullopt;
     return *reg;
 }
 
-RegisterFile ExpressionCompiler::take_frame()
-{
-    return std::move(frame_);
-}
-
-void ExpressionCompiler::prepend_reset(Program& program) const
+void ExpressionCompiler::prepend_reset(Program& program)
 {
     Program result;
+    auto const zero = reset_.empty() ? Register { 0 } : frame_.constant(0).value();
     for (auto const reg : reset_)
-        result.push_back({ .op = Op::Copy, .target = reg, .left = constants_.at(0), .right = 0 });
+        result.push_back({ .op = Op::Copy, .target = reg, .left = zero, .right = 0 });
     for (auto instruction : program) {
         if (instruction.op == Op::Jump || instruction.op == Op::JumpIfZero)
             instruction.target = static_cast<std::uint16_t>(instruction.target + reset_.size());
         result.push_back(instruction);
     }
     program = std::move(result);
-}
-
-Result<Register> ExpressionCompiler::new_register(double value)
-{
-    if (frame_.size() >= kMaxSize)
-        return cursor_.error("this rule is too large: it needs more than 30000 values");
-    frame_.push_back(value);
-    values_.emplace_back();
-    return static_cast<Register>(frame_.size() - 1);
-}
-
-Result<Register> ExpressionCompiler::constant(double value)
-{
-    if (auto const found = constants_.find(value); found != constants_.end())
-        return found->second;
-    auto const reg = TRY(new_register(value));
-    values_[reg].is_constant = true;
-    if (value == value) // A map cannot find NaN again.
-        constants_.emplace(value, reg);
-    return reg;
-}
-
-Result<Register> ExpressionCompiler::temporary()
-{
-    if (!free_temporaries_.empty()) {
-        auto const reg = free_temporaries_.back();
-        free_temporaries_.pop_back();
-        return reg;
-    }
-    auto const reg = TRY(new_register(0));
-    values_[reg].is_temporary = true;
-    return reg;
-}
-
-void ExpressionCompiler::release(Register reg)
-{
-    if (values_[reg].is_temporary)
-        free_temporaries_.push_back(reg);
-}
-
-Result<std::uint16_t> ExpressionCompiler::label(Program const& program)
-{
-    if (program.size() >= kMaxSize)
-        return cursor_.error("this rule is too large: it needs more than 30000 instructions");
-    return static_cast<std::uint16_t>(program.size());
-}
-
-Result<Register> ExpressionCompiler::emit(Op op, Register left, Register right, Program& program)
-{
-    if (is_pure(op) && values_[left].is_constant && values_[right].is_constant)
-        return constant(compute(op, frame_[left], frame_[right]));
-    TRY(label(program));
-    release(left);
-    if (right != left)
-        release(right);
-    auto const target = TRY(temporary());
-    program.push_back({ .op = op, .target = target, .left = left, .right = right });
-    return target;
-}
-
-Result<void> ExpressionCompiler::block(Program& program)
-{
-    if (!cursor_.take("{"))
-        return cursor_.unexpected("'{'");
-    if (++depth_ > kMaxNesting)
-        return cursor_.error("blocks are nested too deeply");
-    cursor_.enter_block();
-    while (cursor_.peek() != '}') {
-        if (cursor_.at_end())
-            return cursor_.unexpected("'}'");
-        TRY(statement(program));
-    }
-    cursor_.leave_block();
-    --depth_;
-    cursor_.take("}");
-    return {};
-}
-
-Result<void> ExpressionCompiler::statement(Program& program)
-{
-    if (cursor_.take(";"))
-        return {};
-    auto const begin = cursor_.position();
-    auto const word = name(cursor_);
-    if (word == "if")
-        return if_statement(program);
-    if (word == "while")
-        return while_statement(program);
-    if (word == "do")
-        return do_statement(program);
-    cursor_.set_position(begin);
-    if (!TRY(assignment(program))) {
-        auto const value = TRY(expression(program));
-        release(value);
-    }
-    if (!cursor_.take(";"))
-        return cursor_.unexpected("';'");
-    return {};
-}
-
-Result<void> ExpressionCompiler::statement_or_block(Program& program)
-{
-    return cursor_.peek() == '{' ? block(program) : statement(program);
-}
-
-Result<void> ExpressionCompiler::if_statement(Program& program)
-{
-    if (++depth_ > kMaxNesting)
-        return cursor_.error("statements are nested too deeply");
-    if (cursor_.peek() != '(')
-        return cursor_.unexpected("'('");
-    auto const condition = TRY(primary(program));
-    auto const to_else = TRY(label(program));
-    program.push_back({ .op = Op::JumpIfZero, .target = 0, .left = condition, .right = 0 });
-    release(condition);
-    ++conditional_depth_;
-    TRY(statement_or_block(program));
-    auto const begin = cursor_.position();
-    if (name(cursor_) == "else") {
-        auto const to_end = TRY(label(program));
-        program.push_back({ .op = Op::Jump, .target = 0, .left = 0, .right = 0 });
-        program[to_else].target = TRY(label(program));
-        TRY(statement_or_block(program));
-        program[to_end].target = TRY(label(program));
-    } else {
-        cursor_.set_position(begin);
-        program[to_else].target = TRY(label(program));
-    }
-    --conditional_depth_;
-    --depth_;
-    return {};
-}
-
-Result<void> ExpressionCompiler::while_statement(Program& program)
-{
-    if (++depth_ > kMaxNesting)
-        return cursor_.error("statements are nested too deeply");
-    if (cursor_.peek() != '(')
-        return cursor_.unexpected("'('");
-    auto const begin = TRY(label(program));
-    auto const condition = TRY(primary(program));
-    auto const to_end = TRY(label(program));
-    program.push_back({ .op = Op::JumpIfZero, .target = 0, .left = condition, .right = 0 });
-    release(condition);
-    ++conditional_depth_;
-    TRY(statement_or_block(program));
-    --conditional_depth_;
-    program.push_back({ .op = Op::Jump, .target = begin, .left = 0, .right = 0 });
-    program[to_end].target = TRY(label(program));
-    --depth_;
-    return {};
-}
-
-Result<void> ExpressionCompiler::do_statement(Program& program)
-{
-    auto const begin = TRY(label(program));
-    TRY(block(program));
-    if (name(cursor_) != "while" || cursor_.peek() != '(')
-        return cursor_.unexpected("'while ('");
-    auto const condition = TRY(primary(program));
-    auto const to_end = TRY(label(program));
-    program.push_back({ .op = Op::JumpIfZero, .target = 0, .left = condition, .right = 0 });
-    release(condition);
-    program.push_back({ .op = Op::Jump, .target = begin, .left = 0, .right = 0 });
-    program[to_end].target = TRY(label(program));
-    if (!cursor_.take(";"))
-        return cursor_.unexpected("';'");
-    return {};
-}
-
-// Whether an assignment stood here; if not, nothing is read.
-Result<bool> ExpressionCompiler::assignment(Program& program)
-{
-    auto const begin = cursor_.position();
-    auto const variable = name(cursor_);
-    if (variable && cursor_.peek() == '[') {
-        TRY(assign_array(*variable, program));
-        return true;
-    }
-    if (!variable || !cursor_.sees("=") || cursor_.sees("==")) {
-        cursor_.set_position(begin);
-        return false;
-    }
-    cursor_.take("=");
-    auto const value = TRY(expression(program));
-    TRY(assign(*variable, value, program));
-    release(value);
-    return true;
-}
-
-Result<void> ExpressionCompiler::assign_array(std::string const& array, Program& program)
-{
-    auto const element = TRY(array_element(array, program));
-    if (!cursor_.take("="))
-        return cursor_.unexpected("'='");
-    auto const value = TRY(expression(program));
-    TRY(label(program));
-    program.push_back(
-        { .op = Op::StoreArray, .target = element.array, .left = element.index, .right = value });
-    release(value);
-    release(element.index);
-    return {};
-}
-
-Result<void> ExpressionCompiler::assign(std::string const& variable, Register value,
-                                        Program& program)
-{
-    TRY(label(program));
-    auto local = names_.find(variable);
-    auto const global = globals_.find(variable);
-    if (local == names_.end() && !global && new_names_ == NewNames::Local) {
-        auto const reg = TRY(new_register(0));
-        local = names_.emplace(variable, reg).first;
-        if (conditional_depth_ > 0) {
-            TRY(constant(0));
-            reset_.push_back(reg);
-        }
-    }
-    if (local != names_.end()) {
-        program.push_back({ .op = Op::Copy, .target = local->second, .left = value, .right = 0 });
-        return {};
-    }
-    if (!global)
-        globals_.variables.push_back(variable);
-    auto const index = global ? *global : static_cast<std::uint16_t>(globals_.variables.size() - 1);
-    program.push_back({ .op = Op::StoreGlobal, .target = index, .left = value, .right = 0 });
-    return {};
 }
 
 Result<Register> ExpressionCompiler::expression(Program& program)
@@ -390,24 +101,22 @@ Result<Register> ExpressionCompiler::conditional(Program& program)
     auto const condition = TRY(logical(program, kOrLevel));
     if (!cursor_.take("?"))
         return condition;
-    auto const to_else = TRY(label(program));
+    auto const to_else = TRY(frame_.label(program));
     program.push_back({ .op = Op::JumpIfZero, .target = 0, .left = condition, .right = 0 });
-    release(condition);
-    auto const result = TRY(temporary());
-    ++conditional_depth_;
+    frame_.release(condition);
+    auto const result = TRY(frame_.temporary());
     auto const yes = TRY(expression(program));
     program.push_back({ .op = Op::Copy, .target = result, .left = yes, .right = 0 });
-    release(yes);
-    auto const to_end = TRY(label(program));
+    frame_.release(yes);
+    auto const to_end = TRY(frame_.label(program));
     program.push_back({ .op = Op::Jump, .target = 0, .left = 0, .right = 0 });
     if (!cursor_.take(":"))
         return cursor_.unexpected("':'");
-    program[to_else].target = TRY(label(program));
+    program[to_else].target = TRY(frame_.label(program));
     auto const no = TRY(expression(program));
     program.push_back({ .op = Op::Copy, .target = result, .left = no, .right = 0 });
-    release(no);
-    program[to_end].target = TRY(label(program));
-    --conditional_depth_;
+    frame_.release(no);
+    program[to_end].target = TRY(frame_.label(program));
     return result;
 }
 
@@ -420,20 +129,20 @@ Result<Register> ExpressionCompiler::logical(Program& program, int level)
     };
     auto left = TRY(operand());
     while (cursor_.take(level == kAndLevel ? "&&" : "||")) {
-        auto const result = TRY(temporary());
+        auto const result = TRY(frame_.temporary());
         program.push_back({ .op = Op::IsTrue, .target = result, .left = left, .right = 0 });
-        release(left);
-        auto jump = TRY(label(program));
+        frame_.release(left);
+        auto jump = TRY(frame_.label(program));
         program.push_back({ .op = Op::JumpIfZero, .target = 0, .left = result, .right = 0 });
         if (level == kOrLevel) {
             program[jump].target = static_cast<std::uint16_t>(jump + 2);
-            jump = TRY(label(program));
+            jump = TRY(frame_.label(program));
             program.push_back({ .op = Op::Jump, .target = 0, .left = 0, .right = 0 });
         }
         auto const right = TRY(operand());
         program.push_back({ .op = Op::IsTrue, .target = result, .left = right, .right = 0 });
-        release(right);
-        program[jump].target = TRY(label(program));
+        frame_.release(right);
+        program[jump].target = TRY(frame_.label(program));
         left = result;
     }
     return left;
@@ -447,7 +156,7 @@ Result<Register> ExpressionCompiler::binary(Program& program, int level)
     while (auto const* const found = binary_operator(cursor_, level)) {
         cursor_.take(found->text);
         auto const right = TRY(binary(program, level + 1));
-        left = TRY(emit(found->op, left, right, program));
+        left = TRY(frame_.emit(found->op, left, right, program));
     }
     return left;
 }
@@ -462,7 +171,7 @@ Result<Register> ExpressionCompiler::unary(Program& program)
     cursor_.take_character();
     auto const operand = TRY(unary(program));
     --depth_;
-    return emit(is_minus ? Op::Negate : Op::Not, operand, operand, program);
+    return frame_.emit(is_minus ? Op::Negate : Op::Not, operand, operand, program);
 }
 
 Result<Register> ExpressionCompiler::primary(Program& program)
@@ -483,14 +192,12 @@ Result<Register> ExpressionCompiler::primary(Program& program)
     if (cursor_.peek() == '(')
         return call(*found, position, program);
     if (cursor_.peek() == '[') {
-        auto const element = TRY(array_element(*found, program));
-        TRY(label(program));
-        release(element.index);
-        auto const target = TRY(temporary());
-        program.push_back({ .op = Op::LoadArray,
-                            .target = target,
-                            .left = element.array,
-                            .right = element.index });
+        auto const at = TRY(element(*found, program));
+        TRY(frame_.label(program));
+        frame_.release(at.index);
+        auto const target = TRY(frame_.temporary());
+        program.push_back(
+            { .op = Op::LoadArray, .target = target, .left = at.array, .right = at.index });
         return target;
     }
     return variable(*found, position, program);
@@ -504,37 +211,37 @@ Result<Register> ExpressionCompiler::number()
     if (error != std::errc())
         return cursor_.unexpected("a number that is neither too large nor too small");
     cursor_.set_position(cursor_.position() + static_cast<std::size_t>(end - text.data()));
-    return constant(value);
+    return frame_.constant(value);
 }
 
 Result<Register> ExpressionCompiler::variable(std::string const& name, std::size_t position,
                                               Program& program)
 {
-    if (auto const found = names_.find(name); found != names_.end())
+    if (auto const found = locals_.find(name); found != locals_.end())
         return found->second;
-    if (auto const global = globals_.find(name)) {
-        auto const target = TRY(temporary());
-        TRY(label(program));
+    if (auto const global = names_.find_variable(name)) {
+        auto const target = TRY(frame_.temporary());
+        TRY(frame_.label(program));
         program.push_back({ .op = Op::LoadGlobal, .target = target, .left = *global, .right = 0 });
         return target;
     }
-    globals_.warn(fmt::format("{}: {} is not defined; its value is 0",
-                              cursor_.source().place(position), name));
+    names_.warn(fmt::format("{}: {} is not defined; its value is 0",
+                            cursor_.source().place(position), name));
     if (new_names_ == NewNames::Global)
-        return constant(0);
-    auto const reg = TRY(new_register(0));
-    TRY(constant(0));
-    names_.emplace(name, reg);
+        return frame_.constant(0);
+    auto const reg = TRY(frame_.add());
+    TRY(frame_.constant(0));
+    locals_.emplace(name, reg);
     reset_.push_back(reg);
     return reg;
 }
 
-Result<ExpressionCompiler::Element> ExpressionCompiler::array_element(std::string const& name,
-                                                                      Program& program)
+Result<ExpressionCompiler::Element> ExpressionCompiler::element(std::string const& name,
+                                                                Program& program)
 {
-    auto const array = std::find_if(globals_.arrays.begin(), globals_.arrays.end(),
+    auto const array = std::find_if(names_.arrays.begin(), names_.arrays.end(),
                                     [&](auto const& candidate) { return candidate.name == name; });
-    if (array == globals_.arrays.end())
+    if (array == names_.arrays.end())
         return cursor_.error(fmt::format("found {}[, but no array {} is defined", name, name));
     std::optional<Register> index;
     for (auto const size : array->sizes) {
@@ -548,31 +255,63 @@ Result<ExpressionCompiler::Element> ExpressionCompiler::array_element(std::strin
             index = subscript;
             continue;
         }
-        auto const factor = TRY(constant(static_cast<double>(size)));
-        auto const row = TRY(emit(Op::Multiply, *index, factor, program));
-        index = TRY(emit(Op::Add, row, subscript, program));
+        auto const factor = TRY(frame_.constant(static_cast<double>(size)));
+        auto const row = TRY(frame_.emit(Op::Multiply, *index, factor, program));
+        index = TRY(frame_.emit(Op::Add, row, subscript, program));
     }
-    return Element { static_cast<std::uint16_t>(array - globals_.arrays.begin()), *index };
+    return Element { static_cast<std::uint16_t>(array - names_.arrays.begin()), *index };
+}
+
+Result<void> ExpressionCompiler::assign(std::string const& variable, Register value, Stored stored,
+                                        Program& program)
+{
+    TRY(frame_.label(program));
+    auto local = locals_.find(variable);
+    auto const global = names_.find_variable(variable);
+    if (local == locals_.end() && !global && new_names_ == NewNames::Local) {
+        auto const reg = TRY(frame_.add());
+        local = locals_.emplace(variable, reg).first;
+        if (stored == Stored::Sometimes) {
+            TRY(frame_.constant(0));
+            reset_.push_back(reg);
+        }
+    }
+    if (local != locals_.end()) {
+        program.push_back({ .op = Op::Copy, .target = local->second, .left = value, .right = 0 });
+        return {};
+    }
+    auto const index = global ? *global : TRY(names_.add_variable(variable, cursor_));
+    program.push_back({ .op = Op::StoreGlobal, .target = index, .left = value, .right = 0 });
+    return {};
 }
 
 Result<Register> ExpressionCompiler::call(std::string const& function, std::size_t position,
                                           Program& program)
 {
-    auto const* const entry
-        = std::find_if(kFunctions.begin(), kFunctions.end(),
-                       [&](auto const& candidate) { return candidate.name == function; });
-    if (entry == kFunctions.end()) {
-        if (std::find(kIgnoredFunctions.begin(), kIgnoredFunctions.end(), function)
-            == kIgnoredFunctions.end())
-            return cursor_.error_at(
-                position, fmt::format("found the function {}, expected one of cpfg's", function));
-        globals_.warn(fmt::format("{}: {}() is not supported; its value is 0",
-                                  cursor_.source().place(position), function));
-        return ignored_call(function, program);
-    }
     cursor_.take("(");
-    auto const left
-        = entry->op == Op::Function ? TRY(function_id(program)) : TRY(expression(program));
+    if (function == "printf")
+        return print_call(position, program);
+    if (function == "SetDerivationLength" || function == "GetDerivationLength")
+        return derivation_length(function, program);
+    if (auto const* const missing = find_missing_function(function)) {
+        auto const place = cursor_.source().place(position);
+        if (!missing->is_about_files)
+            names_.warn(fmt::format("{}: {}() is not supported; its value is 0", place, function));
+        else if (!std::exchange(names_.refuses_files, true))
+            names_.warn(fmt::format("{}: models read and write no files here: fopen() gives -1, "
+                                    "and fprintf, fscanf, fflush and fclose do nothing",
+                                    place));
+        return missing_call(function, missing->value, program);
+    }
+    auto const* const entry = find_function(function);
+    if (!entry)
+        return cursor_.error_at(
+            position, fmt::format("found the function {}, expected one of cpfg's", function));
+    bool const is_function = entry->op == Op::Function;
+    bool const is_curve = entry->op >= Op::CurveX && entry->op <= Op::CurveZ;
+    auto const left = is_function ? TRY(table_id(names_.functions, program))
+        : is_curve                ? TRY(table_id(names_.curves, program))
+                                  : TRY(expression(program));
     auto right = left;
     if (entry->parameter_count == 2) {
         if (!cursor_.take(","))
@@ -581,38 +320,107 @@ Result<Register> ExpressionCompiler::call(std::string const& function, std::size
     }
     if (!cursor_.take(")"))
         return cursor_.unexpected("')'");
-    return emit(entry->op, left, right, program);
+    return frame_.emit(entry->op, left, right, program);
 }
 
-Result<Register> ExpressionCompiler::ignored_call(std::string const& function, Program& program)
+Result<Register> ExpressionCompiler::derivation_length(std::string const& function,
+                                                       Program& program)
 {
-    cursor_.take("(");
+    constexpr auto kIndex = static_cast<std::uint16_t>(GlobalIndex::DerivationLength);
+    bool const sets = function.front() == 'S';
+    auto target = sets ? TRY(expression(program)) : TRY(frame_.temporary());
+    if (!sets && cursor_.peek() != ')') // cpfg wants a value, and does nothing with it.
+        frame_.release(TRY(expression(program)));
+    if (!cursor_.take(")"))
+        return cursor_.unexpected("')'");
+    TRY(frame_.label(program));
+    if (sets)
+        program.push_back({ .op = Op::StoreGlobal, .target = kIndex, .left = target, .right = 0 });
+    else
+        program.push_back({ .op = Op::LoadGlobal, .target = target, .left = kIndex, .right = 0 });
+    return target;
+}
+
+// The values go to registers in a row.
+Result<Register> ExpressionCompiler::print_call(std::size_t position, Program& program)
+{
+    constexpr std::size_t kMaxFormats = 10000;
+    if (cursor_.peek() != '"')
+        return cursor_.unexpected("a format in double quotes");
+    auto const format_position = cursor_.position();
+    auto format = parse_print_format(TRY(quoted_text()));
+    if (!format)
+        return cursor_.error_at(format_position, format.error().message);
+    if (names_.formats.size() >= kMaxFormats)
+        return cursor_.error("the model has more than 10000 calls of printf");
+    std::vector<Register> values;
+    while (cursor_.take(","))
+        values.push_back(TRY(expression(program)));
+    if (!cursor_.take(")"))
+        return cursor_.unexpected("',' or ')'");
+    if (values.size() != format->value_count())
+        names_.warn(fmt::format("{}: the format of printf asks for {} values, found {}; those "
+                                "missing are 0",
+                                cursor_.source().place(position), format->value_count(),
+                                values.size()));
+    Register first = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        auto const reg = TRY(frame_.add());
+        first = i == 0 ? reg : first;
+        TRY(frame_.label(program));
+        program.push_back({ .op = Op::Copy, .target = reg, .left = values[i], .right = 0 });
+        frame_.release(values[i]);
+    }
+    TRY(frame_.label(program));
+    program.push_back({ .op = Op::Print,
+                        .target = static_cast<std::uint16_t>(names_.formats.size()),
+                        .left = first,
+                        .right = static_cast<std::uint16_t>(values.size()) });
+    names_.formats.push_back(*std::move(format));
+    return frame_.constant(0);
+}
+
+// What stands between double quotes; a backslash takes the next character along.
+Result<std::string> ExpressionCompiler::quoted_text()
+{
+    auto const begin = cursor_.position();
+    cursor_.take("\"");
+    auto const text = cursor_.rest();
+    std::size_t end = 0;
+    while (end < text.size() && text[end] != '"' && text[end] != '\n')
+        end += text[end] == '\\' ? 2 : 1;
+    if (end >= text.size() || text[end] == '\n')
+        return cursor_.error_at(begin, "the string has no closing '\"'");
+    cursor_.set_position(cursor_.position() + end + 1);
+    return std::string(text.substr(0, end));
+}
+
+Result<Register> ExpressionCompiler::missing_call(std::string const& function, double value,
+                                                  Program& program)
+{
     while (cursor_.peek() != ')') {
-        if (cursor_.take("\"")) {
-            auto const close = cursor_.rest().find('"');
-            if (close == std::string_view::npos)
-                return cursor_.error("the string has no closing '\"'");
-            cursor_.set_position(cursor_.position() + close + 1);
+        if (cursor_.peek() == '"') {
+            TRY(quoted_text());
         } else {
             cursor_.take("&"); // The address of a variable, for fscanf.
-            release(TRY(expression(program)));
+            frame_.release(TRY(expression(program)));
         }
         if (!cursor_.take(",") && cursor_.peek() != ')')
             return cursor_.unexpected(fmt::format("')' to end the call of {}", function));
     }
     cursor_.take(")");
-    return constant(0);
+    return frame_.constant(value);
 }
 
-// A function's number, or its name in the view file.
-Result<Register> ExpressionCompiler::function_id(Program& program)
+// The number of a function or a curve, or its name in the view file.
+Result<Register> ExpressionCompiler::table_id(std::vector<std::string> const& tables,
+                                              Program& program)
 {
     auto const begin = cursor_.position();
     if (auto const found = name(cursor_)) {
-        auto const function
-            = std::find(globals_.functions.begin(), globals_.functions.end(), *found);
-        if (function != globals_.functions.end() && cursor_.peek() == ',')
-            return constant(static_cast<double>(function - globals_.functions.begin() + 1));
+        auto const table = std::find(tables.begin(), tables.end(), *found);
+        if (table != tables.end() && cursor_.peek() == ',')
+            return frame_.constant(static_cast<double>(table - tables.begin() + 1));
     }
     cursor_.set_position(begin);
     return expression(program);

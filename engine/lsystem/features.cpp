@@ -75,8 +75,9 @@ void add_statements(Model const& model, std::vector<std::string>& features)
            std::pair("EndEach", &model.end_each), std::pair("End", &model.end) })
         if (!block->program.empty())
             features.push_back(fmt::format("{} block", name));
-    if (model.globals.size() > 2) // Q and Z are always there.
-        features.push_back(counted(model.globals.size() - 2, "global variable"));
+    constexpr auto kBuiltIn = static_cast<std::size_t>(GlobalIndex::Count);
+    if (model.globals.size() > kBuiltIn)
+        features.push_back(counted(model.globals.size() - kBuiltIn, "global variable"));
     if (!model.arrays.empty())
         features.push_back(counted(model.arrays.size(), "array"));
     if (uses(model, { Op::Random, Op::Normal, Op::Beta, Op::Binomial }))

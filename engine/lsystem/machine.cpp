@@ -17,13 +17,13 @@ static std::uint64_t mix(std::uint64_t seed, std::uint64_t other)
     return seed + other * 0x9e3779b97f4a7c15u;
 }
 
-Machine::Machine(Model const& model, std::uint64_t seed)
-    : globals(model.globals.size())
+Machine::Machine(Model const& model, LSystem const& system, std::uint64_t seed)
+    : globals(system.globals.size())
     , model_(model)
     , first_seed_(mix(seed, model.seed))
     , seed_(first_seed_)
 {
-    for (auto const& array : model.arrays)
+    for (auto const& array : system.arrays)
         arrays.push_back(array.values);
 }
 
@@ -39,10 +39,34 @@ Machine::Machine(Model const& model, ModuleString const& string)
 
 Result<void> Machine::check() const
 {
-    if (!loop_did_not_end_)
+    if (!has_stopped())
         return {};
+    auto const where = step_ == 0    ? std::string("the start")
+        : step_ == kHomomorphismStep ? std::string("the homomorphism")
+                                     : fmt::format("step {}", step_);
+    if (stop_ == Stop::Loop)
+        return fail(Fault::User,
+                    fmt::format("{}: in {} a loop did not end within 10 million rounds; look "
+                                "whether its condition ever becomes 0",
+                                model_.name, where));
     return fail(Fault::User,
-                fmt::format("{}: a loop did not end within 10 million rounds", model_.name));
+                fmt::format("{}: {} was not done when {} s had passed; derive fewer steps, or "
+                            "raise the limit of time",
+                            model_.name, where, time_limit_->seconds));
+}
+
+void Machine::share(Machine const& other)
+{
+    std::copy_n(other.globals.begin(), static_cast<std::size_t>(GlobalIndex::Count),
+                globals.begin());
+    seed_ = other.seed_;
+}
+
+void Machine::look_at_clock()
+{
+    spent_ = 0;
+    if (time_limit_ && time_limit_->is_over && time_limit_->is_over())
+        stop_too(Stop::Time);
 }
 
 void Machine::run(Block const& block)
@@ -135,6 +159,29 @@ double& Machine::array_element(std::uint16_t array, double index)
     return values[index > 0 ? static_cast<std::size_t>(std::min(index, last)) : 0];
 }
 
+double Machine::function(double number, double x) const
+{
+    auto const& functions = model_.view.functions;
+    bool const exists = number >= 1 && number < static_cast<double>(functions.size()) + 1;
+    return exists ? functions[static_cast<std::size_t>(number) - 1].at(x) : 0;
+}
+
+double Machine::curve(Op op, double number, double t) const
+{
+    auto const& curves = model_.view.curves;
+    if (!(number >= 1) || !(number < static_cast<double>(curves.size()) + 1))
+        return 0;
+    Vec3 const point = curves[static_cast<std::size_t>(number) - 1].at(t);
+    return op == Op::CurveX ? point.x() : op == Op::CurveY ? point.y() : point.z();
+}
+
+void Machine::print(Instruction const& instruction, double const* frame) const
+{
+    if (printer_ && *printer_)
+        (*printer_)(tractus::print(model_.formats[instruction.target],
+                                   { frame + instruction.left, instruction.right }));
+}
+
 // NOLINTNEXTLINE(readability-function-size): a table, one case per instruction.
 void Machine::execute(Program const& program, double* frame)
 {
@@ -173,9 +220,12 @@ void Machine::execute(Program const& program, double* frame)
             i = begin + i->target - 1;
             break;
         case Op::Jump:
-            if (begin + i->target <= i && (++rounds > kMaxRounds || loop_did_not_end_)) {
-                loop_did_not_end_ = true;
-                return;
+            if (begin + i->target <= i) {
+                spend(1);
+                if (++rounds > kMaxRounds)
+                    stop_too(Stop::Loop);
+                if (has_stopped())
+                    return;
             }
             i = begin + i->target - 1;
             break;
@@ -186,14 +236,17 @@ void Machine::execute(Program const& program, double* frame)
         case Op::SeedRandom:
             frame[i->target] = draw(i->op, frame[i->left], frame[i->right]);
             break;
-        case Op::Function: {
-            auto const index = frame[i->left] - 1;
-            auto const& functions = model_.view.functions;
-            bool const exists = index >= 0 && index < static_cast<double>(functions.size());
-            frame[i->target]
-                = exists ? functions[static_cast<std::size_t>(index)].at(frame[i->right]) : 0;
+        case Op::Function:
+            frame[i->target] = function(frame[i->left], frame[i->right]);
             break;
-        }
+        case Op::CurveX:
+        case Op::CurveY:
+        case Op::CurveZ:
+            frame[i->target] = curve(i->op, frame[i->left], frame[i->right]);
+            break;
+        case Op::Print:
+            print(*i, frame);
+            break;
         case Op::Halt:
             return;
         default:

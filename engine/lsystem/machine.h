@@ -1,12 +1,16 @@
 #pragma once
 
 #include "engine/base/random.h"
+#include "engine/base/result.h"
+#include "engine/lsystem/limits.h"
 #include "engine/lsystem/model.h"
 #include "engine/lsystem/module_string.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <string>
+#include <functional>
+#include <string_view>
 #include <vector>
 
 namespace tractus {
@@ -14,15 +18,32 @@ namespace tractus {
 // For numbers that belong to a step, not to a module.
 constexpr std::uint64_t kNoPosition = ~std::uint64_t { 0 };
 
+// What homomorphism rules draw at random is of this step.
+constexpr std::uint32_t kHomomorphismStep = 0xffffffff;
+
 // Runs compiled programs: what one derivation changes, besides its string.
 //
 // Random numbers depend on nothing but the seed, the step, and the module's position in the string,
 // so a string may be rewritten in any order.
 class Machine {
 public:
-    Machine(Model const& model, std::uint64_t seed);
+    // For one L-system of the model.
+    Machine(Model const& model, LSystem const& system, std::uint64_t seed);
+    // For the main one.
+    Machine(Model const& model, std::uint64_t seed)
+        : Machine(model, model, seed)
+    {
+    }
     // As the derivation of `string` left it.
     Machine(Model const& model, ModuleString const& string);
+
+    // Where printf prints; nowhere without it. Must outlive the machine.
+    using Printer = std::function<void(std::string_view)>;
+    void set_printer(Printer const* printer) { printer_ = printer; }
+    // Must outlive the machine, too.
+    void set_time_limit(TimeLimit const* limit) { time_limit_ = limit; }
+    Printer const* printer() const { return printer_; }
+    TimeLimit const* time_limit() const { return time_limit_; }
 
     // The numbers drawn from here on belong to this module of this step.
     void begin_module(std::uint32_t step, std::uint64_t position)
@@ -43,12 +64,30 @@ public:
     // [0, 1).
     double uniform();
 
-    // A loop that did not end within ten million rounds stops, and from then on this is true.
-    bool loop_did_not_end() const { return loop_did_not_end_; }
-    // Takes note that one did not end on another machine, which ran a part of the same step.
-    void stop_loops() { loop_did_not_end_ = true; }
+    // Why programs, and those who run them, must end at once.
+    enum class Stop : std::uint8_t {
+        None,
+        Loop, // One did not end within ten million rounds.
+        Time, // The time limit has passed.
+    };
+    Stop stop() const { return stop_; }
+    bool has_stopped() const { return stop_ != Stop::None; }
+    // Takes note that another machine, which ran a part of the same step, has stopped.
+    void stop_too(Stop reason) { stop_ = std::max(stop_, reason); }
     // That as an error, the user's fault.
     Result<void> check() const;
+
+    // Takes note of work, in modules, so that the clock is looked at now and then.
+    void spend(std::size_t work)
+    {
+        spent_ += work;
+        if (spent_ >= kWorkBetweenLooks)
+            look_at_clock();
+    }
+
+    double& global(GlobalIndex index) { return globals[static_cast<std::size_t>(index)]; }
+    // Takes over what all L-systems share: steps, the derivation length and the seed.
+    void share(Machine const& other);
 
     std::vector<double> globals;
     std::vector<std::vector<double>> arrays;
@@ -61,8 +100,16 @@ private:
     double gamma(double shape);
     double binomial(double trials, double probability);
     double& array_element(std::uint16_t array, double index);
+    double function(double number, double x) const;
+    double curve(Op op, double number, double t) const;
+    void print(Instruction const& instruction, double const* frame) const;
+    void look_at_clock();
+
+    static constexpr std::size_t kWorkBetweenLooks = 65'536;
 
     Model const& model_;
+    Printer const* printer_ = nullptr;      // Not owned.
+    TimeLimit const* time_limit_ = nullptr; // Not owned.
     std::uint64_t first_seed_ = 0;
     std::uint64_t seed_ = 0;
     std::uint32_t step_ = 0;
@@ -70,7 +117,8 @@ private:
     std::uint32_t block_ = 0;
     unsigned words_left_ = 0;
     std::array<std::uint32_t, 4> words_ {};
-    bool loop_did_not_end_ = false;
+    std::size_t spent_ = 0;
+    Stop stop_ = Stop::None;
 };
 
 } // namespace tractus

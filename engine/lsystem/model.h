@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/lsystem/print_format.h"
 #include "engine/lsystem/program.h"
 #include "engine/lsystem/source_text.h"
 #include "engine/lsystem/view.h"
@@ -89,13 +90,26 @@ struct ArrayVariable {
     std::vector<double> values; // At the start.
 };
 
-// A compiled model: a value that any number of derivations may share.
-struct Model {
-    std::string name;
-    Alphabet alphabet;
+// A name of a sub-L-system's that stands for a variable, or an array, of the L-system that has
+// called it, or of the one that has called that, and so on.
+struct ExternalName {
+    bool is_array = false;
+    std::uint16_t index = 0; // Into the globals or arrays of the one that has declared it.
+};
+
+// The variables that every L-system has; the first that it defines itself follows them.
+enum class GlobalIndex : std::uint16_t {
+    Step,             // Q: the step that is being derived.
+    Steps,            // Z: the derivation length at the start.
+    DerivationLength, // SetDerivationLength() changes it.
+    Count,
+};
+
+// One L-system of a model: what stands between "Lsystem: ID" and "endlsystem".
+struct LSystem {
+    int id = 1;
     Block axiom_program;
     SuccessorTemplate axiom;
-    int steps = 0; // derivation length.
     bool stochastic = false;
     std::uint64_t seed = 0; // The model's own; 0 when it has none.
     bool ring = false;
@@ -109,8 +123,26 @@ struct Model {
     RuleSet decomposition;
     RuleSet homomorphism;
 
-    std::vector<std::string> globals { "Q", "Z" };
+    std::vector<std::string> globals { "Q", "Z", "derivation length" };
     std::vector<ArrayVariable> arrays;
+    std::vector<ExternalName> externals;
+};
+
+// A compiled model: a value that any number of derivations may share. Its main L-system is the
+// first of the file; the others are its sub-L-systems.
+//
+// A module ?(id) or ?(id,scale) calls the sub-L-system with this id: it rewrites what follows, up
+// to and with the $ that matches. The ?(…) itself is rewritten by the one that calls. Each ?(…) in
+// a string has variables and arrays of its own. Its Start block runs when it is first rewritten,
+// StartEach and EndEach in each step, End in the last step or when the ?(…) goes. It passes these
+// variables on to the first ?(…) with the same id among its successors. A sub-L-system's axiom and
+// derivation length mean nothing. Scale is the turtle's, up to the $.
+struct Model : LSystem {
+    std::string name;
+    Alphabet alphabet; // Of all L-systems.
+    int steps = 0;     // derivation length.
+    std::vector<LSystem> subsystems;
+    std::vector<PrintFormat> formats; // Of printf.
     View view;
     std::vector<std::string> warnings; // Features we lack, names never defined: once each.
 };
@@ -118,7 +150,6 @@ struct Model {
 // Compiles a model. Fails, as the user's fault, with "FILE:LINE:COLUMN: what was found, what was
 // expected".
 //
-// The first two globals are Q, the step that is being derived, and Z, the derivation length.
 // A name that is assigned in a block of statements of the model is a global variable; one that only
 // a rule assigns is local to the rule and starts as 0 each time.
 Result<Model> compile_model(ModelSource const& source, IncludeReader const& include = {});

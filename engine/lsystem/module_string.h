@@ -83,19 +83,32 @@ private:
     std::size_t capacity_ = 0;
 };
 
+// What belongs to one ?(…) in a string: the state of the sub-L-system that it calls.
+struct SubsystemCall {
+    std::uint16_t subsystem = 0; // Into Model::subsystems.
+    bool has_started = false;    // Its Start block has run.
+    std::vector<double> globals;
+    std::vector<std::vector<double>> arrays;
+};
+
 // A string of modules: one byte for each module's kind, and the parameters of all modules one after
 // another, as many for each as its kind says.
 struct ModuleString {
     Column<KindId> kinds;
     Column<float> parameters;
 
-    // The model's global variables and arrays after the last step, which homomorphism rules may
-    // use.
+    // The main L-system's global variables and arrays after the last step, which homomorphism
+    // rules may use.
     std::vector<double> globals;
     std::vector<std::vector<double>> arrays;
-    std::uint64_t seed = 0; // Of the numbers that homomorphism rules draw.
+    std::vector<SubsystemCall> calls; // One for each ?(…) in the string, in their order.
+    std::uint64_t seed = 0;           // Of the numbers that homomorphism rules draw.
 
     std::size_t size() const { return kinds.size(); }
+    std::size_t byte_size() const
+    {
+        return kinds.size() * sizeof(KindId) + parameters.size() * sizeof(float);
+    }
 
     // What is beyond the present size has no value yet.
     void grow(std::size_t module_count, std::size_t parameter_count)

@@ -49,7 +49,11 @@ enum class Op : std::uint8_t {
     Beta,     // With the parameters left and right.
     Binomial, // left trials that succeed with probability right.
     SeedRandom,
-    Function,    // The value at `right` of the model's function number `left`, from 1.
+    Function, // The value at `right` of the model's function number `left`, from 1.
+    CurveX,   // Of the point at `right` of the model's curve number `left`, from 1.
+    CurveY,
+    CurveZ,
+    Print,       // By the model's format number `target`: `right` registers from `left` on.
     LoadGlobal,  // target <- global left.
     StoreGlobal, // global target <- left.
     LoadArray,   // target <- array left at index right.

@@ -4,27 +4,28 @@
 
 namespace tractus {
 
-static bool changes_globals(Program const& program)
+static bool has_effects(Program const& program)
 {
     return std::any_of(program.begin(), program.end(), [](Instruction const& instruction) {
         return instruction.op == Op::StoreGlobal || instruction.op == Op::StoreArray
-            || instruction.op == Op::SeedRandom;
+            || instruction.op == Op::SeedRandom || instruction.op == Op::Print;
     });
 }
 
 static bool is_divisible(RuleSet const& rules)
 {
     return std::all_of(rules.rules.begin(), rules.rules.end(), [](Rule const& rule) {
-        return rule.predecessor.size() == 1 && !changes_globals(rule.condition)
-            && !changes_globals(rule.successor_program) && !changes_globals(rule.probability);
+        return rule.predecessor.size() == 1 && !has_effects(rule.condition)
+            && !has_effects(rule.successor_program) && !has_effects(rule.probability);
     });
 }
 
-RulePlan::RulePlan(Model const& model)
+RulePlan::RulePlan(Model const& model, LSystem const& system)
     : model_(model)
-    , is_divisible_(tractus::is_divisible(model.rules)
-                    && tractus::is_divisible(model.decomposition))
-    , has_bounds_(!model.decomposition.specified)
+    , system_(system)
+    , is_divisible_(tractus::is_divisible(system.rules)
+                    && tractus::is_divisible(system.decomposition))
+    , has_bounds_(!system.decomposition.specified)
 {
     for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i) {
         auto const& kind = model.alphabet.kinds[i];
@@ -34,7 +35,7 @@ RulePlan::RulePlan(Model const& model)
         ways_[i] = find_way(static_cast<KindId>(i));
         is_fixed_ = is_fixed_ && ways_[i] == Way::Fixed;
     }
-    for (auto const& rule : model.rules.rules) {
+    for (auto const& rule : system.rules.rules) {
         longest_ = std::max(longest_, rule.successor.kinds.size());
         most_parameters_ = std::max(most_parameters_, rule.successor.parameters.size());
         if (rule.predecessor.size() > 1)
@@ -45,8 +46,8 @@ RulePlan::RulePlan(Model const& model)
 RulePlan::Way RulePlan::find_way(KindId kind)
 {
     auto const& symbol = model_.alphabet[kind];
-    auto const& rules = model_.rules.by_kind[kind];
-    if (model_.decomposition.specified || (rules.empty() && symbol.symbol == '%'))
+    auto const& rules = system_.rules.by_kind[kind];
+    if (system_.decomposition.specified || (rules.empty() && symbol.symbol == '%'))
         return Way::Search;
     if (rules.empty()) {
         fixed_[kind] = FixedSuccessor::copy(kind, symbol.parameter_count);
@@ -66,13 +67,13 @@ RulePlan::Way RulePlan::find_way(KindId kind)
 bool RulePlan::find_chances(KindId kind)
 {
     auto& candidates = candidates_[kind];
-    for (auto const number : model_.rules.by_kind[kind]) {
-        auto const& rule = model_.rules.rules[number];
+    for (auto const number : system_.rules.by_kind[kind]) {
+        auto const& rule = system_.rules.rules[number];
         if (rule.predecessor.size() > 1 || !rule.left.empty() || !rule.right.empty()
             || rule.has_condition || !rule.condition.empty() || !rule.probability.empty())
             return false;
         double const weight = rule.has_probability ? rule.frame[rule.probability_result] : 1;
-        if (!model_.stochastic) {
+        if (!system_.stochastic) {
             candidates = { { &rule, 1 } };
             break;
         }
@@ -87,23 +88,38 @@ bool RulePlan::find_chances(KindId kind)
 RangeRewriter::RangeRewriter(RulePlan const& plan, Machine& machine, Branches const& branches)
     : plan_(plan)
     , model_(plan.model())
+    , system_(plan.system())
     , machine_(machine)
     , branches_(branches)
-    , rewriter_(model_, model_.rules, machine, model_.stochastic)
-    , decomposition_(model_, model_.decomposition, machine)
+    , rewriter_(model_, system_, system_.rules, machine)
+    , decomposition_(model_, system_, system_.decomposition, machine)
 {
 }
 
-void RangeRewriter::rewrite(ModuleString const& in, Range const& range, std::uint32_t step,
-                            std::size_t max_modules, ModuleString& out)
+void RangeRewriter::begin(Task const& task)
 {
-    in_ = &in;
-    out_ = &out;
-    max_modules_ = max_modules;
+    in_ = &task.in;
+    out_ = &task.out;
+    limit_ = task.limit;
+}
+
+void RangeRewriter::rewrite(Task const& task, Range const& range)
+{
+    begin(task);
     if (plan_.has_bounds())
-        rewrite_bounded(range, step);
+        rewrite_bounded(range, task.step);
     else
-        rewrite_any(range, step);
+        rewrite_any(range, task.step);
+}
+
+std::size_t RangeRewriter::rewrite_module(Task const& task, std::size_t at, std::size_t parameter)
+{
+    begin(task);
+    Modules const rest { in_->kinds.data() + at, in_->parameters.data() + parameter,
+                         in_->size() - at };
+    machine_.spend(1);
+    machine_.begin_module(task.step, at);
+    return rewrite_one(rest, { in_, &branches_, at, parameter, at + 1, 0 });
 }
 
 Rule const& RangeRewriter::choose(KindId kind)
@@ -127,6 +143,7 @@ void RangeRewriter::rewrite_bounded(Range const& range, std::uint32_t step)
     auto parameter = range.parameter;
     for (auto begin = range.begin; begin < range.end && !is_over(); begin += kBlock) {
         auto const end = std::min(begin + kBlock, range.end);
+        machine_.spend(end - begin);
         out_->kinds.reserve_more((end - begin) * plan_.longest() + FixedSuccessor::kShort);
         out_->parameters.reserve_more((end - begin) * plan_.most_parameters());
         ModuleWriter to(*out_);
@@ -165,6 +182,7 @@ void RangeRewriter::rewrite_any(Range const& range, std::uint32_t step)
     for (auto i = range.begin; i < range.end && !is_over();) {
         Modules const rest { in_->kinds.data() + i, in_->parameters.data() + parameter,
                              in_->size() - i };
+        machine_.spend(1);
         machine_.begin_module(step, i);
         auto const count = rewrite_one(rest, { in_, &branches_, i, parameter, i + 1, 0 });
         for (std::size_t k = 0; k < count; ++k)
@@ -179,7 +197,7 @@ std::size_t RangeRewriter::rewrite_one(Modules const& rest, Surroundings const& 
     auto const kind = rest.kinds[0];
     auto const* const rule
         = rewriter_.has_rules(kind) ? rewriter_.find(rest, around, true) : nullptr;
-    if (rule && !model_.decomposition.specified) {
+    if (rule && !system_.decomposition.specified) {
         rewriter_.apply(*rule, *out_);
         return rule->predecessor.size();
     }

@@ -17,10 +17,11 @@ namespace tractus {
 // What rewriting needs to know of a model's rules, found out once.
 class RulePlan {
 public:
-    // The model must outlive it.
-    explicit RulePlan(Model const& model);
+    // For one L-system of the model, which must outlive it.
+    RulePlan(Model const& model, LSystem const& system);
 
     Model const& model() const { return model_; }
+    LSystem const& system() const { return system_; }
 
     // How modules of a kind are rewritten.
     enum class Way : std::uint8_t {
@@ -41,7 +42,7 @@ public:
     // Every kind's way is Fixed.
     bool is_fixed() const { return is_fixed_; }
     // A string may be cut into ranges that are rewritten by different rewriters, in any order: no
-    // rule changes a global variable, and none reads more modules than its predecessor.
+    // rule changes a global variable or prints, and none reads more modules than its predecessor.
     bool is_divisible() const { return is_divisible_; }
     // What one module becomes has at most so many modules and parameters, where the model has
     // neither decomposition rules nor cuts.
@@ -54,6 +55,7 @@ private:
     bool find_chances(KindId kind);
 
     Model const& model_;
+    LSystem const& system_;
     std::array<Way, 256> ways_ {};
     std::array<FixedSuccessor, 256> fixed_ {};
     std::array<std::vector<Candidate>, 256> candidates_;
@@ -80,10 +82,21 @@ public:
         std::size_t parameter = 0; // Where the first module's parameters begin.
     };
 
-    // Appends what the modules of the range become in step `step`. Stops early when `out` has more
-    // than `max_modules` or a loop in a rule does not end.
-    void rewrite(ModuleString const& in, Range const& range, std::uint32_t step,
-                 std::size_t max_modules, ModuleString& out);
+    // What is rewritten, and where to.
+    struct Task {
+        ModuleString const& in;
+        std::uint32_t step;
+        StringLimit limit; // Of `out`.
+        ModuleString& out;
+    };
+
+    // Appends what the modules of the range become. Stops early when `out` exceeds its limit or
+    // the machine stops.
+    void rewrite(Task const& task, Range const& range);
+
+    // Appends what the module at `at` becomes, whose parameters begin at `parameter`; returns how
+    // many modules have been read: more than one for long predecessors and cuts.
+    std::size_t rewrite_module(Task const& task, std::size_t at, std::size_t parameter);
 
 private:
     void rewrite_bounded(Range const& range, std::uint32_t step);
@@ -94,17 +107,23 @@ private:
     std::size_t rewrite_one(Modules const& rest, Surroundings const& around);
     void decompose_successor(Surroundings const& around, std::size_t predecessor_length);
     void append_one(Modules const& modules);
-    bool is_over() const { return out_->size() > max_modules_ || machine_.loop_did_not_end(); }
+    void begin(Task const& task);
+    bool is_over() const
+    {
+        return out_->size() > limit_.modules || out_->byte_size() > limit_.bytes
+            || machine_.has_stopped();
+    }
 
     RulePlan const& plan_;
     Model const& model_;
+    LSystem const& system_;
     Machine& machine_;
     Branches const& branches_;
     Rewriter rewriter_;
     Expander decomposition_;
     ModuleString const* in_ = nullptr; // Not owned.
     ModuleString* out_ = nullptr;      // Not owned.
-    std::size_t max_modules_ = 0;
+    StringLimit limit_;
     ModuleString successor_; // Of one rule, before decomposition.
 };
 

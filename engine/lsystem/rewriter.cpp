@@ -4,12 +4,17 @@ namespace tractus {
 
 std::size_t branch_end(Model const& model, ModuleString const& string, std::size_t from)
 {
+    bool const has_calls = !model.subsystems.empty();
     int depth = 0;
+    int calls = 0;
     for (auto i = from; i < string.size(); ++i) {
-        char const symbol = model.alphabet[string.kinds[i]].symbol;
-        if (symbol == ']' && depth-- == 0)
+        auto const& kind = model.alphabet[string.kinds[i]];
+        if (kind.symbol == ']' && depth-- == 0)
             return i;
-        depth += symbol == '[';
+        if (has_calls && kind.symbol == '$' && calls-- == 0)
+            return i;
+        depth += kind.symbol == '[';
+        calls += kind.symbol == '?' && kind.parameter_count > 0;
     }
     return string.size();
 }
@@ -42,11 +47,12 @@ void find_branches(Model const& model, ModuleString const& string, Branches& bra
     }
 }
 
-Rewriter::Rewriter(Model const& model, RuleSet const& rules, Machine& machine, bool stochastic)
+Rewriter::Rewriter(Model const& model, LSystem const& system, RuleSet const& rules,
+                   Machine& machine)
     : model_(model)
+    , system_(system)
     , rules_(rules)
     , machine_(machine)
-    , stochastic_(stochastic)
 {
     for (auto const& rule : rules.rules) {
         frames_.push_back(rule.frame);
@@ -67,7 +73,7 @@ Rule const* Rewriter::find(Modules const& modules, Surroundings const& around, b
     right_.is_known = false;
     left_.is_known = false;
     auto const& candidates = rules_.by_kind[modules.kinds[0]];
-    if (stochastic_ && candidates.size() > 1)
+    if (system_.stochastic && candidates.size() > 1)
         return choose(modules, around, adjacent);
     for (auto const index : candidates)
         if (matches(index, modules, around, adjacent))
@@ -141,12 +147,12 @@ std::optional<Rewriter::Place> Rewriter::next_right(Place at, int& rounds,
     auto const size = string.size();
     while (true) {
         if (at.module >= size) {
-            if (!model_.ring || size == 0 || ++rounds > 1)
+            if (!system_.ring || size == 0 || ++rounds > 1)
                 return std::nullopt;
             at = {};
         }
         auto const kind = string.kinds[at.module];
-        if (model_.ignored[kind]) {
+        if (system_.ignored[kind]) {
             at = after(at, string);
         } else if (brackets_[kind] == Bracket::Open && brackets == OpeningBrackets::PassBranches) {
             auto const end = around.branches->partner[at.module];
@@ -201,7 +207,7 @@ std::optional<Rewriter::Place> Rewriter::next_left(Place at, int& rounds,
     auto const& string = *around.string;
     while (true) {
         if (at.module == 0) {
-            if (!model_.ring || string.size() == 0 || ++rounds > 1)
+            if (!system_.ring || string.size() == 0 || ++rounds > 1)
                 return std::nullopt;
             at = { string.size(), string.parameters.size() };
         }
@@ -215,7 +221,7 @@ std::optional<Rewriter::Place> Rewriter::next_left(Place at, int& rounds,
                 at = { begin,
                        around.branches->parameters.empty() ? 0
                                                            : around.branches->parameters[begin] };
-        } else if (brackets_[kind] == Bracket::Open || model_.ignored[kind]) {
+        } else if (brackets_[kind] == Bracket::Open || system_.ignored[kind]) {
             at = before;
         } else {
             return before;

@@ -28,8 +28,8 @@ struct Branches {
     std::vector<std::uint32_t> parameters;
 };
 
-// The place of the bracket that closes the branch in which module `from` is; the string's size when
-// none does.
+// The place of the bracket that closes the branch in which module `from` is, or of the $ that ends
+// its sub-L-system, whichever comes first; the string's size when none does.
 std::size_t branch_end(Model const& model, ModuleString const& string, std::size_t from);
 
 // Fills `branches` for a string of fewer than 2^32 modules and parameters.
@@ -49,7 +49,8 @@ struct Surroundings {
 // Finds and applies the rules of one set. Holds the frames in which their programs run.
 class Rewriter {
 public:
-    Rewriter(Model const& model, RuleSet const& rules, Machine& machine, bool stochastic);
+    // For rules of one L-system of the model.
+    Rewriter(Model const& model, LSystem const& system, RuleSet const& rules, Machine& machine);
 
     // The rule that rewrites the first of `modules`, nullptr if none does. With `adjacent` the
     // right context begins behind the predecessor in the string; otherwise at `around.right`.
@@ -107,9 +108,9 @@ private:
     }
 
     Model const& model_;
+    LSystem const& system_;
     RuleSet const& rules_;
     Machine& machine_;
-    bool stochastic_;
     std::vector<RegisterFile> frames_;
     std::vector<FixedSuccessor> successors_; // Of them only the kinds are used.
     struct Candidate {

@@ -597,7 +597,7 @@ public:
     {
         while (at_ < string_.size()) {
             auto const count = draw_one();
-            if (machine_.loop_did_not_end())
+            if (machine_.has_stopped())
                 TRY(machine_.check());
             if (turtle_.is_full() || count == 0)
                 return fail(Fault::User,

@@ -1,4 +1,5 @@
 #include "engine/lsystem/derive.h"
+#include "engine/lsystem/homomorphism.h"
 #include "engine/lsystem/print.h"
 #include "engine/lsystem/turtle.h"
 #include "tests/corpus.h"

@@ -1,4 +1,5 @@
 #include "engine/lsystem/derive.h"
+#include "engine/lsystem/homomorphism.h"
 
 #include "tests/engine/lsystem/small_model.h"
 
@@ -113,7 +114,46 @@ TEST(Statements, StopALoopThatDoesNotEnd)
     auto const model = compiled(with_header("Axiom: A\nA : {x=1; while (x) {x=1;}} 1 --> B"));
     auto const string = derive(model);
     ASSERT_FALSE(string);
-    EXPECT_EQ(string.error().message, "model.l: a loop did not end within 10 million rounds");
+    EXPECT_EQ(string.error().message,
+              "model.l: in step 1 a loop did not end within 10 million rounds; look whether its "
+              "condition ever becomes 0");
+}
+
+// What a model prints.
+std::string printed(std::string const& axiom_and_rules, int steps = 1)
+{
+    auto const model = compiled(with_header(axiom_and_rules, steps));
+    EXPECT_TRUE(model.warnings.empty());
+    std::string result;
+    DeriveOptions options;
+    options.print = [&](std::string_view text) { result += text; };
+    EXPECT_TRUE(derive(model, options));
+    return result;
+}
+
+TEST(Printing, FormatsNumbers)
+{
+    EXPECT_EQ(printed("Start: {printf(\"%g %5.2f|%-4d|%04d|%x|100%%\\n\", 0.5, 1/3, 7.9, -3, "
+                      "255);}\nAxiom: A"),
+              "0.5  0.33|7   |-003|ff|100%\n");
+    EXPECT_EQ(printed("Start: {printf(\"\\\"a\\tb\\\"\");}\nAxiom: A"), "\"a\tb\"");
+}
+
+TEST(Printing, KeepsTheOrderOfModules)
+{
+    EXPECT_EQ(printed("Axiom: A(1)A(2)A(3)\nA(x) : {printf(\"<%g\", x);} x>1 "
+                      "{printf(\">\");} --> B"),
+              "<1<2><3>");
+}
+
+TEST(DerivationLength, IsChangedByTheModelUnlessTheStepsAreGiven)
+{
+    auto const rules = "EndEach: {if (Q==2) {SetDerivationLength(5);}}\nAxiom: A(0)\n"
+                       "A(x) --> A(GetDerivationLength(0))";
+    EXPECT_EQ(derived(rules, 2), "A(5)");
+    EXPECT_EQ(derived("EndEach: {SetDerivationLength(3);}\nAxiom: A\nA --> AB", 9), "ABBB");
+    auto const model = compiled(with_header(rules, 2));
+    EXPECT_EQ(to_string(model, *derive(model, { .steps = 2 })), "A(2)");
 }
 
 TEST(Cut, RemovesTheRestOfTheBranch)
@@ -188,9 +228,9 @@ TEST(Limits, StopARunawayModel)
     auto const string = derive(model, { .steps = {}, .seed = 1, .max_modules = 1000 });
     ASSERT_FALSE(string);
     EXPECT_EQ(string.error().fault, Fault::User);
-    EXPECT_EQ(
-        string.error().message,
-        "model.l: step 10 makes more than 1000 modules; derive fewer steps or raise the limit");
+    EXPECT_EQ(string.error().message,
+              "model.l: step 10 makes more than 1000 modules; derive fewer steps or raise the "
+              "limit of modules");
 }
 
 TEST(Parameters, AreSingleFloats)

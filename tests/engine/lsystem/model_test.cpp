@@ -96,11 +96,58 @@ TEST(Preprocessor, StopsMacrosThatGrowWithoutEnd)
 
 TEST(Model, WarnsOnceOfWhatItLacks)
 {
-    auto const model = compiled("Lsystem: 1\nStart: {printf(\"%f\", 1); printf(\"again\"); y = "
-                                "z;}\nAxiom: A\nendlsystem\n");
+    auto const model = compiled("Lsystem: 1\nStart: {stop(1); stop(1); y = z;}\nAxiom: "
+                                "A\nendlsystem\n");
     ASSERT_EQ(model.warnings.size(), 3u);
-    EXPECT_EQ(model.warnings[0], "model.l:2:9: printf() is not supported; its value is 0");
-    EXPECT_EQ(model.warnings[2], "model.l:2:47: z is not defined; its value is 0");
+    EXPECT_EQ(model.warnings[0], "model.l:2:9: stop() is not supported; its value is 0");
+    EXPECT_EQ(model.warnings[2], "model.l:2:31: z is not defined; its value is 0");
+}
+
+TEST(Model, RefusesFilesWithOneWarning)
+{
+    auto const model = compiled("Lsystem: 1\nStart: {f = fopen(\"x\", \"w\"); fprintf(f, "
+                                "\"%f\", 1); fscanf(f, \"%f\", &y); fclose(f);}\nAxiom: "
+                                "A(f)\nendlsystem\n");
+    ASSERT_EQ(model.warnings.size(), 2u); // The other is of y.
+    EXPECT_EQ(model.warnings[0],
+              "model.l:2:13: models read and write no files here: fopen() gives -1, and fprintf, "
+              "fscanf, fflush and fclose do nothing");
+    EXPECT_EQ(to_string(model, *derive(model)), "A(-1)");
+}
+
+TEST(Model, ChecksFormatsWhenItIsCompiled)
+{
+    EXPECT_EQ(compile_error("Lsystem: 1\nStart: {printf(\"%s\", 1);}\nAxiom: A\n"),
+              "model.l:2:16: found '%s' in a format, expected %d %i %u %x %o %f %e or %g, with a "
+              "width and a precision of at most 99, or %%");
+    EXPECT_EQ(compile_error("Lsystem: 1\nStart: {printf(1);}\nAxiom: A\n"),
+              "model.l:2:16: found '1', expected a format in double quotes");
+    EXPECT_EQ(compile_error("Lsystem: 1\nStart: {printf(\"x);}\nAxiom: A\n"),
+              "model.l:2:16: the string has no closing '\"'");
+    auto const model
+        = compiled("Lsystem: 1\nStart: {printf(\"%f %f\", 1);}\nAxiom: A\nendlsystem\n");
+    ASSERT_EQ(model.warnings.size(), 1u);
+    EXPECT_EQ(model.warnings[0],
+              "model.l:2:9: the format of printf asks for 2 values, found 1; "
+              "those missing are 0");
+}
+
+TEST(Model, LooksUpCurvesByNumberAndName)
+{
+    ModelSource source;
+    source.text
+        = with_header("Axiom: A(curveX(1,0.5), curveY(bow,0.5), curveZ(1,9), curveX(2,0))", 0);
+    source.view_text = "curve: bow.cur\n";
+    auto const model = compile_model(source, [](std::string const&) -> Result<std::string> {
+        return "points: 4\ndim: 3\ntype: bezier\n0 0 0\n1 0 3\n2 0 6\n3 0 9\n";
+    });
+    ASSERT_TRUE(model) << model.error().message;
+    auto const string = derive(*model);
+    ASSERT_EQ(string->parameters.size(), 4u);
+    EXPECT_NEAR(static_cast<double>(string->parameters[0]), 1.5, 1e-4);
+    EXPECT_NEAR(static_cast<double>(string->parameters[1]), 0, 1e-4);
+    EXPECT_NEAR(static_cast<double>(string->parameters[2]), 9, 1e-4);
+    EXPECT_EQ(string->parameters[3], 0.0f);
 }
 
 } // namespace

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+
+namespace tractus {
+
+// When work on a model has taken too long. The engine has no clock: who calls it may have one.
+struct TimeLimit {
+    // Asked every 65,536 modules, rules applied or rounds of a loop, from any thread; true ends the
+    // work with an error. Never asked where there is none.
+    std::function<bool()> is_over {};
+    double seconds = 0; // For the message.
+};
+
+// How large a string may become.
+struct StringLimit {
+    std::size_t modules = 100'000'000;
+    std::size_t bytes = std::numeric_limits<std::size_t>::max();
+};
+
+} // namespace tractus

@@ -1,0 +1,118 @@
+#include "engine/lsystem/homomorphism.h"
+#include "tests/engine/lsystem/small_model.h"
+
+#include <atomic>
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+// A limit of time that has passed when it is asked for the third time: no test looks at a clock.
+TimeLimit soon()
+{
+    auto const asked
+        = std::make_shared<std::atomic<int>>(0); // Shared by the copies of the function.
+    return { [asked] { return ++*asked >= 3; }, 60 };
+}
+
+std::string error_of(std::string const& axiom_and_rules, DeriveOptions const& options,
+                     int steps = 1)
+{
+    auto const string = derive(compiled(with_header(axiom_and_rules, steps)), options);
+    if (string)
+        return "no error";
+    EXPECT_EQ(string.error().fault, Fault::User);
+    return string.error().message;
+}
+
+std::string error_of_time(std::string const& axiom_and_rules, int steps = 1)
+{
+    DeriveOptions options;
+    options.time = soon();
+    return error_of(axiom_and_rules, options, steps);
+}
+
+TEST(TimeLimit, EndsLoopsInRulesAndBlocks)
+{
+    auto const message = [](char const* where) {
+        return "model.l: " + std::string(where)
+            + " was not done when 60 s had passed; derive fewer steps, or raise the limit of time";
+    };
+    EXPECT_EQ(error_of_time("Axiom: A\nA : {x=1; while (x) {x=1;}} 1 --> B"), message("step 1"));
+    EXPECT_EQ(error_of_time("Start: {x=1; do {x=1;} while (x);}\nAxiom: A"), message("the start"));
+    EXPECT_EQ(error_of_time("EndEach: {x=1; while (x) {x=1;}}\nAxiom: A", 5), message("step 1"));
+    // No single loop is long here.
+    EXPECT_EQ(error_of_time("Axiom: A(30)\ndecomposition\nmaximum depth: 100\n"
+                            "A(n) : {i=0; while (i<1000) {i=i+1;}} n>0 --> A(n-1)A(n-1)"),
+              message("step 1"));
+}
+
+TEST(TimeLimit, EndsRulesThatLeaveNothing)
+{
+    EXPECT_EQ(error_of_time("Axiom: A(60)\ndecomposition\nmaximum depth: 100\n"
+                            "A(n) : n>0 --> A(n-1)A(n-1)\nA(n) --> *"),
+              "model.l: step 1 was not done when 60 s had passed; derive fewer steps, or raise "
+              "the limit of time");
+    auto const model = compiled(with_header("Axiom: A(60)\nhomomorphism\nmaximum depth: 100\n"
+                                            "A(n) : n>0 --> A(n-1)A(n-1)\nA(n) --> *"));
+    auto const drawn_string = apply_homomorphism(model, *derive(model), { {}, soon() });
+    ASSERT_FALSE(drawn_string);
+    EXPECT_EQ(drawn_string.error().message,
+              "model.l: the homomorphism was not done when 60 s had passed; derive fewer steps, "
+              "or raise the limit of time");
+}
+
+TEST(TimeLimit, EndsAModelThatOnlyTakesManySteps)
+{
+    EXPECT_NE(error_of_time("Axiom: A\nA --> B\nB --> A", 1'000'000'000).find("was not done"),
+              std::string::npos);
+    EXPECT_NE(error_of_time("Axiom: A\nA : {x=Q;} 1 --> A", 1'000'000'000).find("was not done"),
+              std::string::npos);
+    EXPECT_NE(error_of_time("Axiom: AB\nA > B --> A", 1'000'000'000).find("was not done"),
+              std::string::npos);
+}
+
+TEST(TimeLimit, EndsParallelAndSubLSystemsToo)
+{
+    std::string const loop = "{i=0; while (i<100) {i=i+1;}} 1 --> A(i)A(i)";
+    EXPECT_NE(error_of_time("Axiom: A(0)\nA(x) : " + loop, 25).find("was not done"),
+              std::string::npos);
+    DeriveOptions options;
+    options.time = soon();
+    auto const model = compiled(with_header("Axiom: ?(2)A$")
+                                + "Lsystem: 2\nA : {x=1; while (x) {x=1;}} 1 --> B\nendlsystem\n");
+    auto const string = derive(model, options);
+    ASSERT_FALSE(string);
+    EXPECT_NE(string.error().message.find("step 1 was not done"), std::string::npos);
+}
+
+TEST(MemoryLimit, NamesTheStepThatNeedsMore)
+{
+    DeriveOptions options;
+    options.max_memory_bytes = std::size_t { 8 } << 20;
+    auto const needs_more = [&](std::string const& rules) {
+        auto const message = error_of(rules, options, 60);
+        return message.find("needs more than 8 MB of memory") != std::string::npos
+            && message.find("model.l: step ") == 0;
+    };
+    EXPECT_TRUE(needs_more("Axiom: F\nF --> FF"));
+    EXPECT_TRUE(needs_more("Axiom: F(1,2,3)\nF(x,y,z) --> F(y,z,x)F(z,x,y)"));
+    EXPECT_TRUE(needs_more("Axiom: F(1)\nF(x) : x>0 --> F(x+1)F(x)"));
+    EXPECT_TRUE(needs_more("Axiom: AF\nA < F --> FF\nF --> FF"));
+    EXPECT_TRUE(needs_more("Axiom: F(1)\nF(x) --> F(x)\ndecomposition\nF(x) --> F(x)F(x)"));
+    EXPECT_TRUE(needs_more("Start: {n=0;}\nAxiom: F(1)\nF(x) : {n=n+1;} 1 --> F(n)F(n)"));
+}
+
+TEST(MemoryLimit, StopsOneModuleThatBecomesMany)
+{
+    DeriveOptions options;
+    options.max_memory_bytes = std::size_t { 8 } << 20;
+    EXPECT_EQ(error_of("Axiom: A(50)\ndecomposition\nmaximum depth: 100\n"
+                       "A(n) : n>0 --> A(n-1)A(n-1)",
+                       options),
+              "model.l: step 1 needs more than 8 MB of memory; derive fewer steps or raise the "
+              "limit of memory");
+}
+
+} // namespace
+} // namespace tractus
