@@ -32,9 +32,10 @@ void float_attribute(GLuint index, GLint size, GLsizei stride, std::size_t offse
 }
 
 // Uploads one value per vertex into a new buffer of the part, as attribute `index`.
-template<typename Value>
-void add_vertex_values(GpuMesh::Part& part, GLuint index, std::vector<Value> const& values)
+template<typename Values>
+void add_vertex_values(GpuMesh::Part& part, GLuint index, Values const& values)
 {
+    using Value = typename Values::value_type;
     gl::upload(part.buffers.emplace_back(), GL_ARRAY_BUFFER, std::span<Value const>(values));
     float_attribute(index, static_cast<GLint>(sizeof(Value) / sizeof(float)), 0, 0);
 }

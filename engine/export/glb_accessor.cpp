@@ -126,11 +126,11 @@ template Result<std::vector<std::array<float, 2>>> read_accessor<2>(tinygltf::Mo
 template Result<std::vector<std::array<float, 3>>> read_accessor<3>(tinygltf::Model const&, int);
 template Result<std::vector<std::array<float, 4>>> read_accessor<4>(tinygltf::Model const&, int);
 
-Result<std::vector<std::uint32_t>> read_indices(tinygltf::Model const& model, int accessor,
-                                                std::size_t vertex_count)
+Result<BulkVector<std::uint32_t>> read_indices(tinygltf::Model const& model, int accessor,
+                                               std::size_t vertex_count)
 {
     auto const elements = TRY(find_elements(model, accessor, 1));
-    std::vector<std::uint32_t> indices(elements.count);
+    BulkVector<std::uint32_t> indices(elements.count);
     for (std::size_t i = 0; i < elements.count; ++i) {
         auto const* const bytes = elements.first + i * elements.stride;
         switch (elements.component_type) {

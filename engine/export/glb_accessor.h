@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/bulk_vector.h"
 #include "engine/base/result.h"
 
 #include <array>
@@ -28,7 +29,7 @@ extern template Result<std::vector<std::array<float, 4>>> read_accessor<4>(tinyg
                                                                            int);
 
 // The same for vertex indices, each below `vertex_count`.
-Result<std::vector<std::uint32_t>> read_indices(tinygltf::Model const& model, int accessor,
-                                                std::size_t vertex_count);
+Result<BulkVector<std::uint32_t>> read_indices(tinygltf::Model const& model, int accessor,
+                                               std::size_t vertex_count);
 
 } // namespace tractus

@@ -221,7 +221,7 @@ private:
                         view, component_type, count, kTypes[Components], more));
     }
 
-    Result<std::size_t> add_positions(std::vector<Vec3f> const& positions_mm)
+    Result<std::size_t> add_positions(std::span<Vec3f const> positions_mm)
     {
         Vec3f low = to_gltf(positions_mm[0]);
         Vec3f high = low;

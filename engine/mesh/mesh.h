@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/bulk_vector.h"
 #include "engine/base/vectors.h"
 #include "engine/plant/material.h"
 
@@ -14,12 +15,12 @@ namespace tractus {
 // three to a triangle.
 struct TriangleMesh {
     MaterialId material = 0;
-    std::vector<Vec3f> positions_mm;
-    std::vector<Vec3f> normals; // Unit length.
+    BulkVector<Vec3f> positions_mm;
+    BulkVector<Vec3f> normals; // Unit length.
     // Tubes: u once around, v in the same scale along the axis. Blades: the unit square, midrib at
     // u = 0.5, base at v = 0.
-    std::vector<Vec2f> texture_coordinates;
-    std::vector<std::uint32_t> indices;
+    BulkVector<Vec2f> texture_coordinates;
+    BulkVector<std::uint32_t> indices;
 
     std::size_t triangle_count() const { return indices.size() / 3; }
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 namespace tractus {
 namespace {
@@ -77,17 +79,32 @@ Vec3 long_direction(std::span<Vec3 const> vertices, Vec3 const& normal)
     return longest.norm() > 0 ? Vec3(longest.normalized()) : normal.unitOrthogonal();
 }
 
-} // namespace
-
-void append_polygon(std::span<Vec3 const> vertices_mm, TriangleMesh& mesh)
+// Unit length. No value without area.
+std::optional<Vec3> flat_normal(std::span<Vec3 const> vertices)
 {
-    Vec3 const area = newell_normal(vertices_mm);
+    Vec3 const area = newell_normal(vertices);
     double const length = area.norm();
     if (!(length > 1e-9) || !std::isfinite(length))
+        return std::nullopt;
+    return Vec3(area / length);
+}
+
+} // namespace
+
+MeshExtent polygon_extent(std::span<Vec3 const> vertices_mm)
+{
+    if (!flat_normal(vertices_mm))
+        return {};
+    return { vertices_mm.size(), 3 * (vertices_mm.size() - 2) };
+}
+
+void write_polygon(std::span<Vec3 const> vertices_mm, TrianglePlace& place)
+{
+    auto const normal = flat_normal(vertices_mm);
+    if (!normal)
         return;
-    Vec3 const normal = area / length;
-    Vec3 const along = long_direction(vertices_mm, normal);
-    Vec3 const across = along.cross(normal);
+    Vec3 const along = long_direction(vertices_mm, *normal);
+    Vec3 const across = along.cross(*normal);
 
     std::vector<Vec2> points;
     Vec2 low = Vec2::Zero();
@@ -99,14 +116,14 @@ void append_polygon(std::span<Vec3 const> vertices_mm, TriangleMesh& mesh)
         high = high.cwiseMax(points.back());
     }
     Vec2 const size = (high - low).cwiseMax(1e-9);
-    auto const base = static_cast<std::uint32_t>(mesh.positions_mm.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        mesh.positions_mm.push_back(vertices_mm[i].cast<float>());
-        mesh.normals.push_back(normal.cast<float>());
-        mesh.texture_coordinates.push_back((points[i] - low).cwiseQuotient(size).cast<float>());
+        *place.position_mm++ = vertices_mm[i].cast<float>();
+        *place.normal++ = normal->cast<float>();
+        *place.texture++ = (points[i] - low).cwiseQuotient(size).cast<float>();
     }
-    for (auto const index : clip_ears(points))
-        mesh.indices.push_back(base + index);
+    for (auto const corner : clip_ears(points))
+        *place.index++ = place.vertex + corner;
+    place.vertex += static_cast<std::uint32_t>(points.size());
 }
 
 } // namespace tractus

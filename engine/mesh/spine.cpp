@@ -267,7 +267,7 @@ void trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& option
         return;
     auto const bearer = find_bearer(plant, axis);
     spine.sides = sides_for(spine.nodes, options, thickest_mm);
-    spine.closed_base = !bearer;
+    spine.closed_base = !bearer && options.ends == MeshOptions::Ends::Closed;
     Tracer(options, spine).trace(bearer);
 
     bool const thin = spine.sides <= options.min_sides && options.min_sides < options.max_sides;
@@ -277,11 +277,12 @@ void trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& option
         spine.stations.front().radius_mm
             = std::min(spine.stations.front().radius_mm, bearer->radius_mm);
 
-    auto& tip = spine.stations.back();
-    spine.pointed
-        = tip.radius_mm <= std::max(kLeastRadius_mm, kPointedShare * spine.nodes[0].radius_mm);
-    if (spine.pointed)
-        tip.radius_mm = 0;
+    auto& end = spine.stations.back();
+    spine.tip = options.ends == MeshOptions::Ends::Closed ? Spine::Tip::Dome : Spine::Tip::Open;
+    if (end.radius_mm > std::max(kLeastRadius_mm, kPointedShare * spine.nodes[0].radius_mm))
+        return;
+    spine.tip = Spine::Tip::Point;
+    end.radius_mm = 0;
 }
 
 } // namespace tractus

@@ -10,7 +10,7 @@ namespace tractus {
 struct SpineStation {
     Vec3 center_mm;
     Vec3 tangent;      // Unit length.
-    double radius_mm;  // Above 0, but for the last station of a pointed spine.
+    double radius_mm;  // Above 0, but for a point at the tip.
     double arc_mm;     // Along the spine from its first station.
     SegmentId segment; // That the stretch from the station before belongs to.
 };
@@ -20,7 +20,8 @@ struct Spine {
     std::vector<SpineStation> stations; // None, or two and more.
     int sides = 0;
     bool closed_base = false; // Stands on nothing: its first section is filled.
-    bool pointed = false;     // The last station is a point.
+    enum class Tip { Dome, Point, Open };
+    Tip tip = Tip::Dome;
 
     // Scratch space of trace_spine(), kept so that it is allocated once.
     struct Node {

@@ -10,24 +10,37 @@ namespace {
 constexpr int kMaxSides = 64;
 constexpr double kSteepest = 4; // Slopes beyond this come from sections that nearly coincide.
 
-// The corners of a regular polygon, the first repeated at the end, and the middles of its sides.
+// Twelve numbers: four points, or three of a processor's vectors.
+constexpr int kLanes = 12;
+using Lanes = Eigen::Array<float, kLanes, 1>;
+
+// What all rings with one number of sides have in common. The first corner comes again as the last.
 struct Circle {
-    std::array<Vec2f, kMaxSides + 1> corners;
-    std::array<Vec2f, kMaxSides> middles;
+    // Three times each: for x, y and z.
+    std::array<float, 3 * (kMaxSides + 1)> cosines;
+    std::array<float, 3 * (kMaxSides + 1)> sines;
+    std::array<float, kMaxSides + 1> shares;        // Of the way around.
+    std::array<Vec2f, kMaxSides> middles;           // Between two corners.
+    std::array<std::uint32_t, 6 * kMaxSides> quads; // Counted from the lower ring's first corner.
 };
 
 Circle make_circle(int sides)
 {
     Circle circle {};
-    for (int j = 0; j < sides; ++j) {
-        double const corner = 2 * kPi * j / sides;
-        double const middle = 2 * kPi * (j + 0.5) / sides;
-        circle.corners[static_cast<std::size_t>(j)]
-            = Vec2(std::cos(corner), std::sin(corner)).cast<float>();
-        circle.middles[static_cast<std::size_t>(j)]
-            = Vec2(std::cos(middle), std::sin(middle)).cast<float>();
+    auto const count = static_cast<std::size_t>(sides);
+    for (std::size_t j = 0; j <= count; ++j) {
+        double const angle = 2 * kPi * static_cast<double>(j % count) / sides;
+        std::fill_n(&circle.cosines[3 * j], 3, static_cast<float>(std::cos(angle)));
+        std::fill_n(&circle.sines[3 * j], 3, static_cast<float>(std::sin(angle)));
+        circle.shares[j] = static_cast<float>(j) / static_cast<float>(sides);
     }
-    circle.corners[static_cast<std::size_t>(sides)] = circle.corners[0];
+    for (std::uint32_t j = 0; j < count; ++j) {
+        double const middle = 2 * kPi * (j + 0.5) / sides;
+        circle.middles[j] = Vec2(std::cos(middle), std::sin(middle)).cast<float>();
+        auto const upper = static_cast<std::uint32_t>(count + 1);
+        std::uint32_t const quad[6] = { j, j + 1, upper + j + 1, j, upper + j + 1, upper + j };
+        std::copy(quad, quad + 6, &circle.quads[6 * std::size_t { j }]);
+    }
     return circle;
 }
 
@@ -42,10 +55,34 @@ Circle const& circle_of(int sides)
     return circles[static_cast<std::size_t>(sides)];
 }
 
+// The same point four times.
+Lanes repeated(Vec3f const& point)
+{
+    return point.replicate<kLanes / 3, 1>();
+}
+
+// center + cosine * x + sine * y for the first `count` corners of a circle.
+void write_corners(Circle const& circle, std::size_t count, Vec3f const& center, Vec3f const& x,
+                   Vec3f const& y, float* to)
+{
+    Lanes const centers = repeated(center);
+    Lanes const xs = repeated(x);
+    Lanes const ys = repeated(y);
+    std::size_t i = 0;
+    for (; i + kLanes <= 3 * count; i += kLanes)
+        Eigen::Map<Lanes>(to + i) = centers + Eigen::Map<Lanes const>(&circle.cosines[i]) * xs
+            + Eigen::Map<Lanes const>(&circle.sines[i]) * ys;
+    for (std::size_t k = 0; i < 3 * count; ++i, ++k)
+        to[i] = centers[static_cast<Eigen::Index>(k)]
+            + circle.cosines[i] * xs[static_cast<Eigen::Index>(k)]
+            + circle.sines[i] * ys[static_cast<Eigen::Index>(k)];
+}
+
 // Rings of a dome between the end of the tube and its apex; thin tubes do without.
+constexpr int kMostDomeRings = 2;
 int dome_rings(int sides)
 {
-    return sides <= 6 ? 0 : sides <= 12 ? 1 : 2;
+    return sides <= 6 ? 0 : sides <= 12 ? 1 : kMostDomeRings;
 }
 
 double slope_at(std::vector<SpineStation> const& stations, std::size_t i)
@@ -68,15 +105,11 @@ Vec3 carry(Vec3 const& normal, Vec3 const& from, Vec3 const& to)
     return length > 1e-6 ? Vec3(flat / length) : to.unitOrthogonal();
 }
 
-// Appends to a surface's arrays at a place of its own.
+// Writes the pieces of a tube one after another.
 class Writer {
 public:
-    Writer(TriangleMesh& mesh, MeshExtent const& at, int sides)
-        : position_(mesh.positions_mm.data() + at.vertices)
-        , normal_(mesh.normals.data() + at.vertices)
-        , texture_(mesh.texture_coordinates.data() + at.vertices)
-        , index_(mesh.indices.data() + at.indices)
-        , next_(static_cast<std::uint32_t>(at.vertices))
+    Writer(TrianglePlace& place, int sides)
+        : place_(place)
         , sides_(static_cast<std::uint32_t>(sides))
         , circle_(circle_of(sides))
     {
@@ -85,96 +118,128 @@ public:
     // A closed ring whose first corner comes twice, for the texture's seam.
     void ring(Section const& section)
     {
+        std::size_t const count = sides_ + 1;
+        write_corners(circle_, count, section.center_mm, section.radius_mm * section.normal,
+                      section.radius_mm * section.binormal, place_.position_mm->data());
         float const scale = 1 / std::sqrt(1 + section.slope * section.slope);
-        Vec3f const lean = -section.slope * scale * section.tangent;
-        float const step = 1 / static_cast<float>(sides_);
-        for (std::uint32_t j = 0; j <= sides_; ++j) {
-            Vec3f const out = circle_.corners[j].x() * section.normal
-                + circle_.corners[j].y() * section.binormal;
-            *position_++ = section.center_mm + section.radius_mm * out;
-            *normal_++ = scale * out + lean;
-            *texture_++ = { static_cast<float>(j) * step, section.v };
+        write_corners(circle_, count, -section.slope * scale * section.tangent,
+                      scale * section.normal, scale * section.binormal, place_.normal->data());
+        float* const texture = place_.texture->data();
+        for (std::size_t j = 0; j < count; ++j) {
+            texture[2 * j] = circle_.shares[j];
+            texture[2 * j + 1] = section.v;
         }
-        next_ += sides_ + 1;
+        advance(count);
     }
 
     // Two triangles a side between the last two rings.
     void join()
     {
-        auto const upper = next_ - (sides_ + 1);
-        auto const lower = upper - (sides_ + 1);
-        for (std::uint32_t j = 0; j < sides_; ++j) {
-            std::uint32_t const quad[6]
-                = { lower + j, lower + j + 1, upper + j + 1, lower + j, upper + j + 1, upper + j };
-            index_ = std::copy(quad, quad + 6, index_);
-        }
+        auto const lower = place_.vertex - 2 * (sides_ + 1);
+        std::uint32_t* const index = place_.index;
+        for (std::size_t i = 0; i < 6 * std::size_t { sides_ }; ++i)
+            index[i] = lower + circle_.quads[i];
+        place_.index += 6 * std::size_t { sides_ };
     }
 
-    // A point above the last ring, once for each side, so that each has its texture. A positive
-    // slope share of the sides stays in the normals: a cone's; 0 is a dome's.
+    // A point above the last ring, once for each side, so that each has its texture. `side_share`
+    // of the sides stays in the normals: 1 is a cone's, 0 is a dome's.
     void apex(Section const& section, float side_share)
     {
-        auto const ring = next_ - (sides_ + 1);
+        auto const ring = place_.vertex - (sides_ + 1);
+        float const scale = side_share / std::sqrt(1 + section.slope * section.slope);
+        Vec3f const along = (1 - side_share - section.slope * scale) * section.tangent;
         float const step = 1 / static_cast<float>(sides_);
         for (std::uint32_t j = 0; j < sides_; ++j) {
-            Vec3f const out = circle_.middles[j].x() * section.normal
-                + circle_.middles[j].y() * section.binormal;
-            *position_++ = section.center_mm;
-            *normal_++ = (side_share * (out - section.slope * section.tangent)
-                          + (1 - side_share) * section.tangent)
-                             .normalized();
-            *texture_++ = { (static_cast<float>(j) + 0.5f) * step, section.v };
-            std::uint32_t const triangle[3] = { ring + j, ring + j + 1, next_ + j };
-            index_ = std::copy(triangle, triangle + 3, index_);
+            place_.position_mm[j] = section.center_mm;
+            place_.normal[j] = scale
+                    * (circle_.middles[j].x() * section.normal
+                       + circle_.middles[j].y() * section.binormal)
+                + along;
+            place_.texture[j] = { (static_cast<float>(j) + 0.5f) * step, section.v };
+            triangle(ring + j, ring + j + 1, place_.vertex + j);
         }
-        next_ += sides_;
+        advance(sides_);
     }
 
     // A flat face that looks back along the axis.
     void base(Section const& section)
     {
+        write_corners(circle_, sides_, section.center_mm, section.radius_mm * section.normal,
+                      section.radius_mm * section.binormal, place_.position_mm->data());
         for (std::uint32_t j = 0; j < sides_; ++j) {
-            Vec2f const& corner = circle_.corners[j];
-            *position_++ = section.center_mm
-                + section.radius_mm * (corner.x() * section.normal + corner.y() * section.binormal);
-            *normal_++ = -section.tangent;
-            *texture_++ = Vec2f(0.5f, section.v) + corner / static_cast<float>(2 * kPi);
+            Vec2f const corner(circle_.cosines[3 * j], circle_.sines[3 * j]);
+            place_.normal[j] = -section.tangent;
+            place_.texture[j] = Vec2f(0.5f, section.v) + corner / static_cast<float>(2 * kPi);
         }
-        for (std::uint32_t j = 2; j < sides_; ++j) {
-            std::uint32_t const triangle[3] = { next_, next_ + j, next_ + j - 1 };
-            index_ = std::copy(triangle, triangle + 3, index_);
-        }
-        next_ += sides_;
+        for (std::uint32_t j = 2; j < sides_; ++j)
+            triangle(place_.vertex, place_.vertex + j, place_.vertex + j - 1);
+        advance(sides_);
     }
 
 private:
-    Vec3f* position_;
-    Vec3f* normal_;
-    Vec2f* texture_;
-    std::uint32_t* index_;
-    std::uint32_t next_;
+    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c)
+    {
+        *place_.index++ = a;
+        *place_.index++ = b;
+        *place_.index++ = c;
+    }
+
+    void advance(std::size_t count)
+    {
+        place_.position_mm += count;
+        place_.normal += count;
+        place_.texture += count;
+        place_.vertex += static_cast<std::uint32_t>(count);
+    }
+
+    TrianglePlace& place_;
     std::uint32_t sides_;
     Circle const& circle_;
 };
+
+// A place on a dome, `share` of the quarter circle from its foot to its top.
+struct DomeStep {
+    float height;
+    float radius;
+    float slope;
+    float v; // Beyond the foot's.
+};
+
+DomeStep dome_step(double share)
+{
+    double const angle = 0.5 * kPi * share;
+    return { static_cast<float>(std::sin(angle)), static_cast<float>(std::cos(angle)),
+             static_cast<float>(-std::tan(std::min(angle, 1.3))),
+             static_cast<float>(angle / (2 * kPi)) };
+}
 
 // Half a sphere on the last section. It meets the tube at a right angle, whatever the tube's slope:
 // the last ring's normals stay the tube's, so that no edge shows.
 void write_dome(Writer& writer, Section const& end, int rings)
 {
-    auto const at = [&](double angle) {
+    static auto const steps = [] {
+        std::array<std::vector<DomeStep>, kMostDomeRings + 1> all;
+        for (int n = 0; n <= kMostDomeRings; ++n)
+            for (int k = 1; k <= n + 1; ++k)
+                all[static_cast<std::size_t>(n)].push_back(
+                    dome_step(static_cast<double>(k) / (n + 1)));
+        return all;
+    }();
+    auto const& of_dome = steps[static_cast<std::size_t>(rings)];
+    auto const at = [&](DomeStep const& step) {
         Section section = end;
-        auto const height = static_cast<float>(std::sin(angle));
-        section.radius_mm = end.radius_mm * static_cast<float>(std::cos(angle));
-        section.center_mm += height * end.radius_mm * end.tangent;
-        section.slope = static_cast<float>(-std::tan(std::min(angle, 1.3)));
-        section.v += static_cast<float>(angle / (2 * kPi));
+        section.radius_mm = end.radius_mm * step.radius;
+        section.center_mm += step.height * end.radius_mm * end.tangent;
+        section.slope = step.slope;
+        section.v += step.v;
         return section;
     };
-    for (int k = 1; k <= rings; ++k) {
-        writer.ring(at(0.5 * kPi * k / (rings + 1)));
+    for (std::size_t k = 0; k + 1 < of_dome.size(); ++k) {
+        writer.ring(at(of_dome[k]));
         writer.join();
     }
-    writer.apex(at(0.5 * kPi), 0);
+    writer.apex(at(of_dome.back()), 0);
 }
 
 } // namespace
@@ -205,13 +270,14 @@ void frame_sections(Spine const& spine, std::vector<Section>& sections)
 MeshExtent tube_extent(Spine const& spine, TubePart const& part)
 {
     auto const sides = static_cast<std::size_t>(spine.sides);
-    bool const is_tip = part.last + 1 == spine.stations.size();
     std::size_t rings = part.last - part.first + 1;
-    if (is_tip)
-        rings += spine.pointed ? static_cast<std::size_t>(-1)
-                               : static_cast<std::size_t>(dome_rings(spine.sides));
+    bool const has_apex = part.last + 1 == spine.stations.size() && spine.tip != Spine::Tip::Open;
+    if (has_apex && spine.tip == Spine::Tip::Point)
+        --rings;
+    else if (has_apex)
+        rings += static_cast<std::size_t>(dome_rings(spine.sides));
     MeshExtent extent { rings * (sides + 1), (rings - 1) * sides * 6 };
-    if (is_tip) {
+    if (has_apex) {
         extent.vertices += sides;
         extent.indices += sides * 3;
     }
@@ -223,23 +289,21 @@ MeshExtent tube_extent(Spine const& spine, TubePart const& part)
 }
 
 void write_tube(Spine const& spine, std::span<Section const> sections, TubePart const& part,
-                MeshExtent const& at, TriangleMesh& mesh)
+                TrianglePlace& place)
 {
-    Writer writer(mesh, at, spine.sides);
+    Writer writer(place, spine.sides);
     if (part.first == 0 && spine.closed_base)
         writer.base(sections[0]);
-    bool const is_tip = part.last + 1 == sections.size();
-    std::size_t const last_ring = is_tip && spine.pointed ? part.last - 1 : part.last;
+    bool const has_tip = part.last + 1 == sections.size();
+    auto const last_ring = has_tip && spine.tip == Spine::Tip::Point ? part.last - 1 : part.last;
     writer.ring(sections[part.first]);
-    for (std::size_t i = part.first + 1; i <= last_ring; ++i) {
+    for (auto i = part.first + 1; i <= last_ring; ++i) {
         writer.ring(sections[i]);
         writer.join();
     }
-    if (!is_tip)
-        return;
-    if (spine.pointed)
+    if (has_tip && spine.tip == Spine::Tip::Point)
         writer.apex(sections[part.last], 1);
-    else
+    else if (has_tip && spine.tip == Spine::Tip::Dome)
         write_dome(writer, sections[part.last], dome_rings(spine.sides));
 }
 

@@ -1,22 +1,16 @@
 #pragma once
 
-#include "engine/mesh/mesh.h"
 #include "engine/mesh/spine.h"
+#include "engine/mesh/triangle_place.h"
 
 #include <span>
 
 namespace tractus {
 
-// How many vertices and indices something needs, or where in the arrays it starts.
-struct MeshExtent {
-    std::size_t vertices = 0;
-    std::size_t indices = 0;
-};
-
 // A stretch of one tube's sections, first and last included, that have one material.
 struct TubePart {
-    std::size_t first = 0;
-    std::size_t last = 0; // Greater than first.
+    std::uint32_t first = 0;
+    std::uint32_t last = 0; // Greater than first.
 };
 
 // A cross-section ready to be written.
@@ -37,9 +31,9 @@ void frame_sections(Spine const& spine, std::vector<Section>& sections);
 // What write_tube() will write.
 MeshExtent tube_extent(Spine const& spine, TubePart const& part);
 
-// Writes one part of a tube, with its caps if it is the first or the last one, into arrays that are
-// large enough, from `at` on. Parts that do not overlap may be written at the same time.
+// Writes one part of a tube, with its caps if it is the first or the last one. Parts that do not
+// overlap may be written at the same time.
 void write_tube(Spine const& spine, std::span<Section const> sections, TubePart const& part,
-                MeshExtent const& at, TriangleMesh& mesh);
+                TrianglePlace& place);
 
 } // namespace tractus

@@ -1,5 +1,6 @@
 #include "engine/lsystem/derive.h"
 #include "engine/lsystem/turtle.h"
+#include "tests/bench/monopodial_tree.h"
 #include "tests/bench/report.h"
 
 #include <string>
@@ -12,24 +13,6 @@ namespace {
 // ABoP figure 1.24a: 2.5 * 5^n - 1.5 modules after n steps.
 constexpr char const* kBush
     = "Lsystem: 1\nderivation length: 10\nAxiom: F\nF --> F[+F]F[-F]F\nendlsystem\n";
-
-// ABoP figure 2.6, a monopodial tree, each rule split into two of which chance takes one:
-// 7 * 2^n - 6 modules and 2^n - 1 segments.
-constexpr char const* kTree = R"(#define r1 0.9
-#define r2 0.6
-#define wr 0.707
-Lsystem: 1
-seed: 1
-derivation length: 17
-Axiom: A(1,10)
-A(l,w) --> !(w)F(l)[&(45)B(l*r2,w*wr)]/(137.5)A(l*r1,w*wr) : 0.5
-A(l,w) --> !(w)F(l)[&(50)B(l*r2,w*wr)]/(137.5)A(l*r1,w*wr) : 0.5
-B(l,w) --> !(w)F(l)[-(45)@vC(l*r2,w*wr)]C(l*r1,w*wr) : 0.5
-B(l,w) --> !(w)F(l)[-(50)@vC(l*r2,w*wr)]C(l*r1,w*wr) : 0.5
-C(l,w) --> !(w)F(l)[+(45)@vB(l*r2,w*wr)]B(l*r1,w*wr) : 0.5
-C(l,w) --> !(w)F(l)[+(50)@vB(l*r2,w*wr)]B(l*r1,w*wr) : 0.5
-endlsystem
-)";
 
 // ABoP figure 1.31a: contexts over brackets.
 constexpr char const* kSignals = R"(Lsystem: 1
@@ -89,7 +72,7 @@ void derive_bush(benchmark::State& state)
 }
 void derive_tree(benchmark::State& state)
 {
-    derive_model(state, kTree);
+    derive_model(state, kMonopodialTree);
 }
 void derive_signals(benchmark::State& state)
 {
@@ -110,7 +93,7 @@ void signal_through_a_row(benchmark::State& state)
 void compile_tree(benchmark::State& state)
 {
     ModelSource source;
-    source.text = kTree;
+    source.text = kMonopodialTree;
     for (auto _ : state)
         benchmark::DoNotOptimize(compile_model(source).value());
     report(state,
@@ -119,7 +102,7 @@ void compile_tree(benchmark::State& state)
 
 void interpret_tree(benchmark::State& state)
 {
-    auto const model = compiled(kTree);
+    auto const model = compiled(kMonopodialTree);
     DeriveOptions options;
     options.steps = static_cast<int>(state.range(0));
     auto const string = derive(model, options).value();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <benchmark/benchmark.h>
+#include <filesystem>
 #include <string>
 
 namespace tractus {
@@ -10,14 +11,16 @@ enum class Limit {
     Copy, // memcpy: for work that reads as much as it writes.
     Fill, // memset: for work that writes.
     Disk, // Writing a file in the folder for temporary files, the page cache included.
+    Cp,   // Copying a file that the page cache holds with the program cp.
 };
 
 struct Work {
     double items = 1;      // Done in one iteration.
     std::string item = {}; // What they are, in the plural: "reports", "segments".
-    double bytes = 0;      // What one iteration has to read (Copy) or write (Fill, Disk) at least.
-                           // 0: so little that memory says nothing about the time.
+    double bytes = 0; // What one iteration has to read (Copy) or write (Fill, Disk, Cp) at least.
+                      // 0: so little that memory says nothing about the time.
     Limit limit = Limit::Copy;
+    std::filesystem::path file = {}; // Limit::Cp: what cp copies, in its folder.
 };
 
 // Adds a benchmark to the table: items per second, the time and bytes of each, the time of an

@@ -47,7 +47,7 @@ std::string error_of(std::string const& bytes)
     return mesh ? "" : mesh.error().message;
 }
 
-void expect_near(std::vector<Vec3f> const& a, std::vector<Vec3f> const& b, float tolerance)
+void expect_near(std::span<Vec3f const> a, std::span<Vec3f const> b, float tolerance)
 {
     ASSERT_EQ(a.size(), b.size());
     float worst = 0;

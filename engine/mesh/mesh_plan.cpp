@@ -1,0 +1,177 @@
+#include "engine/mesh/mesh_plan.h"
+
+#include "engine/base/check.h"
+#include "engine/base/parallel.h"
+#include "engine/mesh/polygon_mesh.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace tractus {
+namespace {
+
+constexpr std::size_t kAxesPerBlock = 1024;
+constexpr std::size_t kPolygonsPerTask = 4096;
+// Of a piece: about half a megabyte, so that it stays in a cache until it is written to a file.
+constexpr std::size_t kPieceVertices = 12 << 10;
+
+// An item before it has a place.
+struct Planned {
+    MaterialId material;
+    std::uint32_t number;
+    TubePart part;
+    std::uint32_t vertices;
+    std::uint32_t indices;
+};
+
+// Calls `use(material, part)` for each stretch of an axis' stations that has one material and any
+// length.
+template<typename Use>
+void for_each_part(Plant const& plant, Axis const& axis, Spine const& spine, Use const& use)
+{
+    auto const& stations = spine.stations;
+    auto const* const materials = plant.segment_material.data();
+    SegmentId const end = axis.first_segment + axis.segment_count;
+    std::uint32_t first = 0;
+    for (SegmentId segment = axis.first_segment; segment < end;) {
+        auto const material = materials[segment];
+        while (segment < end && materials[segment] == material)
+            ++segment;
+        auto last = first;
+        while (last + 1 < stations.size() && stations[last + 1].segment < segment)
+            ++last;
+        if (last > first)
+            use(material, TubePart { first, last });
+        first = last;
+    }
+}
+
+void place(MeshPlan::Surface& surface, Planned const& item)
+{
+    surface.items.push_back({ item.number, item.part,
+                              static_cast<std::uint32_t>(surface.extent.vertices),
+                              surface.extent.indices });
+    surface.extent += { item.vertices, item.indices };
+    CHECK(surface.extent.vertices <= std::numeric_limits<std::uint32_t>::max());
+}
+
+void cut_into_pieces(MeshPlan::Surface& surface)
+{
+    std::size_t end = 0; // Of the vertices of the piece that is being filled.
+    for (std::uint32_t i = 0; i < surface.items.size(); ++i)
+        if (surface.items[i].first_vertex >= end) {
+            surface.pieces.push_back(i);
+            end = surface.items[i].first_vertex + kPieceVertices;
+        }
+    surface.pieces.push_back(static_cast<std::uint32_t>(surface.items.size()));
+}
+
+std::span<Vec3 const> vertices_of(Plant const& plant, Polygon const& polygon)
+{
+    return std::span(plant.polygon_vertices_mm).subspan(polygon.first_vertex, polygon.vertex_count);
+}
+
+} // namespace
+
+MeshExtent MeshPlan::Surface::start_of(std::size_t piece) const
+{
+    auto const item = pieces[piece];
+    return item == items.size() ? extent
+                                : MeshExtent { items[item].first_vertex, items[item].first_index };
+}
+
+MeshExtent MeshPlan::Surface::extent_of(std::size_t piece) const
+{
+    auto const start = start_of(piece);
+    auto const end = start_of(piece + 1);
+    return { end.vertices - start.vertices, end.indices - start.indices };
+}
+
+MeshPlan::MeshPlan(Plant const& plant, MeshOptions const& options)
+    : plant_(plant)
+    , options_(options)
+    , surfaces_(plant.materials.size())
+{
+    CHECK(options.min_sides >= 3 && options.min_sides <= 64);
+    CHECK(options.max_sides >= options.min_sides && options.max_sides <= 64);
+    CHECK(options.subdivision >= 0 && options.subdivision <= 16 && options.collar >= 0);
+    if (!plant.node_radius_mm.empty())
+        thickest_mm_ = *std::max_element(plant.node_radius_mm.begin(), plant.node_radius_mm.end());
+    for (std::size_t i = 0; i < surfaces_.size(); ++i)
+        surfaces_[i].material = static_cast<MaterialId>(i);
+    plan_tubes();
+    for (auto& surface : surfaces_)
+        surface.tube_count = surface.items.size();
+    plan_polygons();
+    std::erase_if(surfaces_, [](Surface const& surface) { return surface.items.empty(); });
+    for (auto& surface : surfaces_)
+        cut_into_pieces(surface);
+}
+
+void MeshPlan::plan_tubes()
+{
+    auto const& axes = plant_.axes;
+    std::vector<std::vector<Planned>> blocks((axes.size() + kAxesPerBlock - 1) / kAxesPerBlock);
+    parallel_for(blocks.size(), 1, [&](std::size_t begin, std::size_t end) {
+        Spine spine;
+        for (auto block = begin; block != end; ++block) {
+            auto& planned = blocks[block];
+            planned.reserve(kAxesPerBlock);
+            auto const last = std::min(axes.size(), (block + 1) * kAxesPerBlock);
+            for (auto i = block * kAxesPerBlock; i != last; ++i) {
+                trace_spine(plant_, axes[i], options_, thickest_mm_, spine);
+                for_each_part(plant_, axes[i], spine, [&](MaterialId material, TubePart part) {
+                    auto const extent = tube_extent(spine, part);
+                    planned.push_back({ material, static_cast<std::uint32_t>(i), part,
+                                        static_cast<std::uint32_t>(extent.vertices),
+                                        static_cast<std::uint32_t>(extent.indices) });
+                });
+            }
+        }
+    });
+    std::vector<std::size_t> counts(surfaces_.size());
+    for (auto const& block : blocks)
+        for (auto const& item : block)
+            ++counts[item.material];
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        surfaces_[i].items.reserve(counts[i]);
+    for (auto const& block : blocks)
+        for (auto const& item : block)
+            place(surfaces_[item.material], item);
+}
+
+void MeshPlan::plan_polygons()
+{
+    auto const& polygons = plant_.polygons;
+    std::vector<MeshExtent> extents(polygons.size());
+    parallel_for(polygons.size(), kPolygonsPerTask, [&](std::size_t begin, std::size_t end) {
+        for (auto i = begin; i != end; ++i)
+            extents[i] = polygon_extent(vertices_of(plant_, polygons[i]));
+    });
+    for (std::uint32_t i = 0; i < polygons.size(); ++i)
+        if (extents[i].vertices > 0)
+            place(surfaces_[polygons[i].material],
+                  { polygons[i].material,
+                    i,
+                    {},
+                    static_cast<std::uint32_t>(extents[i].vertices),
+                    static_cast<std::uint32_t>(extents[i].indices) });
+}
+
+void MeshPlan::make_piece(Surface const& surface, std::size_t piece, TrianglePlace to) const
+{
+    Spine spine;
+    std::vector<Section> sections;
+    for (auto i = surface.pieces[piece]; i != surface.pieces[piece + 1]; ++i) {
+        auto const& item = surface.items[i];
+        if (i >= surface.tube_count) {
+            write_polygon(vertices_of(plant_, plant_.polygons[item.number]), to);
+            continue;
+        }
+        trace_spine(plant_, plant_.axes[item.number], options_, thickest_mm_, spine);
+        frame_sections(spine, sections);
+        write_tube(spine, sections, item.part, to);
+    }
+}
+
+} // namespace tractus

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "engine/mesh/make_mesh.h"
+#include "engine/mesh/triangle_place.h"
+#include "engine/mesh/tube.h"
+
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+// The triangles of a plant's surfaces before they are made: how many there are, and where each axis
+// and each polygon has its own. A surface is cut into pieces that are made in any order, on any
+// thread, into the surface's arrays or into a buffer: so a file can be written while it is meshed.
+// make_mesh() is all pieces at once.
+class MeshPlan {
+public:
+    // Looks at every axis and polygon, on all threads. `plant` and `options` as for make_mesh();
+    // the plant must outlive the plan.
+    explicit MeshPlan(Plant const& plant, MeshOptions const& options = {});
+
+    // A tube, a part of one, or a polygon.
+    struct Item {
+        std::uint32_t number = 0; // Of the axis or the polygon.
+        TubePart part {};         // Tubes only.
+        std::uint32_t first_vertex = 0;
+        std::uint64_t first_index = 0;
+    };
+
+    // What make_mesh() makes of one material. Tubes come first, then polygons.
+    struct Surface {
+        MaterialId material = 0;
+        MeshExtent extent {};
+        std::vector<Item> items {};
+        std::size_t tube_count = 0;           // Of the items.
+        std::vector<std::uint32_t> pieces {}; // The first item of each piece, and the end of all.
+
+        std::size_t piece_count() const { return pieces.size() - 1; }
+        // What lies before a piece; for the number of pieces, the whole extent.
+        MeshExtent start_of(std::size_t piece) const;
+        MeshExtent extent_of(std::size_t piece) const;
+    };
+
+    // In the order of materials; none is empty.
+    std::span<Surface const> surfaces() const { return surfaces_; }
+
+    // Makes one piece: `place` is where it begins, and has room for the piece's extent. Indices
+    // count from the surface's first vertex if place.vertex is start_of(piece).vertices.
+    void make_piece(Surface const& surface, std::size_t piece, TrianglePlace place) const;
+
+private:
+    void plan_tubes();
+    void plan_polygons();
+
+    Plant const& plant_;
+    MeshOptions options_;
+    double thickest_mm_ = 0;
+    std::vector<Surface> surfaces_;
+};
+
+} // namespace tractus
