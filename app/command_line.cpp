@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 
 #include "app/console.h"
+#include "app/error_text.h"
 #include "app/help.h"
 #include "app/verbs/calibrate.h"
 #include "app/verbs/convert.h"
@@ -29,19 +30,6 @@ namespace tractus {
 static constexpr int kExitFailure = 1;
 static constexpr int kExitUsage = 2;
 
-static char const* prefix(Fault fault)
-{
-    switch (fault) {
-    case Fault::User:
-        return "error";
-    case Fault::Device:
-        return "device error";
-    case Fault::Station:
-        return "station error";
-    }
-    return "error";
-}
-
 static int fail_usage(CLI::App const& root, std::string const& message)
 {
     auto const chosen = root.get_subcommands();
@@ -52,7 +40,7 @@ static int fail_usage(CLI::App const& root, std::string const& message)
 
 static int fail_action(Error const& error)
 {
-    print_error(fmt::format("{}: {}\n", prefix(error.fault), error.message));
+    print_error(error_text(error, error_style()));
     return kExitFailure;
 }
 

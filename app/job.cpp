@@ -1,6 +1,7 @@
 #include "app/job.h"
 
 #include "app/log_replay.h"
+#include "app/model_cost.h"
 #include "app/model_file.h"
 #include "app/paced_log.h"
 #include "app/pictures.h"
@@ -114,7 +115,7 @@ Result<Scene> Job::load_plant()
 {
     progress_.begin("deriving the plant");
     auto const edit = TRY(load_model_edit(options_.model));
-    auto scene = TRY(apply_edit({}, edit));
+    auto scene = TRY(apply_edit({}, edit, load_options()));
     if (scene.base->segment_count() == 0)
         return fail(Fault::User,
                     fmt::format("{}: the plant has no branch that a stroke could shape: its "

@@ -1,5 +1,6 @@
 #include "app/station.h"
 
+#include "app/model_cost.h"
 #include <algorithm>
 #include <fmt/core.h>
 #include <utility>
@@ -213,7 +214,7 @@ void Station::finish_stroke(Stroke stroke)
     if (!edits)
         drawn.refusal = edits.error().message;
     for (std::size_t i = 0; drawn.refusal.empty() && i < edits->size(); ++i) {
-        auto next = apply_edit(scene_, (*edits)[i]);
+        auto next = apply_edit(scene_, (*edits)[i], load_options());
         if (next)
             scene_ = *std::move(next);
         else

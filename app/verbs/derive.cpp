@@ -18,7 +18,7 @@ namespace {
 
 struct Arguments {
     ModelOptions model;
-    std::size_t max_modules = DeriveOptions().max_modules;
+    ModelCost cost;
     bool counts = false;
     bool string = false;
 };
@@ -32,7 +32,9 @@ Result<void> run(Arguments const& arguments)
     DeriveOptions options;
     options.steps = arguments.model.steps;
     options.seed = arguments.model.seed;
-    options.max_modules = arguments.max_modules;
+    auto const run = load_options(arguments.cost);
+    options.limits = run.limits;
+    options.print = run.print;
     auto const string = TRY(derive(model, options));
     if (arguments.counts)
         return print_out(nlohmann::json(count_symbols(model, string)).dump() + "\n");
@@ -51,11 +53,7 @@ void add_derive_verb(CLI::App& root, Action& action)
         "A model is in cpfg's language; MODEL.v beside MODEL.l, where there is one, gives\n"
         "angles, materials and organs. The same model and seed always give the same string.");
     add_model_options(*verb, arguments->model);
-    verb->add_option("--max-modules", arguments->max_modules,
-                     "Stop with an error beyond this many modules")
-        ->type_name("N")
-        ->check(whole_number(1, 1'000'000'000))
-        ->capture_default_str();
+    add_cost_options(*verb, arguments->cost);
     auto* const counts
         = verb->add_flag("--count", arguments->counts,
                          "Print how often each symbol stands in the string, as a JSON object");

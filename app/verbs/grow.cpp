@@ -22,6 +22,7 @@ namespace {
 
 struct Arguments {
     ModelOptions model;
+    ModelCost cost;
     std::filesystem::path output;
 };
 
@@ -49,7 +50,7 @@ Result<void> grow_model(Arguments const& arguments)
     auto edit = TRY(load_model_edit(path));
     edit.steps = arguments.model.steps;
     edit.seed = arguments.model.seed;
-    auto const scene = TRY(apply_edit({}, edit));
+    auto const scene = TRY(apply_edit({}, edit, load_options(arguments.cost)));
     for (auto const& warning : scene.model_warnings)
         print_error(fmt::format("warning: {}\n", warning));
     auto const mesh = make_mesh(*scene.base);
@@ -67,6 +68,7 @@ void add_grow_verb(CLI::App& root, Action& action)
     auto* const verb
         = root.add_subcommand("grow", "Grow a model and write it as glTF, OBJ or a picture");
     add_model_options(*verb, arguments->model);
+    add_cost_options(*verb, arguments->cost);
     verb->add_option("-o,--output", arguments->output,
                      "What to write: its ending, .glb, .obj or .png, says in which format")
         ->type_name("FILE")

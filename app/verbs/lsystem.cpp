@@ -18,7 +18,7 @@ namespace {
 
 struct Arguments {
     ModelOptions model;
-    std::size_t max_modules = DeriveOptions().max_modules;
+    ModelCost cost;
 };
 
 std::string features_text(Model const& model)
@@ -53,7 +53,9 @@ Result<void> check(Arguments const& arguments)
     DeriveOptions options;
     options.steps = arguments.model.steps;
     options.seed = arguments.model.seed;
-    options.max_modules = arguments.max_modules;
+    auto const run = load_options(arguments.cost);
+    options.limits = run.limits;
+    options.print = run.print;
     Result<void> printed;
     options.on_step = [&](int step, ModuleString const& string) {
         if (printed)
@@ -77,12 +79,7 @@ void add_lsystem_verb(CLI::App& root, Action& action)
     // Shared with the callback, which outlives this.
     auto const arguments = std::make_shared<Arguments>();
     add_model_options(*check_verb, arguments->model);
-    check_verb
-        ->add_option("--max-modules", arguments->max_modules,
-                     "Stop with an error beyond this many modules")
-        ->type_name("N")
-        ->check(whole_number(1, 1'000'000'000))
-        ->capture_default_str();
+    add_cost_options(*check_verb, arguments->cost);
     check_verb->callback(
         [&action, arguments] { action = [arguments] { return check(*arguments); }; });
 }

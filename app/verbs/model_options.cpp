@@ -20,4 +20,24 @@ void add_model_options(CLI::App& verb, ModelOptions& options)
         ->capture_default_str();
 }
 
+void add_cost_options(CLI::App& verb, ModelCost& cost)
+{
+    verb.add_option("--max-modules", cost.max_modules,
+                    "Stop with an error when the model's string has more than this many modules")
+        ->type_name("N")
+        ->check(whole_number(1, 1'000'000'000))
+        ->capture_default_str();
+    verb.add_option("--max-memory", cost.max_memory_mb,
+                    "Stop with an error when its string needs more than this many megabytes; "
+                    "without it, half of what the machine has")
+        ->type_name("MB")
+        ->check(whole_number(1, 1'000'000'000));
+    verb.add_option("--max-seconds", cost.max_seconds,
+                    "Stop with an error when the string is not done after so many seconds; 0 for "
+                    "as long as it takes")
+        ->type_name("SECONDS")
+        ->check(number(0, 1e9))
+        ->capture_default_str();
+}
+
 } // namespace tractus

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/model_cost.h"
+
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
@@ -16,5 +18,9 @@ struct ModelOptions {
 
 // Adds them to a verb. `options` must live as long as the verb.
 void add_model_options(CLI::App& verb, ModelOptions& options);
+
+// --max-modules, --max-memory and --max-seconds: what a model may cost, alike in every verb that
+// runs one.
+void add_cost_options(CLI::App& verb, ModelCost& cost);
 
 } // namespace tractus

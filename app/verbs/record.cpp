@@ -4,6 +4,7 @@
 #include "app/live_devices.h"
 #include "app/live_recorder.h"
 #include "app/live_recording.h"
+#include "app/model_cost.h"
 #include "app/model_file.h"
 #include "app/resources.h"
 #include "app/simulated_recording.h"
@@ -62,7 +63,7 @@ Result<void> record_simulated(Arguments const& arguments)
     auto const script = TRY(parse_gesture_script(text, arguments.script));
     auto const model = TRY(find_model(arguments.model));
     auto const edit = TRY(load_model_edit(model));
-    auto const scene = TRY(apply_edit({}, edit));
+    auto const scene = TRY(apply_edit({}, edit, load_options()));
     auto const write
         = [&](std::ostream& out) { return write_simulated_recording(out, script, scene); };
     TRY(write_file(arguments.output, write));

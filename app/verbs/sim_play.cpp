@@ -1,6 +1,7 @@
 #include "app/verbs/sim_play.h"
 
 #include "app/console.h"
+#include "app/model_cost.h"
 #include "app/model_file.h"
 #include "app/resources.h"
 #include "app/simulated_recording.h"
@@ -28,7 +29,7 @@ Result<Log> simulate(SimPlayArguments const& arguments)
     auto const script = TRY(parse_gesture_script(text, arguments.script));
     auto const model = TRY(find_model(arguments.model));
     auto const edit = TRY(load_model_edit(model));
-    auto const scene = TRY(apply_edit({}, edit));
+    auto const scene = TRY(apply_edit({}, edit, load_options()));
     std::ostringstream recording;
     TRY(write_simulated_recording(recording, script, scene));
     return parse_log(recording.str(), arguments.script);

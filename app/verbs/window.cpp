@@ -3,6 +3,7 @@
 #include "app/live_devices.h"
 #include "app/live_window.h"
 #include "app/log_replay.h"
+#include "app/model_cost.h"
 #include "app/model_file.h"
 #include "app/replay_window.h"
 #include "app/resources.h"
@@ -56,7 +57,7 @@ Result<Log> drawn_by_the_simulated_hand(std::filesystem::path const& model, Scen
 Result<Scene> load_scene(std::filesystem::path const& model)
 {
     auto const edit = TRY(load_model_edit(model));
-    return apply_edit({}, edit);
+    return apply_edit({}, edit, load_options());
 }
 
 WindowOptions window_options(Arguments const& arguments, std::string const& what,

@@ -42,7 +42,7 @@ public:
         , rewriter_(plan_, machine_, branches_)
     {
         machine_.set_printer(&options.print);
-        machine_.set_time_limit(&options.time);
+        machine_.set_time_limit(&options.limits.time);
         if (!model.subsystems.empty())
             subsystems_.emplace(model, machine_, branches_);
     }
@@ -159,8 +159,9 @@ StringLimit Derivation::limit() const
 {
     auto const held = in_.byte_size()
         + (branches_.partner.capacity() + branches_.parameters.capacity()) * sizeof(std::uint32_t);
-    auto const left = options_.max_memory_bytes - std::min(held, options_.max_memory_bytes);
-    return { std::min(options_.max_modules, kMaxModules), left / 3 * 2 };
+    auto const left
+        = options_.limits.max_memory_bytes - std::min(held, options_.limits.max_memory_bytes);
+    return { std::min(options_.limits.max_modules, kMaxModules), left / 3 * 2 };
 }
 
 Result<void> Derivation::check_size(std::size_t modules, std::size_t parameters) const
@@ -177,7 +178,7 @@ Result<void> Derivation::check_size(std::size_t modules, std::size_t parameters)
         return fail(Fault::User,
                     fmt::format("{}: {} needs more than {} MB of memory; derive fewer steps or "
                                 "raise the limit of memory",
-                                model_.name, where, options_.max_memory_bytes >> 20));
+                                model_.name, where, options_.limits.max_memory_bytes >> 20));
     return {};
 }
 

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -20,10 +19,7 @@ struct DeriveOptions {
     std::optional<int> steps {};
     std::uint64_t seed = 1; // Together with the model's own: another seed, another plant.
 
-    // What the derivation may cost. Memory is that of the strings; the plant comes on top.
-    std::size_t max_modules = 100'000'000;
-    std::size_t max_memory_bytes = std::numeric_limits<std::size_t>::max();
-    TimeLimit time {};
+    ModelLimits limits {};
 
     // What printf in rules and blocks prints, but not in homomorphism rules; goes nowhere without.
     std::function<void(std::string_view text)> print {};
@@ -34,7 +30,7 @@ struct DeriveOptions {
 
 // Rewrites the model's axiom `steps` times.
 //
-// Fails, as the user's fault, beyond a limit in the options, when a loop in the model does not end,
+// Fails, as the user's fault, beyond a limit, when a loop in the model does not end,
 // or when a ?(…) calls a sub-L-system that the model does not have. The same model and options
 // always give the same string.
 Result<ModuleString> derive(Model const& model, DeriveOptions const& options = {});

@@ -14,10 +14,17 @@ struct TimeLimit {
     double seconds = 0; // For the message.
 };
 
+// What the derivation of a model may cost. Memory is that of the strings; the plant comes on top.
+struct ModelLimits {
+    std::size_t max_modules = 100'000'000;
+    std::size_t max_memory_bytes = std::numeric_limits<std::size_t>::max();
+    TimeLimit time {};
+};
+
 // How large a string may become.
 struct StringLimit {
-    std::size_t modules = 100'000'000;
-    std::size_t bytes = std::numeric_limits<std::size_t>::max();
+    std::size_t modules = ModelLimits().max_modules;
+    std::size_t bytes = ModelLimits().max_memory_bytes;
 };
 
 } // namespace tractus

@@ -109,6 +109,12 @@ Text without_comments(std::string_view source, std::uint32_t file)
     return result;
 }
 
+// The name of a file in the folder of another.
+std::string beside(std::string const& file, std::string const& name)
+{
+    return file.substr(0, file.rfind('/') + 1) + name;
+}
+
 class Preprocessor {
 public:
     explicit Preprocessor(IncludeReader const& include)
@@ -305,7 +311,7 @@ Result<void> Preprocessor::include_file(Text const& line, std::string_view rest,
     auto const source = include_(name);
     if (!source)
         return error(line, 0, fmt::format("cannot include {}: {}", name, source.error().message));
-    return add_file(name, *source, nesting + 1);
+    return add_file(beside(files_.front(), name), *source, nesting + 1);
 }
 
 Result<void> Preprocessor::expand(Text const& text, Text& out,

@@ -11,7 +11,7 @@ namespace tractus {
 
 namespace {
 
-Result<Scene> applied(Scene const& scene, LoadModel const& edit)
+Result<Scene> applied(Scene const& scene, LoadModel const& edit, LoadOptions const& options)
 {
     auto const include = [&](std::string const& name) -> Result<std::string> {
         auto const found = edit.includes.find(name);
@@ -21,7 +21,11 @@ Result<Scene> applied(Scene const& scene, LoadModel const& edit)
         return found->second;
     };
     auto const model = TRY(compile_model(edit.source, include));
-    auto const string = TRY(derive(model, { .steps = edit.steps, .seed = edit.seed }));
+    auto const string = TRY(derive(model,
+                                   { .steps = edit.steps,
+                                     .seed = edit.seed,
+                                     .limits = options.limits,
+                                     .print = options.print }));
     auto turtle = TRY(interpret_with_warnings(model, string));
     auto plant = join_axes(turtle.plant);
 
@@ -37,7 +41,7 @@ Result<Scene> applied(Scene const& scene, LoadModel const& edit)
     return loaded;
 }
 
-Result<Scene> applied(Scene scene, Select const& edit)
+Result<Scene> applied(Scene scene, Select const& edit, LoadOptions const&)
 {
     for (auto const& path : edit.paths)
         for (auto const segment : path)
@@ -49,7 +53,7 @@ Result<Scene> applied(Scene scene, Select const& edit)
     return scene;
 }
 
-Result<Scene> applied(Scene scene, Associate const& edit)
+Result<Scene> applied(Scene scene, Associate const& edit, LoadOptions const&)
 {
     if (scene.selection.empty())
         return fail(Fault::User,
@@ -63,13 +67,13 @@ Result<Scene> applied(Scene scene, Associate const& edit)
     return scene;
 }
 
-Result<Scene> applied(Scene scene, Indicate const& edit)
+Result<Scene> applied(Scene scene, Indicate const& edit, LoadOptions const&)
 {
     scene.indicators.push_back(edit.indicator);
     return scene;
 }
 
-Result<Scene> applied(Scene scene, SetGrowth const& edit)
+Result<Scene> applied(Scene scene, SetGrowth const& edit, LoadOptions const&)
 {
     TRY(check_growth_parameters(edit.parameters));
     scene.growth = edit.parameters;
@@ -79,9 +83,9 @@ Result<Scene> applied(Scene scene, SetGrowth const& edit)
 
 } // namespace
 
-Result<Scene> apply_edit(Scene const& scene, Edit const& edit)
+Result<Scene> apply_edit(Scene const& scene, Edit const& edit, LoadOptions const& options)
 {
-    return std::visit([&](auto const& kind) { return applied(scene, kind); }, edit);
+    return std::visit([&](auto const& kind) { return applied(scene, kind, options); }, edit);
 }
 
 Result<Scene> fold(std::span<Edit const> edits)

@@ -1,13 +1,16 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/lsystem/limits.h"
 #include "engine/scene/desk_placement.h"
 #include "engine/scene/edit.h"
 #include "engine/variation/growth_plan.h"
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tractus {
@@ -29,9 +32,17 @@ struct Scene {
     std::uint64_t growth_seed = 1;
 };
 
+// How a model is run when an edit loads it. Not part of the document: the plant does not depend on
+// it, only whether there is one.
+struct LoadOptions {
+    ModelLimits limits {};
+    std::function<void(std::string_view text)> print {}; // What the model prints; nowhere without.
+};
+
 // The scene after one more edit. Fails, and the scene stays as it was, for a model that does not
-// compile or derive, a stroke that has no shape, or an association when nothing is selected.
-Result<Scene> apply_edit(Scene const& scene, Edit const& edit);
+// compile or derive, or not within its limits, a stroke that has no shape, or an association when
+// nothing is selected.
+Result<Scene> apply_edit(Scene const& scene, Edit const& edit, LoadOptions const& options = {});
 
 // The scene that all edits amount to, beginning with an empty one.
 Result<Scene> fold(std::span<Edit const> edits);

@@ -85,6 +85,56 @@ TEST_F(DeriveVerb, StopsARunawayModel)
     EXPECT_NE(outcome.err.find("more than 1000 modules"), std::string::npos) << outcome.err;
 }
 
+TEST_F(DeriveVerb, StopsAModelThatNeverEnds)
+{
+    auto const path = write("m.l",
+                            "Lsystem: 1\nderivation length: 1000000000\nAxiom: A\n"
+                            "A : {x=Q;} 1 --> A\nendlsystem\n");
+    for (auto const* const verb : { "derive", "grow" }) {
+        std::vector<std::string> arguments { verb, path, "--max-seconds", "0.01" };
+        if (verb == std::string("grow"))
+            arguments.insert(arguments.end(), { "-o", (folder_ / "x.glb").string() });
+        else
+            arguments.emplace_back("--count");
+        auto const outcome = run(arguments);
+        EXPECT_EQ(outcome.exit_code, 1);
+        EXPECT_NE(outcome.err.find("was not done when 0.01 s had passed"), std::string::npos)
+            << outcome.err;
+    }
+}
+
+TEST_F(DeriveVerb, StopsAModelThatNeedsTooMuchMemory)
+{
+    auto const path
+        = write("m.l", "Lsystem: 1\nderivation length: 90\nAxiom: A\nA --> AA\nendlsystem\n");
+    auto const outcome = run({ "lsystem", "check", path, "--max-memory", "4" });
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("needs more than 4 MB of memory"), std::string::npos) << outcome.err;
+}
+
+TEST_F(DeriveVerb, PrintsWhatTheModelPrintsToStandardError)
+{
+    auto const path = write("m.l",
+                            "Lsystem: 1\nderivation length: 2\n"
+                            "EndEach: {printf(\"step %d\\n\", Q);}\nAxiom: A\n"
+                            "A --> B\nendlsystem\n");
+    auto const outcome = run({ "derive", path, "--string" });
+    EXPECT_EQ(outcome.out, "B\n");
+    EXPECT_EQ(outcome.err, "step 1\nstep 2\n");
+}
+
+TEST_F(DeriveVerb, EndsWhatTheModelPrintsSomewhere)
+{
+    auto const path = write("m.l",
+                            "Lsystem: 1\nderivation length: 20000\n"
+                            "EndEach: {printf(\"0123456789\");}\nAxiom: A\n"
+                            "endlsystem\n");
+    auto const outcome = run({ "derive", path, "--string" });
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err.substr(100'000),
+              "\nwarning: the model prints more than 100000 characters; the rest is left out\n");
+}
+
 TEST_F(DeriveVerb, TellsWhatAModelUses)
 {
     auto const path = write("m.l",

@@ -225,7 +225,8 @@ TEST(Stochastic, DrawsTheDistributionsOfTheLanguage)
 TEST(Limits, StopARunawayModel)
 {
     auto const model = compiled(with_header("Axiom: A\nA --> AA", 1'000'000));
-    auto const string = derive(model, { .steps = {}, .seed = 1, .max_modules = 1000 });
+    auto const string
+        = derive(model, { .steps = {}, .seed = 1, .limits = { .max_modules = 1000 } });
     ASSERT_FALSE(string);
     EXPECT_EQ(string.error().fault, Fault::User);
     EXPECT_EQ(string.error().message,

@@ -28,7 +28,7 @@ std::string error_of(std::string const& axiom_and_rules, DeriveOptions const& op
 std::string error_of_time(std::string const& axiom_and_rules, int steps = 1)
 {
     DeriveOptions options;
-    options.time = soon();
+    options.limits.time = soon();
     return error_of(axiom_and_rules, options, steps);
 }
 
@@ -78,7 +78,7 @@ TEST(TimeLimit, EndsParallelAndSubLSystemsToo)
     EXPECT_NE(error_of_time("Axiom: A(0)\nA(x) : " + loop, 25).find("was not done"),
               std::string::npos);
     DeriveOptions options;
-    options.time = soon();
+    options.limits.time = soon();
     auto const model = compiled(with_header("Axiom: ?(2)A$")
                                 + "Lsystem: 2\nA : {x=1; while (x) {x=1;}} 1 --> B\nendlsystem\n");
     auto const string = derive(model, options);
@@ -89,7 +89,7 @@ TEST(TimeLimit, EndsParallelAndSubLSystemsToo)
 TEST(MemoryLimit, NamesTheStepThatNeedsMore)
 {
     DeriveOptions options;
-    options.max_memory_bytes = std::size_t { 8 } << 20;
+    options.limits.max_memory_bytes = std::size_t { 8 } << 20;
     auto const needs_more = [&](std::string const& rules) {
         auto const message = error_of(rules, options, 60);
         return message.find("needs more than 8 MB of memory") != std::string::npos
@@ -106,7 +106,7 @@ TEST(MemoryLimit, NamesTheStepThatNeedsMore)
 TEST(MemoryLimit, StopsOneModuleThatBecomesMany)
 {
     DeriveOptions options;
-    options.max_memory_bytes = std::size_t { 8 } << 20;
+    options.limits.max_memory_bytes = std::size_t { 8 } << 20;
     EXPECT_EQ(error_of("Axiom: A(50)\ndecomposition\nmaximum depth: 100\n"
                        "A(n) : n>0 --> A(n-1)A(n-1)",
                        options),

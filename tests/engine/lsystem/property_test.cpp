@@ -60,7 +60,7 @@ RC_GTEST_PROP(LSystemProperty, ContextTableAgreesWithTheSearch, ())
     auto const tabled = compiled(with_header(text, steps));
     auto const searched = compiled(with_header(text + "Z(x) --> Z(x)", steps));
     DeriveOptions options;
-    options.max_modules = 100'000;
+    options.limits.max_modules = 100'000;
     auto const expected = derive(searched, options);
     auto const string = derive(tabled, options);
     RC_ASSERT(string.has_value() == expected.has_value());

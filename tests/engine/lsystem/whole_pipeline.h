@@ -23,7 +23,8 @@ inline bool run_whole_pipeline(std::string_view text)
     });
     if (!model)
         return false;
-    auto const string = derive(*model, { .steps = 4, .seed = 1, .max_modules = 2000 });
+    auto const string
+        = derive(*model, { .steps = 4, .seed = 1, .limits = { .max_modules = 2000 } });
     if (!string)
         return false;
     static_cast<void>(to_string(*model, *string).size());

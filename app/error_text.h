@@ -1,0 +1,24 @@
+#pragma once
+
+#include "engine/base/result.h"
+
+#include <string>
+
+namespace tractus {
+
+// How errors are shown to whoever reads them.
+enum class ErrorStyle {
+    Plain,   // One line, for logs and other programs.
+    Excerpt, // With the line of the file that is wrong, and a caret under the column.
+    Colored, // That in colours.
+};
+
+// How standard error wants them: plain unless it is a terminal, and without colours where NO_COLOR
+// is set or the terminal is dumb.
+ErrorStyle error_style();
+
+// The error, with its line's end. The excerpt is that of a message that begins with
+// "FILE:LINE:COLUMN: ", if the file can be read.
+std::string error_text(Error const& error, ErrorStyle style);
+
+} // namespace tractus

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/scene/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace tractus {
+
+// The memory that this program may use, in megabytes: the machine's, or the container's if it has
+// less.
+std::uint64_t machine_memory_mb();
+
+// What a model may cost before it is stopped with an error. The defaults suit the machine: a model
+// that runs away must not take it down.
+struct ModelCost {
+    std::size_t max_modules = ModelLimits().max_modules;
+    std::uint64_t max_memory_mb = machine_memory_mb() / 2; // The plant needs memory, too.
+    double max_seconds = 600;                              // 0: as long as it takes.
+};
+
+// How to run a model that may cost so much from now on. What it prints goes to standard error, up
+// to 100,000 characters.
+LoadOptions load_options(ModelCost const& cost = {});
+
+} // namespace tractus
