@@ -34,6 +34,36 @@ C(x) --> #(0.1)G(x*func(1,x))@Gs|^\@Ge
 endlsystem
 )";
 
+// Sub-L-systems, what they share, and what is printed.
+std::string const kSubsystems = R"(Lsystem: 1
+derivation length: 4
+define: { array a[2] = {4,5}; }
+Start: { n=1; printf("%d\n", n); }
+Axiom: A(3)[?(2,0.5)BB$F]?(3)C$%
+A(x) : x>0 --> F(x)[+?(2,x/2)B$]A(x-1)
+?(k,s) : n>30 --> ?(3,s)
+endlsystem
+Lsystem: 2
+ignore: +-
+define: { external n, a[2]; array b[2]; }
+StartEach: { n=n+1; a[1]=n; b[0]=b[0]+1; }
+End: { printf("%g %g\n", b[0], a[1]); }
+Axiom: B
+B < B --> B?(3)C(b[0])$
+B --> +(10)FB : 2
+B --> F% : 1
+homomorphism
+B --> ~l(n/5)
+endlsystem
+Lsystem: 3
+C --> CF$
+C(x) --> SetC
+decomposition
+maximum depth: 2
+C --> FC
+endlsystem
+)";
+
 std::string const kView
     = "angle increment: 25\ninitial line width: 0.3\ntropism: T: 0,1,0 E: 0.1\n"
       "tropism direction: 0,1,0\ninitial elasticity: 0.05\nfunction: f.func 10\n"
@@ -81,6 +111,18 @@ TEST(HostileModels, DoNoHarm)
     for (int i = 0; i < 10'000; ++i)
         plants += run_whole_pipeline(mutated(sound, random));
     // Some survive and most do not, so both ways are tested.
+    EXPECT_GT(plants, 500);
+    EXPECT_LT(plants, 9500);
+}
+
+TEST(HostileModels, DoNoHarmWithSubLSystems)
+{
+    std::string const sound = kSubsystems + '\0' + kView;
+    ASSERT_TRUE(run_whole_pipeline(sound));
+    Random random({ .seed = 2, .stream = 1, .substream = 0 });
+    int plants = 0;
+    for (int i = 0; i < 10'000; ++i)
+        plants += run_whole_pipeline(mutated(sound, random));
     EXPECT_GT(plants, 500);
     EXPECT_LT(plants, 9500);
 }

@@ -4,6 +4,8 @@
 #include "engine/lsystem/print.h"
 #include "engine/lsystem/turtle.h"
 
+#include <atomic>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -23,8 +25,12 @@ inline bool run_whole_pipeline(std::string_view text)
     });
     if (!model)
         return false;
-    auto const string
-        = derive(*model, { .steps = 4, .seed = 1, .limits = { .max_modules = 2000 } });
+    // Work instead of time, so that the same text always gives the same result.
+    auto const looks = std::make_shared<std::atomic<int>>(0); // Shared by the function's copies.
+    ModelLimits const limits { .max_modules = 2000,
+                               .max_memory_bytes = std::size_t { 1 } << 20,
+                               .time = { [looks] { return ++*looks > 200; }, 1 } };
+    auto const string = derive(*model, { .steps = 4, .seed = 1, .limits = limits });
     if (!string)
         return false;
     static_cast<void>(to_string(*model, *string).size());

@@ -1,0 +1,73 @@
+#include "engine/base/check.h"
+#include "engine/lsystem/features.h"
+#include "engine/lsystem/model.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+using namespace tractus; // NOLINT(google-build-using-namespace): one function.
+
+// Every register, jump and kind of a program is inside of its frame, program and alphabet.
+static void check_program(Program const& program, RegisterFile const& frame)
+{
+    for (auto const& instruction : program) {
+        bool const jumps = instruction.op == Op::Jump || instruction.op == Op::JumpIfZero;
+        if (jumps)
+            CHECK(instruction.target <= program.size());
+        else if (instruction.op == Op::Print)
+            CHECK(std::size_t { instruction.left } + instruction.right <= frame.size());
+        else
+            CHECK(instruction.op == Op::Halt || instruction.op == Op::Jump
+                  || instruction.op == Op::StoreGlobal || instruction.op == Op::StoreArray
+                  || instruction.target < frame.size());
+    }
+}
+
+static void check_rules(Model const& model, RuleSet const& rules)
+{
+    for (auto const& rule : rules.rules) {
+        CHECK(!rule.predecessor.empty());
+        CHECK(rule.parameter_count <= rule.frame.size());
+        std::size_t parameters = 0;
+        for (auto const kind : rule.successor.kinds) {
+            CHECK(kind < model.alphabet.kinds.size());
+            parameters += model.alphabet[kind].parameter_count;
+        }
+        CHECK(parameters == rule.successor.parameters.size());
+        for (auto const reg : rule.successor.parameters)
+            CHECK(reg < rule.frame.size());
+        check_program(rule.condition, rule.frame);
+        check_program(rule.successor_program, rule.frame);
+        check_program(rule.probability, rule.frame);
+    }
+}
+
+static void check_system(Model const& model, LSystem const& system)
+{
+    for (auto const* rules : { &system.rules, &system.decomposition, &system.homomorphism })
+        check_rules(model, *rules);
+    for (auto const* block : { &system.axiom_program, &system.start, &system.start_each,
+                               &system.end_each, &system.end })
+        check_program(block->program, block->frame);
+    for (auto const& external : system.externals)
+        CHECK(external.index < (external.is_array ? system.arrays.size() : system.globals.size()));
+}
+
+// Rules alone, from text to compiled model.
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
+{
+    ModelSource source;
+    source.text.assign(reinterpret_cast<char const*>(data), size);
+    auto const model = compile_model(source);
+    if (!model) {
+        CHECK(model.error().fault == Fault::User);
+        CHECK(model.error().message.find("model.l:") == 0);
+        return 0;
+    }
+    check_system(*model, *model);
+    for (auto const& system : model->subsystems)
+        check_system(*model, system);
+    CHECK(!features_used(*model).empty());
+    return 0;
+}
