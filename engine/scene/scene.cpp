@@ -3,6 +3,7 @@
 #include "engine/lsystem/derive.h"
 #include "engine/lsystem/turtle.h"
 #include "engine/plant/join_axes.h"
+#include "engine/variation/place_nodes.h"
 
 #include <fmt/core.h>
 #include <utility>
@@ -36,6 +37,7 @@ Result<Scene> applied(Scene const& scene, LoadModel const& edit, LoadOptions con
                                  turtle.warnings.end());
     loaded.placement = place_on_desk(plant);
     loaded.base = std::make_shared<Plant const>(std::move(plant));
+    loaded.rest = std::make_shared<RestShape const>(find_rest_shape(*loaded.base));
     loaded.growth = scene.growth;
     loaded.growth_seed = scene.growth_seed;
     return loaded;
@@ -58,17 +60,18 @@ Result<Scene> applied(Scene scene, Associate const& edit, LoadOptions const&)
     if (scene.selection.empty())
         return fail(Fault::User,
                     "nothing is selected for the stroke to shape: select a branch first");
-    auto const first = scene.associations.size();
-    for (auto const& path : scene.selection)
+    for (auto const& path : scene.selection) {
         scene.associations.push_back(
             { .path = path, .stroke = edit.stroke, .propagation = edit.propagation });
-    // Refused here, at its own edit, rather than later when the plant is grown.
-    TRY(resolve_associations(*scene.base, std::span(scene.associations).subspan(first)));
+        // Refused here, at its own edit, rather than later when the plant is grown.
+        TRY(check_association(*scene.base, scene.associations.back()));
+    }
     return scene;
 }
 
 Result<Scene> applied(Scene scene, Indicate const& edit, LoadOptions const&)
 {
+    TRY(check_indicator(*scene.base, edit.indicator));
     scene.indicators.push_back(edit.indicator);
     return scene;
 }
@@ -98,9 +101,12 @@ Result<Scene> fold(std::span<Edit const> edits)
 
 Result<GrowthPlan> plan_growth(Scene const& scene)
 {
-    auto const shape = TRY(resolve_associations(*scene.base, scene.associations));
-    auto const influence = summed_influence(scene.indicators, scene.placement.shown_height_mm);
-    return plan_growth(*scene.base, shape, scene.growth, influence);
+    auto const shape = TRY(resolve_associations(*scene.base, *scene.rest, scene.associations));
+    std::vector<Vec3> nodes_mm;
+    place_nodes(*scene.base, *scene.rest, shape, nodes_mm);
+    auto influence = TRY(influence_of(*scene.base, nodes_mm, scene.indicators,
+                                      { scene.placement.shown_height_mm, scene.placement.scale }));
+    return plan_growth(*scene.base, *scene.rest, shape, scene.growth, std::move(influence));
 }
 
 } // namespace tractus

@@ -23,6 +23,7 @@ struct Scene {
     // The plant as the L-system gives it; never null, empty before the first model. Shared, and
     // changed by nobody, between the scenes of a fold, the views and the workers that grow it.
     std::shared_ptr<Plant const> base = std::make_shared<Plant const>();
+    std::shared_ptr<RestShape const> rest = std::make_shared<RestShape const>(); // Of `base`.
 
     DeskPlacement placement; // Where the base plant is shown in the drawing volume.
     Selection selection;

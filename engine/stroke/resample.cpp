@@ -14,6 +14,16 @@ ArcLength::ArcLength(std::span<Vec3 const> points)
     length_to_mm_.push_back(0);
     for (std::size_t i = 1; i < points_.size(); ++i)
         length_to_mm_.push_back(length_to_mm_.back() + (points_[i] - points_[i - 1]).norm());
+
+    first_in_share_.resize(points_.size());
+    std::uint32_t point = 0;
+    for (std::size_t share = 0; share < points_.size(); ++share) {
+        double const begin_mm
+            = length_mm() * static_cast<double>(share) / static_cast<double>(points_.size());
+        while (point + 1 < points_.size() && length_to_mm_[point + 1] < begin_mm)
+            ++point;
+        first_in_share_[share] = point;
+    }
 }
 
 Vec3 ArcLength::at(double fraction) const
@@ -23,15 +33,19 @@ Vec3 ArcLength::at(double fraction) const
     if (fraction >= 1)
         return points_.back();
     double const wanted_mm = fraction * length_mm();
-    auto const after = std::lower_bound(length_to_mm_.begin() + 1, length_to_mm_.end(), wanted_mm);
-    if (after == length_to_mm_.end())
+    auto const share
+        = std::min(static_cast<std::size_t>(fraction * static_cast<double>(points_.size())),
+                   points_.size() - 1);
+    std::size_t i = first_in_share_[share] + std::size_t { 1 };
+    while (i < points_.size() && length_to_mm_[i] < wanted_mm)
+        ++i;
+    if (i >= points_.size())
         return points_.back();
-    auto const i = static_cast<std::size_t>(after - length_to_mm_.begin());
     double const span_mm = length_to_mm_[i] - length_to_mm_[i - 1];
     if (span_mm <= 0)
         return points_[i];
-    double const share = (wanted_mm - length_to_mm_[i - 1]) / span_mm;
-    return points_[i - 1] + share * (points_[i] - points_[i - 1]);
+    double const along = (wanted_mm - length_to_mm_[i - 1]) / span_mm;
+    return points_[i - 1] + along * (points_[i] - points_[i - 1]);
 }
 
 std::vector<Vec3> resample(std::span<Vec3 const> points, std::size_t count)

@@ -3,6 +3,7 @@
 #include "engine/base/vectors.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -17,12 +18,15 @@ public:
     double length_mm() const { return length_to_mm_.back(); }
 
     // The point at `fraction` of the length, 0 the first point and 1 the last; outside of that the
-    // nearest end. Where all points are equal: that point. O(log points).
+    // nearest end. Where all points are equal: that point. In the mean in constant time.
     Vec3 at(double fraction) const;
 
 private:
     std::vector<Vec3> points_;
     std::vector<double> length_to_mm_; // Along the polyline to each point.
+
+    // As many equal shares of the length as there are points: the last point before each begins.
+    std::vector<std::uint32_t> first_in_share_;
 };
 
 // `count` points (at least 2) at equal distances along `points`, both ends among them.

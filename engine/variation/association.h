@@ -2,8 +2,8 @@
 
 #include "engine/base/result.h"
 #include "engine/plant/plant.h"
-#include "engine/stroke/frames.h"
 #include "engine/stroke/stroke.h"
+#include "engine/variation/rest_shape.h"
 
 #include <span>
 #include <vector>
@@ -17,44 +17,62 @@ enum class Propagation {
     Both,
 };
 
+// How a stroke is laid along a branch. Segment lengths and topology stay in any case, and so does
+// the branch's base; the stroke is followed by arc length.
+enum class StrokeFit {
+    // The stroke is turned, with least twist, so that it starts (its first twentieth does, since
+    // single samples tremble) in the direction in which the branch starts in the base plant.
+    Start,
+    // The same, so that it leads from its first point to its last in the direction from the
+    // branch's base to its tip: the tip stays where it was seen from the base, only nearer or
+    // farther.
+    Chord,
+    // Not turned at all: each segment points as it was drawn, whatever bears it.
+    World,
+};
+
 // "These branches shall have this shape."
 struct Association {
     std::vector<SegmentId>
         path {};      // From root to tip, each the child of the one before. At least one.
     Stroke stroke {}; // World frame, at any scale: only its shape counts.
     Propagation propagation = Propagation::Selected;
+    StrokeFit fit = StrokeFit::Start;
     double kept_hand = 1; // How much of the hand's tremor stays, 0 to 1: see smooth_hand.
+
+    // The plant has lost the path, so the stroke shapes nothing. Kept, since the branch may come
+    // back.
+    bool is_orphaned = false;
 };
 
-// The shape that strokes give to a plant, before it grows: a direction for every segment. Plant
-// frame. `frame` has each segment's direction and a normal that turns as little as possible along
-// the axis; `rotation` takes the base plant's surroundings of the segment to where they are now, so
-// it is what anything that rides on the segment does.
+// The shape that strokes give to a plant, before it grows: a frame for every segment as those of
+// RestShape are, but that of the axis' base is where what bears it has carried it.
 struct PredefinedShape {
-    std::vector<Frame> frame {};
-    std::vector<Quat> rotation {};
+    std::vector<Quat> frame {};
 };
 
-// Bends the branches of `plant` to the strokes. Topology and segment lengths stay.
+// Refuses, in a sentence, a path that is empty, not in the plant or not sequential, a stroke that
+// has no direction (stroke_points) or, for StrokeFit::Chord, ends where it began, and a kept_hand
+// outside of 0 to 1. An orphaned association is fine.
+Result<void> check_association(Plant const& plant, Association const& association);
+
+// Bends the branches of `plant`, of which `rest` is the shape, to the strokes. Topology and segment
+// lengths stay.
 //
 // A path takes its stroke by arc length: the points that divide the stroke as the path's joints
-// divide the path give the directions. Before that the whole stroke is turned, with least twist, so
-// that it starts (its first twentieth does, since single samples tremble) in the direction in which
-// the path's first segment points in the base plant. What the path's first segment stands on may
-// itself be bent; the path rides on it as it rode in the base plant.
+// divide the path give the directions. What the path's first segment stands on may itself be bent;
+// the path rides on it as it rode in the base plant, unless the stroke is laid as in the world.
 //
-// A descendant axis takes the same stroke in its own base frame, as the path takes it in its own.
-// The base frame of a branch has the branch's direction, and its normal leans towards the direction
-// of what bears it (for the trunk: towards +x). So what bends the path towards its bearer bends all
-// descendants towards theirs, and each branch starts as it did in the base plant.
+// A descendant axis takes the same stroke in its own base frame (RestShape), as the path takes it
+// in its own. So what bends the path towards its bearer bends all descendants towards theirs, and
+// each branch starts as it did in the base plant. As in the world, all of them point as was drawn.
 //
 // Whatever has no stroke keeps its base shape and is carried along rigidly: axes without
 // association, and the rest of an axis after a path's end. Where associations meet on a segment the
-// last one wins; what it does not reach rides on it.
+// last one wins, and without it the one before; what it does not reach rides on it.
 //
-// Refuses, in a sentence, a path that is empty, not in the plant or not sequential, a stroke that
-// has no direction (stroke_points), and a kept_hand outside of 0 to 1.
-Result<PredefinedShape> resolve_associations(Plant const& plant,
+// Refuses what check_association refuses.
+Result<PredefinedShape> resolve_associations(Plant const& plant, RestShape const& rest,
                                              std::span<Association const> associations);
 
 } // namespace tractus

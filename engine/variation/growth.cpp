@@ -1,11 +1,12 @@
 #include "engine/variation/growth.h"
 
+#include "engine/base/check.h"
 #include "engine/base/parallel.h"
 #include "engine/variation/growth_tip.h"
+#include "engine/variation/place_nodes.h"
 
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
 #include <span>
 
 namespace tractus {
@@ -18,11 +19,13 @@ constexpr std::size_t kBatch = GrowthNoise::kBatch;
 class AxisGrower {
 public:
     AxisGrower(GrowthPlan const& plan, GrowthNoise const& noise, Plant& plant,
-               std::span<Quat> turns)
+               std::span<Quat> bearer_frame, double age)
         : plan_(plan)
         , noise_(noise)
         , plant_(plant)
-        , turns_(turns)
+        , bearer_frame_(bearer_frame)
+        , age_(age)
+        , is_stepped_(plan.parameters.delay_steps > 0 || plan.parameters.growth_zone_steps > 0)
     {
     }
 
@@ -33,57 +36,86 @@ public:
         Quat turn = Quat::Identity();
         Vec3 position_mm = from.offset_mm;
         if (from.seat.bearer != kNone) {
-            turn = turns_[from.seat.bearer];
-            position_mm = plant_.node_position_mm[from.seat.node] + turn * from.offset_mm;
+            auto const& grown = bearer_frame_[from.seat.bearer];
+            turn = grown * plan_.bearer_frame[from.seat.bearer].conjugate();
+            position_mm = plant_.node_position_mm[from.seat.node];
+            if (!from.offset_mm.isZero(0))
+                position_mm += grown * from.offset_mm;
         }
         plant_.node_position_mm[axis.first_node] = position_mm;
 
-        Vec3 const influence = turn.conjugate() * plan_.influence;
-        if (plan_.parameters.delay_steps > 0)
-            place_all(DelayedTip(plan_, noise_, id, influence), axis, turn, position_mm);
+        AxisInfluence const influence(plan_, turn);
+        auto const progress = progress_of(id);
+        if (is_stepped_)
+            place_all(SteppedTip(plan_, noise_, id, influence, progress), axis, turn, progress);
         else
-            place_all(Tip(plan_, noise_, id, influence), axis, turn, position_mm);
+            place_all(Tip(plan_, noise_, id, influence), axis, turn, progress);
     }
 
 private:
-    template<typename AnyTip>
-    void place_all(AnyTip tip, Axis const& axis, Quat const& turn, Vec3 position_mm) const
+    AxisProgress progress_of(AxisId id) const
     {
+        double const length_mm = plan_.axis_length_mm[id];
+        if (age_ >= 1)
+            return { length_mm, 1 };
+        auto const& age = plan_.axes[id].age;
+        return { std::min(age.along_at_mm(age_), length_mm),
+                 ripeness(age_, age.birth_at(length_mm)) };
+    }
+
+    template<typename AnyTip>
+    void place_all(AnyTip tip, Axis const& axis, Quat const& turn,
+                   AxisProgress const& progress) const
+    {
+        Vec3 position_mm = plant_.node_position_mm[axis.first_node];
+        double left_mm = progress.along_mm; // For the segments to come.
         std::array<Vec2, kBatch> deviations;
         for (std::uint32_t first = 0; first < axis.segment_count; first += kBatch) {
             auto const count = std::min<std::uint32_t>(kBatch, axis.segment_count - first);
             tip.advance(std::span(deviations).first(count));
-            place(axis, first, std::span(deviations).first(count), turn, position_mm);
+            auto const batch = std::span<Vec2 const>(deviations).first(count);
+            if (age_ >= 1)
+                place(axis, first, batch, turn, position_mm, [](double length) { return length; });
+            else
+                place(axis, first, batch, turn, position_mm, [&](double length) {
+                    double const grown = std::clamp(left_mm, 0.0, length);
+                    left_mm -= length;
+                    return grown;
+                });
         }
     }
 
-    // Puts the nodes in place, and leaves the turns for what stands on the segments.
+    // Puts the nodes in place, and leaves the frames for what stands on the segments.
+    template<typename GrownLength>
     void place(Axis const& axis, std::size_t first, std::span<Vec2 const> deviations,
-               Quat const& turn, Vec3& position_mm) const
+               Quat const& turn, Vec3& position_mm, GrownLength const& grown_length) const
     {
-        Eigen::Matrix3d const rotation = turn.toRotationMatrix();
         auto const* const segments = &plan_.segments[axis.first_segment + first];
         auto* const tips = &plant_.node_position_mm[axis.first_node + first + 1];
+        Eigen::Matrix3d const rotation = turn.toRotationMatrix();
         for (std::size_t i = 0; i < deviations.size(); ++i) {
             auto const& segment = segments[i];
-            Vec3 const binormal = segment.direction.cross(segment.normal);
-            auto const half = half_angle(deviations[i].squaredNorm());
-            position_mm += segment.length_mm
-                * (rotation * deviated(segment, binormal, deviations[i], half));
+            auto const& d = deviations[i];
+            auto const half = half_angle(d.squaredNorm());
+            Vec3 const direction
+                = rotation * (segment.frame.toRotationMatrix() * deviated(d, half));
+            position_mm += grown_length(segment.length_mm) * direction;
             tips[i] = position_mm;
             if (segment.bearer != kNone)
-                turns_[segment.bearer]
-                    = (turn * turn_by(segment, binormal, deviations[i], half)).normalized();
+                bearer_frame_[segment.bearer]
+                    = renormalised(turn * segment.frame * turn_by(d, half));
         }
     }
 
     GrowthPlan const& plan_;
     GrowthNoise const& noise_;
     Plant& plant_;
-    std::span<Quat> turns_;
+    std::span<Quat> bearer_frame_;
+    double age_;
+    bool is_stepped_;
 };
 
-void carry_organs(GrowthPlan const& plan, std::span<Quat const> turns, Plant& plant)
+void carry_organs(GrowthPlan const& plan, std::span<Quat const> frames, Plant& plant)
 {
     constexpr std::size_t kGrain = 2048;
     parallel_for(plan.organs.size(), kGrain, [&](std::size_t begin, std::size_t end) {
@@ -91,25 +123,28 @@ void carry_organs(GrowthPlan const& plan, std::span<Quat const> turns, Plant& pl
             auto const& from = plan.organs[i];
             if (from.seat.bearer == kNone)
                 continue;
-            auto const& turn = turns[from.seat.bearer];
+            auto const& frame = frames[from.seat.bearer];
             auto& organ = plant.organs[i];
-            organ.position_mm = plant.node_position_mm[from.seat.node] + turn * from.offset_mm;
-            organ.orientation = turn * from.orientation;
+            organ.position_mm = plant.node_position_mm[from.seat.node];
+            if (!from.offset_mm.isZero(0))
+                organ.position_mm += frame * from.offset_mm;
+            organ.orientation = renormalised(frame * from.orientation);
         }
     });
 }
 
-void carry_polygons(GrowthPlan const& plan, std::span<Quat const> turns, Plant& plant)
+void carry_polygons(GrowthPlan const& plan, std::span<Quat const> frames, double age, Plant& plant)
 {
     for (std::size_t i = 0; i < plan.polygons.size(); ++i) {
-        auto const& seat = plan.polygons[i];
+        auto const& [seat, birth] = plan.polygons[i];
         if (seat.bearer == kNone)
             continue;
         auto const& polygon = plan.base.polygons[i];
+        double const size = age < 1 ? unfolded(age, birth) : 1;
         for (std::uint32_t n = 0; n < polygon.vertex_count; ++n) {
             auto const vertex = polygon.first_vertex + n;
             plant.polygon_vertices_mm[vertex] = plant.node_position_mm[seat.node]
-                + turns[seat.bearer] * plan.vertex_offset_mm[vertex];
+                + size * (frames[seat.bearer] * plan.vertex_offset_mm[vertex]);
         }
     }
 }
@@ -119,37 +154,68 @@ void carry_polygons(GrowthPlan const& plan, std::span<Quat const> turns, Plant& 
 Grower::Grower(GrowthPlan const& plan)
     : plan_(plan)
     , plant_(plan.base)
-    , turns_(plan.bearer_count, Quat::Identity())
+    , bearer_frame_(plan.bearer_frame.size(), Quat::Identity())
+    , sagger_(plan)
 {
 }
 
-Plant const& Grower::grow(PlantKey const& key)
+Plant const& Grower::grow(PlantKey const& key, double age)
 {
+    CHECK(age >= 0 && age <= 1);
     GrowthNoise const noise(key);
-    AxisGrower const grower(plan_, noise, plant_, turns_);
+    if (age < 1 || is_aged_)
+        age_plant(age);
+    AxisGrower const grower(plan_, noise, plant_, bearer_frame_, age);
     for_each_level(plan_.levels, [&](std::span<AxisId const> axes) {
         for (auto const id : axes)
             grower.grow(id);
     });
-    carry_organs(plan_, turns_, plant_);
-    carry_polygons(plan_, turns_, plant_);
+    if (plan_.parameters.sag > 0)
+        sagger_.sag(plant_, bearer_frame_);
+    carry_organs(plan_, bearer_frame_, plant_);
+    carry_polygons(plan_, bearer_frame_, age, plant_);
     return plant_;
+}
+
+// Radii and sizes as they are at an age.
+void Grower::age_plant(double age)
+{
+    is_aged_ = age < 1;
+    auto const& base = plan_.base;
+    if (!is_aged_)
+        plant_.node_radius_mm = base.node_radius_mm;
+    for (std::size_t i = 0; i < base.organs.size(); ++i)
+        plant_.organs[i].scale = base.organs[i].scale
+            * static_cast<float>(is_aged_ ? unfolded(age, plan_.organs[i].birth) : 1);
+    if (!is_aged_)
+        return;
+    for_each_level(plan_.levels, [&](std::span<AxisId const> axes) {
+        for (auto const id : axes) {
+            auto const& axis = base.axes[id];
+            auto const& axis_age = plan_.axes[id].age;
+            double along_mm = 0;
+            for (std::uint32_t i = 0; i <= axis.segment_count; ++i) {
+                auto const node = axis.first_node + i;
+                plant_.node_radius_mm[node] = base.node_radius_mm[node]
+                    * static_cast<float>(ripeness(age, axis_age.birth_at(along_mm)));
+                if (i < axis.segment_count)
+                    along_mm += plan_.segments[axis.first_segment + i].length_mm;
+            }
+        }
+    });
 }
 
 Result<Plant> grow(GrowthJob const& job)
 {
-    Vec3 influence = Vec3::Zero();
-    if (!job.indicators.empty()) {
-        if (!(job.shown_height_mm > 0))
-            return fail(Fault::User,
-                        fmt::format("the motion indicators are measured against a plant "
-                                    "shown {} mm high: show it above 0 mm",
-                                    job.shown_height_mm));
-        influence = summed_influence(job.indicators, job.shown_height_mm);
-    }
-    auto const shape = TRY(resolve_associations(job.plant, job.associations));
-    auto const plan = TRY(plan_growth(job.plant, shape, job.parameters, influence));
-    return Grower(plan).grow(job.key);
+    auto const rest = find_rest_shape(job.plant);
+    auto const shape = TRY(resolve_associations(job.plant, rest, job.associations));
+    std::vector<Vec3> nodes_mm;
+    place_nodes(job.plant, rest, shape, nodes_mm);
+    auto influence = TRY(
+        influence_of(job.plant, nodes_mm, job.indicators, { job.shown_height_mm, job.scale }));
+    auto const plan
+        = TRY(plan_growth(job.plant, rest, shape, job.parameters, std::move(influence)));
+    return Grower(plan).grow(job.key, job.age);
 }
 
 } // namespace tractus

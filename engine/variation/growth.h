@@ -5,7 +5,8 @@
 #include "engine/variation/association.h"
 #include "engine/variation/growth_noise.h"
 #include "engine/variation/growth_plan.h"
-#include "engine/variation/motion_indicator.h"
+#include "engine/variation/growth_sag.h"
+#include "engine/variation/influence.h"
 
 #include <vector>
 
@@ -24,26 +25,42 @@ public:
 
     // The plant of `key`. It is the grower's own and holds until the next call: growing many plants
     // needs the memory of one.
-    Plant const& grow(PlantKey const& key);
+    //
+    // At an `age` below 1 (0 to 1) it is the same plant when it was young: what its apices had
+    // reached by then (AxisAge) stands, thinner, and where it has matured all the way as it will
+    // stand; leaves unfold when the segment below them is complete. The topology is that of the
+    // whole plant: what has not grown yet has no length, radius or size, and lies where its apex
+    // is. So plants of all ages can be blended, vertex by vertex; without_unborn gives one alone.
+    Plant const& grow(PlantKey const& key, double age = 1);
 
 private:
+    void age_plant(double age);
+
     GrowthPlan const& plan_;
     Plant plant_;
-    std::vector<Quat> turns_; // Per bearing segment: from the predefined plant to this one.
+    std::vector<Quat> bearer_frame_; // Per bearing segment, as it has grown.
+    Sagger sagger_;
+    bool is_aged_ = false; // Radii and sizes of plant_ are not the base plant's.
 };
+
+// The plant without what has no length yet: segments, whole axes, organs and polygons. Orders stay,
+// numbers are new.
+Plant without_unborn(Plant const& plant);
 
 // All that a varied plant is made of.
 struct GrowthJob {
     Plant plant {};
     std::vector<Association> associations {};
     std::vector<MotionIndicator> indicators {};
-    double shown_height_mm = 0; // See summed_influence; above 0 where there are indicators.
+    double shown_height_mm = 0; // Of ShownPlant; above 0 where there are indicators.
+    double scale = 1;           // The same.
     GrowthParameters parameters {};
     PlantKey key {};
+    double age = 1;
 };
 
-// One plant, from the beginning to the end. Refuses what resolve_associations and plan_growth
-// refuse.
+// One plant, from the beginning to the end. Refuses what resolve_associations, influence_of and
+// plan_growth refuse.
 Result<Plant> grow(GrowthJob const& job);
 
 } // namespace tractus

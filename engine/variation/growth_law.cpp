@@ -39,6 +39,11 @@ Result<void> check_growth_parameters(GrowthParameters const& p)
     TRY(within(p.indicator_gain, -kAny, kAny, "indicator_gain"));
     TRY(within(p.circumnutation_rad, -kAny, kAny, "circumnutation_rad"));
     TRY(within(p.circumnutation_period_steps, 2, kAny, "circumnutation_period_steps"));
+    TRY(within(p.growth_zone_steps, 0, 1000, "growth_zone_steps"));
+    TRY(within(p.maturation_bending, -kAny, kAny, "maturation_bending"));
+    TRY(within(p.maturation_straightening, 0, 1, "maturation_straightening"));
+    TRY(within(p.sag, 0, kAny, "sag"));
+    TRY(within(p.prevailing.norm(), 0, kAny, "prevailing"));
     double const limit = largest_gain(p);
     if (!(p.gain >= 0 && p.gain < limit))
         return fail(
@@ -47,6 +52,22 @@ Result<void> check_growth_parameters(GrowthParameters const& p)
                         "the feedback would swing up",
                         p.gain, limit));
     return {};
+}
+
+Result<GrowthParameters> at_liking(GrowthParameters parameters, double liking)
+{
+    constexpr double kMost = 4;
+    if (!(liking >= 0 && liking <= kMost))
+        return fail(Fault::User,
+                    fmt::format("a plant cannot grow {} as it likes: give 0 (as drawn) to {} (as "
+                                "it likes)",
+                                liking, kMost));
+    parameters.strength *= liking;
+    parameters.indicator_gain *= liking;
+    parameters.maturation_bending *= liking;
+    parameters.sag *= liking;
+    parameters.gain /= std::max(1.0, liking);
+    return parameters;
 }
 
 double steady_variance(GrowthParameters const& p)
@@ -131,7 +152,7 @@ GrowthStep exact_step(GrowthParameters const& p, double length)
     else
         set_free_noise(step, p, length);
 
-    step.substeps = static_cast<int>(std::clamp(std::ceil(length), 1.0, kMostSubsteps));
+    step.substeps = static_cast<int>(std::clamp(std::round(length), 1.0, kMostSubsteps));
     double const part = length / step.substeps;
     step.substep_kept = std::exp(-rate * part);
     step.substep_push = p.indicator_gain * share_of_push(rate, part);

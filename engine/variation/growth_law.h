@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/base/vectors.h"
 
 namespace tractus {
 
@@ -44,7 +45,30 @@ struct GrowthParameters {
 
     double circumnutation_rad = 0;          // The tip's own circling; radians per step.
     double circumnutation_period_steps = 8; // At least 2.
+
+    // An influence that is there without being drawn, in plant heights: the wind of a place.
+    Vec3 prevailing = Vec3::Zero();
+
+    // Maturation (the AC law of Bastien, Bohr, Moulia and Douady, 2013, in the frame of the
+    // stroke). What the tip has left behind goes on bending for so many steps before it is wood:
+    // in each, the deviation's change c per step becomes
+    //
+    //     c' = c + maturation_bending w - maturation_straightening c
+    //
+    // with w of the direction that it has by then. 0 to 1,000; 0: wood at once. Costs time.
+    int growth_zone_steps = 0;
+    double maturation_bending = 0.01;       // Radians per step, for a unit of w.
+    double maturation_straightening = 0.05; // Share per step, 0 to 1.
+
+    // How much the grown plant sags under its own weight: 1 as green wood of its radii would, more
+    // for softer stuff. 0 to 1e6; 0: not at all, since what is drawn has sagged already.
+    double sag = 0;
 };
+
+// The same, on a slider from 0, "as drawn" (the strokes come back exactly), over 1, as the
+// parameters say, to 4, "as it likes": chance, influences and weight do as much more, and the
+// feedback that holds the plant to its strokes as much less. Refuses what lies outside.
+Result<GrowthParameters> at_liking(GrowthParameters parameters, double liking);
 
 // Refuses, in a sentence, what is outside of the ranges above.
 Result<void> check_growth_parameters(GrowthParameters const& parameters);

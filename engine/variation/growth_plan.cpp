@@ -15,8 +15,9 @@ using Steps = GrowthParameters::Steps;
 // Numbers the segments that bear something, in the order in which it is found.
 class Bearers {
 public:
-    explicit Bearers(GrowthPlan& plan)
+    Bearers(GrowthPlan& plan, RestShape const& rest)
         : plan_(plan)
+        , rest_(rest)
     {
     }
 
@@ -25,60 +26,74 @@ public:
         if (segment == kNone)
             return {};
         auto& bearer = plan_.segments[segment].bearer;
-        if (bearer == kNone)
-            bearer = plan_.bearer_count++;
+        if (bearer == kNone) {
+            bearer = static_cast<std::uint32_t>(plan_.bearer_frame.size());
+            plan_.bearer_frame.push_back(plan_.segments[segment].frame);
+        }
         auto const& owner = plan_.base.axes[axis];
         return { bearer, owner.first_node + (segment - owner.first_segment) + 1 };
     }
 
-    GrowthPlan::Seat seat(SegmentId segment)
+    // Takes the base plant's coordinates to those of the bearing segment.
+    Quat to_frame(SegmentId segment) const
     {
-        return segment == kNone ? GrowthPlan::Seat {} : seat(segment, axis_of(plan_.base, segment));
+        return segment == kNone ? Quat::Identity() : rest_.frame[segment].conjugate();
+    }
+
+    // From the seat to `position_mm`, in the bearing segment's frame. What stands on the ground is
+    // measured from the origin.
+    Vec3 offset_mm(SegmentId segment, GrowthPlan::Seat const& seat, Vec3 const& position_mm) const
+    {
+        if (segment == kNone)
+            return position_mm;
+        return to_frame(segment) * (position_mm - plan_.base.node_position_mm[seat.node]);
+    }
+
+    // The plant's age when a segment is complete; 0 for the ground.
+    double birth_of_end(SegmentId segment, AxisId axis) const
+    {
+        return segment == kNone ? 0 : plan_.axes[axis].age.birth_at(rest_.end_mm[segment]);
     }
 
 private:
     GrowthPlan& plan_;
+    RestShape const& rest_;
 };
 
-// How the base plant's surroundings of a segment have turned.
-Quat rotation_at(PredefinedShape const& shape, SegmentId segment)
+void seat_axes(GrowthPlan& plan, RestShape const& rest, Bearers& bearers)
 {
-    return segment == kNone ? Quat::Identity() : shape.rotation[segment];
-}
-
-// From where something stands to `position_mm`, in the predefined plant. What stands on the ground
-// is measured from the origin.
-Vec3 offset_mm(GrowthPlan const& plan, PredefinedShape const& shape, SegmentId segment,
-               GrowthPlan::Seat const& seat, Vec3 const& position_mm)
-{
-    if (segment == kNone)
-        return position_mm;
-    return rotation_at(shape, segment) * (position_mm - plan.base.node_position_mm[seat.node]);
-}
-
-void seat_everything(GrowthPlan& plan, PredefinedShape const& shape)
-{
-    Bearers bearers(plan);
     auto const& base = plan.base;
-    for (auto const& axis : base.axes) {
+    auto const ages = find_axis_ages(base, rest);
+    plan.axes.reserve(base.axes.size());
+    for (AxisId id = 0; id < base.axes.size(); ++id) {
+        auto const& axis = base.axes[id];
         auto const seat = bearers.seat(axis.parent_segment, axis.parent_axis);
-        plan.axes.push_back({ seat,
-                              offset_mm(plan, shape, axis.parent_segment, seat,
-                                        base.node_position_mm[axis.first_node]) });
+        auto const offset_mm
+            = bearers.offset_mm(axis.parent_segment, seat, base.node_position_mm[axis.first_node]);
+        plan.axes.push_back({ seat, offset_mm, ages[id] });
     }
+}
+
+// What rides on the segments. Each is born when its segment is complete.
+void seat_riders(GrowthPlan& plan, Bearers& bearers)
+{
+    auto const& base = plan.base;
+    plan.organs.reserve(base.organs.size());
     for (auto const& organ : base.organs) {
-        auto const seat = bearers.seat(organ.segment);
-        plan.organs.push_back({ seat,
-                                offset_mm(plan, shape, organ.segment, seat, organ.position_mm),
-                                rotation_at(shape, organ.segment) * organ.orientation });
+        AxisId const axis = organ.segment == kNone ? kNone : axis_of(base, organ.segment);
+        auto const seat = bearers.seat(organ.segment, axis);
+        plan.organs.push_back({ seat, bearers.offset_mm(organ.segment, seat, organ.position_mm),
+                                bearers.to_frame(organ.segment) * organ.orientation,
+                                bearers.birth_of_end(organ.segment, axis) });
     }
     plan.vertex_offset_mm = base.polygon_vertices_mm;
     for (auto const& polygon : base.polygons) {
-        auto const seat = bearers.seat(polygon.segment);
-        plan.polygons.push_back(seat);
+        AxisId const axis = polygon.segment == kNone ? kNone : axis_of(base, polygon.segment);
+        auto const seat = bearers.seat(polygon.segment, axis);
+        plan.polygons.push_back({ seat, bearers.birth_of_end(polygon.segment, axis) });
         for (std::uint32_t i = 0; i < polygon.vertex_count; ++i) {
             auto& vertex = plan.vertex_offset_mm[polygon.first_vertex + i];
-            vertex = offset_mm(plan, shape, polygon.segment, seat, vertex);
+            vertex = bearers.offset_mm(polygon.segment, seat, vertex);
         }
     }
 }
@@ -170,35 +185,32 @@ void find_steps(GrowthPlan& plan)
 
 } // namespace
 
-Result<GrowthPlan> plan_growth(Plant base, PredefinedShape const& shape,
-                               GrowthParameters const& parameters, Vec3 const& influence)
+Result<GrowthPlan> plan_growth(Plant base, RestShape const& rest, PredefinedShape const& shape,
+                               GrowthParameters const& parameters, Influence influence)
 {
     CHECK(shape.frame.size() == base.segment_count());
-    CHECK(shape.rotation.size() == base.segment_count());
+    CHECK(rest.frame.size() == base.segment_count());
+    CHECK(influence.local.empty() || influence.local.size() == base.segment_count());
     TRY(check_growth_parameters(parameters));
-    if (!influence.allFinite())
+    if (!influence.everywhere.allFinite())
         return fail(Fault::User,
                     "the sum of the motion indicators is not a number: draw them again");
 
     GrowthPlan plan;
     plan.base = std::move(base);
     plan.parameters = parameters;
-    plan.influence = influence;
-    plan.levels = find_axis_levels(plan.base);
+    plan.influence = std::move(influence);
+    plan.influence.everywhere += parameters.prevailing;
+    plan.levels = rest.levels;
+    plan.axis_length_mm = rest.axis_length_mm;
     plan.segments.resize(plan.base.segment_count());
-    for (auto const& axis : plan.base.axes) {
-        auto const nodes = plan.base.positions(axis);
-        double length_mm = 0;
-        for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
-            auto& segment = plan.segments[axis.first_segment + i];
-            segment.direction = shape.frame[axis.first_segment + i].tangent;
-            segment.normal = shape.frame[axis.first_segment + i].normal;
-            segment.length_mm = (nodes[i + 1] - nodes[i]).norm();
-            length_mm += segment.length_mm;
-        }
-        plan.axis_length_mm.push_back(length_mm);
+    for (std::size_t i = 0; i < plan.segments.size(); ++i) {
+        plan.segments[i].frame = shape.frame[i];
+        plan.segments[i].length_mm = rest.length_mm[i];
     }
-    seat_everything(plan, shape);
+    Bearers bearers(plan, rest);
+    seat_axes(plan, rest, bearers);
+    seat_riders(plan, bearers);
     find_steps(plan);
     return plan;
 }

@@ -3,8 +3,10 @@
 #include "engine/base/result.h"
 #include "engine/plant/plant.h"
 #include "engine/variation/association.h"
-#include "engine/variation/axis_levels.h"
+#include "engine/variation/axis_age.h"
 #include "engine/variation/growth_law.h"
+#include "engine/variation/influence.h"
+#include "engine/variation/rest_shape.h"
 
 #include <span>
 #include <vector>
@@ -16,8 +18,7 @@ namespace tractus {
 // Values only, and nothing in it changes; any number of threads may use it.
 struct GrowthPlan {
     struct Segment {
-        Vec3 direction = Vec3::UnitZ(); // Predefined, in the predefined plant's coordinates.
-        Vec3 normal = Vec3::UnitX();
+        Quat frame = Quat::Identity(); // Predefined, in the predefined plant's coordinates.
         double length_mm = 0;
         std::uint32_t step = 0;       // Into `steps`: from the segment before to this one.
         std::uint32_t bearer = kNone; // Number among the segments that bear something, or kNone.
@@ -29,38 +30,47 @@ struct GrowthPlan {
         NodeId node = 0;              // The bearing segment's tip.
     };
 
+    // Offsets and orientations are in the frame of the bearing segment; in the plant's where
+    // something stands on the ground.
     struct AxisSeat {
         Seat seat;
-        // From the seat's node, in the predefined plant; usually zero.
-        Vec3 offset_mm = Vec3::Zero();
+        Vec3 offset_mm = Vec3::Zero(); // From the seat's node; usually zero.
+        AxisAge age;
     };
 
     struct OrganSeat {
         Seat seat;
         Vec3 offset_mm = Vec3::Zero();
         Quat orientation = Quat::Identity();
+        double birth = 0; // Age of the plant, 0 to kSkeletonShare.
+    };
+
+    struct PolygonSeat {
+        Seat seat;
+        double birth = 0;
     };
 
     Plant base; // What is grown is a copy of it, moved.
     GrowthParameters parameters;
-    Vec3 influence = Vec3::Zero(); // All indicators, in units of the plant's height.
+    Influence influence;
 
     AxisLevels levels;
     std::vector<Segment> segments; // In the plant's order, as the next ones.
     std::vector<AxisSeat> axes;
     std::vector<OrganSeat> organs;
-    std::vector<Seat> polygons;
+    std::vector<PolygonSeat> polygons;
     std::vector<Vec3> vertex_offset_mm; // Of polygon vertices, from their polygon's seat.
     std::vector<GrowthStep> steps;
     // What each segment's step adds; empty where there is none.
     std::vector<Vec2> circumnutation_rad;
     std::vector<double> axis_length_mm;
-    std::uint32_t bearer_count = 0;
+    // Per bearing segment: its predefined frame.
+    std::vector<Quat> bearer_frame;
 };
 
-// `shape` must be of `base`. `influence` is what summed_influence gives. Refuses, in a sentence,
-// parameters out of range and an influence that is not finite.
-Result<GrowthPlan> plan_growth(Plant base, PredefinedShape const& shape,
-                               GrowthParameters const& parameters, Vec3 const& influence);
+// `rest` and `shape` must be of `base`. Refuses, in a sentence, parameters out of range and an
+// influence that is not finite.
+Result<GrowthPlan> plan_growth(Plant base, RestShape const& rest, PredefinedShape const& shape,
+                               GrowthParameters const& parameters, Influence influence);
 
 } // namespace tractus

@@ -1,10 +1,13 @@
 #include "engine/variation/projected_skeleton.h"
 
 #include "engine/base/check.h"
+#include "engine/base/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tractus {
 
@@ -13,10 +16,14 @@ namespace {
 // What has less of w is too near to the eye to have a place on the plane.
 constexpr double kLeastW = 1e-6;
 
-// Cells per line: enough that most cells hold few lines, few enough to be built quickly.
-constexpr double kCellsPerLine = 0.5;
+// Cells per line: enough that most cells hold few lines, few enough that their counts stay in a
+// core's cache while they are built.
+constexpr double kCellsPerLine = 0.25;
 constexpr double kFewestCells = 1024;
-constexpr double kMostCells = 1 << 20;
+constexpr double kMostCells = 1 << 18;
+
+// Below this many lines the grid is built before other threads have woken up.
+constexpr std::size_t kLinesWorthThreads = 16'384;
 
 // What a point must not be outside of, as products with its homogeneous coordinates that are not
 // negative: in front of the eye, and no farther beside the view than the view is large, so that
@@ -33,40 +40,90 @@ ClipPlanes clip_planes(SkeletonProjection const& view)
     return planes;
 }
 
-// The part of a line that the planes leave, or nothing (Liang and Barsky's method).
-std::optional<ProjectedSkeleton::Line> project(Eigen::Vector4d const& from,
-                                               Eigen::Vector4d const& to, ClipPlanes const& planes)
-{
-    Eigen::Matrix<double, 5, 1> inside_from = planes * from;
-    Eigen::Matrix<double, 5, 1> inside_to = planes * to;
-    inside_from[0] -= kLeastW;
-    inside_to[0] -= kLeastW;
-    double begin = 0;
-    double end = 1;
-    for (int i = 0; i < 5; ++i) {
-        if (inside_from[i] < 0 && inside_to[i] < 0)
-            return std::nullopt;
-        if (inside_from[i] < 0)
-            begin = std::max(begin, inside_from[i] / (inside_from[i] - inside_to[i]));
-        else if (inside_to[i] < 0)
-            end = std::min(end, inside_from[i] / (inside_from[i] - inside_to[i]));
-    }
-    if (begin > end)
-        return std::nullopt;
+// Where a node is on the plane.
+struct Projected {
+    Eigen::Vector4d homogeneous;
+    Vec3 place;
+    bool is_inside = false; // Of the clip planes.
+};
 
-    auto const at = [&](double share) {
-        Eigen::Vector4d const point = from + share * (to - from);
-        return Vec3(point.head<3>() / point.w());
-    };
-    Vec3 const first = at(begin);
-    Vec3 const last = at(end);
-    return ProjectedSkeleton::Line {
-        .from = first.head<2>().cast<float>(),
-        .to = last.head<2>().cast<float>(),
-        .depth_from = static_cast<float>(first.z()),
-        .depth_to = static_cast<float>(last.z()),
-    };
-}
+// Projects lines, most of which lie within the clip planes whole.
+class LineProjector {
+public:
+    explicit LineProjector(SkeletonProjection const& view)
+        : to_plane_(view.to_plane)
+        , low_(2 * view.min - view.max)
+        , high_(2 * view.max - view.min)
+        , planes_(clip_planes(view))
+    {
+    }
+
+    Projected project(Vec3 const& point) const
+    {
+        Projected result;
+        result.homogeneous = to_plane_.leftCols<3>() * point + to_plane_.col(3);
+        double const w = result.homogeneous.w();
+        if (w > kLeastW) {
+            result.place = w == 1 ? Vec3(result.homogeneous.head<3>())
+                                  : Vec3(result.homogeneous.head<3>() / w);
+            result.is_inside = result.place.x() >= low_.x() && result.place.x() <= high_.x()
+                && result.place.y() >= low_.y() && result.place.y() <= high_.y();
+        }
+        return result;
+    }
+
+    // The part of a line that the planes leave; false if that is nothing.
+    bool line(Projected const& from, Projected const& to, ProjectedSkeleton::Line& result) const
+    {
+        if (from.is_inside && to.is_inside) [[likely]]
+            set(from.place, to.place, result);
+        else
+            return clip(from.homogeneous, to.homogeneous, result);
+        return true;
+    }
+
+private:
+    static void set(Vec3 const& from, Vec3 const& to, ProjectedSkeleton::Line& result)
+    {
+        result.from = from.head<2>().cast<float>();
+        result.to = to.head<2>().cast<float>();
+        result.depth_from = static_cast<float>(from.z());
+        result.depth_to = static_cast<float>(to.z());
+    }
+
+    // Liang and Barsky's method.
+    bool clip(Eigen::Vector4d const& from, Eigen::Vector4d const& to,
+              ProjectedSkeleton::Line& result) const
+    {
+        Eigen::Matrix<double, 5, 1> inside_from = planes_ * from;
+        Eigen::Matrix<double, 5, 1> inside_to = planes_ * to;
+        inside_from[0] -= kLeastW;
+        inside_to[0] -= kLeastW;
+        double begin = 0;
+        double end = 1;
+        for (int i = 0; i < 5; ++i) {
+            if (inside_from[i] < 0 && inside_to[i] < 0)
+                return false;
+            if (inside_from[i] < 0)
+                begin = std::max(begin, inside_from[i] / (inside_from[i] - inside_to[i]));
+            else if (inside_to[i] < 0)
+                end = std::min(end, inside_from[i] / (inside_from[i] - inside_to[i]));
+        }
+        if (begin > end)
+            return false;
+        auto const at = [&](double share) {
+            Eigen::Vector4d const point = from + share * (to - from);
+            return Vec3(point.head<3>() / point.w());
+        };
+        set(at(begin), at(end), result);
+        return true;
+    }
+
+    Eigen::Matrix4d to_plane_;
+    Vec2 low_;
+    Vec2 high_;
+    ClipPlanes planes_;
+};
 
 // Where a line is nearest to a point.
 struct Nearest {
@@ -95,28 +152,52 @@ SkeletonProjection view_in_pixels(Eigen::Matrix4d const& clip_from_plant, Vec2 c
     return { pixels_from_clip * clip_from_plant, Vec2::Zero(), size_px };
 }
 
-ProjectedSkeleton::ProjectedSkeleton(Plant const& plant, SkeletonProjection const& view)
-    : min_(view.min.cast<float>())
-    , max_(view.max.cast<float>())
+void ProjectedSkeleton::project(Plant const& plant, SkeletonProjection const& view)
 {
     CHECK((view.max.array() >= view.min.array()).all());
-    auto const planes = clip_planes(view);
-    lines_.reserve(plant.segment_count());
-    for (auto const& axis : plant.axes) {
-        if (axis.order > view.max_order)
-            continue;
-        auto const nodes = plant.positions(axis);
-        Eigen::Vector4d from = view.to_plane * nodes[0].homogeneous();
-        for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
-            Eigen::Vector4d const to = view.to_plane * nodes[i + 1].homogeneous();
-            if (auto line = project(from, to, planes)) {
-                line->segment = axis.first_segment + i;
-                lines_.push_back(*line);
-            }
-            from = to;
-        }
-    }
+    min_ = view.min.cast<float>();
+    max_ = view.max.cast<float>();
+    find_lines(plant, view);
+    lay_grid();
     build_grid();
+}
+
+void ProjectedSkeleton::find_lines(Plant const& plant, SkeletonProjection const& view)
+{
+    // Each axis knows where its lines go, so that several threads may write; what is not seen is
+    // taken out afterwards.
+    std::vector<std::uint32_t> first_line(plant.axes.size() + 1);
+    for (AxisId id = 0; id < plant.axes.size(); ++id) {
+        auto const& axis = plant.axes[id];
+        first_line[id + 1]
+            = first_line[id] + (axis.order > view.max_order ? 0 : axis.segment_count);
+    }
+    lines_.resize(first_line.back());
+    LineProjector const projector(view);
+    std::atomic<bool> is_all_seen = true;
+    constexpr std::size_t kAxesPerPiece = 512;
+    parallel_for(plant.axes.size(), kAxesPerPiece, [&](std::size_t begin, std::size_t end) {
+        bool is_seen = true;
+        for (auto id = begin; id < end; ++id) {
+            auto const& axis = plant.axes[id];
+            if (axis.order > view.max_order)
+                continue;
+            auto const nodes = plant.positions(axis);
+            auto from = projector.project(nodes[0]);
+            for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
+                auto const to = projector.project(nodes[i + 1]);
+                auto& line = lines_[first_line[id] + i];
+                bool const seen = projector.line(from, to, line);
+                line.segment = seen ? axis.first_segment + i : kNone;
+                is_seen &= seen;
+                from = to;
+            }
+        }
+        if (!is_seen)
+            is_all_seen = false;
+    });
+    if (!is_all_seen)
+        std::erase_if(lines_, [](Line const& line) { return line.segment == kNone; });
 }
 
 ProjectedSkeleton::Cell ProjectedSkeleton::cell_at(Vec2f const& point) const
@@ -146,8 +227,13 @@ void ProjectedSkeleton::for_each_cell(Line const& line, Visit const& visit) cons
     auto const x_at = [&](float y) {
         return y <= low.y() ? low.x() : y >= high.y() ? high.x() : low.x() + slope * (y - low.y());
     };
-    int const last_row = cell_at(high).row;
-    for (int row = cell_at(low).row; row <= last_row; ++row) {
+    auto const low_cell = cell_at(low);
+    auto const high_cell = cell_at(high);
+    if (low_cell.row == high_cell.row
+        && low_cell.column == high_cell.column) // Most lines are short.
+        return visit(index_of(low_cell));
+    int const last_row = high_cell.row;
+    for (int row = low_cell.row; row <= last_row; ++row) {
         float const y = min_.y() + static_cast<float>(row) * cell_size_;
         bool const is_flat = slope == 0;
         float const x0 = is_flat ? low.x() : x_at(y);
@@ -159,7 +245,7 @@ void ProjectedSkeleton::for_each_cell(Line const& line, Visit const& visit) cons
     }
 }
 
-void ProjectedSkeleton::build_grid()
+void ProjectedSkeleton::lay_grid()
 {
     Vec2f const size = max_ - min_;
     double const cells
@@ -170,16 +256,44 @@ void ProjectedSkeleton::build_grid()
         cell_size_ = 1;
     columns_ = static_cast<int>(size.x() / cell_size_) + 1;
     rows_ = static_cast<int>(size.y() / cell_size_) + 1;
+}
 
-    first_in_cell_.assign(index_of({ 0, rows_ }) + 1, 0);
-    for (auto const& line : lines_)
-        for_each_cell(line, [&](std::size_t cell) { ++first_in_cell_[cell + 1]; });
-    for (std::size_t i = 1; i < first_in_cell_.size(); ++i)
-        first_in_cell_[i] += first_in_cell_[i - 1];
-    in_cell_.resize(first_in_cell_.back());
-    auto next = first_in_cell_;
-    for (std::uint32_t number = 0; number < lines_.size(); ++number)
-        for_each_cell(lines_[number], [&](std::size_t cell) { in_cell_[next[cell]++] = number; });
+// Sorts the lines into cells by counting: each thread has a share of the lines and counts for
+// itself, so within a cell they come in their order, however many threads there are.
+void ProjectedSkeleton::build_grid()
+{
+    auto const cells = index_of({ 0, rows_ });
+    std::size_t const shares
+        = lines_.size() < kLinesWorthThreads ? 1 : static_cast<std::size_t>(thread_count());
+    auto const share = [&](std::size_t number) { return lines_.size() * number / shares; };
+    next_in_cell_.resize(shares);
+    parallel_for(shares, 1, [&](std::size_t begin, std::size_t end) {
+        for (auto number = begin; number < end; ++number) {
+            auto& count = next_in_cell_[number];
+            count.assign(cells, 0);
+            for (auto i = share(number); i < share(number + 1); ++i)
+                for_each_cell(lines_[i], [&](std::size_t cell) { ++count[cell]; });
+        }
+    });
+
+    first_in_cell_.resize(cells + 1);
+    std::uint32_t sum = 0;
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        first_in_cell_[cell] = sum;
+        for (auto& next : next_in_cell_)
+            sum += std::exchange(next[cell], sum);
+    }
+    first_in_cell_[cells] = sum;
+    in_cell_.resize(sum);
+    parallel_for(shares, 1, [&](std::size_t begin, std::size_t end) {
+        for (auto number = begin; number < end; ++number) {
+            auto& next = next_in_cell_[number];
+            for (auto i = share(number); i < share(number + 1); ++i)
+                for_each_cell(lines_[i], [&](std::size_t cell) {
+                    in_cell_[next[cell]++] = static_cast<std::uint32_t>(i);
+                });
+        }
+    });
 }
 
 // Calls visit(line, distance and depth of its point nearest to the pen) for the lines within

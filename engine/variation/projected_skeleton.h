@@ -49,7 +49,11 @@ public:
         SegmentId segment = kNone;
     };
 
-    ProjectedSkeleton(Plant const& plant, SkeletonProjection const& view);
+    ProjectedSkeleton(Plant const& plant, SkeletonProjection const& view) { project(plant, view); }
+
+    // The same for another plant or view, in the memory that is already there: when a view turns.
+    // Works on all threads.
+    void project(Plant const& plant, SkeletonProjection const& view);
 
     // What is to be seen, in the order of the segments. Lines are cut behind the eye, and far
     // outside of the view.
@@ -71,6 +75,8 @@ private:
         int row = 0;
     };
 
+    void find_lines(Plant const& plant, SkeletonProjection const& view);
+    void lay_grid();
     void build_grid();
     Cell cell_at(Vec2f const& point) const;
     std::size_t index_of(Cell const& cell) const;
@@ -84,8 +90,9 @@ private:
     float cell_size_ = 1;
     int columns_ = 1;
     int rows_ = 1;
-    std::vector<std::uint32_t> first_in_cell_; // Per cell and the end.
-    std::vector<std::uint32_t> in_cell_;       // Numbers of lines.
+    std::vector<std::uint32_t> first_in_cell_;             // Per cell and the end.
+    std::vector<std::uint32_t> in_cell_;                   // Numbers of lines.
+    std::vector<std::vector<std::uint32_t>> next_in_cell_; // Of each thread's share of the lines.
 };
 
 } // namespace tractus

@@ -1,13 +1,18 @@
-// Growing plants of 131,071 segments, laying strokes along their branches, and the selection pen
-// over a skeleton of 100,000 segments.
+// Growing plants of 131,071 segments, laying strokes along the branches of larger ones, and the
+// selection pen over a skeleton of a million.
 #include "engine/plant/join_axes.h"
-#include "engine/variation/growth.h"
+#include "engine/variation/place_nodes.h"
 #include "engine/variation/selection.h"
+#include "engine/variation/stroke_shaper.h"
 #include "tests/bench/report.h"
 #include "tests/engine/stroke/strokes.h"
+#include "tests/engine/variation/plans.h"
 #include "tests/engine/variation/plants.h"
 
+#include <algorithm>
+#include <chrono>
 #include <oneapi/tbb/global_control.h>
+#include <optional>
 
 namespace tractus {
 namespace {
@@ -50,8 +55,7 @@ void grow_plants(benchmark::State& state, Plant const& plant, GrowthParameters c
                  Vec3 const& influence)
 {
     auto const threads = limited_to(state.range(0));
-    auto const shape = resolve_associations(plant, both(plant)).value();
-    auto const plan = plan_growth(plant, shape, parameters, influence).value();
+    auto const plan = plan_of(plant, parameters, influence, both(plant));
     Grower grower(plan);
     std::uint32_t index = 0;
     for (auto _ : state)
@@ -86,35 +90,69 @@ void grow_twigs_in_wind(benchmark::State& state)
 }
 BENCHMARK(grow_twigs_in_wind)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-void resolve(benchmark::State& state, Plant const& plant)
+// From one association to where all nodes are: what a person waits for after a stroke.
+void reshape(benchmark::State& state, Plant const& plant)
 {
     auto const threads = limited_to(state.range(0));
     auto const associations = both(plant);
-    for (auto _ : state)
-        benchmark::DoNotOptimize(resolve_associations(plant, associations));
+    auto const rest = find_rest_shape(plant);
+    StrokeShaper shaper(plant, rest);
+    std::vector<Vec3> nodes_mm = plant.node_position_mm;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(shaper.set(associations));
+        place_nodes(plant, rest, shaper.shape(), nodes_mm);
+        benchmark::DoNotOptimize(nodes_mm.data());
+        state.PauseTiming();
+        benchmark::DoNotOptimize(shaper.set({}));
+        state.ResumeTiming();
+    }
+    double const segment_bytes = sizeof(Quat) + sizeof(double) + sizeof(Vec3);
     report(state,
            { .items = static_cast<double>(plant.segment_count()),
              .item = "segments",
-             .bytes = bytes_of(plant) });
+             .bytes = segment_bytes * static_cast<double>(plant.segment_count()) });
 }
 
-void resolve_on_branches(benchmark::State& state)
+void reshape_twigs(benchmark::State& state)
 {
-    resolve(state, branches());
+    reshape(state, twigs());
 }
-BENCHMARK(resolve_on_branches)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK(reshape_twigs)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-void resolve_on_twigs(benchmark::State& state)
+// 50,176 segments: 3,136 axes of sixteen.
+void reshape_50_thousand(benchmark::State& state)
 {
-    resolve(state, twigs());
+    static auto const plant = wide_tree(3136, 16);
+    reshape(state, plant);
 }
-BENCHMARK(resolve_on_twigs)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK(reshape_50_thousand)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
+
+// 1,310,704 segments: 81,919 axes of sixteen.
+void reshape_1300_thousand(benchmark::State& state)
+{
+    static auto const plant = wide_tree(81'919, 16);
+    reshape(state, plant);
+}
+BENCHMARK(reshape_1300_thousand)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
+
+void find_rest_shape_of_branches(benchmark::State& state)
+{
+    auto const threads = limited_to(state.range(0));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(find_rest_shape(branches()));
+    report(state,
+           { .items = static_cast<double>(branches().segment_count()),
+             .item = "segments",
+             .bytes = bytes_of(branches()) });
+}
+BENCHMARK(find_rest_shape_of_branches)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
 void plan_growth_of_branches(benchmark::State& state)
 {
-    auto const shape = resolve_associations(branches(), both(branches())).value();
+    auto const rest = find_rest_shape(branches());
+    auto const shape = resolve_associations(branches(), rest, both(branches())).value();
     for (auto _ : state)
-        benchmark::DoNotOptimize(plan_growth(branches(), shape, {}, Vec3::Zero()));
+        benchmark::DoNotOptimize(plan_growth(branches(), rest, shape, {}, {}));
     report(state,
            { .items = static_cast<double>(branches().segment_count()),
              .item = "segments",
@@ -141,21 +179,68 @@ void project_skeleton(benchmark::State& state)
 }
 BENCHMARK(project_skeleton);
 
-// A pen that crosses the crown at 300 mm/s: 6 pixels between two samples.
-void move_selection_pen(benchmark::State& state)
+// A skeleton of 1,048,568 segments, and what a pen needs to select in it.
+struct MillionSegments {
+    Plant plant = forking_tree(17, 8);
+    BranchTree tree = build_branch_tree(plant);
+    ProjectedSkeleton skeleton { plant, window() };
+};
+
+MillionSegments& million()
 {
-    ProjectedSkeleton const skeleton(branches(), window());
-    auto const tree = build_branch_tree(branches());
-    PathSelection selection(tree);
-    SelectionPen pen(skeleton, tree, selection);
-    double x = 300;
+    static MillionSegments segments;
+    return segments;
+}
+
+void turn_view_of_million(benchmark::State& state)
+{
+    auto const threads = limited_to(state.range(0));
+    auto& segments = million();
+    for (auto _ : state)
+        segments.skeleton.project(segments.plant, window());
+    report(state,
+           { .items = static_cast<double>(segments.plant.segment_count()),
+             .item = "segments",
+             .bytes = bytes_of(segments.plant) });
+}
+BENCHMARK(turn_view_of_million)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
+
+// A fast hand that sweeps through the crown: 12 pixels and more between two samples. The time is
+// that of the sample which so many per cent of the samples do not exceed.
+void selection_pen_over_million(benchmark::State& state)
+{
+    auto& segments = million();
+    constexpr int kSamples = 4000;
+    std::vector<double> seconds;
     for (auto _ : state) {
-        x = x < 900 ? x + 6 : 300;
-        benchmark::DoNotOptimize(pen.move_to({ x, 300 + 0.1 * x }));
+        seconds.clear();
+        PathSelection selection(segments.tree);
+        std::optional<SelectionPen> pen;
+        for (int i = 0; i < kSamples; ++i) {
+            if (i % 50 == 0) { // A new stroke, from the trunk into another part of the crown.
+                selection.clear();
+                pen.emplace(segments.skeleton, segments.tree, selection);
+            }
+            double const along = (i % 50) * 12;
+            double const slope = (i / 50 - 40) / 60.;
+            Vec2 const point(600 + slope * along, 600 - along);
+            auto const start = std::chrono::steady_clock::now();
+            benchmark::DoNotOptimize(pen->move_to(point));
+            std::chrono::duration<double> const took = std::chrono::steady_clock::now() - start;
+            seconds.push_back(took.count());
+        }
+        auto const rank = seconds.begin() + kSamples * state.range(0) / 100;
+        std::nth_element(seconds.begin(), rank, seconds.end());
+        state.SetIterationTime(*rank);
     }
     report(state, { .item = "pen samples" });
 }
-BENCHMARK(move_selection_pen);
+BENCHMARK(selection_pen_over_million)
+    ->ArgName("percent")
+    ->Arg(50)
+    ->Arg(99)
+    ->UseManualTime()
+    ->Iterations(20);
 
 } // namespace
 } // namespace tractus

@@ -3,6 +3,7 @@
 #include "engine/stroke/resample.h"
 #include "engine/variation/growth.h"
 #include "tests/engine/stroke/strokes.h"
+#include "tests/engine/variation/plans.h"
 #include "tests/engine/variation/plants.h"
 
 #include <algorithm>
@@ -249,7 +250,7 @@ TEST(Association, RefusesBadStrokes)
          { Stroke {}, stroke_of({ { 1, 1, 1 } }), stroke_of({ { 1, 1, 1 }, { 1, 1, 1 } }),
            stroke_of({ { 1, 1, 1 }, { 1, nan, 1 }, { 2, 2, 2 } }) }) {
         std::vector<Association> const bad { { .path = { 0 }, .stroke = stroke } };
-        auto const shape = resolve_associations(hand_made_plant(), bad);
+        auto const shape = shape_of(hand_made_plant(), bad);
         ASSERT_FALSE(shape);
         EXPECT_EQ(shape.error().fault, Fault::User);
     }
@@ -259,7 +260,7 @@ TEST(Association, RefusesBadPaths)
 {
     auto const error = [](std::vector<SegmentId> const& path) {
         std::vector<Association> const bad { { .path = path, .stroke = quarter_circle() } };
-        return resolve_associations(hand_made_plant(), bad).error().message;
+        return shape_of(hand_made_plant(), bad).error().message;
     };
     EXPECT_EQ(error({}), "no branch is selected for the stroke: select one first");
     EXPECT_EQ(error({ 99 }),
@@ -274,7 +275,7 @@ TEST(Association, RefusesToKeepMoreThanTheHand)
     std::vector<Association> const bad {
         { .path = { 0 }, .stroke = quarter_circle(), .kept_hand = 1.5 }
     };
-    EXPECT_EQ(resolve_associations(hand_made_plant(), bad).error().message,
+    EXPECT_EQ(shape_of(hand_made_plant(), bad).error().message,
               "1.5 of the hand cannot be kept: give a share from 0 to 1");
 }
 

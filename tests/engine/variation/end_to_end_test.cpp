@@ -5,6 +5,7 @@
 #include "tests/corpus.h"
 #include "tests/engine/stroke/corpus_strokes.h"
 #include "tests/engine/stroke/strokes.h"
+#include "tests/engine/variation/plans.h"
 #include "tests/engine/variation/plants.h"
 
 #include <gtest/gtest.h>
@@ -41,8 +42,9 @@ TEST(EndToEnd, AHundredThousandSegmentsFromPenToCollection)
                                                     = stroke_of(trembling(s_curve(150), 0.5)),
                                                     .propagation = Propagation::Both } };
     std::vector<MotionIndicator> const wind { { { 0, 0, 0 }, { 80, 0, 0 } } };
-    auto const shape = resolve_associations(plant, associations).value();
-    auto const plan = plan_growth(plant, shape, {}, summed_influence(wind, 200)).value();
+    auto const influence
+        = influence_of(plant, plant.node_position_mm, wind, { .height_mm = 200 }).value();
+    auto const plan = plan_of(plant, {}, influence.everywhere, associations);
     Grower grower(plan);
     std::vector<Vec3> last_tips;
     for (std::uint32_t i = 0; i < 3; ++i) {

@@ -1,5 +1,6 @@
 #include "engine/variation/growth.h"
 
+#include "tests/engine/variation/plans.h"
 #include "tests/engine/variation/plants.h"
 
 #include <algorithm>
@@ -10,13 +11,6 @@ namespace tractus {
 namespace {
 
 using Steps = GrowthParameters::Steps;
-
-GrowthPlan plan_of(Plant const& plant, GrowthParameters const& parameters,
-                   Vec3 const& influence = Vec3::Zero())
-{
-    auto const shape = resolve_associations(plant, {}).value();
-    return plan_growth(plant, shape, parameters, influence).value();
-}
 
 Plant grown(Plant const& plant, GrowthParameters const& parameters,
             Vec3 const& influence = Vec3::Zero())

@@ -2,6 +2,7 @@
 
 #include "engine/stroke/resample.h"
 #include "tests/engine/stroke/strokes.h"
+#include "tests/engine/variation/plans.h"
 #include "tests/engine/variation/plants.h"
 
 #include <cstring>
@@ -37,8 +38,7 @@ bool same_plant(Plant const& a, Plant const& b)
 Plant grown(Plant const& plant, GrowthParameters const& parameters, PlantKey const& key,
             Vec3 const& influence = Vec3::Zero())
 {
-    auto const shape = resolve_associations(plant, {}).value();
-    auto const plan = plan_growth(plant, shape, parameters, influence).value();
+    auto const plan = plan_of(plant, parameters, influence);
     return Grower(plan).grow(key);
 }
 
@@ -134,8 +134,7 @@ TEST(Growth, SameKeySameBytesOtherKeysOthers)
 TEST(Growth, AGrowerLeavesNothingOfThePlantBefore)
 {
     auto const plant = hand_made_plant();
-    auto const shape = resolve_associations(plant, {}).value();
-    auto const plan = plan_growth(plant, shape, {}, Vec3::Zero()).value();
+    auto const plan = plan_of(plant, {});
     Grower grower(plan);
     Plant const first = grower.grow({ .seed = 1 });
     EXPECT_FALSE(same_plant(first, grower.grow({ .seed = 2 })));
@@ -145,8 +144,7 @@ TEST(Growth, AGrowerLeavesNothingOfThePlantBefore)
 TEST(Growth, DoesNotDependOnTheNumberOfThreads)
 {
     auto const plant = forking_tree(12, 8);
-    auto const shape = resolve_associations(plant, {}).value();
-    auto const plan = plan_growth(plant, shape, {}, { 0.5, 0.2, 0 }).value();
+    auto const plan = plan_of(plant, {}, { 0.5, 0.2, 0 });
     tbb::global_control const allow(tbb::global_control::max_allowed_parallelism, 4);
     Plant one;
     for (int const threads : { 1, 2, 4 }) {

@@ -1,4 +1,4 @@
-#include "engine/variation/motion_indicator.h"
+#include "engine/variation/influence.h"
 
 #include "tests/engine/stroke/strokes.h"
 
@@ -7,6 +7,11 @@
 
 namespace tractus {
 namespace {
+
+Vec3 summed_influence(std::vector<MotionIndicator> const& indicators, double shown_height_mm)
+{
+    return influence_of({}, {}, indicators, { .height_mm = shown_height_mm }).value().everywhere;
+}
 
 TEST(MotionIndicator, TakesOnlyTheEndsOfTheStroke)
 {

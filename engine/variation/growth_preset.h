@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/variation/growth_law.h"
+
+#include <span>
+#include <string_view>
+
+namespace tractus {
+
+// Growth by a name that people understand.
+struct GrowthPreset {
+    std::string_view name;
+    std::string_view description; // In a few words, lower case.
+    GrowthParameters parameters;
+};
+
+// "as drawn", "calm", "usual", "windy hillside", "storm-bent", "towards the light", "weeping",
+// "winding" and "wild", from the tamest to the wildest.
+std::span<GrowthPreset const> growth_presets();
+
+// Refuses, naming those there are, a name that is none. Case does not matter, and a hyphen is as
+// good as a blank.
+Result<GrowthParameters> growth_preset(std::string_view name);
+
+} // namespace tractus

@@ -1,0 +1,136 @@
+#include "engine/variation/growth_sag.h"
+
+#include "engine/stroke/frame_rotation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tractus {
+
+namespace {
+
+constexpr double kDensity = 1000e-9;    // kg / mm³
+constexpr double kYoungsModulus = 6000; // N / mm²
+constexpr double kGravity = 9.81;       // N / kg
+constexpr int kRounds = 4;
+
+// The angle by which a joint gives way that would give way by `softness` radians under its load
+// held level, when the load lies at an angle a (0 to pi) from straight down: the root of
+// angle = softness sin(a - angle), so that it never swings past.
+double sag_angle(double softness, double sine, double cosine)
+{
+    if (softness < 1e-3) // One step of Newton's method is then right to 1e-9.
+        return softness * sine / (1 + softness * cosine);
+    double const from_down = std::atan2(sine, cosine);
+    double low = 0;
+    double high = from_down;
+    double angle = std::min(softness * sine / (1 + softness), from_down);
+    for (int i = 0; i < 40; ++i) {
+        double const error = angle - softness * std::sin(from_down - angle);
+        (error > 0 ? high : low) = angle;
+        double const slope = 1 + softness * std::cos(from_down - angle);
+        double const newton = slope > 0 ? angle - error / slope : low;
+        double const next = newton > low && newton < high ? newton : (low + high) / 2;
+        if (std::abs(next - angle) < 1e-10)
+            break;
+        angle = next;
+    }
+    return angle;
+}
+
+} // namespace
+
+// Of each segment with all that it bears, where it hangs now.
+void Sagger::find_loads(Plant const& plant)
+{
+    load_.assign(plant.segment_count(), {});
+    for (std::size_t id = plant.axes.size(); id-- > 0;) { // What is borne comes later.
+        auto const& axis = plant.axes[id];
+        Load sum;
+        for (std::uint32_t i = axis.segment_count; i-- > 0;) {
+            auto const node = axis.first_node + i;
+            Vec3 const& base = plant.node_position_mm[node];
+            Vec3 const& tip = plant.node_position_mm[node + 1];
+            double const r0 = plant.node_radius_mm[node];
+            double const r1 = plant.node_radius_mm[node + 1];
+            double const mass
+                = kDensity * kPi / 3 * (r0 * r0 + r0 * r1 + r1 * r1) * (tip - base).norm();
+            auto& load = load_[axis.first_segment + i]; // Has what stands on it already.
+            sum.mass_kg += load.mass_kg + mass;
+            sum.moment += load.moment + mass / 2 * (base + tip);
+            load = sum;
+        }
+        if (axis.parent_segment != kNone) {
+            load_[axis.parent_segment].mass_kg += sum.mass_kg;
+            load_[axis.parent_segment].moment += sum.moment;
+        }
+    }
+}
+
+void Sagger::bend_axis(AxisId id, Plant& plant)
+{
+    auto const& axis = plant.axes[id];
+    auto& position = plant.node_position_mm;
+    Quat turn = Quat::Identity();
+    Vec3 before = position[axis.first_node]; // Where the base was in the round before.
+    if (axis.parent_segment != kNone) {
+        auto const& bearer = plant.axes[axis.parent_axis];
+        auto const node = bearer.first_node + (axis.parent_segment - bearer.first_segment) + 1;
+        turn = turn_[axis.parent_segment];
+        position[axis.first_node]
+            = position[node] + turn * (grown_mm_[axis.first_node] - grown_mm_[node]);
+    }
+    double below_mm = 0; // Length of the segment below.
+    for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
+        auto const node = axis.first_node + i;
+        auto const segment = axis.first_segment + i;
+        Vec3 const step = grown_mm_[node + 1] - grown_mm_[node];
+        double const length_mm = step.norm();
+        auto const& load = load_[segment];
+        // Where the load hung, turned back to the grown plant and on with what bears it.
+        if (load.mass_kg > 0) {
+            Vec3 const hung = load.moment / load.mass_kg - before;
+            Vec3 const lever = turn * (turn_[segment].conjugate() * hung);
+            double const radius = plant.node_radius_mm[node];
+            double const stiffness = kYoungsModulus * kPi / 4 * std::pow(radius, 4);
+            double const moment
+                = kGravity * load.mass_kg * lever.norm() * (below_mm + length_mm) / 2;
+            double const softness
+                = std::min(plan_.parameters.sag * moment / std::max(stiffness, 1e-9), 1e6);
+            double const aside = lever.head<2>().norm();
+            if (aside > 1e-9 * lever.norm()) {
+                double const length = lever.norm();
+                double const angle = sag_angle(softness, aside / length, -lever.z() / length);
+                Vec3 const level = Vec3(lever.y(), -lever.x(), 0) / aside;
+                turn = renormalised(Quat(Eigen::AngleAxisd(-angle, level)) * turn);
+            }
+        }
+        turn_[segment] = turn;
+        before = position[node + 1];
+        position[node + 1] = position[node] + turn * step;
+        below_mm = length_mm;
+    }
+}
+
+void Sagger::bend(Plant& plant)
+{
+    for_each_level(plan_.levels, [&](std::span<AxisId const> axes) {
+        for (auto const id : axes)
+            bend_axis(id, plant);
+    });
+}
+
+void Sagger::sag(Plant& plant, std::span<Quat> bearer_frame)
+{
+    grown_mm_ = plant.node_position_mm;
+    turn_.assign(plant.segment_count(), Quat::Identity());
+    for (int round = 0; round < kRounds; ++round) {
+        find_loads(plant);
+        bend(plant);
+    }
+    for (SegmentId segment = 0; segment < plant.segment_count(); ++segment)
+        if (auto const bearer = plan_.segments[segment].bearer; bearer != kNone)
+            bearer_frame[bearer] = renormalised(turn_[segment] * bearer_frame[bearer]);
+}
+
+} // namespace tractus

@@ -1,0 +1,75 @@
+#include "engine/variation/rest_shape.h"
+
+#include "engine/stroke/frame_rotation.h"
+
+namespace tractus {
+
+namespace {
+
+// Sine of the angle below which a branch counts as going straight on from its bearer, so that the
+// bearer's direction says nothing about sides.
+constexpr double kStraightOn = 0.05;
+
+Vec3 first_normal(Vec3 const& direction, Quat const* bearer)
+{
+    if (!bearer)
+        return normal_towards(direction, Vec3::UnitX());
+    Vec3 const tangent = tangent_of(*bearer);
+    bool const straight_on = direction.cross(tangent).norm() < kStraightOn;
+    return normal_towards(direction, straight_on ? normal_of(*bearer) : tangent);
+}
+
+// Direction of the first segment that has one.
+Vec3 first_direction(std::span<Vec3 const> nodes)
+{
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+        Vec3 const step = nodes[i] - nodes[i - 1];
+        if (double const length = step.norm(); length > 0)
+            return step / length;
+    }
+    return Vec3::UnitZ();
+}
+
+void find_axis_shape(Plant const& plant, AxisId id, RestShape& shape)
+{
+    auto const& axis = plant.axes[id];
+    auto const nodes = plant.positions(axis);
+    auto const* const bearer
+        = axis.parent_segment == kNone ? nullptr : &shape.frame[axis.parent_segment];
+    Vec3 before = first_direction(nodes);
+    Quat frame = rotation_of({ before, first_normal(before, bearer) });
+    double sum_mm = 0;
+    for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
+        Vec3 const step = nodes[i + 1] - nodes[i];
+        double const length_mm = step.norm();
+        if (length_mm > 0) {
+            Vec3 const direction = step / length_mm;
+            frame = carried(frame, before, direction);
+            before = direction;
+        }
+        shape.frame[axis.first_segment + i] = frame;
+        shape.length_mm[axis.first_segment + i] = length_mm;
+        sum_mm += length_mm;
+        shape.end_mm[axis.first_segment + i] = sum_mm;
+    }
+    shape.axis_length_mm[id] = sum_mm;
+}
+
+} // namespace
+
+RestShape find_rest_shape(Plant const& plant)
+{
+    RestShape shape;
+    shape.levels = find_axis_levels(plant);
+    shape.frame.resize(plant.segment_count());
+    shape.length_mm.resize(plant.segment_count());
+    shape.end_mm.resize(plant.segment_count());
+    shape.axis_length_mm.resize(plant.axes.size());
+    for_each_level(shape.levels, [&](std::span<AxisId const> axes) {
+        for (auto const id : axes)
+            find_axis_shape(plant, id, shape);
+    });
+    return shape;
+}
+
+} // namespace tractus

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "engine/plant/plant.h"
+#include "engine/variation/axis_levels.h"
+
+#include <vector>
+
+namespace tractus {
+
+// What of a plant's shape strokes and growth start from: found once for a base plant, and then used
+// for every stroke and every variation.
+//
+// The frame of a segment is a rotation that takes +x to its direction and +y to its normal, plant
+// frame (frame_rotation.h). Along an axis the frames turn no more than the segments do. At the
+// axis' base the normal leans towards the direction of what bears it; for the trunk, and for a
+// branch that goes straight on, towards +x and the bearer's normal. A segment without length points
+// as the one before it.
+struct RestShape {
+    AxisLevels levels;
+    std::vector<Quat> frame; // Per segment, as the next one.
+    std::vector<double> length_mm;
+    std::vector<double> end_mm;         // From the axis' base along it to the segment's end.
+    std::vector<double> axis_length_mm; // Per axis, along its segments.
+};
+
+RestShape find_rest_shape(Plant const& plant);
+
+} // namespace tractus

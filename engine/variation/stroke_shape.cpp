@@ -1,0 +1,194 @@
+#include "engine/variation/stroke_shape.h"
+
+#include "engine/stroke/frame_rotation.h"
+#include "engine/stroke/polyline.h"
+#include "engine/stroke/smooth.h"
+
+#include <fmt/format.h>
+
+namespace tractus {
+
+namespace {
+
+// Share of a stroke whose chord is its start tangent.
+constexpr double kStartShare = 0.05;
+
+// A chord shorter than this share of the line says nothing about direction.
+constexpr double kNoChord = 1e-6;
+
+Result<void> check_path(Plant const& plant, std::span<SegmentId const> path)
+{
+    if (path.empty())
+        return fail(Fault::User, "no branch is selected for the stroke: select one first");
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        if (path[i] >= plant.segment_count())
+            return fail(Fault::User,
+                        fmt::format("segment {} is not in the plant, which has {}: select "
+                                    "the branch again",
+                                    path[i], plant.segment_count()));
+        if (i > 0 && parent_segment(plant, path[i]) != path[i - 1])
+            return fail(Fault::User,
+                        fmt::format("segment {} does not stand on segment {}, so the "
+                                    "selected path is broken: select it again",
+                                    path[i], path[i - 1]));
+    }
+    return {};
+}
+
+Vec3 start_tangent(ArcLength const& curve)
+{
+    for (double share = kStartShare; share < 1; share *= 2) {
+        Vec3 const chord = curve.at(share) - curve.at(0);
+        if (chord.norm() > 0.01 * share * curve.length_mm()) // Else it turns back at once.
+            return chord.normalized();
+    }
+    Vec3 const chord = curve.at(0.5) - curve.at(0);
+    return chord.isZero(0) ? Vec3(Vec3::UnitZ()) : Vec3(chord.normalized());
+}
+
+Vec3 chord_of(ArcLength const& curve)
+{
+    return curve.at(1) - curve.at(0);
+}
+
+// From the base of the first segment to the tip of the last; `otherwise` where that is nowhere.
+Vec3 chord_direction(Plant const& plant, SegmentId first, SegmentId last, Vec3 const& otherwise)
+{
+    Vec3 const chord = plant.node_position_mm[nodes_of(plant, last).tip]
+        - plant.node_position_mm[nodes_of(plant, first).base];
+    double const length = chord.norm();
+    return length > 0 ? Vec3(chord / length) : otherwise;
+}
+
+// The curve's own direction, by which it is laid.
+Vec3 direction_of(ArcLength const& curve, StrokeFit fit)
+{
+    return fit == StrokeFit::Chord ? Vec3(chord_of(curve).normalized()) : start_tangent(curve);
+}
+
+Result<ArcLength> curve_of(Association const& association)
+{
+    if (!(association.kept_hand >= 0 && association.kept_hand <= 1))
+        return fail(Fault::User,
+                    fmt::format("{} of the hand cannot be kept: give a share from 0 to 1",
+                                association.kept_hand));
+    auto const points = TRY(stroke_points(association.stroke));
+    ArcLength curve(smooth_hand(points, association.kept_hand));
+    if (association.fit == StrokeFit::Chord
+        && chord_of(curve).norm() <= kNoChord * curve.length_mm())
+        return fail(Fault::User,
+                    "the stroke ends where it began, so it has no chord to lay along the "
+                    "branch's: fit it by its start");
+    return curve;
+}
+
+// The directions that the curve gives to the segments of the path, turned by `to_base`.
+std::vector<Vec3> directions_along(std::span<SegmentId const> path, RestShape const& rest,
+                                   ArcLength const& curve, Quat const& to_base)
+{
+    double total_mm = 0;
+    for (auto const segment : path)
+        total_mm += rest.length_mm[segment];
+    std::vector<Vec3> directions;
+    if (!(total_mm > 0))
+        return directions;
+    double sum_mm = 0;
+    Vec3 from = curve.at(0);
+    Vec3 before = tangent_of(rest.frame[path.front()]);
+    for (auto const segment : path) {
+        sum_mm += rest.length_mm[segment];
+        Vec3 const to = curve.at(sum_mm / total_mm);
+        // Where the hand turned back on itself the chord has no direction: go straight on.
+        Vec3 const chord = to_base * (to - from);
+        if (double const length = chord.norm(); length > 0)
+            before = chord / length;
+        directions.push_back(before);
+        from = to;
+    }
+    return directions;
+}
+
+std::vector<Joint> joints_along(std::span<SegmentId const> path, RestShape const& rest,
+                                StrokeShape const& stroke)
+{
+    auto const directions = directions_along(path, rest, stroke.curve, stroke.to_path);
+    std::vector<Joint> joints(path.size());
+    Vec3 base_before = tangent_of(rest.frame[path.front()]);
+    Vec3 bent_before = base_before;
+    Quat turn_before = Quat::Identity(); // From the base plant, of the segment below.
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        if (stroke.fit == StrokeFit::World) {
+            joints[i] = { .kind = Joint::Kind::World, .direction = directions[i] };
+            continue;
+        }
+        // Both curves are followed without twist; what differs is the segment's own rotation.
+        Vec3 const base = tangent_of(rest.frame[path[i]]);
+        Quat const turn = (least_rotation(bent_before, directions[i]) * turn_before
+                           * least_rotation(base_before, base).conjugate())
+                              .normalized();
+        joints[i] = { .kind = Joint::Kind::Turn, .turn = turn_before.conjugate() * turn };
+        base_before = base;
+        bent_before = directions[i];
+        turn_before = turn;
+    }
+    return joints;
+}
+
+// How a curve that leads in the direction `from` lies along what leads to `to` in the base plant.
+Quat laid(StrokeFit fit, Vec3 const& from, Vec3 const& to)
+{
+    return fit == StrokeFit::World ? Quat::Identity() : least_rotation(from, to);
+}
+
+} // namespace
+
+Result<void> check_association(Plant const& plant, Association const& association)
+{
+    if (association.is_orphaned)
+        return {};
+    TRY(check_path(plant, association.path));
+    TRY(curve_of(association));
+    return {};
+}
+
+Result<StrokeShape> shape_of(Plant const& plant, RestShape const& rest,
+                             Association const& association)
+{
+    StrokeShape stroke;
+    stroke.fit = association.fit;
+    if (association.is_orphaned)
+        return stroke;
+    auto const& path = association.path;
+    TRY(check_path(plant, path));
+    stroke.curve = TRY(curve_of(association));
+
+    Quat const& base = rest.frame[path.front()];
+    Vec3 to = tangent_of(base);
+    if (stroke.fit == StrokeFit::Chord)
+        to = chord_direction(plant, path.front(), path.back(), to);
+    stroke.to_path = laid(stroke.fit, direction_of(stroke.curve, stroke.fit), to);
+    stroke.from_path = base.conjugate() * stroke.to_path;
+    if (association.propagation != Propagation::Descendants)
+        stroke.joints = joints_along(path, rest, stroke);
+    return stroke;
+}
+
+Quat curve_to_axis(Plant const& plant, RestShape const& rest, StrokeShape const& stroke, AxisId id)
+{
+    if (stroke.fit == StrokeFit::World)
+        return Quat::Identity();
+    auto const& axis = plant.axes[id];
+    Quat const along_start = rest.frame[axis.first_segment] * stroke.from_path;
+    if (stroke.fit == StrokeFit::Start)
+        return along_start;
+    // As on the path, but then the chords are made to agree.
+    auto const nodes = plant.positions(axis);
+    Vec3 const chord = nodes.back() - nodes.front();
+    double const length = chord.norm();
+    if (!(length > 0))
+        return along_start;
+    Vec3 const drawn = along_start * chord_of(stroke.curve).normalized();
+    return least_rotation(drawn, chord / length) * along_start;
+}
+
+} // namespace tractus

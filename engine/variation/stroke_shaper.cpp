@@ -1,0 +1,211 @@
+#include "engine/variation/stroke_shaper.h"
+
+#include "engine/base/check.h"
+#include "engine/stroke/frame_rotation.h"
+#include "engine/variation/borne.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace tractus {
+
+// True where two associations shape a plant alike.
+static bool same(Association const& a, Association const& b)
+{
+    auto const same_place = [](TipSample const& tip, TipSample const& other) {
+        return tip.position_mm == other.position_mm;
+    };
+    return a.path == b.path && a.propagation == b.propagation && a.fit == b.fit
+        && a.kept_hand == b.kept_hand && a.is_orphaned == b.is_orphaned
+        && std::equal(a.stroke.tips.begin(), a.stroke.tips.end(), b.stroke.tips.begin(),
+                      b.stroke.tips.end(), same_place);
+}
+
+StrokeShaper::StrokeShaper(Plant const& plant, RestShape const& rest)
+    : plant_(plant)
+    , rest_(rest)
+    , shape_ { rest.frame }
+    , sources_(plant.axes.size())
+{
+    CHECK(rest.frame.size() == plant.segment_count());
+}
+
+Result<void> StrokeShaper::set(std::span<Association const> associations)
+{
+    auto const differ = std::mismatch(associations_.begin(), associations_.end(),
+                                      associations.begin(), associations.end(), same);
+    auto const unchanged = static_cast<std::size_t>(differ.first - associations_.begin());
+    std::vector<StrokeShape> fresh;
+    for (auto const& association : associations.subspan(unchanged))
+        fresh.push_back(TRY(shape_of(plant_, rest_, association)));
+
+    associations_.assign(associations.begin(), associations.end());
+    strokes_.resize(unchanged);
+    std::move(fresh.begin(), fresh.end(), std::back_inserter(strokes_));
+
+    auto const before = std::exchange(sources_, std::vector<Source>(plant_.axes.size()));
+    joints_.clear();
+    for (std::uint32_t number = 0; number < associations_.size(); ++number)
+        assign(number);
+
+    auto const dirty = find_dirty(before, unchanged);
+    for_each_level(rest_.levels, [&](std::span<AxisId const> axes) {
+        for (auto const id : axes)
+            if (dirty[id])
+                lay(id);
+    });
+    return {};
+}
+
+void StrokeShaper::assign(std::uint32_t number)
+{
+    auto const& association = associations_[number];
+    if (association.is_orphaned)
+        return;
+    if (association.propagation != Propagation::Descendants)
+        assign_path(number);
+    if (association.propagation != Propagation::Selected)
+        assign_descendants(number);
+}
+
+void StrokeShaper::assign_path(std::uint32_t number)
+{
+    auto const& path = associations_[number].path;
+    auto const& joints = strokes_[number].joints;
+    AxisId id = axis_of(plant_, path.front());
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        auto const* axis = &plant_.axes[id];
+        if (path[i] - axis->first_segment >= axis->segment_count) {
+            id = axis_of(plant_, path[i]);
+            axis = &plant_.axes[id];
+        }
+        auto& source = sources_[id];
+        if (source.joints == kNone) {
+            source.joints = static_cast<std::uint32_t>(joints_.size());
+            joints_.emplace_back(axis->segment_count);
+        }
+        source.changed = number + 1;
+        joints_[source.joints][path[i] - axis->first_segment] = joints[i];
+    }
+}
+
+// The axes that the path bears, without those that it runs along itself.
+void StrokeShaper::assign_descendants(std::uint32_t number)
+{
+    auto const& path = associations_[number].path;
+    std::vector<AxisId> along;
+    for (auto const segment : path)
+        if (auto const id = axis_of(plant_, segment); along.empty() || along.back() != id)
+            along.push_back(id);
+    for (auto const& [id, first] : borne_by(plant_, path.front()))
+        if (!std::binary_search(along.begin(), along.end(), id)) // Ascending: bearers come first.
+            sources_[id] = { .propagated = number, .joints = kNone, .changed = number + 1 };
+}
+
+// The axes whose frames the associations from number `unchanged` on, old or new, have to do with,
+// and all that they bear.
+std::vector<bool> StrokeShaper::find_dirty(std::span<Source const> before,
+                                           std::size_t unchanged) const
+{
+    std::vector<bool> dirty(plant_.axes.size());
+    for (AxisId id = 0; id < plant_.axes.size(); ++id) {
+        auto const parent = plant_.axes[id].parent_axis;
+        dirty[id] = before[id].changed > unchanged || sources_[id].changed > unchanged
+            || (parent != kNone && dirty[parent]);
+    }
+    return dirty;
+}
+
+Quat StrokeShaper::turn_of_bearer(Axis const& axis) const
+{
+    if (axis.parent_segment == kNone)
+        return Quat::Identity();
+    auto const& bent = shape_.frame[axis.parent_segment];
+    auto const& rest = rest_.frame[axis.parent_segment];
+    // Exactly nothing where nothing bends it: what was laid before must leave no rounding errors.
+    return bent.coeffs() == rest.coeffs() ? Quat::Identity() : bent * rest.conjugate();
+}
+
+void StrokeShaper::lay(AxisId id)
+{
+    auto const& axis = plant_.axes[id];
+    auto const& source = sources_[id];
+    Quat const turn = turn_of_bearer(axis);
+    auto const frames = std::span(shape_.frame).subspan(axis.first_segment, axis.segment_count);
+    if (source.joints != kNone)
+        return lay_joints(id, turn);
+    if (source.propagated != kNoStroke)
+        return lay_propagated(id, strokes_[source.propagated], turn, frames);
+    auto const* const rest = &rest_.frame[axis.first_segment];
+    bool const is_turned = turn.coeffs() != Quat::Identity().coeffs();
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        frames[i] = is_turned ? renormalised(turn * rest[i]) : rest[i];
+}
+
+// The stroke along the whole axis, which is carried by `turn`.
+void StrokeShaper::lay_propagated(AxisId id, StrokeShape const& stroke, Quat const& turn,
+                                  std::span<Quat> frames) const
+{
+    auto const& axis = plant_.axes[id];
+    auto const* const length_mm = &rest_.length_mm[axis.first_segment];
+    bool const is_world = stroke.fit == StrokeFit::World;
+    Quat const to_axis
+        = is_world ? Quat::Identity() : Quat(turn * curve_to_axis(plant_, rest_, stroke, id));
+    Eigen::Matrix3d const rotation = to_axis.toRotationMatrix();
+    double const per_mm = rest_.axis_length_mm[id] > 0 ? 1 / rest_.axis_length_mm[id] : 0;
+
+    Quat frame = renormalised(turn * rest_.frame[axis.first_segment]);
+    Vec3 before = tangent_of(frame);
+    Vec3 from = stroke.curve.at(0);
+    double sum_mm = 0;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        sum_mm += length_mm[i];
+        Vec3 const to = stroke.curve.at(sum_mm * per_mm);
+        Vec3 const chord = rotation * (to - from);
+        // Where the hand turned back on itself the chord has no direction: go straight on.
+        if (double const length = chord.norm(); length > 0) {
+            Vec3 const direction = chord / length;
+            frame = carried(frame, before, direction);
+            before = direction;
+        }
+        frames[i] = frame;
+        from = to;
+    }
+}
+
+// Segment by segment, since paths shape some of them.
+void StrokeShaper::lay_joints(AxisId id, Quat const& turn)
+{
+    auto const& axis = plant_.axes[id];
+    auto const& source = sources_[id];
+    auto const& joints = joints_[source.joints];
+    // What was propagated to the axis, where nothing bears it.
+    std::vector<Quat> own(rest_.frame.begin() + axis.first_segment,
+                          rest_.frame.begin() + axis.first_segment + axis.segment_count);
+    bool const is_world
+        = source.propagated != kNoStroke && strokes_[source.propagated].fit == StrokeFit::World;
+    if (source.propagated != kNoStroke)
+        lay_propagated(id, strokes_[source.propagated], Quat::Identity(), own);
+
+    Quat turned = turn; // From the base plant, of the segment below.
+    Quat own_before = Quat::Identity();
+    for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
+        Quat const& rest = rest_.frame[axis.first_segment + i];
+        Quat const own_turn = own[i] * rest.conjugate();
+        auto const& joint = joints[i];
+        Vec3 const rides = tangent_of(turned * rest);
+        if (joint.kind == Joint::Kind::World)
+            turned = least_rotation(rides, joint.direction) * turned;
+        else if (joint.kind == Joint::Kind::Turn)
+            turned = turned * joint.turn;
+        else if (is_world)
+            turned = least_rotation(rides, tangent_of(own[i])) * turned;
+        else
+            turned = turned * own_before.conjugate() * own_turn;
+        turned.normalize();
+        own_before = own_turn;
+        shape_.frame[axis.first_segment + i] = renormalised(turned * rest);
+    }
+}
+
+} // namespace tractus

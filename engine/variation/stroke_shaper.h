@@ -1,0 +1,62 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/variation/association.h"
+#include "engine/variation/stroke_shape.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+// Keeps a plant's predefined shape while associations come, change and go: only what they touch,
+// and what rides on it, is laid anew. So a stroke can be followed while it is drawn.
+//
+// Works on all threads of the task arena that it is called in; serves one caller at a time.
+class StrokeShaper {
+public:
+    // `plant` and its `rest` must outlive the shaper. Without associations the shape is the base
+    // plant's.
+    StrokeShaper(Plant const& plant, RestShape const& rest);
+
+    // From here on these are the associations. If one is refused (check_association) all stays as
+    // it was.
+    Result<void> set(std::span<Association const> associations);
+
+    PredefinedShape const& shape() const { return shape_; }
+
+    // Takes the shape away; the shaper must not be used any more.
+    PredefinedShape take_shape() && { return std::move(shape_); }
+
+private:
+    static constexpr std::uint32_t kNoStroke = kNone;
+
+    // What shapes an axis: a stroke that was propagated to the whole of it, and paths that run
+    // along it.
+    struct Source {
+        std::uint32_t propagated = kNoStroke; // Number of the association.
+        std::uint32_t joints = kNone;         // Into joints_.
+        std::uint32_t changed = 0;            // 1 + the highest number of what has touched it.
+    };
+
+    void assign(std::uint32_t number);
+    void assign_path(std::uint32_t number);
+    void assign_descendants(std::uint32_t number);
+    std::vector<bool> find_dirty(std::span<Source const> before, std::size_t unchanged) const;
+    void lay(AxisId id);
+    void lay_propagated(AxisId id, StrokeShape const& stroke, Quat const& turn,
+                        std::span<Quat> frames) const;
+    void lay_joints(AxisId id, Quat const& turn);
+    Quat turn_of_bearer(Axis const& axis) const;
+
+    Plant const& plant_;
+    RestShape const& rest_;
+    PredefinedShape shape_;
+    std::vector<Association> associations_;
+    std::vector<StrokeShape> strokes_; // One per association; empty for the orphaned.
+    std::vector<Source> sources_;      // One per axis.
+    std::vector<std::vector<Joint>> joints_;
+};
+
+} // namespace tractus
