@@ -20,7 +20,8 @@ void free_bulk(void* memory, std::size_t bytes)
 {
     if (bytes < kLargeBytes)
         return ::operator delete(memory);
-    ::operator delete (memory, bytes, std::align_val_t { kHugePageBytes });
+    // Not by size, too: clang 14 has that only when asked for it.
+    ::operator delete (memory, std::align_val_t { kHugePageBytes });
 }
 
 } // namespace tractus
