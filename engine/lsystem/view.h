@@ -4,6 +4,8 @@
 #include "engine/base/vectors.h"
 #include "engine/lsystem/curve_file.h"
 #include "engine/lsystem/source_text.h"
+#include "engine/lsystem/surface_file.h"
+#include "engine/plant/contour.h"
 #include "engine/plant/material.h"
 #include "engine/plant/organ_shape.h"
 
@@ -54,6 +56,10 @@ struct View {
     double angle_increment_deg = 45;
     double line_width = 0.1;
     double line_width_step = 0;
+    bool tapered_lines = true; // A segment's width passes into the next one's.
+    double scale = 1;
+    double scale_step = 1;      // Of @Di and @Dd without a parameter.
+    bool draws_past_cut = true; // What follows a % in the string is drawn.
     int color = 0;
     int color_step = 1;
     Vec3 tropism_direction = Vec3::UnitY(); // The older, single tropism; _ sets its elasticity.
@@ -62,7 +68,11 @@ struct View {
     std::vector<Tropism> tropisms;
     std::vector<FunctionTable> functions; // func(1, x) is the first.
     std::vector<CurveTable> curves;       // curveX(1, t) is the first.
-    std::map<int, Material> materials;    // By turtle colour.
+    std::map<int, Contour> contours;      // By the number that @# names.
+    int contour_sides = 8;
+    bool twist_of_cylinders = false;        // Generalised cylinders turn with the turtle's rolls.
+    std::map<char, BezierSurface> surfaces; // By the letter that ~ names.
+    std::map<int, Material> materials;      // By turtle colour.
     std::vector<OrganDefinition> organs;
     bool pipe_model = false;
     double pipe_exponent = 2;
@@ -71,8 +81,7 @@ struct View {
 };
 
 // Reads a view file. Fails, as the user's fault, with "FILE:LINE:COLUMN: …". `include` gives the
-// files of functions and curves too; one that cannot be read is a warning, and the function is 0,
-// the curve a point.
+// files that it names too; one that cannot be read is a warning, which says what happens instead.
 Result<View> parse_view(std::string const& name, std::string_view text,
                         IncludeReader const& include);
 

@@ -1,5 +1,7 @@
 #include "engine/mesh/organ_mesh.h"
 
+#include "engine/mesh/surface_mesh.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -262,8 +264,10 @@ void add_ball(TriangleMesh& mesh, OrganShape const& shape)
 
 } // namespace
 
-TriangleMesh organ_mesh(OrganShape const& shape)
+TriangleMesh organ_mesh(OrganShape const& shape, int subdivision)
 {
+    if (shape.kind == OrganShape::Kind::Surface)
+        return surface_mesh(shape, subdivision);
     TriangleMesh mesh;
     mesh.material = shape.material;
     if (!(shape.length_mm > 0) || !(shape.width_mm > 0))
@@ -280,6 +284,8 @@ TriangleMesh organ_mesh(OrganShape const& shape)
         break;
     case OrganShape::Kind::Ball:
         add_ball(mesh, shape);
+        break;
+    case OrganShape::Kind::Surface:
         break;
     }
     return mesh;

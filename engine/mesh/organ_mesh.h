@@ -14,7 +14,9 @@ namespace tractus {
 // Disc: faces +y: a cone from the origin to its rim, then a shallow dome up to `length_mm`.
 // Ball: an ellipsoid from the origin to `length_mm` along +y, `width_mm` across.
 //
+// Surface: see surface_mesh.h; `subdivision` as in MeshOptions.
+//
 // Lengths below 0 count as 0; an organ without length or width has no triangles.
-TriangleMesh organ_mesh(OrganShape const& shape);
+TriangleMesh organ_mesh(OrganShape const& shape, int subdivision = 4);
 
 } // namespace tractus

@@ -37,6 +37,13 @@ bool is_preferred(Plant const& plant, Axis const& axis, Axis const& a, Axis cons
                                 : straightness(plant, axis, a) > straightness(plant, axis, b);
 }
 
+// Where the outline changes, one tube ends and another begins.
+bool same_outline(Plant const& plant, NodeId a, NodeId b)
+{
+    return plant.node_section.empty()
+        || plant.node_section[a].is_round() == plant.node_section[b].is_round();
+}
+
 Continuations find_continuations(Plant const& plant)
 {
     Continuations result { std::vector<AxisId>(plant.axes.size(), kNone),
@@ -48,7 +55,7 @@ Continuations find_continuations(Plant const& plant)
         auto const& parent = plant.axes[axis.parent_axis];
         bool const at_end = axis.parent_segment == parent.first_segment + parent.segment_count - 1
             && plant.node_position_mm[axis.first_node] == plant.node_position_mm[last_node(parent)];
-        if (!at_end)
+        if (!at_end || !same_outline(plant, axis.first_node, last_node(parent)))
             continue;
         auto& next = result.next[axis.parent_axis];
         if (next == kNone || is_preferred(plant, parent, axis, plant.axes[next]))
@@ -71,6 +78,9 @@ void append(Plant& to, Plant const& from, Axis const& part, std::vector<SegmentI
         ++first;
     }
     auto const end = last_node(part) + 1;
+    if (!from.node_section.empty())
+        to.node_section.insert(to.node_section.end(), from.node_section.begin() + first,
+                               from.node_section.begin() + end);
     to.node_position_mm.insert(to.node_position_mm.end(), from.node_position_mm.begin() + first,
                                from.node_position_mm.begin() + end);
     to.node_radius_mm.insert(to.node_radius_mm.end(), from.node_radius_mm.begin() + first,
@@ -126,6 +136,7 @@ Plant join_axes(Plant const& plant)
     joined.polygon_vertices_mm = plant.polygon_vertices_mm;
     joined.materials = plant.materials;
     joined.organ_shapes = plant.organ_shapes;
+    joined.contours = plant.contours;
     return joined;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "engine/plant/bezier_patch.h"
 #include "engine/plant/material.h"
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace tractus {
 
@@ -16,10 +18,11 @@ using OrganShapeId = std::uint16_t;
 // +x to its right, +z out of its upper (adaxial) side. All lengths in millimetres.
 struct OrganShape {
     enum class Kind {
-        Blade,  // A flat organ with a midrib: leaf, leaflet, petal, sepal, grass blade.
-        Needle, // A thin straight organ of diamond cross-section: conifer needle, stamen.
-        Disc,   // A shallow dome on its rim: the head of a composite flower.
-        Ball,   // A sphere or ellipsoid touching the origin: berry, bud, fruit.
+        Blade,   // A flat organ with a midrib: leaf, leaflet, petal, sepal, grass blade.
+        Needle,  // A thin straight organ of diamond cross-section: conifer needle, stamen.
+        Disc,    // A shallow dome on its rim: the head of a composite flower.
+        Ball,    // A sphere or ellipsoid touching the origin: berry, bud, fruit.
+        Surface, // Bézier patches: any of these, as modelled in an editor.
     };
 
     std::string name = "leaf";
@@ -38,6 +41,10 @@ struct OrganShape {
     double fold_rad = 0.3; // Each half is folded up about the midrib by this angle; Blade only.
     // The midrib bends down by this angle from base to tip; Blade and Needle.
     double curl_rad = 0.4;
+    // Surface only, where length_mm and width_mm are the sizes of its box along y and x.
+    std::vector<BezierPatch> patches {};
+    // Surface only: its back has triangles of its own, for materials that are opaque.
+    bool has_back = false;
 };
 
 } // namespace tractus

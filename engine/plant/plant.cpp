@@ -7,6 +7,15 @@
 
 namespace tractus {
 
+bool has_contour(Plant const& plant, Axis const& axis)
+{
+    if (plant.node_section.empty())
+        return false;
+    auto const first = plant.node_section.begin() + axis.first_node;
+    return std::any_of(first, first + axis.segment_count + 1,
+                       [](NodeSection const& section) { return !section.is_round(); });
+}
+
 AxisId axis_of(Plant const& plant, SegmentId segment)
 {
     auto const after = std::upper_bound(
@@ -76,17 +85,42 @@ static void check_axes(Plant const& plant)
     CHECK(next_segment == plant.segment_material.size());
 }
 
+static void check_sections(Plant const& plant)
+{
+    for (auto const& contour : plant.contours) {
+        CHECK(contour.points.size() == Contour::kSteps + 1);
+        for (auto const& point : contour.points)
+            CHECK(point.allFinite());
+    }
+    CHECK(plant.node_section.empty() || plant.node_section.size() == plant.node_position_mm.size());
+    for (auto const& section : plant.node_section) {
+        CHECK(section.contour == kNoContour || section.contour < plant.contours.size());
+        CHECK(section.next_contour == kNoContour || section.next_contour < plant.contours.size());
+        CHECK(section.share >= 0 && section.share <= 1);
+        CHECK(section.normal.allFinite());
+        CHECK(section.sides >= 3);
+    }
+}
+
 void check_plant(Plant const& plant)
 {
     check_axes(plant);
+    check_sections(plant);
     for (auto const& position : plant.node_position_mm)
         CHECK(position.allFinite());
     for (auto const radius_mm : plant.node_radius_mm)
         CHECK(radius_mm >= 0 && radius_mm < std::numeric_limits<float>::infinity());
     for (auto const material : plant.segment_material)
         CHECK(material < plant.materials.size());
-    for (auto const& shape : plant.organ_shapes)
+    for (auto const& shape : plant.organ_shapes) {
         CHECK(shape.material < plant.materials.size());
+        for (auto const& patch : shape.patches) {
+            for (auto const& point : patch.control)
+                CHECK(point.allFinite());
+            for (auto const neighbor : patch.neighbors)
+                CHECK(neighbor == BezierPatch::kNoPatch || neighbor < shape.patches.size());
+        }
+    }
     for (auto const& organ : plant.organs) {
         CHECK(organ.shape < plant.organ_shapes.size());
         CHECK(organ.segment == kNone || organ.segment < plant.segment_count());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/plant/contour.h"
 #include "engine/plant/material.h"
 #include "engine/plant/organ_shape.h"
 
@@ -61,6 +62,10 @@ struct Plant {
     std::vector<Vec3> polygon_vertices_mm;
     std::vector<Material> materials;
     std::vector<OrganShape> organ_shapes;
+    // Cross-sections that are not round. Most plants have none: then both are empty. Otherwise
+    // there is one section per node.
+    std::vector<Contour> contours;
+    std::vector<NodeSection> node_section;
 
     std::size_t segment_count() const { return segment_material.size(); }
 
@@ -71,6 +76,9 @@ struct Plant {
             .subspan(axis.first_node, axis.segment_count + std::size_t { 1 });
     }
 };
+
+// Whether any cross-section of the axis is not round.
+bool has_contour(Plant const& plant, Axis const& axis);
 
 // The axis of a segment. O(log axes).
 AxisId axis_of(Plant const& plant, SegmentId segment);

@@ -1,0 +1,222 @@
+#include "engine/mesh/surface_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace tractus {
+namespace {
+
+constexpr int kMaxStrips = 24;
+constexpr double kFlatness = 0.064;  // Deviation allowed at subdivision 1, as a share of the size.
+constexpr double kSameVertex = 1e-5; // As a share of the size.
+
+Eigen::AlignedBox3d box_of(OrganShape const& shape)
+{
+    Eigen::AlignedBox3d box;
+    for (auto const& patch : shape.patches)
+        for (auto const& point : patch.control)
+            box.extend(point);
+    return box;
+}
+
+// A cubic deviates from its chords by at most 6 / 8 of its second differences, over the square of
+// their number.
+int strip_count(OrganShape const& shape, double size, int subdivision)
+{
+    double bend = 0;
+    auto const see = [&](Vec3 const& a, Vec3 const& b, Vec3 const& c) {
+        bend = std::max(bend, (a - 2 * b + c).norm());
+    };
+    for (auto const& patch : shape.patches)
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t k = 0; k < 2; ++k) {
+                auto const& p = patch.control;
+                see(p[4 * i + k], p[4 * i + k + 1], p[4 * i + k + 2]);
+                see(p[i + 4 * k], p[i + 4 * (k + 1)], p[i + 4 * (k + 2)]);
+            }
+    double const fineness = std::max(1, subdivision);
+    double const allowed = size * kFlatness / (fineness * fineness);
+    return std::clamp(static_cast<int>(std::ceil(std::sqrt(0.75 * bend / allowed))), 1, kMaxStrips);
+}
+
+// The grid of vertices of all patches, before seams are joined.
+struct Grid {
+    int strips = 1;
+    std::vector<Vec3> positions;
+    std::vector<Vec3> normals;
+    std::vector<std::size_t> same_as; // For a vertex that a neighbour has too: the neighbour's.
+
+    std::size_t at(std::size_t patch, int i, int j) const
+    {
+        auto const width = static_cast<std::size_t>(strips) + 1;
+        return (patch * width + static_cast<std::size_t>(i)) * width + static_cast<std::size_t>(j);
+    }
+    // The k-th vertex of one side of a patch.
+    std::size_t on_side(std::size_t patch, std::size_t side, int k) const
+    {
+        switch (side) {
+        case BezierPatch::Above:
+            return at(patch, 0, k);
+        case BezierPatch::Below:
+            return at(patch, strips, k);
+        case BezierPatch::Left:
+            return at(patch, k, 0);
+        default:
+            return at(patch, k, strips);
+        }
+    }
+    std::size_t root(std::size_t vertex) const
+    {
+        while (same_as[vertex] != vertex)
+            vertex = same_as[vertex];
+        return vertex;
+    }
+};
+
+// Where rows of control points coincide the surface has no normal; a little way inside it has.
+Vec3 unit_normal(BezierPatch const& patch, double s, double t, double size)
+{
+    for (double const inward : { 0.0, 0.01, 0.1, 0.5 }) {
+        Vec3 const normal = patch.normal_at(s + inward * (0.5 - s), t + inward * (0.5 - t));
+        double const length = normal.norm();
+        if (length > 1e-9 * size * size)
+            return normal / length;
+    }
+    return Vec3::UnitZ();
+}
+
+Grid sample(OrganShape const& shape, int strips, double size)
+{
+    Grid grid;
+    grid.strips = strips;
+    for (auto const& patch : shape.patches)
+        for (int i = 0; i <= strips; ++i)
+            for (int j = 0; j <= strips; ++j) {
+                double const s = static_cast<double>(i) / strips;
+                double const t = static_cast<double>(j) / strips;
+                grid.positions.push_back(patch.at(s, t));
+                grid.normals.push_back(unit_normal(patch, s, t, size));
+            }
+    grid.same_as.resize(grid.positions.size());
+    std::iota(grid.same_as.begin(), grid.same_as.end(), std::size_t { 0 });
+    return grid;
+}
+
+// Calls `use(vertex, the neighbour's vertex)` along every seam.
+template<typename Use> void for_each_seam_vertex(OrganShape const& shape, Grid const& grid, Use use)
+{
+    constexpr std::array<std::size_t, 4> kOpposite { BezierPatch::Below, BezierPatch::Above,
+                                                     BezierPatch::Right, BezierPatch::Left };
+    for (std::size_t patch = 0; patch < shape.patches.size(); ++patch)
+        for (std::size_t side = 0; side < 4; ++side) {
+            auto const neighbor = shape.patches[patch].neighbors[side];
+            if (neighbor == BezierPatch::kNoPatch)
+                continue;
+            for (int k = 0; k <= grid.strips; ++k)
+                use(grid.on_side(patch, side, k), grid.on_side(neighbor, kOpposite[side], k));
+        }
+}
+
+void join_seams(OrganShape const& shape, Grid& grid, double size)
+{
+    // Sums of the normals that meet, from the patches' own, whatever their order.
+    auto normals = grid.normals;
+    for_each_seam_vertex(shape, grid, [&](std::size_t vertex, std::size_t other) {
+        normals[vertex] += grid.normals[other];
+    });
+    for_each_seam_vertex(shape, grid, [&](std::size_t vertex, std::size_t other) {
+        auto const a = grid.root(vertex);
+        auto const b = grid.root(other);
+        if (a != b && (grid.positions[a] - grid.positions[b]).norm() < kSameVertex * size) {
+            grid.same_as[std::max(a, b)] = std::min(a, b);
+            normals[std::min(a, b)] += normals[std::max(a, b)];
+        }
+    });
+    for (std::size_t i = 0; i < normals.size(); ++i)
+        if (double const length = normals[i].norm(); length > 1e-6)
+            grid.normals[i] = normals[i] / length;
+}
+
+class SurfaceWriter {
+public:
+    SurfaceWriter(Grid const& grid, Eigen::AlignedBox3d const& box, TriangleMesh& mesh)
+        : grid_(grid)
+        , box_(box)
+        , mesh_(mesh)
+        , index_(grid.positions.size(), kUnwritten)
+    {
+    }
+
+    // The triangles of one side; the back turns the other way.
+    void write(std::size_t patch_count, bool is_back)
+    {
+        std::fill(index_.begin(), index_.end(), kUnwritten);
+        for (std::size_t patch = 0; patch < patch_count; ++patch)
+            for (int i = 0; i < grid_.strips; ++i)
+                for (int j = 0; j < grid_.strips; ++j) {
+                    auto const a = vertex(grid_.at(patch, i, j), is_back);
+                    auto const b = vertex(grid_.at(patch, i + 1, j), is_back);
+                    auto const c = vertex(grid_.at(patch, i + 1, j + 1), is_back);
+                    auto const d = vertex(grid_.at(patch, i, j + 1), is_back);
+                    triangle(a, b, c, is_back);
+                    triangle(a, c, d, is_back);
+                }
+    }
+
+private:
+    static constexpr std::uint32_t kUnwritten = 0xffffffff;
+
+    std::uint32_t vertex(std::size_t in_grid, bool is_back)
+    {
+        auto const root = grid_.root(in_grid);
+        if (index_[root] == kUnwritten) {
+            index_[root] = static_cast<std::uint32_t>(mesh_.positions_mm.size());
+            Vec3 const& position = grid_.positions[root];
+            Vec3 const share = (position - box_.min()).cwiseQuotient(box_.sizes().cwiseMax(1e-9));
+            mesh_.positions_mm.push_back(position.cast<float>());
+            mesh_.normals.push_back(
+                (is_back ? Vec3(-grid_.normals[root]) : grid_.normals[root]).cast<float>());
+            mesh_.texture_coordinates.push_back(share.head<2>().cast<float>());
+        }
+        return index_[root];
+    }
+
+    // Left out where a patch narrows to a point.
+    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool is_back)
+    {
+        auto const& p = mesh_.positions_mm;
+        if (p[a] == p[b] || p[b] == p[c] || p[c] == p[a])
+            return;
+        if (is_back)
+            std::swap(b, c);
+        mesh_.indices.insert(mesh_.indices.end(), { a, b, c });
+    }
+
+    Grid const& grid_;
+    Eigen::AlignedBox3d const& box_;
+    TriangleMesh& mesh_;
+    std::vector<std::uint32_t> index_; // In the mesh, by root vertex.
+};
+
+} // namespace
+
+TriangleMesh surface_mesh(OrganShape const& shape, int subdivision)
+{
+    TriangleMesh mesh;
+    mesh.material = shape.material;
+    auto const box = box_of(shape);
+    double const size = box.isEmpty() ? 0 : box.diagonal().norm();
+    if (!(size > 0))
+        return mesh;
+    auto grid = sample(shape, strip_count(shape, size, subdivision), size);
+    join_seams(shape, grid, size);
+    SurfaceWriter writer(grid, box, mesh);
+    writer.write(shape.patches.size(), false);
+    if (shape.has_back)
+        writer.write(shape.patches.size(), true);
+    return mesh;
+}
+
+} // namespace tractus
