@@ -35,14 +35,14 @@ InstanceTransform transform_of(Organ const& organ)
              organ.scale };
 }
 
-std::vector<InstancedMesh> make_organs(Plant const& plant)
+std::vector<InstancedMesh> make_organs(Plant const& plant, MeshOptions const& options)
 {
     std::vector<InstancedMesh> organs(plant.organ_shapes.size());
     for (auto const& organ : plant.organs)
         organs[organ.shape].instances.push_back(transform_of(organ));
     for (std::size_t i = 0; i < organs.size(); ++i)
         if (!organs[i].instances.empty())
-            organs[i].prototype = organ_mesh(plant.organ_shapes[i]);
+            organs[i].prototype = organ_mesh(plant.organ_shapes[i], options.subdivision);
     std::erase_if(organs,
                   [](InstancedMesh const& organ) { return organ.prototype.indices.empty(); });
     return organs;
@@ -55,7 +55,7 @@ Mesh make_mesh(Plant const& plant, MeshOptions const& options)
     Mesh mesh;
     mesh.materials = plant.materials;
     mesh.surfaces = make_surfaces(MeshPlan(plant, options));
-    mesh.organs = make_organs(plant);
+    mesh.organs = make_organs(plant, options);
     return mesh;
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/check.h"
 #include "engine/base/parallel.h"
+#include "engine/mesh/extrusion.h"
 #include "engine/mesh/polygon_mesh.h"
 
 #include <algorithm>
@@ -26,10 +27,9 @@ struct Planned {
 
 // Calls `use(material, part)` for each stretch of an axis' stations that has one material and any
 // length.
-template<typename Use>
-void for_each_part(Plant const& plant, Axis const& axis, Spine const& spine, Use const& use)
+template<typename Stations, typename Use>
+void for_each_part(Plant const& plant, Axis const& axis, Stations const& stations, Use const& use)
 {
-    auto const& stations = spine.stations;
     auto const* const materials = plant.segment_material.data();
     SegmentId const end = axis.first_segment + axis.segment_count;
     std::uint32_t first = 0;
@@ -114,18 +114,31 @@ void MeshPlan::plan_tubes()
     std::vector<std::vector<Planned>> blocks((axes.size() + kAxesPerBlock - 1) / kAxesPerBlock);
     parallel_for(blocks.size(), 1, [&](std::size_t begin, std::size_t end) {
         Spine spine;
+        Extrusion extrusion;
         for (auto block = begin; block != end; ++block) {
             auto& planned = blocks[block];
             planned.reserve(kAxesPerBlock);
             auto const last = std::min(axes.size(), (block + 1) * kAxesPerBlock);
             for (auto i = block * kAxesPerBlock; i != last; ++i) {
-                trace_spine(plant_, axes[i], options_, thickest_mm_, spine);
-                for_each_part(plant_, axes[i], spine, [&](MaterialId material, TubePart part) {
-                    auto const extent = tube_extent(spine, part);
+                auto const plan = [&](MaterialId material, TubePart part, MeshExtent const& size) {
                     planned.push_back({ material, static_cast<std::uint32_t>(i), part,
-                                        static_cast<std::uint32_t>(extent.vertices),
-                                        static_cast<std::uint32_t>(extent.indices) });
-                });
+                                        static_cast<std::uint32_t>(size.vertices),
+                                        static_cast<std::uint32_t>(size.indices) });
+                };
+                if (has_contour(plant_, axes[i])) {
+                    trace_extrusion(plant_, axes[i], options_, extrusion);
+                    for_each_part(plant_, axes[i], extrusion.stations,
+                                  [&](MaterialId material, TubePart part) {
+                                      plan(material, part,
+                                           extrusion_extent(plant_, extrusion, part));
+                                  });
+                    continue;
+                }
+                trace_spine(plant_, axes[i], options_, thickest_mm_, spine);
+                for_each_part(plant_, axes[i], spine.stations,
+                              [&](MaterialId material, TubePart part) {
+                                  plan(material, part, tube_extent(spine, part));
+                              });
             }
         }
     });
@@ -162,13 +175,20 @@ void MeshPlan::make_piece(Surface const& surface, std::size_t piece, TrianglePla
 {
     Spine spine;
     std::vector<Section> sections;
+    Extrusion extrusion;
     for (auto i = surface.pieces[piece]; i != surface.pieces[piece + 1]; ++i) {
         auto const& item = surface.items[i];
         if (i >= surface.tube_count) {
             write_polygon(vertices_of(plant_, plant_.polygons[item.number]), to);
             continue;
         }
-        trace_spine(plant_, plant_.axes[item.number], options_, thickest_mm_, spine);
+        auto const& axis = plant_.axes[item.number];
+        if (has_contour(plant_, axis)) {
+            trace_extrusion(plant_, axis, options_, extrusion);
+            write_extrusion(plant_, extrusion, item.part, to);
+            continue;
+        }
+        trace_spine(plant_, axis, options_, thickest_mm_, spine);
         frame_sections(spine, sections);
         write_tube(spine, sections, item.part, to);
     }

@@ -22,8 +22,8 @@ struct Contour {
     std::string name;
     bool closed = true; // An open one is a sheet, seen from both sides.
     // kSteps + 1 points at equal steps along the outline; the last of a closed one is its first.
-    // For a node of radius 1: x along the section's normal, y along axis direction x normal, z
-    // along the axis. A closed outline turns from x to y.
+    // For a node of radius 1: x along the section's normal, y along normal x axis, z along the
+    // axis. A closed outline turns from x to y.
     std::vector<Vec3f> points;
 };
 
