@@ -7,7 +7,7 @@
 #include "app/verbs/model_options.h"
 #include "engine/lsystem/derive.h"
 #include "engine/lsystem/features.h"
-#include "engine/lsystem/turtle.h"
+#include "engine/lsystem/interpret.h"
 
 #include <fmt/format.h>
 #include <memory>

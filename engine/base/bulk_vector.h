@@ -46,4 +46,16 @@ template<typename Value> struct BulkAllocator {
 // elements unset, and large arrays lie on huge pages.
 template<typename Value> using BulkVector = std::vector<Value, BulkAllocator<Value>>;
 
+// Asks the kernel for huge pages for what lies inside of memory that was not written yet. Without
+// effect where that is too small, or the kernel has none.
+void advise_huge_pages(void* memory, std::size_t bytes);
+
+// Gives an empty vector its size, as resize() does, on huge pages.
+template<typename Value> void resize_empty(std::vector<Value>& vector, std::size_t size)
+{
+    vector.reserve(size);
+    advise_huge_pages(vector.data(), vector.capacity() * sizeof(Value));
+    vector.resize(size);
+}
+
 } // namespace tractus

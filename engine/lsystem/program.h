@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -72,6 +73,15 @@ struct Instruction {
 // A piece of a rule (its condition, its successor's parameters) or a block of statements, compiled
 // to three-address code over a frame of registers. Empty when there is nothing to do.
 using Program = std::vector<Instruction>;
+
+// Whether running it can be noticed elsewhere, so that the order of programs matters.
+inline bool has_effects(Program const& program)
+{
+    return std::any_of(program.begin(), program.end(), [](Instruction const& instruction) {
+        return instruction.op == Op::StoreGlobal || instruction.op == Op::StoreArray
+            || instruction.op == Op::SeedRandom || instruction.op == Op::Print;
+    });
+}
 
 // The registers that the programs of one rule share. The first hold the parameters of the matched
 // modules, the others constants, local variables and intermediate results. Constants never change,

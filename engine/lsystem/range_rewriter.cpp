@@ -4,14 +4,6 @@
 
 namespace tractus {
 
-static bool has_effects(Program const& program)
-{
-    return std::any_of(program.begin(), program.end(), [](Instruction const& instruction) {
-        return instruction.op == Op::StoreGlobal || instruction.op == Op::StoreArray
-            || instruction.op == Op::SeedRandom || instruction.op == Op::Print;
-    });
-}
-
 static bool is_divisible(RuleSet const& rules)
 {
     return std::all_of(rules.rules.begin(), rules.rules.end(), [](Rule const& rule) {

@@ -1,58 +1,126 @@
 #pragma once
 
-#include "engine/base/result.h"
-#include "engine/lsystem/model.h"
-#include "engine/lsystem/module_string.h"
-#include "engine/plant/plant.h"
+#include "engine/lsystem/drawing.h"
+#include "engine/lsystem/interpret.h"
+#include "engine/lsystem/rewriter.h"
+#include "engine/lsystem/turtle_frame.h"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tractus {
 
-struct TurtleOptions {
-    double unit_mm = 10;                   // Length of one turtle unit.
-    std::size_t max_modules = 100'000'000; // Drawn ones, after homomorphism.
-    std::size_t max_parts = 4'000'000;     // Segments, organs and polygons: what memory can hold.
+// Draws the symbols of a string, one after the other, into a Drawing. What each symbol does:
+// interpret.h.
+class Turtle {
+public:
+    // All must outlive it.
+    Turtle(Model const& model, TurtleOptions const& options);
+
+    // What brackets save.
+    struct State {
+        TurtleFrame frame;
+        double width = 0; // Diameter in turtle units.
+        double scale = 1;
+        double elasticity = 0; // Of the older tropism.
+        std::uint8_t color = 0;
+        bool is_cylinder = false; // Between @Gs and @Ge.
+        Drawing::Place place;
+    };
+    struct Start {
+        State state;
+        Elasticities elasticities {};
+    };
+
+    // As the view has it.
+    Start start() const;
+
+    // From here on draws into `drawing`, beginning as given.
+    void begin(Start const& start, Drawing& drawing);
+
+    // Draws modules that are a symbol each and no cut, up to the first that is not or for which
+    // `stops` is true. The first stands at `place` in the string (for warnings). Returns how many
+    // were drawn and moves `parameters` behind theirs.
+    std::size_t draw_single(std::span<KindId const> kinds, float const*& parameters,
+                            std::size_t place, std::array<bool, 256> const& stops);
+
+    // Draws the first symbol of `modules`; returns how many modules it had.
+    std::size_t draw(Modules const& modules, std::size_t place, bool in_homomorphism);
+
+    // Whether a cut was drawn: the rest of the branch is not to be drawn.
+    bool take_cut() { return std::exchange(is_cut_, false); }
+
+    // How a branch begins that is left out here, to be drawn by another turtle.
+    Start branch_start() const;
+    // The segment at whose end the turtle is.
+    std::uint32_t segment() const { return state_.place.segment; }
+    // How many branches were begun since begin() and are open.
+    std::size_t depth() const { return stack_.size(); }
+    // Whether a branch may be left out: what is open would go on in it.
+    bool may_leave_out() const { return polygons_.empty(); }
+    // Whether all that was begun since begin() is at its end, as another turtle must find it.
+    bool is_complete() const { return stack_.empty() && polygons_.empty() && !has_unpaired_; }
+
+private:
+    // One symbol with its parameters.
+    struct Symbol {
+        std::array<char, 3> name {}; // Filled with 0.
+        float const* parameters = nullptr;
+        std::size_t count = 0;
+
+        double parameter(std::size_t index, double otherwise) const
+        {
+            return index < count ? static_cast<double>(parameters[index]) : otherwise;
+        }
+    };
+
+    struct OpenPolygon {
+        std::vector<Vec3> vertices_mm;
+        std::uint8_t color = 0;
+    };
+
+    bool check(Symbol const& symbol);
+    void draw_symbol(Symbol const& symbol);
+    void draw_at_symbol(Symbol const& symbol);
+    void step(Symbol const& symbol, bool draws, bool sets_vertex);
+    void push();
+    void pop();
+    void close_polygon();
+    void set_width(Symbol const& symbol, int sign);
+    void set_scale(Symbol const& symbol);
+    void set_color(Symbol const& symbol, int sign);
+    void turn(Vec3& a, Vec3& b, Symbol const& symbol, double sign);
+    void set_position(Symbol const& symbol);
+    void set_frame(Symbol const& symbol);
+    void set_elasticity(Symbol const& symbol);
+    void add_organ(char letter, Symbol const& symbol);
+    void add_round(OrganShape::Kind kind, Symbol const& symbol);
+    std::size_t tropism_count() const;
+    float radius_mm() const;
+    void warn(std::string warning);
+
+    Model const& model_;
+    View const& view_;
+    TurtleOptions const& options_;
+    std::array<bool, 256> is_single_ {}; // Kinds that are a symbol by themselves, and no cut.
+    std::array<char, 256> symbols_ {};
+    std::array<std::uint8_t, 256> parameter_counts_ {};
+    AngleCache angles_;
+
+    Drawing* drawing_ = nullptr; // Not owned.
+    State state_;
+    Elasticities elasticities_ {};
+    std::vector<State> stack_;
+    std::vector<Elasticities> elasticity_stack_; // Used if there are tropisms.
+    std::vector<OpenPolygon> polygons_;
+    std::size_t place_ = 0;
+    bool is_cut_ = false;
+    bool has_unpaired_ = false; // A ] or } without its beginning.
 };
-
-struct TurtlePlant {
-    Plant plant;
-    std::vector<std::string> warnings; // Symbols and organs we lack, steps left out: once each.
-};
-
-// Draws a string: runs the turtle over it, each module first rewritten by the model's homomorphism
-// rules, and collects what it draws in a plant.
-//
-// The turtle starts at the plant's origin, heading up (+z), its left to -x, its upper side towards
-// the user (-y). This is cpfg's space (x right, y up, z to the viewer) turned so that y is up:
-// cpfg's (x, y, z) is our (x, -z, y). Vectors in models and view files are in cpfg's space.
-//
-// Symbols: F G step and draw, f g step; + - turn left, right; & ^ pitch down, up; \ / roll left,
-// right; | turn round; [ ] push, pop; ! # line width (a diameter) down, up, or set; ; , colour up,
-// down, or set; { . } polygon; ~X organ; @v roll until the left is horizontal; @M(x,y,z) @R(h[,u])
-// set position, frame; @o @c @O disc and sphere; @D @Di @Dd scale set, times, divided; @Ts @Ti @Td
-// elasticity of a tropism; _ that of the older one; @Gs @Ge generalised cylinder, in which f draws
-// too; % ends the drawing of the branch when it stands in the string. Other symbols draw nothing.
-//
-// Axes: segments drawn one after another are one axis. What is drawn inside brackets, and after a
-// step that draws nothing, begins an axis of its own that stands on the last segment. Steps of no
-// length draw nothing. Inside { } steps set the polygon's vertices and draw nothing.
-//
-// Radii are half the line width: at each node of the segment that starts there, at an axis' tip
-// what its last segment has or what is set behind it. With `radii: pipe` in the view they follow
-// from the pipe model.
-//
-// Fails, as the user's fault, beyond the limits in the options and when the homomorphism does not
-// end.
-//
-// Materials are the view's, by turtle colour; a colour that has none is bark.
-Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString const& string,
-                                            TurtleOptions const& options = {});
-
-// The same, without the warnings.
-Result<Plant> interpret(Model const& model, ModuleString const& string,
-                        TurtleOptions const& options = {});
 
 } // namespace tractus

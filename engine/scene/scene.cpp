@@ -1,7 +1,7 @@
 #include "engine/scene/scene.h"
 
 #include "engine/lsystem/derive.h"
-#include "engine/lsystem/turtle.h"
+#include "engine/lsystem/interpret.h"
 #include "engine/plant/join_axes.h"
 #include "engine/variation/place_nodes.h"
 

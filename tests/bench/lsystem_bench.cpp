@@ -1,5 +1,5 @@
 #include "engine/lsystem/derive.h"
-#include "engine/lsystem/turtle.h"
+#include "engine/lsystem/interpret.h"
 #include "tests/bench/monopodial_tree.h"
 #include "tests/bench/report.h"
 
@@ -127,7 +127,7 @@ BENCHMARK(derive_tree)->Arg(17);
 BENCHMARK(derive_signals)->Arg(60);
 BENCHMARK(signal_through_a_row)->Arg(100);
 BENCHMARK(compile_tree);
-BENCHMARK(interpret_tree)->Arg(17);
+BENCHMARK(interpret_tree)->Arg(17)->Arg(20);
 
 } // namespace
 } // namespace tractus

@@ -4,7 +4,7 @@
 // waits for the disk, and neither finds a file of that name.
 #include "engine/export/glb_writer.h"
 #include "engine/lsystem/derive.h"
-#include "engine/lsystem/turtle.h"
+#include "engine/lsystem/interpret.h"
 #include "engine/mesh/make_mesh.h"
 #include "tests/bench/monopodial_tree.h"
 #include "tests/bench/report.h"

@@ -1,7 +1,7 @@
 #include "engine/lsystem/derive.h"
 #include "engine/lsystem/homomorphism.h"
+#include "engine/lsystem/interpret.h"
 #include "engine/lsystem/print.h"
-#include "engine/lsystem/turtle.h"
 #include "tests/corpus.h"
 #include "tests/engine/lsystem/corpus_model.h"
 #include "tests/engine/lsystem/sha256.h"

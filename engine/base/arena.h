@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <memory_resource>
+#include <mutex>
+
+namespace tractus {
+
+// Memory for what several threads make and drop together: each allocation lies behind the one
+// before it, on huge pages where the system has them; all is freed at the arena's end.
+class Arena : public std::pmr::memory_resource {
+public:
+    Arena();
+
+private:
+    class BulkMemory : public std::pmr::memory_resource {
+        void* do_allocate(std::size_t bytes, std::size_t alignment) override;
+        void do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) override;
+        bool do_is_equal(std::pmr::memory_resource const& other) const noexcept override
+        {
+            return this == &other;
+        }
+    };
+
+    void* do_allocate(std::size_t bytes, std::size_t alignment) override;
+    void do_deallocate(void*, std::size_t, std::size_t) override { }
+    bool do_is_equal(std::pmr::memory_resource const& other) const noexcept override
+    {
+        return this == &other;
+    }
+
+    std::mutex mutex_;
+    BulkMemory memory_;
+    std::pmr::monotonic_buffer_resource blocks_;
+};
+
+} // namespace tractus

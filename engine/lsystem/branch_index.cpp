@@ -1,0 +1,86 @@
+#include "engine/lsystem/branch_index.h"
+
+#include "engine/base/parallel.h"
+
+namespace tractus {
+
+BranchIndex::BranchIndex(Model const& model, ModuleString const& string)
+    : string_(string)
+    , blocks_((string.size() + kBlock - 1) / kBlock)
+    , floors_((blocks_.size() + kSuperblock - 1) / kSuperblock)
+{
+    for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i) {
+        auto const& kind = model.alphabet.kinds[i];
+        steps_[i] = { kind.parameter_count, (kind.symbol == '[') - (kind.symbol == ']') };
+    }
+    // First what each block has by itself, then the sums.
+    parallel_for(blocks_.size(), 256, [&](std::size_t begin, std::size_t end) {
+        for (auto b = begin; b < end; ++b)
+            blocks_[b] = measure(b);
+    });
+    Block next;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        auto const own = blocks_[b];
+        blocks_[b] = { next.parameter, next.depth, next.depth + own.floor };
+        next.parameter += own.parameter;
+        next.depth += own.depth;
+        auto& floor = floors_[b / kSuperblock];
+        floor = b % kSuperblock == 0 ? blocks_[b].floor : std::min(floor, blocks_[b].floor);
+    }
+}
+
+// How many parameters a block has, and how it changes the depth.
+BranchIndex::Block BranchIndex::measure(std::size_t block) const
+{
+    Block result;
+    auto const end = std::min((block + 1) * kBlock, string_.size());
+    for (auto i = block * kBlock; i < end; ++i) {
+        auto const& step = steps_[string_.kinds[i]];
+        result.parameter += step.parameters;
+        result.depth += step.depth;
+        result.floor = std::min(result.floor, result.depth);
+    }
+    return result;
+}
+
+// The first block from `block` on that has a module less deep than `depth`.
+std::size_t BranchIndex::first_block_below(std::size_t block, std::int64_t depth) const
+{
+    while (block < blocks_.size()) {
+        if (block % kSuperblock == 0 && floors_[block / kSuperblock] >= depth)
+            block += kSuperblock;
+        else if (blocks_[block].floor >= depth)
+            ++block;
+        else
+            return block;
+    }
+    return blocks_.size();
+}
+
+BranchIndex::End BranchIndex::find_end(std::size_t module) const
+{
+    // Depths count from the string's beginning, parameters too.
+    auto block = std::min(module / kBlock, blocks_.size());
+    std::int64_t depth_inside = 0;
+    bool is_known = false; // depth_inside
+    while (block < blocks_.size()) {
+        auto depth = blocks_[block].depth;
+        auto parameter = blocks_[block].parameter;
+        auto const last = std::min((block + 1) * kBlock, string_.size());
+        for (auto i = block * kBlock; i < last; ++i) {
+            if (i == module) {
+                depth_inside = depth;
+                is_known = true;
+            }
+            auto const& step = steps_[string_.kinds[i]];
+            depth += step.depth;
+            if (is_known && depth < depth_inside)
+                return { i, parameter };
+            parameter += step.parameters;
+        }
+        block = first_block_below(block + 1, depth_inside);
+    }
+    return { string_.size(), string_.parameters.size() };
+}
+
+} // namespace tractus

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "engine/lsystem/model.h"
+#include "engine/lsystem/module_string.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tractus {
+
+// Finds the ends of long branches in a string without reading all of them. The string is cut into
+// blocks, of which it is known how deep in brackets they begin and get; those in which a branch
+// does not end are passed over.
+class BranchIndex {
+public:
+    // All must outlive it.
+    BranchIndex(Model const& model, ModuleString const& string);
+
+    struct End {
+        std::size_t module = 0;    // The closing bracket, or the string's size when none closes it.
+        std::size_t parameter = 0; // Where that module's parameters begin.
+    };
+
+    // False if a branch of which `module`, at `depth`, is the first module surely ends before
+    // `length` modules: a quick look at few places. Depths count from the string's beginning.
+    bool may_reach(std::size_t module, std::int64_t depth, std::size_t length) const
+    {
+        auto const end = std::min((module + length) / kBlock, blocks_.size() - 1);
+        for (auto block = module / kBlock + 1; block <= end; ++block)
+            if (blocks_[block].depth < depth)
+                return false;
+        return true;
+    }
+
+    // The end of the branch whose first module, behind the opening bracket, is `module`.
+    End find_end(std::size_t module) const;
+
+private:
+    static constexpr std::size_t kBlock = 256;      // Modules.
+    static constexpr std::size_t kSuperblock = 256; // Blocks.
+
+    struct Step {
+        std::uint32_t parameters = 0;
+        int depth = 0; // Change behind the module.
+    };
+    struct Block {
+        std::size_t parameter = 0; // Before its first module.
+        std::int64_t depth = 0;    // The same.
+        std::int64_t floor = 0;    // No depth in it is less.
+    };
+
+    Block measure(std::size_t block) const;
+    std::size_t first_block_below(std::size_t block, std::int64_t depth) const;
+
+    ModuleString const& string_;
+    std::array<Step, 256> steps_ {}; // By kind.
+    std::vector<Block> blocks_;
+    std::vector<std::int64_t> floors_; // Of superblocks.
+};
+
+} // namespace tractus

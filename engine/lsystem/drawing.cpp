@@ -1,0 +1,57 @@
+#include "engine/lsystem/drawing.h"
+
+#include <algorithm>
+
+namespace tractus {
+
+Drawing Drawing::copy(std::pmr::memory_resource& memory) const
+{
+    return { { segments, &memory },
+             { axes, &memory },
+             { organs, &memory },
+             shape_keys,
+             { polygons, &memory },
+             { polygon_vertices_mm, &memory },
+             has_color,
+             gaps,
+             warnings };
+}
+
+void Drawing::clear()
+{
+    segments.clear();
+    axes.clear();
+    organs.clear();
+    shape_keys.clear();
+    polygons.clear();
+    polygon_vertices_mm.clear();
+    has_color.fill(false);
+    gaps.clear();
+    warnings.clear();
+}
+
+void Drawing::add_polygon(std::vector<Vec3> const& vertices_mm, std::uint32_t segment,
+                          std::uint8_t color)
+{
+    if (vertices_mm.size() < 3)
+        return;
+    Polygon polygon;
+    polygon.first_vertex = static_cast<std::uint32_t>(polygon_vertices_mm.size());
+    polygon.vertex_count = static_cast<std::uint32_t>(vertices_mm.size());
+    polygon.segment = segment;
+    polygon.material = color;
+    polygons.push_back(polygon);
+    polygon_vertices_mm.insert(polygon_vertices_mm.end(), vertices_mm.begin(), vertices_mm.end());
+    has_color[color] = true;
+}
+
+OrganShapeId Drawing::shape(ShapeKey const& key)
+{
+    auto const found = std::find(shape_keys.begin(), shape_keys.end(), key);
+    auto const index = std::distance(shape_keys.begin(), found);
+    if (found == shape_keys.end())
+        shape_keys.push_back(key);
+    return static_cast<OrganShapeId>(index);
+}
+
+} // namespace tractus

@@ -1,0 +1,112 @@
+#pragma once
+
+#include "engine/plant/plant.h"
+
+#include <array>
+#include <cstdint>
+#include <memory_resource>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// What a turtle draws along one piece of a string, in the order in which it draws it. Segments and
+// axes are numbered within the piece; plant_assembly.h puts pieces together.
+//
+// A piece stands on a segment of another piece (kBelow), or on the ground (kNone). Branches that
+// were left out, to be pieces of their own, are its gaps.
+struct Drawing {
+    // Stands for the segment on which the piece stands.
+    static constexpr std::uint32_t kBelow = kNone - 1;
+
+    // Where the next segment goes on: at the end of `segment`, on `axis` if that is open.
+    struct Place {
+        std::uint32_t segment = kNone;
+        std::uint32_t axis = kNone; // kNone: the next segment begins an axis.
+    };
+
+    struct Segment {
+        Vec3 tip_mm = Vec3::Zero();
+        float radius_mm = 0; // At its base.
+        std::uint32_t axis = 0;
+        std::uint32_t index = 0; // Within the axis.
+        std::uint8_t color = 0;
+    };
+
+    struct Axis {
+        Vec3 base_mm = Vec3::Zero();
+        std::uint32_t parent_segment = kNone;
+        std::uint32_t segment_count = 0;
+        float tip_radius_mm = 0;
+    };
+
+    // Which shape an organ has: an organ of the view's by its letter, or one of the turtle's own.
+    struct ShapeKey {
+        OrganShape::Kind kind = OrganShape::Kind::Blade;
+        char letter = 0;        // Of ~; 0 for balls and discs.
+        std::uint8_t color = 0; // Of balls and discs.
+
+        auto operator<=>(ShapeKey const&) const = default;
+    };
+
+    // A branch that another piece draws, behind what this one has drawn up to here.
+    struct Gap {
+        std::size_t piece = 0;
+        std::size_t axis_count = 0;
+        std::size_t organ_count = 0;
+        std::size_t polygon_count = 0;
+    };
+
+    struct Warning {
+        std::size_t module = 0; // Of the string: where it arose.
+        std::string text;
+    };
+
+    std::pmr::vector<Segment> segments;
+    std::pmr::vector<Axis> axes;
+    std::pmr::vector<Organ> organs; // Shapes as indices into shape_keys.
+    std::vector<ShapeKey> shape_keys;
+    std::pmr::vector<Polygon> polygons; // Materials as turtle colours.
+    std::pmr::vector<Vec3> polygon_vertices_mm;
+    std::array<bool, 256> has_color {}; // Colours of segments and polygons.
+    std::vector<Gap> gaps;
+    std::vector<Warning> warnings;
+
+    // A copy, its large arrays in other memory.
+    Drawing copy(std::pmr::memory_resource& memory) const;
+    // Drops what was drawn and keeps the memory.
+    void clear();
+
+    std::size_t part_count() const { return segments.size() + organs.size() + polygons.size(); }
+
+    // Draws a segment from `base_mm` at `place` and moves the place to its end.
+    void add_segment(Place& place, Vec3 const& base_mm, Vec3 const& tip_mm, float radius_mm,
+                     std::uint8_t color)
+    {
+        if (place.axis == kNone) {
+            place.axis = static_cast<std::uint32_t>(axes.size());
+            axes.push_back({ base_mm, place.segment, 0, 0 });
+        }
+        auto& axis = axes[place.axis];
+        axis.tip_radius_mm = radius_mm;
+        place.segment = static_cast<std::uint32_t>(segments.size());
+        segments.push_back({ tip_mm, radius_mm, place.axis, axis.segment_count++, color });
+        has_color[color] = true;
+    }
+
+    // The radius at the end of the axis that `place` has reached.
+    void set_tip_radius(Place const& place, float radius_mm)
+    {
+        if (place.axis != kNone)
+            axes[place.axis].tip_radius_mm = radius_mm;
+    }
+
+    // Draws a polygon that rides on `segment`; none when it has fewer than three vertices.
+    void add_polygon(std::vector<Vec3> const& vertices_mm, std::uint32_t segment,
+                     std::uint8_t color);
+
+    // The number of a shape in shape_keys.
+    OrganShapeId shape(ShapeKey const& key);
+};
+
+} // namespace tractus

@@ -1,0 +1,170 @@
+#include "tests/engine/lsystem/small_model.h"
+
+#include <fmt/format.h>
+#include <rapidcheck/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#include <vector>
+
+// However a string is cut, and on any number of threads, it draws the same plant.
+
+namespace tractus {
+namespace {
+
+std::string text(Vec3 const& v)
+{
+    return fmt::format("{:a},{:a},{:a}", v.x(), v.y(), v.z());
+}
+
+// All that a plant has, to the last bit.
+std::string dump(TurtlePlant const& drawn)
+{
+    auto const& plant = drawn.plant;
+    std::string result;
+    auto const line = [&](auto const&... parts) {
+        ((result += fmt::format("{} ", parts)), ...);
+        result += '\n';
+    };
+    for (auto const& axis : plant.axes)
+        line("axis", axis.first_node, axis.first_segment, axis.segment_count, axis.parent_segment,
+             axis.parent_axis, axis.order);
+    for (std::size_t i = 0; i < plant.node_position_mm.size(); ++i)
+        line("node", text(plant.node_position_mm[i]), fmt::format("{:a}", plant.node_radius_mm[i]));
+    for (auto const material : plant.segment_material)
+        line("segment", material);
+    for (auto const& organ : plant.organs)
+        line("organ", organ.shape, organ.segment, text(organ.position_mm),
+             fmt::format("{:a} {:a}", organ.orientation.w(), organ.orientation.x()),
+             text(organ.scale.cast<double>()));
+    for (auto const& polygon : plant.polygons)
+        line("polygon", polygon.first_vertex, polygon.vertex_count, polygon.segment,
+             polygon.material);
+    for (auto const& vertex : plant.polygon_vertices_mm)
+        line("vertex", text(vertex));
+    for (auto const& material : plant.materials)
+        line("material", material.name);
+    for (auto const& shape : plant.organ_shapes)
+        line("shape", shape.name, shape.material);
+    for (auto const& warning : drawn.warnings)
+        line("warning", warning);
+    return result;
+}
+
+// What is drawn in pieces of the given length, or what went wrong.
+std::string drawn_in_pieces(Model const& model, ModuleString const& string, int threads,
+                            std::size_t long_branch, std::size_t max_parts = 1'000'000)
+{
+    tbb::global_control const allow(tbb::global_control::max_allowed_parallelism, 4);
+    tbb::task_arena arena(threads);
+    return arena.execute([&] {
+        TurtleOptions options;
+        options.max_parts = max_parts;
+        options.long_branch = long_branch;
+        auto const plant = interpret_with_warnings(model, string, options);
+        return plant ? dump(*plant) : plant.error().message;
+    });
+}
+
+constexpr std::size_t kWhole = 1'000'000'000;
+
+char const* const kView = R"(angle increment: 25
+line width: 0.2 pixels
+tropism: T: 1 0.3 0 A: 0 I: 1 E: 0.1 S: 0.02
+material: 1 green kind=leaf color=0.2,0.6,0.1
+material: 2 red kind=petal color=0.9,0.1,0.1
+organ: l leaf kind=blade material=1 length=2 width=1
+)";
+
+// Random modules of all kinds that pieces treat differently, brackets and braces that need not
+// match among them.
+RC_GTEST_PROP(Pieces, DrawTheSamePlant, ())
+{
+    auto const symbol = rc::gen::element<std::string>(
+        "F", "F", "F(0.5)", "F(0)", "f", "G", "+", "-(40)", "&", "/(137.5)", "@v", "!(0.1)", "#",
+        ";", ",(1)", ";(2)", "~l", "~x", "@o", "@c(0.3)", "H", "H", "I", "@D(0.7)", "_(0.2)",
+        "@Ts(1,0.3)", "@Gs", "@Ge", "@Q");
+    auto const bracket = rc::gen::element<std::string>("[", "[", "[", "]", "]", "]");
+    auto const rare = rc::gen::element<std::string>("{", ".", "}", "%", "[", "]", "J");
+    auto const any
+        = rc::gen::weightedOneOf<std::string>({ { 30, symbol }, { 10, bracket }, { 1, rare } });
+    auto const parts = *rc::gen::container<std::vector<std::string>>(any);
+    // Mostly closed, so that most strings can be cut.
+    std::string text;
+    int depth = 0;
+    for (auto const& part : parts) {
+        if (part == "]" && depth == 0)
+            continue;
+        depth += (part == "[") - (part == "]");
+        text += part;
+    }
+    text += std::string(static_cast<std::size_t>(depth), ']');
+    auto const model = compiled(
+        with_header(
+            "Axiom: F" + text + "F\nhomomorphism\nH --> F(ran(1))[+F;~l]\nI --> [F\nJ --> ]F\n", 0),
+        kView);
+    auto const string = derive(model).value();
+    auto const expected = drawn_in_pieces(model, string, 1, kWhole);
+    auto const length = *rc::gen::inRange<std::size_t>(1, 12);
+    RC_ASSERT(drawn_in_pieces(model, string, 1, length) == expected);
+    RC_ASSERT(drawn_in_pieces(model, string, 4, length) == expected);
+}
+
+// A tree with leaves, of which pieces of any length are drawn on several threads.
+Model tree(int steps)
+{
+    return compiled(with_header("Axiom: A(1)\n"
+                                "A(l) --> !(l*0.1)F(l)[&(40)B(l*0.8)]/(137.5)A(l*0.9)\n"
+                                "B(l) --> !(l*0.1)F(l)[-(45)@v;C(l*0.8)]~lC(l*0.9)\n"
+                                "C(l) --> F(l)[+(45)B(l*0.7)]{.[+F.][-F.]}B(l*0.9)\n"
+                                "homomorphism\nA(l) --> ~l(l)",
+                                steps),
+                    kView);
+}
+
+TEST(Pieces, OfALongStringDrawTheSamePlant)
+{
+    auto const model = tree(13);
+    auto const string = derive(model).value();
+    ASSERT_GT(string.size(), 100'000u);
+    auto const whole = drawn_in_pieces(model, string, 1, kWhole);
+    for (std::size_t const length : { 50u, 700u, 8192u })
+        for (int const threads : { 1, 2, 4 })
+            EXPECT_TRUE(drawn_in_pieces(model, string, threads, length) == whole)
+                << length << " modules, " << threads << " threads";
+}
+
+TEST(Pieces, OfATreeMakeAValidPlant)
+{
+    auto const model = tree(9);
+    auto const plant = interpret(model, derive(model).value(), { .long_branch = 20 }).value();
+    check_plant(plant);
+    EXPECT_GT(plant.segment_count(), 500u);
+}
+
+TEST(Pieces, ReachALimitTogether)
+{
+    auto const model = tree(10);
+    auto const string = derive(model).value();
+    auto const parts = interpret(model, string).value();
+    auto const count = parts.segment_count() + parts.organs.size() + parts.polygons.size();
+    auto const expected = drawn_in_pieces(model, string, 1, kWhole, count - 1);
+    EXPECT_NE(expected.find("derive fewer steps"), std::string::npos) << expected;
+    EXPECT_EQ(drawn_in_pieces(model, string, 4, 20, count - 1), expected);
+    EXPECT_NE(drawn_in_pieces(model, string, 4, 20, count), expected);
+}
+
+// The homomorphism counts, so modules must be drawn in their order.
+TEST(Pieces, KeepTheOrderOfGlobalVariables)
+{
+    auto const model = compiled(with_header("Start: {n = 0;}\nAxiom: A\nA --> FB[+A]A\n"
+                                            "homomorphism\nB : 1 {n = n + 1;} --> F(n/100)",
+                                            12));
+    auto const string = derive(model);
+    if (!string)
+        FAIL() << string.error().message;
+    EXPECT_TRUE(drawn_in_pieces(model, *string, 4, 30)
+                == drawn_in_pieces(model, *string, 1, kWhole));
+}
+
+} // namespace
+} // namespace tractus
