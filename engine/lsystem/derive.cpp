@@ -45,6 +45,7 @@ public:
         machine_.set_time_limit(&options.limits.time);
         if (!model.subsystems.empty())
             subsystems_.emplace(model, machine_, branches_);
+        has_queries_ = has_queries(model);
     }
 
     Result<ModuleString> run();
@@ -53,6 +54,7 @@ private:
     Result<void> start();
     int length();
     Result<void> step(int number);
+    Result<void> answer();
     Result<void> rewrite_fixed();
     Result<void> rewrite();
     Result<void> rewrite_in_pieces();
@@ -71,6 +73,7 @@ private:
     Branches branches_; // Of in_, where rules have contexts.
     RangeRewriter rewriter_;
     std::optional<SubsystemRewriter> subsystems_;
+    bool has_queries_ = false;
     int step_ = 0;
     ModuleString in_;
     ModuleString out_;
@@ -83,10 +86,12 @@ Result<ModuleString> Derivation::run()
     machine_.global(GlobalIndex::DerivationLength) = steps;
     TRY(start());
     TRY(check_size(in_.size(), in_.parameters.size()));
+    TRY(answer());
     if (options_.on_step)
         options_.on_step(0, in_);
     for (int i = 1; i <= length(); ++i) {
         TRY(step(i));
+        TRY(answer());
         if (options_.on_step)
             options_.on_step(i, in_);
     }
@@ -97,6 +102,14 @@ Result<ModuleString> Derivation::run()
     in_.arrays = std::move(machine_.arrays);
     in_.seed = machine_.seed();
     return std::move(in_);
+}
+
+// Fills the string's query modules.
+Result<void> Derivation::answer()
+{
+    if (!has_queries_)
+        return {};
+    return answer_queries(model_, in_, machine_, step_, options_.environment);
 }
 
 // How many steps there are, as far as the model has decided by now.

@@ -4,6 +4,7 @@
 #include "engine/lsystem/limits.h"
 #include "engine/lsystem/model.h"
 #include "engine/lsystem/module_string.h"
+#include "engine/lsystem/query.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +22,10 @@ struct DeriveOptions {
 
     ModelLimits limits {};
 
+    // Answers the modules ?E(…) of the axiom and of the string after each step; they keep their
+    // parameters without. The rules of the next step see the answers.
+    Environment environment {};
+
     // What printf in rules and blocks prints, but not in homomorphism rules; goes nowhere without.
     std::function<void(std::string_view text)> print {};
 
@@ -28,7 +33,8 @@ struct DeriveOptions {
     std::function<void(int step, ModuleString const& string)> on_step {};
 };
 
-// Rewrites the model's axiom `steps` times.
+// Rewrites the model's axiom `steps` times. Query modules (query.h) are filled in the axiom and
+// after each step.
 //
 // Fails, as the user's fault, beyond a limit, when a loop in the model does not end,
 // or when a ?(…) calls a sub-L-system that the model does not have. The same model and options

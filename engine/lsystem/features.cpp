@@ -1,5 +1,7 @@
 #include "engine/lsystem/features.h"
 
+#include "engine/lsystem/query.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <initializer_list>
@@ -13,15 +15,19 @@ template<typename Test> bool any_instruction(Model const& model, Test const& tes
 {
     auto const has
         = [&](Program const& program) { return std::any_of(program.begin(), program.end(), test); };
-    for (auto const* rules : { &model.rules, &model.decomposition, &model.homomorphism })
-        for (auto const& rule : rules->rules)
-            if (has(rule.condition) || has(rule.successor_program) || has(rule.probability))
+    auto const in_system = [&](LSystem const& system) {
+        for (auto const* rules : { &system.rules, &system.decomposition, &system.homomorphism })
+            for (auto const& rule : rules->rules)
+                if (has(rule.condition) || has(rule.successor_program) || has(rule.probability))
+                    return true;
+        for (auto const* block : { &system.axiom_program, &system.start, &system.start_each,
+                                   &system.end_each, &system.end })
+            if (has(block->program))
                 return true;
-    for (auto const* block :
-         { &model.axiom_program, &model.start, &model.start_each, &model.end_each, &model.end })
-        if (has(block->program))
-            return true;
-    return false;
+        return false;
+    };
+    return in_system(model)
+        || std::any_of(model.subsystems.begin(), model.subsystems.end(), in_system);
 }
 
 bool uses(Model const& model, std::initializer_list<Op> ops)
@@ -42,13 +48,30 @@ std::string counted(std::size_t count, char const* what)
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-void add_rules(Model const& model, std::vector<std::string>& features)
+template<typename Test> bool any_kind(Model const& model, Test const& test)
+{
+    auto const& kinds = model.alphabet.kinds;
+    return std::any_of(kinds.begin(), kinds.end(), test);
+}
+
+void add_modules(Model const& model, std::vector<std::string>& features)
+{
+    if (any_kind(model, [](ModuleKind const& kind) { return kind.parameter_count > 0; }))
+        features.emplace_back("parameters");
+    if (any_kind(model, [](ModuleKind const& kind) { return kind.symbol == '%'; }))
+        features.emplace_back("cuts");
+    if (has_queries(model))
+        features.emplace_back("query modules");
+    if (has_queries(model) && any_kind(model, [](ModuleKind const& kind) {
+            return kind.symbol == 'E' && kind.parameter_count > 0;
+        }))
+        features.emplace_back("an environment, if somebody answers ?E");
+}
+
+void add_rules(LSystem const& model, std::vector<std::string>& features)
 {
     auto const& rules = model.rules;
     features.push_back(counted(rules.rules.size(), "rule"));
-    if (std::any_of(model.alphabet.kinds.begin(), model.alphabet.kinds.end(),
-                    [](ModuleKind const& kind) { return kind.parameter_count > 0; }))
-        features.emplace_back("parameters");
     if (any_rule(rules, [](Rule const& rule) { return rule.has_condition; }))
         features.emplace_back("conditions");
     if (any_rule(rules, [](Rule const& rule) { return !rule.left.empty(); }))
@@ -68,7 +91,7 @@ void add_rules(Model const& model, std::vector<std::string>& features)
                                            counted(set->rules.size(), "rule"), set->max_depth));
 }
 
-void add_statements(Model const& model, std::vector<std::string>& features)
+void add_blocks(LSystem const& model, std::vector<std::string>& features)
 {
     for (auto const& [name, block] :
          { std::pair("Start", &model.start), std::pair("StartEach", &model.start_each),
@@ -80,10 +103,25 @@ void add_statements(Model const& model, std::vector<std::string>& features)
         features.push_back(counted(model.globals.size() - kBuiltIn, "global variable"));
     if (!model.arrays.empty())
         features.push_back(counted(model.arrays.size(), "array"));
+    if (!model.externals.empty())
+        features.push_back(counted(model.externals.size(), "external name"));
+}
+
+void add_functions(Model const& model, std::vector<std::string>& features)
+{
     if (uses(model, { Op::Random, Op::Normal, Op::Beta, Op::Binomial }))
         features.emplace_back("random numbers");
     if (uses(model, { Op::Function }))
         features.push_back(counted(model.view.functions.size(), "function"));
+    if (uses(model, { Op::CurveX, Op::CurveY, Op::CurveZ }))
+        features.push_back(counted(model.view.curves.size(), "curve"));
+    if (uses(model, { Op::Print }))
+        features.emplace_back("printf");
+    if (any_instruction(model, [](Instruction const& instruction) {
+            return instruction.op == Op::StoreGlobal
+                && instruction.target == static_cast<std::uint16_t>(GlobalIndex::DerivationLength);
+        }))
+        features.emplace_back("a derivation length that the model changes");
 }
 
 void add_view(View const& view, std::vector<std::string>& features)
@@ -109,7 +147,15 @@ std::vector<std::string> features_used(Model const& model)
 {
     std::vector<std::string> features;
     add_rules(model, features);
-    add_statements(model, features);
+    add_modules(model, features);
+    add_blocks(model, features);
+    add_functions(model, features);
+    for (auto const& subsystem : model.subsystems) {
+        std::vector<std::string> own;
+        add_rules(subsystem, own);
+        add_blocks(subsystem, own);
+        features.push_back(fmt::format("sub-L-system {}: {}", subsystem.id, fmt::join(own, ", ")));
+    }
     add_view(model.view, features);
     return features;
 }

@@ -4,6 +4,7 @@
 #include "engine/base/parallel.h"
 #include "engine/lsystem/branch_index.h"
 #include "engine/lsystem/expander.h"
+#include "engine/lsystem/homomorphism.h"
 #include "engine/lsystem/plant_assembly.h"
 #include "engine/lsystem/turtle.h"
 #include "engine/plant/pipe_model.h"
@@ -39,8 +40,9 @@ struct Job {
     Model const& model;
     ModuleString const& string;
     TurtleOptions const& options;
-    Branches branches {}; // Where homomorphism rules have contexts.
-    Arena memory {};      // What pieces have drawn.
+    bool is_expanded = false; // The homomorphism has been applied.
+    Branches branches {};     // Where homomorphism rules have contexts.
+    Arena memory {};          // What pieces have drawn.
     std::atomic<std::size_t> drawn { 0 };
     std::atomic<std::size_t> parts { 0 };
 
@@ -60,8 +62,9 @@ public:
         , homomorphism_(job.model, job.model.homomorphism, machine_)
         , turtle_(job.model, job.options)
     {
+        machine_.set_time_limit(&job.options.time);
         for (std::size_t i = 0; i < model_.alphabet.kinds.size(); ++i) {
-            has_rules_[i] = homomorphism_.has_rules(static_cast<KindId>(i));
+            has_rules_[i] = !job.is_expanded && homomorphism_.has_rules(static_cast<KindId>(i));
             opens_[i] = model_.alphabet.kinds[i].symbol == '[' && !has_rules_[i];
             stops_[i] = has_rules_[i] || (index_ && opens_[i]);
             parameter_counts_[i] = model_.alphabet.kinds[i].parameter_count;
@@ -220,11 +223,12 @@ Piece whole(Job const& job)
 }
 
 // Draws the string in pieces, several at a time. No value where it must be drawn from one end to
-// the other: it is too short to be cut, its order matters, brackets do not match, or something is
-// to be reported as it is found first.
+// the other: it is too short to be cut, its order matters, as it does with sub-L-systems, brackets
+// do not match, or something is to be reported as it is found first.
 std::optional<std::vector<Piece>> draw_in_pieces(Job& job)
 {
-    if (job.string.size() < 4 * job.options.long_branch || !is_divisible(job.model))
+    if (job.string.size() < 4 * job.options.long_branch || !is_divisible(job.model)
+        || !job.model.subsystems.empty())
         return std::nullopt;
     BranchIndex const index(job.model, job.string);
     std::vector<Piece> pieces { whole(job) };
@@ -292,15 +296,13 @@ std::vector<std::string> gather_warnings(Model const& model, std::vector<Piece> 
     return result;
 }
 
-} // namespace
-
-Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString const& string,
-                                            TurtleOptions const& options)
+Result<TurtlePlant> draw_string(Job& job)
 {
-    Job job { model, string, options };
+    auto const& model = job.model;
+    auto const& options = job.options;
     if (std::any_of(model.homomorphism.rules.begin(), model.homomorphism.rules.end(),
                     [](Rule const& rule) { return !rule.left.empty() || !rule.right.empty(); }))
-        find_branches(model, string, job.branches);
+        find_branches(model, job.string, job.branches);
     auto in_pieces = draw_in_pieces(job);
     auto pieces = in_pieces ? std::move(*in_pieces) : TRY(draw_at_once(job));
     TurtlePlant result;
@@ -314,6 +316,24 @@ Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString con
         apply_pipe_model(result.plant, model.view.pipe_exponent,
                          model.view.pipe_tip_radius * options.unit_mm);
     return result;
+}
+
+} // namespace
+
+Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString const& string,
+                                            TurtleOptions const& options)
+{
+    Job job { model, string, options };
+    if (model.subsystems.empty())
+        return draw_string(job);
+    // Each sub-L-system has a homomorphism of its own.
+    HomomorphismOptions how;
+    how.limit.modules = options.max_modules;
+    how.time = options.time;
+    how.cuts = HomomorphismOptions::Cuts::KeepThoseOfTheString;
+    auto const expanded = TRY(apply_homomorphism(model, string, how));
+    Job expanded_job { model, expanded, options, true };
+    return draw_string(expanded_job);
 }
 
 Result<Plant> interpret(Model const& model, ModuleString const& string,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/lsystem/limits.h"
 #include "engine/lsystem/model.h"
 #include "engine/lsystem/module_string.h"
 #include "engine/plant/plant.h"
@@ -18,6 +19,7 @@ struct TurtleOptions {
     // A branch of at least so many modules may be drawn by another thread, if at least so many
     // follow it. The plant is the same; the default keeps a branch in a processor's second cache.
     std::size_t long_branch = 8192;
+    TimeLimit time {}; // For homomorphism rules.
 };
 
 struct TurtlePlant {
@@ -37,7 +39,8 @@ struct TurtlePlant {
 // down, or set; { . } polygon; ~X organ; @v roll until the left is horizontal; @M(x,y,z) @R(h[,u])
 // set position, frame; @o @c @O disc and sphere; @D @Di @Dd scale set, times, divided; @Ts @Ti @Td
 // elasticity of a tropism; _ that of the older one; @Gs @Ge generalised cylinder, in which f draws
-// too; % ends the drawing of the branch when it stands in the string. Other symbols draw nothing.
+// too; ?(id,scale) and $ scale what a sub-L-system draws. Other symbols draw nothing; % ends the
+// drawing of its branch if the view says so.
 //
 // Axes: segments drawn one after another are one axis. What is drawn inside brackets, and after a
 // step that draws nothing, begins an axis of its own that stands on the last segment. Steps of no

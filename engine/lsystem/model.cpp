@@ -422,6 +422,11 @@ Model Parser::finish()
     set_ignored(model_, ignored_.front());
     for (std::size_t i = 0; i < model_.subsystems.size(); ++i)
         set_ignored(model_.subsystems[i], ignored_[i + 1]);
+    auto const& kinds = model_.alphabet.kinds;
+    if (std::find(kinds.begin(), kinds.end(), ModuleKind { '%', 1 }) != kinds.end())
+        names_.warn(fmt::format("{}: %(x) removes the rest of its branch, as % does; keeping it "
+                                "at the string's end is not supported",
+                                model_.name));
     model_.formats = std::move(names_.formats);
     auto& warnings = model_.warnings;
     warnings = std::move(model_.view.warnings);

@@ -44,6 +44,7 @@ void Turtle::begin(Start const& start, Drawing& drawing)
     stack_.clear();
     elasticity_stack_.clear();
     polygons_.clear();
+    call_scales_.clear();
     is_cut_ = false;
     has_unpaired_ = false;
 }
@@ -89,7 +90,7 @@ std::size_t Turtle::draw(Modules const& modules, std::size_t place, bool in_homo
     if (!check(symbol))
         return length;
     if (symbol.name[0] == '%' && !in_homomorphism && symbol.count == 0)
-        is_cut_ = true;
+        is_cut_ = !view_.draws_past_cut;
     else
         draw_symbol(symbol);
     return length;
@@ -172,9 +173,38 @@ void Turtle::draw_symbol(Symbol const& symbol)
         return;
     case '@':
         return draw_at_symbol(symbol);
+    case '?':
+        return enter_subsystem(symbol);
+    case '$':
+        return leave_subsystem();
     default:
         return;
     }
+}
+
+// ?(id), ?(id,scale): as cpfg, the scale is the caller's times this one, whatever @D has set, and
+// the line width grows with it.
+void Turtle::enter_subsystem(Symbol const& symbol)
+{
+    if (model_.subsystems.empty() || symbol.count == 0)
+        return;
+    double const outer = call_scales_.empty() ? view_.scale : call_scales_.back();
+    double const scale = std::clamp(outer * symbol.parameter(1, 1), -1e6, 1e6);
+    call_scales_.push_back(scale);
+    state_.scale = scale;
+    if (outer != 0)
+        state_.width = std::clamp(state_.width * scale / outer, kMinWidth, 1e6);
+}
+
+void Turtle::leave_subsystem()
+{
+    if (call_scales_.empty())
+        return;
+    double const inner = call_scales_.back();
+    call_scales_.pop_back();
+    state_.scale = call_scales_.empty() ? view_.scale : call_scales_.back();
+    if (inner != 0)
+        state_.width = std::clamp(state_.width * state_.scale / inner, kMinWidth, 1e6);
 }
 
 void Turtle::draw_at_symbol(Symbol const& symbol)

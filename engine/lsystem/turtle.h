@@ -57,6 +57,8 @@ public:
 
     // How a branch begins that is left out here, to be drawn by another turtle.
     Start branch_start() const;
+    // Where the turtle is and what it draws with.
+    State const& state() const { return state_; }
     // The segment at whose end the turtle is.
     std::uint32_t segment() const { return state_.place.segment; }
     // How many branches were begun since begin() and are open.
@@ -93,6 +95,8 @@ private:
     void close_polygon();
     void set_width(Symbol const& symbol, int sign);
     void set_scale(Symbol const& symbol);
+    void enter_subsystem(Symbol const& symbol);
+    void leave_subsystem();
     void set_color(Symbol const& symbol, int sign);
     void turn(Vec3& a, Vec3& b, Symbol const& symbol, double sign);
     void set_position(Symbol const& symbol);
@@ -118,6 +122,7 @@ private:
     std::vector<State> stack_;
     std::vector<Elasticities> elasticity_stack_; // Used if there are tropisms.
     std::vector<OpenPolygon> polygons_;
+    std::vector<double> call_scales_; // Of the calls of sub-L-systems that are open.
     std::size_t place_ = 0;
     bool is_cut_ = false;
     bool has_unpaired_ = false; // A ] or } without its beginning.

@@ -27,7 +27,7 @@ Result<Scene> applied(Scene const& scene, LoadModel const& edit, LoadOptions con
                                      .seed = edit.seed,
                                      .limits = options.limits,
                                      .print = options.print }));
-    auto turtle = TRY(interpret_with_warnings(model, string));
+    auto turtle = TRY(interpret_with_warnings(model, string, { .time = options.limits.time }));
     auto plant = join_axes(turtle.plant);
 
     Scene loaded;

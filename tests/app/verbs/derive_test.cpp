@@ -144,8 +144,8 @@ TEST_F(DeriveVerb, TellsWhatAModelUses)
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out,
               path
-                  + ": understood\n\nUses\n  2 rules\n  parameters\n  conditions\n"
-                    "  left context\n  rules chosen at random\n\n"
+                  + ": understood\n\nUses\n  2 rules\n  conditions\n  left context\n"
+                    "  rules chosen at random\n  parameters\n\n"
                     "Step      modules   parameters\n"
                     "   0            1            1\n"
                     "   1            7            2\n"
@@ -154,6 +154,25 @@ TEST_F(DeriveVerb, TellsWhatAModelUses)
                     "Warnings\n  "
                   + path + ": the turtle symbol @Q is not supported; it draws nothing\n");
     EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(DeriveVerb, TellsWhatAModelUsesOfSubLSystemsAndQueries)
+{
+    auto const path = write("m.l",
+                            "Lsystem: 1\nAxiom: A%?(2)B$?P(0,0,0)\n"
+                            "Start: {n=1; printf(\"%d\", n);}\nA --> B\nendlsystem\n"
+                            "Lsystem: 2\ndefine: { external n; }\n"
+                            "B : {SetDerivationLength(n);} 1 --> B\nendlsystem\n");
+    auto const outcome = run({ "lsystem", "check", path });
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("Uses\n  1 rule\n  parameters\n  cuts\n  query modules\n"
+                               "  Start block\n  1 global variable\n  printf\n"
+                               "  a derivation length that the model changes\n"
+                               "  sub-L-system 2: 1 rule, conditions, 1 global variable, "
+                               "1 external name\n"),
+              std::string::npos)
+        << outcome.out;
+    EXPECT_EQ(outcome.err, "1");
 }
 
 TEST_F(DeriveVerb, ChecksOurModelsWithoutWarnings)

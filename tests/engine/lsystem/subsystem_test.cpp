@@ -144,6 +144,24 @@ TEST(Subsystems, NameACallOfNothing)
               "model.l:9:9: found a second L-system 2, expected another number");
 }
 
+TEST(Subsystems, ScaleWhatTheyDraw)
+{
+    auto const model = compiled(
+        with_header("Axiom: !(2)F(1)?(2,0.5)F(1)?(3,0.5)F(1)$F(1)$F(1)", 0)
+        + "Lsystem: 2\nhomomorphism\nF(l) --> F(l)%\nendlsystem\nLsystem: 3\nendlsystem\n");
+    auto const plant = interpret(model, *derive(model), { .unit_mm = 1 });
+    ASSERT_TRUE(plant) << plant.error().message;
+    ASSERT_EQ(plant->axes.size(), 1u);
+    std::vector<double> heights;
+    std::vector<float> radii;
+    for (std::size_t i = 0; i < plant->node_position_mm.size(); ++i) {
+        heights.push_back(plant->node_position_mm[i].z());
+        radii.push_back(plant->node_radius_mm[i]);
+    }
+    EXPECT_EQ(heights, (std::vector<double> { 0, 1, 1.5, 1.75, 2.25, 3.25 }));
+    EXPECT_EQ(radii, (std::vector<float> { 1, 0.5f, 0.25f, 0.5f, 1, 1 }));
+}
+
 TEST(Subsystems, LeaveModelsWithoutThemAlone)
 {
     EXPECT_EQ(derived("Axiom: ?(7)A$B\nA --> X"), "?(7)X$B");

@@ -1,0 +1,141 @@
+#include "engine/lsystem/query.h"
+
+#include "tests/engine/lsystem/small_model.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace tractus {
+namespace {
+
+std::vector<float> parameters_of(std::string const& axiom_and_rules, int steps = 0)
+{
+    auto const model = compiled(with_header(axiom_and_rules, steps));
+    auto const string = derive(model);
+    EXPECT_TRUE(string) << string.error().message;
+    auto const span = string->parameters.span();
+    return { span.begin(), span.end() };
+}
+
+void expect_near(std::vector<float> const& found, std::vector<float> const& expected)
+{
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+        EXPECT_NEAR(found[i], expected[i], 1e-6f) << i;
+}
+
+TEST(Queries, GiveTheTurtlesPositionAndFrame)
+{
+    expect_near(parameters_of("Axiom: ?P(9,9,9)?H(9,9,9)?L(9,9,9)?U(9,9,9)"),
+                { 0, 0, 0, 0, 1, 0, -1, 0, 0, 0, 0, -1 });
+    expect_near(parameters_of("Axiom: FF+(90)F[&(90)?P(9,9,9)?H(9,9,9)]?L(9,9,9)?U(9,9,9)"),
+                { 90, 90, -1, 2, 0, 0, 0, -1, 0, -1, 0, 0, 0, -1 });
+    expect_near(parameters_of("Axiom: FF?P(9)?P(9,9,9,9)"), { 0, 0, 2, 0, 9 });
+    // The quaternion turns x, y and z into heading, left and up.
+    auto const q = parameters_of("Axiom: ?Q(9,9,9,9)");
+    Quat const turn(Eigen::Vector4d(q[0], q[1], q[2], q[3]));
+    EXPECT_LT((turn * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-6);
+    EXPECT_LT((turn * Vec3::UnitY() + Vec3::UnitX()).norm(), 1e-6);
+}
+
+TEST(Queries, AreSeenByTheNextStep)
+{
+    EXPECT_EQ(derived("Axiom: A?P(0,0,0)\nA > ?P(x,y,z) : y<3 --> FA", 10), "FFFA?P(0,3,0)");
+    EXPECT_EQ(derived("Axiom: F?P(0,0,0)\n?P(x,y,z) --> B(y)?P(x,y,z)F", 2),
+              "FB(1)B(1)?P(0,1,0)FF");
+}
+
+TEST(Queries, SeeWhatTheHomomorphismDraws)
+{
+    auto const model = compiled(with_header("Axiom: A(2)?P(0,0,0)?P(0,0,0)\nhomomorphism\n"
+                                            "A(n) --> F(n)?P(7,7,7)F(n)",
+                                            1));
+    EXPECT_EQ(to_string(model, *derive(model)), "A(2)?P(0,4,0)?P(0,4,0)");
+}
+
+TEST(Queries, FollowSubLSystems)
+{
+    auto const model = compiled(with_header("Axiom: F?(2,0.5)A$?P(0,0,0)", 1)
+                                + "Lsystem: 2\nA --> F?P(0,0,0)\nhomomorphism\nF --> FF\n"
+                                  "endlsystem\n");
+    EXPECT_EQ(to_string(model, *derive(model)), "F?(2,0.5)F?P(0,2,0)$?P(0,2,0)");
+}
+
+TEST(Queries, AreModulesLikeOthersWithoutAQuestion)
+{
+    EXPECT_EQ(derived("Axiom: FP(1,2,3)?\nP(x,y,z) --> P(z,y,x)"), "FP(3,2,1)?");
+    EXPECT_EQ(derived("Axiom: ?\n? --> ???", 1), "???");
+}
+
+// Keeps growth within a box: what lies outside gets 0.
+void prune(std::span<EnvironmentQuery const> queries)
+{
+    for (auto const& query : queries) {
+        bool const is_inside = std::abs(query.position.x()) <= 4 && query.position.y() <= 6;
+        query.parameters[0] = is_inside ? 1.0f : 0.0f;
+    }
+}
+
+TEST(Environment, PrunesGrowthInABox)
+{
+    auto const model = compiled(with_header("Axiom: A?E(1)\n"
+                                            "A > ?E(x) : x>0 --> F[+(35)A?E(1)]-(25)A\n"
+                                            "A > ?E(x) : x==0 --> X",
+                                            12));
+    DeriveOptions options;
+    int calls = 0;
+    options.environment = [&](int step, std::span<EnvironmentQuery const> queries) {
+        EXPECT_EQ(step, calls++ % 13);
+        prune(queries);
+    };
+    auto const pruned = derive(model, options);
+    ASSERT_TRUE(pruned) << pruned.error().message;
+    EXPECT_EQ(calls, 13); // The axiom, too.
+    auto const plant = interpret(model, *pruned, { .unit_mm = 1 });
+    ASSERT_TRUE(plant) << plant.error().message;
+    EXPECT_GT(plant->segment_count(), 50u);
+    for (auto const& node : plant->node_position_mm) {
+        EXPECT_LE(std::abs(node.x()), 5); // One step may lead out.
+        EXPECT_LE(node.z(), 7);
+    }
+    auto const wild = derive(model);
+    EXPECT_GT(count_symbols(model, *wild).at("F"), 2 * plant->segment_count());
+    EXPECT_EQ(to_string(model, *derive(model, options)), to_string(model, *pruned));
+}
+
+TEST(Environment, SeesAllQueriesOfAStepAtOnce)
+{
+    auto const model
+        = compiled(with_header("Axiom: !(0.5)F(2)?E(1,2)~l(3)[+(90)@D(2)F?E]?E(5)", 0));
+    DeriveOptions options;
+    int calls = 0;
+    options.environment = [&](int, std::span<EnvironmentQuery const> queries) {
+        ++calls;
+        ASSERT_EQ(queries.size(), 3u);
+        EXPECT_EQ(queries[0].module, 2u);
+        EXPECT_EQ(queries[0].position, Vec3(0, 2, 0));
+        EXPECT_EQ(queries[0].line_width, 0.5);
+        EXPECT_EQ(queries[0].next_symbol, '~');
+        EXPECT_EQ(queries[0].parameters[1], 2.0f);
+        EXPECT_TRUE(queries[1].parameters.empty());
+        EXPECT_NEAR(queries[1].position.x(), -2, 1e-12);
+        EXPECT_NEAR(queries[1].heading.x(), -1, 1e-12);
+        EXPECT_EQ(queries[1].scale, 2);
+        EXPECT_EQ(queries[2].next_symbol, 0);
+        queries[0].parameters[1] = 7;
+        queries[2].parameters[0] = 8;
+    };
+    EXPECT_EQ(to_string(model, *derive(model, options)),
+              "!(0.5)F(2)?E(1,7)~l(3)[+(90)@D(2)F?E]?E(8)");
+    EXPECT_EQ(calls, 1);
+}
+
+TEST(Cuts, EndTheDrawingOnlyIfTheViewSaysSo)
+{
+    EXPECT_EQ(drawn("F[FF%FF]F").segment_count(), 6u);
+    EXPECT_EQ(drawn("F[FF%FF]F", "interpretation past %: on\n").segment_count(), 6u);
+    EXPECT_EQ(drawn("F[FF%FF]F", "interpretation past %: off\n").segment_count(), 4u);
+}
+
+} // namespace
+} // namespace tractus
