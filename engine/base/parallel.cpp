@@ -1,9 +1,12 @@
 #include "engine/base/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
+#include <vector>
 
 // This file is compiled without the thread sanitizer, since it cannot follow the library's tasks.
 #ifdef TRACTUS_THREAD_SANITIZER
@@ -42,6 +45,50 @@ void parallel_for(std::size_t count, std::size_t grain,
                           release(&done);
                       });
     acquire(&done);
+}
+
+void parallel_in_order(std::size_t slots, OrderedWork const& work)
+{
+    // Each stage sees what the one before it did with its slot, and what it did itself last.
+    std::vector<char> slot_order(slots);
+    char next_order = 0;
+    char use_order = 0;
+    std::atomic<bool> ended = false;
+    std::size_t count = 0;
+    auto const ordered = [](char& own, char& of_slot, auto const& stage) {
+        acquire(&own);
+        acquire(&of_slot);
+        bool const result = stage();
+        release(&of_slot);
+        release(&own);
+        return result;
+    };
+    release(&next_order);
+    auto const next = [&](tbb::flow_control& control) -> std::size_t {
+        // As many are on their way as there are slots, and they end in order: so this one is free.
+        auto const slot = count++ % slots;
+        if (ended || !ordered(next_order, slot_order[slot], [&] { return work.next(slot); }))
+            control.stop();
+        return slot;
+    };
+    auto const make = [&](std::size_t slot) {
+        acquire(&slot_order[slot]);
+        if (!ended)
+            work.make(slot);
+        release(&slot_order[slot]);
+        return slot;
+    };
+    auto const use = [&](std::size_t slot) {
+        if (!ended && !ordered(use_order, slot_order[slot], [&] { return work.use(slot); }))
+            ended = true;
+    };
+    using Mode = tbb::filter_mode;
+    tbb::parallel_pipeline(slots,
+                           tbb::make_filter<void, std::size_t>(Mode::serial_in_order, next)
+                               & tbb::make_filter<std::size_t, std::size_t>(Mode::parallel, make)
+                               & tbb::make_filter<std::size_t, void>(Mode::serial_in_order, use));
+    acquire(&next_order);
+    acquire(&use_order);
 }
 
 int thread_count()

@@ -21,8 +21,17 @@ struct GlbOptions {
         None,
     };
 
+    // How precise the vertices of tubes and polygons are.
+    enum class Vertices {
+        Float,     // 32 bytes each.
+        Quantized, // KHR_mesh_quantization, which a reader must then know: 20 bytes each. Positions
+                   // are rounded to 1/65,532 of the plant's size, normals to 8 bits, and rotations
+                   // of organs to 16.
+    };
+
     Instancing instancing = Instancing::Extension;
     Textures textures = Textures::Embedded;
+    Vertices vertices = Vertices::Float;
 };
 
 struct GlbSummary {
@@ -34,17 +43,19 @@ struct GlbSummary {
 // polygons, and the organs as instances of shared prototypes. Materials, prototypes and textures
 // that are equal are there once. Same input, same bytes.
 //
-// Plants are written one after another, and the JSON part, which comes first in the file, is filled
+// Plants are written one after another, each in pieces: while one piece is written others are made
+// on other threads. A plant given as PlantToMesh is meshed in those pieces, so that memory holds
+// two or three plants and a few megabytes. The JSON part, which comes first in the file, is filled
 // in at the end: so `out` must be binary and seekable (a file, or a std::ostringstream); the file
-// begins where it stands. Memory is bounded by one plant and about 3 kB of JSON for each.
+// begins where it stands. Each plant takes about 3 kB of JSON.
 //
 // Fails if the stream fails (a full disk), if a coordinate is not finite, and if the file would
-// pass glTF's limit of 4 GiB: before anything is written when all plants are given as meshes,
-// otherwise before the plant that would pass it.
+// pass glTF's limit of 4 GiB: before anything is written when that is certain from plants that are
+// given, or likely from the first one; otherwise before the plant that would pass it.
 Result<GlbSummary> write_glb(std::ostream& out, std::span<PlacedMesh const> plants,
                              GlbOptions const& options = {});
 
-// Bytes that a mesh will take in such a file, its JSON not counted.
-std::uint64_t glb_bytes(Mesh const& mesh);
+// Bytes that a mesh will take in such a file, JSON and textures not counted.
+std::uint64_t glb_bytes(Mesh const& mesh, GlbOptions const& options = {});
 
 } // namespace tractus

@@ -4,14 +4,27 @@
 
 namespace tractus {
 
+static Mesh meshed(PlantToMesh const& source)
+{
+    if (auto const* const given = std::get_if<Plant const*>(&source.plant)) {
+        CHECK(*given);
+        return make_mesh(**given, source.options);
+    }
+    return make_mesh(std::get<std::function<Plant()>>(source.plant)(), source.options);
+}
+
 Mesh const& mesh_of(PlacedMesh const& placed, std::optional<Mesh>& made)
 {
     if (auto const* const given = std::get_if<Mesh const*>(&placed.mesh)) {
         CHECK(*given);
         return **given;
     }
-    if (!made)
-        made = std::get<std::function<Mesh()>>(placed.mesh)();
+    if (made)
+        return *made;
+    if (auto const* const make = std::get_if<std::function<Mesh()>>(&placed.mesh))
+        made = (*make)();
+    else
+        made = meshed(std::get<PlantToMesh>(placed.mesh));
     return *made;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/mesh/mesh.h"
+#include "engine/mesh/make_mesh.h"
 
 #include <functional>
 #include <optional>
@@ -9,15 +9,25 @@
 
 namespace tractus {
 
+// A plant whose triangles an exporter makes itself, piece by piece as it writes them: then they are
+// never all in memory.
+struct PlantToMesh {
+    // The plant, or how to grow it when its turn comes: then only a few plants are in memory at a
+    // time. The function is called for one plant after another, but not always on the same thread.
+    std::variant<Plant const*, std::function<Plant()>> plant = static_cast<Plant const*>(nullptr);
+    MeshOptions options {};
+};
+
 // One plant of an exported file: a name, a place, and its triangles.
 struct PlacedMesh {
     std::string name = "plant";      // UTF-8; what is not becomes a replacement character.
     Vec3 position_mm = Vec3::Zero(); // Where the plant's origin stands, world frame.
     double rotation_rad = 0;         // About the world's +z, counter-clockwise from above.
 
-    // The triangles, or how to make them when their turn comes: then only one plant is in memory at
-    // a time. An exporter may call the function more than once and needs the same mesh each time.
-    std::variant<Mesh const*, std::function<Mesh()>> mesh = static_cast<Mesh const*>(nullptr);
+    // The triangles, or how to make them when their turn comes. An exporter may call a function
+    // more than once and needs the same plant or mesh each time.
+    std::variant<Mesh const*, std::function<Mesh()>, PlantToMesh> mesh
+        = static_cast<Mesh const*>(nullptr);
 };
 
 // The triangles of `placed`. Where they have to be made they are put into `made`, unless it has

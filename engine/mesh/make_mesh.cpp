@@ -35,6 +35,17 @@ InstanceTransform transform_of(Organ const& organ)
              organ.scale };
 }
 
+} // namespace
+
+Mesh make_mesh(Plant const& plant, MeshOptions const& options)
+{
+    Mesh mesh;
+    mesh.materials = plant.materials;
+    mesh.surfaces = make_surfaces(MeshPlan(plant, options));
+    mesh.organs = make_organs(plant, options);
+    return mesh;
+}
+
 std::vector<InstancedMesh> make_organs(Plant const& plant, MeshOptions const& options)
 {
     std::vector<InstancedMesh> organs(plant.organ_shapes.size());
@@ -46,17 +57,6 @@ std::vector<InstancedMesh> make_organs(Plant const& plant, MeshOptions const& op
     std::erase_if(organs,
                   [](InstancedMesh const& organ) { return organ.prototype.indices.empty(); });
     return organs;
-}
-
-} // namespace
-
-Mesh make_mesh(Plant const& plant, MeshOptions const& options)
-{
-    Mesh mesh;
-    mesh.materials = plant.materials;
-    mesh.surfaces = make_surfaces(MeshPlan(plant, options));
-    mesh.organs = make_organs(plant, options);
-    return mesh;
 }
 
 } // namespace tractus

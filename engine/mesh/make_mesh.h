@@ -41,4 +41,7 @@ struct MeshOptions {
 // Runs on all threads that oneTBB may use; the result is the same for any number of them.
 Mesh make_mesh(Plant const& plant, MeshOptions const& options = {});
 
+// The organs alone: one prototype for each shape that has triangles and is used, and its copies.
+std::vector<InstancedMesh> make_organs(Plant const& plant, MeshOptions const& options = {});
+
 } // namespace tractus

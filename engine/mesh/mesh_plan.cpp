@@ -46,6 +46,34 @@ void for_each_part(Plant const& plant, Axis const& axis, Stations const& station
     }
 }
 
+// Consecutive axes.
+struct Block {
+    std::vector<Planned> items;
+    Bounds bounds_mm;
+};
+
+// A ball around each section holds its ring, and the last one's the dome too. `reach`: how far a
+// section of radius 1 goes.
+template<typename Stations>
+void add_sections(Stations const& stations, double reach, Bounds& bounds)
+{
+    for (auto const& station : stations) {
+        auto const center = station.center_mm.array();
+        double const radius = reach * station.radius_mm;
+        bounds.min_mm = bounds.min_mm.cwiseMin((center - radius).matrix());
+        bounds.max_mm = bounds.max_mm.cwiseMax((center + radius).matrix());
+    }
+}
+
+double reach_of(std::vector<Contour> const& contours)
+{
+    float reach = 1;
+    for (auto const& contour : contours)
+        for (auto const& point : contour.points)
+            reach = std::max(reach, point.norm());
+    return reach;
+}
+
 void place(MeshPlan::Surface& surface, Planned const& item)
 {
     surface.items.push_back({ item.number, item.part,
@@ -111,12 +139,13 @@ MeshPlan::MeshPlan(Plant const& plant, MeshOptions const& options)
 void MeshPlan::plan_tubes()
 {
     auto const& axes = plant_.axes;
-    std::vector<std::vector<Planned>> blocks((axes.size() + kAxesPerBlock - 1) / kAxesPerBlock);
+    double const reach = reach_of(plant_.contours);
+    std::vector<Block> blocks((axes.size() + kAxesPerBlock - 1) / kAxesPerBlock);
     parallel_for(blocks.size(), 1, [&](std::size_t begin, std::size_t end) {
         Spine spine;
         Extrusion extrusion;
         for (auto block = begin; block != end; ++block) {
-            auto& planned = blocks[block];
+            auto& planned = blocks[block].items;
             planned.reserve(kAxesPerBlock);
             auto const last = std::min(axes.size(), (block + 1) * kAxesPerBlock);
             for (auto i = block * kAxesPerBlock; i != last; ++i) {
@@ -127,6 +156,7 @@ void MeshPlan::plan_tubes()
                 };
                 if (has_contour(plant_, axes[i])) {
                     trace_extrusion(plant_, axes[i], options_, extrusion);
+                    add_sections(extrusion.stations, reach, blocks[block].bounds_mm);
                     for_each_part(plant_, axes[i], extrusion.stations,
                                   [&](MaterialId material, TubePart part) {
                                       plan(material, part,
@@ -135,6 +165,7 @@ void MeshPlan::plan_tubes()
                     continue;
                 }
                 trace_spine(plant_, axes[i], options_, thickest_mm_, spine);
+                add_sections(spine.stations, 1, blocks[block].bounds_mm);
                 for_each_part(plant_, axes[i], spine.stations,
                               [&](MaterialId material, TubePart part) {
                                   plan(material, part, tube_extent(spine, part));
@@ -143,13 +174,16 @@ void MeshPlan::plan_tubes()
         }
     });
     std::vector<std::size_t> counts(surfaces_.size());
-    for (auto const& block : blocks)
-        for (auto const& item : block)
+    for (auto const& block : blocks) {
+        bounds_mm_.min_mm = bounds_mm_.min_mm.cwiseMin(block.bounds_mm.min_mm);
+        bounds_mm_.max_mm = bounds_mm_.max_mm.cwiseMax(block.bounds_mm.max_mm);
+        for (auto const& item : block.items)
             ++counts[item.material];
+    }
     for (std::size_t i = 0; i < counts.size(); ++i)
         surfaces_[i].items.reserve(counts[i]);
     for (auto const& block : blocks)
-        for (auto const& item : block)
+        for (auto const& item : block.items)
             place(surfaces_[item.material], item);
 }
 
@@ -161,6 +195,8 @@ void MeshPlan::plan_polygons()
         for (auto i = begin; i != end; ++i)
             extents[i] = polygon_extent(vertices_of(plant_, polygons[i]));
     });
+    for (auto const& vertex : plant_.polygon_vertices_mm)
+        bounds_mm_.add(vertex);
     for (std::uint32_t i = 0; i < polygons.size(); ++i)
         if (extents[i].vertices > 0)
             place(surfaces_[polygons[i].material],

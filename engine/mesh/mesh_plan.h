@@ -44,6 +44,10 @@ public:
     // In the order of materials; none is empty.
     std::span<Surface const> surfaces() const { return surfaces_; }
 
+    // A box around all triangles, found without making them: up to a radius larger than it has to
+    // be.
+    Bounds const& bounds_mm() const { return bounds_mm_; }
+
     // Makes one piece: `place` is where it begins, and has room for the piece's extent. Indices
     // count from the surface's first vertex if place.vertex is start_of(piece).vertices.
     void make_piece(Surface const& surface, std::size_t piece, TrianglePlace place) const;
@@ -55,6 +59,7 @@ private:
     Plant const& plant_;
     MeshOptions options_;
     double thickest_mm_ = 0;
+    Bounds bounds_mm_;
     std::vector<Surface> surfaces_;
 };
 

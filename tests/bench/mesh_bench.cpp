@@ -156,6 +156,10 @@ void write_glb_of_a_mesh(benchmark::State& state)
     Mesh const mesh = make_mesh(plant(), kBareTubes);
     write_glb_bench(state, { .mesh = &mesh });
 }
+void write_glb_while_meshing(benchmark::State& state)
+{
+    write_glb_bench(state, { .mesh = PlantToMesh { .plant = &plant(), .options = kBareTubes } });
+}
 
 void on_threads(benchmark::internal::Benchmark* bench)
 {
@@ -167,6 +171,7 @@ BENCHMARK(make_mesh_of_bare_tubes)->Apply(on_threads);
 BENCHMARK(make_mesh_of_eight_sides)->Apply(on_threads);
 BENCHMARK(make_mesh_for_pictures)->Apply(on_threads);
 BENCHMARK(write_glb_of_a_mesh)->Apply(on_threads);
+BENCHMARK(write_glb_while_meshing)->Apply(on_threads);
 
 } // namespace
 } // namespace tractus

@@ -194,6 +194,32 @@ TEST(GlbWriter, RefusesAFileBeyondFourGibibytesBeforeItStarts)
     EXPECT_TRUE(out.str().empty());
 }
 
+TEST(GlbWriter, RefusesMorePlantsThanAreLikelyToFitBeforeItStarts)
+{
+    auto const plant = sample_tree(1);
+    std::vector<PlacedMesh> const plants(
+        20000, PlacedMesh { .mesh = PlantToMesh { .plant = [&] { return plant; } } });
+    std::ostringstream out;
+    auto const summary = write_glb(out, plants);
+    ASSERT_FALSE(summary);
+    EXPECT_NE(summary.error().message.find("take about"), std::string::npos)
+        << summary.error().message;
+    EXPECT_TRUE(out.str().empty());
+}
+
+TEST(GlbWriter, QuantizedFilesAreSmallerAndSayWhatTheyNeed)
+{
+    Mesh const mesh = make_mesh(sample_tree(1));
+    GlbOptions const quantized { .textures = GlbOptions::Textures::None,
+                                 .vertices = GlbOptions::Vertices::Quantized };
+    auto const glb = glb_of(mesh, quantized);
+    EXPECT_LT(glb.size(), 0.8 * static_cast<double>(glb_of(mesh).size()));
+    auto const json = json_of(glb);
+    EXPECT_EQ(json["extensionsRequired"],
+              nlohmann::json::parse(R"(["EXT_mesh_gpu_instancing","KHR_mesh_quantization"])"));
+    EXPECT_EQ(glb_bytes(mesh, quantized), json["buffers"][0]["byteLength"]);
+}
+
 TEST(GlbWriter, RefusesACoordinateThatIsNotFinite)
 {
     Mesh mesh = make_mesh(single_axis(1, 1, 1));

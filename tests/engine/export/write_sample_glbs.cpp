@@ -58,15 +58,19 @@ Plant odd_plant()
 Result<void> write_samples(std::filesystem::path const& folder)
 {
     std::filesystem::create_directories(folder);
-    Mesh const odd = make_mesh(odd_plant());
+    auto const odd = odd_plant();
+    Mesh const odd_mesh = make_mesh(odd);
     std::vector<PlacedMesh> collection {
-        { .name = "odd", .position_mm = { 0, -1000, 0 }, .mesh = &odd }
+        { .name = "odd", .position_mm = { 0, -1000, 0 }, .mesh = &odd_mesh }
     };
     for (std::uint64_t seed = 0; seed < 3; ++seed)
         collection.push_back({ .name = fmt::format("tree {}", seed),
                                .position_mm = { 3000.0 * static_cast<double>(seed), 0, 0 },
                                .rotation_rad = static_cast<double>(seed),
                                .mesh = [seed] { return make_mesh(sample_tree(seed)); } });
+    // Meshed while it is written.
+    PlacedMesh const streamed { .name = "odd", .mesh = PlantToMesh { .plant = &odd } };
+    collection.push_back(streamed);
     // More than 65,535 vertices: 32-bit indices.
     PlacedMesh const fine { .mesh = [] {
         return make_mesh(sample_tree(9), { .min_sides = 40, .max_sides = 64 });
@@ -81,6 +85,7 @@ Result<void> write_samples(std::filesystem::path const& folder)
               });
           };
     TRY(write("collection.glb", collection, {}));
+    TRY(write("quantized.glb", collection, { .vertices = Options::Vertices::Quantized }));
     TRY(write("nodes.glb", collection,
               { .instancing = Options::Instancing::Nodes, .textures = Options::Textures::None }));
     TRY(write("fine.glb", std::span(&fine, 1), {}));

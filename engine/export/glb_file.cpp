@@ -1,0 +1,334 @@
+#include "engine/export/glb_file.h"
+
+#include "engine/export/gltf_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tractus {
+namespace {
+
+constexpr std::uint64_t kMaxBytes = 0xFFFFFFFF; // glTF 2.0 section 4.4.2.
+constexpr int kArrayBuffer = 34962;
+constexpr int kElementArrayBuffer = 34963;
+constexpr int kNoTarget = 0;
+// 65,535 is no index: it restarts strips (section 3.7.2.1).
+constexpr std::size_t kMostShortVertices = 65535;
+
+auto fail_infinite(char const* what)
+{
+    return fail(Fault::Station,
+                fmt::format("cannot write the glTF file: {} is not a finite number", what));
+}
+
+std::uint64_t rounded_up(std::uint64_t bytes)
+{
+    return (bytes + 3) / 4 * 4;
+}
+
+std::uint64_t triangle_bytes(MeshExtent const& extent, SurfaceFormat const& format)
+{
+    auto const vertex_bytes = format.positions().element_bytes + format.normals().element_bytes
+        + SurfaceFormat::texture_coordinates().element_bytes;
+    return extent.vertices * static_cast<std::uint64_t>(vertex_bytes)
+        + rounded_up(extent.indices * static_cast<std::uint64_t>(format.indices().element_bytes));
+}
+
+MeshExtent extent_of(TriangleMesh const& mesh)
+{
+    return { mesh.positions_mm.size(), mesh.indices.size() };
+}
+
+SurfaceFormat with_indices_for(SurfaceFormat format, std::size_t vertex_count)
+{
+    format.short_indices = vertex_count <= kMostShortVertices;
+    return format;
+}
+
+std::string placement(PlacedMesh const& placed)
+{
+    std::string text;
+    if (!placed.position_mm.isZero(0)) {
+        Vec3 const at = to_gltf(placed.position_mm);
+        text += fmt::format(",\"translation\":[{},{},{}]", at.x(), at.y(), at.z());
+    }
+    if (placed.rotation_rad != 0)
+        text += fmt::format(",\"rotation\":[0,{},0,{}]", std::sin(placed.rotation_rad / 2),
+                            std::cos(placed.rotation_rad / 2));
+    return text;
+}
+
+// As doubles: the decimal that is exactly the float.
+std::string limits_text(EncodedPiece const& limits)
+{
+    auto const low = limits.low.cast<double>();
+    auto const high = limits.high.cast<double>();
+    return fmt::format(",\"min\":[{},{},{}],\"max\":[{},{},{}]", low.x(), low.y(), low.z(),
+                       high.x(), high.y(), high.z());
+}
+
+} // namespace
+
+SurfaceFormat PlantFormat::of(MeshPieces::Surface const& surface) const
+{
+    return with_indices_for(vertices, surface.extent.vertices);
+}
+
+PlantFormat plant_format(MeshPieces const& plant, GlbOptions const& options)
+{
+    if (options.vertices == GlbOptions::Vertices::Float)
+        return {};
+    return { quantized_format(plant.bounds_mm()), { .quantized = true } };
+}
+
+std::uint64_t glb_bytes(MeshPieces const& plant, GlbOptions const& options)
+{
+    bool const quantized = options.vertices == GlbOptions::Vertices::Quantized;
+    std::uint64_t bytes = 0;
+    for (auto const& surface : plant.surfaces())
+        bytes += triangle_bytes(
+            surface.extent, with_indices_for({ .quantized = quantized }, surface.extent.vertices));
+    InstanceFormat const format { .quantized = quantized };
+    auto const instance_bytes = format.translations().element_bytes
+        + format.rotations().element_bytes + format.scales().element_bytes;
+    for (auto const& organ : plant.organs()) {
+        auto const extent = extent_of(organ.prototype);
+        bytes += triangle_bytes(extent, with_indices_for({}, extent.vertices))
+            + organ.instances.size() * static_cast<std::uint64_t>(instance_bytes);
+    }
+    return bytes;
+}
+
+GlbFile::GlbFile(std::ostream& out, GlbOptions const& options, std::uint64_t json_room)
+    : stream_(out, json_room)
+    , options_(options)
+    , json_room_(json_room)
+    , materials_(json_, stream_, options.textures == GlbOptions::Textures::Embedded)
+{
+}
+
+Result<void> GlbFile::begin_plant(PlacedMesh const& placed, MeshPieces const& plant,
+                                  PlantFormat const& format)
+{
+    if (stream_.file_bytes() + glb_bytes(plant, options_) > kMaxBytes)
+        return fail(Fault::User,
+                    fmt::format("plant {} would make the glTF file larger than 4 GiB: "
+                                "write fewer plants to a file",
+                                quoted(placed.name)));
+    if (!placed.position_mm.allFinite() || !std::isfinite(placed.rotation_rad))
+        return fail_infinite("a plant's place");
+    placed_ = &placed;
+    plant_ = &plant;
+    format_ = format;
+    primitives_ = {};
+    children_ = {};
+    summary_.triangles += plant.triangle_count();
+    return {};
+}
+
+// The binary part.
+
+void GlbFile::open(Columns& columns, std::size_t index, NumberFormat const& format,
+                   std::size_t count)
+{
+    auto const bytes = count * static_cast<std::size_t>(format.element_bytes);
+    columns[index] = { format, count, stream_.open_block(bytes) };
+}
+
+GlbFile::Columns GlbFile::open_triangles(MeshExtent const& extent, SurfaceFormat const& format)
+{
+    Columns columns;
+    open(columns, 0, format.positions(), extent.vertices);
+    open(columns, 1, format.normals(), extent.vertices);
+    open(columns, 2, SurfaceFormat::texture_coordinates(), extent.vertices);
+    open(columns, 3, format.indices(), extent.indices);
+    return columns;
+}
+
+void GlbFile::write(Columns& columns, EncodedPiece const& piece)
+{
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        if (!piece.streams[i].empty())
+            stream_.write(columns[i].block, piece.streams[i]);
+}
+
+std::size_t GlbFile::add_accessor(Column const& column, int target, std::string_view more)
+{
+    constexpr char const* kTypes[] = { "", "SCALAR", "VEC2", "VEC3", "VEC4" };
+    auto const& [format, count, block] = column;
+    auto const target_text
+        = target == kNoTarget ? std::string() : fmt::format(",\"target\":{}", target);
+    // Elements that are padded to four bytes say how far they are apart.
+    bool const is_padded = format.components == 3 && format.type != ComponentType::Float;
+    auto const stride
+        = is_padded ? fmt::format(",\"byteStride\":{}", format.element_bytes) : std::string();
+    auto const view = json_.buffer_views.add(
+        fmt::format("{{\"buffer\":0,\"byteOffset\":{},\"byteLength\":{}{}{}}}", block.start,
+                    block.size, stride, target_text));
+    return json_.accessors.add(
+        fmt::format("{{\"bufferView\":{},\"componentType\":{},\"count\":{},\"type\":\"{}\"{}{}}}",
+                    view, static_cast<int>(format.type), count, kTypes[format.components],
+                    format.normalized ? ",\"normalized\":true" : "", more));
+}
+
+// Surfaces.
+
+std::string GlbFile::add_primitive(Columns const& columns, EncodedPiece const& limits,
+                                   std::size_t material)
+{
+    auto const positions = add_accessor(columns[0], kArrayBuffer, limits_text(limits));
+    auto const normals = add_accessor(columns[1], kArrayBuffer);
+    auto const texture = add_accessor(columns[2], kArrayBuffer);
+    auto const indices = add_accessor(columns[3], kElementArrayBuffer);
+    return fmt::format("{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{},\"TEXCOORD_0\":{}}},"
+                       "\"indices\":{},\"material\":{}}}",
+                       positions, normals, texture, indices, material);
+}
+
+Result<void> GlbFile::add_surface_piece(std::size_t index, bool is_last, EncodedPiece const& piece)
+{
+    auto const& surface = plant_->surfaces()[index];
+    if (!open_) {
+        open_index_ = materials_.index_of(plant_->material(surface.material));
+        open_ = open_triangles(surface.extent, format_.of(surface));
+        limits_ = {};
+    }
+    if (!piece.is_finite)
+        return fail_infinite("a coordinate");
+    limits_.low = limits_.low.cwiseMin(piece.low);
+    limits_.high = limits_.high.cwiseMax(piece.high);
+    write(*open_, piece);
+    if (is_last) {
+        primitives_.add(add_primitive(*open_, limits_, open_index_));
+        open_.reset();
+    }
+    return stream_.check();
+}
+
+// Organs.
+
+// Equal prototypes with equal materials are written once.
+Result<std::size_t> GlbFile::prototype_index(TriangleMesh const& prototype)
+{
+    auto const& material = plant_->material(prototype.material);
+    auto const material_index = materials_.index_of(material);
+    std::string key = fmt::format("{} ", material_index);
+    auto const append = [&](auto const& values) {
+        key.append(reinterpret_cast<char const*>(values.data()), values.size() * sizeof values[0]);
+    };
+    append(prototype.positions_mm);
+    append(prototype.normals);
+    append(prototype.texture_coordinates);
+    append(prototype.indices);
+    if (auto const known = prototypes_.find(key); known != prototypes_.end())
+        return known->second;
+    auto const format = with_indices_for({}, prototype.positions_mm.size());
+    EncodedPiece encoded;
+    encode_triangles(view_of(prototype), format, encoded);
+    if (!encoded.is_finite)
+        return fail_infinite("a coordinate of an organ");
+    auto columns = open_triangles(extent_of(prototype), format);
+    write(columns, encoded);
+    auto const index
+        = json_.meshes.add(fmt::format("{{\"name\":{},\"primitives\":[{}]}}", quoted(material.name),
+                                       add_primitive(columns, encoded, material_index)));
+    prototypes_.emplace(std::move(key), index);
+    return index;
+}
+
+Result<void> GlbFile::add_instances(std::size_t index, bool is_last, EncodedPiece const& piece)
+{
+    auto const& organ = plant_->organs()[index];
+    if (!piece.is_finite)
+        return fail_infinite("an organ's place");
+    if (!open_) {
+        open_index_ = TRY(prototype_index(organ.prototype));
+        if (options_.instancing == GlbOptions::Instancing::Nodes) {
+            add_organ_nodes(open_index_, organ.instances);
+            return stream_.check();
+        }
+        open_ = Columns();
+        auto& columns = *open_;
+        open(columns, 0, InstanceFormat::translations(), organ.instances.size());
+        open(columns, 1, format_.instances.rotations(), organ.instances.size());
+        open(columns, 2, InstanceFormat::scales(), organ.instances.size());
+    }
+    write(*open_, piece);
+    if (!is_last)
+        return stream_.check();
+    json_.required_extensions.insert("EXT_mesh_gpu_instancing");
+    auto const& columns = *open_;
+    auto const translations = add_accessor(columns[0], kNoTarget);
+    auto const rotations = add_accessor(columns[1], kNoTarget);
+    auto const scales = add_accessor(columns[2], kNoTarget);
+    add_child(
+        fmt::format("{{\"mesh\":{},\"extensions\":{{\"EXT_mesh_gpu_instancing\":"
+                    "{{\"attributes\":{{\"TRANSLATION\":{},\"ROTATION\":{},\"SCALE\":{}}}}}}}}}",
+                    open_index_, translations, rotations, scales));
+    open_.reset();
+    return stream_.check();
+}
+
+void GlbFile::add_organ_nodes(std::size_t mesh, std::span<InstanceTransform const> instances)
+{
+    for (auto const& instance : instances) {
+        auto const placed = to_gltf(instance);
+        auto const& t = placed.translation_mm;
+        auto const& r = placed.rotation;
+        auto const& s = placed.scale;
+        add_child(fmt::format("{{\"mesh\":{},\"translation\":[{},{},{}],\"rotation\":[{},{},{},{}],"
+                              "\"scale\":[{},{},{}]}}",
+                              mesh, t.x(), t.y(), t.z(), r.x(), r.y(), r.z(), r.w(), s.x(), s.y(),
+                              s.z()));
+    }
+}
+
+// Nodes.
+
+void GlbFile::add_child(std::string const& node)
+{
+    children_.add(fmt::format("{}", json_.nodes.add(node)));
+}
+
+// What the plant's node says of its own mesh: nothing where there are no tubes or polygons, and
+// nothing where a child says it, which takes quantised numbers to metres.
+std::string GlbFile::surfaces_reference()
+{
+    if (primitives_.count() == 0)
+        return {};
+    auto const mesh = json_.meshes.add(fmt::format("{{\"name\":{},\"primitives\":[{}]}}",
+                                                   quoted(placed_->name), primitives_.text()));
+    auto const& [quantized, origin, step, ignored] = format_.vertices;
+    if (!quantized)
+        return fmt::format(",\"mesh\":{}", mesh);
+    json_.required_extensions.insert("KHR_mesh_quantization");
+    add_child(fmt::format("{{\"mesh\":{0},\"translation\":[{1},{2},{3}],\"scale\":[{4},{4},{4}]}}",
+                          mesh, origin.x(), origin.y(), origin.z(), step));
+    return {};
+}
+
+void GlbFile::end_plant()
+{
+    std::string node
+        = "{\"name\":" + quoted(placed_->name) + placement(*placed_) + surfaces_reference();
+    if (children_.count() > 0)
+        node += ",\"children\":[" + children_.text() + "]";
+    json_.scene.add(fmt::format("{}", json_.nodes.add(node + "}")));
+}
+
+Result<std::optional<GlbSummary>> GlbFile::finish()
+{
+    auto const text = json_.text(stream_.binary_bytes());
+    json_bytes_ = text.size();
+    if (text.size() > json_room_)
+        return std::optional<GlbSummary>();
+    summary_.bytes = stream_.file_bytes();
+    if (summary_.bytes > kMaxBytes)
+        return fail(Fault::User,
+                    "the glTF file would be larger than 4 GiB: write fewer plants to a file");
+    TRY(stream_.finish(text));
+    return std::optional(summary_);
+}
+
+} // namespace tractus

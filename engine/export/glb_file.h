@@ -1,0 +1,88 @@
+#pragma once
+
+#include "engine/export/glb_stream.h"
+#include "engine/export/glb_writer.h"
+#include "engine/export/gltf_json.h"
+#include "engine/export/gltf_materials.h"
+#include "engine/export/mesh_pieces.h"
+#include "engine/export/piece_encoder.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace tractus {
+
+// How a plant's pieces are written.
+struct PlantFormat {
+    SurfaceFormat vertices {}; // Of its surfaces, but for the size of indices.
+    InstanceFormat instances {};
+
+    SurfaceFormat of(MeshPieces::Surface const& surface) const;
+};
+
+PlantFormat plant_format(MeshPieces const& plant, GlbOptions const& options);
+
+// Bytes that a plant takes in the binary chunk, textures not counted.
+std::uint64_t glb_bytes(MeshPieces const& plant, GlbOptions const& options);
+
+// One try at a .glb file, with a given room for its JSON. Plants come one after another; of each
+// its surfaces, then its organs, all pieces in order.
+class GlbFile {
+public:
+    GlbFile(std::ostream& out, GlbOptions const& options, std::uint64_t json_room);
+
+    Result<void> begin_plant(PlacedMesh const& placed, MeshPieces const& plant,
+                             PlantFormat const& format);
+    Result<void> add_surface_piece(std::size_t surface, bool is_last, EncodedPiece const& piece);
+    Result<void> add_instances(std::size_t organ, bool is_last, EncodedPiece const& piece);
+    void end_plant();
+
+    // Fills in headers and JSON. No value if the JSON does not fit in its room: then
+    // `json_bytes()` says how much it takes.
+    Result<std::optional<GlbSummary>> finish();
+
+    std::uint64_t json_bytes() const { return json_bytes_; }
+
+private:
+    // A block whose elements an accessor will describe.
+    struct Column {
+        NumberFormat format {};
+        std::size_t count = 0;
+        GlbStream::Block block {};
+    };
+    using Columns = std::array<Column, 4>;
+
+    void open(Columns& columns, std::size_t index, NumberFormat const& format, std::size_t count);
+    Columns open_triangles(MeshExtent const& extent, SurfaceFormat const& format);
+    void write(Columns& columns, EncodedPiece const& piece);
+    std::size_t add_accessor(Column const& column, int target, std::string_view more = {});
+    std::string add_primitive(Columns const& columns, EncodedPiece const& limits,
+                              std::size_t material);
+    Result<std::size_t> prototype_index(TriangleMesh const& prototype);
+    void add_organ_nodes(std::size_t mesh, std::span<InstanceTransform const> instances);
+    std::string surfaces_reference();
+    void add_child(std::string const& node);
+
+    GlbStream stream_;
+    GlbOptions options_;
+    std::uint64_t json_room_;
+    GltfJson json_;
+    GltfMaterials materials_;
+    std::map<std::string, std::size_t> prototypes_; // By their material and arrays.
+    GlbSummary summary_;
+    std::uint64_t json_bytes_ = 0;
+
+    // The plant that is being written.
+    PlacedMesh const* placed_ = nullptr;
+    MeshPieces const* plant_ = nullptr;
+    PlantFormat format_;
+    JsonArray primitives_;
+    JsonArray children_;
+    std::optional<Columns> open_; // Of the surface or organ whose pieces are coming.
+    EncodedPiece limits_;         // Of its positions so far.
+    std::size_t open_index_ = 0;  // Of its material, or its prototype.
+};
+
+} // namespace tractus

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "engine/base/result.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+#include <span>
+#include <string_view>
+
+namespace tractus {
+
+// The frame of a .glb file (glTF 2.0 section 4.4): a JSON chunk of a size that is said beforehand,
+// and after it a binary chunk in which blocks are filled side by side. The file begins where the
+// stream stands.
+class GlbStream {
+public:
+    // A stretch of the binary chunk, filled from its beginning.
+    struct Block {
+        std::uint64_t start = 0; // In the chunk; a multiple of four.
+        std::uint64_t size = 0;
+        std::uint64_t written = 0;
+    };
+
+    // `json_room`: a multiple of four.
+    GlbStream(std::ostream& out, std::uint64_t json_room);
+
+    // Makes room at the chunk's end.
+    Block open_block(std::uint64_t size);
+
+    // Appends to a block. Blocks that are open at the same time may be filled in turn.
+    void write(Block& block, std::span<std::byte const> bytes);
+
+    // Fills in headers and JSON, which fits in its room; all blocks are full. Fails if the stream
+    // failed, now or before.
+    Result<void> finish(std::string_view json);
+
+    Result<void> check() const; // Fails if the stream has failed.
+
+    std::uint64_t binary_bytes() const { return binary_bytes_; }
+    std::uint64_t file_bytes() const;
+
+private:
+    std::uint64_t binary_start() const;
+    void seek(std::uint64_t offset);
+    void put(void const* bytes, std::size_t size);
+    void put_spaces(std::uint64_t count);
+    void put_u32(std::initializer_list<std::uint32_t> values);
+
+    std::ostream& out_;
+    std::uint64_t json_room_;
+    std::streamoff start_;
+    std::uint64_t at_ = 0;  // Where the stream stands, from start_.
+    std::uint64_t end_ = 0; // How far it was written.
+    std::uint64_t binary_bytes_ = 0;
+};
+
+} // namespace tractus

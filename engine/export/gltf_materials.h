@@ -1,0 +1,36 @@
+#pragma once
+
+#include "engine/export/glb_stream.h"
+#include "engine/export/gltf_json.h"
+#include "engine/export/texture.h"
+#include "engine/plant/material.h"
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace tractus {
+
+// The materials of a glTF file, and the pictures of bark and of a leaf's veins that they use. What
+// is equal is there once.
+class GltfMaterials {
+public:
+    // Puts materials into `json`, and pictures into `stream` unless they are not wanted.
+    GltfMaterials(GltfJson& json, GlbStream& stream, bool has_textures);
+
+    // Answers the material's index, which is new if no equal one has come before.
+    std::size_t index_of(Material const& material);
+
+private:
+    std::string texture_reference(std::optional<std::size_t>& index, GreyPicture (*picture)(),
+                                  int wrap);
+
+    GltfJson& json_;
+    GlbStream& stream_;
+    bool has_textures_;
+    std::optional<std::size_t> bark_texture_;
+    std::optional<std::size_t> leaf_texture_;
+    std::map<std::string, std::size_t> indices_; // By their JSON.
+};
+
+} // namespace tractus

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "engine/export/placed_mesh.h"
+#include "engine/mesh/mesh_plan.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+// A part of a surface, wherever its triangles are. Indices count from the surface's first vertex.
+struct TriangleView {
+    std::span<Vec3f const> positions_mm;
+    std::span<Vec3f const> normals;
+    std::span<Vec2f const> texture_coordinates;
+    std::span<std::uint32_t const> indices;
+};
+
+TriangleView view_of(TriangleMesh const& mesh);
+
+// The triangles of one plant in pieces of at most about a megabyte, whether they are in memory or
+// are made as they are asked for. Pieces may be asked for on any threads.
+class MeshPieces {
+public:
+    // Grows or meshes what `placed` gives as a function; `placed` must outlive this.
+    explicit MeshPieces(PlacedMesh const& placed);
+    MeshPieces(MeshPieces const&) = delete;
+    MeshPieces& operator=(MeshPieces const&) = delete;
+
+    struct Surface {
+        MaterialId material = 0;
+        MeshExtent extent {};
+        std::size_t piece_count = 0;
+    };
+    std::span<Surface const> surfaces() const { return surfaces_; }
+    std::span<InstancedMesh const> organs() const;
+    Material const& material(MaterialId id) const;
+    std::uint64_t triangle_count() const; // As drawn: every instance counted.
+    Bounds bounds_mm() const;             // A box around all surfaces. Reads a mesh through.
+
+    // One piece; pieces follow each other without a gap. `buffer` holds what has to be made.
+    TriangleView piece(std::size_t surface, std::size_t piece, TriangleMesh& buffer) const;
+
+private:
+    void use_mesh(Mesh const& mesh);
+    void use_plant(Plant const& plant, MeshOptions const& options);
+
+    std::optional<Mesh> made_;
+    std::optional<Plant> grown_;
+    Mesh const* mesh_ = nullptr;   // Either this one or
+    Plant const* plant_ = nullptr; // this one, with its plan and organs.
+    std::optional<MeshPlan> plan_;
+    std::vector<InstancedMesh> organs_;
+    std::vector<Surface> surfaces_;
+};
+
+} // namespace tractus

@@ -1,0 +1,66 @@
+#include "engine/base/parallel.h"
+
+#include <gtest/gtest.h>
+#include <numeric>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#include <vector>
+
+namespace tractus {
+namespace {
+
+// Squares of 0 to count - 1, in the order in which they were used; after `end_after` it has enough.
+std::vector<std::size_t> squares(std::size_t count, std::size_t slots, std::size_t end_after)
+{
+    std::vector<std::size_t> numbers(slots);
+    std::vector<std::size_t> used;
+    std::size_t begun = 0;
+    parallel_in_order(slots,
+                      { .next =
+                            [&](std::size_t slot) {
+                                if (begun == count)
+                                    return false;
+                                numbers[slot] = begun++;
+                                return true;
+                            },
+                        .make = [&](std::size_t slot) { numbers[slot] *= numbers[slot]; },
+                        .use =
+                            [&](std::size_t slot) {
+                                used.push_back(numbers[slot]);
+                                return used.size() < end_after;
+                            } });
+    return used;
+}
+
+template<typename Work> auto on_threads(int count, Work const& work)
+{
+    tbb::global_control const limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(count));
+    return tbb::task_arena(count).execute(work);
+}
+
+TEST(ParallelInOrder, UsesEveryPieceInOrder)
+{
+    std::vector<std::size_t> expected(1000);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        expected[i] = i * i;
+    for (int const threads : { 1, 2, 5 })
+        for (std::size_t const slots : { 1u, 3u, 8u })
+            EXPECT_EQ(on_threads(threads, [&] { return squares(1000, slots, 2000); }), expected)
+                << threads << " threads, " << slots << " slots";
+}
+
+TEST(ParallelInOrder, EndsWhenAUserHasEnough)
+{
+    for (int const threads : { 1, 5 })
+        EXPECT_EQ(on_threads(threads, [] { return squares(1000, 4, 3); }),
+                  (std::vector<std::size_t> { 0, 1, 4 }));
+}
+
+TEST(ParallelInOrder, DoesNothingWhereThereIsNothing)
+{
+    EXPECT_TRUE(squares(0, 2, 1).empty());
+}
+
+} // namespace
+} // namespace tractus
