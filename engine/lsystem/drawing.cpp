@@ -13,6 +13,8 @@ Drawing Drawing::copy(std::pmr::memory_resource& memory) const
              { polygons, &memory },
              { polygon_vertices_mm, &memory },
              has_color,
+             patches,
+             sections,
              gaps,
              warnings };
 }
@@ -26,6 +28,8 @@ void Drawing::clear()
     polygons.clear();
     polygon_vertices_mm.clear();
     has_color.fill(false);
+    patches.clear();
+    sections.clear();
     gaps.clear();
     warnings.clear();
 }

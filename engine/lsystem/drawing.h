@@ -43,8 +43,10 @@ struct Drawing {
     // Which shape an organ has: an organ of the view's by its letter, or one of the turtle's own.
     struct ShapeKey {
         OrganShape::Kind kind = OrganShape::Kind::Blade;
-        char letter = 0;        // Of ~; 0 for balls and discs.
-        std::uint8_t color = 0; // Of balls and discs.
+        char letter = 0;        // Of ~; 0 for the turtle's own.
+        std::uint8_t color = 0; // Of balls, discs and surfaces.
+        // A surface that the turtle made: its number in `patches`, from 1; 0 for the view's.
+        std::uint32_t patch = 0;
 
         auto operator<=>(ShapeKey const&) const = default;
     };
@@ -55,6 +57,14 @@ struct Drawing {
         std::size_t axis_count = 0;
         std::size_t organ_count = 0;
         std::size_t polygon_count = 0;
+    };
+
+    // The cross-section of an axis at one of its nodes, where it is not round. Contours are
+    // numbered in the order of the view's.
+    struct AxisSection {
+        std::uint32_t axis = 0;
+        std::uint32_t node = 0;
+        NodeSection section;
     };
 
     struct Warning {
@@ -69,6 +79,8 @@ struct Drawing {
     std::pmr::vector<Polygon> polygons; // Materials as turtle colours.
     std::pmr::vector<Vec3> polygon_vertices_mm;
     std::array<bool, 256> has_color {}; // Colours of segments and polygons.
+    std::vector<BezierPatch> patches {};
+    std::vector<AxisSection> sections {};
     std::vector<Gap> gaps;
     std::vector<Warning> warnings;
 

@@ -380,6 +380,16 @@ Result<Register> ExpressionCompiler::print_call(std::size_t position, Program& p
     return frame_.constant(0);
 }
 
+Result<Register> ExpressionCompiler::text()
+{
+    auto quoted = TRY(quoted_text());
+    auto const found = std::find(names_.texts.begin(), names_.texts.end(), quoted);
+    auto const number = std::distance(names_.texts.begin(), found);
+    if (found == names_.texts.end())
+        names_.texts.push_back(std::move(quoted));
+    return frame_.constant(static_cast<double>(number));
+}
+
 // What stands between double quotes; a backslash takes the next character along.
 Result<std::string> ExpressionCompiler::quoted_text()
 {

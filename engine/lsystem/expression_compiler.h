@@ -40,6 +40,9 @@ public:
     // Reads one in parentheses, a number, a name or a call.
     Result<Register> primary(Program& program);
 
+    // Reads a string as a parameter of a module: the number of the string in the model.
+    Result<Register> text();
+
     // An element of an array, whose name has been read.
     struct Element {
         std::uint16_t array = 0;

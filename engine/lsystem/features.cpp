@@ -128,6 +128,17 @@ void add_view(View const& view, std::vector<std::string>& features)
 {
     if (!view.tropisms.empty())
         features.push_back(counted(view.tropisms.size(), "tropism"));
+    if (!view.contours.empty())
+        features.push_back(counted(view.contours.size(), "contour"));
+    if (!view.curves.empty())
+        features.push_back(counted(view.curves.size(), "curve"));
+    if (!view.surfaces.empty()) {
+        std::vector<char> letters;
+        for (auto const& [letter, surface] : view.surfaces)
+            letters.push_back(letter);
+        features.push_back(
+            fmt::format("{}: {}", counted(letters.size(), "surface"), fmt::join(letters, ", ")));
+    }
     if (view.pipe_model)
         features.push_back(fmt::format("radii by the pipe model, exponent {}", view.pipe_exponent));
     if (!view.materials.empty())

@@ -228,7 +228,7 @@ Piece whole(Job const& job)
 std::optional<std::vector<Piece>> draw_in_pieces(Job& job)
 {
     if (job.string.size() < 4 * job.options.long_branch || !is_divisible(job.model)
-        || !job.model.subsystems.empty())
+        || !job.model.subsystems.empty() || uses_patches(job.model))
         return std::nullopt;
     BranchIndex const index(job.model, job.string);
     std::vector<Piece> pieces { whole(job) };

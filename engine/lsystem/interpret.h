@@ -36,15 +36,21 @@ struct TurtlePlant {
 //
 // Symbols: F G step and draw, f g step; + - turn left, right; & ^ pitch down, up; \ / roll left,
 // right; | turn round; [ ] push, pop; ! # line width (a diameter) down, up, or set; ; , colour up,
-// down, or set; { . } polygon; ~X organ; @v roll until the left is horizontal; @M(x,y,z) @R(h[,u])
-// set position, frame; @o @c @O disc and sphere; @D @Di @Dd scale set, times, divided; @Ts @Ti @Td
-// elasticity of a tropism; _ that of the older one; @Gs @Ge generalised cylinder, in which f draws
-// too; ?(id,scale) and $ scale what a sub-L-system draws. Other symbols draw nothing; % ends the
-// drawing of its branch if the view says so.
+// down, or set; { . } polygon; ~X organ or surface; @v roll until the left is horizontal;
+// @M(x,y,z) @R(h[,u]) set position, frame; @o @O ball, @c flat disc, @bo @bc circles as thick as
+// the line; @D @Di @Dd scale set, times, divided; ?(id[,s]) $ into and out of a sub-L-system, s
+// times as large; @Ts @Ti @Td elasticity of a tropism, _ that of the older one, @Tf @Tp carry the
+// sides; @Gs @Gc(rings) @Ge(rings) generalised cylinder, {(1) … }(1) along a Hermite path, {(2) a
+// closed one, {(3) {(4) B-splines, @Gt @Gr tangents, @# contour, @! sides; @PS @PC @PD surface of
+// the turtle's points; % and @mc(1) end the drawing of the branch, % only in the string and where
+// the view says so. @L and @Tx warn once that labels and textures are not drawn. Other symbols draw
+// nothing. How cpfg has them: the CPFG User's Manual.
 //
 // Axes: segments drawn one after another are one axis. What is drawn inside brackets, and after a
 // step that draws nothing, begins an axis of its own that stands on the last segment. Steps of no
-// length draw nothing. Inside { } steps set the polygon's vertices and draw nothing.
+// length draw nothing. Inside { } steps set the polygon's vertices, inside {(1) }(1) control
+// points, and draw nothing. A generalised cylinder is an axis of its own, its rings are nodes; with
+// a contour they have sections (NodeSection).
 //
 // Radii are half the line width: at each node of the segment that starts there, at an axis' tip
 // what its last segment has or what is set behind it. With `radii: pipe` in the view they follow

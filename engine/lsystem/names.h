@@ -26,6 +26,7 @@ struct Names {
     std::vector<std::string> functions; // func(NAME, x) takes names as well as numbers.
     std::vector<std::string> curves;    // curveX(NAME, t) likewise.
     std::vector<PrintFormat> formats;
+    std::vector<std::string> texts; // Strings as parameters of modules, such as @L("leaf").
     std::vector<std::string> warnings;
     bool refuses_files = false; // Has warned of it.
 

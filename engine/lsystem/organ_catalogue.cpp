@@ -15,10 +15,27 @@ static OrganDefinition const* find_organ(View const& view, char letter)
 
 bool has_organ(View const& view, char letter)
 {
-    return find_organ(view, letter) != nullptr;
+    return find_organ(view, letter) != nullptr || find_surface(view, letter) != nullptr;
+}
+
+BezierSurface const* find_surface(View const& view, char letter)
+{
+    auto const found = view.surfaces.find(letter);
+    return found != view.surfaces.end() && !find_organ(view, letter) ? &found->second : nullptr;
+}
+
+OrganCatalogue::Identity OrganCatalogue::identity(Drawing::ShapeKey const& key) const
+{
+    if (key.letter != 0 && key.kind != OrganShape::Kind::Surface)
+        return { key.letter, key.kind, 0, 0 };
+    auto const own = material(key.color);
+    bool const is_plain = own == 0 && key.kind == OrganShape::Kind::Surface;
+    return { key.letter, key.kind, is_plain ? surface_material_ : own, key.patch };
 }
 
 OrganCatalogue::OrganCatalogue(View const& view, double unit_mm, std::span<DrawnPiece const> pieces)
+    : unit_mm_(unit_mm)
+    , pieces_(pieces)
 {
     add_materials(view, pieces);
     for (auto const& piece : pieces)
@@ -42,7 +59,7 @@ void OrganCatalogue::add_materials(View const& view, std::span<DrawnPiece const>
             if (piece.drawing.has_color[color])
                 used.insert(static_cast<int>(color));
         for (auto const& key : piece.drawing.shape_keys)
-            if (key.letter == 0)
+            if (key.letter == 0 || key.kind == OrganShape::Kind::Surface)
                 used.insert(key.color);
             else if (auto const* const organ = find_organ(view, key.letter))
                 used.insert(organ->shape.material);
@@ -55,32 +72,71 @@ void OrganCatalogue::add_materials(View const& view, std::span<DrawnPiece const>
                 = static_cast<MaterialId>(materials_.size());
             materials_.push_back(defined->second);
         }
+    // Surfaces are mostly leaves: bark would be a poor guess.
+    for (auto const& piece : pieces)
+        for (auto const& key : piece.drawing.shape_keys)
+            if (key.kind == OrganShape::Kind::Surface && material(key.color) == 0
+                && surface_material_ == 0)
+                surface_material_ = add_leaf("surface");
+}
+
+MaterialId OrganCatalogue::add_leaf(std::string const& name)
+{
+    Material leaf;
+    leaf.name = name;
+    leaf.kind = Material::Kind::Leaf;
+    leaf.base_color = { 0.30f, 0.48f, 0.17f };
+    leaf.translucency = 0.4f;
+    materials_.push_back(leaf);
+    return static_cast<MaterialId>(materials_.size() - 1);
+}
+
+// Patches in millimetres, and the box that they fill in turtle units, as other shapes have it.
+OrganShape OrganCatalogue::make_surface(View const& view, Identity const& identity) const
+{
+    OrganShape shape;
+    shape.kind = OrganShape::Kind::Surface;
+    shape.material = identity.material;
+    if (identity.patch > 0) {
+        shape.name = "patch " + std::to_string(identity.patch);
+        // Only strings that are drawn in one piece have patches.
+        shape.patches = { pieces_.front().drawing.patches[identity.patch - 1] };
+    } else {
+        shape.name = std::string("surface ") + identity.letter;
+        shape.patches = find_surface(view, identity.letter)->patches;
+    }
+    Eigen::AlignedBox3d box;
+    for (auto& patch : shape.patches)
+        for (auto& point : patch.control) {
+            box.extend(point);
+            point *= unit_mm_;
+        }
+    shape.width_mm = box.sizes().x();
+    shape.length_mm = box.sizes().y();
+    auto const kind = materials_[shape.material].kind;
+    shape.has_back = kind != Material::Kind::Leaf && kind != Material::Kind::Petal;
+    return shape;
 }
 
 OrganShape OrganCatalogue::make_shape(View const& view, Identity const& identity)
 {
-    auto const& [letter, kind, surface] = identity;
+    if (identity.kind == OrganShape::Kind::Surface)
+        return make_surface(view, identity);
     OrganShape shape;
-    if (letter == 0) {
-        shape.name = kind == OrganShape::Kind::Ball ? "ball" : "disc";
-        shape.kind = kind;
-        shape.material = surface;
+    if (identity.letter == 0) {
+        shape.name = identity.kind == OrganShape::Kind::Ball ? "ball" : "disc";
+        shape.kind = identity.kind;
+        shape.material = identity.material;
         shape.length_mm = 1;
         shape.width_mm = 1;
-    } else if (auto const* const organ = find_organ(view, letter)) {
+    } else if (auto const* const organ = find_organ(view, identity.letter)) {
         shape = organ->shape;
         shape.material = material(static_cast<std::uint8_t>(shape.material));
     } else {
-        shape.name = std::string("leaf ") + letter;
+        shape.name = std::string("leaf ") + identity.letter;
         shape.length_mm = 1;
         shape.width_mm = 0.5;
-        shape.material = static_cast<MaterialId>(materials_.size());
-        Material leaf;
-        leaf.name = shape.name;
-        leaf.kind = Material::Kind::Leaf;
-        leaf.base_color = { 0.30f, 0.48f, 0.17f };
-        leaf.translucency = 0.4f;
-        materials_.push_back(leaf);
+        shape.material = add_leaf(shape.name);
     }
     return shape;
 }

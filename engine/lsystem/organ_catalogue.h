@@ -7,13 +7,16 @@
 #include <array>
 #include <map>
 #include <span>
-#include <tuple>
+#include <string>
 #include <vector>
 
 namespace tractus {
 
 // Whether the view defines what ~letter draws.
 bool has_organ(View const& view, char letter);
+
+// The surface that ~letter draws; nullptr where it draws something else.
+BezierSurface const* find_surface(View const& view, char letter);
 
 // The materials and organ shapes that pieces of a drawing use, numbered so that the order in which
 // they were used does not matter (see assemble_plant()).
@@ -31,17 +34,26 @@ public:
     std::vector<OrganShape> take_shapes() { return std::move(shapes_); }
 
 private:
-    using Identity = std::tuple<char, OrganShape::Kind, MaterialId>;
+    struct Identity {
+        char letter = 0;
+        OrganShape::Kind kind = OrganShape::Kind::Blade;
+        MaterialId material = 0;
+        std::uint32_t patch = 0;
 
-    // Balls and discs of one material are one shape.
-    Identity identity(Drawing::ShapeKey const& key) const
-    {
-        return { key.letter, key.kind, key.letter != 0 ? MaterialId { 0 } : material(key.color) };
-    }
+        auto operator<=>(Identity const&) const = default;
+    };
+
+    // What has the turtle's colour is one shape for all colours of one material.
+    Identity identity(Drawing::ShapeKey const& key) const;
     void add_materials(View const& view, std::span<DrawnPiece const> pieces);
     OrganShape make_shape(View const& view, Identity const& identity);
+    OrganShape make_surface(View const& view, Identity const& identity) const;
+    MaterialId add_leaf(std::string const& name);
 
     std::array<MaterialId, 256> materials_by_color_ {}; // 0, bark, for what is not defined.
+    MaterialId surface_material_ = 0; // Of surfaces whose colour has none; 0 until there is one.
+    double unit_mm_;
+    std::span<DrawnPiece const> pieces_;
     std::vector<Material> materials_;
     std::map<Identity, OrganShapeId> shapes_by_key_;
     std::vector<OrganShape> shapes_;

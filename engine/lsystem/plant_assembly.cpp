@@ -43,7 +43,8 @@ struct Target {
 class Assembly {
 public:
     Assembly(View const& view, double unit_mm, std::span<DrawnPiece> pieces)
-        : pieces_(pieces)
+        : view_(view)
+        , pieces_(pieces)
         , catalogue_(view, unit_mm, pieces)
         , targets_(pieces.size())
     {
@@ -61,6 +62,7 @@ public:
             write_segments(i);
             write_organs(i);
             write_polygons(i);
+            write_sections(i);
         });
         plant_.materials = catalogue_.take_materials();
         plant_.organ_shapes = catalogue_.take_shapes();
@@ -87,6 +89,7 @@ private:
     void write_segments(std::size_t piece);
     void write_organs(std::size_t piece);
     void write_polygons(std::size_t piece);
+    void write_sections(std::size_t piece);
 
     // The number in the plant of a segment of a piece.
     SegmentId segment_id(std::size_t piece, std::uint32_t segment) const
@@ -100,6 +103,7 @@ private:
         return target.first_segments[drawn.axis] + drawn.index;
     }
 
+    View const& view_;
     std::span<DrawnPiece> pieces_;
     OrganCatalogue catalogue_;
     std::vector<Target> targets_; // One per piece.
@@ -220,6 +224,12 @@ void Assembly::allocate()
             resize_empty(plant_.polygon_vertices_mm, total_.polygon_vertices);
         },
     };
+    if (std::any_of(pieces_.begin(), pieces_.end(),
+                    [](auto const& piece) { return !piece.drawing.sections.empty(); })) {
+        plant_.node_section.resize(nodes);
+        for (auto const& [id, contour] : view_.contours)
+            plant_.contours.push_back(contour);
+    }
     parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (auto i = begin; i < end; ++i)
             tasks[i]();
@@ -297,6 +307,15 @@ void Assembly::write_polygons(std::size_t piece)
                     polygon.vertex_count,
                     plant_.polygon_vertices_mm.begin() + polygon.first_vertex);
     }
+}
+
+void Assembly::write_sections(std::size_t piece)
+{
+    auto const& target = targets_[piece];
+    for (auto const& drawn : pieces_[piece].drawing.sections)
+        plant_.node_section[target.first_segments[drawn.axis] + target.axis_ids[drawn.axis]
+                            + drawn.node]
+            = drawn.section;
 }
 
 } // namespace

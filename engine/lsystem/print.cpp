@@ -10,8 +10,8 @@ namespace tractus {
 // The second letters of @-symbols with three characters, by their first: from cpfg's manual.
 static bool is_third_character(char second, char third)
 {
-    static constexpr std::array<std::string_view, 6> kSymbols { "Gscetr", "Tsdpfix", "Did",
-                                                                "bco",    "Csae",    "Pscd" };
+    static constexpr std::array<std::string_view, 7> kSymbols { "Gscetr", "Tsdpfix", "Did", "bco",
+                                                                "Csae",   "PscdSCD", "moc" };
     for (auto const letters : kSymbols)
         if (letters[0] == second)
             return letters.find(third, 1) != std::string_view::npos;

@@ -129,10 +129,9 @@ Result<void> RuleParser::modules(SuccessorTemplate& result, ExpressionCompiler& 
         std::size_t count = 0;
         if (cursor_.take("(")) {
             do {
-                if (cursor_.peek() == '"')
-                    return cursor_.error(
-                        "modules with strings, such as @L(\"text\"), are not supported");
-                result.parameters.push_back(TRY(compiler.expression(program)));
+                result.parameters.push_back(cursor_.peek() == '"'
+                                                ? TRY(compiler.text())
+                                                : TRY(compiler.expression(program)));
                 ++count;
             } while (cursor_.take(","));
             if (!cursor_.take(")"))

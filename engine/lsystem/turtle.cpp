@@ -1,6 +1,5 @@
 #include "engine/lsystem/turtle.h"
 
-#include "engine/lsystem/organ_catalogue.h"
 #include "engine/lsystem/print.h"
 
 #include <algorithm>
@@ -12,10 +11,34 @@ namespace tractus {
 
 constexpr double kMinWidth = 1e-7; // As cpfg.
 
+static bool has_symbol(Model const& model, std::string_view symbols)
+{
+    return std::any_of(
+        model.alphabet.kinds.begin(), model.alphabet.kinds.end(),
+        [&](auto const& kind) { return symbols.find(kind.symbol) != std::string_view::npos; });
+}
+
+bool uses_turtle_extras(Model const& model)
+{
+    return !model.view.tropisms.empty() || (has_symbol(model, "@") && has_symbol(model, "TG"))
+        || std::find(model.alphabet.kinds.begin(), model.alphabet.kinds.end(),
+                     ModuleKind { '{', 1 })
+        != model.alphabet.kinds.end()
+        || std::find(model.alphabet.kinds.begin(), model.alphabet.kinds.end(),
+                     ModuleKind { '{', 2 })
+        != model.alphabet.kinds.end();
+}
+
+bool uses_patches(Model const& model)
+{
+    return has_symbol(model, "@") && has_symbol(model, "P");
+}
+
 Turtle::Turtle(Model const& model, TurtleOptions const& options)
     : model_(model)
     , view_(model.view)
     , options_(options)
+    , has_extras_(uses_turtle_extras(model))
 {
     for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i) {
         auto const& kind = model.alphabet.kinds[i];
@@ -31,8 +54,10 @@ Turtle::Start Turtle::start() const
     start.state.width = view_.line_width;
     start.state.elasticity = view_.elasticity;
     start.state.color = static_cast<std::uint8_t>(view_.color);
+    start.state.scale = view_.scale;
     for (std::size_t i = 0; i < tropism_count(); ++i)
-        start.elasticities[i] = view_.tropisms[i].elasticity;
+        start.extras.elasticities[i] = view_.tropisms[i].elasticity;
+    start.extras.style.sides = static_cast<std::uint16_t>(view_.contour_sides);
     return start;
 }
 
@@ -40,18 +65,22 @@ void Turtle::begin(Start const& start, Drawing& drawing)
 {
     drawing_ = &drawing;
     state_ = start.state;
-    elasticities_ = start.elasticities;
+    extras_ = start.extras;
     stack_.clear();
-    elasticity_stack_.clear();
+    extras_stack_.clear();
     polygons_.clear();
     call_scales_.clear();
+    cylinder_stack_.clear();
+    patches_.clear();
+    patch_numbers_.clear();
+    patch_shapes_.clear();
     is_cut_ = false;
     has_unpaired_ = false;
 }
 
 Turtle::Start Turtle::branch_start() const
 {
-    Start start { state_, elasticities_ };
+    Start start { state_, extras_ };
     start.state.place.axis = kNone;
     if (start.state.place.segment != kNone)
         start.state.place.segment = Drawing::kBelow;
@@ -119,9 +148,9 @@ void Turtle::draw_symbol(Symbol const& symbol)
     case 'G':
         return step(symbol, true, false);
     case 'f':
-        return step(symbol, state_.is_cylinder, true);
+        return step(symbol, false, true);
     case 'g':
-        return step(symbol, state_.is_cylinder, false);
+        return step(symbol, false, false);
     case '+':
         return turn(frame.heading, frame.left, symbol, 1);
     case '-':
@@ -152,21 +181,13 @@ void Turtle::draw_symbol(Symbol const& symbol)
         state_.elasticity = symbol.parameter(0, state_.elasticity + view_.elasticity_step);
         return;
     case '{':
-        if (symbol.parameter(0, 0) == 0)
-            polygons_.push_back({ {}, state_.color });
-        else
-            state_.is_cylinder = true;
-        return;
+        return begin_path(symbol);
     case '.':
-        if (!polygons_.empty())
-            polygons_.back().vertices_mm.push_back(frame.position_mm);
-        return;
+        return add_dot(symbol);
     case '}':
         if (symbol.parameter(0, 0) == 0)
-            close_polygon();
-        else
-            state_.is_cylinder = false;
-        return;
+            return close_polygon();
+        return end_path();
     case '~':
         if (symbol.name[1] != 0)
             add_organ(symbol.name[1], symbol);
@@ -186,7 +207,7 @@ void Turtle::draw_symbol(Symbol const& symbol)
 // the line width grows with it.
 void Turtle::enter_subsystem(Symbol const& symbol)
 {
-    if (model_.subsystems.empty() || symbol.count == 0)
+    if (model_.subsystems.empty() || symbol.count == 0 || symbol.name[1] != 0)
         return;
     double const outer = call_scales_.empty() ? view_.scale : call_scales_.back();
     double const scale = std::clamp(outer * symbol.parameter(1, 1), -1e6, 1e6);
@@ -221,20 +242,29 @@ void Turtle::draw_at_symbol(Symbol const& symbol)
         return add_round(OrganShape::Kind::Ball, symbol);
     case 'c':
         return add_round(OrganShape::Kind::Disc, symbol);
+    case 'b':
+        return add_circle(symbol);
     case 'D':
         return set_scale(symbol);
-    case 'T': // @Tx is a texture; @Tp and @Tf carry the frame, which here twists least anyway.
-        if (symbol.name[2] == 's' || symbol.name[2] == 'i' || symbol.name[2] == 'd')
-            set_elasticity(symbol);
-        return;
+    case 'T':
+        return draw_movement_symbol(symbol);
     case 'G':
-        if (symbol.name[2] == 's' || symbol.name[2] == 'e')
-            state_.is_cylinder = symbol.name[2] == 's';
+        return draw_cylinder_symbol(symbol);
+    case '#':
+        return set_contour(symbol);
+    case '!':
+        return set_sides(symbol);
+    case 'P':
+        return draw_patch_symbol(symbol);
+    case 'm': // @mc(1): a cut.
+        is_cut_ = is_cut_ || (symbol.name[2] == 'c' && symbol.parameter(0, 0) == 1);
         return;
+    case 'L':
+        return warn(fmt::format("{}: labels are not drawn", model_.name));
     case ';':
     case ',': // The back face's colour.
-    case '#':
-    case '!': // Contour and sides of cylinders.
+    case 'Z':
+    case 'Y': // Of other programs.
         return;
     default:
         warn(fmt::format("{}: the turtle symbol @{} is not supported; it draws nothing",
@@ -242,11 +272,30 @@ void Turtle::draw_at_symbol(Symbol const& symbol)
     }
 }
 
+// @Ts @Ti @Td elasticity; @Tp carry the sides; @Tf carry them from here on; @Tx texture.
+void Turtle::draw_movement_symbol(Symbol const& symbol)
+{
+    switch (symbol.name[2]) {
+    case 's':
+    case 'i':
+    case 'd':
+        return set_elasticity(symbol);
+    case 'p':
+        return state_.frame.carry_from(extras_.carried);
+    case 'f':
+        extras_.carried = state_.frame;
+        return;
+    default:
+        return warn(
+            fmt::format("{}: textures are not supported; @Tx changes nothing", model_.name));
+    }
+}
+
 void Turtle::step(Symbol const& symbol, bool draws, bool sets_vertex)
 {
     auto& frame = state_.frame;
     if (tropism_count() > 0)
-        bend_by_tropisms(frame, view_.tropisms, elasticities_);
+        bend_by_tropisms(frame, extras_.carried, view_.tropisms, extras_.elasticities);
     auto const base_mm = frame.position_mm;
     double const length_mm = symbol.parameter(0, 1) * state_.scale * options_.unit_mm;
     Vec3 const tip_mm = base_mm + length_mm * frame.heading;
@@ -255,22 +304,30 @@ void Turtle::step(Symbol const& symbol, bool draws, bool sets_vertex)
         warn(fmt::format("{}: left out steps to places more than 1e12 mm away", model_.name));
     if (is_inside && length_mm != 0) {
         frame.position_mm = tip_mm;
-        if (polygons_.empty() && draws)
+        if (polygons_.empty() && draws && state_.path != State::Path::OfSteps)
             drawing_->add_segment(state_.place, base_mm, tip_mm, radius_mm(), state_.color);
         else if (polygons_.empty())
             state_.place.axis = kNone;
     }
     if (state_.elasticity != 0)
-        frame.bend_by(frame.heading.cross(from_model(view_.tropism_direction)) * state_.elasticity);
+        frame.bend_towards(from_model(view_.tropism_direction), state_.elasticity);
     if (sets_vertex && !polygons_.empty())
         polygons_.back().vertices_mm.push_back(frame.position_mm);
+    else if (sets_vertex && state_.path == State::Path::OfSteps)
+        add_control_point(0);
+    if (has_extras_ && draws)
+        extras_.carried = frame;
 }
 
 void Turtle::push()
 {
     stack_.push_back(state_);
-    if (tropism_count() > 0)
-        elasticity_stack_.push_back(elasticities_);
+    if (has_extras_)
+        extras_stack_.push_back(extras_);
+    if (state_.path != State::Path::None) {
+        cylinder_stack_.push_back(cylinder_);
+        cylinder_.place.axis = kNone;
+    }
     state_.place.axis = kNone;
 }
 
@@ -282,9 +339,13 @@ void Turtle::pop()
     }
     state_ = stack_.back();
     stack_.pop_back();
-    if (tropism_count() > 0) {
-        elasticities_ = elasticity_stack_.back();
-        elasticity_stack_.pop_back();
+    if (has_extras_) {
+        extras_ = extras_stack_.back();
+        extras_stack_.pop_back();
+    }
+    if (state_.path != State::Path::None) {
+        cylinder_ = std::move(cylinder_stack_.back());
+        cylinder_stack_.pop_back();
     }
 }
 
@@ -311,7 +372,7 @@ void Turtle::set_width(Symbol const& symbol, int sign)
 // @D, @Di, @Dd.
 void Turtle::set_scale(Symbol const& symbol)
 {
-    double const value = symbol.parameter(0, 1);
+    double const value = symbol.parameter(0, symbol.name[2] != 0 ? view_.scale_step : 1);
     double scale = value;
     if (symbol.name[2] == 'i')
         scale = state_.scale * value;
@@ -362,64 +423,12 @@ void Turtle::set_elasticity(Symbol const& symbol)
         return warn(fmt::format("{}: @T{}({}) names a tropism that the view does not define",
                                 model_.name, symbol.name[2], number));
     auto const index = static_cast<std::size_t>(number) - 1;
-    auto& elasticity = elasticities_[index];
+    auto& elasticity = extras_.elasticities[index];
     double const change = symbol.parameter(1, view_.tropisms[index].elasticity_step);
     if (symbol.name[2] == 's')
         elasticity = symbol.parameter(1, 0);
     else
         elasticity += symbol.name[2] == 'i' ? change : -change;
-}
-
-// ~X, ~X(scale), ~X(across, along, thick).
-void Turtle::add_organ(char letter, Symbol const& symbol)
-{
-    if (!has_organ(view_, letter))
-        warn(fmt::format("{}: no organ {} in the view; ~{} draws a plain leaf", model_.name, letter,
-                         letter));
-    auto const& frame = state_.frame;
-    Organ organ;
-    organ.segment = state_.place.segment;
-    organ.position_mm = frame.position_mm;
-    Eigen::Matrix3d axes;
-    axes.col(0) = -frame.left;
-    axes.col(1) = frame.heading;
-    axes.col(2) = -frame.down;
-    organ.orientation = Quat(axes).normalized();
-    double const uniform = symbol.parameter(0, 1);
-    for (int i = 0; i < 3; ++i) {
-        double const scale
-            = symbol.count >= 3 ? symbol.parameter(static_cast<std::size_t>(i), 1) : uniform;
-        organ.scale[i] = static_cast<float>(std::clamp(scale * state_.scale, -1e6, 1e6));
-    }
-    if (organ.scale.squaredNorm() == 0)
-        return;
-    organ.shape = drawing_->shape({ OrganShape::Kind::Blade, letter, 0 });
-    drawing_->organs.push_back(organ);
-}
-
-// @o and @O: a ball of the given diameter about the turtle; @c: a disc whose face is the turtle's
-// upper side. The line width where no diameter is given.
-void Turtle::add_round(OrganShape::Kind kind, Symbol const& symbol)
-{
-    auto const& frame = state_.frame;
-    double const diameter = std::clamp(
-        symbol.parameter(0, state_.width / std::max(state_.scale, 1e-6)) * state_.scale, 0.0, 1e6);
-    if (!(diameter > 0))
-        return;
-    Organ organ;
-    organ.shape = drawing_->shape({ kind, 0, state_.color });
-    organ.segment = state_.place.segment;
-    organ.position_mm = frame.position_mm;
-    Eigen::Matrix3d axes;
-    bool const is_ball = kind == OrganShape::Kind::Ball;
-    axes.col(1) = is_ball ? frame.heading : -frame.down;
-    axes.col(0) = -frame.left;
-    axes.col(2) = axes.col(0).cross(axes.col(1));
-    organ.orientation = Quat(axes).normalized();
-    organ.scale = Vec3f::Constant(static_cast<float>(diameter));
-    if (is_ball) // Balls touch their origin.
-        organ.position_mm -= diameter / 2 * options_.unit_mm * frame.heading;
-    drawing_->organs.push_back(organ);
 }
 
 std::size_t Turtle::tropism_count() const

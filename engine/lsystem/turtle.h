@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/lsystem/cylinder.h"
 #include "engine/lsystem/drawing.h"
 #include "engine/lsystem/interpret.h"
 #include "engine/lsystem/rewriter.h"
@@ -8,12 +9,18 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace tractus {
+
+// Whether a model's strings may say how the turtle is carried, or how cylinders look.
+bool uses_turtle_extras(Model const& model);
+// Whether strings may define surfaces by the turtle, which are numbered as they are drawn.
+bool uses_patches(Model const& model);
 
 // Draws the symbols of a string, one after the other, into a Drawing. What each symbol does:
 // interpret.h.
@@ -29,12 +36,20 @@ public:
         double scale = 1;
         double elasticity = 0; // Of the older tropism.
         std::uint8_t color = 0;
-        bool is_cylinder = false; // Between @Gs and @Ge.
+        // An open generalised cylinder: its control points are steps and dots, or @Gc and dots.
+        enum class Path : std::uint8_t { None, OfSteps, OfSymbols };
+        Path path = Path::None;
         Drawing::Place place;
+    };
+    // What brackets save, too, where a model uses any of it.
+    struct Extras {
+        Elasticities elasticities {};
+        TurtleFrame carried; // From where the sides are carried when a tropism bends.
+        CylinderStyle style;
     };
     struct Start {
         State state;
-        Elasticities elasticities {};
+        Extras extras;
     };
 
     // As the view has it.
@@ -64,7 +79,7 @@ public:
     // How many branches were begun since begin() and are open.
     std::size_t depth() const { return stack_.size(); }
     // Whether a branch may be left out: what is open would go on in it.
-    bool may_leave_out() const { return polygons_.empty(); }
+    bool may_leave_out() const { return polygons_.empty() && state_.path == State::Path::None; }
     // Whether all that was begun since begin() is at its end, as another turtle must find it.
     bool is_complete() const { return stack_.empty() && polygons_.empty() && !has_unpaired_; }
 
@@ -86,6 +101,20 @@ private:
         std::uint8_t color = 0;
     };
 
+    // A generalised cylinder that is being drawn, and where it goes on.
+    struct OpenCylinder {
+        Cylinder cylinder;
+        Drawing::Place place;
+        bool is_round = true; // The axis at `place`.
+    };
+
+    // A surface whose points are being given by @PC.
+    struct OpenPatch {
+        PatchBasis basis = PatchBasis::Bezier;
+        std::array<Vec3, 16> control;
+        std::uint32_t given = 0; // One bit for each point.
+    };
+
     bool check(Symbol const& symbol);
     void draw_symbol(Symbol const& symbol);
     void draw_at_symbol(Symbol const& symbol);
@@ -102,8 +131,25 @@ private:
     void set_position(Symbol const& symbol);
     void set_frame(Symbol const& symbol);
     void set_elasticity(Symbol const& symbol);
+    void draw_movement_symbol(Symbol const& symbol);
+    // turtle_organs.cpp
     void add_organ(char letter, Symbol const& symbol);
     void add_round(OrganShape::Kind kind, Symbol const& symbol);
+    void add_circle(Symbol const& symbol);
+    void draw_patch_symbol(Symbol const& symbol);
+    void add_patch(OpenPatch const& patch);
+    double diameter(Symbol const& symbol) const;
+    // turtle_cylinder.cpp
+    void begin_path(Symbol const& symbol);
+    void end_path();
+    void add_dot(Symbol const& symbol);
+    void draw_cylinder_symbol(Symbol const& symbol);
+    void begin_cylinder(Cylinder::Path path, int rings);
+    void add_control_point(int rings);
+    void draw_piece(Cylinder::Piece const& piece);
+    void set_contour(Symbol const& symbol);
+    void set_sides(Symbol const& symbol);
+    void set_radius_tangents(Symbol const& symbol);
     std::size_t tropism_count() const;
     float radius_mm() const;
     void warn(std::string warning);
@@ -118,11 +164,17 @@ private:
 
     Drawing* drawing_ = nullptr; // Not owned.
     State state_;
-    Elasticities elasticities_ {};
+    Extras extras_;
+    bool has_extras_ = false;
     std::vector<State> stack_;
-    std::vector<Elasticities> elasticity_stack_; // Used if there are tropisms.
+    std::vector<Extras> extras_stack_; // Used if there are extras.
     std::vector<OpenPolygon> polygons_;
     std::vector<double> call_scales_; // Of the calls of sub-L-systems that are open.
+    OpenCylinder cylinder_;           // While state_.path is not None.
+    std::vector<OpenCylinder> cylinder_stack_;
+    std::map<float, OpenPatch> patches_;
+    std::map<std::array<std::int32_t, 48>, std::uint32_t> patch_numbers_;
+    std::map<std::pair<std::uint32_t, std::uint8_t>, OrganShapeId> patch_shapes_;
     std::size_t place_ = 0;
     bool is_cut_ = false;
     bool has_unpaired_ = false; // A ] or } without its beginning.

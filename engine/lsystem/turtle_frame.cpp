@@ -43,36 +43,51 @@ void TurtleFrame::set_up(Vec3 const& up)
     straighten();
 }
 
-void TurtleFrame::bend_by(Vec3 const& torque)
+void TurtleFrame::bend_by(Vec3 const& torque, TurtleFrame const& before)
 {
     double const length = torque.norm();
     if (!(length >= 1e-6))
         return;
     Eigen::AngleAxisd const turn(std::min(length, 1.0), torque / length);
     heading = (turn * heading).normalized();
-    left = turn * left;
+    carry_from(before);
+}
+
+void TurtleFrame::bend_towards(Vec3 const& direction, double elasticity)
+{
+    for (auto* const side : { &down, &left }) {
+        double const sine = std::clamp(elasticity * direction.dot(*side), -1.0, 1.0);
+        rotate(heading, *side, sine, std::sqrt(1 - sine * sine));
+    }
+}
+
+void TurtleFrame::carry_from(TurtleFrame const& before)
+{
+    if (heading.cross(before.heading).norm() > 1e-6)
+        left = Quat::FromTwoVectors(before.heading, heading) * before.left;
     straighten();
 }
 
 // Rolls so that the upper side turns towards the sum of the torques' directions.
-static void twist_by_torques(TurtleFrame& frame, std::vector<Tropism> const& tropisms,
-                             Elasticities const& elasticities)
+static void twist_by_torques(TurtleFrame& frame, TurtleFrame& before,
+                             std::vector<Tropism> const& tropisms, Elasticities const& elasticities)
 {
     Vec3 pull = Vec3::Zero();
     for (std::size_t i = 0; i < std::min(tropisms.size(), kMaxTropisms); ++i)
         if (tropisms[i].is_torque)
             pull += elasticities[i] * from_model(tropisms[i].direction);
     Vec3 const across = pull - pull.dot(frame.heading) * frame.heading;
-    if (across.norm() < 1e-4 * pull.norm() || !(pull.norm() > 0))
-        return;
-    Vec3 const torque = frame.down.cross(across.normalized() * pull.norm());
-    double const angle_rad = std::min(torque.norm(), 1.0);
-    if (angle_rad < 1e-7)
-        return;
-    Eigen::AngleAxisd const turn(angle_rad, torque.normalized());
-    frame.left = turn * frame.left;
-    frame.left = (frame.left - frame.left.dot(frame.heading) * frame.heading).normalized();
-    frame.down = frame.left.cross(frame.heading);
+    if (!(across.norm() > 1e-4 * pull.norm()))
+        return; // It heads where the torque would turn it.
+    Vec3 const torque = -frame.down.cross(across);
+    double const length = torque.norm();
+    if (length >= 1e-7) {
+        Eigen::AngleAxisd const turn(std::min(length, 1.0), torque / length);
+        frame.left = turn * frame.left;
+        frame.left = (frame.left - frame.left.dot(frame.heading) * frame.heading).normalized();
+        frame.down = frame.left.cross(frame.heading);
+    }
+    before = frame;
 }
 
 // What one tropism adds to the direction that pulls the heading.
@@ -92,7 +107,7 @@ static Vec3 pull_of(Tropism const& tropism, double elasticity, TurtleFrame const
     return along + elasticity * std::sin(angle_rad) / length * direction.cross(across);
 }
 
-void bend_by_tropisms(TurtleFrame& frame, std::vector<Tropism> const& tropisms,
+void bend_by_tropisms(TurtleFrame& frame, TurtleFrame& before, std::vector<Tropism> const& tropisms,
                       Elasticities const& elasticities)
 {
     Vec3 pull = Vec3::Zero();
@@ -105,9 +120,9 @@ void bend_by_tropisms(TurtleFrame& frame, std::vector<Tropism> const& tropisms,
         else
             pull += pull_of(tropisms[i], elasticities[i], frame);
     }
-    frame.bend_by(frame.heading.cross(pull));
+    frame.bend_by(frame.heading.cross(pull), before);
     if (has_torque)
-        twist_by_torques(frame, tropisms, elasticities);
+        twist_by_torques(frame, before, tropisms, elasticities);
 }
 
 } // namespace tractus

@@ -69,8 +69,17 @@ struct TurtleFrame {
     // Turns the upper side away from `up`, cpfg's third direction, as far as the heading allows.
     void set_up(Vec3 const& up);
 
-    // Turns about `torque` by its length, at most 1 radian, with the least twist.
-    void bend_by(Vec3 const& torque);
+    // Turns about `torque` by its length, at most 1 radian. The sides are carried from `before`
+    // with the least twist.
+    void bend_by(Vec3 const& torque, TurtleFrame const& before);
+
+    // cpfg's older tropism: pitches and turns towards `direction`, as far as its parts across the
+    // heading say.
+    void bend_towards(Vec3 const& direction, double elasticity);
+
+    // The sides lie as if `before`'s were carried to this heading with the least twist. No change
+    // where the headings are the same.
+    void carry_from(TurtleFrame const& before);
 
 private:
     // Makes left and down perpendicular to the heading again.
@@ -83,7 +92,10 @@ using Elasticities = std::array<double, kMaxTropisms>;
 
 // Bends the frame before a step: the heading turns towards V = sum e (cos g T + sin g T x (H x T) /
 // |H x T|), about H x V and by its length in radians; torques then roll it.
-void bend_by_tropisms(TurtleFrame& frame, std::vector<Tropism> const& tropisms,
+//
+// `before` is the frame behind the last segment, or where @Tf stood: cpfg carries the sides from
+// there, so that rolls since then are lost where a tropism bends. A torque moves it.
+void bend_by_tropisms(TurtleFrame& frame, TurtleFrame& before, std::vector<Tropism> const& tropisms,
                       Elasticities const& elasticities);
 
 } // namespace tractus

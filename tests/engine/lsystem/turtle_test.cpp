@@ -119,9 +119,9 @@ TEST(Turtle, BendsTowardsTropisms)
                 { -std::cos(0.3), 0, std::sin(0.3) });
     expect_near(tip(drawn("+(90)@Ts(1,0.3)F", "tropism: T: 0,1,0\n")),
                 { -std::cos(0.3), 0, std::sin(0.3) });
-    // The older tropism bends behind the step.
+    // The older tropism bends behind the step, by an angle whose sine is the elasticity here.
     expect_near(tip(drawn("+(90)FF", "tropism direction: 0,1,0\ninitial elasticity: 0.3\n")),
-                { -1 - std::cos(0.3), 0, std::sin(0.3) });
+                { -1 - std::sqrt(1 - 0.09), 0, 0.3 });
     // Perpendicular to T, a turtle that heads along it turns away by the elasticity.
     auto const away = tip(drawn("F", "tropism: T: 0,1,0 A: 90 E: 0.2\n"));
     EXPECT_NEAR(std::acos(away.z()), 0.2, 1e-9);
@@ -190,6 +190,256 @@ TEST(Turtle, StopsARunawayHomomorphism)
     auto const plant = interpret(model, *derive(model), { .unit_mm = 10, .max_modules = 10000 });
     ASSERT_FALSE(plant);
     EXPECT_EQ(plant.error().message, "model.l: the homomorphism makes more than 10000 modules");
+}
+
+std::vector<std::string> warnings_of(std::string const& axiom, std::string const& view = {})
+{
+    auto const model = compiled(with_header("Axiom: " + axiom, 0), view);
+    auto const result = interpret_with_warnings(model, *derive(model));
+    EXPECT_TRUE(result) << result.error().message;
+    return result ? result->warnings : std::vector<std::string>();
+}
+
+TEST(Turtle, CarriesItsSidesWhereATropismBends)
+{
+    auto const view = "tropism: T: 0,1,0 E: 0.3\n";
+    // Pitched forward and rolled: the roll is lost when the tropism bends …
+    auto const lost = drawn("&(90)F/(40)F^(90)G", view);
+    EXPECT_NEAR(tip(lost).x(), 0, 1e-9);
+    // … unless it is meant.
+    auto const kept = drawn("&(90)F/(40)@TfF^(90)G", view);
+    EXPECT_GT(std::abs(tip(kept).x()), 0.3);
+    // @Tp carries them without any tropism.
+    EXPECT_NEAR(tip(drawn("&(90)F&(10)/(40)@Tp^(90)F")).x(), 0, 1e-9);
+}
+
+TEST(Turtle, RollsItsUpperSideTowardsATorque)
+{
+    // Heading away from the viewer, the upper side to the right; the torque leads up.
+    auto const before = tip(drawn("&(90)\\(90)F^(90)F"));
+    auto const after = tip(drawn("&(90)\\(90)F^(90)F", "torque: T: 0,1,0 E: 0.4\n"));
+    EXPECT_GT(after.z(), before.z() + 0.2);
+}
+
+TEST(Turtle, DrawsPastACutUnlessTheViewForbidsIt)
+{
+    EXPECT_EQ(drawn("F[F%FF]F").segment_count(), 5u);
+    EXPECT_EQ(drawn("F[F%FF]F", "interpretation past %: off\n").segment_count(), 3u);
+    EXPECT_EQ(drawn("F[F@mc(1)FF]F").segment_count(), 3u);
+    EXPECT_EQ(drawn("F[F@mc(0)FF]F").segment_count(), 5u);
+}
+
+TEST(Turtle, ScalesStepsAndSubLSystems)
+{
+    expect_near(tip(drawn("F@D(2)F@Di(3)F@Dd(2)F")), { 0, 0, 1 + 2 + 6 + 3 });
+    expect_near(tip(drawn("F@DiF@DdF", "initial scale: 2\nscale multiplier: 5\n")),
+                { 0, 0, 2 + 10 + 2 });
+}
+
+TEST(Turtle, DrawsFlatDiscsAndCircles)
+{
+    auto const disc = drawn("&(90)@c(4)");
+    ASSERT_EQ(disc.organs.size(), 1u);
+    auto const& organ = disc.organs[0];
+    EXPECT_EQ(organ.scale.x(), 4);
+    EXPECT_LT(organ.scale.y(), 0.01f);
+    // Its face is the upper side, which looks up when the turtle heads away.
+    expect_near(organ.orientation * Vec3::UnitY(), { 0, 0, 1 });
+    auto const ring = drawn("!(0.2)&(90)@bc(4)@bo(2)");
+    ASSERT_EQ(ring.axes.size(), 2u);
+    for (auto const& position : ring.positions(ring.axes[0])) {
+        EXPECT_NEAR(position.norm(), 2, 1e-9);
+        EXPECT_NEAR(position.z(), 0, 1e-9);
+    }
+    for (auto const& position : ring.positions(ring.axes[1]))
+        EXPECT_NEAR(position.y(), 0, 1e-9); // Facing the viewer.
+    EXPECT_FLOAT_EQ(ring.node_radius_mm[0], 0.1f);
+}
+
+TEST(Turtle, LeavesOutLabelsAndTexturesWithOneWarning)
+{
+    auto const warnings = warnings_of("F@L(\"a label\")F@L(\"other\", 3)@Tx(1)F@Tx(2)");
+    std::vector<std::string> const expected { "model.l: labels are not drawn",
+                                              "model.l: textures are not supported; @Tx changes "
+                                              "nothing" };
+    EXPECT_EQ(warnings, expected);
+}
+
+// Sixteen points of a square patch, three units wide, by its turtle.
+std::string patch_symbols(std::string const& number)
+{
+    std::string result;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            result += "[" + (row > 0 ? "f(" + std::to_string(row) + ")" : "") + "-(90)"
+                + (column > 0 ? "f(" + std::to_string(column) + ")" : "") + "@PC(" + number + ","
+                + std::to_string(row) + "," + std::to_string(column) + ")]";
+    return result;
+}
+
+TEST(Turtle, DrawsSurfacesOfItsOwn)
+{
+    auto const points = patch_symbols("1");
+    auto const plant = drawn("@PS(1)" + points + "@PD(1)f(9)+(90)@PS(1)" + points + "@PD(1)");
+    ASSERT_EQ(plant.organs.size(), 2u);
+    EXPECT_EQ(plant.organ_shapes.size(), 1u); // Alike, but for where they are.
+    auto const& shape = plant.organ_shapes[0];
+    EXPECT_EQ(shape.kind, OrganShape::Kind::Surface);
+    ASSERT_EQ(shape.patches.size(), 1u);
+    EXPECT_LT((shape.patches[0].control[15] - Vec3(3, 3, 0)).norm(), 1e-6);
+    auto const& second = plant.organs[1];
+    expect_near(second.position_mm + second.orientation * Vec3(0, 3, 0), { -3, 0, 9 });
+    EXPECT_EQ(warnings_of("@PS(1)@PD(1)").size(), 1u);
+    EXPECT_EQ(warnings_of("@PS(1)@PC(1,4,0)").size(), 1u);
+}
+
+// A square surface, two units wide and four long, whose end point is its far edge's middle.
+Model with_surface(std::string const& axiom, std::string const& view = {})
+{
+    ModelSource source;
+    source.text = with_header("Axiom: " + axiom, 0);
+    source.view_text = "surface: l leaf.s 4 5 5\n" + view;
+    auto model = compile_model(source, [](std::string const&) -> Result<std::string> {
+        std::string text = "0 2 0 4 0 0\nCONTACT POINT  X: 1 Y: 0 Z: 0\nEND POINT  X: 1 Y: 4 Z: 0\n"
+                           "HEADING  X: 0 Y: 1 Z: 0\nUP  X: 0 Y: 0 Z: -1\nSIZE: 4\nleaf\n"
+                           "TOP COLOR: 0 DIFFUSE: 0 BOTTOM COLOR: 0 DIFFUSE: 0\nAL: ~ A: ~ AR: ~\n"
+                           "L: ~ R: ~\nBL: ~ B: ~ BR: ~\n";
+        for (int row = 0; row < 4; ++row)
+            for (int column = 0; column < 4; ++column)
+                text += std::to_string(2.0 * column / 3) + " " + std::to_string(4 - 4.0 * row / 3)
+                    + " 0\n";
+        return text;
+    });
+    EXPECT_TRUE(model) << model.error().message;
+    return *std::move(model);
+}
+
+TEST(Turtle, DrawsSurfacesOfTheView)
+{
+    auto const model = with_surface("F[+(90);(2)~l(2)F];(3)~l(1,2,3)",
+                                    "material: 2 green kind=leaf color=0,1,0\n"
+                                    "material: 3 wood kind=solid color=1,1,0\n");
+    auto const plant = interpret(model, *derive(model), { .unit_mm = 10 });
+    ASSERT_TRUE(plant) << plant.error().message;
+    check_plant(*plant);
+    ASSERT_EQ(plant->organs.size(), 2u);
+    ASSERT_EQ(plant->organ_shapes.size(), 2u); // One for each material.
+    auto const& leaf = plant->organ_shapes[plant->organs[0].shape];
+    EXPECT_EQ(plant->materials[leaf.material].name, "green");
+    EXPECT_FALSE(leaf.has_back);
+    EXPECT_EQ(leaf.length_mm, 40);
+    EXPECT_EQ(leaf.patches[0].control[3], Vec3(10, 40, 0));
+    EXPECT_TRUE(plant->organ_shapes[plant->organs[1].shape].has_back);
+    EXPECT_EQ(plant->organs[1].scale, Vec3f(1, 2, 3));
+    // The turtle goes on from the surface's end point, twice as far at scale 2.
+    expect_near(tip(*plant), { -90, 0, 10 });
+}
+
+TEST(Turtle, DrawsGeneralisedCylinders)
+{
+    // A quarter turn: Hermite, tangents as long as 1.2 times the distance.
+    auto const plant = drawn("!(2)@Gs f(10)+(90)f(10)!(4)@Ge(8)");
+    ASSERT_EQ(plant.axes.size(), 1u);
+    EXPECT_EQ(plant.axes[0].segment_count, 8u);
+    expect_near(tip(plant), { -10, 0, 10 });
+    auto const nodes = plant.positions(plant.axes[0]);
+    double const length = 1.2 * std::sqrt(200);
+    // p(1/2) = (p + q) / 2 + (tangent - tangent') / 8
+    expect_near(nodes[4], { -5 + length / 8, 0, 5 + length / 8 });
+    EXPECT_FLOAT_EQ(plant.node_radius_mm[0], 1);
+    EXPECT_FLOAT_EQ(plant.node_radius_mm[4], 1.5);
+    EXPECT_FLOAT_EQ(plant.node_radius_mm[8], 2);
+    EXPECT_TRUE(plant.node_section.empty());
+    // @Gt shortens them; without a number there are four rings.
+    auto const tight = drawn("@Gt(0.5,0.1)@Gs f(10)+(90)f(10)@Ge");
+    EXPECT_EQ(tight.axes[0].segment_count, 4u);
+    double const in = 0.5 * std::sqrt(200);
+    double const out = 0.1 * std::sqrt(200);
+    expect_near(tight.positions(tight.axes[0])[2], { -5 + in / 8, 0, 5 + out / 8 });
+}
+
+TEST(Turtle, BranchesGeneralisedCylinders)
+{
+    auto const plant = drawn("F@Gs f(4)@Gc(2)[+(45)f(4)@Ge(2)F]-(45)f(4)@Ge(2)");
+    ASSERT_EQ(plant.axes.size(), 4u);
+    EXPECT_EQ(plant.axes[1].segment_count, 4u); // Both pieces outside of the brackets.
+    EXPECT_EQ(plant.axes[1].parent_axis, 0u);
+    EXPECT_EQ(plant.axes[2].parent_segment, 2u); // On the second ring of the first piece.
+    expect_near(plant.positions(plant.axes[2])[0], { 0, 0, 5 });
+    EXPECT_EQ(plant.axes[3].parent_axis, 2u);
+}
+
+TEST(Turtle, DrawsPathsAlongControlPoints)
+{
+    auto const square = "f(6)+(90)f(6)+(90)f(6)+(90)f(6)";
+    // Hermite: through its points.
+    auto const open = drawn("{(1,3)." + std::string(square) + "}(1)");
+    ASSERT_EQ(open.axes.size(), 1u);
+    EXPECT_EQ(open.axes[0].segment_count, 12u);
+    expect_near(open.positions(open.axes[0])[6], { -6, 0, 6 });
+    auto const closed = drawn("{(2,3).f(6)+(90)f(6)+(90)f(6)}(2)");
+    EXPECT_EQ(closed.axes[0].segment_count, 12u);
+    expect_near(tip(closed), { 0, 0, 0 });
+    // B-spline: four points make one piece, near them.
+    auto const spline = drawn("{(3,2).f(6)+(90)f(6)+(90)f(6)}(3)");
+    EXPECT_EQ(spline.axes[0].segment_count, 2u);
+    expect_near(spline.positions(spline.axes[0])[0], { -1, 0, 5 });
+    expect_near(tip(spline), { -5, 0, 5 });
+    auto const ring = drawn("{(4,2).f(6)+(90)f(6)+(90)f(6)}(4)");
+    EXPECT_EQ(ring.axes[0].segment_count, 8u);
+    expect_near(tip(ring), { -1, 0, 5 });
+    EXPECT_EQ(warnings_of("}(1){(7)").size(), 2u);
+}
+
+Plant with_contour(std::string const& axiom, std::string const& view = {})
+{
+    ModelSource source;
+    source.text = with_header("Axiom: " + axiom, 0);
+    source.view_text = "contour: 5 star.con\ncontour: 9 ribbon.con\n" + view;
+    auto const model = compile_model(source, [](std::string const& name) -> Result<std::string> {
+        return std::string(name == "star.con" ? "4 2 closed\n-3 -3\n-3 3\n3 3\n3 -3\n"
+                                              : "4 2 open\n0 0\n0 1\n0 2\n0 3\n");
+    });
+    EXPECT_TRUE(model) << model.error().message;
+    auto plant = interpret(*model, *derive(*model), { .unit_mm = 1 });
+    EXPECT_TRUE(plant) << plant.error().message;
+    check_plant(*plant);
+    return *std::move(plant);
+}
+
+TEST(Turtle, GivesCylindersContours)
+{
+    auto const plant = with_contour("F@#(9)@!(12)@Gs f(3)@#(5)@Gc(3)f(3)@Ge(3)F");
+    ASSERT_EQ(plant.contours.size(), 2u);
+    EXPECT_EQ(plant.contours[0].name, "star");
+    ASSERT_EQ(plant.axes.size(), 3u);
+    ASSERT_EQ(plant.node_section.size(), plant.node_position_mm.size());
+    EXPECT_FALSE(has_contour(plant, plant.axes[0]));
+    EXPECT_TRUE(has_contour(plant, plant.axes[1]));
+    EXPECT_FALSE(has_contour(plant, plant.axes[2])); // F is round.
+    auto const* const sections = &plant.node_section[plant.axes[1].first_node];
+    EXPECT_EQ(sections[1].contour, 1);
+    EXPECT_EQ(sections[1].next_contour, 0);
+    EXPECT_FLOAT_EQ(sections[1].share, 1.0f / 3);
+    EXPECT_EQ(sections[4].contour, 0);
+    EXPECT_EQ(sections[0].sides, 12);
+    EXPECT_LT((sections[2].normal - Vec3f::UnitY()).norm(), 1e-6f);
+    EXPECT_EQ(warnings_of("@#(3)@Gs").size(), 1u);
+}
+
+TEST(Turtle, TwistsCylindersWhereTheViewSaysSo)
+{
+    auto const axiom = "@#(5)@Gs f(4)/(60)@Ge(2)";
+    auto const straight = with_contour(axiom);
+    auto const twisted = with_contour(axiom, "twist of cylinders: on\n");
+    auto const angle_deg = [](Plant const& plant, std::size_t node) {
+        auto const& normal = plant.node_section[node].normal;
+        return degrees(std::acos(static_cast<double>(normal.y())));
+    };
+    EXPECT_NEAR(angle_deg(straight, 2), 0, 1e-3);
+    EXPECT_NEAR(angle_deg(twisted, 0), 0, 1e-3);
+    EXPECT_NEAR(angle_deg(twisted, 1), 30, 1e-3);
+    EXPECT_NEAR(angle_deg(twisted, 2), 60, 1e-3);
 }
 
 } // namespace
