@@ -98,11 +98,16 @@ void add_blocks(LSystem const& model, std::vector<std::string>& features)
            std::pair("EndEach", &model.end_each), std::pair("End", &model.end) })
         if (!block->program.empty())
             features.push_back(fmt::format("{} block", name));
-    constexpr auto kBuiltIn = static_cast<std::size_t>(GlobalIndex::Count);
-    if (model.globals.size() > kBuiltIn)
-        features.push_back(counted(model.globals.size() - kBuiltIn, "global variable"));
-    if (!model.arrays.empty())
-        features.push_back(counted(model.arrays.size(), "array"));
+    auto const external_arrays
+        = std::count_if(model.externals.begin(), model.externals.end(),
+                        [](ExternalName const& external) { return external.is_array; });
+    auto const arrays = model.arrays.size() - static_cast<std::size_t>(external_arrays);
+    auto const others = static_cast<std::size_t>(GlobalIndex::Count) + model.externals.size()
+        - static_cast<std::size_t>(external_arrays);
+    if (model.globals.size() > others)
+        features.push_back(counted(model.globals.size() - others, "global variable"));
+    if (arrays > 0)
+        features.push_back(counted(arrays, "array"));
     if (!model.externals.empty())
         features.push_back(counted(model.externals.size(), "external name"));
 }

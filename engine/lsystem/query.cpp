@@ -41,6 +41,9 @@ private:
     void answer(char query, std::span<float> parameters) const;
     void ask_environment(Modules const& modules, std::size_t length, std::span<float> parameters);
 
+    // Only the frame counts: what is drawn is dropped when it is more than this.
+    static constexpr std::size_t kMaxParts = 65'536;
+
     Model const& model_;
     ModuleString& string_;
     Machine machine_;
@@ -57,6 +60,8 @@ Result<void> Questioning::run()
         TRY(walk_.read([&](Modules const& modules) { return draw(modules); }));
         if (turtle_.take_cut())
             walk_.cut();
+        if (drawing_.part_count() > kMaxParts)
+            turtle_.drop_drawing();
     }
     return {};
 }

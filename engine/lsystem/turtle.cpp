@@ -78,6 +78,14 @@ void Turtle::begin(Start const& start, Drawing& drawing)
     has_unpaired_ = false;
 }
 
+void Turtle::drop_drawing()
+{
+    drawing_->clear();
+    state_.place = {};
+    for (auto& state : stack_)
+        state.place = {};
+}
+
 Turtle::Start Turtle::branch_start() const
 {
     Start start { state_, extras_ };

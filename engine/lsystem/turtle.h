@@ -74,6 +74,8 @@ public:
     Start branch_start() const;
     // Where the turtle is and what it draws with.
     State const& state() const { return state_; }
+    // Forgets what was drawn, for those who only ask where the turtle is.
+    void drop_drawing();
     // The segment at whose end the turtle is.
     std::uint32_t segment() const { return state_.place.segment; }
     // How many branches were begun since begin() and are open.

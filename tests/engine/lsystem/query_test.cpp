@@ -61,6 +61,19 @@ TEST(Queries, FollowSubLSystems)
     EXPECT_EQ(to_string(model, *derive(model)), "F?(2,0.5)F?P(0,2,0)$?P(0,2,0)");
 }
 
+TEST(Queries, AreFilledInLargePlants)
+{
+    auto const model = compiled(with_header("Axiom: A?P(0,0,0)\nA --> AA[F(0)]\nhomomorphism\n"
+                                            "A --> F(1)[+F(1)?P(1,1,1)]",
+                                            17));
+    auto const string = derive(model);
+    ASSERT_TRUE(string) << string.error().message;
+    ASSERT_GE(string->parameters.size(), 3u);
+    auto const* const last = string->parameters.data() + string->parameters.size() - 3;
+    EXPECT_NEAR(last[0], 0, 1e-3f);
+    EXPECT_EQ(last[1], 131072.0f);
+}
+
 TEST(Queries, AreModulesLikeOthersWithoutAQuestion)
 {
     EXPECT_EQ(derived("Axiom: FP(1,2,3)?\nP(x,y,z) --> P(z,y,x)"), "FP(3,2,1)?");
