@@ -149,8 +149,8 @@ Result<void> Derivation::step(int number)
     machine_.run(model_.start_each);
     out_.kinds.clear();
     out_.parameters.clear();
-    if (table_)
-        table_->rewrite(in_.kinds, out_.kinds, limit().modules);
+    if (table_) // A module is a byte.
+        table_->rewrite(in_.kinds, out_.kinds, std::min(limit().modules, limit().bytes));
     else if (plan_.is_fixed() && !subsystems_)
         TRY(rewrite_fixed());
     else

@@ -225,8 +225,9 @@ Result<Register> ExpressionCompiler::variable(std::string const& name, std::size
         program.push_back({ .op = Op::LoadGlobal, .target = target, .left = *global, .right = 0 });
         return target;
     }
-    names_.warn(fmt::format("{}: {} is not defined; its value is 0",
-                            cursor_.source().place(position), name));
+    names_.warn_of(name,
+                   fmt::format("{}: {} is not defined; its value is 0",
+                               cursor_.source().place(position), name));
     if (new_names_ == NewNames::Global)
         return frame_.constant(0);
     auto const reg = TRY(frame_.add());
@@ -295,12 +296,15 @@ Result<Register> ExpressionCompiler::call(std::string const& function, std::size
         return derivation_length(function, program);
     if (auto const* const missing = find_missing_function(function)) {
         auto const place = cursor_.source().place(position);
-        if (!missing->is_about_files)
-            names_.warn(fmt::format("{}: {}() is not supported; its value is 0", place, function));
-        else if (!std::exchange(names_.refuses_files, true))
-            names_.warn(fmt::format("{}: models read and write no files here: fopen() gives -1, "
-                                    "and fprintf, fscanf, fflush and fclose do nothing",
-                                    place));
+        if (missing->is_about_files)
+            names_.warn_of("files",
+                           fmt::format("{}: models read and write no files here: fopen() gives -1, "
+                                       "and fprintf, fscanf, fflush and fclose do nothing",
+                                       place));
+        else
+            names_.warn_of(
+                function + "()",
+                fmt::format("{}: {}() is not supported; its value is 0", place, function));
         return missing_call(function, missing->value, program);
     }
     auto const* const entry = find_function(function);

@@ -26,4 +26,10 @@ void Names::warn(std::string warning)
         warnings.push_back(std::move(warning));
 }
 
+void Names::warn_of(std::string const& thing, std::string warning)
+{
+    if (warned_of.insert(thing).second)
+        warn(std::move(warning));
+}
+
 } // namespace tractus

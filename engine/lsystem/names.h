@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,7 +29,7 @@ struct Names {
     std::vector<PrintFormat> formats;
     std::vector<std::string> texts; // Strings as parameters of modules, such as @L("leaf").
     std::vector<std::string> warnings;
-    bool refuses_files = false; // Has warned of it.
+    std::set<std::string> warned_of;
 
     // Of variables, and of arrays: they have 16-bit numbers.
     static constexpr std::size_t kMax = 60'000;
@@ -37,6 +38,8 @@ struct Names {
     // Its number. Fails, at the cursor's place, when there are too many.
     Result<std::uint16_t> add_variable(std::string name, Cursor const& cursor);
     void warn(std::string warning); // Once each.
+    // Once for all warnings about the same thing: the first place is enough.
+    void warn_of(std::string const& thing, std::string warning);
 };
 
 } // namespace tractus
