@@ -81,9 +81,14 @@ void Turtle::begin(Start const& start, Drawing& drawing)
 void Turtle::drop_drawing()
 {
     drawing_->clear();
+    patch_numbers_.clear();
+    patch_shapes_.clear();
     state_.place = {};
     for (auto& state : stack_)
         state.place = {};
+    cylinder_.place = {};
+    for (auto& cylinder : cylinder_stack_)
+        cylinder.place = {};
 }
 
 Turtle::Start Turtle::branch_start() const
