@@ -149,6 +149,25 @@ void carry_polygons(GrowthPlan const& plan, std::span<Quat const> frames, double
     }
 }
 
+// Sections turn with their axes, with the least twist.
+void carry_sections(Plant const& base, Plant& plant)
+{
+    for (auto const& axis : base.axes) {
+        if (!has_contour(base, axis))
+            continue;
+        for (std::uint32_t i = 0; i <= axis.segment_count; ++i) {
+            NodeId const node = axis.first_node + i;
+            NodeId const from = node - (i == axis.segment_count ? 1 : 0);
+            auto const direction = [&](Plant const& of) -> Vec3 {
+                return of.node_position_mm[from + 1] - of.node_position_mm[from];
+            };
+            auto const turn = Quat::FromTwoVectors(direction(base), direction(plant));
+            plant.node_section[node].normal
+                = (turn * base.node_section[node].normal.cast<double>()).cast<float>();
+        }
+    }
+}
+
 } // namespace
 
 Grower::Grower(GrowthPlan const& plan)
@@ -174,6 +193,8 @@ Plant const& Grower::grow(PlantKey const& key, double age)
         sagger_.sag(plant_, bearer_frame_);
     carry_organs(plan_, bearer_frame_, plant_);
     carry_polygons(plan_, bearer_frame_, age, plant_);
+    if (!plan_.base.node_section.empty())
+        carry_sections(plan_.base, plant_);
     return plant_;
 }
 

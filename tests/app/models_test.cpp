@@ -32,6 +32,7 @@ void PrintTo(Expected const& expected, std::ostream* out)
 std::vector<Expected> const kModels {
     { "birch", 12, 2500, 3000, 25, 3000, 5500 },
     { "broadleaf", 16, 3500, 5000, 40, 3500, 6000 },
+    { "calla", 26, 130, 18, 10, 400, 900, 20 },
     { "conifer", 10, 2500, 12'000, 25, 2000, 3500 },
     { "daisy", 20, 50, 180, 9, 250, 500 },
     { "fern", 44, 3000, 6000, 20, 300, 1000 },

@@ -95,7 +95,7 @@ TEST_F(Usage, AValueThatAnOptionCannotHaveIsWrongUsage)
 TEST_F(Usage, OneOfOurModelsIsFoundByItsName)
 {
     EXPECT_EQ(run("tractus derive shrub -n 2 --count").exit_code, 0);
-    expect_error(run("tractus derive oak --count"), 1, "one of birch, broadleaf, conifer");
+    expect_error(run("tractus derive oak --count"), 1, "one of birch, broadleaf, calla");
 }
 
 TEST_F(Usage, DevicesAreListedAsTextAndAsJson)

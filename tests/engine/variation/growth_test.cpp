@@ -50,6 +50,30 @@ TEST(Growth, WithoutNoiseAndIndicatorsGivesTheBasePlant)
         EXPECT_LT((same.node_position_mm[i] - plant.node_position_mm[i]).norm(), 1e-9);
 }
 
+TEST(Growth, TurnsCrossSectionsWithTheirAxes)
+{
+    Plant plant;
+    add_axis(plant, straight({ 0, 0, 0 }, { 0, 0, 100 }, 8));
+    Contour contour;
+    contour.points.assign(Contour::kSteps + 1, Vec3f::UnitX());
+    plant.contours = { contour };
+    NodeSection section;
+    section.contour = 0;
+    section.normal = Vec3f::UnitX();
+    plant.node_section.assign(plant.node_position_mm.size(), section);
+    auto const bent = grown(plant, {}, { .seed = 3 }, Vec3(0.8, 0.3, 0));
+    check_plant(bent);
+    double turned = 0;
+    for (std::size_t i = 0; i + 1 < bent.node_position_mm.size(); ++i) {
+        Vec3 const along = (bent.node_position_mm[i + 1] - bent.node_position_mm[i]).normalized();
+        auto const& normal = bent.node_section[i].normal;
+        EXPECT_NEAR(along.dot(normal.cast<double>()), 0, 1e-6);
+        EXPECT_NEAR(normal.norm(), 1, 1e-6);
+        turned = std::max<double>(turned, (normal - Vec3f::UnitX()).norm());
+    }
+    EXPECT_GT(turned, 0.02);
+}
+
 TEST(Growth, WithoutNoiseAndIndicatorsGivesTheStrokeBack)
 {
     auto const drawn = s_curve(61);
