@@ -1,4 +1,4 @@
-// Meshing the monopodial tree of ABoP figure 2.6 and writing it as .glb.
+// Meshing the monopodial tree of ABoP figure 2.6 and writing it as .glb; writing a collection.
 //
 // Files are written where temporary files are, into the page cache, as cp writes them: neither
 // waits for the disk, and neither finds a file of that name.
@@ -8,6 +8,7 @@
 #include "engine/mesh/make_mesh.h"
 #include "tests/bench/monopodial_tree.h"
 #include "tests/bench/report.h"
+#include "tests/engine/mesh/sample_plants.h"
 
 #include <cstring>
 #include <filesystem>
@@ -51,6 +52,48 @@ public:
 private:
     tbb::global_control control_;
 };
+
+constexpr std::size_t kCollectionPlants = 200;
+constexpr std::size_t kCollectionSegments = 10000;
+constexpr std::size_t kCollectionLeaves = 5000;
+
+// One of a collection's plants, all of one topology: axes of eight segments on the nodes of earlier
+// ones, leaves on the last.
+Plant grow_variation(std::uint64_t seed)
+{
+    Random random({ .seed = seed });
+    Plant plant;
+    plant.materials = { {}, { .name = "leaf", .kind = Material::Kind::Leaf } };
+    plant.organ_shapes = { { .material = 1 } };
+    append_axis(plant, { .segment_count = 8, .radius_mm = 90, .bend_rad = 0.1 }, random);
+    for (AxisId id = 0; plant.segment_count() < kCollectionSegments; ++id) {
+        auto const parent = plant.axes[id];
+        for (std::uint32_t i = 0; i < 8 && plant.segment_count() < kCollectionSegments; ++i) {
+            NodeId const node = parent.first_node + i + 1;
+            double const radius_mm = 0.7 * static_cast<double>(plant.node_radius_mm[node]);
+            append_axis(plant,
+                        { .base_mm = plant.node_position_mm[node],
+                          .direction = { random.normal(), random.normal(), random.normal() },
+                          .segment_mm = 150.0 / (2 + parent.order),
+                          .segment_count = 8,
+                          .radius_mm = radius_mm,
+                          .tip_radius_mm = 0.4 * radius_mm,
+                          .bend_rad = 0.1,
+                          .parent_segment = parent.first_segment + i,
+                          .parent_axis = id,
+                          .order = parent.order + 1 },
+                        random);
+        }
+    }
+    for (std::size_t i = 0; i < kCollectionLeaves; ++i) {
+        auto const segment = static_cast<SegmentId>(plant.segment_count() - 1 - i);
+        plant.organs.push_back(
+            { .segment = segment,
+              .position_mm = plant.node_position_mm[nodes_of(plant, segment).tip],
+              .orientation = Quat(random.normal(), random.normal(), random.normal(), 1) });
+    }
+    return plant;
+}
 
 template<typename Use> void for_each_array(Mesh& mesh, Use const& use)
 {
@@ -112,7 +155,8 @@ void fill_arrays_of_bare_tubes(benchmark::State& state)
              .limit = Limit::Fill });
 }
 
-void write_glb_bench(benchmark::State& state, PlacedMesh const& placed)
+void write_glb_bench(benchmark::State& state, std::span<PlacedMesh const> plants,
+                     GlbOptions const& options = {})
 {
     Threads const threads(state);
     auto const path
@@ -123,7 +167,7 @@ void write_glb_bench(benchmark::State& state, PlacedMesh const& placed)
         std::filesystem::remove(path);
         state.ResumeTiming();
         std::ofstream out(path, std::ios::binary);
-        auto const summary = write_glb(out, std::span(&placed, 1));
+        auto const summary = write_glb(out, plants, options);
         if (!summary) {
             state.SkipWithError(summary.error().message.c_str());
             break;
@@ -154,11 +198,23 @@ void make_mesh_for_pictures(benchmark::State& state)
 void write_glb_of_a_mesh(benchmark::State& state)
 {
     Mesh const mesh = make_mesh(plant(), kBareTubes);
-    write_glb_bench(state, { .mesh = &mesh });
+    PlacedMesh const placed { .mesh = &mesh };
+    write_glb_bench(state, std::span(&placed, 1));
 }
 void write_glb_while_meshing(benchmark::State& state)
 {
-    write_glb_bench(state, { .mesh = PlantToMesh { .plant = &plant(), .options = kBareTubes } });
+    PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant(), .options = kBareTubes } };
+    write_glb_bench(state, std::span(&placed, 1));
+}
+
+// 200 plants of 10,000 segments and 5,000 leaves, grown when their turn comes.
+void write_glb_of_a_collection(benchmark::State& state)
+{
+    std::vector<PlacedMesh> plants(kCollectionPlants);
+    for (std::size_t i = 0; i < plants.size(); ++i)
+        plants[i].mesh = PlantToMesh { .plant = [i] { return grow_variation(i); },
+                                       .options = { .min_sides = 8, .max_sides = 8 } };
+    write_glb_bench(state, plants, { .vertices = GlbOptions::Vertices::Quantized });
 }
 
 void on_threads(benchmark::internal::Benchmark* bench)
@@ -172,6 +228,7 @@ BENCHMARK(make_mesh_of_eight_sides)->Apply(on_threads);
 BENCHMARK(make_mesh_for_pictures)->Apply(on_threads);
 BENCHMARK(write_glb_of_a_mesh)->Apply(on_threads);
 BENCHMARK(write_glb_while_meshing)->Apply(on_threads);
+BENCHMARK(write_glb_of_a_collection)->Apply(on_threads);
 
 } // namespace
 } // namespace tractus
