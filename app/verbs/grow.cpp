@@ -26,22 +26,30 @@ struct Arguments {
     std::filesystem::path output;
 };
 
-Result<void> write_plant(Mesh const& mesh, std::string const& name,
-                         std::filesystem::path const& path)
+// Answers the number of triangles.
+Result<std::uint64_t> write_plant(Plant const& plant, std::string const& name,
+                                  std::filesystem::path const& path)
 {
-    auto const extension = path.extension();
-    if (extension == ".png") {
+    std::uint64_t triangles = 0;
+    if (path.extension() == ".glb") { // Meshed while it is written: plants may be large.
+        PlacedMesh const placed { .name = name, .mesh = PlantToMesh { .plant = &plant } };
+        auto const write = [&](std::ostream& out) -> Result<void> {
+            triangles = TRY(write_glb(out, { &placed, 1 })).triangles;
+            return {};
+        };
+        TRY(write_file(path, write));
+        return triangles;
+    }
+    auto const mesh = make_mesh(plant);
+    if (path.extension() == ".png") {
         auto pictures = TRY(PictureMaker::create());
         auto const picture = pictures.plant(mesh, {});
-        return write_file(path, [&](std::ostream& out) { return write_png(out, picture); });
+        TRY(write_file(path, [&](std::ostream& out) { return write_png(out, picture); }));
+    } else {
+        PlacedMesh const placed { .name = name, .mesh = &mesh };
+        TRY(write_file(path, [&](std::ostream& out) { return write_obj(out, { &placed, 1 }); }));
     }
-    PlacedMesh const plant { .name = name, .mesh = &mesh };
-    if (extension == ".glb")
-        return write_file(path, [&](std::ostream& out) -> Result<void> {
-            TRY(write_glb(out, { &plant, 1 }));
-            return {};
-        });
-    return write_file(path, [&](std::ostream& out) { return write_obj(out, { &plant, 1 }); });
+    return mesh.triangle_count();
 }
 
 Result<void> grow_model(Arguments const& arguments)
@@ -53,11 +61,10 @@ Result<void> grow_model(Arguments const& arguments)
     auto const scene = TRY(apply_edit({}, edit, load_options(arguments.cost)));
     for (auto const& warning : scene.model_warnings)
         print_error(fmt::format("warning: {}\n", warning));
-    auto const mesh = make_mesh(*scene.base);
-    TRY(write_plant(mesh, path.stem().string(), arguments.output));
+    auto const triangles = TRY(write_plant(*scene.base, path.stem().string(), arguments.output));
     return print_out(fmt::format("{}: {} segments, {} organs, {} triangles\n",
                                  arguments.output.string(), scene.base->segment_count(),
-                                 scene.base->organs.size(), mesh.triangle_count()));
+                                 scene.base->organs.size(), triangles));
 }
 
 } // namespace
