@@ -1,7 +1,5 @@
 #include "app/device_parts.h"
 
-#include "engine/base/check.h"
-
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -18,9 +16,10 @@ using Then = DevicePlay::Then;
 
 constexpr Duration kKnockEvery = std::chrono::milliseconds(10);
 constexpr Duration kLongestSleep = std::chrono::milliseconds(50); // Until `stop` is looked at.
-// Linux lets nothing through in the first 50 ms after a program has opened a USB HID device, since
-// it may be old; and programs look at a device before they open it for good.
-constexpr Duration kHostWakes = std::chrono::milliseconds(500);
+// Programs look at a device before they open it for good.
+constexpr Duration kGreeting = std::chrono::milliseconds(100);
+// And of a USB HID device Linux lets nothing through in the first 50 ms, since it may be old.
+constexpr Duration kUsbGreeting = std::chrono::milliseconds(500);
 constexpr Duration kFarewell = std::chrono::milliseconds(100);
 constexpr Duration kLongestFarewell = std::chrono::seconds(2);
 
@@ -62,6 +61,15 @@ bool are_read(DevicePlay const& play)
 {
     return std::all_of(play.devices.begin(), play.devices.end(),
                        [](KernelDevice const* device) { return device->is_read(); });
+}
+
+Duration greeting(DevicePlay const& play)
+{
+    bool const is_usb
+        = std::any_of(play.devices.begin(), play.devices.end(), [](KernelDevice const* device) {
+              return device->tells_readers_by_reports();
+          });
+    return is_usb ? kUsbGreeting : kGreeting;
 }
 
 bool are_over(DevicePlay const& play)
@@ -106,7 +114,6 @@ ReportPart::ReportPart(KernelDevice& device, std::vector<RawReport> reports)
     : device_(device)
     , reports_(std::move(reports))
 {
-    CHECK(!reports_.empty());
 }
 
 void ReportPart::begin(Timestamp now)
@@ -118,7 +125,8 @@ void ReportPart::begin(Timestamp now)
 Timestamp ReportPart::due() const
 {
     if (!begin_)
-        return device_.tells_readers_by_reports() ? next_knock_ : Timestamp::max();
+        return device_.tells_readers_by_reports() && !reports_.empty() ? next_knock_
+                                                                       : Timestamp::max();
     return next_ == reports_.size() ? Timestamp::max()
                                     : *begin_ + reports_[next_].received.time_since_epoch();
 }
@@ -133,7 +141,7 @@ Result<void> ReportPart::play(Timestamp now)
 }
 
 // Some devices learn that they are read from a report's being taken: the first one waits for that.
-// Programs rarely see it, see kHostWakes, and it is sent again at the begin.
+// Programs rarely see it, see kUsbGreeting, and it is sent again at the begin.
 Result<void> ReportPart::knock(Timestamp now)
 {
     next_knock_ = now + kKnockEvery;
@@ -144,9 +152,11 @@ Result<void> ReportPart::knock(Timestamp now)
 
 Result<void> play_parts(DevicePlay const& play, std::atomic<bool> const& stop)
 {
-    while (!stop && !are_read(play))
-        TRY(take_step(play));
-    TRY(go_on_for(kHostWakes, play, stop));
+    while (!stop && !are_read(play)) {
+        while (!stop && !are_read(play))
+            TRY(take_step(play));
+        TRY(go_on_for(greeting(play), play, stop));
+    }
     if (stop)
         return {};
     begin(play);

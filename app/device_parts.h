@@ -36,7 +36,7 @@ public:
 // Sends reports when their times have come.
 class ReportPart final : public DevicePart {
 public:
-    // At least one; their times count from the begin. The device must outlive the part.
+    // Their times count from the begin. The device must outlive the part.
     ReportPart(KernelDevice& device, std::vector<RawReport> reports);
 
     void begin(Timestamp now) override;

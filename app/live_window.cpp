@@ -89,6 +89,7 @@ void LiveWindow::advance(Duration)
     take_reports();
     view_.show(station_);
     tell_device_changes();
+    tell_who_is_away();
     if (!recorder_)
         return;
     if (auto const flushed = recorder_->flush_if_due(options_.now()); !flushed)
@@ -117,16 +118,22 @@ void LiveWindow::tell_device_changes()
         case LiveDevices::State::Connected:
             view_.state().status = fmt::format("{} is back", name);
             break;
-        case LiveDevices::State::Away:
-            view_.state().status = fmt::format("{} has gone: plug it in again, what was drawn is "
-                                               "kept",
-                                               name);
+        case LiveDevices::State::Away: // See tell_who_is_away().
             break;
         case LiveDevices::State::Ended:
             view_.state().status = fmt::format("{} is over", name);
             break;
         }
     }
+}
+
+// More urgent than what else may be wrong.
+void LiveWindow::tell_who_is_away()
+{
+    for (std::size_t i = 0; i < states_.size(); ++i)
+        if (states_[i] == LiveDevices::State::Away)
+            view_.state().trouble = fmt::format(
+                "{} has gone: plug it in again, what was drawn is kept", devices_.infos()[i].name);
 }
 
 void LiveWindow::stop_recording(std::string const& why)

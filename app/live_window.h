@@ -54,6 +54,7 @@ private:
 
     void take_reports();
     void tell_device_changes();
+    void tell_who_is_away();
     void stop_recording(std::string const& why);
 
     LiveDevices devices_;

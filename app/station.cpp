@@ -81,8 +81,6 @@ void Station::push(std::size_t device, Timestamp received, std::span<std::byte c
 
 void Station::push_pen(Pen& pen, Timestamp received, std::span<std::byte const> report)
 {
-    if (is_height_measured_)
-        height_monitor_.advance(received);
     if (report.empty()) {
         if (auto const gone = pen.decoder->leave(received))
             use_pen(pen, *gone);
@@ -99,6 +97,8 @@ void Station::push_pen(Pen& pen, Timestamp received, std::span<std::byte const> 
 
 void Station::pass_time(Timestamp now)
 {
+    if (is_height_measured_)
+        height_monitor_.advance(now);
     for (auto& pen : pens_)
         if (auto const gone = pen.silence.leave_if_over(*pen.decoder, now))
             use_pen(pen, *gone);

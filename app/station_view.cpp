@@ -129,6 +129,8 @@ void StationView::show_live(Station const& station)
         != station.counts().pen_samples)
         ++state_.live_revision;
     state_.tool = describe(station.tool());
+    auto const fault = station.height_monitor().present();
+    state_.trouble = fault ? describe_fault(*fault) : "";
     state_.live_ink.clear();
     for (auto const& ink : station.inks())
         state_.live_ink.push_back(ink_line(ink, station.tool()));

@@ -8,6 +8,7 @@
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <fmt/core.h>
+#include <functional>
 
 namespace tractus {
 

@@ -4,6 +4,7 @@
 #include "engine/base/vectors.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>

@@ -8,6 +8,7 @@
 #include "drivers/sensors/usb_height_sensor.h"
 #include "drivers/sensors/usb_sensor_list.h"
 #include "drivers/tablets/open_tablet.h"
+#include "drivers/tablets/usb_tablet.h"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -37,23 +38,27 @@ std::vector<DeviceInfo> list_devices()
     return devices;
 }
 
+std::vector<DeviceInfo> list_device_addresses()
+{
+    auto devices = list_devices();
+    auto tablets = list_usb_tablets();
+    std::move(tablets.begin(), tablets.end(), std::back_inserter(devices));
+    return devices;
+}
+
 static Result<DeviceInfo> find_at_address(std::string_view text)
 {
     auto const address = TRY(parse_device_address(text));
     if (std::holds_alternative<GpioAddress>(address))
         return describe_gpio_adc(std::string(text));
-    auto devices = list_devices();
+    auto devices = list_device_addresses();
     auto const found = std::find_if(devices.begin(), devices.end(),
                                     [&](auto const& info) { return info.location == text; });
     if (found != devices.end())
         return std::move(*found);
-    if (std::holds_alternative<HidrawAddress>(address)
-        || std::holds_alternative<UsbAddress>(address))
-        return fail(Fault::User,
-                    fmt::format("there is no device at {}: \"tractus devices\" lists those there "
-                                "are",
-                                text));
-    return DeviceInfo { .name = std::string(text), .location = std::string(text) };
+    return fail(
+        Fault::User,
+        fmt::format("there is no device at {}: \"tractus devices\" lists those there are", text));
 }
 
 Result<DeviceInfo> find_device(std::string_view text)

@@ -15,14 +15,17 @@ namespace tractus {
 // by its address. Needs no permission. Safe to call from any thread.
 std::vector<DeviceInfo> list_devices();
 
+// The same by every address that can be opened: a tablet on USB stands there by its node and, at
+// the end, by its "libusb:" address as well, as list_usb_tablets has it.
+std::vector<DeviceInfo> list_device_addresses();
+
 // What is known of the device at an address (see drivers/device_address.h). A GPIO converter is
 // known by its address alone. Fails, as the user's fault, if the text is no address or nothing is
 // there.
 //
 // Behind an @ may stand settings, of which height sensors know some:
-//   /dev/hidraw3@GP2,4.096V   MCP2221A: the wiper's pin, GP1 to GP3, and the reference:
-//   VDD, 1.024V,
-//                             2.048V or 4.096V; GP1 and VDD by itself
+//   /dev/hidraw3@GP2,4.096V   MCP2221A: the wiper's pin, GP1 to GP3, and the reference,
+//                             VDD, 1.024V, 2.048V or 4.096V; GP1 and VDD by itself
 //   usb:1-2@AIN3              LabJack U3: the wiper's input, AIN0 to AIN15; AIN0 by itself
 //   usb:1-2@2000us,internal   the station's own kind: the time between readings, and the reference,
 //                             supply or internal; what the sensor has by itself

@@ -1,34 +1,10 @@
 #include "drivers/hid_sysfs.h"
 
-#include "drivers/file.h"
-
-#include <charconv>
-#include <string_view>
-#include <utility>
+#include "drivers/sysfs.h"
 
 namespace tractus {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-// The first line of a file; empty if it cannot be read.
-std::string read_line(fs::path const& file)
-{
-    auto text = read_file(file);
-    if (!text)
-        return {};
-    return text->substr(0, text->find('\n'));
-}
-
-int read_hex(fs::path const& file, int otherwise)
-{
-    auto const text = read_line(file);
-    std::from_chars(text.data(), text.data() + text.size(), otherwise, 16);
-    return otherwise;
-}
-
-} // namespace
 
 // …/usb1/1-2/1-2:1.0/0003:256C:006D.0005: the device, its interface, the HID device.
 std::optional<UsbParent> find_usb_parent(fs::path const& hidraw_folder)
@@ -42,10 +18,11 @@ std::optional<UsbParent> find_usb_parent(fs::path const& hidraw_folder)
     if (!fs::exists(interface / "bInterfaceNumber", error) || !fs::exists(device / "busnum", error))
         return std::nullopt;
     return UsbParent { .address = device.filename().string(),
-                       .interface_number = read_hex(interface / "bInterfaceNumber", -1),
-                       .manufacturer = read_line(device / "manufacturer"),
-                       .product = read_line(device / "product"),
-                       .serial_number = read_line(device / "serial") };
+                       .interface_number
+                       = read_sysfs_number(interface / "bInterfaceNumber", 16, -1),
+                       .manufacturer = read_sysfs_line(device / "manufacturer"),
+                       .product = read_sysfs_line(device / "product"),
+                       .serial_number = read_sysfs_line(device / "serial") };
 }
 
 std::string bound_driver(fs::path const& hidraw_folder)

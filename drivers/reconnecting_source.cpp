@@ -35,7 +35,7 @@ static Duration clock_time(clockid_t clock)
 Reconnection system_reconnection()
 {
     return {
-        .list = list_devices,
+        .list = list_device_addresses,
         .open = open_device,
         .now = [] { return Timestamp(clock_time(CLOCK_MONOTONIC)); },
         // The one clock counts while the machine sleeps, the other does not.
@@ -43,11 +43,19 @@ Reconnection system_reconnection()
     };
 }
 
+// What is read through the kernel's driver stays so, and what is read past it.
+static bool are_reached_alike(DeviceInfo const& a, DeviceInfo const& b)
+{
+    auto const first = parse_device_address(a.location);
+    auto const second = parse_device_address(b.location);
+    return first && second && first->index() == second->index();
+}
+
 static bool is_of_the_same_kind(DeviceInfo const& a, DeviceInfo const& b)
 {
-    return a.bus == b.bus && a.vendor_id == b.vendor_id && a.product_id == b.product_id
-        && a.interface_number == b.interface_number && a.serial_number == b.serial_number
-        && a.report_descriptor == b.report_descriptor;
+    return are_reached_alike(a, b) && a.bus == b.bus && a.vendor_id == b.vendor_id
+        && a.product_id == b.product_id && a.interface_number == b.interface_number
+        && a.serial_number == b.serial_number && a.report_descriptor == b.report_descriptor;
 }
 
 std::optional<std::size_t> find_again(DeviceInfo const& lost, std::vector<DeviceInfo> const& found)
@@ -131,9 +139,9 @@ void ReconnectingSource::look_for_it()
         try_to_open(found[*index]);
         return;
     }
-    // What no list names stands where it stood, if anywhere.
+    // A converter on GPIO lines, which no list names, stands where it stood, if anywhere.
     auto const address = parse_device_address(listed_.location);
-    if (address && !std::holds_alternative<HidrawAddress>(*address))
+    if (address && std::holds_alternative<GpioAddress>(*address))
         try_to_open(listed_);
 }
 

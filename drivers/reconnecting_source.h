@@ -44,12 +44,12 @@ struct Reconnection {
     std::shared_ptr<OpenLocations> open_locations = std::make_shared<OpenLocations>();
 };
 
-// The system's means (list_devices, open_device).
+// The system's means (list_device_addresses, open_device).
 Reconnection system_reconnection();
 
-// Which of these devices, if any, is the one that was lost: same ids, interface, serial number and
-// report descriptor; of several, the one at the same place of the bus. Without a serial number a
-// single candidate may stand at another place, since people use another socket.
+// Which of these devices, if any, is the one that was lost: same kind of address, ids, interface,
+// serial number and report descriptor; of several, the one at the same place of the bus. Without a
+// serial number a single candidate may stand at another place, since people use another socket.
 std::optional<std::size_t> find_again(DeviceInfo const& lost, std::vector<DeviceInfo> const& found);
 
 // A device that may go away and come back. When it is lost, by unplugging or because the machine

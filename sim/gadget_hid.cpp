@@ -28,6 +28,21 @@ std::size_t packet_bytes(HidReportDescriptor const& descriptor)
     return bytes;
 }
 
+// What kind of interface it is (HID 1.11 sections 4.2 and 4.3): a tablet that begins as a mouse
+// also knows the mouse's reports that a computer understands before it has read a descriptor.
+struct InterfaceKind {
+    char const* subclass = "0";
+    char const* protocol = "0";
+};
+
+InterfaceKind interface_kind(HidReportDescriptor const& descriptor)
+{
+    constexpr HidUsage kMouse = 0x0001'0002;
+    bool const is_mouse
+        = !descriptor.collections.empty() && descriptor.collections.front().usage == kMouse;
+    return is_mouse ? InterfaceKind { "1", "2" } : InterfaceKind {};
+}
+
 // The node that the kernel makes for the function when the gadget is plugged in.
 std::optional<fs::path> node_of(fs::path const& folder)
 {
@@ -66,10 +81,11 @@ Result<std::unique_ptr<GadgetHid>> GadgetHid::add_to(UsbGadget& gadget, std::str
                                 "descriptor is not known",
                                 info.name));
     auto const descriptor = TRY(parse_report_descriptor(info.report_descriptor));
+    auto const kind = interface_kind(descriptor);
     auto const folder
         = TRY(gadget.add_function("hid." + name,
-                                  { { "protocol", "0" },
-                                    { "subclass", "0" },
+                                  { { "protocol", kind.protocol },
+                                    { "subclass", kind.subclass },
                                     { "report_length", std::to_string(packet_bytes(descriptor)) },
                                     { "report_desc", as_text(info.report_descriptor) } }));
     return std::unique_ptr<GadgetHid>(new GadgetHid(folder));

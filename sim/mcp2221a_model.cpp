@@ -109,6 +109,12 @@ void Mcp2221aModel::change_settings(std::span<std::byte const, kPacketBytes> com
         reference_ = told_reference_ = at(5) & 7;
 }
 
+bool Mcp2221aModel::converts() const
+{
+    return std::any_of(pins_.begin() + 1, pins_.end(),
+                       [](std::uint8_t pin) { return (pin & 7) == kConverterFunction; });
+}
+
 std::uint16_t Mcp2221aModel::counts(int pin) const
 {
     CHECK(pin >= 1 && pin <= 3);

@@ -32,6 +32,9 @@ public:
     // The reply to one command, of which bytes beyond 64 are left out and missing ones are 0.
     Packet answer(std::span<std::byte const> command);
 
+    // Whether some pin is the converter's.
+    bool converts() const;
+
     // What GP`pin`, 1 to 3, converts to now: 0 to 1023.
     std::uint16_t counts(int pin) const;
 

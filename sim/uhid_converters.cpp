@@ -33,13 +33,14 @@ DeviceInfo mcp2221a_info()
     };
 }
 
-std::vector<std::byte> answer(Mcp2221aModel& model, double fraction,
+std::vector<std::byte> answer(Mcp2221aModel& model, InputNow const& input,
                               std::span<std::byte const> command)
 {
     if (command.size() > Mcp2221aModel::kPacketBytes) // From a program, with a 0 for its id.
         command = command.subspan(1);
-    for (int pin = 1; pin <= 3; ++pin)
-        model.set_volts(pin, fraction * kSupply_volts);
+    if (model.converts())
+        for (int pin = 1; pin <= 3; ++pin)
+            model.set_volts(pin, input() * kSupply_volts);
     auto const packet = model.answer(command);
     return { packet.begin(), packet.end() };
 }
@@ -56,10 +57,9 @@ Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input)
     Mcp2221aModel::Options options;
     options.supply_volts = kSupply_volts;
     UhidAnswers answers;
-    answers.output = [model = Mcp2221aModel(options),
-                      input = std::move(input)](std::span<std::byte const> command) mutable {
-        return answer(model, input(), command);
-    };
+    answers.output
+        = [model = Mcp2221aModel(options), input = std::move(input)](
+              std::span<std::byte const> command) mutable { return answer(model, input, command); };
     return UhidDevice::create(mcp2221a_info(), std::move(answers));
 }
 

@@ -4,6 +4,7 @@
 #include "drivers/device_address.h"
 #include "drivers/library_versions.h"
 #include "drivers/report_descriptor.h"
+#include "drivers/sensors/mcp2221a.h"
 #include "drivers/tablets/tablet_lookup.h"
 
 #include <algorithm>
@@ -75,6 +76,24 @@ std::vector<std::string> how_to_describe_it(DeviceInfo const& info)
         fmt::format("tractus record -o my-tablet.tractus-log --seconds 30 --device {}", address),
         "Try its other nodes, too: tractus devices",
     };
+}
+
+// The only driver of the kernel that keeps a device of ours for itself.
+void diagnose_hidden(HiddenHidFacts const& device, std::vector<Finding>& findings)
+{
+    DeviceInfo const ids { .vendor_id = device.vendor_id, .product_id = device.product_id };
+    if (!is_mcp2221a(ids) || device.driver.empty())
+        return;
+    findings.push_back(
+        { .kind = FindingKind::DriverInTheWay,
+          .subject = fmt::format("MCP2221A {}", device.name),
+          .what
+          = fmt::format("The kernel's driver {} keeps the chip for itself: there is no hidraw "
+                        "node through which its converter could be read.",
+                        device.driver),
+          .remedy = { "echo blacklist hid_mcp2221 | sudo tee /etc/modprobe.d/tractus.conf",
+                      "sudo modprobe -r hid_mcp2221",
+                      "That is all: its node comes by itself, and the driver does not return." } });
 }
 
 void diagnose_found(DeviceFacts const& device, std::vector<Finding>& findings)
@@ -208,6 +227,8 @@ std::vector<Finding> diagnose_system(SystemFacts const& facts)
     diagnose_unknown(facts, findings);
     for (auto const& device : facts.usb)
         diagnose_usb(device, findings);
+    for (auto const& device : facts.hidden)
+        diagnose_hidden(device, findings);
     for (auto const& library : facts.libraries)
         if (is_older_version(library.version, library.needed))
             findings.push_back(

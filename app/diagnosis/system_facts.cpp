@@ -5,6 +5,7 @@
 #include "drivers/file.h"
 #include "drivers/hid_source.h"
 #include "drivers/library_versions.h"
+#include "drivers/sysfs.h"
 #include "drivers/tablets/tablet_lookup.h"
 
 #include <algorithm>
@@ -18,32 +19,6 @@ namespace tractus {
 namespace fs = std::filesystem;
 
 namespace {
-
-// A file of sysfs in one line; empty if it cannot be read.
-std::string read_line(fs::path const& path)
-{
-    auto text = read_file(path, 4096);
-    if (!text)
-        return {};
-    while (!text->empty() && (text->back() == '\n' || text->back() == ' '))
-        text->pop_back();
-    return *std::move(text);
-}
-
-int read_number(fs::path const& path, int base)
-{
-    auto const text = read_line(path);
-    int value = 0;
-    std::from_chars(text.data(), text.data() + text.size(), value, base);
-    return value;
-}
-
-// The name of what a link in sysfs points to; empty if there is none.
-std::string link_name(fs::path const& link)
-{
-    std::error_code ignored;
-    return fs::read_symlink(link, ignored).filename().string();
-}
 
 std::vector<fs::path> entries_of(fs::path const& folder)
 {
@@ -70,16 +45,16 @@ UsbDeviceFacts describe_usb(fs::path const& folder)
 {
     UsbDeviceFacts device {
         .port = folder.filename().string(),
-        .vendor_id = static_cast<std::uint16_t>(read_number(folder / "idVendor", 16)),
-        .product_id = static_cast<std::uint16_t>(read_number(folder / "idProduct", 16)),
-        .name = read_line(folder / "product"),
+        .vendor_id = static_cast<std::uint16_t>(read_sysfs_number(folder / "idVendor", 16)),
+        .product_id = static_cast<std::uint16_t>(read_sysfs_number(folder / "idProduct", 16)),
+        .name = read_sysfs_line(folder / "product"),
     };
     for (auto const& entry : entries_of(folder)) {
         if (!entry.filename().string().starts_with(device.port + ":"))
             continue;
-        device.interfaces.push_back({ .number = read_number(entry / "bInterfaceNumber", 16),
-                                      .usb_class = read_number(entry / "bInterfaceClass", 16),
-                                      .driver = link_name(entry / "driver"),
+        device.interfaces.push_back({ .number = read_sysfs_number(entry / "bInterfaceNumber", 16),
+                                      .usb_class = read_sysfs_number(entry / "bInterfaceClass", 16),
+                                      .driver = read_sysfs_link(entry / "driver"),
                                       .has_node = has_node(entry) });
     }
     return device;
@@ -97,13 +72,39 @@ std::vector<UsbDeviceFacts> gather_usb(fs::path const& root)
     return devices;
 }
 
+// HID devices are named by their bus and ids: "0003:04D8:00DD.0001".
+HiddenHidFacts describe_hidden(fs::path const& folder)
+{
+    HiddenHidFacts device { .name = folder.filename().string(),
+                            .driver = read_sysfs_link(folder / "driver") };
+    auto const id_at = [&](std::size_t at) {
+        std::uint16_t id = 0;
+        if (device.name.size() >= at + 4)
+            std::from_chars(device.name.data() + at, device.name.data() + at + 4, id, 16);
+        return id;
+    };
+    device.vendor_id = id_at(5);
+    device.product_id = id_at(10);
+    return device;
+}
+
+std::vector<HiddenHidFacts> gather_hidden(fs::path const& root)
+{
+    std::vector<HiddenHidFacts> devices;
+    std::error_code ignored;
+    for (auto const& folder : entries_of(root / "sys/bus/hid/devices"))
+        if (!fs::exists(folder / "hidraw", ignored))
+            devices.push_back(describe_hidden(folder));
+    return devices;
+}
+
 // Of the first endpoint into the computer; "8ms", "1ms", "125us".
 std::optional<double> poll_rate_hz(fs::path const& interface)
 {
     for (auto const& entry : entries_of(interface)) {
         if (!entry.filename().string().starts_with("ep_8"))
             continue;
-        auto const text = read_line(entry / "interval");
+        auto const text = read_sysfs_line(entry / "interval");
         double value = 0;
         auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         auto const unit
@@ -128,7 +129,7 @@ DeviceFacts describe(DeviceInfo const& info, fs::path const& root)
     auto const node = fs::path(info.location).filename();
     if (info.location.starts_with("/dev/hidraw")) {
         auto const device = root / "sys/class/hidraw" / node / "device";
-        facts.driver = link_name(device / "driver");
+        facts.driver = read_sysfs_link(device / "driver");
         std::error_code ignored;
         auto const interface = fs::canonical(device, ignored).parent_path();
         facts.poll_hz = poll_rate_hz(interface);
@@ -166,13 +167,14 @@ int opening_error(DeviceInfo const& info, fs::path const& root)
     auto const& port = usb ? usb->port : std::get<LibusbAddress>(*address).port;
     auto const folder = root / "sys/bus/usb/devices" / print_usb_port(port);
     return access_error(root
-                        / fmt::format("dev/bus/usb/{:03}/{:03}", read_number(folder / "busnum", 10),
-                                      read_number(folder / "devnum", 10)));
+                        / fmt::format("dev/bus/usb/{:03}/{:03}",
+                                      read_sysfs_number(folder / "busnum", 10),
+                                      read_sysfs_number(folder / "devnum", 10)));
 }
 
 SystemFacts gather_system_facts(fs::path const& root)
 {
-    SystemFacts facts { .usb = gather_usb(root) };
+    SystemFacts facts { .usb = gather_usb(root), .hidden = gather_hidden(root) };
     auto const devices = root == "/" ? list_devices() : enumerate_hid(root / "sys/class/hidraw");
     for (auto const& info : devices)
         facts.devices.push_back(describe(info, root));

@@ -39,6 +39,14 @@ struct UsbDeviceFacts {
     std::vector<UsbInterfaceFacts> interfaces {};
 };
 
+// A HID device that no hidraw node belongs to.
+struct HiddenHidFacts {
+    std::string name {}; // As the kernel names it: "0003:04D8:00DD.0001".
+    std::uint16_t vendor_id = 0;
+    std::uint16_t product_id = 0;
+    std::string driver {}; // The kernel's, bound to it; empty: none.
+};
+
 struct LibraryFacts {
     std::string name {};
     std::string version {};
@@ -49,6 +57,7 @@ struct LibraryFacts {
 struct SystemFacts {
     std::vector<DeviceFacts> devices {};
     std::vector<UsbDeviceFacts> usb {};
+    std::vector<HiddenHidFacts> hidden {};
     std::vector<LibraryFacts> libraries {};
     bool has_hidraw = true;    // The kernel has hidraw at all.
     bool has_our_rules = true; // 70-tractus.rules is where udev finds it.

@@ -5,6 +5,7 @@
 #include "engine/base/check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tractus {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>

@@ -26,7 +26,9 @@ Timestamp clock_now()
     return Timestamp(std::chrono::steady_clock::now().time_since_epoch());
 }
 
-// The height of a recording, for a converter that is asked for it; and a fault when its time comes.
+// The height of a recording, for a converter that is asked for it, from when it is asked first: the
+// kernel's own driver may have the converter open without reading it. And a fault when its time
+// comes.
 class HeightPart final : public DevicePart {
 public:
     explicit HeightPart(HeightCurve heights)
@@ -40,12 +42,14 @@ public:
         fail_ = std::move(fail);
     }
 
-    double fraction_now() const
+    double fraction_now()
     {
-        return heights_.fraction_at(begin_ ? Timestamp(clock_now() - *begin_) : Timestamp());
+        auto const now = clock_now();
+        begin_ = begin_.value_or(now);
+        return heights_.fraction_at(Timestamp(now - *begin_));
     }
 
-    void begin(Timestamp now) override { begin_ = now; }
+    void begin(Timestamp) override { begin_.reset(); }
 
     Timestamp due() const override
     {

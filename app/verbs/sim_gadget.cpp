@@ -8,6 +8,7 @@
 #include "sim/gadget_hid.h"
 #include "sim/usb_gadget.h"
 
+#include <algorithm>
 #include <fmt/core.h>
 #include <memory>
 #include <string>

@@ -163,7 +163,10 @@ void Layout::show_controls(WindowModel& model, Renderer& renderer)
     bool const is_live = state.is_live;
     ImGui::ProgressBar(static_cast<float>(state.progress), { -1, kProgressHeight_px * scale_ }, "");
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(state.status.c_str());
+    if (state.trouble.empty())
+        ImGui::TextUnformatted(state.status.c_str());
+    else
+        ImGui::TextColored(theme::imgui_color(theme::kIndicator), "%s", state.trouble.c_str());
 
     if (is_live) {
         show_tool_buttons(model);

@@ -192,12 +192,14 @@ public:
                                      state.skeleton_revision, state.plant_revision };
         bool const same_revisions = std::exchange(revisions_, revisions) == revisions;
         bool const same_status = std::exchange(status_, state.status) == state.status;
-        return !same_revisions || !same_status;
+        bool const same_trouble = std::exchange(trouble_, state.trouble) == state.trouble;
+        return !same_revisions || !same_status || !same_trouble;
     }
 
 private:
     std::array<std::uint64_t, 4> revisions_ {};
     std::string status_;
+    std::string trouble_;
 };
 
 // The window system moves its mouse with the pen that the station reads.

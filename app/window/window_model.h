@@ -79,6 +79,9 @@ struct WindowState {
 
     std::string tool;   // What the pen means now, for example "Draw".
     std::string status; // One line: what is going on, or what was done.
+    // One line: what is wrong with a device at this moment and what to do about it. Shown in place
+    // of the status. Empty if nothing is.
+    std::string trouble;
     // Devices are read: there is no recording to be paused, and while a pen is in range the mouse
     // counts for nothing, since the window system takes that pen for one.
     bool is_live = false;

@@ -47,7 +47,7 @@ Result<std::unique_ptr<ReportSource>> open_through_libusb(DeviceInfo info)
                     fmt::format("\"{}\" is no address of a tablet (\"/dev/hidraw3\", "
                                 "\"libusb:1-2.3:0\")",
                                 info.location));
-    info = TRY(describe_usb_tablet(*libusb, std::move(info)));
+    info = TRY(describe_usb_tablet(std::move(info)));
     auto hid = TRY(LibusbHid::open(*libusb, info));
     LibusbPort port(hid, print_usb_port(libusb->port));
     switch_to_full_mode(info, port, SwitchedBy::Nobody);

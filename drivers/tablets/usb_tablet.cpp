@@ -1,10 +1,11 @@
 #include "drivers/tablets/usb_tablet.h"
 
-#include "drivers/file.h"
+#include "drivers/device_address.h"
 #include "drivers/usb/string_descriptor.h"
+#include "drivers/usb/usb_interfaces.h"
 
+#include <algorithm>
 #include <array>
-#include <charconv>
 #include <fmt/core.h>
 #include <libusb.h>
 #include <utility>
@@ -14,20 +15,6 @@ namespace tractus {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string read_line(fs::path const& file)
-{
-    auto const text = read_file(file);
-    return text ? text->substr(0, text->find('\n')) : std::string();
-}
-
-std::uint16_t read_id(fs::path const& file)
-{
-    auto const text = read_line(file);
-    std::uint16_t id = 0;
-    std::from_chars(text.data(), text.data() + text.size(), id, 16);
-    return id;
-}
 
 // HID 1.11 section 7.1.1: GET_DESCRIPTOR of an interface.
 Result<std::vector<std::byte>> read_report_descriptor(std::string const& usb_address,
@@ -64,23 +51,35 @@ Result<std::string> UsbStrings::read(int index)
     return bytes ? string_descriptor_text(*bytes) : std::string();
 }
 
-Result<DeviceInfo> describe_usb_tablet(LibusbAddress const& address, DeviceInfo info,
-                                       fs::path const& devices_folder)
+std::vector<DeviceInfo> list_usb_tablets(fs::path const& devices_folder)
 {
-    auto const port = print_usb_port(address.port);
-    auto const folder = devices_folder / port;
-    std::error_code error;
-    if (!fs::exists(folder, error))
+    constexpr int kHid = 3;
+    std::vector<DeviceInfo> found;
+    for (auto& interface : list_usb_interfaces(devices_folder)) {
+        if (interface.usb_class != kHid)
+            continue;
+        interface.info.location
+            = fmt::format("libusb:{}:{}", interface.port, interface.info.interface_number);
+        found.push_back(std::move(interface.info));
+    }
+    return found;
+}
+
+Result<DeviceInfo> describe_usb_tablet(DeviceInfo info)
+{
+    auto const listed = list_usb_tablets();
+    auto const found = std::find_if(listed.begin(), listed.end(), [&](DeviceInfo const& device) {
+        return device.location == info.location;
+    });
+    if (found == listed.end())
         return fail(Fault::User,
-                    fmt::format("there is no USB device at {} (was it unplugged?)", port));
-    info.vendor_id = read_id(folder / "idVendor");
-    info.product_id = read_id(folder / "idProduct");
-    info.manufacturer = read_line(folder / "manufacturer");
-    info.serial_number = read_line(folder / "serial");
-    info.name = read_line(folder / "product");
-    info.interface_number = address.interface_number;
-    info.report_descriptor = TRY(read_report_descriptor(port, address.interface_number));
-    return info;
+                    fmt::format("there is no HID device at {} (was it unplugged?)", info.location));
+    auto described = *found;
+    described.settings = std::move(info.settings);
+    auto const address = TRY(parse_device_address(info.location));
+    described.report_descriptor = TRY(read_report_descriptor(
+        print_usb_port(std::get<LibusbAddress>(address).port), described.interface_number));
+    return described;
 }
 
 } // namespace tractus

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "drivers/device_address.h"
 #include "drivers/device_info.h"
 #include "drivers/usb/usb_context.h"
 #include "engine/base/result.h"
@@ -8,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tractus {
 
@@ -29,12 +29,15 @@ private:
     std::optional<UsbDevice> device_;
 };
 
-// What one interface of a USB device is: ids, names and number from sysfs, the report descriptor
-// from the device itself, for which the interface is taken from the kernel's driver for a moment.
-// `info` keeps its location. Fails, as the user's fault, if there is no such device or it may not
-// be opened.
-Result<DeviceInfo> describe_usb_tablet(LibusbAddress const& address, DeviceInfo info,
-                                       std::filesystem::path const& devices_folder
-                                       = "/sys/bus/usb/devices");
+// Every HID interface on USB by its address for libusb, "libusb:1-2.3:0", in the order of the
+// ports. Reads sysfs alone, so the report descriptors, which a device tells only when it is opened,
+// are missing.
+std::vector<DeviceInfo> list_usb_tablets(std::filesystem::path const& devices_folder
+                                         = "/sys/bus/usb/devices");
+
+// The one at `info.location`, with its report descriptor, for which the interface is taken from the
+// kernel's driver for a moment; settings are kept. Fails, as the user's fault, if there is no such
+// device or it may not be opened.
+Result<DeviceInfo> describe_usb_tablet(DeviceInfo info);
 
 } // namespace tractus

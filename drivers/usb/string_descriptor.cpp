@@ -1,6 +1,7 @@
 #include "drivers/usb/string_descriptor.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace tractus {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <fmt/core.h>
+#include <limits>
 
 namespace tractus {
 namespace {

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <fmt/core.h>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>

@@ -130,6 +130,39 @@ TEST(LiveWindow, BeginsAgainWithTheSameTool)
     EXPECT_TRUE(window.station().strokes().empty());
 }
 
+// What the window says is wrong after the height sensor has sent `counts` for 100 ms, at `now_ms`.
+std::string trouble_after(int counts, std::int64_t now_ms)
+{
+    std::vector<RawReport> heights;
+    for (int i = 0; i <= 20; ++i)
+        heights.push_back(arrived(5 * i, height_report(counts)));
+    std::vector<std::unique_ptr<ReportSource>> sources;
+    sources.push_back(std::make_unique<Script>(
+        simple_pen(), std::vector { arrived(0, pen_report(50, 50, false)) }));
+    sources.push_back(std::make_unique<Script>(simple_height_sensor(), std::move(heights)));
+    auto options = options_for_tests();
+    options.rig = Rig {};
+    auto now = at_ms(100);
+    options.now = [&now] { return now; };
+    auto devices = LiveDevices::start(std::move(sources)).value();
+    auto window = LiveWindow::create(std::move(devices), std::move(options)).value();
+    for (int i = 0; i < 60'000 && window.station().counts().height_samples < 21; ++i) {
+        window.advance(std::chrono::milliseconds(16));
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    now = at_ms(now_ms);
+    window.advance(std::chrono::milliseconds(16));
+    return window.state().trouble;
+}
+
+TEST(LiveWindow, SaysWhatIsWrongWithTheHeightSensor)
+{
+    EXPECT_EQ(trouble_after(2000, 100), "");
+    EXPECT_EQ(trouble_after(4095, 100),
+              "height sensor reads 4095, the end of its range: wiper or cable open?");
+    EXPECT_EQ(trouble_after(2000, 3100), "height sensor silent for 3.0 s: is it plugged in?");
+}
+
 TEST(LiveWindow, AsksForACalibration)
 {
     std::vector<std::unique_ptr<ReportSource>> sources;

@@ -2,6 +2,7 @@
 
 #include "engine/base/random.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 

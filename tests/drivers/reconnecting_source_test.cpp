@@ -216,6 +216,26 @@ TEST(ReconnectingSource, FindsAtItsAddressWhatNoListNames)
     EXPECT_EQ(reads(*source, 2), "-r");
 }
 
+TEST(ReconnectingSource, FindsATabletReadPastTheKernelInAnotherSocket)
+{
+    auto const tablet = [](std::string location, std::string path) {
+        auto info = pen_at(std::move(location), std::move(path));
+        if (info.location.starts_with("libusb:"))
+            info.report_descriptor.clear(); // Which is not known before it is opened.
+        return info;
+    };
+    Bus bus { .plugged = { tablet("libusb:1-2:0", "usb-1-2/input0") } };
+    auto const source = ReconnectingSource::open(bus.plugged[0], reconnection(bus)).value();
+    bus.plugged.clear();
+    EXPECT_EQ(reads(*source, 2), "g-");
+    bus.plugged
+        = { tablet("/dev/hidraw0", "usb-0000:00:14.0-4.1/input0") }; // Its node comes first.
+    EXPECT_EQ(reads(*source, 2), "--");
+    bus.plugged.push_back(tablet("libusb:3-4.1:0", "usb-3-4.1/input0"));
+    EXPECT_EQ(reads(*source, 2), "-r");
+    EXPECT_EQ(bus.open_now, 1);
+}
+
 TEST(ReconnectingSource, IsReadOnAThread)
 {
     Bus bus { .plugged = { pen_at("/dev/hidraw0") } };

@@ -1,6 +1,7 @@
 #include "sim/gesture_script.h"
 
 #include <gtest/gtest.h>
+#include <tuple>
 
 namespace tractus {
 namespace {

@@ -1,5 +1,6 @@
 #include "sim/simulated_device.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 

@@ -69,6 +69,11 @@ Result<void> compare_strokes(TruthOptions const& options);
 Result<void> check_interrupted_strokes(std::string const& log_name, std::string const& model,
                                        std::size_t least);
 
+// The station's live window but for its pixels, on all devices that are found, until a signal asks
+// to stop. Says on standard output, a line each, when the pen begins and ends to touch, a stroke is
+// finished, and what is wrong with the devices.
+Result<void> watch_live_window(std::string const& model, std::string const& rig_file);
+
 // Reads a device on a thread of its own, with nobody taking what was read for `seconds`; then what
 // came must begin with what was sent, and be all of it.
 Result<void> read_late(std::string const& node, std::string const& sent_name, double seconds);

@@ -50,14 +50,20 @@ sending_devices_of() {
         /^E:/ && !seen[device]++ { print device }' "$1" | sort -n
 }
 
-# Plays a recording through uhid, records it, and compares.
-#   play_recording FILE DRIVER_THAT_MUST_BIND
+# Plays a recording, as HID devices through uhid or as a USB gadget, records it, and compares.
+#   play_recording FILE DRIVER_THAT_MUST_BIND [gadget]
 play_recording() {
-    local file=$1 driver=$2 devices player node
+    local file=$1 driver=$2 way=${3:-uhid} devices player node
     rm -f got.tractus-log
     basename "$file"
     devices=$(sending_devices_of "$file")
-    tractus sim uhid "$file" --device $devices >/dev/null &
+    case $way in
+    uhid) tractus sim uhid "$file" --device $devices >player.log 2>&1 & ;;
+    gadget)
+        devices=0 # Pens alone.
+        tractus sim gadget pen "$file" >player.log 2>&1 &
+        ;;
+    esac
     player=$!
     wait_until are_nodes "$(echo "$devices" | wc -l)" || return
     for node in /sys/class/hidraw/*; do

@@ -22,6 +22,7 @@ struct Arguments {
     StreamExpectation stream;
     std::size_t least_strokes = 1;
     std::string node;
+    std::string rig_file;
     double seconds = 1;
 };
 
@@ -68,6 +69,12 @@ void add_checks(CLI::App& root, Arguments& arguments, Check& check)
             return check_interrupted_strokes(truth.got, truth.model, arguments.least_strokes);
         };
     });
+
+    auto* const window = root.add_subcommand("live-window", "What does the station's window show?");
+    window->add_option("MODEL", truth.model)->required();
+    window->add_option("RIG", arguments.rig_file)->required();
+    window->callback(
+        [&] { check = [&] { return watch_live_window(truth.model, arguments.rig_file); }; });
 
     auto* const late = root.add_subcommand("read-late", "Is all there if nobody takes it at once?");
     late->add_option("NODE", arguments.node)->required();

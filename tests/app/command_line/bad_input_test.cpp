@@ -1,6 +1,7 @@
 #include "tests/app/command_line/workshop.h"
 
 #include <sstream>
+#include <utility>
 
 namespace tractus {
 namespace {

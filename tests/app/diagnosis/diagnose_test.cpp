@@ -61,6 +61,22 @@ TEST(DiagnoseSystem, PrintsTheRuleThatPermitsADevice)
     EXPECT_TRUE(mentions(findings[0], "--install-rules"));
 }
 
+TEST(DiagnoseSystem, SaysWhatToDoAboutTheKernelsDriverOfAConverter)
+{
+    HiddenHidFacts chip { .name = "0003:04D8:00DD.0001",
+                          .vendor_id = 0x04d8,
+                          .product_id = 0x00dd,
+                          .driver = "mcp2221" };
+    auto const facts
+        = [&] { return SystemFacts { .devices = { facts_of(simple_pen()) }, .hidden = { chip } }; };
+    auto const findings = diagnose_system(facts());
+    ASSERT_EQ(kinds(findings), Names { "driver-in-the-way" });
+    EXPECT_EQ(findings[0].subject, "MCP2221A 0003:04D8:00DD.0001");
+    EXPECT_TRUE(mentions(findings[0], "blacklist hid_mcp2221"));
+    chip.product_id = 0x00de; // Another device may keep to itself what it likes.
+    EXPECT_EQ(kinds(diagnose_system(facts())), Names {});
+}
+
 TEST(DiagnoseSystem, DoesNotMindAKeyboardThatMayNotBeRead)
 {
     DeviceInfo const keyboard { .name = "Keyboard",

@@ -78,6 +78,20 @@ TEST_F(SystemFactsTest, SaysWhyANodeCannotBeOpened)
     EXPECT_EQ(gather_system_facts(root_).devices.at(0).open_error, ENOENT);
 }
 
+TEST_F(SystemFactsTest, FindsWhatADriverKeepsForItself)
+{
+    std::string const hid = "sys/bus/hid/devices/";
+    write(hid + "0003:056A:037A.0001/hidraw/hidraw0/dev", "");
+    write(hid + "0003:04D8:00DD.0002/uevent", "");
+    link("../../drivers/mcp2221", hid + "0003:04D8:00DD.0002/driver");
+    auto const facts = gather_system_facts(root_);
+    ASSERT_EQ(facts.hidden.size(), 1u);
+    EXPECT_EQ(facts.hidden[0].name, "0003:04D8:00DD.0002");
+    EXPECT_EQ(facts.hidden[0].vendor_id, 0x04d8);
+    EXPECT_EQ(facts.hidden[0].product_id, 0x00dd);
+    EXPECT_EQ(facts.hidden[0].driver, "mcp2221");
+}
+
 TEST_F(SystemFactsTest, LooksForOurRules)
 {
     EXPECT_FALSE(gather_system_facts(root_).has_our_rules);

@@ -15,10 +15,11 @@ namespace {
 // Shows one state and counts what the window asks of it.
 class StillModel : public WindowModel {
 public:
-    StillModel()
+    explicit StillModel(std::string trouble = {})
         : mesh_(post_with_leaves())
     {
         state_ = small_state();
+        state_.trouble = std::move(trouble);
         state_.plant = &mesh_;
         state_.plant_revision = 1;
     }
@@ -43,15 +44,17 @@ private:
 struct Part {
     int left = 0;
     int right = 0;
+    int top = 60;
+    int bottom = 660;
 };
 
-// How many pixels of the columns `part` are within 12 levels of a colour.
+// How many pixels of the part are within 12 levels of a colour.
 int colored(Image const& picture, Part const& part, Vec3f const& srgb)
 {
     auto const wanted = color_from(srgb);
     auto const near = [](std::uint8_t a, std::uint8_t b) { return std::abs(a - b) <= 12; };
     int count = 0;
-    for (int y = 60; y < picture.height() - 140; ++y)
+    for (int y = part.top; y < part.bottom; ++y)
         for (int x = part.left; x < part.right; ++x) {
             auto const& pixel = picture.at(x, y);
             count += near(pixel.red, wanted.red) && near(pixel.green, wanted.green)
@@ -113,6 +116,15 @@ TEST_F(WindowTest, ShowsPadSkeletonAndPlantSideBySide)
             leaf += pixel.green > pixel.red + 15 && pixel.green > pixel.blue + 30;
         }
     EXPECT_GT(leaf, 2000);
+}
+
+TEST_F(WindowTest, SaysWhatIsWrongInPlaceOfTheStatus)
+{
+    constexpr Part kStatus { 0, 1500, 660, 800 };
+    StillModel well;
+    EXPECT_EQ(colored(last_frame(well), kStatus, theme::kIndicator), 0);
+    StillModel ill("height sensor silent for 3.0 s: is it plugged in?");
+    EXPECT_GT(colored(last_frame(ill), kStatus, theme::kIndicator), 200);
 }
 
 TEST_F(WindowTest, StepsTheModelOncePerFrame)

@@ -3,6 +3,7 @@
 #include "sim/height_sensor_frames.h"
 #include "tests/drivers/heights.h"
 
+#include <algorithm>
 #include <deque>
 #include <gtest/gtest.h>
 

@@ -1,0 +1,42 @@
+# The station's live window, where udevd tells of devices: tablet and height sensor are unplugged in
+# the midst of a stroke, and plugged in again in another socket. Each time the window says so, keeps
+# what was drawn until then as a stroke, finds both again, and the hand draws on.
+modules='dummy_hcd:num=2 libcomposite usb_f_hid usb_f_fs usbhid hid-generic'
+files='build/vm/scribble.tractus-log app/models/daisy.l app/models/daisy.v'
+udev=yes
+
+log=/files/scribble.tractus-log
+port=/sys/kernel/config/usb_gadget/tractus/UDC
+
+count_lines() { grep -c "^$1" window || true; }
+has_more() { [ "$(count_lines "$1")" -gt "$2" ]; }
+last_line_is() { tail -n 1 window | grep -q "$1"; }
+
+unplug_in_a_stroke() {
+    local strokes
+    wait_until has_more 'the pen touches' "$(count_lines 'the pen touches')" || return
+    sleep 0.2
+    last_line_is 'the pen touches' || fail "the stroke was over too soon" || return
+    strokes=$(count_lines stroke)
+    echo >$port
+    wait_until last_line_is 'has gone: plug it in again' || return
+    [ "$(count_lines stroke)" -eq $((strokes + 1)) ] || fail "the stroke in progress was not kept" || return
+    echo "$1" >$port
+    wait_until last_line_is 'nothing is wrong'
+    wait_until has_more stroke $((strokes + 1))
+}
+
+guest() {
+    local window to
+    sed -n 's/^C: //p' $log >simulated.rig.toml
+    tractus sim gadget both $log --repeat &
+    wait_until test -e /dev/hidraw0
+    vm_check live-window /files/daisy.l simulated.rig.toml >window &
+    window=$!
+    for to in dummy_udc.1 dummy_udc.0 dummy_udc.1; do
+        unplug_in_a_stroke $to || { cat window && return 1; }
+    done
+    kill -TERM $window
+    wait $window
+    figure "strokes drawn in the window" "$(count_lines stroke)"
+}
