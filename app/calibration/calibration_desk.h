@@ -75,6 +75,7 @@ public:
     Rig const& rig() const { return options_.rig; }
     std::vector<HeightCapture> const& captures() const { return captures_; }
     std::optional<HeightReading> reading() const { return recent_.reading(); }
+    SensorIdentity const& sensor() const { return sensor_; }     // Whose reading that is.
     std::optional<PenSample> const& pen() const { return pen_; } // The last one.
     std::size_t touches() const { return touches_; }             // Of the movement, so far.
 

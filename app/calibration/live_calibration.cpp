@@ -1,6 +1,7 @@
 #include "app/calibration/live_calibration.h"
 
 #include "app/calibration/log_calibration.h"
+#include "drivers/sensors/sensor_volts.h"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -259,9 +260,12 @@ std::string describe_reading(CalibrationDesk const& desk)
     auto const reading = desk.reading();
     if (!reading)
         return "no reading yet";
-    auto text
-        = fmt::format("{:.1f} counts ({:.1f} % of the supply), noise {:.1f}", reading->counts,
-                      100 * reading->counts / reading->full_scale_counts, reading->noise_counts);
+    auto const volts = sensor_volts(desk.sensor().name, reading->counts);
+    auto text = fmt::format("{:.1f} counts ({}), noise {:.1f}", reading->counts,
+                            volts ? fmt::format("{:.3f} V", *volts)
+                                  : fmt::format("{:.1f} % of full scale",
+                                                100 * reading->counts / reading->full_scale_counts),
+                            reading->noise_counts);
     if (reading->is_on_rail)
         text += ", AT THE CONVERTER'S END";
     else

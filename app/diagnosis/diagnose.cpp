@@ -195,6 +195,19 @@ Finding mouse_mode(DeviceReading const& reading)
                  "Or read it past the kernel: --device libusb:BUS-PORTS:INTERFACE" } };
 }
 
+Finding pen_is_silent(DeviceReading const& reading)
+{
+    return { .kind = FindingKind::Silent,
+             .subject = who(reading.info),
+             .what
+             = fmt::format("It sends reports ({} so far), but none of them is of a pen: keys, "
+                           "fingers and a mouse on the tablet send some, too.",
+                           reading.reports),
+             .remedy = { "Bring the pen closer than a centimetre to the surface, and move it.",
+                         "If that is what you did, the pen is of another tablet, or its battery is "
+                         "empty where it has one." } };
+}
+
 void diagnose_pen(DeviceReading const& reading, std::vector<Finding>& findings)
 {
     bool const known = is_tablet(reading.info.vendor_id, reading.info.product_id);
@@ -203,6 +216,8 @@ void diagnose_pen(DeviceReading const& reading, std::vector<Finding>& findings)
         return;
     if (sends_mouse_reports(reading))
         findings.push_back(mouse_mode(reading));
+    else if (reading.description.kind == DeviceKind::Pen)
+        findings.push_back(pen_is_silent(reading));
     else
         findings.push_back({ .kind = FindingKind::UnknownTablet,
                              .subject = who(reading.info),

@@ -9,6 +9,7 @@
 #include "drivers/file.h"
 #include "drivers/foreign_log.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fmt/core.h>
 #include <memory>
@@ -46,11 +47,26 @@ Finding all_is_well(DeviceReading const& reading)
                                  reading.reports, reading.pace.rate_hz) };
 }
 
+// Whether it is some node of a tablet, for keys or fingers, of which another node carries the pen.
+bool is_beside_a_pen(DeviceReading const& reading, std::vector<DeviceReading> const& all)
+{
+    return reading.description.kind == DeviceKind::Other
+        && std::any_of(all.begin(), all.end(), [&](DeviceReading const& other) {
+               return other.description.kind == DeviceKind::Pen
+                   && other.info.vendor_id == reading.info.vendor_id
+                   && other.info.product_id == reading.info.product_id;
+           });
+}
+
 void judge(std::vector<DeviceMonitor> const& monitors, Duration listened,
            std::vector<Finding>& findings)
 {
-    for (auto const& monitor : monitors) {
-        auto const reading = monitor.reading();
+    std::vector<DeviceReading> readings;
+    for (auto const& monitor : monitors)
+        readings.push_back(monitor.reading());
+    for (auto const& reading : readings) {
+        if (is_beside_a_pen(reading, readings))
+            continue;
         auto found = diagnose_device(reading, listened);
         if (found.empty() && reading.description.kind != DeviceKind::Other)
             found.push_back(all_is_well(reading));

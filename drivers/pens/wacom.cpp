@@ -290,6 +290,67 @@ Fields decode_pl(Report report, FamilyState& state)
     };
 }
 
+// Over Bluetooth a report holds what the pen did since the last one, in frames of one layout, and
+// behind them who it is; Linux's wacom driver reads them so (wacom_intuos_pro2_bt_pen).
+struct BluetoothLayout {
+    std::size_t frames = 0;
+    std::size_t frame_bytes = 0;
+    bool has_tilt = false;
+
+    std::size_t serial() const { return 1 + frames * frame_bytes; }
+    std::size_t tool_type() const { return serial() + 8; }
+};
+
+PenFields bluetooth_fields(Report report, Report frame, BluetoothLayout const& layout)
+{
+    bool const is_near = has_bit(frame, 0, 6) && has_bit(frame, 0, 5);
+    if (!is_near)
+        return kAway;
+    auto const serial = layout.serial();
+    PenFields fields {
+        .x = u16_le(frame, 1),
+        .y = u16_le(frame, 3),
+        .pressure = u16_le(frame, 5),
+        .in_range = true,
+        .tip = has_bit(frame, 0, 0) || has_bit(frame, 0, 3),
+        .invert = has_bit(frame, 0, 4),
+        .buttons = bits(frame, 0, 1, 2),
+        .tool_serial = static_cast<std::uint32_t>(u16_le(report, serial))
+            | static_cast<std::uint32_t>(u16_le(report, serial + 2)) << 16,
+        .tool_type = static_cast<std::uint32_t>(u16_le(report, layout.tool_type())),
+    };
+    if (layout.has_tilt)
+        fields.tilt_deg = Vec2(s8(frame, 7), s8(frame, 8));
+    return fields;
+}
+
+// The newest of the frames that hold anything. Those before it are passed over: a report makes one
+// sample, and they come a few milliseconds apart.
+Fields decode_bluetooth(Report report, BluetoothLayout const& layout)
+{
+    constexpr std::uint8_t kBluetoothReport = 0x80;
+    if (report.size() < layout.tool_type() + 2 || (u8(report, 0) & 0xFE) != kBluetoothReport)
+        return std::nullopt;
+    for (auto i = layout.frames; i-- > 0;) {
+        auto const frame = report.subspan(1 + i * layout.frame_bytes, layout.frame_bytes);
+        if (has_bit(frame, 0, 7))
+            return bluetooth_fields(report, frame, layout);
+    }
+    return std::nullopt;
+}
+
+// The second Intuos Pro over Bluetooth.
+Fields decode_intuos_pro_bluetooth(Report report, FamilyState&)
+{
+    return decode_bluetooth(report, { .frames = 7, .frame_bytes = 14, .has_tilt = true });
+}
+
+// CTL-4100WL and CTL-6100WL over Bluetooth.
+Fields decode_intuos_bluetooth(Report report, FamilyState&)
+{
+    return decode_bluetooth(report, { .frames = 4, .frame_bytes = 8 });
+}
+
 // The same with a byte before it.
 template<auto decode> Fields after_one_byte(Report report, FamilyState& state)
 {
@@ -317,6 +378,11 @@ constexpr PenFamily kFamilies[] = {
       .has_tilt = true,
       .has_eraser = true,
       .button_count = 3 },
+    { .name = "wacom-intuos-pro-bluetooth",
+      .decode = decode_intuos_pro_bluetooth,
+      .has_tilt = true,
+      .has_eraser = true },
+    { .name = "wacom-intuos-bluetooth", .decode = decode_intuos_bluetooth, .has_eraser = true },
     { .name = "wacom-dtu", .decode = decode_dtu, .has_eraser = true },
     { .name = "wacom-pl", .decode = decode_pl, .has_eraser = true },
     { .name = "wacom-driver-intuos", .decode = after_one_byte<decode_intuos>, .has_eraser = true },

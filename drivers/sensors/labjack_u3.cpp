@@ -2,6 +2,7 @@
 
 #include "drivers/sensors/labjack_packet.h"
 #include "drivers/sensors/polled_source.h"
+#include "drivers/sensors/sensor_volts.h"
 #include "drivers/sensors/settings.h"
 #include "drivers/usb/usb_link.h"
 
@@ -216,9 +217,10 @@ open_labjack_u3(DeviceInfo info, std::unique_ptr<PacketLink> link, LabJackU3Opti
     auto const calibration
         = TRY(read_calibration(*link, identity.is_high_voltage, options.channel, who));
     // Not in info's serial number: that is USB's, by which the device is found again.
-    info.name = fmt::format("LabJack U3-{} {}, AIN{}, {:.6g} V per count from {:.6g} V",
-                            identity.is_high_voltage ? "HV" : "LV", identity.serial_number,
-                            options.channel, calibration.volts_per_count, calibration.offset_volts);
+    info.name
+        = fmt::format("LabJack U3-{} {}, AIN{}, {}", identity.is_high_voltage ? "HV" : "LV",
+                      identity.serial_number, options.channel,
+                      print_volts_per_count(calibration.volts_per_count, calibration.offset_volts));
     std::array const feedback { std::byte {}, kAnalogInput, static_cast<std::byte>(options.channel),
                                 kAgainstGround };
     return open_polled(

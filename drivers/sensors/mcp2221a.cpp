@@ -2,6 +2,7 @@
 
 #include "drivers/hid_link.h"
 #include "drivers/sensors/polled_source.h"
+#include "drivers/sensors/sensor_volts.h"
 #include "drivers/sensors/settings.h"
 #include "engine/base/check.h"
 
@@ -46,6 +47,13 @@ std::byte reference_bits(Mcp2221aReference reference)
 {
     auto const index = static_cast<unsigned>(reference);
     return index == 0 ? std::byte {} : static_cast<std::byte>(index << 1 | 1);
+}
+
+// 0 for the supply, of which nobody knows.
+double volts(Mcp2221aReference reference)
+{
+    constexpr std::array kVolts { 0.0, 1.024, 2.048, 4.096 };
+    return kVolts[static_cast<std::size_t>(reference)];
 }
 
 PacketTest answers(std::byte command)
@@ -164,6 +172,8 @@ open_mcp2221a(DeviceInfo info, std::unique_ptr<PacketLink> link, Mcp2221aOptions
             fmt::format("GP{} of the MCP2221A has no converter: use GP1, GP2 or GP3", options.pin));
     auto const who = fmt::format("{} at {}", info.name, info.location);
     info.name += fmt::format("{}{}", kPinMark, options.pin);
+    if (auto const full = volts(options.reference); full > 0)
+        info.name += ", " + print_volts_per_count(full / (kFullScale + 1), 0);
     Packet const status { kStatus };
     return open_polled(std::move(info), std::move(link),
                        { .command = { status.begin(), status.end() },
@@ -178,7 +188,7 @@ Result<std::unique_ptr<HeightDecoder>> make_mcp2221a_decoder(DeviceInfo const& i
     std::size_t pin = 1;
     if (auto const at = info.name.rfind(kPinMark); at != std::string::npos) {
         auto const digit = info.name.substr(at + kPinMark.size());
-        if (digit == "2" || digit == "3")
+        if (digit.starts_with('2') || digit.starts_with('3'))
             pin = static_cast<std::size_t>(digit[0] - '0');
     }
     return std::make_unique<Mcp2221aDecoder>(pin);

@@ -36,7 +36,8 @@ bool is_mcp2221a(DeviceInfo const&);
 // chip: its answers are dropped, and the settings are made again when it has changed them, since
 // that also changes the reference.
 //
-// The pin is added to the name in info(), where make_mcp2221a_decoder reads it.
+// The pin is added to the name in info(), where make_mcp2221a_decoder reads it, and what a count is
+// in volts, where the reference tells (drivers/sensors/sensor_volts.h).
 //
 // Fails, as the user's fault, if the node cannot be opened, and as the device's, if the chip does
 // not answer as such a chip does.

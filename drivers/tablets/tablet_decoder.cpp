@@ -3,10 +3,10 @@
 #include "drivers/pens/descriptor_decoder.h"
 #include "drivers/report_descriptor.h"
 #include "drivers/tablets/tablet_parameters.h"
+#include "engine/base/check.h"
 
 #include <algorithm>
 #include <bitset>
-#include <fmt/core.h>
 #include <utility>
 
 namespace tractus {
@@ -166,14 +166,7 @@ Result<std::unique_ptr<PenDecoder>> make_tablet_decoder(DeviceInfo const& info,
         return described;
 
     auto const* const family = find_pen_family(match.identifier->family);
-    if (!family) {
-        if (described)
-            return described;
-        return fail(Fault::User,
-                    fmt::format("{} ({:04x}:{:04x}) sends reports of a format that nobody has told "
-                                "us yet: connect it another way (cable or radio), if it has one",
-                                tablet_name(match), info.vendor_id, info.product_id));
-    }
+    CHECK(family); // A test of the table sees to that.
     return std::make_unique<TabletDecoder>(TabletDecoder::Parts {
         .family = *family,
         .own = make_family_decoder(*family, shape),

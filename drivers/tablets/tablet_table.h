@@ -66,9 +66,6 @@ struct Tablet {
 // The family of an interface of keys or touch, which carries no pen.
 inline constexpr std::string_view kPadFamily = "pad";
 
-// Families whose name begins so stand for a format that is not known.
-inline constexpr std::string_view kUnknownFamily = "unknown-";
-
 // All tablets that are known, in the order of drivers/tablets/tablets.txt.
 std::span<Tablet const> known_tablets();
 

@@ -2,7 +2,6 @@
 
 #include "drivers/log_source.h"
 #include "drivers/log_writer.h"
-#include "drivers/recording_source.h"
 #include "tests/drivers/devices.h"
 
 #include <fstream>
@@ -332,19 +331,6 @@ TEST(LogSource, ReplaysItsDevice)
     EXPECT_EQ((*first)->size, 2u);
     EXPECT_EQ((*first)->bytes()[1], std::byte { 3 });
     EXPECT_EQ(source.read(Duration(0)).value(), std::nullopt);
-}
-
-TEST(RecordingSource, WritesWhatItPassesOn)
-{
-    auto const log = parsed(kOnePen);
-    std::ostringstream out;
-    LogWriter writer(out, { .devices = log.devices });
-    auto source = record_to(writer, 0, std::make_unique<LogSource>(log, 0));
-    EXPECT_EQ(source->info().name, "Wacom CTL-472");
-    while (source->read(Duration(0)).value()) { }
-    auto const copy = parsed(out.str());
-    EXPECT_EQ(copy.records.size(), log.records.size());
-    EXPECT_EQ(copy.bytes, log.bytes);
 }
 
 } // namespace

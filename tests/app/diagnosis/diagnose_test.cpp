@@ -178,6 +178,20 @@ TEST(DiagnoseDevice, NamesBrokenReports)
     EXPECT_TRUE(mentions(findings[0], "3 of 3 reports"));
 }
 
+TEST(DiagnoseDevice, AsksForThePenOfATabletWhoseKeysAreAllThatSpoke)
+{
+    // An HS610 in its full mode: a dial of its pad.
+    DeviceInfo const hs610 { .name = "Huion HS610",
+                             .interface_number = 0,
+                             .vendor_id = 0x256c,
+                             .product_id = 0x006d,
+                             .strings = { { 200, "" }, { 201, "HUION_T194_190116" } } };
+    auto const findings
+        = diagnose_device(reading_after(hs610, "08 f0 01 01 00 03 00 00 00 00 00 00", 50), {});
+    ASSERT_EQ(kinds(findings), Names { "silent" });
+    EXPECT_TRUE(mentions(findings[0], "none of them is of a pen"));
+}
+
 TEST(DiagnoseDevice, NamesASensorOnItsRail)
 {
     EXPECT_EQ(kinds(diagnose_device(reading_after(simple_height_sensor(), "01 00 00", 100), {})),

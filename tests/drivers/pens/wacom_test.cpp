@@ -2,8 +2,10 @@
 #include "tests/drivers/bytes.h"
 
 #include <gtest/gtest.h>
+#include <numbers>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace tractus {
 namespace {
@@ -55,6 +57,46 @@ TEST(Wacom, FamiliesPassOverShortReports)
             FamilyState state;
             EXPECT_FALSE(family.decode(bytes(text), state)) << family.name << ' ' << text;
         }
+}
+
+// A report over Bluetooth: frames from its second byte on, the pen's serial number behind them all.
+std::string bluetooth_report(std::vector<std::string> const& frames, std::size_t serial_at)
+{
+    std::string report = "80";
+    for (auto const& frame : frames)
+        report += ' ' + frame;
+    while (report.size() < 3 * serial_at - 1)
+        report += " 00";
+    report += " 78 56 34 12";
+    while (report.size() < 3 * 361 - 1)
+        report += " 00";
+    return report;
+}
+
+TEST(Wacom, TakesTheNewestFrameOfAReportOverBluetooth)
+{
+    Tablet pro("wacom-intuos-pro-bluetooth", 8191);
+    auto const drawing
+        = pro.sample(bluetooth_report({ "e1 64 00 c8 00 ff 0f 05 fb 00 00 00 00 08",
+                                        "e3 d0 07 e8 03 ff 1f 05 fb 00 00 00 00 08" },
+                                      99));
+    EXPECT_EQ(drawing.raw_x, 2000);
+    EXPECT_EQ(drawing.raw_y, 1000);
+    EXPECT_EQ(drawing.pressure, 1.0);
+    EXPECT_TRUE(drawing.touching);
+    EXPECT_FALSE(drawing.eraser);
+    EXPECT_EQ(drawing.buttons, 1u);
+    ASSERT_TRUE(drawing.tilt_rad);
+    EXPECT_NEAR(drawing.tilt_rad->x(), 5 * std::numbers::pi / 180, 1e-9);
+    EXPECT_FALSE(pro.report(bluetooth_report({}, 99))); // No frame holds anything.
+    EXPECT_FALSE(pro.sample(bluetooth_report({ "80 00 00 00 00 00 00" }, 99)).in_range);
+
+    Tablet small("wacom-intuos-bluetooth", 4095);
+    auto const erasing = small.sample(bluetooth_report({ "f1 d0 07 e8 03 ff 07 04" }, 33));
+    EXPECT_EQ(erasing.raw_x, 2000);
+    EXPECT_TRUE(erasing.eraser);
+    EXPECT_TRUE(erasing.touching);
+    EXPECT_FALSE(erasing.tilt_rad);
 }
 
 TEST(Wacom, TakesNoFingersForAPen)

@@ -72,6 +72,8 @@ TEST_F(Mcp2221a, ReadsAnotherPinAgainstAnotherReference)
     auto const source = open({ .pin = 3, .reference = Mcp2221aReference::Volts2048 });
     ASSERT_TRUE(source);
     EXPECT_EQ(read(**source), 500); // 1 V / 2.048 V * 1024
+    EXPECT_EQ((*source)->info().name,
+              "MCP2221 USB-I2C/UART Combo, GP3, 0.002 V per count from 0 V");
 }
 
 TEST_F(Mcp2221a, SetsPinAndReferenceInOneCommandAndKeepsTheOtherPins)

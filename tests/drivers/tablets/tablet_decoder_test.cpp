@@ -220,15 +220,13 @@ TEST(TabletDecoder, IsNotForTheKeysOfATablet)
     EXPECT_EQ(decoder.error().fault, Fault::User);
 }
 
-TEST(TabletDecoder, SaysWhenAFormatIsNotKnown)
+TEST(TabletDecoder, KnowsATabletOverBluetooth)
 {
     DeviceInfo const info { .bus = 5, .vendor_id = 0x056a, .product_id = 0x0360 };
     auto const decoder = make_pen_decoder(info);
-    ASSERT_FALSE(decoder);
-    EXPECT_EQ(decoder.error().fault, Fault::User);
-    EXPECT_EQ(decoder.error().message,
-              "Wacom PTH-660 (056a:0360) sends reports of a format that nobody has told us yet: "
-              "connect it another way (cable or radio), if it has one");
+    ASSERT_TRUE(decoder) << decoder.error().message;
+    EXPECT_EQ((*decoder)->traits().size_mm, Vec2(224, 148));
+    EXPECT_EQ((*decoder)->traits().raw_pressure_maximum, 8191);
 }
 
 // Real tablets.
