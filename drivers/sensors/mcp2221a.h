@@ -32,9 +32,10 @@ bool is_mcp2221a(DeviceInfo const&);
 
 // Opens the chip at `info.location`, a hidraw node, with `info.settings` as options, makes the pin
 // an input of the converter, and reads 500 times a second: a report is the chip's 64-byte answer to
-// its status command. The other pins stay as they are. The kernel's driver may go on using the
-// chip: its answers are dropped, and the settings are made again when it has changed them, since
-// that also changes the reference.
+// its status command. The other pins stay as they are. Other programs may go on using the chip,
+// and the kernel's driver where it leaves a hidraw node at all: the answers to them are dropped,
+// and the settings are made again when they have changed them, since that also changes the
+// reference.
 //
 // The pin is added to the name in info(), where make_mcp2221a_decoder reads it, and what a count is
 // in volts, where the reference tells (drivers/sensors/sensor_volts.h).

@@ -60,9 +60,8 @@ Result<void> write_samples(std::filesystem::path const& folder)
     std::filesystem::create_directories(folder);
     auto const odd = odd_plant();
     Mesh const odd_mesh = make_mesh(odd);
-    std::vector<PlacedMesh> collection {
-        { .name = "odd", .position_mm = { 0, -1000, 0 }, .mesh = &odd_mesh }
-    };
+    std::vector<PlacedMesh> collection;
+    collection.push_back({ .name = "odd", .position_mm = { 0, -1000, 0 }, .mesh = &odd_mesh });
     for (std::uint64_t seed = 0; seed < 3; ++seed)
         collection.push_back({ .name = fmt::format("tree {}", seed),
                                .position_mm = { 3000.0 * static_cast<double>(seed), 0, 0 },
