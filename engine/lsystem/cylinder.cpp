@@ -91,12 +91,13 @@ Cylinder::Piece Cylinder::make_piece(CylinderPoint const& to, CylinderCourse con
         double const r = static_cast<double>(i) / course.rings;
         Vec2 const at = ((radii[3] * r + radii[2]) * r + radii[1]) * r + radii[0];
         CylinderSection section;
-        section.share = std::clamp(at.x(), 0.0, 1.0);
-        section.position_mm = value(course.path, at.x());
-        Vec3 const heading = unit_or(slope(course.path, at.x()), from.heading);
+        double const t = std::clamp(at.x(), -1.0, 2.0); // Tangents may lead beyond the ends.
+        section.share = std::clamp(t, 0.0, 1.0);
+        section.position_mm = value(course.path, t);
+        Vec3 const heading = unit_or(slope(course.path, t), from.heading);
         section.normal = Eigen::AngleAxisd(course.twist_rad * section.share, heading)
             * carried(from.normal, from.heading, heading);
-        section.radius_mm = std::max(0.0, at.y());
+        section.radius_mm = std::clamp(at.y(), 0.0, 1e6);
         piece.sections.push_back(section);
     }
     piece.sections.push_back({ to.position_mm, to.normal, to.radius_mm, 1 });

@@ -113,7 +113,7 @@ Result<void> SurfaceParser::header_line(std::string_view line)
         header_.up = TRY(labelled_vector(line));
     else if (is("SIZE:")) {
         auto const size = numbers_in(after_key(line, "SIZE:"));
-        if (size.size() != 1 || !(size[0] > 0))
+        if (size.size() != 1 || !(size[0] >= 1e-6))
             return error("expected 'SIZE:' and a number above 0");
         header_.size = size[0];
         Vec3 const left = header_.heading.cross(header_.up);

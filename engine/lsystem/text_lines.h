@@ -14,7 +14,8 @@ struct TextLines {
     bool next(std::string_view& line);
 };
 
-// The numbers of a line, separated by blanks. None at all where something else stands in it.
+// The numbers of a line, separated by blanks. None at all where something else stands in it, or a
+// number beyond 1e12.
 std::vector<double> numbers_in(std::string_view line);
 
 // What follows `key` and blanks in a line that begins with it.

@@ -54,8 +54,8 @@ void Turtle::draw_cylinder_symbol(Symbol const& symbol)
     auto& style = extras_.style;
     switch (symbol.name[2]) {
     case 't':
-        style.tangents[0] = symbol.parameter(0, style.tangents[0]);
-        style.tangents[1] = symbol.parameter(1, style.tangents[0]);
+        style.tangents[0] = std::clamp(symbol.parameter(0, style.tangents[0]), -1e3, 1e3);
+        style.tangents[1] = std::clamp(symbol.parameter(1, style.tangents[0]), -1e3, 1e3);
         return;
     case 'r':
         return set_radius_tangents(symbol);
@@ -66,7 +66,6 @@ void Turtle::draw_cylinder_symbol(Symbol const& symbol)
         begin_cylinder(Cylinder::Path::OpenHermite, 0);
         state_.path = State::Path::OfSymbols;
     }
-    // Without a number of rings there is one: cpfg counts none as the default only for @Gs.
     add_control_point(symbol.count > 0 ? std::max(1, ring_count(symbol.parameter(0, 0))) : 0);
     if (symbol.name[2] == 'e')
         end_path();
@@ -84,8 +83,8 @@ void Turtle::set_radius_tangents(Symbol const& symbol)
         if (symbol.count < from + 2)
             continue;
         double const angle_rad = radians(symbol.parameter(from, 0));
-        style.radius_tangents[i]
-            = symbol.parameter(from + 1, 0) * Vec2(std::cos(angle_rad), std::sin(angle_rad));
+        style.radius_tangents[i] = std::clamp(symbol.parameter(from + 1, 0), -1e6, 1e6)
+            * Vec2(std::cos(angle_rad), std::sin(angle_rad));
     }
 }
 

@@ -51,8 +51,9 @@ void Turtle::add_organ(char letter, Symbol const& symbol)
         return;
     // As cpfg, all three parts by the first scale.
     Vec3 const end_mm = static_cast<double>(organ.scale[0]) * options_.unit_mm * surface->end_point;
-    if (end_mm.squaredNorm() > 0) {
-        state_.frame.position_mm += axes * end_mm;
+    Vec3 const position_mm = state_.frame.position_mm + axes * end_mm;
+    if (end_mm.squaredNorm() > 0 && position_mm.cwiseAbs().maxCoeff() < 1e12) {
+        state_.frame.position_mm = position_mm;
         state_.place.axis = kNone;
     }
 }

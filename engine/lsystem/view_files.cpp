@@ -85,7 +85,7 @@ Result<void> read_surface(ViewReader& reader, std::string_view value)
         return reader.error("expected 'surface: LETTER FILE SIZE'");
     auto const letter = parts[0][0];
     auto const name = std::string(parts[1]);
-    auto size = TRY(reader.number(parts[2]));
+    auto size = std::min(TRY(reader.number(parts[2])), 1e6);
     if (!(size > 0)) // As cpfg.
         size = 1;
     if (reader.view.surfaces.count(letter) > 0)

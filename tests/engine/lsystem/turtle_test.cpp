@@ -427,6 +427,17 @@ TEST(Turtle, GivesCylindersContours)
     EXPECT_EQ(warnings_of("@#(3)@Gs").size(), 1u);
 }
 
+TEST(Turtle, KeepsCylindersFiniteWhateverTheyAreTold)
+{
+    auto const plant = with_contour("@Gr(89,1e30)@Gt(1e30,-1e30)!(1e30)@#(5)@Gs f(1e9)@Gc(1e30)"
+                                    "@Gr(1)@Gr(0,-1e30,90,1e30)&(1)f(1e9)@Ge(-5)");
+    EXPECT_EQ(plant.axes.size(), 1u); // and passes check_plant().
+    auto const model = with_surface("~l(1e30)~l(1e30,-1e30,0)F~l(0)F@PS(1)@PC(1,1e30,-1)@PD(1e30)");
+    auto const surfaces = interpret(model, *derive(model));
+    ASSERT_TRUE(surfaces) << surfaces.error().message;
+    check_plant(*surfaces);
+}
+
 TEST(Turtle, TwistsCylindersWhereTheViewSaysSo)
 {
     auto const axiom = "@#(5)@Gs f(4)/(60)@Ge(2)";
