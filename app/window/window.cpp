@@ -12,6 +12,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <cstdint>
+#include <cstdlib>
 #include <fmt/core.h>
 #include <string>
 #include <utility>
@@ -80,6 +81,11 @@ Host::~Host()
 
 Result<void> Host::open(WindowOptions const& options)
 {
+#ifdef GLFW_PLATFORM
+    // GLFW 3.4 tries Wayland first, whose library says on standard error that it has no folder.
+    if (std::getenv("XDG_RUNTIME_DIR") == nullptr)
+        glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
     if (glfwInit() != GLFW_TRUE)
         return no_window("there is no display");
     library_ = true;
