@@ -7,12 +7,14 @@
 #include "app/pictures.h"
 #include "app/render/contact_sheet.h"
 #include "app/render/mesh_measures.h"
+#include "app/stroke_file.h"
 #include "calib/rig_file.h"
 #include "drivers/file.h"
 #include "drivers/log.h"
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/make_mesh.h"
 #include "engine/variation/growth.h"
+#include "engine/variation/growth_preset.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,13 +81,22 @@ public:
 
 private:
     Result<Scene> load_plant();
+    // What was drawn, and what it amounts to.
+    struct Drawing {
+        Scene scene;
+        std::vector<DrawnStroke> strokes;
+    };
+
+    Result<Drawing> read_drawing(Scene scene);
+    Result<Drawing> read_strokes(Scene scene);
     Result<Station> replay(Scene scene);
-    Result<void> draw_base(Station const& station);
+    Result<void> draw_base(Drawing const& drawing);
     Result<void> make_collection(Scene const& scene);
     Result<void> write_picture(std::string const& name, Image const& picture);
     Result<void> write_collection(Bounds const& frame,
                                   std::function<Mesh(std::size_t)> const& mesh);
     void note_replay(Station const& station);
+    void note_drawing(Drawing const& drawing);
 
     JobOptions const& options_;
     Progress& progress_;
@@ -97,12 +108,12 @@ Result<JobReport> Job::run()
 {
     TRY(make_folder(options_.folder));
     auto scene = TRY(load_plant());
-    auto const station = TRY(replay(std::move(scene)));
-    note_replay(station);
+    auto const drawing = TRY(read_drawing(std::move(scene)));
+    note_drawing(drawing);
     auto pictures = TRY(PictureMaker::create());
     pictures_ = &pictures;
-    TRY(draw_base(station));
-    TRY(make_collection(station.scene()));
+    TRY(draw_base(drawing));
+    TRY(make_collection(drawing.scene));
     progress_.finish();
     report_.times = progress_.times();
     auto const path = options_.folder / "report.txt";
@@ -114,13 +125,18 @@ Result<JobReport> Job::run()
 Result<Scene> Job::load_plant()
 {
     progress_.begin("deriving the plant");
-    auto const edit = TRY(load_model_edit(options_.model));
+    auto const edit = TRY(load_plant_edit(options_.model));
     auto scene = TRY(apply_edit({}, edit, load_options()));
     if (scene.base->segment_count() == 0)
         return fail(Fault::User,
                     fmt::format("{}: the plant has no branch that a stroke could shape: its "
                                 "derivation draws nothing",
                                 options_.model.string()));
+    auto const preset = TRY(growth_preset(options_.growth.preset));
+    auto const growth = TRY(at_liking(preset, options_.growth.liking));
+    scene = TRY(apply_edit(scene, SetGrowth { growth, options_.seed }));
+    report_.growth = options_.growth;
+    report_.seed = options_.seed;
     report_.model = options_.model.string();
     report_.notes = scene.model_warnings;
     report_.segments = scene.base->segment_count();
@@ -137,6 +153,33 @@ static void play(LogReplay& replay, std::optional<double> const& speed)
     auto const pace = pace_from_now(replay.begin(), *speed);
     while (replay.advance_to(pace.data_time(pace.now())))
         pace.wait(kStep);
+}
+
+Result<Job::Drawing> Job::read_drawing(Scene scene)
+{
+    if (is_stroke_file(options_.log))
+        return read_strokes(std::move(scene));
+    auto const station = TRY(replay(std::move(scene)));
+    note_replay(station);
+    return Drawing { station.scene(), station.strokes() };
+}
+
+// A file of strokes says nothing about branches, so they go to these in drawing order.
+Result<Job::Drawing> Job::read_strokes(Scene scene)
+{
+    progress_.begin("reading the strokes");
+    Drawing drawing { std::move(scene), {} };
+    for (auto& stroke : TRY(load_strokes(options_.log))) {
+        if (drawing.strokes.size() == drawing.scene.base->axes.size()) {
+            report_.notes.push_back("there are more strokes than branches: the rest is left out");
+            break;
+        }
+        drawing.strokes.push_back(
+            draw(std::move(stroke), { .kind = Tool::Kind::DrawInOrder }, drawing.scene));
+    }
+    report_.log = options_.log.string();
+    report_.strokes = drawing.strokes.size();
+    return drawing;
 }
 
 Result<Station> Job::replay(Scene scene)
@@ -168,17 +211,11 @@ Result<Station> Job::replay(Scene scene)
 void Job::note_replay(Station const& station)
 {
     auto const& counts = station.counts();
-    report_.seed = options_.seed;
     report_.reports = counts.reports;
     report_.broken_reports = counts.broken_reports;
     report_.pen_samples = counts.pen_samples;
     report_.height_samples = counts.height_samples;
     report_.strokes = counts.strokes;
-    report_.indicators = station.scene().indicators.size();
-    std::set<std::vector<SegmentId>> paths;
-    for (auto const& association : station.scene().associations)
-        paths.insert(association.path);
-    report_.branches_selected = paths.size();
     note_heights(station.fuser_counts(), report_.notes);
     for (auto& sentence : describe_faults(station.height_monitor(), {}))
         report_.notes.push_back(std::move(sentence));
@@ -190,7 +227,16 @@ void Job::note_replay(Station const& station)
     if (counts.broken_reports > 0)
         report_.notes.push_back(fmt::format("{} reports could not be decoded, the first: {}",
                                             counts.broken_reports, counts.first_broken));
-    for (auto const& drawn : station.strokes())
+}
+
+void Job::note_drawing(Drawing const& drawing)
+{
+    report_.indicators = drawing.scene.indicators.size();
+    std::set<std::vector<SegmentId>> paths;
+    for (auto const& association : drawing.scene.associations)
+        paths.insert(association.path);
+    report_.branches_selected = paths.size();
+    for (auto const& drawn : drawing.strokes)
         if (!drawn.refusal.empty())
             report_.notes.push_back(fmt::format("a stroke at {:.1f} s changed nothing: {}",
                                                 to_seconds(drawn.stroke.tips.front().time),
@@ -206,14 +252,13 @@ Result<void> Job::write_picture(std::string const& name, Image const& picture)
     return {};
 }
 
-Result<void> Job::draw_base(Station const& station)
+Result<void> Job::draw_base(Drawing const& drawing)
 {
     progress_.begin("drawing the base plant and the strokes");
-    auto const mesh = make_mesh(*station.scene().base);
+    auto const mesh = make_mesh(*drawing.scene.base);
     report_.triangles = mesh.triangle_count();
     TRY(write_picture("base.png", pictures_->plant(mesh, kPicture)));
-    TRY(write_picture("strokes.png",
-                      pictures_->strokes(station.scene(), station.strokes(), kPicture)));
+    TRY(write_picture("strokes.png", pictures_->strokes(drawing.scene, drawing.strokes, kPicture)));
     return {};
 }
 
@@ -222,8 +267,14 @@ Result<void> Job::make_collection(Scene const& scene)
     auto const plan = TRY(plan_growth(scene));
     Grower grower(plan);
     // Grown again whenever it is needed: that is quicker than keeping them all is large.
+    Plant young;
     auto const plant = [&](std::size_t index) -> Plant const& {
-        return grower.grow({ options_.seed, static_cast<std::uint32_t>(index) });
+        auto const& grown = grower.grow({ options_.seed, static_cast<std::uint32_t>(index) },
+                                        options_.growth.age);
+        if (options_.growth.age == 1)
+            return grown;
+        young = without_unborn(grown);
+        return young;
     };
     report_.plants = options_.variations;
 
@@ -290,6 +341,11 @@ std::string print_report(JobReport const& report)
     std::string text = fmt::format(
         "log                   {}\nmodel                 {}\nseed                  {}\n",
         report.log, report.model, report.seed);
+    if (report.growth.age != 1)
+        text += fmt::format("age                   {}\n", report.growth.age);
+    if (report.growth.preset != JobGrowth {}.preset || report.growth.liking != 1)
+        text += fmt::format("growth                {}, {} as it likes\n", report.growth.preset,
+                            report.growth.liking);
     auto const count = [&](char const* name, std::size_t value) {
         text += fmt::format("{:<22}{}\n", name, value);
     };

@@ -12,8 +12,17 @@
 
 namespace tractus {
 
+// How a job's plants grow.
+struct JobGrowth {
+    std::string preset = "usual"; // See growth_presets().
+    double liking = 1;            // See at_liking().
+    double age = 1;               // See Grower::grow().
+};
+
 // The main job: a recorded drawing and a model become a set of varied plants.
 struct JobOptions {
+    // A drawing: a log, or a file of strokes (stroke_file.h), of which each shapes the next branch
+    // in drawing order.
     std::filesystem::path log;
     std::filesystem::path model;
     std::optional<std::filesystem::path> rig; // A calibration in place of the log's own.
@@ -22,6 +31,7 @@ struct JobOptions {
     std::uint64_t seed = 1;         // Of the variations.
     std::size_t variations = 12;    // In the collection; at least 1.
     std::filesystem::path folder = "."; // Made if it is not there.
+    JobGrowth growth {};
 };
 
 // What was read, and what became of it.
@@ -29,6 +39,7 @@ struct JobReport {
     std::string log;
     std::string model;
     std::uint64_t seed = 1;
+    JobGrowth growth;
     std::size_t reports = 0;
     std::size_t broken_reports = 0;
     std::size_t pen_samples = 0;

@@ -1,6 +1,7 @@
 #include "app/model_file.h"
 
 #include "drivers/file.h"
+#include "engine/plant/skeleton_lines.h"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -47,6 +48,16 @@ Result<LoadModel> load_model_edit(std::filesystem::path const& path)
     };
     TRY(compile_model(edit.source, record));
     return edit;
+}
+
+Result<Edit> load_plant_edit(std::filesystem::path const& path)
+{
+    if (path.extension() != ".obj")
+        return Edit { TRY(load_model_edit(path)) };
+    constexpr std::size_t kMaxSkeletonSize = std::size_t { 512 } << 20;
+    auto const text = TRY(read_file(path, kMaxSkeletonSize));
+    auto const pieces = TRY(parse_obj_lines(path.string(), text));
+    return Edit { LoadSkeleton { path.string(), TRY(plant_from_lines(path.string(), pieces)) } };
 }
 
 Result<Model> load_model(std::filesystem::path const& path)

@@ -19,6 +19,10 @@ IncludeReader model_includes(std::filesystem::path const& path);
 // All of it as an edit, so that a scene holds the model's texts and needs no file again.
 Result<LoadModel> load_model_edit(std::filesystem::path const& path);
 
+// A plant as an edit: a model as above, or the skeleton that another program has drawn as lines in
+// a Wavefront OBJ file (skeleton_lines.h), if the name ends in .obj.
+Result<Edit> load_plant_edit(std::filesystem::path const& path);
+
 // Both, compiled.
 Result<Model> load_model(std::filesystem::path const& path);
 

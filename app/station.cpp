@@ -7,6 +7,22 @@
 
 namespace tractus {
 
+DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene)
+{
+    DrawnStroke drawn { std::move(stroke), tool, {} };
+    auto const edits = edits_of(tool, drawn.stroke, scene);
+    if (!edits)
+        drawn.refusal = edits.error().message;
+    for (std::size_t i = 0; drawn.refusal.empty() && i < edits->size(); ++i) {
+        auto next = apply_edit(scene, (*edits)[i], load_options());
+        if (next)
+            scene = *std::move(next);
+        else
+            drawn.refusal = next.error().message;
+    }
+    return drawn;
+}
+
 Station::Station(StationOptions const& options)
     : height_monitor_(options.rig)
     , is_height_measured_(!options.scripted_height)
@@ -208,19 +224,8 @@ void Station::finish_stroke(Stroke stroke)
 {
     ++counts_.strokes;
     // Tool changes are stamped on arrival, tips with the tablet's latency taken off.
-    DrawnStroke drawn { std::move(stroke), {}, {} };
-    drawn.tool = tool_at(drawn.stroke.tips.front().time + tablet_latency_);
-    auto const edits = edits_of(drawn.tool, drawn.stroke, scene_);
-    if (!edits)
-        drawn.refusal = edits.error().message;
-    for (std::size_t i = 0; drawn.refusal.empty() && i < edits->size(); ++i) {
-        auto next = apply_edit(scene_, (*edits)[i], load_options());
-        if (next)
-            scene_ = *std::move(next);
-        else
-            drawn.refusal = next.error().message;
-    }
-    strokes_.push_back(std::move(drawn));
+    auto const tool = tool_at(stroke.tips.front().time + tablet_latency_);
+    strokes_.push_back(draw(std::move(stroke), tool, scene_));
 }
 
 void Station::count_broken(Error const& error)

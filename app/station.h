@@ -45,6 +45,9 @@ struct DrawnStroke {
     std::string refusal; // Why it changed nothing; empty if it did.
 };
 
+// What a stroke in the hand of a tool does to a scene, which is changed unless it is refused.
+DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene);
+
 // The whole way of the data, from reports to the scene: decode, fuse, stroke, mean. The only class
 // that knows it. Reports and tool changes go in as they come, from devices or from a log, and the
 // scene is what they amount to. Not thread-safe: it lives on the main thread.

@@ -26,6 +26,15 @@ InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool)
     return line;
 }
 
+InkLine indicator_line(MotionIndicator const& indicator)
+{
+    InkLine line;
+    line.is_indicator = true;
+    line.points = { { indicator.start_mm.cast<float>(), kInkWidth_mm },
+                    { indicator.end_mm.cast<float>(), kInkWidth_mm } };
+    return line;
+}
+
 std::string describe(Tool const& tool)
 {
     switch (tool.kind) {
@@ -35,6 +44,16 @@ std::string describe(Tool const& tool)
         return "Motion indicator";
     case Tool::Kind::DrawInOrder:
         return "Draw, branch by branch";
+    case Tool::Kind::Oversketch:
+        return "Redraw a part of the branch's stroke";
+    case Tool::Kind::Smooth:
+        return "Smooth the branch's strokes";
+    case Tool::Kind::Delete:
+        return "Take the branch's last stroke away";
+    case Tool::Kind::MoveIndicator:
+        return "Move a motion indicator";
+    case Tool::Kind::DeleteIndicator:
+        return "Take a motion indicator away";
     case Tool::Kind::Draw:
         break;
     }
@@ -57,7 +76,15 @@ std::string describe(DrawnStroke const& drawn)
     case Tool::Kind::Select:
         return "A branch is selected";
     case Tool::Kind::Indicate:
+    case Tool::Kind::MoveIndicator:
         return "The plant leans with the indicator";
+    case Tool::Kind::Oversketch:
+    case Tool::Kind::Smooth:
+        return "The branch follows its stroke";
+    case Tool::Kind::Delete:
+        return "The stroke is gone";
+    case Tool::Kind::DeleteIndicator:
+        return "The motion indicator is gone";
     case Tool::Kind::Draw:
     case Tool::Kind::DrawInOrder:
         break;
@@ -77,7 +104,8 @@ SkeletonLine skeleton_line(Plant const& plant, Axis const& axis, std::uint32_t f
     return line;
 }
 
-std::vector<SkeletonLine::State> segment_states(Scene const& scene)
+std::vector<SkeletonLine::State> segment_states(Scene const& scene,
+                                                ShownSkeleton::Touched const& touched)
 {
     std::vector<SkeletonLine::State> states(scene.base->segment_count(),
                                             SkeletonLine::State::Unselected);
@@ -87,6 +115,10 @@ std::vector<SkeletonLine::State> segment_states(Scene const& scene)
     for (auto const& path : scene.selection)
         for (auto const segment : path)
             states[segment] = SkeletonLine::State::Selected;
+    for (auto const segment : touched.selected)
+        states[segment] = SkeletonLine::State::Selected;
+    for (auto const segment : touched.undetermined)
+        states[segment] = SkeletonLine::State::Undetermined;
     return states;
 }
 
@@ -134,6 +166,7 @@ void StationView::show_live(Station const& station)
     state_.live_ink.clear();
     for (auto const& ink : station.inks())
         state_.live_ink.push_back(ink_line(ink, station.tool()));
+    show_selecting(station);
     if (auto const& tip = station.newest_tip()) {
         state_.surface_height_mm = tip->position_mm.z();
         state_.is_outside_calibration = tip->outside_calibration;
@@ -141,21 +174,49 @@ void StationView::show_live(Station const& station)
     }
 }
 
+// While a pen selects, its path so far, and what is undetermined, are seen in their own colours.
+void StationView::show_selecting(Station const& station)
+{
+    using Selecting = Tool::Selecting;
+    auto const& tool = station.tool();
+    bool const chooses_path = tool.kind == Tool::Kind::Select
+        && (tool.selecting == Selecting::Path || tool.selecting == Selecting::Add
+            || tool.selecting == Selecting::Take);
+    auto const inks = station.inks();
+    bool const was_selecting = std::exchange(is_selecting_, chooses_path && !inks.empty());
+    if (!is_selecting_) {
+        if (was_selecting)
+            show_skeleton(station.scene());
+        return;
+    }
+    if (!shown_skeleton_ || shown_plant_ != station.scene().base) {
+        shown_plant_ = station.scene().base;
+        shown_skeleton_.emplace(*shown_plant_);
+    }
+    show_skeleton(station.scene(), shown_skeleton_->touched_by(inks.front()));
+}
+
 void StationView::show_scene(Station const& station)
 {
     shown_strokes_ = station.strokes().size();
     state_.strokes.clear();
-    for (auto const& drawn : station.strokes())
-        if (drawn.tool.kind != Tool::Kind::Select && drawn.refusal.empty())
-            state_.strokes.push_back(ink_line(drawn.stroke.tips, drawn.tool));
+    auto const& scene = station.scene();
+    Stroke const* last = nullptr; // One that shapes several branches is shown once.
+    for (auto const& association : scene.associations) {
+        if (!last || last->tips.front().time != association.stroke.tips.front().time)
+            state_.strokes.push_back(ink_line(association.stroke.tips, {}));
+        last = &association.stroke;
+    }
+    for (auto const& indicator : scene.indicators)
+        state_.strokes.push_back(indicator_line(indicator));
     ++state_.strokes_revision;
     show_skeleton(station.scene());
     grow_plant(station.scene());
 }
 
-void StationView::show_skeleton(Scene const& scene)
+void StationView::show_skeleton(Scene const& scene, ShownSkeleton::Touched const& touched)
 {
-    auto const states = segment_states(scene);
+    auto const states = segment_states(scene, touched);
     state_.skeleton.clear();
     for (auto const& axis : scene.base->axes) {
         std::uint32_t from = 0;

@@ -2,6 +2,7 @@
 
 #include "app/render/image.h"
 #include "app/station.h"
+#include "app/tools/shown_skeleton.h"
 #include "app/window/window_model.h"
 #include "engine/mesh/mesh.h"
 #include "engine/scene/scene.h"
@@ -9,6 +10,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace tractus {
 
@@ -38,12 +40,18 @@ public:
 private:
     void show_live(Station const& station);
     void show_scene(Station const& station);
-    void show_skeleton(Scene const& scene);
+    void show_selecting(Station const& station);
+    void show_skeleton(Scene const& scene, ShownSkeleton::Touched const& touched = {});
     void grow_plant(Scene const& scene);
 
     std::filesystem::path pictures_;
     std::size_t shown_strokes_ = 0;
     std::size_t shown_pen_samples_ = 0;
+    // What a selecting pen is drawn over, and the plant that it was made of; none before it is
+    // needed.
+    std::optional<ShownSkeleton> shown_skeleton_;
+    std::shared_ptr<Plant const> shown_plant_; // Shared with the station's scene, which may go on.
+    bool is_selecting_ = false;
     // On the heap, since the state points to it when this moves.
     std::unique_ptr<Mesh const> plant_;
     WindowState state_;

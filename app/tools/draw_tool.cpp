@@ -2,13 +2,12 @@
 
 namespace tractus {
 
-Result<std::vector<Edit>> draw_edits(Propagation propagation, Stroke const& stroke,
-                                     Scene const& scene)
+Result<std::vector<Edit>> draw_edits(Tool const& tool, Stroke const& stroke, Scene const& scene)
 {
     if (scene.selection.empty())
         return fail(Fault::User,
                     "nothing is selected for the stroke to shape: select a branch first");
-    return std::vector<Edit> { Associate { stroke, propagation } };
+    return std::vector<Edit> { Associate { stroke, tool.propagation, tool.fit } };
 }
 
 } // namespace tractus

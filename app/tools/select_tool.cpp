@@ -1,28 +1,48 @@
+#include "app/tools/shown_skeleton.h"
 #include "app/tools/tool.h"
-#include "engine/scene/desk_placement.h"
-#include "engine/variation/branch_tree.h"
-#include "engine/variation/projected_skeleton.h"
-#include "engine/variation/selection.h"
+#include "engine/base/check.h"
 
 namespace tractus {
 
-Result<std::vector<Edit>> select_edits(Stroke const& stroke, Scene const& scene)
+namespace {
+
+Result<Selection> selection_of(Tool::Selecting selecting, Stroke const& stroke, Scene const& scene)
 {
-    // Millimetres of the tablet: a line as thin as it is shown, and a hand that need not hit it.
-    constexpr PickOptions kPick { .line_half_width = 0.4, .finger = 2.5 };
-    auto const view = skeleton_projection(fit_selection_view(*scene.base));
-    ProjectedSkeleton const skeleton(*scene.base, view);
-    auto const tree = build_branch_tree(*scene.base);
-    PathSelection selection(tree);
-    SelectionPen pen(skeleton, tree, selection, kPick);
-    for (auto const& tip : stroke.tips)
-        pen.move_to(tip.position_mm.head<2>());
-    auto paths = pen.lift();
-    if (paths.empty())
-        return fail(Fault::User,
-                    "the selection touched no branch: draw over the skeleton, from a "
-                    "branch's base towards its tip");
-    return std::vector<Edit> { Select { std::move(paths) } };
+    using Selecting = Tool::Selecting;
+    auto const& plant = *scene.base;
+    if (selecting == Selecting::Nothing)
+        return Selection {};
+    if (selecting == Selecting::Invert)
+        return inverted(plant, scene.selection);
+    ShownSkeleton const shown(plant);
+    switch (selecting) {
+    case Selecting::Ends: {
+        auto const first = TRY(shown.segment_under(stroke.tips.front()));
+        auto const last = TRY(shown.segment_under(stroke.tips.back()));
+        return Selection { TRY(path_by_ends(shown.tree(), first, last)) };
+    }
+    case Selecting::Order: {
+        auto const segment = TRY(shown.segment_under(stroke.tips.back()));
+        return axes_of_order(plant, plant.axes[axis_of(plant, segment)].order);
+    }
+    case Selecting::Alike:
+        return siblings_alike(plant, TRY(shown.segment_under(stroke.tips.back())));
+    case Selecting::Add:
+        return added(scene.selection, TRY(shown.paths_under(stroke)));
+    case Selecting::Take:
+        return taken(scene.selection, TRY(shown.paths_under(stroke)));
+    default:
+        return shown.paths_under(stroke);
+    }
+}
+
+} // namespace
+
+Result<std::vector<Edit>> select_edits(Tool::Selecting selecting, Stroke const& stroke,
+                                       Scene const& scene)
+{
+    CHECK(!stroke.tips.empty());
+    return std::vector<Edit> { Select { TRY(selection_of(selecting, stroke, scene)) } };
 }
 
 } // namespace tractus

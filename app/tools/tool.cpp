@@ -10,48 +10,102 @@ namespace tractus {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Tool::Kind>, 4> kTools { {
+constexpr std::array<std::pair<std::string_view, Tool::Kind>, 9> kTools { {
     { "select", Tool::Kind::Select },
     { "draw", Tool::Kind::Draw },
     { "indicate", Tool::Kind::Indicate },
     { "draw_in_order", Tool::Kind::DrawInOrder },
+    { "oversketch", Tool::Kind::Oversketch },
+    { "smooth", Tool::Kind::Smooth },
+    { "delete", Tool::Kind::Delete },
+    { "move_indicator", Tool::Kind::MoveIndicator },
+    { "delete_indicator", Tool::Kind::DeleteIndicator },
 } };
 
-constexpr std::array<std::pair<std::string_view, Propagation>, 3> kPropagations { {
-    { "selected", Propagation::Selected },
-    { "descendants", Propagation::Descendants },
-    { "both", Propagation::Both },
+// A word of a tool's arguments, and what it does to the tool. The first of those that do the same
+// kind of thing is what no word means.
+struct Argument {
+    Tool::Kind kind;
+    std::string_view word;
+    void (*set)(Tool&);
+};
+
+using Reach = Tool::Reach;
+using Selecting = Tool::Selecting;
+using IndicatorKind = MotionIndicator::Kind;
+
+constexpr std::array<Argument, 19> kArguments { {
+    { Tool::Kind::Select, "path", [](Tool& tool) { tool.selecting = Selecting::Path; } },
+    { Tool::Kind::Select, "add", [](Tool& tool) { tool.selecting = Selecting::Add; } },
+    { Tool::Kind::Select, "take", [](Tool& tool) { tool.selecting = Selecting::Take; } },
+    { Tool::Kind::Select, "ends", [](Tool& tool) { tool.selecting = Selecting::Ends; } },
+    { Tool::Kind::Select, "order", [](Tool& tool) { tool.selecting = Selecting::Order; } },
+    { Tool::Kind::Select, "alike", [](Tool& tool) { tool.selecting = Selecting::Alike; } },
+    { Tool::Kind::Select, "invert", [](Tool& tool) { tool.selecting = Selecting::Invert; } },
+    { Tool::Kind::Select, "nothing", [](Tool& tool) { tool.selecting = Selecting::Nothing; } },
+    { Tool::Kind::Draw, "selected", [](Tool& tool) { tool.propagation = Propagation::Selected; } },
+    { Tool::Kind::Draw, "descendants",
+      [](Tool& tool) { tool.propagation = Propagation::Descendants; } },
+    { Tool::Kind::Draw, "both", [](Tool& tool) { tool.propagation = Propagation::Both; } },
+    { Tool::Kind::Draw, "start", [](Tool& tool) { tool.fit = StrokeFit::Start; } },
+    { Tool::Kind::Draw, "chord", [](Tool& tool) { tool.fit = StrokeFit::Chord; } },
+    { Tool::Kind::Draw, "world", [](Tool& tool) { tool.fit = StrokeFit::World; } },
+    { Tool::Kind::Indicate, "everywhere", [](Tool& tool) { tool.reach = Reach::Everywhere; } },
+    { Tool::Kind::Indicate, "below", [](Tool& tool) { tool.reach = Reach::Below; } },
+    { Tool::Kind::Indicate, "near", [](Tool& tool) { tool.reach = Reach::Near; } },
+    { Tool::Kind::Indicate, "push", [](Tool& tool) { tool.indicator = IndicatorKind::Push; } },
+    { Tool::Kind::Indicate, "light", [](Tool& tool) { tool.indicator = IndicatorKind::Light; } },
 } };
 
-Result<Propagation> parse_propagation(std::string_view word)
+// "a, b or c" of the words that `is_listed` accepts.
+template<typename Entries, typename Accept>
+std::string list_words(Entries const& entries, Accept const& word_of)
 {
-    if (word.empty())
-        return Propagation::Selected;
-    for (auto const& [name, propagation] : kPropagations)
-        if (name == word)
-            return propagation;
+    std::vector<std::string_view> words;
+    for (auto const& entry : entries)
+        if (auto const word = word_of(entry); !word.empty())
+            words.push_back(word);
+    std::string list;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        list += fmt::format("{}{}", i == 0 ? "" : i + 1 < words.size() ? ", " : " or ", words[i]);
+    return list;
+}
+
+Result<void> take_argument(Tool& tool, std::string_view name, std::string_view word)
+{
+    for (auto const& argument : kArguments)
+        if (argument.kind == tool.kind && argument.word == word) {
+            argument.set(tool);
+            return {};
+        }
+    auto const known = list_words(kArguments, [&](Argument const& argument) {
+        return argument.kind == tool.kind ? argument.word : std::string_view {};
+    });
     return fail(Fault::User,
-                fmt::format("the draw tool cannot reach \"{}\": it can reach selected, "
-                            "descendants or both",
-                            word));
+                known.empty() ? fmt::format("the tool {} takes no \"{}\": leave it out", name, word)
+                              : fmt::format("the tool {} does not know \"{}\": it knows {}", name,
+                                            word, known));
 }
 
 } // namespace
 
 Result<Tool> parse_tool(std::string_view name, std::string_view arguments)
 {
-    for (auto const& [word, kind] : kTools) {
-        if (word != name)
+    for (auto const& [known, kind] : kTools) {
+        if (known != name)
             continue;
         Tool tool { .kind = kind };
-        if (kind == Tool::Kind::Draw)
-            tool.propagation = TRY(parse_propagation(arguments));
+        while (!arguments.empty()) {
+            auto const word = arguments.substr(0, arguments.find(' '));
+            arguments.remove_prefix(std::min(word.size() + 1, arguments.size()));
+            if (!word.empty())
+                TRY(take_argument(tool, name, word));
+        }
         return tool;
     }
     return fail(Fault::User,
-                fmt::format("there is no tool \"{}\": there are select, draw, indicate "
-                            "and draw_in_order",
-                            name));
+                fmt::format("there is no tool \"{}\": there are {}", name,
+                            list_words(kTools, [](auto const& tool) { return tool.first; })));
 }
 
 ToolWords words_for(Tool const& tool)
@@ -60,10 +114,16 @@ ToolWords words_for(Tool const& tool)
     for (auto const& [word, kind] : kTools)
         if (kind == tool.kind)
             words.name = word;
-    if (tool.kind == Tool::Kind::Draw)
-        for (auto const& [word, propagation] : kPropagations)
-            if (propagation == tool.propagation)
-                words.arguments = word;
+    // Each word that changes the tool with none, but not the tool itself, belongs to it.
+    for (auto const& argument : kArguments) {
+        Tool plain { .kind = tool.kind };
+        Tool same = tool;
+        argument.set(plain);
+        argument.set(same);
+        if (argument.kind == tool.kind && same == tool && plain != Tool { .kind = tool.kind })
+            words.arguments
+                += fmt::format("{}{}", words.arguments.empty() ? "" : " ", argument.word);
+    }
     return words;
 }
 
@@ -71,13 +131,20 @@ Result<std::vector<Edit>> edits_of(Tool const& tool, Stroke const& stroke, Scene
 {
     switch (tool.kind) {
     case Tool::Kind::Select:
-        return select_edits(stroke, scene);
+        return select_edits(tool.selecting, stroke, scene);
     case Tool::Kind::Draw:
-        return draw_edits(tool.propagation, stroke, scene);
+        return draw_edits(tool, stroke, scene);
     case Tool::Kind::Indicate:
-        return indicate_edits(stroke);
+        return indicate_edits(tool, stroke, scene);
     case Tool::Kind::DrawInOrder:
         return draw_in_order_edits(stroke, scene);
+    case Tool::Kind::Oversketch:
+    case Tool::Kind::Smooth:
+    case Tool::Kind::Delete:
+        return stroke_edits(tool.kind, stroke, scene);
+    case Tool::Kind::MoveIndicator:
+    case Tool::Kind::DeleteIndicator:
+        return indicator_edits(tool.kind, stroke, scene);
     }
     CHECK(false);
 }

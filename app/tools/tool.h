@@ -10,22 +10,52 @@
 
 namespace tractus {
 
-// What the pen means now. A log names it in its T lines: a word, and for some an argument.
+// What the pen means now. A log names it in its T lines: a word, and for some more words.
 struct Tool {
     enum class Kind {
-        Select,      // "select": the stroke runs over the skeleton's picture and chooses a path.
-        Draw,        // "draw [selected|descendants|both]": the stroke shapes the selected path.
-        Indicate,    // "indicate": the stroke's two ends are a motion indicator.
-        DrawInOrder, // "draw_in_order": each stroke shapes the next axis, the trunk first.
+        Select,        // "select": the stroke runs over the skeleton's picture and chooses a path.
+        Draw,          // "draw": the stroke shapes the selected path.
+        Indicate,      // "indicate": the stroke's two ends are a motion indicator.
+        DrawInOrder,   // "draw_in_order": each stroke shapes the next axis, the trunk first.
+        Oversketch,    // "oversketch": the stroke redraws a part of those of the selected branches.
+        Smooth,        // "smooth": takes the hand out of the selected branches' strokes.
+        Delete,        // "delete": takes the selected branches' last stroke away.
+        MoveIndicator, // "move_indicator": the indicator where the stroke begins goes along with
+                       // it.
+        DeleteIndicator, // "delete_indicator": that where the stroke begins goes.
     };
     Kind kind = Kind::DrawInOrder;
-    Propagation propagation = Propagation::Selected; // For Draw alone.
+
+    // For Draw, its arguments, in any order: "selected" (if none), "descendants" or "both"; "start"
+    // (if none), "chord" or "world".
+    Propagation propagation = Propagation::Selected;
+    StrokeFit fit = StrokeFit::Start;
+
+    // For Select, its argument: what is chosen.
+    enum class Selecting {
+        Path,    // None: the path under the stroke.
+        Add,     // "add": that path as well.
+        Take,    // "take": what was chosen but for that path.
+        Ends,    // "ends": all between the branches under the stroke's two ends.
+        Order,   // "order": all axes of the order of the one under the stroke's end.
+        Alike,   // "alike": that axis and all siblings that are like it.
+        Invert,  // "invert": what was not chosen; wherever the stroke is.
+        Nothing, // "nothing".
+    };
+    Selecting selecting = Selecting::Path;
+
+    // For Indicate, its arguments, in any order: "everywhere" (if none), "below" (on the selected
+    // branches and what they bear) or "near" (falling off around the stroke); "push" (if none) or
+    // "light".
+    enum class Reach { Everywhere, Below, Near };
+    Reach reach = Reach::Everywhere;
+    MotionIndicator::Kind indicator = MotionIndicator::Kind::Push;
 
     bool operator==(Tool const&) const = default;
 };
 
-// A tool from the words of a log or a script. Fails, as the user's fault, naming the tools there
-// are.
+// A tool from the words of a log or a script. Fails, as the user's fault, naming the tools or
+// arguments there are.
 Result<Tool> parse_tool(std::string_view name, std::string_view arguments);
 
 // The words for a tool, as parse_tool reads them.
@@ -40,11 +70,15 @@ ToolWords words_for(Tool const& tool);
 // selected.
 Result<std::vector<Edit>> edits_of(Tool const& tool, Stroke const& stroke, Scene const& scene);
 
-// The four of them, one file each; edits_of chooses.
-Result<std::vector<Edit>> select_edits(Stroke const& stroke, Scene const& scene);
-Result<std::vector<Edit>> draw_edits(Propagation propagation, Stroke const& stroke,
-                                     Scene const& scene);
-Result<std::vector<Edit>> indicate_edits(Stroke const& stroke);
+// One file for each kind of thing that is edited; edits_of chooses.
+Result<std::vector<Edit>> select_edits(Tool::Selecting selecting, Stroke const& stroke,
+                                       Scene const& scene);
+Result<std::vector<Edit>> draw_edits(Tool const& tool, Stroke const& stroke, Scene const& scene);
 Result<std::vector<Edit>> draw_in_order_edits(Stroke const& stroke, Scene const& scene);
+Result<std::vector<Edit>> stroke_edits(Tool::Kind kind, Stroke const& stroke, Scene const& scene);
+Result<std::vector<Edit>> indicate_edits(Tool const& tool, Stroke const& stroke,
+                                         Scene const& scene);
+Result<std::vector<Edit>> indicator_edits(Tool::Kind kind, Stroke const& stroke,
+                                          Scene const& scene);
 
 } // namespace tractus

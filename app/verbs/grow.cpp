@@ -55,9 +55,11 @@ Result<std::uint64_t> write_plant(Plant const& plant, std::string const& name,
 Result<void> grow_model(Arguments const& arguments)
 {
     auto const path = TRY(find_model(arguments.model.model));
-    auto edit = TRY(load_model_edit(path));
-    edit.steps = arguments.model.steps;
-    edit.seed = arguments.model.seed;
+    auto edit = TRY(load_plant_edit(path));
+    if (auto* const model = std::get_if<LoadModel>(&edit)) {
+        model->steps = arguments.model.steps;
+        model->seed = arguments.model.seed;
+    }
     auto const scene = TRY(apply_edit({}, edit, load_options(arguments.cost)));
     for (auto const& warning : scene.model_warnings)
         print_error(fmt::format("warning: {}\n", warning));
@@ -81,7 +83,9 @@ void add_grow_verb(CLI::App& root, Action& action)
         ->type_name("FILE")
         ->check(name_ending_in({ ".glb", ".obj", ".png" }))
         ->required();
-    verb->footer("The same model and seed always give the same file.");
+    verb->footer(
+        "MODEL may also be a skeleton that another program has drawn as lines (.obj). The\n"
+        "same model and seed always give the same file.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return grow_model(*arguments); }; });
 }

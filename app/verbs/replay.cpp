@@ -5,6 +5,7 @@
 #include "app/progress.h"
 #include "app/resources.h"
 #include "app/verbs/checks.h"
+#include "app/verbs/growth_options.h"
 #include "app/verbs/shared_options.h"
 
 #include <memory>
@@ -24,7 +25,8 @@ void add_replay_verb(CLI::App& root, Action& action)
         "replay",
         "Replay a recorded drawing onto a plant model and make a collection of varied plants");
     verb->add_option("LOG", arguments->job.log,
-                     "The drawing: a .tractus-log, or anybody's hid-recorder file")
+                     "The drawing: a .tractus-log, anybody's hid-recorder file, or strokes in "
+                     "space: .tilt (Open Brush), .strokes or .txt")
         ->required();
     add_plant_option(*verb, arguments->model);
     add_rig_option(*verb, arguments->rig);
@@ -39,6 +41,7 @@ void add_replay_verb(CLI::App& root, Action& action)
         ->type_name("N")
         ->check(whole_number(1, 100))
         ->capture_default_str();
+    add_growth_options(*verb, arguments->job.growth);
     add_folder_option(*verb, arguments->job.folder);
     verb->footer(job_footer());
     verb->callback([arguments, &action] {

@@ -6,7 +6,9 @@
 #include "engine/variation/association.h"
 #include "engine/variation/growth.h"
 #include "engine/variation/motion_indicator.h"
+#include "engine/variation/select_branches.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -19,16 +21,29 @@ namespace tractus {
 // What the user did, as values. A scene is the fold of its edits, so an edit holds all that is
 // needed to do it again: the model's text, the pen's tips, the chosen segments.
 
-// Takes a base plant; everything associated with another one goes with it.
+// What becomes of what was drawn when the plant changes.
+enum class Drawn {
+    Forget, // Another plant: strokes and indicators go.
+    Keep,   // The same plant, edited: what was drawn on branches goes to those at the same place
+          // (branch_address.h). Where there is none it is orphaned: kept without effect, and found
+          // again when a later edit brings the branch back.
+};
+
+// Takes a base plant from an L-system.
 struct LoadModel {
     ModelSource source;
     std::map<std::string, std::string> includes {}; // What the model includes, by name: the texts.
     std::optional<int> steps {};                    // Derivation steps; no value: the model's own.
     std::uint64_t seed = 1;                         // Of the model's stochastic rules.
+    Drawn drawn = Drawn::Forget;
 };
 
-// Paths of segments, each from root to tip.
-using Selection = std::vector<std::vector<SegmentId>>;
+// Takes a base plant as it is: the skeleton of another program's plant.
+struct LoadSkeleton {
+    std::string name {};
+    Plant plant {};
+    Drawn drawn = Drawn::Forget;
+};
 
 // Chooses what the next associations go to, in place of what was chosen. Usually one path, or one
 // for each branch that the pen left undetermined (Streit 2006, section 4.1); none chooses nothing.
@@ -40,11 +55,43 @@ struct Select {
 struct Associate {
     Stroke stroke;
     Propagation propagation = Propagation::Selected;
+    StrokeFit fit = StrokeFit::Start;
+    double kept_hand = 1; // See Association.
+};
+
+// The next ones edit strokes that shape something already: those with these numbers in
+// Scene::associations, at least one.
+
+// Redraws a part of them (oversketch.h).
+struct Oversketch {
+    std::vector<std::size_t> associations;
+    Stroke over;
+};
+
+// From here on keeps so much of the hand in them, 0 (smooth) to 1 (as drawn).
+struct SmoothStroke {
+    std::vector<std::size_t> associations;
+    double kept_hand = 0;
+};
+
+// Takes them away; what they overrode counts again.
+struct DeleteStroke {
+    std::vector<std::size_t> associations;
 };
 
 // Adds one motion indicator (Streit 2006, section 4.4).
 struct Indicate {
     MotionIndicator indicator;
+};
+
+// Puts another in the place of the indicator with this number in Scene::indicators.
+struct ChangeIndicator {
+    std::size_t number = 0;
+    MotionIndicator indicator;
+};
+
+struct DeleteIndicator {
+    std::size_t number = 0;
 };
 
 // Sets how plants grow from here on.
@@ -53,6 +100,7 @@ struct SetGrowth {
     std::uint64_t seed = 1; // Of the variations.
 };
 
-using Edit = std::variant<LoadModel, Select, Associate, Indicate, SetGrowth>;
+using Edit = std::variant<LoadModel, Select, Associate, Indicate, SetGrowth, LoadSkeleton,
+                          Oversketch, SmoothStroke, DeleteStroke, ChangeIndicator, DeleteIndicator>;
 
 } // namespace tractus

@@ -1,16 +1,58 @@
 #include "engine/scene/scene.h"
 
+#include "engine/base/check.h"
 #include "engine/lsystem/derive.h"
 #include "engine/lsystem/interpret.h"
 #include "engine/plant/join_axes.h"
+#include "engine/stroke/oversketch.h"
 #include "engine/variation/place_nodes.h"
 
+#include <algorithm>
 #include <fmt/core.h>
+#include <functional>
+#include <type_traits>
 #include <utility>
 
 namespace tractus {
 
 namespace {
+
+// Finds the branches that something was drawn for again, by where they were.
+void keep_drawn(Scene const& before, Scene& now)
+{
+    now.places = before.places;
+    now.associations = before.associations;
+    for (std::size_t i = 0; i < now.places.size(); ++i) {
+        auto path = find_path(*now.base, now.places[i]);
+        now.associations[i].is_orphaned = !path;
+        now.associations[i].path = path ? *std::move(path) : std::vector<SegmentId> {};
+    }
+    now.indicator_places = before.indicator_places;
+    now.indicators = before.indicators;
+    for (std::size_t i = 0; i < now.indicators.size(); ++i) {
+        auto& indicator = now.indicators[i];
+        indicator.below.clear();
+        for (auto const& place : now.indicator_places[i])
+            if (auto const segment = find_segment(*now.base, place))
+                indicator.below.push_back(*segment);
+        indicator.is_orphaned = indicator.below.empty() && !now.indicator_places[i].empty();
+    }
+}
+
+// The scene with another base plant.
+Scene with_plant(Scene const& scene, std::string const& name, Plant plant, Drawn drawn)
+{
+    Scene loaded;
+    loaded.model_name = name;
+    loaded.placement = place_on_desk(plant);
+    loaded.base = std::make_shared<Plant const>(std::move(plant));
+    loaded.rest = std::make_shared<RestShape const>(find_rest_shape(*loaded.base));
+    loaded.growth = scene.growth;
+    loaded.growth_seed = scene.growth_seed;
+    if (drawn == Drawn::Keep)
+        keep_drawn(scene, loaded);
+    return loaded;
+}
 
 Result<Scene> applied(Scene const& scene, LoadModel const& edit, LoadOptions const& options)
 {
@@ -28,22 +70,19 @@ Result<Scene> applied(Scene const& scene, LoadModel const& edit, LoadOptions con
                                      .limits = options.limits,
                                      .print = options.print }));
     auto turtle = TRY(interpret_with_warnings(model, string, { .time = options.limits.time }));
-    auto plant = join_axes(turtle.plant);
-
-    Scene loaded;
-    loaded.model_name = edit.source.name;
+    auto loaded = with_plant(scene, edit.source.name, join_axes(turtle.plant), edit.drawn);
     loaded.model_warnings = model.warnings;
     loaded.model_warnings.insert(loaded.model_warnings.end(), turtle.warnings.begin(),
                                  turtle.warnings.end());
-    loaded.placement = place_on_desk(plant);
-    loaded.base = std::make_shared<Plant const>(std::move(plant));
-    loaded.rest = std::make_shared<RestShape const>(find_rest_shape(*loaded.base));
-    loaded.growth = scene.growth;
-    loaded.growth_seed = scene.growth_seed;
     return loaded;
 }
 
-Result<Scene> applied(Scene scene, Select const& edit, LoadOptions const&)
+Result<Scene> applied(Scene const& scene, LoadSkeleton const& edit)
+{
+    return with_plant(scene, edit.name, edit.plant, edit.drawn);
+}
+
+Result<Scene> applied(Scene scene, Select const& edit)
 {
     for (auto const& path : edit.paths)
         for (auto const segment : path)
@@ -55,28 +94,118 @@ Result<Scene> applied(Scene scene, Select const& edit, LoadOptions const&)
     return scene;
 }
 
-Result<Scene> applied(Scene scene, Associate const& edit, LoadOptions const&)
+Result<Scene> applied(Scene scene, Associate const& edit)
 {
     if (scene.selection.empty())
         return fail(Fault::User,
                     "nothing is selected for the stroke to shape: select a branch first");
     for (auto const& path : scene.selection) {
-        scene.associations.push_back(
-            { .path = path, .stroke = edit.stroke, .propagation = edit.propagation });
+        scene.associations.push_back({ .path = path,
+                                       .stroke = edit.stroke,
+                                       .propagation = edit.propagation,
+                                       .fit = edit.fit,
+                                       .kept_hand = edit.kept_hand });
         // Refused here, at its own edit, rather than later when the plant is grown.
         TRY(check_association(*scene.base, scene.associations.back()));
+        scene.places.push_back(address_of(*scene.base, path));
     }
     return scene;
 }
 
-Result<Scene> applied(Scene scene, Indicate const& edit, LoadOptions const&)
+// Refuses numbers that no association has, and none at all.
+Result<void> check_numbers(Scene const& scene, std::span<std::size_t const> numbers)
 {
-    TRY(check_indicator(*scene.base, edit.indicator));
-    scene.indicators.push_back(edit.indicator);
+    if (numbers.empty())
+        return fail(Fault::User, "no stroke is chosen: select a branch that has been drawn");
+    for (auto const number : numbers)
+        if (number >= scene.associations.size())
+            return fail(Fault::User,
+                        fmt::format("there is no stroke {}: the scene has {}", number + 1,
+                                    scene.associations.size()));
+    return {};
+}
+
+Result<Scene> applied(Scene scene, Oversketch const& edit)
+{
+    TRY(check_numbers(scene, edit.associations));
+    for (auto const number : edit.associations) {
+        auto& association = scene.associations[number];
+        association.stroke = TRY(oversketch(association.stroke, edit.over));
+        TRY(check_association(*scene.base, association));
+    }
     return scene;
 }
 
-Result<Scene> applied(Scene scene, SetGrowth const& edit, LoadOptions const&)
+Result<Scene> applied(Scene scene, SmoothStroke const& edit)
+{
+    TRY(check_numbers(scene, edit.associations));
+    for (auto const number : edit.associations) {
+        scene.associations[number].kept_hand = edit.kept_hand;
+        TRY(check_association(*scene.base, scene.associations[number]));
+    }
+    return scene;
+}
+
+Result<Scene> applied(Scene scene, DeleteStroke const& edit)
+{
+    TRY(check_numbers(scene, edit.associations));
+    auto numbers = edit.associations;
+    std::sort(numbers.begin(), numbers.end(), std::greater<> {});
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    for (auto const number : numbers) {
+        auto const at = static_cast<std::ptrdiff_t>(number);
+        scene.associations.erase(scene.associations.begin() + at);
+        scene.places.erase(scene.places.begin() + at);
+    }
+    return scene;
+}
+
+std::vector<SegmentAddress> places_of(Scene const& scene, MotionIndicator const& indicator)
+{
+    std::vector<SegmentAddress> places;
+    for (auto const segment : indicator.below)
+        places.push_back(address_of(*scene.base, segment));
+    return places;
+}
+
+Result<Scene> applied(Scene scene, Indicate const& edit)
+{
+    TRY(check_indicator(*scene.base, edit.indicator));
+    scene.indicators.push_back(edit.indicator);
+    scene.indicator_places.push_back(places_of(scene, edit.indicator));
+    return scene;
+}
+
+Result<void> check_number(Scene const& scene, std::size_t indicator)
+{
+    if (indicator >= scene.indicators.size())
+        return fail(Fault::User,
+                    fmt::format("there is no motion indicator {}: the scene has {}", indicator + 1,
+                                scene.indicators.size()));
+    return {};
+}
+
+Result<Scene> applied(Scene scene, ChangeIndicator const& edit)
+{
+    TRY(check_number(scene, edit.number));
+    TRY(check_indicator(*scene.base, edit.indicator));
+    // An orphan that is only moved still waits for its branch.
+    if (!edit.indicator.is_orphaned)
+        scene.indicator_places[edit.number] = places_of(scene, edit.indicator);
+    scene.indicators[edit.number] = edit.indicator;
+    return scene;
+}
+
+Result<Scene> applied(Scene scene, DeleteIndicator const& edit)
+{
+    TRY(check_number(scene, edit.number));
+    auto const at = static_cast<std::ptrdiff_t>(edit.number);
+    scene.indicators.erase(scene.indicators.begin() + at);
+    scene.indicator_places.erase(scene.indicator_places.begin() + at);
+    return scene;
+}
+
+Result<Scene> applied(Scene scene, SetGrowth const& edit)
 {
     TRY(check_growth_parameters(edit.parameters));
     scene.growth = edit.parameters;
@@ -86,9 +215,34 @@ Result<Scene> applied(Scene scene, SetGrowth const& edit, LoadOptions const&)
 
 } // namespace
 
+std::vector<std::size_t> selected_associations(Scene const& scene)
+{
+    std::vector<bool> is_selected(scene.base->segment_count());
+    for (auto const& path : scene.selection)
+        for (auto const segment : path)
+            is_selected[segment] = true;
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < scene.associations.size(); ++i) {
+        auto const& path = scene.associations[i].path;
+        if (std::any_of(path.begin(), path.end(),
+                        [&](SegmentId segment) { return is_selected[segment]; }))
+            numbers.push_back(i);
+    }
+    return numbers;
+}
+
 Result<Scene> apply_edit(Scene const& scene, Edit const& edit, LoadOptions const& options)
 {
-    return std::visit([&](auto const& kind) { return applied(scene, kind, options); }, edit);
+    if (auto const* const model = std::get_if<LoadModel>(&edit))
+        return applied(scene, *model, options);
+    return std::visit(
+        [&]<typename Kind>(Kind const& kind) -> Result<Scene> {
+            if constexpr (std::is_same_v<Kind, LoadModel>)
+                CHECK(false);
+            else
+                return applied(scene, kind);
+        },
+        edit);
 }
 
 Result<Scene> fold(std::span<Edit const> edits)

@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "engine/lsystem/limits.h"
+#include "engine/plant/branch_address.h"
 #include "engine/scene/desk_placement.h"
 #include "engine/scene/edit.h"
 #include "engine/variation/growth_plan.h"
@@ -28,10 +29,16 @@ struct Scene {
     DeskPlacement placement; // Where the base plant is shown in the drawing volume.
     Selection selection;
     std::vector<Association> associations; // In order: a later one overrides an earlier one.
+    std::vector<PathAddress> places;       // One per association: by which it is found again.
     std::vector<MotionIndicator> indicators;
+    std::vector<std::vector<SegmentAddress>> indicator_places; // Of what each acts below.
     GrowthParameters growth;
     std::uint64_t growth_seed = 1;
 };
+
+// The associations whose path has a segment in common with what is selected: their numbers. What
+// the pen edits when it edits strokes.
+std::vector<std::size_t> selected_associations(Scene const& scene);
 
 // How a model is run when an edit loads it. Not part of the document: the plant does not depend on
 // it, only whether there is one.
@@ -41,8 +48,8 @@ struct LoadOptions {
 };
 
 // The scene after one more edit. Fails, and the scene stays as it was, for a model that does not
-// compile or derive, or not within its limits, a stroke that has no shape, or an association when
-// nothing is selected.
+// compile or derive, or not within its limits, a stroke that has no shape, an association when
+// nothing is selected, or a number that nothing has.
 Result<Scene> apply_edit(Scene const& scene, Edit const& edit, LoadOptions const& options = {});
 
 // The scene that all edits amount to, beginning with an empty one.

@@ -88,12 +88,12 @@ Result<Influence> influence_of(Plant const& plant, std::span<Vec3 const> nodes_m
     Vec3 sum_mm = Vec3::Zero();
     for (auto const& indicator : indicators) {
         TRY(check_indicator(plant, indicator));
-        if (!indicator.is_local())
+        if (!indicator.is_local() && !indicator.is_orphaned)
             sum_mm += indicator.end_mm - indicator.start_mm;
     }
     influence.everywhere = sum_mm / shown.height_mm;
     for (auto const& indicator : indicators) {
-        if (!indicator.is_local())
+        if (!indicator.is_local() || indicator.is_orphaned)
             continue;
         influence.local.resize(plant.segment_count(), Vec3::Zero());
         add_local(plant, nodes_mm, LocalInfluence(indicator, shown), places_of(plant, indicator),

@@ -25,7 +25,7 @@ Result<void> check_indicator(Plant const& plant, MotionIndicator const& indicato
                     fmt::format("the motion indicator reaches {} mm: give it a reach above 0 mm",
                                 *indicator.reach_mm));
     for (auto const segment : indicator.below)
-        if (segment >= plant.segment_count())
+        if (!indicator.is_orphaned && segment >= plant.segment_count())
             return fail(Fault::User,
                         fmt::format("the motion indicator acts on segment {}, which is not in the "
                                     "plant of {}: select the branch again",

@@ -31,6 +31,10 @@ struct MotionIndicator {
     // as the plant is shown there. No value: everywhere alike.
     std::optional<double> reach_mm {};
 
+    // The plant has lost what it acts on, so it acts on nothing. Kept, since the branch may come
+    // back.
+    bool is_orphaned = false;
+
     bool is_local() const { return !below.empty() || reach_mm || kind == Kind::Light; }
 };
 

@@ -56,6 +56,7 @@ Plant without_unborn(Plant const& plant)
     Plant kept;
     kept.materials = plant.materials;
     kept.organ_shapes = plant.organ_shapes;
+    kept.contours = plant.contours;
     std::vector<SegmentId> new_segment(plant.segment_count(), kNone);
     keep_axes(plant, kept, new_segment);
     for (auto organ : plant.organs) {

@@ -100,5 +100,53 @@ TEST_F(LeafyJob, SaysThatTheRigIsAnotherOne)
     EXPECT_EQ(report->notes[2], "no stroke has heights: the plants vary by chance alone");
 }
 
+TEST_F(LeafyJob, VariesAnotherProgramsSkeletonByStrokesInSpace)
+{
+    write("tree.obj",
+          "v 0 0 0\nv 0 0.5 0\nv 0 1 0\nv 0.4 0.8 0\nv -0.3 0.7 0\n"
+          "l 1 2 3\nl 2 4\nl 2 5\n");
+    // The trunk's, a branch's, and two more than there are branches.
+    write("drawing.strokes",
+          "0 0 0\n0 0 50\n40 0 90\n\n0 0 0\n10 0 0\n10 30 20\n\n"
+          "0 0 0\n10 0 0\n\n0 0 0\n10 0 0\n");
+    Progress progress;
+    auto const report = run_job({ .log = folder_ / "drawing.strokes",
+                                  .model = folder_ / "tree.obj",
+                                  .rig = {},
+                                  .height = {},
+                                  .variations = 2,
+                                  .folder = folder_ / "out",
+                                  .growth = { .preset = "windy hillside", .age = 0.7 } },
+                                progress);
+    ASSERT_TRUE(report) << report.error().message;
+    EXPECT_EQ(report->strokes, 3u);
+    EXPECT_EQ(report->branches_selected, 3u);
+    EXPECT_EQ(report->segments, 4u);
+    ASSERT_EQ(report->notes.size(), 1u);
+    EXPECT_NE(report->notes[0].find("more strokes than branches"), std::string::npos);
+    auto const text = read_file(folder_ / "out" / "report.txt").value();
+    EXPECT_NE(text.find("windy hillside"), std::string::npos);
+    EXPECT_NE(text.find("age                   0.7"), std::string::npos);
+    EXPECT_TRUE(read_glb(read_file(folder_ / "out" / "collection.glb").value()));
+}
+
+TEST_F(LeafyJob, SaysWhatIsWrongWithAFileOfStrokes)
+{
+    write("drawing.strokes", "0 0 0\n1 one 1\n");
+    write("drawing.tilt", "no sketch");
+    Progress progress;
+    for (auto const* name : { "drawing.strokes", "drawing.tilt" }) {
+        auto const report = run_job({ .log = folder_ / name,
+                                      .model = folder_ / "leafy.l",
+                                      .rig = {},
+                                      .height = {},
+                                      .folder = folder_ / "out" },
+                                    progress);
+        ASSERT_FALSE(report);
+        EXPECT_EQ(report.error().fault, Fault::User);
+        EXPECT_NE(report.error().message.find(name), std::string::npos);
+    }
+}
+
 } // namespace
 } // namespace tractus

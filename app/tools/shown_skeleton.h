@@ -1,0 +1,41 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/plant/plant.h"
+#include "engine/stroke/stroke.h"
+#include "engine/variation/branch_tree.h"
+#include "engine/variation/projected_skeleton.h"
+#include "engine/variation/select_branches.h"
+
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+// A plant's skeleton as the selection view shows it on the tablet, and what a pen means that is
+// drawn over it. World frame: tips' x and y are millimetres of the tablet.
+class ShownSkeleton {
+public:
+    explicit ShownSkeleton(Plant const& plant);
+
+    // The paths that a stroke chooses. Fails, as the user's fault, if it touches no branch.
+    Result<Selection> paths_under(Stroke const& stroke) const;
+
+    // The segment under a tip. Fails, as the user's fault, if there is none.
+    Result<SegmentId> segment_under(TipSample const& tip) const;
+
+    // What a stroke has chosen while it is still being drawn.
+    struct Touched {
+        std::vector<SegmentId> selected {};
+        std::vector<SegmentId> undetermined {}; // The pen has not yet shown whether it meant them.
+    };
+    Touched touched_by(std::span<TipSample const> tips) const;
+
+    BranchTree const& tree() const { return tree_; }
+
+private:
+    ProjectedSkeleton skeleton_;
+    BranchTree tree_;
+};
+
+} // namespace tractus

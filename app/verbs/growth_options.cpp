@@ -1,0 +1,36 @@
+#include "app/verbs/growth_options.h"
+
+#include "app/verbs/checks.h"
+#include "engine/variation/growth_preset.h"
+
+#include <fmt/core.h>
+
+namespace tractus {
+
+static std::string preset_check(std::string const& name)
+{
+    auto const preset = growth_preset(name);
+    return preset ? "" : preset.error().message;
+}
+
+void add_growth_options(CLI::App& verb, JobGrowth& growth)
+{
+    std::string names;
+    for (auto const& preset : growth_presets())
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", preset.name);
+    verb.add_option("--growth", growth.preset, fmt::format("How the plants grow: {}", names))
+        ->type_name("NAME")
+        ->check(CLI::Validator(preset_check, ""))
+        ->capture_default_str();
+    verb.add_option("--liking", growth.liking,
+                    "From 0, as drawn, over 1, as the growth's name says, to 4, as the plant likes")
+        ->type_name("X")
+        ->check(number(0, 4))
+        ->capture_default_str();
+    verb.add_option("--age", growth.age, "How old the plants are: above 0, and 1 is full-grown")
+        ->type_name("X")
+        ->check(number(0.01, 1))
+        ->capture_default_str();
+}
+
+} // namespace tractus

@@ -1,0 +1,52 @@
+#include "engine/plant/branch_address.h"
+
+#include "engine/plant/join_axes.h"
+#include "tests/engine/variation/plants.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+TEST(BranchAddress, FindsEverySegmentAgain)
+{
+    auto plant = forking_tree(5, 3);
+    add_axis(plant, straight({ 900, 0, 0 }, { 900, 0, 100 }, 4)); // A second stem.
+    for (SegmentId segment = 0; segment < plant.segment_count(); ++segment)
+        EXPECT_EQ(find_segment(plant, address_of(plant, segment)), std::optional(segment));
+}
+
+TEST(BranchAddress, SaysTheWayFromTheRoot)
+{
+    auto const plant = hand_made_plant();
+    EXPECT_EQ(address_of(plant, 3), (SegmentAddress { 0, 3 }));
+    EXPECT_EQ(address_of(plant, 8), (SegmentAddress { 0, 1, 0, 0, 0, 1 }));
+}
+
+TEST(BranchAddress, HoldsWhenThePlantChangesElsewhere)
+{
+    auto const plant = hand_made_plant();
+    std::vector<SegmentId> const path { 1, 4, 7, 8 };
+    auto const address = address_of(plant, path);
+
+    // The same with a new branch low on the trunk, so that all numbers change.
+    Plant changed;
+    auto const trunk = add_axis(changed, straight({ 0, 0, 0 }, { 0, 0, 400 }, 4));
+    add_axis(changed, straight({ 0, 0, 100 }, { 0, 90, 100 }, 5), trunk, 0);
+    auto const right = add_axis(changed, straight({ 0, 0, 200 }, { 150, 0, 200 }, 3), trunk, 1);
+    EXPECT_EQ(find_path(changed, address), std::nullopt); // The twig is not there yet.
+    add_axis(changed, straight({ 50, 0, 200 }, { 50, 0, 260 }, 2), right,
+             changed.axes[right].first_segment);
+    EXPECT_EQ(find_path(changed, address), (std::vector<SegmentId> { 1, 9, 12, 13 }));
+}
+
+TEST(BranchAddress, FindsNothingOnAnEmptyPlantOrByAnEmptyAddress)
+{
+    EXPECT_EQ(find_segment({}, { 0, 0 }), std::nullopt);
+    EXPECT_EQ(find_segment(hand_made_plant(), {}), std::nullopt);
+    EXPECT_EQ(find_segment(hand_made_plant(), { 0, 99 }), std::nullopt);
+    EXPECT_EQ(find_segment(hand_made_plant(), { 1, 0 }), std::nullopt);
+}
+
+} // namespace
+} // namespace tractus

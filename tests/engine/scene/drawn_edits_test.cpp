@@ -1,0 +1,180 @@
+#include "engine/scene/scene.h"
+
+#include "engine/plant/join_axes.h"
+#include "engine/plant/skeleton_lines.h"
+#include "engine/variation/growth.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+// A trunk of six internodes with a branch of two, and if wanted another one below it.
+LoadModel model(bool has_branch, bool has_lower = false, Drawn drawn = Drawn::Keep)
+{
+    std::string const lower = has_lower ? "[-(50)F(9)]" : "";
+    std::string const branch = has_branch ? "[+(60)F(8)F(8)]" : "";
+    return { .source = { .name = "small.l",
+                         .text = "Lsystem: 1\nderivation length: 1\nAxiom: F(10)" + lower + "F(10)"
+                             + branch + "F(10)F(10)F(10)F(10)\nA --> A\nendlsystem\n" },
+             .drawn = drawn };
+}
+
+Stroke stroke_to(Vec3 const& end)
+{
+    Stroke stroke;
+    for (int i = 0; i <= 40; ++i) {
+        double const along = i / 40.0;
+        stroke.tips.push_back({ .time = timestamp_ns(i * 5'000'000),
+                                .position_mm = Vec3(0, 0, 150 * along) + along * along * end,
+                                .pressure = 0.5,
+                                .touching = true });
+    }
+    return stroke;
+}
+
+Scene after(std::vector<Edit> const& edits, Scene scene = {})
+{
+    for (auto const& edit : edits) {
+        auto next = apply_edit(scene, edit);
+        EXPECT_TRUE(next) << next.error().message;
+        if (next)
+            scene = *std::move(next);
+    }
+    return scene;
+}
+
+// The branch is selected and drawn.
+Scene drawn_branch()
+{
+    auto const scene = after({ model(true) });
+    return after(
+        { Select { { segments_of(scene.base->axes[1]) } }, Associate { stroke_to({ 60, 40, 0 }) } },
+        scene);
+}
+
+Plant plant_of(Scene scene)
+{
+    scene.growth.strength = 0;
+    auto const plan = plan_growth(scene).value();
+    return Grower(plan).grow({});
+}
+
+TEST(DrawnEdits, AStrokeIsOrphanedWithItsBranchAndFoundAgain)
+{
+    auto const scene = drawn_branch();
+    auto const drawn = plant_of(scene);
+
+    auto const without = after({ model(false) }, scene);
+    ASSERT_EQ(without.associations.size(), 1u);
+    EXPECT_TRUE(without.associations[0].is_orphaned);
+    EXPECT_EQ(plant_of(without).node_position_mm.size(), 7u);
+
+    auto const again = after({ model(true) }, without);
+    EXPECT_FALSE(again.associations[0].is_orphaned);
+    EXPECT_EQ(plant_of(again).node_position_mm, drawn.node_position_mm);
+    EXPECT_TRUE(after({ model(true, false, Drawn::Forget) }, scene).associations.empty());
+}
+
+TEST(DrawnEdits, AStrokeStaysWithItsBranchWhenOthersCome)
+{
+    auto const scene = after({ model(true, true) }, drawn_branch());
+    ASSERT_FALSE(scene.associations[0].is_orphaned);
+    // The new branch comes first now; the stroke is still on the one of two internodes.
+    auto const path = scene.associations[0].path;
+    ASSERT_EQ(path.size(), 2u);
+    EXPECT_EQ(scene.base->axes[axis_of(*scene.base, path[0])].segment_count, 2u);
+}
+
+TEST(DrawnEdits, AnIndicatorOnABranchIsOrphanedToo)
+{
+    auto scene = drawn_branch();
+    scene = after(
+        { Indicate { { .end_mm = { 0, 100, 0 }, .below = { scene.selection[0].front() } } } },
+        scene);
+    auto const without = after({ model(false) }, scene);
+    EXPECT_TRUE(without.indicators[0].is_orphaned);
+    for (auto const& node : plant_of(without).node_position_mm) // It does not act on everything.
+        EXPECT_EQ(node.y(), 0);
+    auto const moved
+        = after({ ChangeIndicator { 0, without.indicators[0] }, model(true) }, without);
+    EXPECT_FALSE(moved.indicators[0].is_orphaned);
+    EXPECT_EQ(moved.indicators[0].below, scene.indicators[0].below);
+}
+
+TEST(DrawnEdits, TakingAStrokeAwayBringsTheEarlierBack)
+{
+    auto const first = drawn_branch();
+    auto const second = after({ Associate { stroke_to({ -60, -40, 0 }) } }, first);
+    EXPECT_EQ(selected_associations(second), (std::vector<std::size_t> { 0, 1 }));
+    EXPECT_NE(plant_of(second).node_position_mm, plant_of(first).node_position_mm);
+    auto const back = after({ DeleteStroke { { 1 } } }, second);
+    EXPECT_EQ(plant_of(back).node_position_mm, plant_of(first).node_position_mm);
+    auto const none = after({ DeleteStroke { { 1, 0, 1 } } }, second);
+    EXPECT_TRUE(none.associations.empty());
+    EXPECT_TRUE(none.places.empty());
+}
+
+TEST(DrawnEdits, RedrawingAPartMovesThePlant)
+{
+    auto const scene = drawn_branch();
+    Stroke over; // From the stroke's middle to somewhere else.
+    for (int i = 0; i <= 20; ++i)
+        over.tips.push_back({ .time = timestamp_ns(i * 5'000'000),
+                              .position_mm = Vec3(15, 10, 75) + i * Vec3(-5, 2, 0),
+                              .touching = true });
+    auto const redrawn = after({ Oversketch { { 0 }, over } }, scene);
+    EXPECT_GT(redrawn.associations[0].stroke.tips.size(), 30u);
+    EXPECT_GT((plant_of(redrawn).node_position_mm.back() - plant_of(scene).node_position_mm.back())
+                  .norm(),
+              1);
+    for (auto& tip : over.tips)
+        tip.position_mm.x() += 500;
+    EXPECT_FALSE(apply_edit(scene, Oversketch { { 0 }, over }));
+}
+
+TEST(DrawnEdits, SmoothingTakesTheHandOut)
+{
+    auto const scene = after({ SmoothStroke { { 0 }, 0.25 } }, drawn_branch());
+    EXPECT_EQ(scene.associations[0].kept_hand, 0.25);
+    EXPECT_FALSE(apply_edit(scene, SmoothStroke { { 0 }, 7 }));
+}
+
+TEST(DrawnEdits, IndicatorsAreMovedAndDeleted)
+{
+    auto scene = after(
+        { Indicate { { .end_mm = { 100, 0, 0 } } }, Indicate { { .end_mm = { 0, 100, 0 } } } },
+        drawn_branch());
+    scene = after({ ChangeIndicator { 1, { .end_mm = { 0, 0, 50 } } } }, scene);
+    EXPECT_EQ(scene.indicators[1].end_mm, Vec3(0, 0, 50));
+    scene = after({ DeleteIndicator { 0 } }, scene);
+    ASSERT_EQ(scene.indicators.size(), 1u);
+    EXPECT_EQ(scene.indicators[0].end_mm, Vec3(0, 0, 50));
+    EXPECT_EQ(scene.indicator_places.size(), 1u);
+}
+
+TEST(DrawnEdits, RefuseNumbersThatNothingHas)
+{
+    auto const scene = drawn_branch();
+    auto const error = [&](Edit const& edit) { return apply_edit(scene, edit).error().message; };
+    EXPECT_EQ(error(DeleteStroke { { 1 } }), "there is no stroke 2: the scene has 1");
+    EXPECT_EQ(error(DeleteStroke {}), "no stroke is chosen: select a branch that has been drawn");
+    EXPECT_EQ(error(SmoothStroke { { 3 } }), "there is no stroke 4: the scene has 1");
+    EXPECT_EQ(error(DeleteIndicator { 0 }), "there is no motion indicator 1: the scene has 0");
+    EXPECT_FALSE(apply_edit(scene, Indicate { { .below = { 99 } } }));
+}
+
+TEST(DrawnEdits, ASkeletonOfAnotherProgramIsAPlantLikeAnother)
+{
+    std::vector<SkeletonPiece> const pieces { { { 0, 0, 0 }, { 0, 0, 100 } },
+                                              { { 0, 0, 100 }, { 0, 0, 200 } },
+                                              { { 0, 0, 100 }, { 60, 0, 140 } } };
+    auto const scene
+        = after({ LoadSkeleton { "tree.obj", plant_from_lines("tree.obj", pieces).value() },
+                  Select { { { 0, 1 } } }, Associate { stroke_to({ 80, 0, 0 }) } });
+    EXPECT_EQ(scene.model_name, "tree.obj");
+    EXPECT_GT(plant_of(scene).node_position_mm[2].x(), 20);
+}
+
+} // namespace
+} // namespace tractus
