@@ -133,6 +133,20 @@ void carry_organs(GrowthPlan const& plan, std::span<Quat const> frames, Plant& p
     });
 }
 
+void carry_sections(GrowthPlan const& plan, std::span<Quat const> frames, Plant& plant)
+{
+    if (plan.section_normal.empty())
+        return;
+    for (auto const& axis : plan.base.axes)
+        for (std::uint32_t i = 0; i <= axis.segment_count; ++i) {
+            auto const& segment
+                = plan.segments[axis.first_segment + std::min(i, axis.segment_count - 1)];
+            auto const node = axis.first_node + i;
+            plant.node_section[node].normal
+                = frames[segment.bearer].cast<float>() * plan.section_normal[node];
+        }
+}
+
 void carry_polygons(GrowthPlan const& plan, std::span<Quat const> frames, double age, Plant& plant)
 {
     for (std::size_t i = 0; i < plan.polygons.size(); ++i) {
@@ -145,25 +159,6 @@ void carry_polygons(GrowthPlan const& plan, std::span<Quat const> frames, double
             auto const vertex = polygon.first_vertex + n;
             plant.polygon_vertices_mm[vertex] = plant.node_position_mm[seat.node]
                 + size * (frames[seat.bearer] * plan.vertex_offset_mm[vertex]);
-        }
-    }
-}
-
-// Sections turn with their axes, with the least twist.
-void carry_sections(Plant const& base, Plant& plant)
-{
-    for (auto const& axis : base.axes) {
-        if (!has_contour(base, axis))
-            continue;
-        for (std::uint32_t i = 0; i <= axis.segment_count; ++i) {
-            NodeId const node = axis.first_node + i;
-            NodeId const from = node - (i == axis.segment_count ? 1 : 0);
-            auto const direction = [&](Plant const& of) -> Vec3 {
-                return of.node_position_mm[from + 1] - of.node_position_mm[from];
-            };
-            auto const turn = Quat::FromTwoVectors(direction(base), direction(plant));
-            plant.node_section[node].normal
-                = (turn * base.node_section[node].normal.cast<double>()).cast<float>();
         }
     }
 }
@@ -192,9 +187,8 @@ Plant const& Grower::grow(PlantKey const& key, double age)
     if (plan_.parameters.sag > 0)
         sagger_.sag(plant_, bearer_frame_);
     carry_organs(plan_, bearer_frame_, plant_);
+    carry_sections(plan_, bearer_frame_, plant_);
     carry_polygons(plan_, bearer_frame_, age, plant_);
-    if (!plan_.base.node_section.empty())
-        carry_sections(plan_.base, plant_);
     return plant_;
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <utility>
@@ -94,6 +95,25 @@ void seat_riders(GrowthPlan& plan, Bearers& bearers)
         for (std::uint32_t i = 0; i < polygon.vertex_count; ++i) {
             auto& vertex = plan.vertex_offset_mm[polygon.first_vertex + i];
             vertex = bearers.offset_mm(polygon.segment, seat, vertex);
+        }
+    }
+}
+
+// The sections that are not round turn with their segments.
+void seat_sections(GrowthPlan& plan, RestShape const& rest, Bearers& bearers)
+{
+    auto const& base = plan.base;
+    if (base.node_section.empty())
+        return;
+    plan.section_normal.resize(base.node_section.size());
+    for (AxisId id = 0; id < base.axes.size(); ++id) {
+        auto const& axis = base.axes[id];
+        for (std::uint32_t i = 0; i <= axis.segment_count; ++i) {
+            auto const segment = axis.first_segment + std::min(i, axis.segment_count - 1);
+            auto const node = axis.first_node + i;
+            (void)bearers.seat(segment, id);
+            plan.section_normal[node]
+                = rest.frame[segment].conjugate().cast<float>() * base.node_section[node].normal;
         }
     }
 }
@@ -211,6 +231,7 @@ Result<GrowthPlan> plan_growth(Plant base, RestShape const& rest, PredefinedShap
     Bearers bearers(plan, rest);
     seat_axes(plan, rest, bearers);
     seat_riders(plan, bearers);
+    seat_sections(plan, rest, bearers);
     find_steps(plan);
     return plan;
 }

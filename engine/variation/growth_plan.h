@@ -60,6 +60,9 @@ struct GrowthPlan {
     std::vector<OrganSeat> organs;
     std::vector<PolygonSeat> polygons;
     std::vector<Vec3> vertex_offset_mm; // Of polygon vertices, from their polygon's seat.
+    // Of nodes whose section is not round (Plant::node_section), in the frame of the segment above,
+    // or of the axis' last; empty where there is none. Then every segment is a bearing one.
+    std::vector<Vec3f> section_normal;
     std::vector<GrowthStep> steps;
     // What each segment's step adds; empty where there is none.
     std::vector<Vec2> circumnutation_rad;

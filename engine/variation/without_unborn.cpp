@@ -41,6 +41,8 @@ void keep_axes(Plant const& plant, Plant& kept, std::vector<SegmentId>& new_segm
         for (std::uint32_t i = 0; i <= count; ++i) {
             kept.node_position_mm.push_back(plant.node_position_mm[axis.first_node + i]);
             kept.node_radius_mm.push_back(plant.node_radius_mm[axis.first_node + i]);
+            if (!plant.node_section.empty())
+                kept.node_section.push_back(plant.node_section[axis.first_node + i]);
         }
         for (std::uint32_t i = 0; i < count; ++i) {
             new_segment[axis.first_segment + i] = now.first_segment + i;

@@ -146,6 +146,29 @@ TEST(Growth, OrgansAndPolygonsRideOnTheirSegments)
     EXPECT_NEAR((corners[2] - corners[0]).dot(corners[1] - corners[0]), 0, 1e-10);
 }
 
+TEST(Growth, SectionsThatAreNotRoundTurnWithTheirSegments)
+{
+    auto plant = hand_made_plant();
+    plant.contours.resize(1);
+    plant.contours[0].points.resize(Contour::kSteps + 1, Vec3f::UnitX());
+    plant.node_section.resize(plant.node_position_mm.size());
+    for (auto const& axis : plant.axes)
+        for (std::uint32_t i = 0; i <= axis.segment_count; ++i)
+            plant.node_section[axis.first_node + i]
+                = { .contour = 0, .normal = Vec3f::UnitY() }; // Across all of its branches.
+    auto const varied = grown(plant, { .strength = 3, .sag = 50 }, { .seed = 5 }, { 2, 1, 0.5 });
+    check_plant(varied);
+    for (auto const& axis : varied.axes)
+        for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
+            auto const& normal = varied.node_section[axis.first_node + i].normal;
+            EXPECT_NEAR(normal.norm(), 1, 1e-5);
+            Vec3 const along = direction_of(varied, axis.first_segment + i);
+            EXPECT_NEAR(normal.cast<double>().dot(along), 0, 1e-5);
+        }
+    auto const young = without_unborn(varied);
+    EXPECT_EQ(young.node_section.size(), young.node_position_mm.size());
+}
+
 TEST(Growth, SameKeySameBytesOtherKeysOthers)
 {
     auto const plant = forking_tree(5, 4);
