@@ -121,6 +121,13 @@ template<bool View::*Target> Result<void> read_switch(ViewReader& reader, std::s
     return {};
 }
 
+Result<void> read_tapered_lines(ViewReader& reader, std::string_view value)
+{
+    if (value.substr(0, 3) == "off")
+        reader.warn("lines are always tapered: a segment's width passes into the next one's");
+    return {};
+}
+
 Result<void> read_angle_factor(ViewReader& reader, std::string_view value)
 {
     auto const read = first_number(reader, value);
@@ -159,7 +166,7 @@ constexpr std::array kStatements {
     Statement { "color increment", read_integer<&View::color_step, -255, 255> },
     Statement { "initial line width", read_line_width },
     Statement { "line width increment", read_scalar<&View::line_width_step> },
-    Statement { "tapered lines", read_switch<&View::tapered_lines> },
+    Statement { "tapered lines", read_tapered_lines },
     Statement { "initial scale", read_scale<&View::scale> },
     Statement { "scale multiplier", read_scale<&View::scale_step> },
     Statement { "interpretation past %", read_switch<&View::draws_past_cut> },

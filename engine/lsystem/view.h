@@ -56,7 +56,6 @@ struct View {
     double angle_increment_deg = 45;
     double line_width = 0.1;
     double line_width_step = 0;
-    bool tapered_lines = true; // A segment's width passes into the next one's.
     double scale = 1;
     double scale_step = 1;      // Of @Di and @Dd without a parameter.
     bool draws_past_cut = true; // What follows a % in the string is drawn.

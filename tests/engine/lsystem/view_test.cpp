@@ -177,6 +177,14 @@ TEST(Curves, NameThePlaceOfAnError)
     EXPECT_EQ(curve_error("0 0\n"), "path.crv:1: expected 'points:' before the points");
 }
 
+TEST(View, SaysThatLinesAreAlwaysTapered)
+{
+    EXPECT_TRUE(parsed("tapered lines: on\n").warnings.empty());
+    auto const warnings = parsed("tapered lines: off\n").warnings;
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("always tapered"), std::string::npos) << warnings[0];
+}
+
 TEST(View, ReadsCurves)
 {
     auto const include = [](std::string const& name) -> Result<std::string> {
