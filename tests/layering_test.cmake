@@ -1,5 +1,5 @@
-# Who may include whom, besides itself; and is every header in a header set, where it is compiled
-# alone? Run: cmake -DROOT=<repository> -P layering_test.cmake
+# Who may include whom, besides itself; and is every header compiled alone: as the first that a source
+# of its name includes, or in a header set? Run: cmake -DROOT=<repository> -P layering_test.cmake
 set(engine/base)
 set(engine/stroke    engine/base)
 set(engine/plant     engine/base engine/stroke)
@@ -26,6 +26,13 @@ foreach(layer IN LISTS layers)
     endif()
     foreach(source IN LISTS sources)
         file(STRINGS ${ROOT}/${source} includes REGEX "^#include \"")
+        string(REGEX REPLACE "cpp$" "h" own ${source})
+        if(source MATCHES "cpp$" AND EXISTS ${ROOT}/${own})
+            list(POP_FRONT includes first)
+            if(NOT first STREQUAL "#include \"${own}\"")
+                message(SEND_ERROR "${source}: ${own} must be the first that it includes")
+            endif()
+        endif()
         foreach(include IN LISTS includes)
             if(NOT include MATCHES "\"(${folders})/")
                 message(SEND_ERROR "${source}: ${include}: ${layer} may include only ${folders}")
