@@ -246,11 +246,11 @@ std::optional<std::vector<Piece>> draw_in_pieces(Job& job)
         if (!is_good)
             return std::nullopt;
         for (; first < end; ++first) {
-            auto& gaps = pieces[first].drawn.drawing.gaps;
-            for (std::size_t i = 0; i < gaps.size(); ++i) {
-                gaps[i].piece = pieces.size();
-                pieces.push_back(std::move(pieces[first].branches[i]));
-                pieces.back().drawn.parent = first;
+            auto branches = std::move(pieces[first].branches);
+            for (std::size_t i = 0; i < branches.size(); ++i) {
+                pieces[first].drawn.drawing.gaps[i].piece = pieces.size();
+                branches[i].drawn.parent = first;
+                pieces.push_back(std::move(branches[i]));
             }
         }
     }
