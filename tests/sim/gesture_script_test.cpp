@@ -1,5 +1,6 @@
 #include "sim/gesture_script.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <tuple>
 
@@ -172,7 +173,7 @@ TEST(GestureScript, ErrorsNameFileLineAndKey)
 TEST(GestureScript, RefusesKeysThatMeanNothing)
 {
     EXPECT_EQ(
-        error_of(std::string(kScript) + "propagation = \"both\"\n"),
+        error_of(fmt::format("{}propagation = \"both\"\n", kScript)),
         "demo.toml:25: gesture[3].propagation is not a key of this place, expected from_mm, path, "
         "speed_mm_s, to_mm, tool, trace");
     EXPECT_EQ(error_of(with("tool = \"select\"", "tool = \"indicate\"")),
