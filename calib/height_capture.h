@@ -41,6 +41,9 @@ struct HeightCapture {
 // finer one.
 double noise_bin_counts(std::int32_t full_scale_counts);
 
+// Rulers are read to this: captures closer than it are of one height.
+constexpr double kSameHeight_mm = 2;
+
 // How long readings are averaged for a capture.
 constexpr Duration kCaptureTime = std::chrono::seconds(1);
 

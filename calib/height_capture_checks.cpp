@@ -17,7 +17,6 @@ constexpr double kLeastSpan_mm = 20;
 constexpr double kLeastCounts = 5;
 constexpr double kLeastStep_mm = 5; // Between heights that must read differently.
 constexpr double kSlackPart = 0.05; // Of the usual counts per millimetre.
-constexpr double kSameHeight_mm = 2;
 
 std::vector<std::size_t> by_height(Captures captures)
 {

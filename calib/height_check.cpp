@@ -8,8 +8,6 @@ namespace tractus {
 
 namespace {
 
-constexpr double kSameHeight_mm = 2;
-
 Result<void> check_converter(std::int32_t full_scale_counts, Rig const& rig)
 {
     if (full_scale_counts != rig.full_scale_counts)

@@ -7,7 +7,7 @@
 
 namespace tractus {
 
-static constexpr std::int64_t kVersion = 1;
+static constexpr std::int64_t kScriptVersion = 1;
 static constexpr double kSlowest_mm_s = 5;
 static constexpr double kFastest_mm_s = 1000;
 
@@ -143,7 +143,7 @@ static Result<Gesture> parse_gesture(TomlTable& table)
 Result<GestureScript> parse_gesture_script(std::string_view text, std::string const& file)
 {
     auto root = TRY(TomlTable::parse(text, file));
-    TRY(root.require_version(kVersion));
+    TRY(root.require_version(kScriptVersion));
     GestureScript script;
     if (root.has("seed"))
         script.seed

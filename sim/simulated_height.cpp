@@ -15,7 +15,7 @@ namespace tractus {
 
 namespace {
 
-constexpr int kReportId = 1;
+constexpr int kHeightReportId = 1;
 
 std::vector<std::byte> report_descriptor(std::int32_t full_scale_counts)
 {
@@ -31,7 +31,7 @@ std::vector<std::byte> report_descriptor(std::int32_t full_scale_counts)
         0x01, // Generic desktop: multi-axis controller:
               // application
         0x85,
-        kReportId, //
+        kHeightReportId, //
         0x09,
         0x36, // Slider
         0x15,
@@ -96,7 +96,7 @@ public:
     {
         if (!counts)
             return std::nullopt;
-        return std::vector { static_cast<std::byte>(kReportId),
+        return std::vector { static_cast<std::byte>(kHeightReportId),
                              static_cast<std::byte>(*counts & 0xff),
                              static_cast<std::byte>(*counts >> 8), std::byte {} };
     }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kCountsPerMm = 100;
 constexpr double kMaxPressure = 8191;
 constexpr double kMaxTilt_deg = 90;
-constexpr std::uint8_t kReportId = 2;
+constexpr std::uint8_t kPenReportId = 2;
 constexpr std::size_t kReportSize = 10;
 
 // PenReport::bits.
@@ -55,7 +55,7 @@ std::vector<std::byte> report_descriptor(Vec2 const& size_mm)
     CHECK(counts.minCoeff() > 0 && counts.maxCoeff() <= 65535);
     std::vector<std::byte> bytes;
     append(bytes, { 0x05, 0x0d, 0x09, 0x02, 0xa1, 0x01 }); // Digitizers: Pen: application
-    append(bytes, { 0x85, kReportId });
+    append(bytes, { 0x85, kPenReportId });
     append(bytes, { 0x09, 0x20, 0xa1, 0x00 });             // Stylus: physical
     append(bytes, { 0x09, 0x42, 0x09, 0x44, 0x09, 0x5a }); // Tip, barrel, second barrel,
     append(bytes, { 0x09, 0x45, 0x09, 0x3c, 0x09, 0x32 }); // eraser, invert, in range:
@@ -81,7 +81,7 @@ RawReport encode(PenReport const& report, Timestamp received)
     auto const put = [&](std::size_t at, int value) {
         raw.storage[at] = static_cast<std::byte>(value & 0xff);
     };
-    put(0, kReportId);
+    put(0, kPenReportId);
     put(1, report.bits);
     put(2, report.x);
     put(3, report.x >> 8);

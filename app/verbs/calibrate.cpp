@@ -34,7 +34,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct CalibrateArguments {
     CalibrationProcedure procedure = CalibrationProcedure::Height;
     std::string rig;
     std::string log;
@@ -56,7 +56,7 @@ std::string today()
 }
 
 // The rig so far: its file, else the log's, else one that height makes from nothing.
-Result<Rig> load_start(Arguments const& arguments, std::string const& log_rig)
+Result<Rig> load_start(CalibrateArguments const& arguments, std::string const& log_rig)
 {
     std::error_code error;
     if (fs::exists(arguments.rig, error))
@@ -71,7 +71,7 @@ Result<Rig> load_start(Arguments const& arguments, std::string const& log_rig)
                             arguments.rig, name_of(arguments.procedure), arguments.rig));
 }
 
-CalibrationDesk::Options desk_options(Arguments const& arguments, Rig rig)
+CalibrationDesk::Options desk_options(CalibrateArguments const& arguments, Rig rig)
 {
     CalibrationDesk::Options options { .procedure = arguments.procedure, .rig = std::move(rig) };
     options.height.ruler_error_mm = arguments.ruler_error_mm;
@@ -80,14 +80,14 @@ CalibrationDesk::Options desk_options(Arguments const& arguments, Rig rig)
     return options;
 }
 
-Result<CalibrationOutcome> from_log(Arguments const& arguments)
+Result<CalibrationOutcome> from_log(CalibrateArguments const& arguments)
 {
     auto const log = TRY(read_log(arguments.log));
     auto rig = TRY(load_start(arguments, log.rig_text));
     return calibrate_from_log(log, desk_options(arguments, std::move(rig)), today());
 }
 
-Result<Log> simulated_log(Arguments const& arguments)
+Result<Log> simulated_log(CalibrateArguments const& arguments)
 {
     SimulatedCalibration simulated { .procedure = arguments.procedure,
                                      .heights_mm = arguments.heights_mm,
@@ -102,7 +102,7 @@ Result<Log> simulated_log(Arguments const& arguments)
     return parse_log(text.str(), "simulated");
 }
 
-Result<CalibrationOutcome> from_simulation(Arguments const& arguments)
+Result<CalibrationOutcome> from_simulation(CalibrateArguments const& arguments)
 {
     auto rig = TRY(load_start(arguments, {}));
     auto const log = TRY(simulated_log(arguments));
@@ -128,7 +128,7 @@ CalibrationPerson person_at(TerminalKeys& keys)
 }
 
 // No value if the person went away.
-Result<std::optional<CalibrationOutcome>> from_devices(Arguments const& arguments)
+Result<std::optional<CalibrationOutcome>> from_devices(CalibrateArguments const& arguments)
 {
     auto rig = TRY(load_start(arguments, {}));
     auto devices = TRY(open_devices(arguments.devices, "to calibrate"));
@@ -167,7 +167,7 @@ fs::path picture_path(std::string const& rig)
     return fs::path(rig).replace_extension(".svg");
 }
 
-Result<void> write_picture(Arguments const& arguments, CalibrationOutcome const& outcome)
+Result<void> write_picture(CalibrateArguments const& arguments, CalibrationOutcome const& outcome)
 {
     auto const& record = outcome.rig.calibration.height.value();
     auto const plots
@@ -183,7 +183,8 @@ Result<void> write_picture(Arguments const& arguments, CalibrationOutcome const&
 }
 
 // Writes the rig's file and its picture; what was written.
-Result<std::string> write_rig(Arguments const& arguments, CalibrationOutcome const& outcome)
+Result<std::string> write_rig(CalibrateArguments const& arguments,
+                              CalibrationOutcome const& outcome)
 {
     TRY(save_rig(outcome.rig, arguments.rig));
     auto text = fmt::format("{}: written\n", arguments.rig);
@@ -194,13 +195,13 @@ Result<std::string> write_rig(Arguments const& arguments, CalibrationOutcome con
     return text;
 }
 
-Result<void> keep(Arguments const& arguments, CalibrationOutcome const& outcome)
+Result<void> keep(CalibrateArguments const& arguments, CalibrationOutcome const& outcome)
 {
     return print_out(outcome.report + TRY(write_rig(arguments, outcome)));
 }
 
 // Real devices, or a log that is played at its pace.
-Result<LiveDevices> open_for_window(Arguments const& arguments)
+Result<LiveDevices> open_for_window(CalibrateArguments const& arguments)
 {
     if (!arguments.log.empty())
         return open_devices({ arguments.log }, "to calibrate");
@@ -215,7 +216,7 @@ Result<LiveDevices> open_for_window(Arguments const& arguments)
     return LiveDevices::start(std::move(sources));
 }
 
-Result<void> calibrate_in_window(Arguments const& arguments)
+Result<void> calibrate_in_window(CalibrateArguments const& arguments)
 {
     auto rig = TRY(load_start(arguments, {}));
     auto devices = TRY(open_for_window(arguments));
@@ -233,7 +234,7 @@ Result<void> calibrate_in_window(Arguments const& arguments)
                         .screenshot = arguments.screenshot });
 }
 
-Result<void> calibrate(Arguments const& arguments)
+Result<void> calibrate(CalibrateArguments const& arguments)
 {
     if (arguments.window)
         return calibrate_in_window(arguments);
@@ -247,7 +248,7 @@ Result<void> calibrate(Arguments const& arguments)
     return keep(arguments, *outcome);
 }
 
-void add_source_options(CLI::App& verb, Arguments& arguments)
+void add_source_options(CLI::App& verb, CalibrateArguments& arguments)
 {
     auto* const log = verb.add_option("LOG", arguments.log,
                                       "A recording of this calibration: it is done again; without "
@@ -275,7 +276,7 @@ void add_source_options(CLI::App& verb, Arguments& arguments)
         ->excludes(log);
 }
 
-void add_window_options(CLI::App& verb, Arguments& arguments)
+void add_window_options(CLI::App& verb, CalibrateArguments& arguments)
 {
     auto* const window = verb.add_flag(
         "--window", arguments.window, "In a window, with plots; a LOG is played at its pace there");
@@ -295,7 +296,7 @@ void add_window_options(CLI::App& verb, Arguments& arguments)
 CLI::App* add_procedure(CLI::App& parent, CalibrationProcedure procedure, std::string const& text,
                         Action& action)
 {
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<CalibrateArguments>();
     arguments->procedure = procedure;
     auto* const verb = parent.add_subcommand(std::string(name_of(procedure)), text);
     verb->add_option("--rig", arguments->rig,

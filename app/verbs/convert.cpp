@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr char const* kHidRecorder = "hid-recorder";
 constexpr char const* kTractusLog = "tractus-log";
 
-struct Arguments {
+struct ConvertArguments {
     fs::path input;
     fs::path output;
     std::string format; // Empty: as the output's name says.
@@ -116,7 +116,7 @@ Result<void> write_tractus_log(std::ostream& out, Log const& log)
     return writer.flush();
 }
 
-Result<void> convert(Arguments const& arguments)
+Result<void> convert(ConvertArguments const& arguments)
 {
     std::error_code ignored;
     if (fs::equivalent(arguments.input, arguments.output, ignored))
@@ -146,7 +146,7 @@ Result<void> convert(Arguments const& arguments)
 
 void add_convert_verb(CLI::App& root, Action& action)
 {
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<ConvertArguments>();
     auto* const verb
         = root.add_subcommand("convert", "Turn a recording into another program's format");
     verb->add_option("IN", arguments->input,

@@ -14,11 +14,11 @@ namespace tractus {
 
 void add_demo_verb(CLI::App& root, Action& action)
 {
-    struct Arguments {
+    struct DemoArguments {
         JobOptions job;
         std::string plant = "broadleaf";
     };
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<DemoArguments>();
     arguments->job.folder = "tractus-demo";
     auto* const verb = root.add_subcommand(
         "demo",

@@ -16,14 +16,14 @@ namespace tractus {
 
 namespace {
 
-struct Arguments {
+struct DeriveArguments {
     ModelOptions model;
     ModelCost cost;
     bool counts = false;
     bool string = false;
 };
 
-Result<void> run(Arguments const& arguments)
+Result<void> run(DeriveArguments const& arguments)
 {
     auto const path = TRY(find_model(arguments.model.model));
     auto const model = TRY(load_model(path));
@@ -46,7 +46,7 @@ Result<void> run(Arguments const& arguments)
 void add_derive_verb(CLI::App& root, Action& action)
 {
     // Shared with the callback, which outlives this.
-    auto const arguments = std::make_shared<Arguments>();
+    auto const arguments = std::make_shared<DeriveArguments>();
     auto* const verb = root.add_subcommand(
         "derive", "Derive an L-system and print its string or its symbols' counts");
     verb->footer(

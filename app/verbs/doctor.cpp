@@ -23,7 +23,7 @@ namespace {
 
 constexpr auto kRest = std::chrono::milliseconds(2);
 
-struct Arguments {
+struct DoctorArguments {
     std::vector<std::string> devices;
     std::string log;
     double seconds = 3;
@@ -101,7 +101,7 @@ Result<void> listen(LiveDevices& devices, double seconds, std::vector<Finding>& 
 }
 
 // The devices of the machine that can be opened.
-Result<void> examine_machine(Arguments const& arguments, std::vector<Finding>& findings)
+Result<void> examine_machine(DoctorArguments const& arguments, std::vector<Finding>& findings)
 {
     auto const facts = gather_system_facts();
     append(findings, diagnose_system(facts));
@@ -144,7 +144,7 @@ Result<void> examine_log(std::string const& path, std::vector<Finding>& findings
     return {};
 }
 
-Result<void> install_rules(Arguments const& arguments)
+Result<void> install_rules(DoctorArguments const& arguments)
 {
     TRY(write_file(arguments.rules_file,
                    udev_rules(arguments.for_group ? RuleHolder::Group : RuleHolder::Seat)));
@@ -158,7 +158,7 @@ Result<void> install_rules(Arguments const& arguments)
                                      : ""));
 }
 
-Result<void> run(Arguments const& arguments)
+Result<void> run(DoctorArguments const& arguments)
 {
     if (arguments.install_rules)
         return install_rules(arguments);
@@ -178,7 +178,7 @@ Result<void> run(Arguments const& arguments)
 
 void add_doctor_verb(CLI::App& root, Action& action)
 {
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<DoctorArguments>();
     auto* const verb = root.add_subcommand(
         "doctor", "Find out why a tablet or sensor does not work, and what to do about it");
     auto* const log

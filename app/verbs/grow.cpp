@@ -20,7 +20,7 @@ namespace tractus {
 
 namespace {
 
-struct Arguments {
+struct GrowArguments {
     ModelOptions model;
     ModelCost cost;
     std::filesystem::path output;
@@ -52,7 +52,7 @@ Result<std::uint64_t> write_plant(Plant const& plant, std::string const& name,
     return mesh.triangle_count();
 }
 
-Result<void> grow_model(Arguments const& arguments)
+Result<void> grow_model(GrowArguments const& arguments)
 {
     auto const path = TRY(find_model(arguments.model.model));
     auto edit = TRY(load_plant_edit(path));
@@ -73,7 +73,7 @@ Result<void> grow_model(Arguments const& arguments)
 
 void add_grow_verb(CLI::App& root, Action& action)
 {
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<GrowArguments>();
     auto* const verb
         = root.add_subcommand("grow", "Grow a model and write it as glTF, OBJ or a picture");
     add_model_options(*verb, arguments->model);

@@ -16,7 +16,7 @@ namespace tractus {
 
 namespace {
 
-struct Arguments {
+struct LsystemArguments {
     ModelOptions model;
     ModelCost cost;
 };
@@ -45,7 +45,7 @@ Result<std::string> drawing_text(Model const& model, ModuleString const& string)
     return text;
 }
 
-Result<void> check(Arguments const& arguments)
+Result<void> check(LsystemArguments const& arguments)
 {
     auto const path = TRY(find_model(arguments.model.model));
     auto const model = TRY(load_model(path));
@@ -77,7 +77,7 @@ void add_lsystem_verb(CLI::App& root, Action& action)
     auto* const check_verb = verb->add_subcommand(
         "check", "List what a model uses, its warnings, and the modules after each step");
     // Shared with the callback, which outlives this.
-    auto const arguments = std::make_shared<Arguments>();
+    auto const arguments = std::make_shared<LsystemArguments>();
     add_model_options(*check_verb, arguments->model);
     add_cost_options(*check_verb, arguments->cost);
     check_verb->callback(

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct RecordArguments {
     fs::path output;
     std::optional<double> seconds;
     std::vector<std::string> devices;
@@ -35,7 +35,7 @@ struct Arguments {
     std::string model = "broadleaf";
 };
 
-Result<void> record_devices(Arguments const& arguments)
+Result<void> record_devices(RecordArguments const& arguments)
 {
     TRY(check_new_file(arguments.output));
     auto const options = live_recording_by_the_clock(arguments.seconds);
@@ -56,7 +56,7 @@ Result<void> record_devices(Arguments const& arguments)
                                  counts.lost ? fmt::format(", {} lost", counts.lost) : ""));
 }
 
-Result<void> record_simulated(Arguments const& arguments)
+Result<void> record_simulated(RecordArguments const& arguments)
 {
     TRY(check_new_file(arguments.output));
     auto const text = TRY(read_file(arguments.script));
@@ -75,7 +75,7 @@ Result<void> record_simulated(Arguments const& arguments)
 
 void add_record_verb(CLI::App& root, Action& action)
 {
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<RecordArguments>();
     auto* const verb = root.add_subcommand(
         "record", "Record what a tablet and a height sensor send, real or simulated");
     verb->add_option("-o,--output", arguments->output,

@@ -20,7 +20,7 @@ namespace {
 constexpr int kSmallest_px = 16;
 constexpr int kLargest_px = 8192;
 
-struct Arguments {
+struct RenderArguments {
     std::string input;
     std::string output;
     std::string size = "1200x900";
@@ -57,7 +57,7 @@ std::string check_size(std::string const& text)
                       text, kSmallest_px, kLargest_px);
 }
 
-Result<void> run(Arguments const& arguments)
+Result<void> run(RenderArguments const& arguments)
 {
     auto const bytes = TRY(read_file(arguments.input));
     auto const mesh = read_glb(bytes);
@@ -83,7 +83,7 @@ Result<void> run(Arguments const& arguments)
 void add_render_verb(CLI::App& root, Action& action)
 {
     // Shared with the callback, which outlives this.
-    auto const arguments = std::make_shared<Arguments>();
+    auto const arguments = std::make_shared<RenderArguments>();
     auto* const verb = root.add_subcommand("render", "Draw the plants of a glTF file as a picture");
     verb->footer(
         "Draws what a binary glTF 2.0 file (.glb) shows, ours or another program's, lit on a\n"

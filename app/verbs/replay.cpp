@@ -14,13 +14,13 @@ namespace tractus {
 
 void add_replay_verb(CLI::App& root, Action& action)
 {
-    struct Arguments {
+    struct ReplayArguments {
         JobOptions job;
         std::string model;
         std::string rig;
         std::string height;
     };
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<ReplayArguments>();
     auto* const verb = root.add_subcommand(
         "replay",
         "Replay a recorded drawing onto a plant model and make a collection of varied plants");

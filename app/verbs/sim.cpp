@@ -16,14 +16,14 @@ namespace tractus {
 
 namespace {
 
-struct Arguments {
+struct SimArguments {
     SimPlayArguments play;
     std::vector<std::size_t> devices;
     std::optional<double> rate_hz;
 };
 
 // The devices that were named, or all.
-Result<std::vector<std::size_t>> choose_devices(Log const& log, Arguments const& arguments)
+Result<std::vector<std::size_t>> choose_devices(Log const& log, SimArguments const& arguments)
 {
     std::vector<std::size_t> chosen = arguments.devices;
     for (std::size_t i = 0; arguments.devices.empty() && i < log.devices.size(); ++i)
@@ -36,7 +36,7 @@ Result<std::vector<std::size_t>> choose_devices(Log const& log, Arguments const&
     return chosen;
 }
 
-Result<void> play_through_uhid(Arguments const& arguments)
+Result<void> play_through_uhid(SimArguments const& arguments)
 {
     auto const log = TRY(load_sim_play(arguments.play));
     auto const chosen = TRY(choose_devices(log, arguments));
@@ -59,7 +59,7 @@ void add_uhid_verb(CLI::App& sim, Action& action)
 {
     auto* const verb
         = sim.add_subcommand("uhid", "As HID devices of this computer, through /dev/uhid");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<SimArguments>();
     add_sim_play_options(*verb, arguments->play);
     verb->add_option("--device", arguments->devices,
                      "Which devices of the recording, counted from 0; without it, all of them")

@@ -14,7 +14,7 @@ namespace tractus {
 
 namespace {
 
-struct Arguments {
+struct SimConvertersArguments {
     SimPlayArguments play;
     std::vector<unsigned> lines { 0, 1, 2, 3 };
     unsigned channel = 0;
@@ -91,7 +91,7 @@ Result<void> play_mcp2221a(SimPlayArguments const& arguments)
     return play_part(*device, part, arguments);
 }
 
-Result<void> play_cp2112(Arguments const& arguments)
+Result<void> play_cp2112(SimConvertersArguments const& arguments)
 {
     auto const log = TRY(load_sim_play(arguments.play));
     HeightPart part(TRY(HeightCurve::read(log)));
@@ -124,7 +124,7 @@ void add_cp2112_verb(CLI::App& sim, Action& action)
 {
     auto* const verb = sim.add_subcommand(
         "cp2112", "An MCP3208 on the GPIO lines of a CP2112 that measures a recording's heights");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<SimConvertersArguments>();
     add_sim_play_options(*verb, arguments->play);
     verb->add_option("--lines", arguments->lines,
                      "The lines that CLK, DIN, DOUT and CS of the MCP3208 are wired to")

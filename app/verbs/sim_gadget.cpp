@@ -23,7 +23,7 @@ constexpr std::uint16_t kTestVendor = 0x1209;
 constexpr std::uint16_t kSensorProduct = 0x0002;
 constexpr std::uint16_t kPenProduct = 0x0003;
 
-struct Arguments {
+struct SimGadgetArguments {
     SimPlayArguments play;
     std::string what = "both";
     std::optional<double> rate_hz;
@@ -98,7 +98,7 @@ Result<void> add_pens(Functions& functions, UsbGadget& gadget, Log const& log,
     return {};
 }
 
-Result<void> play_gadget(Arguments const& arguments)
+Result<void> play_gadget(SimGadgetArguments const& arguments)
 {
     auto const log = TRY(load_sim_play(arguments.play));
     auto const pens = arguments.what == "sensor" ? std::vector<std::size_t>() : find_pens(log);
@@ -121,7 +121,7 @@ void add_sim_gadget_verb(CLI::App& sim, Action& action)
 {
     auto* const verb = sim.add_subcommand(
         "gadget", "As a USB device, on this computer's USB device port: a test rig one can hold");
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<SimGadgetArguments>();
     verb->add_option("WHAT", arguments->what, "pen, sensor or both")
         ->required()
         ->check(CLI::IsMember({ "pen", "sensor", "both" }));

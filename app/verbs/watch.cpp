@@ -31,7 +31,7 @@ constexpr Duration kScreenPeriod = 100ms; // Faster than that nobody reads.
 constexpr Duration kPlainPeriod = 1s;
 constexpr std::size_t kPlainWidth = 200;
 
-struct Arguments {
+struct WatchArguments {
     std::vector<std::string> devices;
     std::optional<double> seconds;
 };
@@ -136,7 +136,7 @@ Result<bool> take_keys(Terminal& terminal, Watch& watch)
     return false;
 }
 
-Result<void> run(Arguments const& arguments)
+Result<void> run(WatchArguments const& arguments)
 {
     Watch watch(TRY(open_devices(arguments.devices, "to watch")));
     std::optional<Terminal> terminal;
@@ -171,7 +171,7 @@ Result<void> run(Arguments const& arguments)
 
 void add_watch_verb(CLI::App& root, Action& action)
 {
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<WatchArguments>();
     auto* const verb = root.add_subcommand(
         "watch", "Show live what devices send: raw bytes, what they mean, rates and jitter");
     verb->add_option("DEVICE", arguments->devices,

@@ -29,7 +29,7 @@ namespace tractus {
 
 namespace {
 
-struct Arguments {
+struct WindowArguments {
     std::string log;
     std::vector<std::string> devices;
     std::string recording;
@@ -60,7 +60,7 @@ Result<Scene> load_scene(std::filesystem::path const& model)
     return apply_edit({}, edit, load_options());
 }
 
-WindowOptions window_options(Arguments const& arguments, std::string const& what,
+WindowOptions window_options(WindowArguments const& arguments, std::string const& what,
                              std::filesystem::path const& model)
 {
     WindowOptions options;
@@ -70,7 +70,7 @@ WindowOptions window_options(Arguments const& arguments, std::string const& what
     return options;
 }
 
-Result<void> show_replay(Arguments const& arguments)
+Result<void> show_replay(WindowArguments const& arguments)
 {
     auto const model = TRY(find_model(arguments.model));
     ReplayOptions options;
@@ -98,7 +98,7 @@ Result<double> constant_height_mm(std::string const& text)
     return scenario.constant_mm;
 }
 
-Result<void> show_devices(Arguments const& arguments, LiveDevices devices)
+Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices)
 {
     auto const model = TRY(find_model(arguments.model));
     LiveWindowOptions options;
@@ -116,7 +116,7 @@ Result<void> show_devices(Arguments const& arguments, LiveDevices devices)
 }
 
 // What was asked for; else the devices that are there; else the simulated hand.
-Result<void> open_window(Arguments const& arguments)
+Result<void> open_window(WindowArguments const& arguments)
 {
     if (!arguments.log.empty())
         return show_replay(arguments);
@@ -139,7 +139,7 @@ Result<void> open_window(Arguments const& arguments)
 
 void add_window_verb(CLI::App& root, Action& action)
 {
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<WindowArguments>();
     auto* const verb = root.add_subcommand(
         "window", "Open the station's window: a hand draws, and the plant changes");
     auto* const log

@@ -38,11 +38,6 @@ Vec3f color_of(PlotTone tone)
     return theme::kUnselected;
 }
 
-ImU32 packed(Vec3f const& color, float alpha = 1)
-{
-    return ImGui::ColorConvertFloat4ToU32(theme::imgui_color(color, alpha));
-}
-
 // A plot's frame on the screen.
 class Frame {
 public:
@@ -79,14 +74,14 @@ private:
         for (double const x : ticks_between(plot_.low.x(), plot_.high.x(), 5)) {
             auto const at = place({ x, plot_.low.y() });
             auto const text = tick_text(x);
-            draw_.AddLine(at, { at.x, low_.y }, packed(theme::kGrid));
+            draw_.AddLine(at, { at.x, low_.y }, theme::packed(theme::kGrid));
             draw_.AddText({ at.x - ImGui::CalcTextSize(text.c_str()).x / 2, high_.y + 2 }, dim,
                           text.c_str());
         }
         for (double const y : ticks_between(plot_.low.y(), plot_.high.y(), 5)) {
             auto const at = place({ plot_.low.x(), y });
             auto const text = tick_text(y);
-            draw_.AddLine(at, { high_.x, at.y }, packed(theme::kGrid));
+            draw_.AddLine(at, { high_.x, at.y }, theme::packed(theme::kGrid));
             draw_.AddText({ at.x - ImGui::CalcTextSize(text.c_str()).x - 6, at.y - letter_ / 2 },
                           dim, text.c_str());
         }
@@ -94,7 +89,7 @@ private:
 
     void draw_series(PlotSeries const& series)
     {
-        auto const color = packed(color_of(series.tone));
+        auto const color = theme::packed(color_of(series.tone));
         switch (series.kind) {
         case PlotSeries::Kind::Line:
             for (std::size_t i = 1; i < series.points.size(); ++i)
@@ -104,7 +99,7 @@ private:
             for (std::size_t i = 1; i < std::min(series.points.size(), series.upper.size()); ++i)
                 draw_.AddQuadFilled(place(series.points[i - 1]), place(series.points[i]),
                                     place(series.upper[i]), place(series.upper[i - 1]),
-                                    packed(color_of(series.tone), 0.22f));
+                                    theme::packed(color_of(series.tone), 0.22f));
             break;
         case PlotSeries::Kind::Bars:
             for (auto const& point : series.points)

@@ -15,11 +15,6 @@ constexpr int kSavedHeight_px = 1200;
 constexpr float kProgressHeight_px = 10;
 constexpr float kGaugeWidth_px = 88;
 
-ImU32 packed(Vec3f const& color, float alpha = 1)
-{
-    return ImGui::ColorConvertFloat4ToU32(theme::imgui_color(color, alpha));
-}
-
 // A ruler of the surface's calibrated range with a mark at its present height.
 void draw_height_gauge(WindowState const& state, ImVec2 const& corner, ImVec2 const& size)
 {
@@ -32,24 +27,24 @@ void draw_height_gauge(WindowState const& state, ImVec2 const& corner, ImVec2 co
         return top + length * (1 - static_cast<float>((height_mm - low_mm) / range_mm));
     };
     float const x = corner.x + size.x * 0.36f;
-    draw->AddLine({ x, top }, { x, top + length }, packed(theme::kUnselected, 0.7f), 2);
+    draw->AddLine({ x, top }, { x, top + length }, theme::packed(theme::kUnselected, 0.7f), 2);
     for (int tick = 0; tick <= 10; ++tick) {
         float const y = y_of(low_mm + range_mm * tick / 10);
         float const reach = size.x * (tick % 5 == 0 ? 0.22f : 0.12f);
-        draw->AddLine({ x - reach, y }, { x, y }, packed(theme::kUnselected, 0.7f), 2);
+        draw->AddLine({ x - reach, y }, { x, y }, theme::packed(theme::kUnselected, 0.7f), 2);
     }
     float const y = y_of(std::clamp(state.surface_height_mm, low_mm, low_mm + range_mm));
     float const mark = size.x * 0.20f;
     draw->AddTriangleFilled({ x + 2, y }, { x + 2 + mark, y - mark * 0.6f },
-                            { x + 2 + mark, y + mark * 0.6f }, packed(theme::kInk));
+                            { x + 2 + mark, y + mark * 0.6f }, theme::packed(theme::kInk));
     auto const text = fmt::format("{:.0f} mm{}", state.surface_height_mm,
                                   state.is_outside_calibration ? " ?" : "");
     ImVec2 const text_size = ImGui::CalcTextSize(text.c_str());
     draw->AddText({ corner.x + 6, top - text_size.y - 6 },
-                  packed(state.is_outside_calibration ? theme::kIndicator : theme::kInk),
+                  theme::packed(state.is_outside_calibration ? theme::kIndicator : theme::kInk),
                   text.c_str());
     if (state.is_outside_calibration)
-        draw->AddText({ x + 2 + mark, y + mark }, packed(theme::kIndicator),
+        draw->AddText({ x + 2 + mark, y + mark }, theme::packed(theme::kIndicator),
                       "outside the calibrated range");
 }
 
@@ -74,7 +69,8 @@ void draw_legend(ImVec2 const& corner)
     float y = corner.y;
     for (auto const& entry : entries) {
         float const middle = y + ImGui::GetFontSize() / 2;
-        draw->AddLine({ corner.x, middle }, { corner.x + line, middle }, packed(entry.color), 5);
+        draw->AddLine({ corner.x, middle }, { corner.x + line, middle }, theme::packed(entry.color),
+                      5);
         draw->AddText({ corner.x + line * 1.3f, y }, ImGui::GetColorU32(ImGuiCol_TextDisabled),
                       entry.text);
         y += line;

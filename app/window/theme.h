@@ -16,6 +16,11 @@ inline ImVec4 imgui_color(Vec3f const& color, float alpha = 1)
     return { color.x(), color.y(), color.z(), alpha };
 }
 
+inline ImU32 packed(Vec3f const& color, float alpha = 1)
+{
+    return ImGui::ColorConvertFloat4ToU32(imgui_color(color, alpha));
+}
+
 // Sets colours, distances and the typeface of the current ImGui context, times `scale` (the
 // display's). Returns the larger typeface for titles.
 ImFont* apply(float scale);

@@ -1,6 +1,6 @@
 #include "drivers/pens/small_makers.h"
 
-#include "drivers/pens/report_bytes.h"
+#include "drivers/report_bytes.h"
 
 #include <array>
 
@@ -114,7 +114,7 @@ std::optional<PenFields> decode_floogoo(Report report, FamilyState&)
     };
 }
 
-constexpr std::array kFamilies {
+constexpr std::array kSmallMakersFamilies {
     PenFamily { .name = "genius", .decode = decode_genius },
     PenFamily { .name = "waltop", .decode = decode_waltop, .reports_leaving = false },
     PenFamily { .name = "lifetec", .decode = decode_lifetec, .reports_leaving = false },
@@ -127,7 +127,7 @@ constexpr std::array kFamilies {
 
 std::span<PenFamily const> small_makers_families()
 {
-    return kFamilies;
+    return kSmallMakersFamilies;
 }
 
 } // namespace tractus

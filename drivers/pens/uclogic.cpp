@@ -1,6 +1,6 @@
 #include "drivers/pens/uclogic.h"
 
-#include "drivers/pens/report_bytes.h"
+#include "drivers/report_bytes.h"
 
 #include <array>
 
@@ -10,7 +10,7 @@ namespace {
 
 using Report = std::span<std::byte const>;
 
-constexpr std::size_t kFlags = 1;
+constexpr std::size_t kUclogicFlags = 1;
 
 PenFields base_fields(Report report)
 {
@@ -18,8 +18,8 @@ PenFields base_fields(Report report)
         .x = u16_le(report, 2),
         .y = u16_le(report, 4),
         .pressure = u16_le(report, 6),
-        .tip = has_bit(report, kFlags, 0),
-        .buttons = static_cast<std::uint32_t>(u8(report, kFlags) >> 1 & 7),
+        .tip = has_bit(report, kUclogicFlags, 0),
+        .buttons = static_cast<std::uint32_t>(u8(report, kUclogicFlags) >> 1 & 7),
     };
 }
 
@@ -30,14 +30,14 @@ std::optional<PenFields> decode_generic(Report report, FamilyState&)
     if (report.size() < 8)
         return std::nullopt;
     auto fields = base_fields(report);
-    fields.in_range = !has_bit(report, kFlags, 6);
+    fields.in_range = !has_bit(report, kUclogicFlags, 6);
     fields.tip = *fields.in_range && (*fields.tip || *fields.pressure > 0);
     return fields;
 }
 
 bool is_pad_report(Report report) // Keys, dials and touch strips: E0, E3, F0, F1…
 {
-    return (u8(report, kFlags) & 0xE0) == 0xE0;
+    return (u8(report, kUclogicFlags) & 0xE0) == 0xE0;
 }
 
 // Version 1, after a string descriptor below 200 was read: 80 near, 81 down, C0 gone.
@@ -46,7 +46,7 @@ std::optional<PenFields> decode_v1(Report report, FamilyState&)
     if (report.size() < 8 || u8(report, 0) != 0x07 || is_pad_report(report))
         return std::nullopt;
     auto fields = base_fields(report);
-    fields.in_range = has_bit(report, kFlags, 7) && !has_bit(report, kFlags, 6);
+    fields.in_range = has_bit(report, kUclogicFlags, 7) && !has_bit(report, kUclogicFlags, 6);
     return fields;
 }
 
@@ -56,7 +56,7 @@ std::optional<PenFields> decode_v1_upright(Report report, FamilyState&)
     if (report.size() < 8 || is_pad_report(report))
         return std::nullopt;
     auto fields = base_fields(report);
-    fields.in_range = has_bit(report, kFlags, 6);
+    fields.in_range = has_bit(report, kUclogicFlags, 6);
     return fields;
 }
 
@@ -70,8 +70,8 @@ std::optional<PenFields> decode_v2(Report report, FamilyState&)
     auto fields = base_fields(report);
     fields.x |= u8(report, 8) << 16;
     fields.y |= u8(report, 9) << 16;
-    fields.in_range = has_bit(report, kFlags, 7) && !has_bit(report, kFlags, 6);
-    fields.invert = has_bit(report, kFlags, 5);
+    fields.in_range = has_bit(report, kUclogicFlags, 7) && !has_bit(report, kUclogicFlags, 6);
+    fields.invert = has_bit(report, kUclogicFlags, 5);
     return fields;
 }
 
@@ -93,7 +93,7 @@ std::optional<PenFields> decode_giano(Report report, FamilyState& state)
     return fields;
 }
 
-constexpr std::array kFamilies {
+constexpr std::array kUclogicFamilies {
     PenFamily { .name = "generic", .decode = decode_generic, .button_count = 3 },
     PenFamily { .name = "uclogic-v1", .decode = decode_v1, .button_count = 3 },
     PenFamily { .name = "uclogic-v1-upright", .decode = decode_v1_upright, .button_count = 3 },
@@ -120,7 +120,7 @@ constexpr std::array kFamilies {
 
 std::span<PenFamily const> uclogic_families()
 {
-    return kFamilies;
+    return kUclogicFamilies;
 }
 
 } // namespace tractus

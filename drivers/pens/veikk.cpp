@@ -1,6 +1,6 @@
 #include "drivers/pens/veikk.h"
 
-#include "drivers/pens/report_bytes.h"
+#include "drivers/report_bytes.h"
 
 #include <array>
 
@@ -10,7 +10,7 @@ namespace {
 
 using Report = std::span<std::byte const>;
 
-constexpr std::size_t kFlags = 2;
+constexpr std::size_t kVeikkFlags = 2;
 
 bool is_pen_report(Report report, std::size_t size)
 {
@@ -20,9 +20,9 @@ bool is_pen_report(Report report, std::size_t size)
 // A0 near, A1 down, C0 gone. Not all set the tip's bit.
 void read_flags(PenFields& fields, Report report)
 {
-    fields.in_range = has_bit(report, kFlags, 5);
-    fields.tip = *fields.in_range && (has_bit(report, kFlags, 0) || *fields.pressure > 0);
-    fields.buttons = static_cast<std::uint32_t>(u8(report, kFlags) >> 1 & 3);
+    fields.in_range = has_bit(report, kVeikkFlags, 5);
+    fields.tip = *fields.in_range && (has_bit(report, kVeikkFlags, 0) || *fields.pressure > 0);
+    fields.buttons = static_cast<std::uint32_t>(u8(report, kVeikkFlags) >> 1 & 3);
 }
 
 // Version 1: 16 bits each. The same layout has the A15.
@@ -68,7 +68,7 @@ std::optional<PenFields> decode_acepen(Report report, FamilyState& state)
     return fields;
 }
 
-constexpr std::array kFamilies {
+constexpr std::array kVeikkFamilies {
     PenFamily { .name = "veikk-v1", .decode = decode_16_bit },
     PenFamily { .name = "veikk-a15", .decode = decode_16_bit },
     PenFamily { .name = "veikk", .decode = decode_24_bit },
@@ -80,7 +80,7 @@ constexpr std::array kFamilies {
 
 std::span<PenFamily const> veikk_families()
 {
-    return kFamilies;
+    return kVeikkFamilies;
 }
 
 } // namespace tractus

@@ -1,6 +1,6 @@
 #include "drivers/pens/wacom.h"
 
-#include "drivers/pens/report_bytes.h"
+#include "drivers/report_bytes.h"
 
 namespace tractus {
 
@@ -360,7 +360,7 @@ template<auto decode> Fields after_one_byte(Report report, FamilyState& state)
 // Intuos reports their pressure's lowest bit even where nothing presses.
 constexpr std::int32_t kIntuosProTouchAbove = 10;
 
-constexpr PenFamily kFamilies[] = {
+constexpr PenFamily kWacomFamilies[] = {
     { .name = "wacom-graphire", .decode = decode_graphire, .has_eraser = true },
     { .name = "wacom-bamboo-pad",
       .decode = decode_bamboo_pad,
@@ -401,7 +401,7 @@ constexpr PenFamily kFamilies[] = {
 
 std::span<PenFamily const> wacom_families()
 {
-    return kFamilies;
+    return kWacomFamilies;
 }
 
 } // namespace tractus

@@ -1,6 +1,6 @@
 #include "drivers/pens/xp_pen.h"
 
-#include "drivers/pens/report_bytes.h"
+#include "drivers/report_bytes.h"
 
 #include <array>
 
@@ -10,7 +10,7 @@ namespace {
 
 using Report = std::span<std::byte const>;
 
-constexpr std::size_t kFlags = 1;
+constexpr std::size_t kXpPenFlags = 1;
 constexpr std::int32_t kGone = 0xC0;
 
 // Flags, then X, Y and pressure; from 10 bytes on the tilt, from 12 on the upper bytes of X and Y.
@@ -20,8 +20,8 @@ PenFields base_fields(Report report)
         .x = u16_le(report, 2),
         .y = u16_le(report, 4),
         .pressure = u16_le(report, 6),
-        .tip = has_bit(report, kFlags, 0),
-        .buttons = static_cast<std::uint32_t>(u8(report, kFlags) >> 1 & 3),
+        .tip = has_bit(report, kXpPenFlags, 0),
+        .buttons = static_cast<std::uint32_t>(u8(report, kXpPenFlags) >> 1 & 3),
     };
     if (report.size() >= 10)
         fields.tilt_deg = Vec2(s8(report, 8), s8(report, 9));
@@ -36,11 +36,11 @@ PenFields base_fields(Report report)
 // reports of keys, dials and batteries.
 std::optional<PenFields> decode_xp_pen(Report report, FamilyState&)
 {
-    if (report.size() < 8 || has_bit(report, kFlags, 4))
+    if (report.size() < 8 || has_bit(report, kXpPenFlags, 4))
         return std::nullopt;
     auto fields = base_fields(report);
-    fields.in_range = has_bit(report, kFlags, 5);
-    fields.invert = has_bit(report, kFlags, 3);
+    fields.in_range = has_bit(report, kXpPenFlags, 5);
+    fields.invert = has_bit(report, kXpPenFlags, 3);
     return fields;
 }
 
@@ -67,21 +67,21 @@ std::optional<PenFields> decode_gen2(Report report, FamilyState& state)
 // 80 near, 81 down: here bit 5 is in the reports of keys.
 std::optional<PenFields> decode_offset_keys(Report report, FamilyState&)
 {
-    if (report.size() < 8 || has_bit(report, kFlags, 5))
+    if (report.size() < 8 || has_bit(report, kXpPenFlags, 5))
         return std::nullopt;
     auto fields = base_fields(report);
-    fields.in_range = u8(report, kFlags) != kGone;
+    fields.in_range = u8(report, kXpPenFlags) != kGone;
     return fields;
 }
 
 std::optional<PenFields> decode_xencelabs(Report report, FamilyState&)
 {
-    if (report.size() < 10 || (u8(report, kFlags) & 0xF0) == 0xF0) // Keys.
+    if (report.size() < 10 || (u8(report, kXpPenFlags) & 0xF0) == 0xF0) // Keys.
         return std::nullopt;
     auto fields = base_fields(report);
-    fields.in_range = has_bit(report, kFlags, 5);
-    fields.invert = *fields.in_range && has_bit(report, kFlags, 6);
-    fields.buttons = static_cast<std::uint32_t>(u8(report, kFlags) >> 1 & 7);
+    fields.in_range = has_bit(report, kXpPenFlags, 5);
+    fields.invert = *fields.in_range && has_bit(report, kXpPenFlags, 6);
+    fields.buttons = static_cast<std::uint32_t>(u8(report, kXpPenFlags) >> 1 & 7);
     return fields;
 }
 
@@ -91,13 +91,13 @@ std::optional<PenFields> decode_xenx(Report report, FamilyState&)
     if (report.size() < 8 || u8(report, 0) != 0x01)
         return std::nullopt;
     auto fields = base_fields(report.first(8)); // The rest of its 64 bytes says nothing of the pen.
-    fields.in_range = u8(report, kFlags) != 0;
+    fields.in_range = u8(report, kXpPenFlags) != 0;
     fields.tip = *fields.in_range && *fields.pressure > 0;
-    fields.invert = has_bit(report, kFlags, 6);
+    fields.invert = has_bit(report, kXpPenFlags, 6);
     return fields;
 }
 
-constexpr std::array kFamilies {
+constexpr std::array kXpPenFamilies {
     PenFamily { .name = "xp-pen", .decode = decode_xp_pen, .has_tilt = true, .has_eraser = true },
     PenFamily { .name = "xp-pen-offset-pressure",
                 .decode = decode_offset_pressure,
@@ -118,7 +118,7 @@ constexpr std::array kFamilies {
 
 std::span<PenFamily const> xp_pen_families()
 {
-    return kFamilies;
+    return kXpPenFamilies;
 }
 
 } // namespace tractus

@@ -1,5 +1,7 @@
 #include "drivers/sensors/height_frame_parser.h"
 
+#include "drivers/report_bytes.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -8,16 +10,6 @@ namespace tractus {
 namespace {
 
 using Bytes = std::span<std::byte const>;
-
-std::uint8_t u8(Bytes bytes, std::size_t at)
-{
-    return std::to_integer<std::uint8_t>(bytes[at]);
-}
-
-std::uint16_t u16(Bytes bytes, std::size_t at)
-{
-    return static_cast<std::uint16_t>(u8(bytes, at) | u8(bytes, at + 1) << 8);
-}
 
 // Whether a frame may begin here, as far as the bytes at hand tell.
 bool may_be_frame(Bytes bytes)
@@ -33,8 +25,8 @@ bool may_be_frame(Bytes bytes)
 HeightFrame read_frame(Bytes bytes)
 {
     HeightFrame frame;
-    frame.flags = u8(bytes, 4);
-    frame.count = u8(bytes, 5);
+    frame.flags = std::to_integer<std::uint8_t>(bytes[4]);
+    frame.count = std::to_integer<std::uint8_t>(bytes[5]);
     frame.sequence = u16(bytes, 6);
     frame.device_us = u16(bytes, 8) | static_cast<std::uint32_t>(u16(bytes, 10)) << 16;
     frame.period_us = u16(bytes, 12);
@@ -70,7 +62,8 @@ std::size_t HeightFrameParser::parse(Bytes bytes, std::vector<HeightFrame>& out)
         }
         if (rest.size() < kHeightFrameHeaderBytes)
             break;
-        std::size_t const crc_at = kHeightFrameHeaderBytes + 2 * std::size_t { u8(rest, 5) };
+        std::size_t const crc_at
+            = kHeightFrameHeaderBytes + 2 * std::to_integer<std::size_t>(rest[5]);
         if (rest.size() < crc_at + kHeightFrameCrcBytes)
             break;
         if (height_frame_crc(rest.first(crc_at)) != u16(rest, crc_at)) {

@@ -1,5 +1,6 @@
 #include "drivers/sensors/labjack_u3.h"
 
+#include "drivers/report_bytes.h"
 #include "drivers/sensors/labjack_packet.h"
 #include "drivers/sensors/polled_source.h"
 #include "drivers/sensors/sensor_volts.h"
@@ -16,31 +17,20 @@ namespace tractus {
 
 namespace {
 
-constexpr std::uint16_t kVendorId = 0x0CD5;
-constexpr std::uint16_t kProductId = 0x0003;
+constexpr std::uint16_t kLabjackVendorId = 0x0CD5;
+constexpr std::uint16_t kLabjackProductId = 0x0003;
 constexpr std::uint8_t kCommandEndpoint = 0x01;
 constexpr std::uint8_t kAnswerEndpoint = 0x82;
 
-constexpr Duration kPeriod = std::chrono::milliseconds(4); // What its firmware does at ease.
-constexpr int kAttempts = 5;
-constexpr std::int32_t kFullScale = 0xFFF0;
+constexpr Duration kLabjackPeriod = std::chrono::milliseconds(4); // What its firmware does at ease.
+constexpr int kLabjackAttempts = 5;
+constexpr std::int32_t kLabjackFullScale = 0xFFF0;
 
 constexpr std::byte kAnalogInput { 1 }; // IOType
 constexpr std::byte kAgainstGround { 31 };
 constexpr std::size_t kFeedbackBytes = 12;
 
 using Bytes = std::span<std::byte const>;
-
-std::uint16_t u16(Bytes bytes, std::size_t at)
-{
-    return static_cast<std::uint16_t>(std::to_integer<unsigned>(bytes[at])
-                                      | std::to_integer<unsigned>(bytes[at + 1]) << 8);
-}
-
-std::uint32_t u32(Bytes bytes, std::size_t at)
-{
-    return u16(bytes, at) | static_cast<std::uint32_t>(u16(bytes, at + 2)) << 16;
-}
 
 // Signed, 32 bits before the point and 32 behind it.
 double fixed_point(Bytes bytes, std::size_t at)
@@ -69,7 +59,7 @@ Result<std::vector<std::byte>> ask(PacketLink& link, Question const& question,
 {
     auto const number = static_cast<unsigned>(question.command);
     auto const packet = labjack_packet(question.command, question.data);
-    auto const answer = TRY(exchange(link, packet, answers(question.command), kAttempts));
+    auto const answer = TRY(exchange(link, packet, answers(question.command), kLabjackAttempts));
     if (!answer || answer->size < kLabJackHeaderBytes + question.answer_bytes)
         return fail(Fault::Device,
                     fmt::format("{} does not answer command {:02x} as a U3 does (is another "
@@ -160,7 +150,7 @@ Result<void> check_answer(Bytes report)
 
 class LabJackU3Decoder final : public HeightDecoder {
 public:
-    std::int32_t full_scale() const override { return kFullScale; }
+    std::int32_t full_scale() const override { return kLabjackFullScale; }
 
     using HeightDecoder::decode;
     Result<void> decode(Timestamp received, Bytes report, std::vector<HeightSample>& out) override
@@ -168,8 +158,8 @@ public:
         TRY(check_answer(report));
         if (report[3] != static_cast<std::byte>(LabJackCommand::Feedback))
             return {};
-        auto const counts = std::min<std::int32_t>(u16(report, 9), kFullScale);
-        out.push_back({ .time = received, .counts = counts, .full_scale = kFullScale });
+        auto const counts = std::min<std::int32_t>(u16(report, 9), kLabjackFullScale);
+        out.push_back({ .time = received, .counts = counts, .full_scale = kLabjackFullScale });
         return {};
     }
 };
@@ -178,7 +168,7 @@ public:
 
 bool is_labjack_u3(DeviceInfo const& info)
 {
-    return info.vendor_id == kVendorId && info.product_id == kProductId;
+    return info.vendor_id == kLabjackVendorId && info.product_id == kLabjackProductId;
 }
 
 Result<LabJackU3Options> parse_labjack_u3_options(std::string_view settings)
@@ -227,7 +217,7 @@ open_labjack_u3(DeviceInfo info, std::unique_ptr<PacketLink> link, LabJackU3Opti
         std::move(info), std::move(link),
         { .command = labjack_packet(LabJackCommand::Feedback, feedback),
           .is_reply = answers(LabJackCommand::Feedback),
-          .period = kPeriod,
+          .period = kLabjackPeriod,
           .set_up = [=](PacketLink& to) { return set_up(to, options.channel, who); } });
 }
 

@@ -16,8 +16,8 @@ namespace tractus {
 
 namespace {
 
-constexpr std::uint16_t kVendorId = 0x04D8;
-constexpr std::uint16_t kProductId = 0x00DD;
+constexpr std::uint16_t kMicrochipVendorId = 0x04D8;
+constexpr std::uint16_t kMicrochipProductId = 0x00DD;
 constexpr std::size_t kPacketBytes = 64;
 using Packet = std::array<std::byte, kPacketBytes>;
 
@@ -37,9 +37,9 @@ constexpr std::size_t kPins = 4;
 constexpr std::size_t kReadingsAt = 50; // In the status: GP1, GP2, GP3.
 
 // The fastest host controllers carry 500 questions and answers a second.
-constexpr Duration kPeriod = std::chrono::milliseconds(2);
-constexpr int kAttempts = 5;
-constexpr std::int32_t kFullScale = 1023;
+constexpr Duration kMcp2221aPeriod = std::chrono::milliseconds(2);
+constexpr int kMcp2221aAttempts = 5;
+constexpr std::int32_t kMcp2221aFullScale = 1023;
 constexpr std::string_view kPinMark = ", GP";
 
 // Bits 2 and 1: which voltage; bit 0: it and not the supply.
@@ -65,7 +65,7 @@ PacketTest answers(std::byte command)
 
 Result<RawReport> ask(PacketLink& link, Packet const& command, std::string const& who)
 {
-    auto const answer = TRY(exchange(link, command, answers(command[0]), kAttempts));
+    auto const answer = TRY(exchange(link, command, answers(command[0]), kMcp2221aAttempts));
     auto const number = std::to_integer<unsigned>(command[0]);
     if (!answer)
         return fail(
@@ -99,7 +99,7 @@ public:
     {
     }
 
-    std::int32_t full_scale() const override { return kFullScale; }
+    std::int32_t full_scale() const override { return kMcp2221aFullScale; }
 
     using HeightDecoder::decode;
     Result<void> decode(Timestamp received, std::span<std::byte const> report,
@@ -121,12 +121,13 @@ Result<void> Mcp2221aDecoder::decode(Timestamp received, std::span<std::byte con
     auto const at = kReadingsAt + 2 * (pin_ - 1);
     auto const counts = std::to_integer<std::int32_t>(report[at])
         | std::to_integer<std::int32_t>(report[at + 1]) << 8;
-    if (report[1] != kDone || counts > kFullScale)
+    if (report[1] != kDone || counts > kMcp2221aFullScale)
         return fail(Fault::Device,
                     fmt::format("MCP2221A status: code {:02x} and {} counts on GP{}, expected 00 "
                                 "and at most {}",
-                                std::to_integer<unsigned>(report[1]), counts, pin_, kFullScale));
-    out.push_back({ .time = received, .counts = counts, .full_scale = kFullScale });
+                                std::to_integer<unsigned>(report[1]), counts, pin_,
+                                kMcp2221aFullScale));
+    out.push_back({ .time = received, .counts = counts, .full_scale = kMcp2221aFullScale });
     return {};
 }
 
@@ -134,7 +135,7 @@ Result<void> Mcp2221aDecoder::decode(Timestamp received, std::span<std::byte con
 
 bool is_mcp2221a(DeviceInfo const& info)
 {
-    return info.vendor_id == kVendorId && info.product_id == kProductId;
+    return info.vendor_id == kMicrochipVendorId && info.product_id == kMicrochipProductId;
 }
 
 Result<Mcp2221aOptions> parse_mcp2221a_options(std::string_view settings)
@@ -173,12 +174,12 @@ open_mcp2221a(DeviceInfo info, std::unique_ptr<PacketLink> link, Mcp2221aOptions
     auto const who = fmt::format("{} at {}", info.name, info.location);
     info.name += fmt::format("{}{}", kPinMark, options.pin);
     if (auto const full = volts(options.reference); full > 0)
-        info.name += ", " + print_volts_per_count(full / (kFullScale + 1), 0);
+        info.name += ", " + print_volts_per_count(full / (kMcp2221aFullScale + 1), 0);
     Packet const status { kStatus };
     return open_polled(std::move(info), std::move(link),
                        { .command = { status.begin(), status.end() },
                          .is_reply = answers(kStatus),
-                         .period = kPeriod,
+                         .period = kMcp2221aPeriod,
                          .set_up = [=](PacketLink& to) { return set_up(to, options, who); },
                          .spoils = answers(kSetSettings) });
 }

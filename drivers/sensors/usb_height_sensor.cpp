@@ -1,5 +1,6 @@
 #include "drivers/sensors/usb_height_sensor.h"
 
+#include "drivers/report_bytes.h"
 #include "drivers/sensors/settings.h"
 #include "drivers/usb/usb_context.h"
 #include "drivers/usb/usb_reader.h"
@@ -20,12 +21,6 @@ constexpr unsigned kControlTimeoutMs = 500;
 constexpr std::uint8_t kProtocolMajor = 1;
 
 using Bytes = std::span<std::byte const>;
-
-std::uint16_t u16(Bytes bytes, std::size_t at)
-{
-    return static_cast<std::uint16_t>(std::to_integer<unsigned>(bytes[at])
-                                      | std::to_integer<unsigned>(bytes[at + 1]) << 8);
-}
 
 std::byte low(unsigned value)
 {

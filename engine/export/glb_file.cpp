@@ -9,7 +9,6 @@
 namespace tractus {
 namespace {
 
-constexpr std::uint64_t kMaxBytes = 0xFFFFFFFF; // glTF 2.0 section 4.4.2.
 constexpr int kArrayBuffer = 34962;
 constexpr int kElementArrayBuffer = 34963;
 constexpr int kNoTarget = 0;
@@ -111,7 +110,7 @@ GlbFile::GlbFile(std::ostream& out, GlbOptions const& options, std::uint64_t jso
 Result<void> GlbFile::begin_plant(PlacedMesh const& placed, MeshPieces const& plant,
                                   PlantFormat const& format)
 {
-    if (stream_.file_bytes() + glb_bytes(plant, options_) > kMaxBytes)
+    if (stream_.file_bytes() + glb_bytes(plant, options_) > kMaxGlbBytes)
         return fail(Fault::User,
                     fmt::format("plant {} would make the glTF file larger than 4 GiB: "
                                 "write fewer plants to a file",
@@ -324,7 +323,7 @@ Result<std::optional<GlbSummary>> GlbFile::finish()
     if (text.size() > json_room_)
         return std::optional<GlbSummary>();
     summary_.bytes = stream_.file_bytes();
-    if (summary_.bytes > kMaxBytes)
+    if (summary_.bytes > kMaxGlbBytes)
         return fail(Fault::User,
                     "the glTF file would be larger than 4 GiB: write fewer plants to a file");
     TRY(stream_.finish(text));

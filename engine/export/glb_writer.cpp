@@ -12,7 +12,6 @@
 namespace tractus {
 namespace {
 
-constexpr std::uint64_t kMaxBytes = 0xFFFFFFFF;
 constexpr std::size_t kInstancesAtOnce = 16 << 10;
 // A plant is likely to take what the first one takes, more or less.
 constexpr double kLikelyShare = 0.8;
@@ -213,9 +212,9 @@ Result<void> check_size(std::span<PlacedMesh const> plants, MeshPieces const& fi
             certain += static_cast<double>(glb_bytes(MeshPieces(placed), options));
         else
             likely += of_one;
-    if (certain > static_cast<double>(kMaxBytes))
+    if (certain > static_cast<double>(kMaxGlbBytes))
         return fail_large(plants.size(), certain, "");
-    if (certain + kLikelyShare * likely > static_cast<double>(kMaxBytes))
+    if (certain + kLikelyShare * likely > static_cast<double>(kMaxGlbBytes))
         return fail_large(plants.size(), certain + likely, "about ");
     return {};
 }

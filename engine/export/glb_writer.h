@@ -9,6 +9,9 @@
 
 namespace tractus {
 
+// What a file can hold: its length is a number of 32 bits (glTF 2.0 section 4.4.2).
+constexpr std::uint64_t kMaxGlbBytes = 0xFFFFFFFF;
+
 struct GlbOptions {
     // How the copies of an organ are written.
     enum class Instancing {

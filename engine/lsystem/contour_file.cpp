@@ -11,8 +11,8 @@ namespace tractus {
 
 namespace {
 
-constexpr std::size_t kMaxPoints = 10'000;
-constexpr double kMaxMultiplicity = 10;
+constexpr std::size_t kMaxContourPoints = 10'000;
+constexpr double kMaxContourMultiplicity = 10;
 constexpr std::size_t kSamplesPerSpan = 64;
 
 struct ControlPoints {
@@ -64,9 +64,10 @@ Result<ControlPoints> ContourParser::parse()
             read_.closed = type[0] == 'c';
         } else if (line.substr(0, 8) == "markers:") {
             auto const count = numbers_in(after_key(line, "markers:"));
-            lines_to_skip_ = count.empty() ? 0
-                                           : static_cast<std::size_t>(std::clamp(
-                                               count[0], 0.0, static_cast<double>(kMaxPoints)));
+            lines_to_skip_ = count.empty()
+                ? 0
+                : static_cast<std::size_t>(
+                    std::clamp(count[0], 0.0, static_cast<double>(kMaxContourPoints)));
         } else if (line.find(':') == std::string_view::npos && line.substr(0, 4) != "cver") {
             TRY(point(line));
         }
@@ -93,11 +94,11 @@ Result<void> ContourParser::point(std::string_view line)
     if (numbers.size() < 2 || numbers.size() > 4)
         return error("expected a control point 'x y z [multiplicity]'");
     auto const count
-        = numbers.size() > 3 ? std::clamp(std::floor(numbers[3]), 0.0, kMaxMultiplicity) : 1;
+        = numbers.size() > 3 ? std::clamp(std::floor(numbers[3]), 0.0, kMaxContourMultiplicity) : 1;
     read_.points.insert(read_.points.end(), static_cast<std::size_t>(count),
                         { numbers[0], numbers[1], numbers.size() > 2 ? numbers[2] : 0 });
-    if (read_.points.size() > kMaxPoints)
-        return error(fmt::format("expected at most {} control points", kMaxPoints));
+    if (read_.points.size() > kMaxContourPoints)
+        return error(fmt::format("expected at most {} control points", kMaxContourPoints));
     return {};
 }
 

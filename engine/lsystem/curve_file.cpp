@@ -13,9 +13,9 @@ namespace tractus {
 
 namespace {
 
-constexpr std::size_t kMaxPoints = 100'000;
+constexpr std::size_t kMaxCurvePoints = 100'000;
 constexpr std::size_t kMaxSamples = 100'000;
-constexpr double kMaxMultiplicity = 10;
+constexpr double kMaxCurveMultiplicity = 10;
 
 // One list of points in the file: the curve itself, or one on which an editor moves a point.
 struct PointList {
@@ -69,8 +69,10 @@ Result<void> CurveParser::statement(std::string_view line)
     auto const is = [&](std::string_view key) { return line.substr(0, key.size()) == key; };
     if (is("points:")) {
         auto const count = numbers_in(after_key(line, "points:"));
-        if (count.size() != 1 || !(count[0] >= 1) || count[0] > static_cast<double>(kMaxPoints))
-            return error(fmt::format("expected 'points:' and a number from 1 to {}", kMaxPoints));
+        if (count.size() != 1 || !(count[0] >= 1)
+            || count[0] > static_cast<double>(kMaxCurvePoints))
+            return error(
+                fmt::format("expected 'points:' and a number from 1 to {}", kMaxCurvePoints));
         if (lists_.size() > 20)
             return error("expected at most 20 lists of points in one another");
         lists_.emplace_back();
@@ -103,7 +105,7 @@ Result<void> CurveParser::point(std::string_view line)
         return error("expected no more points than 'points:' says");
     --list.missing;
     auto const count
-        = list.dimension == 4 ? std::clamp(std::floor(read[3]), 0.0, kMaxMultiplicity) : 1;
+        = list.dimension == 4 ? std::clamp(std::floor(read[3]), 0.0, kMaxCurveMultiplicity) : 1;
     list.points.insert(list.points.end(), static_cast<std::size_t>(count),
                        { read[0], read[1], list.dimension > 2 ? read[2] : 0 });
     return {};

@@ -13,7 +13,7 @@ namespace tractus {
 
 namespace {
 
-constexpr int kMaxNesting = 200;
+constexpr int kMaxExpressionNesting = 200;
 
 struct BinaryOperator {
     std::string_view text;
@@ -89,7 +89,7 @@ void ExpressionCompiler::prepend_reset(Program& program)
 
 Result<Register> ExpressionCompiler::expression(Program& program)
 {
-    if (++depth_ > kMaxNesting)
+    if (++depth_ > kMaxExpressionNesting)
         return cursor_.error("the expression is nested too deeply");
     auto const value = TRY(conditional(program));
     --depth_;
@@ -166,7 +166,7 @@ Result<Register> ExpressionCompiler::unary(Program& program)
     bool const is_minus = cursor_.peek() == '-' && !cursor_.sees_arrow();
     if (!is_minus && cursor_.peek() != '!')
         return primary(program);
-    if (++depth_ > kMaxNesting)
+    if (++depth_ > kMaxExpressionNesting)
         return cursor_.error("the expression is nested too deeply");
     cursor_.take_character();
     auto const operand = TRY(unary(program));

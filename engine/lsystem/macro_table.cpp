@@ -7,7 +7,7 @@ namespace tractus {
 
 // What a hostile model may make of itself by macros that double at each use.
 static constexpr std::size_t kMaxTextSize = std::size_t { 16 } << 20;
-static constexpr std::size_t kMaxNesting = 64;
+static constexpr std::size_t kMaxMacroNesting = 64;
 
 Result<void> MacroTable::define(PlacedText const& line, std::string_view rest)
 {
@@ -90,8 +90,8 @@ Result<void> MacroTable::expand(PlacedText const& text, PlacedText& out, Active&
 Result<void> MacroTable::expand_body(std::string const& name, PlacedText const& body,
                                      PlacedText& out, Active& active) const
 {
-    if (active.size() > kMaxNesting)
-        return error(body, 0, fmt::format("macros are nested deeper than {}", kMaxNesting));
+    if (active.size() > kMaxMacroNesting)
+        return error(body, 0, fmt::format("macros are nested deeper than {}", kMaxMacroNesting));
     active.push_back(name);
     TRY(expand(body, out, active));
     active.pop_back();

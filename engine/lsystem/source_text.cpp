@@ -11,7 +11,7 @@ namespace tractus {
 namespace {
 
 // What a hostile model may make of itself by files that include themselves.
-constexpr int kMaxNesting = 64;
+constexpr int kMaxIncludeNesting = 64;
 constexpr std::size_t kMaxFiles = 1000; // Includes of includes double, too.
 
 // The name of a file in the folder of another.
@@ -55,10 +55,10 @@ private:
 
 Result<void> Preprocessor::add_file(std::string const& name, std::string_view source, int nesting)
 {
-    if (nesting > kMaxNesting)
+    if (nesting > kMaxIncludeNesting)
         return fail(Fault::User,
                     fmt::format("{}: includes are nested deeper than {}; does it include itself?",
-                                name, kMaxNesting));
+                                name, kMaxIncludeNesting));
     if (files_.size() == kMaxFiles)
         return fail(
             Fault::User,

@@ -2,13 +2,13 @@
 
 namespace tractus {
 
-static constexpr int kMaxNesting = 200;
+static constexpr int kMaxStatementNesting = 200;
 
 Result<void> StatementCompiler::block(Program& program)
 {
     if (!cursor_.take("{"))
         return cursor_.unexpected("'{'");
-    if (++depth_ > kMaxNesting)
+    if (++depth_ > kMaxStatementNesting)
         return cursor_.error("blocks are nested too deeply");
     cursor_.enter_block();
     while (cursor_.peek() != '}') {
@@ -64,7 +64,7 @@ Result<std::uint16_t> StatementCompiler::jump_unless_condition(Program& program)
 
 Result<void> StatementCompiler::if_statement(Program& program)
 {
-    if (++depth_ > kMaxNesting)
+    if (++depth_ > kMaxStatementNesting)
         return cursor_.error("statements are nested too deeply");
     auto const to_else = TRY(jump_unless_condition(program));
     TRY(statement_or_block(program));
@@ -85,7 +85,7 @@ Result<void> StatementCompiler::if_statement(Program& program)
 
 Result<void> StatementCompiler::while_statement(Program& program)
 {
-    if (++depth_ > kMaxNesting)
+    if (++depth_ > kMaxStatementNesting)
         return cursor_.error("statements are nested too deeply");
     auto const begin = TRY(frame_.label(program));
     auto const to_end = TRY(jump_unless_condition(program));

@@ -9,7 +9,7 @@ namespace tractus {
 
 namespace {
 
-constexpr std::size_t kMaxPatches = 60'000; // As many shapes as a plant can have, about.
+constexpr std::size_t kMaxPlacedPatches = 60'000; // As many shapes as a plant can have, about.
 
 // The turtle's right, its heading and its upper side: an organ's frame.
 Eigen::Matrix3d organ_axes(TurtleFrame const& frame)
@@ -161,9 +161,9 @@ void Turtle::add_patch(OpenPatch const& open)
         rounded[i] = static_cast<std::int32_t>(std::clamp(
             std::round(patch.control[i / 3][static_cast<int>(i % 3)] / step), -2e9, 2e9));
     auto const next = static_cast<std::uint32_t>(drawing_->patches.size() + 1);
-    if (next > kMaxPatches)
+    if (next > kMaxPlacedPatches)
         return warn(fmt::format("{}: only the first {} surfaces of @PD are drawn", model_.name,
-                                kMaxPatches));
+                                kMaxPlacedPatches));
     auto const [number, is_new] = patch_numbers_.try_emplace(rounded, next);
     if (is_new)
         drawing_->patches.push_back(patch);

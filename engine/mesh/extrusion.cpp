@@ -9,7 +9,6 @@
 namespace tractus {
 namespace {
 
-constexpr double kSameNode_mm = 1e-4; // Nodes closer than this are one.
 constexpr std::uint32_t kMaxSides = 256;
 
 // A point of a contour, `share` of the way along it.

@@ -10,6 +10,8 @@
 
 namespace tractus {
 
+constexpr double kSameNode_mm = 1e-4; // Nodes closer than this are one.
+
 // Triangles of one material. Plant frame (tubes, polygons) or organ frame (prototypes),
 // millimetres. The vertex arrays have equal sizes; indices are counter-clockwise seen from outside,
 // three to a triangle.

@@ -7,7 +7,6 @@
 namespace tractus {
 namespace {
 
-constexpr double kSameNode_mm = 1e-4;      // Nodes closer than this are one.
 constexpr double kLeastRadius_mm = 1e-3;   // A tube's, so that its sections keep a direction.
 constexpr double kPointedShare = 0.02;     // A tip below this share of the axis' radius is a point.
 constexpr double kTurnPerPiece_rad = 0.1;  // Of a rounded bend.

@@ -7,7 +7,7 @@
 namespace tractus {
 
 // Numbers in a report, by the offset of their first byte; the caller has checked the report's size.
-// Results are wide enough to shift and add, and fit std::int32_t.
+// Those of a pen are wide enough to shift and add, and fit std::int32_t.
 
 inline int u8(std::span<std::byte const> report, std::size_t at)
 {
@@ -37,6 +37,17 @@ inline int u16_be(std::span<std::byte const> report, std::size_t at)
 inline int u24_le(std::span<std::byte const> report, std::size_t at)
 {
     return u16_le(report, at) | u8(report, at + 2) << 16;
+}
+
+// Those of a sensor are what its protocol says, little-endian.
+inline std::uint16_t u16(std::span<std::byte const> frame, std::size_t at)
+{
+    return static_cast<std::uint16_t>(u16_le(frame, at));
+}
+
+inline std::uint32_t u32(std::span<std::byte const> frame, std::size_t at)
+{
+    return u16(frame, at) | static_cast<std::uint32_t>(u16(frame, at + 2)) << 16;
 }
 
 // `count` bits of one byte, from `first` on.
