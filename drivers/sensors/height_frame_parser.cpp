@@ -18,8 +18,10 @@ bool may_be_frame(Bytes bytes)
     for (std::size_t i = 0; i < length; ++i)
         if (u8(bytes, i) != kHeightFrameMagic[i])
             return false;
-    return bytes.size() < kHeightFrameHeaderBytes
-        || (u8(bytes, 5) > 0 && u8(bytes, 5) <= kMaxHeightFrameSamples);
+    if (bytes.size() < kHeightFrameHeaderBytes)
+        return true;
+    auto const count = std::to_integer<std::size_t>(bytes[5]);
+    return count > 0 && count <= kMaxHeightFrameSamples;
 }
 
 HeightFrame read_frame(Bytes bytes)
