@@ -105,7 +105,7 @@ TEST_P(BaseModel, IsAWholePlantOfItsSize)
 
 TEST_P(BaseModel, StandsOnTheGroundAtItsOrigin)
 {
-    for (std::uint64_t const seed : { 1, 2, 3 }) {
+    for (std::uint64_t const seed : { 1u, 2u, 3u }) {
         auto const scene = grow({}, seed);
         auto const& plant = *scene.base;
         for (auto const& axis : plant.axes)
@@ -151,7 +151,7 @@ TEST_P(BaseModel, GrowsWithItsSteps)
 TEST_P(BaseModel, GivesAnotherPlantOfItsKindForAnotherSeed)
 {
     auto const one = grow({}, 1);
-    for (std::uint64_t const seed : { 2, 3, 4 }) {
+    for (std::uint64_t const seed : { 2u, 3u, 4u }) {
         auto const another = grow({}, seed);
         EXPECT_NE(another.base->node_position_mm, one.base->node_position_mm) << seed;
         EXPECT_NEAR(height_mm(*another.base) / height_mm(*one.base), 1, 0.3) << seed;
@@ -165,7 +165,7 @@ TEST_P(BaseModel, GivesAnotherPlantOfItsKindForAnotherSeed)
 // Ten of them are drawn at once on computers without a graphics card.
 TEST_P(BaseModel, IsNotTooHeavyToDraw)
 {
-    for (std::uint64_t const seed : { 1, 2, 3, 4, 5 })
+    for (std::uint64_t const seed : { 1u, 2u, 3u, 4u, 5u })
         EXPECT_LE(make_mesh(*grow({}, seed).base).triangle_count(), 400'000u) << seed;
 }
 

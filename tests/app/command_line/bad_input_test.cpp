@@ -82,9 +82,9 @@ TEST_F(BadInput, ADescriptorThatSaysNothingOrNonsense)
                                               std::pair("R: 3 a1 01 c0", "no X, Y and tip"),
                                               std::pair("R: 2 05 0d 09", "announces 2") }) {
         bool is_first = true;
-        write_changed_log("hostile", [&](std::string const& line) {
+        write_changed_log("hostile", [&is_first, wrong = descriptor](std::string const& line) {
             return line.starts_with("R: ") && std::exchange(is_first, false)
-                ? std::string(descriptor) + "\n"
+                ? std::string(wrong) + "\n"
                 : line + "\n";
         });
         expect_error(run("tractus decode hostile"), 1, reason);
