@@ -3,6 +3,7 @@
 #include "engine/base/random.h"
 #include "engine/stroke/stroke.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace tractus {
@@ -31,11 +32,13 @@ inline std::vector<Vec3> s_curve(int points)
 }
 
 // `points` moved by a trembling hand: each coordinate by a normal number of `tremor_mm`.
-inline std::vector<Vec3> trembling(std::vector<Vec3> points, double tremor_mm)
+inline std::vector<Vec3> trembling(std::vector<Vec3> points, double tremor_mm,
+                                   std::uint64_t seed = 11)
 {
-    Random random({ .seed = 11 });
+    Random random({ .seed = seed });
     for (auto& point : points)
-        point += tremor_mm * Vec3(random.normal(), random.normal(), random.normal());
+        for (double& coordinate : point)
+            coordinate += tremor_mm * random.normal();
     return points;
 }
 
