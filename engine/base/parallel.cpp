@@ -89,6 +89,8 @@ void parallel_in_order(std::size_t slots, OrderedWork const& work)
                                & tbb::make_filter<std::size_t, void>(Mode::serial_in_order, use));
     acquire(&next_order);
     acquire(&use_order);
+    for (char& order : slot_order) // What was made and not used any more.
+        acquire(&order);
 }
 
 int thread_count()
