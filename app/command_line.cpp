@@ -16,6 +16,7 @@
 #include "app/verbs/render.h"
 #include "app/verbs/replay.h"
 #include "app/verbs/sim.h"
+#include "app/verbs/vary.h"
 #include "app/verbs/verb.h"
 #include "app/verbs/watch.h"
 #include "app/verbs/window.h"
@@ -64,6 +65,7 @@ static void add_verbs(CLI::App& root, Action& action)
     add_demo_verb(root, action);
     add_window_verb(root, action);
     add_replay_verb(root, action);
+    add_vary_verb(root, action);
     add_grow_verb(root, action);
     add_render_verb(root, action);
     add_derive_verb(root, action);

@@ -140,6 +140,16 @@ static fs::path follow_links(fs::path path)
     return path;
 }
 
+Result<void> make_folder(fs::path const& folder)
+{
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        return fail(Fault::User,
+                    fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
+    return {};
+}
+
 Result<void> write_file(fs::path const& path,
                         std::function<Result<void>(std::ostream&)> const& write)
 {

@@ -15,6 +15,9 @@ namespace tractus {
 Result<std::string> read_file(std::filesystem::path const& path,
                               std::size_t max_bytes = std::size_t { 1 } << 30);
 
+// Makes a folder and those that it is in, where they are not there. Fails, as the user's fault.
+Result<void> make_folder(std::filesystem::path const& folder);
+
 // Calls `write` with a stream to a temporary file beside `path`, then renames it to `path`, so that
 // under its final name the file is always whole: the old one or the new one. When `write` or the
 // disk fails, the temporary file is removed, the old file stays, and the error says why.

@@ -32,7 +32,7 @@ std::vector<fs::path> entries_of(fs::path const& folder)
     return entries;
 }
 
-Result<void> make_folder(fs::path const& folder)
+Result<void> make_config_folder(fs::path const& folder)
 {
     if (::mkdir(folder.c_str(), 0755) == 0)
         return {};
@@ -147,7 +147,7 @@ Result<std::unique_ptr<UsbGadget>> UsbGadget::create(UsbGadgetIdentity const& id
                                     folder.string()));
         remove_gadget(place, folder);
     }
-    TRY(make_folder(folder));
+    TRY(make_config_folder(folder));
     auto lock = lock_folder(folder);
     auto gadget = std::unique_ptr<UsbGadget>(new UsbGadget(place, folder, std::move(lock)));
     TRY(gadget->fill(identity));
@@ -161,11 +161,11 @@ Result<void> UsbGadget::fill(UsbGadgetIdentity const& identity)
     TRY(write_attribute(folder_ / "bcdDevice", fmt::format("{:#06x}", identity.release)));
     TRY(write_attribute(folder_ / "bcdUSB", "0x0200"));
     auto const strings = folder_ / "strings/0x409"; // English.
-    TRY(make_folder(strings));
+    TRY(make_config_folder(strings));
     TRY(write_attribute(strings / "manufacturer", identity.manufacturer));
     TRY(write_attribute(strings / "product", identity.product));
     TRY(write_attribute(strings / "serialnumber", identity.serial_number));
-    TRY(make_folder(folder_ / kConfiguration));
+    TRY(make_config_folder(folder_ / kConfiguration));
     return write_attribute(folder_ / kConfiguration / "MaxPower", "100");
 }
 
@@ -173,7 +173,7 @@ Result<fs::path> UsbGadget::add_function(std::string const& function,
                                          std::vector<Attribute> const& attributes)
 {
     auto const folder = folder_ / "functions" / function;
-    TRY(make_folder(folder));
+    TRY(make_config_folder(folder));
     for (auto const& attribute : attributes) // They are fixed once it is in a configuration.
         TRY(write_attribute(folder / attribute.name, attribute.value));
     std::error_code error;
@@ -191,7 +191,7 @@ Result<fs::path> UsbGadget::add_file_system_function()
     auto const name = folder_.filename().string();
     TRY(add_function("ffs." + name));
     auto const mount = mount_of(place_, folder_);
-    TRY(make_folder(mount));
+    TRY(make_config_folder(mount));
     if (::mount(name.c_str(), mount.c_str(), "functionfs", 0, nullptr) != 0)
         return fail(
             Fault::User,

@@ -59,6 +59,54 @@ CLI::Validator number(double least, double most)
     });
 }
 
+// Two numbers around a separator. No value for anything else.
+template<typename Number>
+static std::optional<std::pair<Number, Number>> parse_pair(std::string const& text,
+                                                           std::string_view separator)
+{
+    auto const at = text.find(separator);
+    if (at == std::string::npos)
+        return std::nullopt;
+    auto const first = parse<Number>(text.substr(0, at));
+    auto const second = parse<Number>(text.substr(at + separator.size()));
+    return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
+}
+
+std::optional<std::pair<double, double>> parse_range(std::string const& text)
+{
+    if (auto const one = parse<double>(text))
+        return std::pair(*one, *one);
+    return parse_pair<double>(text, "..");
+}
+
+CLI::Validator number_range(double least, double most)
+{
+    return check([=](std::string const& text) {
+        auto const range = parse_range(text);
+        return range && range->first >= least && range->first <= range->second
+                && range->second <= most
+            ? std::string()
+            : fmt::format("'{}' is not a range within {:g}..{:g}, such as {:g}..{:g}", text, least,
+                          most, (least + most) / 2, most);
+    });
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> parse_part(std::string const& text)
+{
+    return parse_pair<std::size_t>(text, "/");
+}
+
+CLI::Validator part_of(std::size_t most)
+{
+    return check([=](std::string const& text) {
+        auto const part = parse_part(text);
+        return part && part->first >= 1 && part->first <= part->second && part->second <= most
+            ? std::string()
+            : fmt::format("'{}' is not a part of at most {}, such as 2/8 for the second of eight",
+                          text, most);
+    });
+}
+
 CLI::Validator one_of(std::vector<std::string> words)
 {
     return check([words = std::move(words)](std::string const& text) {

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tractus {
@@ -18,6 +21,18 @@ CLI::Validator seed_number();
 
 // A decimal number within limits, both included.
 CLI::Validator number(double least, double most);
+
+// A range of numbers as "0.3..1", or one number for both ends; no value for anything else.
+std::optional<std::pair<double, double>> parse_range(std::string const& text);
+
+// Such a range within limits, both included, its lower end first.
+CLI::Validator number_range(double least, double most);
+
+// A part of a whole as "2/8", the second of eight; no value for anything else.
+std::optional<std::pair<std::size_t, std::size_t>> parse_part(std::string const& text);
+
+// Such a part: of at most `most`, and at least 1 and at most the whole.
+CLI::Validator part_of(std::size_t most);
 
 // One of these words.
 CLI::Validator one_of(std::vector<std::string> words);

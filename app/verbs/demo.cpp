@@ -35,7 +35,8 @@ void add_demo_verb(CLI::App& root, Action& action)
         action = [arguments]() -> Result<void> {
             auto job = arguments->job;
             job.model = TRY(find_model(arguments->plant));
-            job.log = TRY(find_resource(fmt::format("demo/{}.tractus-log", arguments->plant)));
+            job.drawing.log
+                = TRY(find_resource(fmt::format("demo/{}.tractus-log", arguments->plant)));
             Progress progress;
             return print_out(print_report(TRY(run_job(job, progress))));
         };

@@ -13,7 +13,7 @@ static std::string preset_check(std::string const& name)
     return preset ? "" : preset.error().message;
 }
 
-void add_growth_options(CLI::App& verb, JobGrowth& growth)
+void add_growth_options(CLI::App& verb, GrowthOptions& growth)
 {
     std::string names;
     for (auto const& preset : growth_presets())
@@ -27,6 +27,10 @@ void add_growth_options(CLI::App& verb, JobGrowth& growth)
         ->type_name("X")
         ->check(number(0, 4))
         ->capture_default_str();
+}
+
+void add_age_option(CLI::App& verb, GrowthOptions& growth)
+{
     verb.add_option("--age", growth.age, "How old the plants are: above 0, and 1 is full-grown")
         ->type_name("X")
         ->check(number(0.01, 1))

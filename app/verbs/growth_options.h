@@ -1,13 +1,16 @@
 #pragma once
 
-#include "app/job.h"
+#include "app/drawing.h"
 
 #include <CLI/CLI.hpp>
 
 namespace tractus {
 
-// "--growth NAME", "--liking X" and "--age X": how a verb's plants grow. `growth` must live as long
-// as the verb.
-void add_growth_options(CLI::App& verb, JobGrowth& growth);
+// "--growth NAME" and "--liking X": how a verb's plants grow. `growth` must live as long as the
+// verb.
+void add_growth_options(CLI::App& verb, GrowthOptions& growth);
+
+// "--age X": how old they are, all alike.
+void add_age_option(CLI::App& verb, GrowthOptions& growth);
 
 } // namespace tractus

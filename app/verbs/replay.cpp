@@ -24,7 +24,7 @@ void add_replay_verb(CLI::App& root, Action& action)
     auto* const verb = root.add_subcommand(
         "replay",
         "Replay a recorded drawing onto a plant model and make a collection of varied plants");
-    verb->add_option("LOG", arguments->job.log,
+    verb->add_option("LOG", arguments->job.drawing.log,
                      "The drawing: a .tractus-log, anybody's hid-recorder file, or strokes in "
                      "space: .tilt (Open Brush), .strokes or .txt")
         ->required();
@@ -32,7 +32,7 @@ void add_replay_verb(CLI::App& root, Action& action)
     add_rig_option(*verb, arguments->rig);
     add_height_option(*verb, arguments->height);
     add_seed_option(*verb, arguments->job.seed);
-    verb->add_option("--speed", arguments->job.speed,
+    verb->add_option("--speed", arguments->job.drawing.speed,
                      "Replay at the pace of the hand, 1, or so many times as fast; without it, as "
                      "fast as the log can be read")
         ->type_name("X")
@@ -42,6 +42,7 @@ void add_replay_verb(CLI::App& root, Action& action)
         ->check(whole_number(1, 100))
         ->capture_default_str();
     add_growth_options(*verb, arguments->job.growth);
+    add_age_option(*verb, arguments->job.growth);
     add_folder_option(*verb, arguments->job.folder);
     verb->footer(job_footer());
     verb->callback([arguments, &action] {
@@ -49,9 +50,9 @@ void add_replay_verb(CLI::App& root, Action& action)
             auto job = arguments->job;
             job.model = TRY(find_model(arguments->model));
             if (!arguments->rig.empty())
-                job.rig = arguments->rig;
+                job.drawing.rig = arguments->rig;
             if (!arguments->height.empty())
-                job.height = arguments->height;
+                job.drawing.height = arguments->height;
             Progress progress;
             return print_out(print_report(TRY(run_job(job, progress))));
         };

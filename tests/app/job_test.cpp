@@ -63,10 +63,8 @@ protected:
 TEST_F(LeafyJob, PlacesPlantsSideBySideWithTheirLeaves)
 {
     Progress progress;
-    auto const report = run_job({ .log = folder_ / "leafy.tractus-log",
+    auto const report = run_job({ .drawing = { .log = folder_ / "leafy.tractus-log" },
                                   .model = folder_ / "leafy.l",
-                                  .rig = {},
-                                  .height = {},
                                   .variations = 2,
                                   .folder = folder_ / "out" },
                                 progress);
@@ -84,13 +82,12 @@ TEST_F(LeafyJob, SaysThatTheRigIsAnotherOne)
     rig.full_scale_counts = 1023; // The log's converter reads up to 4095.
     ASSERT_TRUE(save_rig(rig, folder_ / "other.rig.toml"));
     Progress progress;
-    auto const report = run_job({ .log = folder_ / "leafy.tractus-log",
-                                  .model = folder_ / "leafy.l",
-                                  .rig = folder_ / "other.rig.toml",
-                                  .height = {},
-                                  .variations = 1,
-                                  .folder = folder_ / "out" },
-                                progress);
+    auto const report = run_job(
+        { .drawing = { .log = folder_ / "leafy.tractus-log", .rig = folder_ / "other.rig.toml" },
+          .model = folder_ / "leafy.l",
+          .variations = 1,
+          .folder = folder_ / "out" },
+        progress);
     ASSERT_TRUE(report) << report.error().message;
     EXPECT_EQ(report->strokes, 0u);
     ASSERT_EQ(report->notes.size(), 3u);
@@ -110,10 +107,8 @@ TEST_F(LeafyJob, VariesAnotherProgramsSkeletonByStrokesInSpace)
           "0 0 0\n0 0 50\n40 0 90\n\n0 0 0\n10 0 0\n10 30 20\n\n"
           "0 0 0\n10 0 0\n\n0 0 0\n10 0 0\n");
     Progress progress;
-    auto const report = run_job({ .log = folder_ / "drawing.strokes",
+    auto const report = run_job({ .drawing = { .log = folder_ / "drawing.strokes" },
                                   .model = folder_ / "tree.obj",
-                                  .rig = {},
-                                  .height = {},
                                   .variations = 2,
                                   .folder = folder_ / "out",
                                   .growth = { .preset = "windy hillside", .age = 0.7 } },
@@ -136,10 +131,8 @@ TEST_F(LeafyJob, SaysWhatIsWrongWithAFileOfStrokes)
     write("drawing.tilt", "no sketch");
     Progress progress;
     for (auto const* name : { "drawing.strokes", "drawing.tilt" }) {
-        auto const report = run_job({ .log = folder_ / name,
+        auto const report = run_job({ .drawing = { .log = folder_ / name },
                                       .model = folder_ / "leafy.l",
-                                      .rig = {},
-                                      .height = {},
                                       .folder = folder_ / "out" },
                                     progress);
         ASSERT_FALSE(report);

@@ -12,7 +12,8 @@ using Usage = Workshop;
 // "" is the program itself.
 std::vector<std::string> const kVerbs { "",        "convert", "decode", "demo",          "derive",
                                         "devices", "doctor",  "grow",   "lsystem check", "record",
-                                        "render",  "replay",  "sim",    "watch",         "window" };
+                                        "render",  "replay",  "sim",    "vary",          "watch",
+                                        "window" };
 
 TEST_F(Usage, HelpGoesToStandardOutputAndIsNoFailure)
 {

@@ -1,0 +1,252 @@
+#include "app/collection.h"
+
+#include "app/collection_manifest.h"
+#include "drivers/file.h"
+#include "engine/base/random.h"
+#include "engine/variation/growth.h"
+#include "engine/variation/growth_preset.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <numbers>
+
+namespace tractus {
+
+namespace {
+
+constexpr std::size_t kCompared = 64;     // Plants of whose likeness the report speaks.
+constexpr std::size_t kMeasured = 8;      // Plants by whose width all are set apart.
+constexpr double kSpacing = 1.15;         // Of their width: leaves stand out, and some are wider.
+constexpr double kScatter = 0.35;         // Of the spacing, at most, to each side.
+constexpr std::uint32_t kPlaces = 0x706C; // The random stream of ages and places.
+
+// One collection on its way: each member function is a stage.
+class Collection {
+public:
+    Collection(CollectionOptions const& options, Progress& progress)
+        : options_(options)
+        , progress_(progress)
+    {
+    }
+
+    Result<CollectionReport> run();
+
+private:
+    Result<Scene> load();
+    void compare(Grower& grower, Plant const& drawn);
+    double spacing_mm(Grower& grower);
+    Result<std::vector<ManifestPlant>> write_one_file(Grower& grower,
+                                                      std::vector<PlantPlace> const& places);
+    Result<std::vector<ManifestPlant>> write_folder(Grower& grower,
+                                                    std::vector<PlantPlace> const& places);
+    PlacedMesh placed(PlantPlace const& place) const;
+
+    // Holds until the next call. `place` is of a plant of this collection.
+    Plant const& grow(Grower& grower, PlantPlace const& place);
+
+    PlantKey key(std::size_t index) const
+    {
+        return { options_.seed, static_cast<std::uint32_t>(index) };
+    }
+
+    CollectionOptions const& options_;
+    Progress& progress_;
+    CollectionReport report_;
+    Plant young_;
+};
+
+Result<CollectionReport> Collection::run()
+{
+    auto const scene = TRY(load());
+    auto const plan = TRY(plan_growth(scene));
+    auto as_drawn = scene;
+    as_drawn.growth = TRY(at_liking(scene.growth, 0));
+    auto const drawn_plan = TRY(plan_growth(as_drawn));
+
+    Grower grower(plan);
+    compare(grower, Grower(drawn_plan).grow(key(0)));
+    auto const places = place_plants(options_, spacing_mm(grower));
+    bool const one_file = options_.output.extension() == ".glb";
+    auto const plants
+        = TRY(one_file ? write_one_file(grower, places) : write_folder(grower, places));
+    report_.plants = plants.size();
+
+    report_.manifest = manifest_path(options_);
+    auto const write
+        = [&](std::ostream& out) { return write_manifest(out, options_, report_, plants); };
+    TRY(write_file(report_.manifest, write));
+    progress_.finish();
+    return report_;
+}
+
+Result<Scene> Collection::load()
+{
+    progress_.begin("deriving the plant");
+    auto scene = TRY(load_growing_plant(options_.model, options_.growth, options_.seed));
+    report_.segments = scene.base->segment_count();
+    report_.notes = scene.model_warnings;
+    if (!options_.drawing)
+        return scene;
+    auto drawing
+        = TRY(read_drawing(*options_.drawing, std::move(scene), progress_, report_.drawing));
+    report_.notes.insert(report_.notes.end(), report_.drawing.notes.begin(),
+                         report_.drawing.notes.end());
+    return std::move(drawing.scene);
+}
+
+void Collection::compare(Grower& grower, Plant const& drawn)
+{
+    auto const box = bounds(drawn);
+    report_.height_mm = box.max_mm.z() - box.min_mm.z();
+    auto const count = std::min(options_.count, kCompared);
+    progress_.begin("comparing the plants", count);
+    Likeness likeness(drawn);
+    for (std::size_t i = 0; i < count; ++i) {
+        likeness.add(grower.grow(key(i)));
+        progress_.step();
+    }
+    report_.between_plants = likeness.between_plants();
+    report_.from_drawn = likeness.from_drawn();
+}
+
+// The same for all shards.
+double Collection::spacing_mm(Grower& grower)
+{
+    double width_mm = 1;
+    for (std::size_t i = 0; i < std::min(options_.count, kMeasured); ++i) {
+        auto const box = bounds(grower.grow(key(i)));
+        width_mm = std::max(width_mm, (box.max_mm - box.min_mm).head<2>().maxCoeff());
+    }
+    return kSpacing * width_mm;
+}
+
+Plant const& Collection::grow(Grower& grower, PlantPlace const& place)
+{
+    auto const& grown = grower.grow(key(place.index), place.age);
+    if (place.age == 1)
+        return grown;
+    young_ = without_unborn(grown);
+    return young_;
+}
+
+PlacedMesh Collection::placed(PlantPlace const& place) const
+{
+    PlacedMesh mesh;
+    mesh.name = fmt::format("{} {}", options_.model.stem().string(), place.index + 1);
+    return mesh;
+}
+
+Result<std::vector<ManifestPlant>> Collection::write_one_file(Grower& grower,
+                                                              std::vector<PlantPlace> const& places)
+{
+    progress_.begin("writing the plants", places.size());
+    std::vector<ManifestPlant> plants;
+    std::vector<PlacedMesh> meshes;
+    std::size_t begun = 0;
+    for (auto const& place : places) {
+        plants.push_back({ place, options_.output.filename().string() });
+        meshes.push_back(placed(place));
+        meshes.back().position_mm = place.position_mm;
+        meshes.back().rotation_rad = place.rotation_rad;
+        auto const make = [this, &grower, &begun, &place, number = plants.size()]() -> Plant {
+            if (number > begun) { // Some are made more than once.
+                begun = number;
+                progress_.step();
+            }
+            return grow(grower, place);
+        };
+        meshes.back().mesh = PlantToMesh { .plant = make, .options = options_.mesh };
+    }
+    auto const write = [&](std::ostream& out) -> Result<void> {
+        auto const summary = TRY(write_glb(out, meshes, options_.glb));
+        report_.triangles = summary.triangles;
+        report_.bytes = summary.bytes;
+        return {};
+    };
+    TRY(write_file(options_.output, write));
+    return plants;
+}
+
+Result<std::vector<ManifestPlant>> Collection::write_folder(Grower& grower,
+                                                            std::vector<PlantPlace> const& places)
+{
+    TRY(make_folder(options_.output));
+    progress_.begin("writing the plants", places.size());
+    auto const digits = std::to_string(options_.count).size();
+    std::vector<ManifestPlant> plants;
+    for (auto const& place : places) {
+        auto const file
+            = fmt::format("{}-{:0{}}.glb", options_.model.stem().string(), place.index + 1, digits);
+        auto mesh = placed(place);
+        mesh.mesh = PlantToMesh { .plant = &grow(grower, place), .options = options_.mesh };
+        auto const write = [&](std::ostream& out) -> Result<void> {
+            auto const summary = TRY(write_glb(out, { &mesh, 1 }, options_.glb));
+            report_.triangles += summary.triangles;
+            report_.bytes += summary.bytes;
+            return {};
+        };
+        if (auto const written = write_file(options_.output / file, write); !written)
+            return fail(written.error().fault,
+                        fmt::format("{}; {} of {} plants are written", written.error().message,
+                                    plants.size(), places.size()));
+        plants.push_back({ place, file });
+        progress_.step();
+    }
+    return plants;
+}
+
+} // namespace
+
+std::vector<PlantPlace> place_plants(CollectionOptions const& options, double spacing_mm)
+{
+    // Where a part ends, without a product that might not fit.
+    auto const end_of = [&](std::size_t number) {
+        auto const parts = options.shard.parts;
+        return options.count / parts * number + options.count % parts * number / parts;
+    };
+    // A field a little wider than deep.
+    auto const row
+        = static_cast<std::size_t>(std::ceil(std::sqrt(1.2 * static_cast<double>(options.count))));
+    std::vector<PlantPlace> places;
+    for (std::size_t i = end_of(options.shard.number - 1); i < end_of(options.shard.number); ++i) {
+        PlantPlace place { .index = static_cast<std::uint32_t>(i) };
+        Random random({ options.seed, kPlaces, place.index });
+        place.age = random.uniform(options.ages.youngest, options.ages.oldest);
+        place.position_mm
+            = spacing_mm * Vec3(static_cast<double>(i % row), -static_cast<double>(i / row), 0);
+        if (options.stand == Stand::Scatter) {
+            double const reach_mm = kScatter * spacing_mm;
+            place.position_mm.x() += random.uniform(-reach_mm, reach_mm);
+            place.position_mm.y() += random.uniform(-reach_mm, reach_mm);
+            place.rotation_rad = random.uniform(0, 2 * std::numbers::pi);
+        }
+        places.push_back(place);
+    }
+    return places;
+}
+
+Result<CollectionReport> make_collection(CollectionOptions const& options, Progress& progress)
+{
+    return Collection(options, progress).run();
+}
+
+std::string print_report(CollectionReport const& report)
+{
+    std::string text
+        = fmt::format("{} plants of {} segments, {} triangles, {:.1f} MB\n", report.plants,
+                      report.segments, report.triangles, static_cast<double>(report.bytes) / 1e6);
+    auto const distance = [&](char const* name, DistanceSpread const& spread) {
+        if (spread.count > 0)
+            text += fmt::format("{}: {:.1f} mm, +- {:.1f} mm ({:.1f} % of the height)\n", name,
+                                spread.mean_mm, spread.deviation_mm,
+                                100 * spread.mean_mm / std::max(report.height_mm, 1e-9));
+    };
+    distance("from plant to plant", report.between_plants);
+    distance("from what was drawn", report.from_drawn);
+    for (auto const& note : report.notes)
+        text += fmt::format("note: {}\n", note);
+    return text + fmt::format("wrote {}\n", report.manifest.string());
+}
+
+} // namespace tractus

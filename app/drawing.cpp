@@ -1,0 +1,183 @@
+#include "app/drawing.h"
+
+#include "app/log_replay.h"
+#include "app/model_cost.h"
+#include "app/model_file.h"
+#include "app/paced_log.h"
+#include "app/stroke_file.h"
+#include "calib/rig_file.h"
+#include "drivers/log.h"
+#include "engine/variation/growth_preset.h"
+
+#include <fmt/core.h>
+#include <set>
+
+namespace tractus {
+
+namespace {
+
+// Why samples of the pen were lost, or stand in doubt.
+void note_heights(FuserCounts const& counts, std::vector<std::string>& notes)
+{
+    if (counts.heights_refused > 0)
+        notes.push_back(
+            fmt::format("{} of {} height readings are not of the rig's calibration, and "
+                        "were left out: calibrate again",
+                        counts.heights_refused, counts.heights));
+    if (counts.heights_uncalibrated > 0)
+        notes.push_back(fmt::format("{} of {} height readings lie outside the calibrated range, "
+                                    "where heights are guesses",
+                                    counts.heights_uncalibrated, counts.heights));
+    if (counts.pens_without_height > 0)
+        notes.push_back(fmt::format("{} of {} pen samples had no height reading at their time, and "
+                                    "were left out",
+                                    counts.pens_without_height, counts.pens));
+}
+
+// All of it, at a multiple of the hand's pace or at once.
+void play(LogReplay& replay, std::optional<double> const& speed)
+{
+    constexpr Duration kStep = std::chrono::milliseconds(10);
+    if (!speed)
+        return replay.run();
+    auto const pace = pace_from_now(replay.begin(), *speed);
+    while (replay.advance_to(pace.data_time(pace.now())))
+        pace.wait(kStep);
+}
+
+class DrawingReader {
+public:
+    DrawingReader(DrawingOptions const& options, Progress& progress, DrawingReport& report)
+        : options_(options)
+        , progress_(progress)
+        , report_(report)
+    {
+    }
+
+    Result<Drawing> read(Scene scene);
+    void note_drawing(Drawing const& drawing);
+
+private:
+    Result<Drawing> read_strokes(Scene scene);
+    Result<Station> replay(Scene scene);
+    void note_replay(Station const& station);
+
+    DrawingOptions const& options_;
+    Progress& progress_;
+    DrawingReport& report_;
+};
+
+Result<Drawing> DrawingReader::read(Scene scene)
+{
+    if (is_stroke_file(options_.log))
+        return read_strokes(std::move(scene));
+    auto const station = TRY(replay(std::move(scene)));
+    note_replay(station);
+    return Drawing { station.scene(), station.strokes() };
+}
+
+// A file of strokes says nothing about branches, so they go to these in drawing order.
+Result<Drawing> DrawingReader::read_strokes(Scene scene)
+{
+    progress_.begin("reading the strokes");
+    Drawing drawing { std::move(scene), {} };
+    for (auto& stroke : TRY(load_strokes(options_.log))) {
+        if (drawing.strokes.size() == drawing.scene.base->axes.size()) {
+            report_.notes.push_back("there are more strokes than branches: the rest is left out");
+            break;
+        }
+        drawing.strokes.push_back(
+            draw(std::move(stroke), { .kind = Tool::Kind::DrawInOrder }, drawing.scene));
+    }
+    report_.log = options_.log.string();
+    report_.strokes = drawing.strokes.size();
+    return drawing;
+}
+
+Result<Station> DrawingReader::replay(Scene scene)
+{
+    progress_.begin("reading the log");
+    auto const log = TRY(read_log(options_.log));
+    report_.log = options_.log.string();
+    if (auto const warnings = summarize_warnings(log); !warnings.empty())
+        report_.notes.push_back(warnings);
+
+    progress_.begin("replaying the log");
+    ReplayOptions replay_options;
+    replay_options.scene = std::move(scene);
+    if (options_.rig)
+        replay_options.rig = TRY(load_rig(*options_.rig));
+    if (options_.height)
+        replay_options.height = TRY(parse_height_scenario(*options_.height));
+    auto replay = TRY(LogReplay::create(log, std::move(replay_options)));
+    play(replay, options_.speed);
+    auto const& counts = replay.station().counts();
+    if (counts.pen_samples == 0 && counts.broken_reports > 0)
+        return fail(Fault::Device,
+                    fmt::format("{}: the reports are not what the report descriptors say, the "
+                                "first: {}",
+                                log.name, counts.first_broken));
+    return std::move(replay).take_station();
+}
+
+void DrawingReader::note_replay(Station const& station)
+{
+    auto const& counts = station.counts();
+    report_.reports = counts.reports;
+    report_.broken_reports = counts.broken_reports;
+    report_.pen_samples = counts.pen_samples;
+    report_.height_samples = counts.height_samples;
+    report_.strokes = counts.strokes;
+    note_heights(station.fuser_counts(), report_.notes);
+    for (auto& sentence : describe_faults(station.height_monitor(), {}))
+        report_.notes.push_back(std::move(sentence));
+    if (counts.strokes == 0)
+        report_.notes.push_back(
+            station.fuser_counts().pens_without_height > 0
+                ? "no stroke has heights: the plants vary by chance alone"
+                : "the pen never touched the tablet: the plants vary by chance alone");
+    if (counts.broken_reports > 0)
+        report_.notes.push_back(fmt::format("{} reports could not be decoded, the first: {}",
+                                            counts.broken_reports, counts.first_broken));
+}
+
+void DrawingReader::note_drawing(Drawing const& drawing)
+{
+    report_.indicators = drawing.scene.indicators.size();
+    std::set<std::vector<SegmentId>> paths;
+    for (auto const& association : drawing.scene.associations)
+        paths.insert(association.path);
+    report_.branches_selected = paths.size();
+    for (auto const& drawn : drawing.strokes)
+        if (!drawn.refusal.empty())
+            report_.notes.push_back(fmt::format("a stroke at {:.1f} s changed nothing: {}",
+                                                to_seconds(drawn.stroke.tips.front().time),
+                                                drawn.refusal));
+}
+
+} // namespace
+
+Result<Scene> load_growing_plant(std::filesystem::path const& model, GrowthOptions const& growth,
+                                 std::uint64_t seed)
+{
+    auto const edit = TRY(load_plant_edit(model));
+    auto scene = TRY(apply_edit({}, edit, load_options()));
+    if (scene.base->segment_count() == 0)
+        return fail(Fault::User,
+                    fmt::format("{}: the plant has no branch that a stroke could shape: its "
+                                "derivation draws nothing",
+                                model.string()));
+    auto const preset = TRY(growth_preset(growth.preset));
+    return apply_edit(scene, SetGrowth { TRY(at_liking(preset, growth.liking)), seed });
+}
+
+Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene, Progress& progress,
+                             DrawingReport& report)
+{
+    DrawingReader reader(options, progress, report);
+    auto drawing = TRY(reader.read(std::move(scene)));
+    reader.note_drawing(drawing);
+    return drawing;
+}
+
+} // namespace tractus

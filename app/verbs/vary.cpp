@@ -1,0 +1,129 @@
+#include "app/verbs/vary.h"
+
+#include "app/collection.h"
+#include "app/console.h"
+#include "app/progress.h"
+#include "app/resources.h"
+#include "app/verbs/checks.h"
+#include "app/verbs/growth_options.h"
+#include "app/verbs/shared_options.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace tractus {
+
+namespace {
+
+struct VaryArguments {
+    CollectionOptions collection;
+    std::string model;
+    std::string drawing;
+    std::string rig;
+    std::string height;
+    std::string ages = "1";
+    std::string stand = "grid";
+    std::string shard = "1/1";
+    bool quantized = false;
+    bool nodes = false;
+};
+
+Result<void> vary(VaryArguments const& arguments)
+{
+    auto options = arguments.collection;
+    options.model = TRY(find_model(arguments.model));
+    if (!arguments.drawing.empty()) {
+        options.drawing = DrawingOptions { .log = arguments.drawing };
+        if (!arguments.rig.empty())
+            options.drawing->rig = arguments.rig;
+        if (!arguments.height.empty())
+            options.drawing->height = arguments.height;
+    }
+    auto const [youngest, oldest] = parse_range(arguments.ages).value();
+    options.ages = { youngest, oldest };
+    auto const [number, parts] = parse_part(arguments.shard).value();
+    options.shard = { number, parts };
+    options.mesh.min_sides = std::min(options.mesh.min_sides, options.mesh.max_sides);
+    if (arguments.stand == "scatter")
+        options.stand = Stand::Scatter;
+    if (arguments.quantized)
+        options.glb.vertices = GlbOptions::Vertices::Quantized;
+    if (arguments.nodes)
+        options.glb.instancing = GlbOptions::Instancing::Nodes;
+    Progress progress;
+    return print_out(print_report(TRY(make_collection(options, progress))));
+}
+
+void add_drawing_options(CLI::App& verb, VaryArguments& arguments)
+{
+    auto* const drawing
+        = verb.add_option("--drawing", arguments.drawing,
+                          "What was drawn, kept by every plant: a .tractus-log, anybody's "
+                          "hid-recorder file, .tilt, .strokes or .txt; without it, plants vary by "
+                          "chance alone")
+              ->type_name("LOG");
+    add_rig_option(verb, arguments.rig)->needs(drawing);
+    add_height_option(verb, arguments.height)->needs(drawing);
+}
+
+void add_output_options(CLI::App& verb, VaryArguments& arguments)
+{
+    verb.add_option("-o,--output", arguments.collection.output,
+                    "A .glb for all plants, or a folder for one .glb each; made if it is not there")
+        ->type_name("FOLDER|FILE.glb")
+        ->required();
+    verb.add_option("--shard", arguments.shard,
+                    "Makes the I-th of N parts of the collection, so that many machines share it")
+        ->type_name("I/N")
+        ->check(part_of(1'000'000))
+        ->capture_default_str();
+    verb.add_option("--sides", arguments.collection.mesh.max_sides,
+                    "Sides of the thickest branches, 3 to 64")
+        ->type_name("N")
+        ->check(whole_number(3, 64))
+        ->capture_default_str();
+    verb.add_flag("--quantized", arguments.quantized,
+                  "Write smaller vertices, for readers that know KHR_mesh_quantization");
+    verb.add_flag("--nodes", arguments.nodes,
+                  "Write a node per leaf, for readers that do not know EXT_mesh_gpu_instancing");
+}
+
+} // namespace
+
+void add_vary_verb(CLI::App& root, Action& action)
+{
+    auto arguments = std::make_shared<VaryArguments>();
+    auto* const verb = root.add_subcommand(
+        "vary", "Make a collection: many plants that all keep what was drawn, no two alike");
+    verb->add_option("MODEL", arguments->model,
+                     "The plant's model: an L-system file (.l), a skeleton of lines (.obj), or one "
+                     "of ours by its name")
+        ->required();
+    add_drawing_options(*verb, *arguments);
+    verb->add_option("--count", arguments->collection.count, "Plants in the collection, all parts")
+        ->type_name("N")
+        ->check(whole_number(1, 4'000'000'000))
+        ->capture_default_str();
+    add_seed_option(*verb, arguments->collection.seed);
+    add_growth_options(*verb, arguments->collection.growth);
+    verb->add_option("--ages", arguments->ages,
+                     "How old the plants are, from the youngest to the oldest: above 0, and 1 is "
+                     "full-grown")
+        ->type_name("A..B")
+        ->check(number_range(0.01, 1))
+        ->capture_default_str();
+    verb->add_option("--spread", arguments->stand,
+                     "How they stand: grid, in rows, or scatter, turned and out of line")
+        ->check(one_of({ "grid", "scatter" }))
+        ->type_name("HOW")
+        ->capture_default_str();
+    add_output_options(*verb, *arguments);
+    verb->footer(
+        "A manifest in JSON says of each plant how to make it again and where it stands.\n"
+        "The same arguments give the same files, and parts are exactly parts of the whole:\n"
+        "a cluster makes a collection with one --shard for each of its jobs. Stopped with\n"
+        "Ctrl-C, it leaves whole files.");
+    verb->callback([arguments, &action] { action = [arguments] { return vary(*arguments); }; });
+}
+
+} // namespace tractus

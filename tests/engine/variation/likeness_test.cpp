@@ -1,0 +1,55 @@
+#include "engine/variation/likeness.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+// Nodes in a row, each moved by `offset`.
+Plant row(std::size_t nodes, Vec3 const& offset)
+{
+    Plant plant;
+    for (std::size_t i = 0; i < nodes; ++i)
+        plant.node_position_mm.push_back(Vec3(0, 0, static_cast<double>(i)) + offset);
+    return plant;
+}
+
+TEST(Likeness, IsTheRootMeanSquareOfTheNodesDistances)
+{
+    std::vector<Vec3> const one { { 0, 0, 0 }, { 0, 0, 10 } };
+    std::vector<Vec3> const other { { 3, 4, 0 }, { 0, 0, 10 } };
+    EXPECT_DOUBLE_EQ(distance_mm(one, other), std::sqrt(12.5));
+    EXPECT_EQ(distance_mm(one, one), 0);
+    EXPECT_EQ(distance_mm({}, {}), 0);
+}
+
+TEST(Likeness, ComparesEveryPlantWithEveryOtherAndWithTheDrawnOne)
+{
+    for (std::size_t const nodes : { 3u, 10'000u }) { // All nodes are looked at, or some.
+        Likeness likeness(row(nodes, Vec3::Zero()));
+        likeness.add(row(nodes, { 1, 0, 0 }));
+        likeness.add(row(nodes, { -1, 0, 0 }));
+        likeness.add(row(nodes, { 0, 0, 4 }));
+        auto const drawn = likeness.from_drawn();
+        EXPECT_EQ(drawn.count, 3u);
+        EXPECT_NEAR(drawn.mean_mm, 2, 1e-12);
+        EXPECT_NEAR(drawn.deviation_mm, std::sqrt(3), 1e-12);
+        auto const pairs = likeness.between_plants();
+        EXPECT_EQ(pairs.count, 3u);
+        EXPECT_NEAR(pairs.mean_mm, (2 + 2 * std::sqrt(17)) / 3, 1e-12);
+    }
+}
+
+TEST(Likeness, OfNoneOrOneHasNoSpread)
+{
+    Likeness likeness(row(5, Vec3::Zero()));
+    EXPECT_EQ(likeness.from_drawn().count, 0u);
+    likeness.add(row(5, { 0, 2, 0 }));
+    EXPECT_EQ(likeness.between_plants().count, 0u);
+    EXPECT_DOUBLE_EQ(likeness.from_drawn().mean_mm, 2);
+    EXPECT_EQ(likeness.from_drawn().deviation_mm, 0);
+}
+
+} // namespace
+} // namespace tractus
