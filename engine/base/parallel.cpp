@@ -12,6 +12,13 @@
 #ifdef TRACTUS_THREAD_SANITIZER
 extern "C" void __tsan_acquire(void* address); // NOLINT(bugprone-reserved-identifier)
 extern "C" void __tsan_release(void* address); // NOLINT(bugprone-reserved-identifier)
+// The library hands its own memory from thread to thread in ways that the sanitizer does not see.
+// This overlooks what the library itself does, not what our pieces do in its threads.
+extern "C" char const* __tsan_default_suppressions(); // NOLINT(bugprone-reserved-identifier)
+extern "C" char const* __tsan_default_suppressions()  // NOLINT(bugprone-reserved-identifier)
+{
+    return "called_from_lib:libtbb.so";
+}
 static void acquire(void* address)
 {
     __tsan_acquire(address);
