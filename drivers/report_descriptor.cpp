@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <endian.h>
 #include <fmt/core.h>
 
 namespace tractus {
@@ -446,10 +448,19 @@ std::int64_t read_field(HidField const& field, std::span<std::byte const> report
     auto const first = field.bit_offset / 8;
     auto const last = (field.bit_offset + field.bit_size + 7) / 8; // One past it.
     CHECK(field.bit_size >= 1 && field.bit_size <= 32 && last <= report.size());
-    std::uint64_t bits = 0; // Little endian (8.4 of HID 1.11); five bytes at most.
-    for (auto i = last; i-- > first;)
-        bits = bits << 8 | std::to_integer<std::uint64_t>(report[i]);
-    bits >>= field.bit_offset % 8;
+    // Little endian (8.4 of HID 1.11); five bytes at most, of eight where the report has so many.
+    std::uint64_t bits = 0;
+    auto shift = field.bit_offset % 8;
+    if (report.size() >= sizeof(bits)) {
+        auto const from = std::min<std::size_t>(first, report.size() - sizeof(bits));
+        std::memcpy(&bits, report.data() + from, sizeof(bits));
+        bits = le64toh(bits);
+        shift += static_cast<std::uint32_t>(first - from) * 8;
+    } else {
+        for (auto i = last; i-- > first;)
+            bits = bits << 8 | std::to_integer<std::uint64_t>(report[i]);
+    }
+    bits >>= shift;
     auto const unused = 64 - field.bit_size;
     if (field.logical_minimum < 0)
         return static_cast<std::int64_t>(bits << unused) >> unused;

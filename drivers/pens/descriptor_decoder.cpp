@@ -3,6 +3,7 @@
 #include "drivers/pen_layout.h"
 #include "drivers/pens/known_habits.h"
 #include "drivers/pens/pen_state.h"
+#include "drivers/report_bytes.h"
 
 #include <algorithm>
 #include <bitset>
@@ -17,7 +18,12 @@ constexpr HidUsage kVendorPages = 0xFF00'0000;
 
 bool is_set(std::optional<HidField> const& field, std::span<std::byte const> report)
 {
-    return field && read_field(*field, report) != 0;
+    if (!field)
+        return false;
+    // Most switches are one bit. All bytes are there: see PenLayout::bytes_needed.
+    if (field->bit_size == 1)
+        return has_bit(report, field->bit_offset / 8, field->bit_offset % 8);
+    return read_field(*field, report) != 0;
 }
 
 std::int32_t read_i32(HidField const& field, std::span<std::byte const> report)
