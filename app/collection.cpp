@@ -1,6 +1,7 @@
 #include "app/collection.h"
 
 #include "app/collection_manifest.h"
+#include "app/collection_sheet.h"
 #include "drivers/file.h"
 #include "engine/base/random.h"
 #include "engine/variation/growth.h"
@@ -40,6 +41,7 @@ private:
                                                       std::vector<PlantPlace> const& places);
     Result<std::vector<ManifestPlant>> write_folder(Grower& grower,
                                                     std::vector<PlantPlace> const& places);
+    Result<void> write_sheet(Grower& grower, std::vector<PlantPlace> const& places);
     PlacedMesh placed(PlantPlace const& place) const;
 
     // Holds until the next call. `place` is of a plant of this collection.
@@ -54,10 +56,16 @@ private:
     Progress& progress_;
     CollectionReport report_;
     Plant young_;
+    std::optional<PictureMaker> pictures_; // Where pictures are asked for.
 };
 
 Result<CollectionReport> Collection::run()
 {
+    if (!options_.sheet.empty()) { // What can fail fails before the work.
+        pictures_ = TRY(PictureMaker::create());
+        if (options_.sheet.has_parent_path())
+            TRY(make_folder(options_.sheet.parent_path()));
+    }
     auto const scene = TRY(load());
     auto const plan = TRY(plan_growth(scene));
     auto as_drawn = scene;
@@ -76,6 +84,8 @@ Result<CollectionReport> Collection::run()
     auto const write
         = [&](std::ostream& out) { return write_manifest(out, options_, report_, plants); };
     TRY(write_file(report_.manifest, write));
+    if (!options_.sheet.empty())
+        TRY(write_sheet(grower, places));
     progress_.finish();
     return report_;
 }
@@ -196,6 +206,23 @@ Result<std::vector<ManifestPlant>> Collection::write_folder(Grower& grower,
     return plants;
 }
 
+Result<void> Collection::write_sheet(Grower& grower, std::vector<PlantPlace> const& places)
+{
+    SheetPlants const plants {
+        places.size(),
+        [&](std::size_t i) -> Plant const& { return grow(grower, places[i]); },
+        [&](std::size_t i) {
+            auto const& [index, age, position_mm, rotation_rad] = places[i];
+            return age == 1 ? fmt::format("{}", index + 1)
+                            : fmt::format("{}, age {:.2f}", index + 1, age);
+        },
+    };
+    auto const sheet = collection_sheet(*pictures_, plants, progress_);
+    TRY(write_file(options_.sheet, [&](std::ostream& out) { return write_png(out, sheet); }));
+    report_.sheet = options_.sheet;
+    return {};
+}
+
 } // namespace
 
 std::vector<PlantPlace> place_plants(CollectionOptions const& options, double spacing_mm)
@@ -246,7 +273,10 @@ std::string print_report(CollectionReport const& report)
     distance("from what was drawn", report.from_drawn);
     for (auto const& note : report.notes)
         text += fmt::format("note: {}\n", note);
-    return text + fmt::format("wrote {}\n", report.manifest.string());
+    text += fmt::format("wrote {}\n", report.manifest.string());
+    if (!report.sheet.empty())
+        text += fmt::format("wrote {}\n", report.sheet.string());
+    return text;
 }
 
 } // namespace tractus

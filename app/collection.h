@@ -38,7 +38,7 @@ struct AgeRange {
 struct CollectionOptions {
     std::filesystem::path model {};
     std::optional<DrawingOptions> drawing {}; // Without it, plants vary by chance alone.
-    GrowthOptions growth {};                  // Its age is not used.
+    GrowthOptions growth {};
     AgeRange ages {};
     std::uint64_t seed = 1;
     std::size_t count = 12; // In all shards together; at least 1.
@@ -48,6 +48,8 @@ struct CollectionOptions {
     // A .glb for all plants, each in its place, or a folder for one .glb per plant, each at its own
     // origin.
     std::filesystem::path output {};
+    // A picture of small pictures (collection_sheet.h); none if it is empty.
+    std::filesystem::path sheet {};
     MeshOptions mesh {};
     GlbOptions glb {};
 };
@@ -77,6 +79,7 @@ struct CollectionReport {
     double height_mm = 0; // Of the plant as drawn.
 
     std::filesystem::path manifest;
+    std::filesystem::path sheet; // Empty if there is none.
     std::vector<std::string> notes;
 };
 

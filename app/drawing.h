@@ -18,7 +18,6 @@ namespace tractus {
 struct GrowthOptions {
     std::string preset = "usual"; // See growth_presets().
     double liking = 1;            // See at_liking().
-    double age = 1;               // See Grower::grow().
 };
 
 // The scene of a model (load_plant_edit) that nothing was drawn on. Fails, as the user's fault, for

@@ -76,6 +76,7 @@ Result<Scene> Job::load_plant()
     progress_.begin("deriving the plant");
     auto scene = TRY(load_growing_plant(options_.model, options_.growth, options_.seed));
     report_.growth = options_.growth;
+    report_.age = options_.age;
     report_.seed = options_.seed;
     report_.model = options_.model.string();
     report_.notes = scene.model_warnings;
@@ -110,9 +111,9 @@ Result<void> Job::make_collection(Scene const& scene)
     // Grown again whenever it is needed: that is quicker than keeping them all is large.
     Plant young;
     auto const plant = [&](std::size_t index) -> Plant const& {
-        auto const& grown = grower.grow({ options_.seed, static_cast<std::uint32_t>(index) },
-                                        options_.growth.age);
-        if (options_.growth.age == 1)
+        auto const& grown
+            = grower.grow({ options_.seed, static_cast<std::uint32_t>(index) }, options_.age);
+        if (options_.age == 1)
             return grown;
         young = without_unborn(grown);
         return young;
@@ -182,8 +183,8 @@ std::string print_report(JobReport const& report)
     std::string text = fmt::format(
         "log                   {}\nmodel                 {}\nseed                  {}\n",
         report.log, report.model, report.seed);
-    if (report.growth.age != 1)
-        text += fmt::format("age                   {}\n", report.growth.age);
+    if (report.age != 1)
+        text += fmt::format("age                   {}\n", report.age);
     if (report.growth.preset != GrowthOptions {}.preset || report.growth.liking != 1)
         text += fmt::format("growth                {}, {} as it likes\n", report.growth.preset,
                             report.growth.liking);

@@ -20,6 +20,7 @@ struct JobOptions {
     std::size_t variations = 12;        // In the collection; at least 1.
     std::filesystem::path folder = "."; // Made if it is not there.
     GrowthOptions growth {};
+    double age = 1; // Of all plants; see Grower::grow().
 };
 
 // What was read, and what became of it.
@@ -27,6 +28,7 @@ struct JobReport : DrawingReport {
     std::string model;
     std::uint64_t seed = 1;
     GrowthOptions growth;
+    double age = 1;
     std::size_t plants = 0;
     std::size_t segments = 0;  // Of one plant.
     std::size_t organs = 0;    // Of one plant.

@@ -29,9 +29,9 @@ void add_growth_options(CLI::App& verb, GrowthOptions& growth)
         ->capture_default_str();
 }
 
-void add_age_option(CLI::App& verb, GrowthOptions& growth)
+void add_age_option(CLI::App& verb, double& age)
 {
-    verb.add_option("--age", growth.age, "How old the plants are: above 0, and 1 is full-grown")
+    verb.add_option("--age", age, "How old the plants are: above 0, and 1 is full-grown")
         ->type_name("X")
         ->check(number(0.01, 1))
         ->capture_default_str();

@@ -10,7 +10,7 @@ namespace tractus {
 // verb.
 void add_growth_options(CLI::App& verb, GrowthOptions& growth);
 
-// "--age X": how old they are, all alike.
-void add_age_option(CLI::App& verb, GrowthOptions& growth);
+// "--age X": how old they are, all alike. `age` must live as long as the verb.
+void add_age_option(CLI::App& verb, double& age);
 
 } // namespace tractus

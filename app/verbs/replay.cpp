@@ -42,7 +42,7 @@ void add_replay_verb(CLI::App& root, Action& action)
         ->check(whole_number(1, 100))
         ->capture_default_str();
     add_growth_options(*verb, arguments->job.growth);
-    add_age_option(*verb, arguments->job.growth);
+    add_age_option(*verb, arguments->job.age);
     add_folder_option(*verb, arguments->job.folder);
     verb->footer(job_footer());
     verb->callback([arguments, &action] {

@@ -72,6 +72,10 @@ void add_output_options(CLI::App& verb, VaryArguments& arguments)
                     "A .glb for all plants, or a folder for one .glb each; made if it is not there")
         ->type_name("FOLDER|FILE.glb")
         ->required();
+    verb.add_option("--sheet", arguments.collection.sheet,
+                    "Also draw a picture of small pictures of the plants, of at most 48")
+        ->type_name("FILE.png")
+        ->check(name_ending_in({ ".png" }));
     verb.add_option("--shard", arguments.shard,
                     "Makes the I-th of N parts of the collection, so that many machines share it")
         ->type_name("I/N")

@@ -1,4 +1,5 @@
 #include "app/collection.h"
+#include "app/collection_sheet.h"
 
 #include <gtest/gtest.h>
 
@@ -64,6 +65,20 @@ TEST(Collection, InAGridPlantsFaceOneWay)
     EXPECT_EQ(all[3].position_mm, Vec3(0, -100, 0));
     for (auto const& place : all)
         EXPECT_EQ(place.rotation_rad, 0);
+}
+
+TEST(Collection, ItsSheetShowsPlantsFromTheFirstToTheLast)
+{
+    EXPECT_EQ(sheet_plant(0, 1), 0u);
+    for (std::size_t i = 0; i < kMostSheetPlants; ++i)
+        EXPECT_EQ(sheet_plant(i, kMostSheetPlants), i); // All of them.
+    EXPECT_EQ(sheet_plant(0, 1'000'000), 0u);
+    EXPECT_EQ(sheet_plant(kMostSheetPlants - 1, 1'000'000), 999'999u);
+    for (std::size_t i = 1; i < kMostSheetPlants; ++i) {
+        auto const step = sheet_plant(i, 1'000'000) - sheet_plant(i - 1, 1'000'000);
+        EXPECT_GE(step, 21276u);
+        EXPECT_LE(step, 21277u);
+    }
 }
 
 } // namespace

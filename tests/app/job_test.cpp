@@ -111,7 +111,8 @@ TEST_F(LeafyJob, VariesAnotherProgramsSkeletonByStrokesInSpace)
                                   .model = folder_ / "tree.obj",
                                   .variations = 2,
                                   .folder = folder_ / "out",
-                                  .growth = { .preset = "windy hillside", .age = 0.7 } },
+                                  .growth = { .preset = "windy hillside" },
+                                  .age = 0.7 },
                                 progress);
     ASSERT_TRUE(report) << report.error().message;
     EXPECT_EQ(report->strokes, 3u);

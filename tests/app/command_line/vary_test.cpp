@@ -1,5 +1,7 @@
 #include "tests/app/command_line/workshop.h"
 
+#include <csignal>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 namespace tractus {
@@ -82,6 +84,32 @@ TEST_F(Vary, PlantsAreAsOldAsTheManifestSays)
     EXPECT_LT(read("young/small-1.glb").size(), read("old/small-1.glb").size());
 }
 
+// Of a PNG: the size is in its first chunk (ISO/IEC 15948 section 11.2.2).
+std::pair<int, int> picture_size(std::string const& png)
+{
+    auto const number = [&](std::size_t at) {
+        int value = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            value = 256 * value + static_cast<unsigned char>(png.at(at + i));
+        return value;
+    };
+    return { number(16), number(20) };
+}
+
+TEST_F(Vary, ASheetShowsAtMostFortyEightPlants)
+{
+    vary("small.l --count 60 --ages 0.3..1 -o out --sheet pictures/sheet.png");
+    auto const sheet = read("pictures/sheet.png");
+    EXPECT_EQ(sheet.substr(1, 3), "PNG");
+    // Eight columns, six rows: 240 pixels each, 12 between them, and room for captions.
+    auto const [width, height] = picture_size(sheet);
+    EXPECT_EQ(width, 8 * 252 + 12);
+    EXPECT_GT(height, 6 * 252 + 12);
+    EXPECT_LT(height, 6 * 300);
+    vary("small.l --count 60 --ages 0.3..1 -o field.glb --sheet again.png", "taskset -c 0");
+    EXPECT_EQ(read("again.png"), sheet);
+}
+
 TEST_F(Vary, WrongUsageIsRefused)
 {
     for (auto const& [arguments, reason] :
@@ -91,6 +119,7 @@ TEST_F(Vary, WrongUsageIsRefused)
            std::pair("small.l --ages 0.9..0.2 -o x", "'0.9..0.2' is not a range within 0.01..1"),
            std::pair("small.l --ages old -o x", "'old' is not a range"),
            std::pair("small.l --spread heap -o x", "heap"), std::pair("small.l", "--output"),
+           std::pair("small.l --sheet x.jpg -o x", ".png"),
            std::pair("small.l --rig a.rig.toml -o x", "--drawing") }) {
         auto const outcome = run(std::string("tractus vary ") + arguments);
         EXPECT_EQ(outcome.exit_code, 2) << arguments;
@@ -110,6 +139,58 @@ TEST_F(Vary, AFullDiskLeavesWhatWasWrittenBefore)
     EXPECT_NE(outcome.err.find("0 of 3 plants are written"), std::string::npos) << outcome.err;
     EXPECT_EQ(read("out/small-1.glb"), first);
     EXPECT_EQ(count_files("out"), 4u);
+}
+
+TEST_F(Vary, ADiskThatFillsUpInTheMiddleLeavesWholeFiles)
+{
+    std::string const what = "small.l --count 24 --ages 0.05..1 --sides 64 -o ";
+    vary(what + "whole");
+    // The first plant that is larger, by a block, than all before it: that one does not fit.
+    constexpr std::size_t kBlock = 512; // What dash's ulimit counts in.
+    auto const files = plants("whole/manifest.json");
+    std::size_t too_large = 0;
+    std::size_t blocks = 0;
+    for (std::size_t i = 0; i < files.size() && too_large == 0; ++i) {
+        auto const size = read("whole/" + std::string(files[i]["file"])).size();
+        if (i > 0 && size > kBlock * blocks)
+            too_large = i;
+        else
+            blocks = std::max(blocks, (size + kBlock - 1) / kBlock);
+    }
+    ASSERT_GT(too_large, 0u);
+    auto const outcome
+        = run("ulimit -f " + std::to_string(blocks) + "; tractus vary " + what + "part");
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find(std::to_string(too_large) + " of 24 plants are written"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(count_files("part"), too_large);
+    for (std::size_t i = 0; i < too_large; ++i) {
+        std::string const file = files[i]["file"];
+        EXPECT_EQ(read("part/" + file), read("whole/" + file)) << file;
+    }
+}
+
+TEST_F(Vary, CtrlCLeavesWholeFiles)
+{
+    // More plants than anybody waits for; the shell's background would ignore the signal.
+    auto const outcome = run(
+        "env --default-signal=INT '" TRACTUS_PROGRAM "' vary small.l --count 400000 -o out &\n"
+        "while [ ! -e out/small-000004.glb ]; do sleep 0.01; kill -0 $! || exit 3; done\n"
+        "kill -INT $!\nwait $!");
+    EXPECT_EQ(outcome.exit_code, 128 + SIGINT) << outcome.err;
+    auto const files = count_files("out");
+    EXPECT_GE(files, 4u);
+    EXPECT_LT(files, 400000u);
+    for (std::size_t i = 1; i <= files; ++i) { // All there is are plants, without a gap.
+        auto const number = std::to_string(i);
+        auto const plant
+            = read("out/small-" + std::string(6 - number.size(), '0') + number + ".glb");
+        ASSERT_GE(plant.size(), 12u) << i;
+        std::uint32_t length = 0; // Of the whole file (glTF 2.0 section 4.4.2).
+        std::memcpy(&length, &plant[8], 4);
+        EXPECT_EQ(length, plant.size()) << i;
+    }
 }
 
 } // namespace
