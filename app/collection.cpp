@@ -2,15 +2,19 @@
 
 #include "app/collection_manifest.h"
 #include "app/collection_sheet.h"
+#include "app/plant_billboard.h"
 #include "drivers/file.h"
 #include "engine/base/random.h"
+#include "engine/mesh/level_of_detail.h"
 #include "engine/variation/growth.h"
 #include "engine/variation/growth_preset.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <functional>
 #include <numbers>
+#include <tuple>
 
 namespace tractus {
 
@@ -30,6 +34,14 @@ public:
         , progress_(progress)
     {
     }
+    Collection(Collection const&) = delete;
+    Collection& operator=(Collection const&) = delete;
+
+    ~Collection()
+    {
+        if (pictures_) // They end on the thread that has them.
+            std::ignore = pictures_->acquire();
+    }
 
     Result<CollectionReport> run();
 
@@ -43,6 +55,9 @@ private:
                                                     std::vector<PlantPlace> const& places);
     Result<void> write_sheet(Grower& grower, std::vector<PlantPlace> const& places);
     PlacedMesh placed(PlantPlace const& place) const;
+    void add_details(PlacedMesh& mesh, std::function<Plant()> const& plant);
+    Billboard billboard(Plant const& plant);
+    Result<GlbSummary> write_plants(std::ostream& out, std::span<PlacedMesh const> plants);
 
     // Holds until the next call. `place` is of a plant of this collection.
     Plant const& grow(Grower& grower, PlantPlace const& place);
@@ -56,16 +71,20 @@ private:
     Progress& progress_;
     CollectionReport report_;
     Plant young_;
-    std::optional<PictureMaker> pictures_; // Where pictures are asked for.
+    // Where pictures are asked for, which may be on any thread: nobody has them in between.
+    std::optional<PictureMaker> pictures_;
+    std::optional<Error> picture_error_;
 };
 
 Result<CollectionReport> Collection::run()
 {
-    if (!options_.sheet.empty()) { // What can fail fails before the work.
+    // What can fail fails before the work.
+    if (!options_.sheet.empty() || options_.details > 0) {
         pictures_ = TRY(PictureMaker::create());
-        if (options_.sheet.has_parent_path())
-            TRY(make_folder(options_.sheet.parent_path()));
+        pictures_->release();
     }
+    if (options_.sheet.has_parent_path())
+        TRY(make_folder(options_.sheet.parent_path()));
     auto const scene = TRY(load());
     auto const plan = TRY(plan_growth(scene));
     auto as_drawn = scene;
@@ -147,6 +166,56 @@ PlacedMesh Collection::placed(PlantPlace const& place) const
     return mesh;
 }
 
+// At its level's share of the screen's area a plant has about as many pixels for each triangle as
+// at every other level's.
+void Collection::add_details(PlacedMesh& mesh, std::function<Plant()> const& plant)
+{
+    constexpr double kFullCoverage = 0.2;
+    if (options_.details == 0)
+        return;
+    double share = 1;
+    mesh.least_coverage = kFullCoverage;
+    for (std::size_t level = 1; level < options_.details; ++level) {
+        share /= 2;
+        mesh.details.push_back(
+            { PlantToMesh {
+                  .plant
+                  = [this, plant, share] { return coarser_plant(plant(), options_.mesh, share); },
+                  .options = coarser_options(options_.mesh, share) },
+              kFullCoverage * share });
+    }
+    mesh.details.push_back(
+        { std::function<Billboard()>([this, plant] { return billboard(plant()); }), 0 });
+}
+
+// Keeps the first error: who asks cannot be told.
+Billboard Collection::billboard(Plant const& plant)
+{
+    auto const draw = [&]() -> Result<Billboard> {
+        TRY(pictures_->acquire());
+        constexpr double kShare = 0.25; // What more there is does not show in so few pixels.
+        auto const coarse = coarser_plant(plant, options_.mesh, kShare);
+        auto const mesh = make_mesh(coarse, coarser_options(options_.mesh, kShare));
+        auto drawn = draw_billboard(*pictures_, mesh);
+        pictures_->release();
+        return drawn;
+    };
+    auto drawn = draw();
+    if (drawn)
+        return *std::move(drawn);
+    if (!picture_error_)
+        picture_error_ = drawn.error();
+    return {};
+}
+
+Result<GlbSummary> Collection::write_plants(std::ostream& out, std::span<PlacedMesh const> plants)
+{
+    auto const summary = TRY(write_glb(out, plants, options_.glb));
+    if (picture_error_)
+        return fail(picture_error_->fault, picture_error_->message);
+    return summary;
+}
+
 Result<std::vector<ManifestPlant>> Collection::write_one_file(Grower& grower,
                                                               std::vector<PlantPlace> const& places)
 {
@@ -167,9 +236,10 @@ Result<std::vector<ManifestPlant>> Collection::write_one_file(Grower& grower,
             return grow(grower, place);
         };
         meshes.back().mesh = PlantToMesh { .plant = make, .options = options_.mesh };
+        add_details(meshes.back(), make);
     }
     auto const write = [&](std::ostream& out) -> Result<void> {
-        auto const summary = TRY(write_glb(out, meshes, options_.glb));
+        auto const summary = TRY(write_plants(out, meshes));
         report_.triangles = summary.triangles;
         report_.bytes = summary.bytes;
         return {};
@@ -189,9 +259,11 @@ Result<std::vector<ManifestPlant>> Collection::write_folder(Grower& grower,
         auto const file
             = fmt::format("{}-{:0{}}.glb", options_.model.stem().string(), place.index + 1, digits);
         auto mesh = placed(place);
-        mesh.mesh = PlantToMesh { .plant = &grow(grower, place), .options = options_.mesh };
+        auto const& plant = grow(grower, place);
+        mesh.mesh = PlantToMesh { .plant = &plant, .options = options_.mesh };
+        add_details(mesh, [&] { return plant; });
         auto const write = [&](std::ostream& out) -> Result<void> {
-            auto const summary = TRY(write_glb(out, { &mesh, 1 }, options_.glb));
+            auto const summary = TRY(write_plants(out, { &mesh, 1 }));
             report_.triangles += summary.triangles;
             report_.bytes += summary.bytes;
             return {};
@@ -217,7 +289,9 @@ Result<void> Collection::write_sheet(Grower& grower, std::vector<PlantPlace> con
                             : fmt::format("{}, age {:.2f}", index + 1, age);
         },
     };
+    TRY(pictures_->acquire());
     auto const sheet = collection_sheet(*pictures_, plants, progress_);
+    pictures_->release();
     TRY(write_file(options_.sheet, [&](std::ostream& out) { return write_png(out, sheet); }));
     report_.sheet = options_.sheet;
     return {};

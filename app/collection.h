@@ -35,6 +35,8 @@ struct AgeRange {
     double oldest = 1;
 };
 
+constexpr std::size_t kMostDetails = 6;
+
 struct CollectionOptions {
     std::filesystem::path model {};
     std::optional<DrawingOptions> drawing {}; // Without it, plants vary by chance alone.
@@ -52,6 +54,10 @@ struct CollectionOptions {
     std::filesystem::path sheet {};
     MeshOptions mesh {};
     GlbOptions glb {};
+
+    // Coarser levels that each plant has beside itself, each of half the triangles of the one
+    // before (engine/mesh/level_of_detail.h); the last one is a billboard. 0 to kMostDetails.
+    std::size_t details = 0;
 };
 
 // One plant of a collection. A pure function of the collection's seed, size and the plant's number.

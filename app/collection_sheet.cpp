@@ -1,8 +1,8 @@
 #include "app/collection_sheet.h"
 
 #include "app/render/contact_sheet.h"
-#include "app/render/mesh_measures.h"
 #include "engine/mesh/make_mesh.h"
+#include "engine/mesh/mesh_measures.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 
 #include "app/pictures.h"
 #include "app/render/contact_sheet.h"
-#include "app/render/mesh_measures.h"
 #include "drivers/file.h"
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/make_mesh.h"
+#include "engine/mesh/mesh_measures.h"
 #include "engine/variation/growth.h"
 
 #include <algorithm>

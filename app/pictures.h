@@ -34,6 +34,21 @@ public:
     Image strokes(Scene const& scene, std::span<DrawnStroke const> strokes,
                   PictureSize const& size);
 
+    // A plant as it is seen from the horizontal direction, without perspective, shadow or ground:
+    // `side_mm` around `center_mm`, as a square of `side_px`. What is no plant is transparent.
+    struct Cutout {
+        Vec3 center_mm = Vec3::Zero();
+        double side_mm = 1000;
+        double azimuth_rad = 0; // As in ViewAngles.
+        int side_px = 256;
+    };
+    std::vector<Image> cutouts(Mesh const& mesh, std::span<Cutout const> views);
+
+    // Pictures are made on one thread at a time: the one that it was made on, until that releases
+    // it and another acquires it.
+    void release() { context_.release(); }
+    Result<void> acquire() { return context_.acquire(); }
+
 private:
     PictureMaker(OffscreenContext context, Renderer renderer);
 

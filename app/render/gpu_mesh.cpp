@@ -1,9 +1,9 @@
 #include "app/render/gpu_mesh.h"
 
-#include "app/render/far_organ.h"
-#include "app/render/mesh_measures.h"
 #include "engine/base/check.h"
 #include "engine/base/random.h"
+#include "engine/mesh/mesh_measures.h"
+#include "engine/mesh/organ_card.h"
 
 #include <algorithm>
 #include <cmath>
@@ -204,7 +204,7 @@ void GpuMesh::add_organ(Material const& material, InstancedMesh const& organ,
     use_instances(part.vertex_array, instance_buffer);
     bool const thin
         = material.kind == Material::Kind::Leaf || material.kind == Material::Kind::Petal;
-    if (auto const triangles = thin ? far_organ(organ.prototype) : std::nullopt) {
+    if (auto const triangles = thin ? organ_card(organ.prototype) : std::nullopt) {
         auto const& corners = triangles->positions_mm;
         Vec3f const scale = mean_scale(instances).cwiseAbs();
         auto& rhombus = part.rhombus.emplace(Part::Rhombus {});

@@ -1,7 +1,7 @@
 #include "app/render/sky_visibility.h"
 
-#include "app/render/mesh_measures.h"
 #include "engine/base/parallel.h"
+#include "engine/mesh/mesh_measures.h"
 
 #include <algorithm>
 #include <array>

@@ -86,6 +86,12 @@ void add_output_options(CLI::App& verb, VaryArguments& arguments)
         ->type_name("N")
         ->check(whole_number(3, 64))
         ->capture_default_str();
+    verb.add_option("--lods", arguments.collection.details,
+                    "Coarser levels of each plant, for being seen from afar (MSFT_lod): each has "
+                    "half the triangles of the one before, and the last is a billboard")
+        ->type_name("N")
+        ->check(whole_number(0, kMostDetails))
+        ->capture_default_str();
     verb.add_flag("--quantized", arguments.quantized,
                   "Write smaller vertices, for readers that know KHR_mesh_quantization");
     verb.add_flag("--nodes", arguments.nodes,

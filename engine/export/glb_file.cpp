@@ -58,6 +58,21 @@ std::string placement(PlacedMesh const& placed)
     return text;
 }
 
+std::string level_name(LevelInFile const& level)
+{
+    auto const& name = level.placed->name;
+    return level.number == 0 ? name : fmt::format("{} level {}", name, level.number);
+}
+
+// Of all levels.
+std::string coverages(PlacedMesh const& placed)
+{
+    auto text = fmt::format("{}", placed.least_coverage);
+    for (auto const& detail : placed.details)
+        text += fmt::format(",{}", detail.least_coverage);
+    return text;
+}
+
 // As doubles: the decimal that is exactly the float.
 std::string limits_text(EncodedPiece const& limits)
 {
@@ -84,7 +99,7 @@ PlantFormat plant_format(MeshPieces const& plant, GlbOptions const& options)
 std::uint64_t glb_bytes(MeshPieces const& plant, GlbOptions const& options)
 {
     bool const quantized = options.vertices == GlbOptions::Vertices::Quantized;
-    std::uint64_t bytes = 0;
+    std::uint64_t bytes = plant.picture_png().size();
     for (auto const& surface : plant.surfaces())
         bytes += triangle_bytes(
             surface.extent, with_indices_for({ .quantized = quantized }, surface.extent.vertices));
@@ -107,9 +122,10 @@ GlbFile::GlbFile(std::ostream& out, GlbOptions const& options, std::uint64_t jso
 {
 }
 
-Result<void> GlbFile::begin_plant(PlacedMesh const& placed, MeshPieces const& plant,
+Result<void> GlbFile::begin_level(LevelInFile const& level, MeshPieces const& plant,
                                   PlantFormat const& format)
 {
+    auto const& placed = *level.placed;
     if (stream_.file_bytes() + glb_bytes(plant, options_) > kMaxGlbBytes)
         return fail(Fault::User,
                     fmt::format("plant {} would make the glTF file larger than 4 GiB: "
@@ -117,12 +133,15 @@ Result<void> GlbFile::begin_plant(PlacedMesh const& placed, MeshPieces const& pl
                                 quoted(placed.name)));
     if (!placed.position_mm.allFinite() || !std::isfinite(placed.rotation_rad))
         return fail_infinite("a plant's place");
-    placed_ = &placed;
+    level_ = level;
     plant_ = &plant;
     format_ = format;
     primitives_ = {};
     children_ = {};
-    summary_.triangles += plant.triangle_count();
+    if (level.number == 0) {
+        summary_.triangles += plant.triangle_count();
+        coarser_ = {};
+    }
     return {};
 }
 
@@ -189,7 +208,9 @@ Result<void> GlbFile::add_surface_piece(std::size_t index, bool is_last, Encoded
 {
     auto const& surface = plant_->surfaces()[index];
     if (!open_) {
-        open_index_ = materials_.index_of(plant_->material(surface.material));
+        open_index_ = plant_->picture_png().empty()
+            ? materials_.index_of(plant_->material(surface.material))
+            : materials_.add_picture(plant_->picture_png());
         open_ = open_triangles(surface.extent, format_.of(surface));
         limits_ = {};
     }
@@ -297,7 +318,7 @@ std::string GlbFile::surfaces_reference()
     if (primitives_.count() == 0)
         return {};
     auto const mesh = json_.meshes.add(fmt::format("{{\"name\":{},\"primitives\":[{}]}}",
-                                                   quoted(placed_->name), primitives_.text()));
+                                                   quoted(level_name(level_)), primitives_.text()));
     auto const& [quantized, origin, step, ignored] = format_.vertices;
     if (!quantized)
         return fmt::format(",\"mesh\":{}", mesh);
@@ -307,13 +328,26 @@ std::string GlbFile::surfaces_reference()
     return {};
 }
 
-void GlbFile::end_plant()
+// The coarser levels stand beside the scene; who does not know the extension shows the finest.
+void GlbFile::end_level()
 {
-    std::string node
-        = "{\"name\":" + quoted(placed_->name) + placement(*placed_) + surfaces_reference();
+    std::string node = "{\"name\":" + quoted(level_name(level_)) + placement(*level_.placed)
+        + surfaces_reference();
     if (children_.count() > 0)
         node += ",\"children\":[" + children_.text() + "]";
-    json_.scene.add(fmt::format("{}", json_.nodes.add(node + "}")));
+    if (level_.number == 0)
+        finest_ = node;
+    else
+        coarser_.add(fmt::format("{}", json_.nodes.add(node + "}")));
+    if (!level_.is_last())
+        return;
+    if (coarser_.count() > 0) {
+        json_.optional_extensions.insert("MSFT_lod");
+        finest_ += fmt::format(",\"extensions\":{{\"MSFT_lod\":{{\"ids\":[{}]}}}},"
+                               "\"extras\":{{\"MSFT_screencoverage\":[{}]}}",
+                               coarser_.text(), coverages(*level_.placed));
+    }
+    json_.scene.add(fmt::format("{}", json_.nodes.add(finest_ + "}")));
 }
 
 Result<std::optional<GlbSummary>> GlbFile::finish()

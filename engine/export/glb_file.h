@@ -24,20 +24,33 @@ struct PlantFormat {
 
 PlantFormat plant_format(MeshPieces const& plant, GlbOptions const& options);
 
-// Bytes that a plant takes in the binary chunk, textures not counted.
+// Bytes that a plant takes in the binary chunk, textures of materials not counted.
 std::uint64_t glb_bytes(MeshPieces const& plant, GlbOptions const& options);
 
-// One try at a .glb file, with a given room for its JSON. Plants come one after another; of each
-// its surfaces, then its organs, all pieces in order.
+// A plant as it comes into a file, once for each of its levels of detail.
+struct LevelInFile {
+    PlacedMesh const* placed = nullptr;
+    std::size_t number = 0; // 0: the plant itself; then its details.
+
+    MeshSource const& source() const
+    {
+        return number == 0 ? placed->mesh : placed->details[number - 1].mesh;
+    }
+    bool is_last() const { return number == placed->details.size(); }
+};
+
+// One try at a .glb file, with a given room for its JSON. Plants come one after another, each from
+// its finest level to its coarsest; of each level its surfaces, then its organs, all pieces in
+// order.
 class GlbFile {
 public:
     GlbFile(std::ostream& out, GlbOptions const& options, std::uint64_t json_room);
 
-    Result<void> begin_plant(PlacedMesh const& placed, MeshPieces const& plant,
+    Result<void> begin_level(LevelInFile const& level, MeshPieces const& plant,
                              PlantFormat const& format);
     Result<void> add_surface_piece(std::size_t surface, bool is_last, EncodedPiece const& piece);
     Result<void> add_instances(std::size_t organ, bool is_last, EncodedPiece const& piece);
-    void end_plant();
+    void end_level();
 
     // Fills in headers and JSON. No value if the JSON does not fit in its room: then
     // `json_bytes()` says how much it takes.
@@ -75,11 +88,13 @@ private:
     std::uint64_t json_bytes_ = 0;
 
     // The plant that is being written.
-    PlacedMesh const* placed_ = nullptr;
+    LevelInFile level_;
     MeshPieces const* plant_ = nullptr;
     PlantFormat format_;
     JsonArray primitives_;
     JsonArray children_;
+    std::string finest_; // Its plant's node, to which the coarser ones are yet to be added.
+    JsonArray coarser_;  // Their nodes.
     std::optional<Columns> open_; // Of the surface or organ whose pieces are coming.
     EncodedPiece limits_;         // Of its positions so far.
     std::size_t open_index_ = 0;  // Of its material, or its prototype.

@@ -16,15 +16,15 @@ constexpr std::size_t kInstancesAtOnce = 16 << 10;
 // A plant is likely to take what the first one takes, more or less.
 constexpr double kLikelyShare = 0.8;
 
-// A plant on its way into the file. The pieces of it that are under way share it: the last of them
-// ends its life, so that plants which have been written take no memory.
+// A level of a plant on its way into the file. The pieces of it that are under way share it: the
+// last of them ends its life, so that plants which have been written take no memory.
 struct PlantOnItsWay {
-    PlacedMesh const* placed;
+    LevelInFile level;
     std::unique_ptr<MeshPieces const> pieces;
     PlantFormat format {};
 };
 
-// A piece of work: a part of a surface, or some of an organ's instances, or the end of a plant.
+// A piece of work: a part of a surface, or some of an organ's instances, or the end of a level.
 struct Unit {
     enum class Kind { Surface, Organ, End };
 
@@ -33,7 +33,7 @@ struct Unit {
     std::size_t index = 0; // Of the surface or the organ in its plant.
     std::size_t piece = 0;
     std::size_t piece_count = 0;
-    bool begins_plant = false;
+    bool begins_level = false;
 
     // Kept from unit to unit, so that they are allocated once.
     TriangleMesh triangles {};
@@ -56,8 +56,8 @@ public:
 
     bool next(Unit& unit)
     {
-        unit.begins_plant = !plant_;
-        if (!plant_ && !begin_plant())
+        unit.begins_level = !plant_;
+        if (!plant_ && !begin_level())
             return false;
         while (piece_ == piece_count() && kind_ != Unit::Kind::End)
             advance();
@@ -72,14 +72,17 @@ public:
     }
 
 private:
-    bool begin_plant()
+    bool begin_level()
     {
         if (taken_ == plants_.size())
             return false;
-        auto const& placed = plants_[taken_++];
         auto plant = std::make_shared<PlantOnItsWay>();
-        plant->placed = &placed;
-        plant->pieces = first_ ? std::move(first_) : std::make_unique<MeshPieces>(placed);
+        auto const& level = plant->level = { &plants_[taken_], level_++ };
+        if (level.is_last()) {
+            ++taken_;
+            level_ = 0;
+        }
+        plant->pieces = first_ ? std::move(first_) : std::make_unique<MeshPieces>(level.source());
         plant->format = plant_format(*plant->pieces, options_);
         plant_ = std::move(plant);
         kind_ = Unit::Kind::Surface;
@@ -124,6 +127,7 @@ private:
     GlbOptions const& options_;
     std::unique_ptr<MeshPieces const> first_;
     std::size_t taken_ = 0;
+    std::size_t level_ = 0;
     std::shared_ptr<PlantOnItsWay const> plant_;
     Unit::Kind kind_ = Unit::Kind::End;
     std::size_t index_ = 0;
@@ -148,15 +152,15 @@ void encode(Unit& unit)
 Result<void> write(Unit const& unit, GlbFile& file)
 {
     auto const& plant = *unit.plant;
-    if (unit.begins_plant)
-        TRY(file.begin_plant(*plant.placed, *plant.pieces, plant.format));
+    if (unit.begins_level)
+        TRY(file.begin_level(plant.level, *plant.pieces, plant.format));
     switch (unit.kind) {
     case Unit::Kind::Surface:
         return file.add_surface_piece(unit.index, unit.is_last(), unit.encoded);
     case Unit::Kind::Organ:
         return file.add_instances(unit.index, unit.is_last(), unit.encoded);
     case Unit::Kind::End:
-        file.end_plant();
+        file.end_level();
     }
     return {};
 }
@@ -178,17 +182,43 @@ Result<void> write_plants(Units units, GlbFile& file)
     return result;
 }
 
-// Room for the JSON, if the other plants are like the first. Too little costs a second try.
-std::uint64_t guess_json_bytes(std::span<PlacedMesh const> plants, MeshPieces const& first,
-                               GlbOptions const& options)
+// What a file takes of the first plant, all levels of detail together: the others are likely to be
+// like it. Its finest level is kept, since it is the first to be written.
+struct FirstPlant {
+    std::unique_ptr<MeshPieces const> pieces {};
+    std::uint64_t bytes = 0;
+    std::uint64_t json_bytes = 0;
+    std::uint64_t shared_json_bytes = 4000; // Materials and prototypes.
+};
+
+void measure(MeshPieces const& pieces, GlbOptions const& options, FirstPlant& first)
 {
-    std::uint64_t of_one = 600 + 1400 * first.surfaces().size() + 1000 * first.organs().size();
+    first.bytes += glb_bytes(pieces, options);
+    first.json_bytes += 600 + 1400 * pieces.surfaces().size() + 1000 * pieces.organs().size();
     if (options.instancing == GlbOptions::Instancing::Nodes)
-        for (auto const& organ : first.organs())
-            of_one += 220 * organ.instances.size();
-    std::uint64_t bytes = 4000 + 1500 * first.organs().size();
+        for (auto const& organ : pieces.organs())
+            first.json_bytes += 220 * organ.instances.size();
+    if (!pieces.picture_png().empty())
+        first.json_bytes += 1000;
+    first.shared_json_bytes += 1500 * pieces.organs().size();
+}
+
+FirstPlant measure_first(PlacedMesh const& placed, GlbOptions const& options)
+{
+    FirstPlant first;
+    first.pieces = std::make_unique<MeshPieces>(placed.mesh);
+    measure(*first.pieces, options, first);
+    for (auto const& detail : placed.details)
+        measure(MeshPieces(detail.mesh), options, first);
+    return first;
+}
+
+// Room for the JSON, if the other plants are like the first. Too little costs a second try.
+std::uint64_t guess_json_bytes(std::span<PlacedMesh const> plants, FirstPlant const& first)
+{
+    std::uint64_t bytes = first.shared_json_bytes;
     for (auto const& placed : plants)
-        bytes += of_one + 12 * placed.name.size();
+        bytes += first.json_bytes + 12 * (1 + placed.details.size()) * placed.name.size();
     return bytes;
 }
 
@@ -201,17 +231,16 @@ auto fail_large(std::size_t plants, double bytes, std::string_view about)
 }
 
 // The plants that are there; and those that are not as if they were like the first one.
-Result<void> check_size(std::span<PlacedMesh const> plants, MeshPieces const& first,
+Result<void> check_size(std::span<PlacedMesh const> plants, FirstPlant const& first,
                         GlbOptions const& options)
 {
-    auto const of_one = static_cast<double>(glb_bytes(first, options));
     double certain = 0;
     double likely = 0;
     for (auto const& placed : plants)
         if (std::holds_alternative<Mesh const*>(placed.mesh))
-            certain += static_cast<double>(glb_bytes(MeshPieces(placed), options));
+            certain += static_cast<double>(glb_bytes(MeshPieces(placed.mesh), options));
         else
-            likely += of_one;
+            likely += static_cast<double>(first.bytes);
     if (certain > static_cast<double>(kMaxGlbBytes))
         return fail_large(plants.size(), certain, "");
     if (certain + kLikelyShare * likely > static_cast<double>(kMaxGlbBytes))
@@ -223,7 +252,7 @@ Result<void> check_size(std::span<PlacedMesh const> plants, MeshPieces const& fi
 
 std::uint64_t glb_bytes(Mesh const& mesh, GlbOptions const& options)
 {
-    return glb_bytes(MeshPieces({ .mesh = &mesh }), options);
+    return glb_bytes(MeshPieces(&mesh), options);
 }
 
 Result<GlbSummary> write_glb(std::ostream& out, std::span<PlacedMesh const> plants,
@@ -233,17 +262,17 @@ Result<GlbSummary> write_glb(std::ostream& out, std::span<PlacedMesh const> plan
     if (start < 0)
         return fail(Fault::User,
                     "cannot write the glTF file: its stream cannot seek, so write to a file");
-    std::unique_ptr<MeshPieces const> first;
+    FirstPlant first;
     std::uint64_t room = 200;
     if (!plants.empty()) {
-        first = std::make_unique<MeshPieces>(plants[0]);
-        TRY(check_size(plants, *first, options));
-        room = guess_json_bytes(plants, *first, options);
+        first = measure_first(plants[0], options);
+        TRY(check_size(plants, first, options));
+        room = guess_json_bytes(plants, first);
     }
     while (true) {
         out.seekp(start);
         GlbFile file(out, options, (room + 3) / 4 * 4);
-        TRY(write_plants(Units(plants, options, std::move(first)), file));
+        TRY(write_plants(Units(plants, options, std::move(first.pieces)), file));
         if (auto const summary = TRY(file.finish()))
             return *summary;
         room = file.json_bytes();

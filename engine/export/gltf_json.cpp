@@ -21,12 +21,16 @@ std::string quoted(std::string const& text)
 std::string GltfJson::text(std::uint64_t buffer_bytes) const
 {
     std::string text = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"tractus\"},\"scene\":0";
-    JsonArray extensions;
+    JsonArray required;
     for (auto const& name : required_extensions)
-        extensions.add(quoted(name));
-    if (extensions.count() > 0)
-        text += fmt::format(",\"extensionsUsed\":[{0}],\"extensionsRequired\":[{0}]",
-                            extensions.text());
+        required.add(quoted(name));
+    auto used = required;
+    for (auto const& name : optional_extensions)
+        used.add(quoted(name));
+    if (used.count() > 0)
+        text += fmt::format(",\"extensionsUsed\":[{}]", used.text());
+    if (required.count() > 0)
+        text += fmt::format(",\"extensionsRequired\":[{}]", required.text());
     text += scene.count() > 0 ? ",\"scenes\":[{\"nodes\":[" + scene.text() + "]}]"
                               : ",\"scenes\":[{}]";
     auto const append = [&](char const* key, JsonArray const& array) {

@@ -26,7 +26,9 @@ private:
 struct GltfJson {
     JsonArray scene; // The scene's root nodes.
     JsonArray nodes, meshes, materials, textures, images, samplers, accessors, buffer_views;
+    // Those that a reader must know, and those that it may pass over.
     std::set<std::string> required_extensions;
+    std::set<std::string> optional_extensions;
 
     // The document, with a buffer of so many bytes.
     std::string text(std::uint64_t buffer_bytes) const;

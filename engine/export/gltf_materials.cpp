@@ -48,22 +48,35 @@ std::size_t GltfMaterials::index_of(Material const& material)
     return place->second;
 }
 
+std::size_t GltfMaterials::add_texture(std::string_view png, int wrap)
+{
+    auto block = stream_.open_block(png.size());
+    stream_.write(block, std::as_bytes(std::span(png)));
+    auto const view = json_.buffer_views.add(fmt::format(
+        "{{\"buffer\":0,\"byteOffset\":{},\"byteLength\":{}}}", block.start, block.size));
+    auto const image
+        = json_.images.add(fmt::format("{{\"bufferView\":{},\"mimeType\":\"image/png\"}}", view));
+    auto const sampler = json_.samplers.add(
+        fmt::format("{{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":{0},\"wrapT\":{0}}}", wrap));
+    return json_.textures.add(fmt::format("{{\"sampler\":{},\"source\":{}}}", sampler, image));
+}
+
+std::size_t GltfMaterials::add_picture(std::string_view png)
+{
+    json_.optional_extensions.insert("KHR_materials_unlit");
+    return json_.materials.add(fmt::format(
+        "{{\"name\":\"billboard\",\"pbrMetallicRoughness\":{{\"baseColorTexture\":{{\"index\":{}}},"
+        "\"metallicFactor\":0,\"roughnessFactor\":1}},\"alphaMode\":\"MASK\","
+        "\"extensions\":{{\"KHR_materials_unlit\":{{}}}}}}",
+        add_texture(png, kClampToEdge)));
+}
+
 // Puts the picture into the file when it is first asked for.
 std::string GltfMaterials::texture_reference(std::optional<std::size_t>& index,
                                              GreyPicture (*picture)(), int wrap)
 {
-    if (!index) {
-        auto const bytes = png_bytes(picture());
-        auto block = stream_.open_block(bytes.size());
-        stream_.write(block, std::as_bytes(std::span(bytes)));
-        auto const view = json_.buffer_views.add(fmt::format(
-            "{{\"buffer\":0,\"byteOffset\":{},\"byteLength\":{}}}", block.start, block.size));
-        auto const image = json_.images.add(
-            fmt::format("{{\"bufferView\":{},\"mimeType\":\"image/png\"}}", view));
-        auto const sampler = json_.samplers.add(fmt::format(
-            "{{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":{0},\"wrapT\":{0}}}", wrap));
-        index = json_.textures.add(fmt::format("{{\"sampler\":{},\"source\":{}}}", sampler, image));
-    }
+    if (!index)
+        index = add_texture(png_bytes(picture()), wrap);
     return fmt::format(",\"baseColorTexture\":{{\"index\":{}}}", *index);
 }
 

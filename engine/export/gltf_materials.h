@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace tractus {
 
@@ -21,7 +22,12 @@ public:
     // Answers the material's index, which is new if no equal one has come before.
     std::size_t index_of(Material const& material);
 
+    // A material that is all picture: transparent where that is, and lit as it was drawn
+    // (KHR_materials_unlit). Always new.
+    std::size_t add_picture(std::string_view png);
+
 private:
+    std::size_t add_texture(std::string_view png, int wrap);
     std::string texture_reference(std::optional<std::size_t>& index, GreyPicture (*picture)(),
                                   int wrap);
 

@@ -2,6 +2,8 @@
 
 #include "engine/base/check.h"
 
+#include <utility>
+
 namespace tractus {
 namespace {
 
@@ -21,17 +23,21 @@ TriangleView view_of(TriangleMesh const& mesh)
     return { mesh.positions_mm, mesh.normals, mesh.texture_coordinates, mesh.indices };
 }
 
-MeshPieces::MeshPieces(PlacedMesh const& placed)
+MeshPieces::MeshPieces(MeshSource const& source)
 {
-    auto const* const source = std::get_if<PlantToMesh>(&placed.mesh);
-    if (!source) {
-        use_mesh(mesh_of(placed, made_));
-    } else if (auto const* const grow = std::get_if<std::function<Plant()>>(&source->plant)) {
-        use_plant(grown_.emplace((*grow)()), source->options);
+    auto const* const to_mesh = std::get_if<PlantToMesh>(&source);
+    if (auto const* const draw = std::get_if<std::function<Billboard()>>(&source)) {
+        auto billboard = (*draw)();
+        use_mesh(made_.emplace(billboard_mesh(billboard)));
+        picture_png_ = std::move(billboard.atlas_png);
+    } else if (!to_mesh) {
+        use_mesh(mesh_of(source, made_));
+    } else if (auto const* const grow = std::get_if<std::function<Plant()>>(&to_mesh->plant)) {
+        use_plant(grown_.emplace((*grow)()), to_mesh->options);
     } else {
-        auto const* const plant = std::get<Plant const*>(source->plant);
+        auto const* const plant = std::get<Plant const*>(to_mesh->plant);
         CHECK(plant);
-        use_plant(*plant, source->options);
+        use_plant(*plant, to_mesh->options);
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tractus {
@@ -23,8 +24,8 @@ TriangleView view_of(TriangleMesh const& mesh);
 // are made as they are asked for. Pieces may be asked for on any threads.
 class MeshPieces {
 public:
-    // Grows or meshes what `placed` gives as a function; `placed` must outlive this.
-    explicit MeshPieces(PlacedMesh const& placed);
+    // Grows, meshes or draws what `source` gives as a function; `source` must outlive this.
+    explicit MeshPieces(MeshSource const& source);
     MeshPieces(MeshPieces const&) = delete;
     MeshPieces& operator=(MeshPieces const&) = delete;
 
@@ -37,7 +38,9 @@ public:
     std::span<InstancedMesh const> organs() const;
     Material const& material(MaterialId id) const;
     std::uint64_t triangle_count() const; // As drawn: every instance counted.
-    Bounds bounds_mm() const;             // A box around all surfaces. Reads a mesh through.
+    // A billboard's picture, in PNG, on all of its surfaces; empty for what is none.
+    std::string const& picture_png() const { return picture_png_; }
+    Bounds bounds_mm() const; // A box around all surfaces. Reads a mesh through.
 
     // One piece; pieces follow each other without a gap. `buffer` holds what has to be made.
     TriangleView piece(std::size_t surface, std::size_t piece, TriangleMesh& buffer) const;
@@ -47,6 +50,7 @@ private:
     void use_plant(Plant const& plant, MeshOptions const& options);
 
     std::optional<Mesh> made_;
+    std::string picture_png_;
     std::optional<Plant> grown_;
     Mesh const* mesh_ = nullptr;   // Either this one or
     Plant const* plant_ = nullptr; // this one, with its plan and organs.

@@ -138,7 +138,7 @@ Result<void> write_obj(std::ostream& out, std::span<PlacedMesh const> plants,
     ObjText text(out);
     for (auto const& placed : plants) {
         std::optional<Mesh> made;
-        text.add(placed, mesh_of(placed, made));
+        text.add(placed, mesh_of(placed.mesh, made));
         TRY(check(out));
     }
     return check(out);
@@ -150,7 +150,7 @@ Result<void> write_mtl(std::ostream& out, std::span<PlacedMesh const> plants)
     out << "# tractus\n";
     for (auto const& placed : plants) {
         std::optional<Mesh> made;
-        for (auto const& material : mesh_of(placed, made).materials) {
+        for (auto const& material : mesh_of(placed.mesh, made).materials) {
             auto const [name, is_new] = names.name_of(material);
             if (!is_new)
                 continue;

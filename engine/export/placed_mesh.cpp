@@ -13,18 +13,20 @@ static Mesh meshed(PlantToMesh const& source)
     return make_mesh(std::get<std::function<Plant()>>(source.plant)(), source.options);
 }
 
-Mesh const& mesh_of(PlacedMesh const& placed, std::optional<Mesh>& made)
+Mesh const& mesh_of(MeshSource const& source, std::optional<Mesh>& made)
 {
-    if (auto const* const given = std::get_if<Mesh const*>(&placed.mesh)) {
+    if (auto const* const given = std::get_if<Mesh const*>(&source)) {
         CHECK(*given);
         return **given;
     }
     if (made)
         return *made;
-    if (auto const* const make = std::get_if<std::function<Mesh()>>(&placed.mesh))
+    if (auto const* const make = std::get_if<std::function<Mesh()>>(&source))
         made = (*make)();
+    else if (auto const* const draw = std::get_if<std::function<Billboard()>>(&source))
+        made = billboard_mesh((*draw)());
     else
-        made = meshed(std::get<PlantToMesh>(placed.mesh));
+        made = meshed(std::get<PlantToMesh>(source));
     return *made;
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "engine/export/billboard.h"
 #include "engine/mesh/make_mesh.h"
 
 #include <functional>
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace tractus {
 
@@ -18,20 +20,33 @@ struct PlantToMesh {
     MeshOptions options {};
 };
 
+// Triangles, or how to make them when their turn comes. An exporter may call a function more than
+// once and needs the same plant or mesh each time.
+using MeshSource
+    = std::variant<Mesh const*, std::function<Mesh()>, PlantToMesh, std::function<Billboard()>>;
+
+// A plant as it is seen from afar.
+struct DetailLevel {
+    MeshSource mesh = static_cast<Mesh const*>(nullptr);
+    double least_coverage = 0; // As PlacedMesh::least_coverage; less than the level before.
+};
+
 // One plant of an exported file: a name, a place, and its triangles.
 struct PlacedMesh {
     std::string name = "plant";      // UTF-8; what is not becomes a replacement character.
     Vec3 position_mm = Vec3::Zero(); // Where the plant's origin stands, world frame.
     double rotation_rad = 0;         // About the world's +z, counter-clockwise from above.
 
-    // The triangles, or how to make them when their turn comes. An exporter may call a function
-    // more than once and needs the same plant or mesh each time.
-    std::variant<Mesh const*, std::function<Mesh()>, PlantToMesh> mesh
-        = static_cast<Mesh const*>(nullptr);
+    MeshSource mesh = static_cast<Mesh const*>(nullptr);
+
+    // What stands for the plant where it takes less of the screen's area than `least_coverage`, 0
+    // to 1, from the finest to the coarsest. Only .glb files have it.
+    std::vector<DetailLevel> details {};
+    double least_coverage = 0;
 };
 
-// The triangles of `placed`. Where they have to be made they are put into `made`, unless it has
-// them already.
-Mesh const& mesh_of(PlacedMesh const& placed, std::optional<Mesh>& made);
+// The triangles of `source`. Where they have to be made they are put into `made`, unless it has
+// them already. A billboard's come without its picture.
+Mesh const& mesh_of(MeshSource const& source, std::optional<Mesh>& made);
 
 } // namespace tractus

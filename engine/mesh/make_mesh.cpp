@@ -2,8 +2,10 @@
 
 #include "engine/base/parallel.h"
 #include "engine/mesh/mesh_plan.h"
+#include "engine/mesh/organ_card.h"
 #include "engine/mesh/organ_mesh.h"
 
+#include <utility>
 #include <vector>
 
 namespace tractus {
@@ -46,6 +48,18 @@ Mesh make_mesh(Plant const& plant, MeshOptions const& options)
     return mesh;
 }
 
+TriangleMesh make_prototype(Plant const& plant, OrganShapeId id, MeshOptions const& options)
+{
+    auto const& shape = plant.organ_shapes[id];
+    auto full = organ_mesh(shape, options.subdivision);
+    auto const kind = plant.materials[shape.material].kind;
+    bool const is_thin = kind == Material::Kind::Leaf || kind == Material::Kind::Petal;
+    if (options.organs == MeshOptions::Organs::Full || !is_thin || full.indices.empty())
+        return full;
+    auto card = organ_card(full);
+    return card && card->indices.size() < full.indices.size() ? std::move(*card) : std::move(full);
+}
+
 std::vector<InstancedMesh> make_organs(Plant const& plant, MeshOptions const& options)
 {
     std::vector<InstancedMesh> organs(plant.organ_shapes.size());
@@ -53,7 +67,7 @@ std::vector<InstancedMesh> make_organs(Plant const& plant, MeshOptions const& op
         organs[organ.shape].instances.push_back(transform_of(organ));
     for (std::size_t i = 0; i < organs.size(); ++i)
         if (!organs[i].instances.empty())
-            organs[i].prototype = organ_mesh(plant.organ_shapes[i], options.subdivision);
+            organs[i].prototype = make_prototype(plant, static_cast<OrganShapeId>(i), options);
     std::erase_if(organs,
                   [](InstancedMesh const& organ) { return organ.prototype.indices.empty(); });
     return organs;

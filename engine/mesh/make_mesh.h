@@ -27,6 +27,16 @@ struct MeshOptions {
     // without radius is a point in both cases.
     enum class Ends { Closed, Open };
     Ends ends = Ends::Closed;
+
+    // How a tube of few sides stands for a round one: with its corners on the circle, or wider, so
+    // that its sections have the circle's area and the tube its volume.
+    enum class Sections { OnCircle, SameArea };
+    Sections sections = Sections::OnCircle;
+
+    // Whether thin organs (of materials that are seen from both sides) are made as cards where that
+    // takes fewer triangles (organ_card.h).
+    enum class Organs { Full, Cards };
+    Organs organs = Organs::Full;
 };
 
 // The plant as triangles, in the plant's frame. Tubes come first in each surface, then polygons.
@@ -40,6 +50,10 @@ struct MeshOptions {
 //
 // Runs on all threads that oneTBB may use; the result is the same for any number of them.
 Mesh make_mesh(Plant const& plant, MeshOptions const& options = {});
+
+// One organ of scale 1, in its own frame.
+TriangleMesh make_prototype(Plant const& plant, OrganShapeId shape,
+                            MeshOptions const& options = {});
 
 // The organs alone: one prototype for each shape that has triangles and is used, and its copies.
 std::vector<InstancedMesh> make_organs(Plant const& plant, MeshOptions const& options = {});

@@ -56,6 +56,12 @@ int sides_for(std::vector<Spine::Node> const& nodes, MeshOptions const& options,
                       std::min(options.min_sides, options.max_sides), options.max_sides);
 }
 
+// Of a regular polygon with the area of a circle of radius 1: to its corners.
+double same_area_radius(int sides)
+{
+    return std::sqrt(2 * kPi / (sides * std::sin(2 * kPi / sides)));
+}
+
 // No value where the axis stands on the ground, or away from what it should stand on.
 std::optional<Bearer> find_bearer(Plant const& plant, Axis const& axis)
 {
@@ -276,6 +282,9 @@ void trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& option
         spine.stations.front().radius_mm
             = std::min(spine.stations.front().radius_mm, bearer->radius_mm);
 
+    if (options.sections == MeshOptions::Sections::SameArea)
+        for (auto& station : spine.stations)
+            station.radius_mm *= same_area_radius(spine.sides);
     auto& end = spine.stations.back();
     spine.tip = options.ends == MeshOptions::Ends::Closed ? Spine::Tip::Dome : Spine::Tip::Open;
     if (end.radius_mm > std::max(kLeastRadius_mm, kPointedShare * spine.nodes[0].radius_mm))

@@ -1,12 +1,12 @@
 #include "app/job.h"
 
 #include "app/model_file.h"
-#include "app/render/mesh_measures.h"
 #include "app/simulated_recording.h"
 #include "calib/rig_file.h"
 #include "drivers/file.h"
 #include "engine/export/glb_reader.h"
 #include "engine/mesh/make_mesh.h"
+#include "engine/mesh/mesh_measures.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>

@@ -110,6 +110,29 @@ TEST_F(Vary, ASheetShowsAtMostFortyEightPlants)
     EXPECT_EQ(read("again.png"), sheet);
 }
 
+TEST_F(Vary, PlantsHaveCoarserLevelsBesideThem)
+{
+    vary("small.l --count 3 --lods 3 -o far.glb");
+    auto const far = read("far.glb");
+    std::uint32_t json_bytes = 0;
+    std::memcpy(&json_bytes, &far.at(12), 4);
+    auto const json = nlohmann::json::parse(far.substr(20, json_bytes));
+    ASSERT_EQ(json["scenes"][0]["nodes"].size(), 3u);
+    for (auto const& root : json["scenes"][0]["nodes"]) {
+        auto const& plant = json["nodes"][root.get<std::size_t>()];
+        EXPECT_EQ(plant["extensions"]["MSFT_lod"]["ids"].size(), 3u);
+        EXPECT_EQ(plant["extras"]["MSFT_screencoverage"].size(), 4u);
+    }
+    // A picture of its own for each billboard, and one of bark.
+    EXPECT_EQ(json["images"].size(), 3u + 1);
+
+    vary("small.l --count 3 --lods 3 -o again.glb", "taskset -c 0");
+    EXPECT_EQ(read("again.glb"), far);
+    vary("small.l --count 3 --lods 1 -o folder"); // Drawn on the same thread all the time.
+    EXPECT_EQ(count_files("folder"), 4u);
+    EXPECT_EQ(run("tractus vary small.l --lods 7 -o x").exit_code, 2);
+}
+
 TEST_F(Vary, WrongUsageIsRefused)
 {
     for (auto const& [arguments, reason] :

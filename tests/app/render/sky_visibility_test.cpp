@@ -1,5 +1,5 @@
-#include "app/render/mesh_measures.h"
 #include "app/render/sky_visibility.h"
+#include "engine/mesh/mesh_measures.h"
 #include "tests/app/render/small_mesh.h"
 
 #include <gtest/gtest.h>

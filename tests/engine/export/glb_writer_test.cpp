@@ -133,6 +133,45 @@ TEST(GlbWriter, TriesAgainWhenLaterPlantsNeedMoreJsonThanTheFirst)
     EXPECT_EQ(json["meshes"].size(), 1 + 1 + 21u);
 }
 
+TEST(GlbWriter, CoarserLevelsStandBesideTheScene)
+{
+    auto const fine = make_mesh(sample_tree(1));
+    auto const coarse = make_mesh(single_axis(4, 10, 2));
+    PlacedMesh placed { .name = "tree",
+                        .position_mm = { 1000, 0, 0 },
+                        .mesh = &fine,
+                        .details = { { &coarse, 0.05 },
+                                     { std::function<Billboard()>([] {
+                                           return Billboard { "picture", { 0, 0, 500 }, 1000 };
+                                       }),
+                                       0 } },
+                        .least_coverage = 0.2 };
+    std::vector<PlacedMesh> const plants { placed, placed };
+    auto const json = json_of(glb_of(plants));
+    auto const& roots = json["scenes"][0]["nodes"];
+    ASSERT_EQ(roots.size(), 2u);
+    for (auto const& root : roots) {
+        auto const& node = json["nodes"][root.get<std::size_t>()];
+        EXPECT_EQ(node["name"], "tree");
+        EXPECT_EQ(node["extras"]["MSFT_screencoverage"], nlohmann::json({ 0.2, 0.05, 0.0 }));
+        auto const& levels = node["extensions"]["MSFT_lod"]["ids"];
+        ASSERT_EQ(levels.size(), 2u);
+        for (auto const& level : levels) { // Where the plant stands.
+            auto const& coarser = json["nodes"][level.get<std::size_t>()];
+            EXPECT_EQ(coarser["translation"], node["translation"]);
+        }
+        auto const& far = json["nodes"][levels[1].get<std::size_t>()];
+        EXPECT_EQ(far["name"], "tree level 2");
+        auto const& primitive = json["meshes"][far["mesh"].get<std::size_t>()]["primitives"][0];
+        EXPECT_EQ(json["accessors"][primitive["indices"].get<std::size_t>()]["count"],
+                  3 * 2 * kBillboardViews);
+        auto const& material = json["materials"][primitive["material"].get<std::size_t>()];
+        EXPECT_EQ(material["alphaMode"], "MASK");
+    }
+    EXPECT_EQ(json["extensionsUsed"].size(), 3u);
+    EXPECT_EQ(json["extensionsRequired"].size(), 1u); // Leaves are instanced.
+}
+
 TEST(GlbWriter, WritesANodePerOrganWhenAsked)
 {
     auto const plant = sample_tree(1);

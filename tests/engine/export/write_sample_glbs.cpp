@@ -1,6 +1,8 @@
 // Writes .glb files of every sort into a folder, for the validator. Run: write_sample_glbs FOLDER
 #include "drivers/file.h"
 #include "engine/export/glb_writer.h"
+#include "engine/export/texture.h"
+#include "engine/mesh/level_of_detail.h"
 #include "engine/mesh/make_mesh.h"
 #include "tests/engine/mesh/sample_plants.h"
 
@@ -55,6 +57,25 @@ Plant odd_plant()
     return plant;
 }
 
+// A tree with two coarser levels and a billboard.
+PlacedMesh with_details(Plant const& plant)
+{
+    PlacedMesh placed { .name = "far", .mesh = PlantToMesh { .plant = &plant } };
+    placed.rotation_rad = 1;
+    placed.least_coverage = 0.4;
+    for (double const share : { 0.5, 0.2 })
+        placed.details.push_back(
+            { PlantToMesh { .plant = [&plant, share] { return coarser_plant(plant, {}, share); },
+                            .options = coarser_options({}, share) },
+              0.4 * share });
+    placed.details.push_back(
+        { std::function<Billboard()>([] {
+              return Billboard { png_bytes(leaf_picture()), { 0, 0, 500 }, 1000 };
+          }),
+          0 });
+    return placed;
+}
+
 Result<void> write_samples(std::filesystem::path const& folder)
 {
     std::filesystem::create_directories(folder);
@@ -88,6 +109,10 @@ Result<void> write_samples(std::filesystem::path const& folder)
     TRY(write("nodes.glb", collection,
               { .instancing = Options::Instancing::Nodes, .textures = Options::Textures::None }));
     TRY(write("fine.glb", std::span(&fine, 1), {}));
+    auto const tree = sample_tree(5);
+    std::vector<PlacedMesh> const far { with_details(tree), with_details(odd) };
+    TRY(write("details.glb", far, {}));
+    TRY(write("details_quantized.glb", far, { .vertices = Options::Vertices::Quantized }));
     TRY(write("empty.glb", {}, {}));
     return {};
 }

@@ -1,4 +1,4 @@
-#include "app/render/mesh_measures.h"
+#include "engine/mesh/mesh_measures.h"
 
 namespace tractus {
 

@@ -11,7 +11,8 @@ namespace tractus {
 // what it shows to a side, about a quarter of its surface. The first four vertices are base, right,
 // tip and left of the first rhombus.
 //
-// No value for what does not lie along +y as our organs do (organ_shape.h), as others' may not.
-std::optional<TriangleMesh> far_organ(TriangleMesh const& prototype);
+// Its material is the prototype's. No value for what does not lie along +y as our organs do
+// (organ_shape.h), as others' may not.
+std::optional<TriangleMesh> organ_card(TriangleMesh const& prototype);
 
 } // namespace tractus

@@ -1,6 +1,6 @@
-#include "app/render/far_organ.h"
+#include "engine/mesh/organ_card.h"
 
-#include "app/render/mesh_measures.h"
+#include "engine/mesh/mesh_measures.h"
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ static void add_rhombus(TriangleMesh& mesh, Vec3f const& base, Vec3f const& tip,
         mesh.indices.push_back(first + corner);
 }
 
-std::optional<TriangleMesh> far_organ(TriangleMesh const& prototype)
+std::optional<TriangleMesh> organ_card(TriangleMesh const& prototype)
 {
     Vec3 const extent = bounds(prototype).max_mm - bounds(prototype).min_mm;
     if (!(extent.y() > 0.5 * extent.maxCoeff()))
@@ -33,6 +33,7 @@ std::optional<TriangleMesh> far_organ(TriangleMesh const& prototype)
     float const area = surface_area(prototype) * (closed ? 0.27f : 1.0f);
     float const half_width = area / std::max((tip - base).norm(), 1e-6f);
     TriangleMesh rhombus;
+    rhombus.material = prototype.material;
     add_rhombus(rhombus, base, tip, Vec3f(half_width, 0, 0));
     if (closed)
         add_rhombus(rhombus, base, tip, Vec3f(0, 0, half_width));
