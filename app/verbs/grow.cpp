@@ -10,7 +10,10 @@
 #include "engine/export/glb_writer.h"
 #include "engine/export/obj_writer.h"
 #include "engine/mesh/make_mesh.h"
+#include "engine/mesh/mesh_measures.h"
 #include "engine/scene/scene.h"
+#include "engine/variation/growth.h"
+#include "engine/variation/growth_preset.h"
 
 #include <filesystem>
 #include <fmt/core.h>
@@ -24,11 +27,12 @@ struct GrowArguments {
     ModelOptions model;
     ModelCost cost;
     std::filesystem::path output;
+    std::size_t frames = 0; // Of an animation; 0 for the plant alone.
 };
 
-// Answers the number of triangles.
+// Answers the number of triangles. `frame`: what a picture has to show; empty: the plant.
 Result<std::uint64_t> write_plant(Plant const& plant, std::string const& name,
-                                  std::filesystem::path const& path)
+                                  std::filesystem::path const& path, Bounds const& frame = {})
 {
     std::uint64_t triangles = 0;
     if (path.extension() == ".glb") { // Meshed while it is written: plants may be large.
@@ -43,13 +47,49 @@ Result<std::uint64_t> write_plant(Plant const& plant, std::string const& name,
     auto const mesh = make_mesh(plant);
     if (path.extension() == ".png") {
         auto pictures = TRY(PictureMaker::create());
-        auto const picture = pictures.plant(mesh, {});
+        auto const picture = pictures.plant(mesh, {}, frame);
         TRY(write_file(path, [&](std::ostream& out) { return write_png(out, picture); }));
     } else {
         PlacedMesh const placed { .name = name, .mesh = &mesh };
         TRY(write_file(path, [&](std::ostream& out) { return write_obj(out, { &placed, 1 }); }));
     }
     return mesh.triangle_count();
+}
+
+// tree.glb becomes tree-01.glb and so on.
+std::filesystem::path frame_path(std::filesystem::path const& output, std::size_t frame,
+                                 std::size_t frames)
+{
+    auto const name = fmt::format("{}-{:0{}}{}", output.stem().string(), frame,
+                                  std::to_string(frames).size(), output.extension().string());
+    return output.parent_path() / name;
+}
+
+// The plant at ages evenly apart, the last one full-grown: a file for each, since the number of
+// triangles grows with the plant.
+Result<void> write_animation(GrowArguments const& arguments, Scene scene, std::string const& name)
+{
+    if (scene.base->segment_count() == 0)
+        return fail(Fault::User, fmt::format("{}: the plant has no branch that could grow", name));
+    // As the model has it, and not as it might have grown.
+    auto const usual = TRY(growth_preset("usual"));
+    auto const growth = TRY(at_liking(usual, 0));
+    scene = TRY(apply_edit(scene, SetGrowth { growth, arguments.model.seed }));
+    auto const plan = TRY(plan_growth(scene));
+    Bounds frame;
+    if (arguments.output.extension() == ".png")
+        frame = bounds(make_mesh(*scene.base));
+    Grower grower(plan);
+    for (std::size_t i = 1; i <= arguments.frames; ++i) {
+        double const age = static_cast<double>(i) / static_cast<double>(arguments.frames);
+        auto const plant = without_unborn(grower.grow({}, age));
+        auto const path = frame_path(arguments.output, i, arguments.frames);
+        auto const triangles = TRY(write_plant(plant, name, path, frame));
+        TRY(print_out(fmt::format("{}: age {:.3f}, {} segments, {} organs, {} triangles\n",
+                                  path.string(), age, plant.segment_count(), plant.organs.size(),
+                                  triangles)));
+    }
+    return {};
 }
 
 Result<void> grow_model(GrowArguments const& arguments)
@@ -63,6 +103,8 @@ Result<void> grow_model(GrowArguments const& arguments)
     auto const scene = TRY(apply_edit({}, edit, load_options(arguments.cost)));
     for (auto const& warning : scene.model_warnings)
         print_error(fmt::format("warning: {}\n", warning));
+    if (arguments.frames > 0)
+        return write_animation(arguments, scene, path.stem().string());
     auto const triangles = TRY(write_plant(*scene.base, path.stem().string(), arguments.output));
     return print_out(fmt::format("{}: {} segments, {} organs, {} triangles\n",
                                  arguments.output.string(), scene.base->segment_count(),
@@ -83,6 +125,11 @@ void add_grow_verb(CLI::App& root, Action& action)
         ->type_name("FILE")
         ->check(name_ending_in({ ".glb", ".obj", ".png" }))
         ->required();
+    verb->add_option("--animation", arguments->frames,
+                     "Write the plant N times as it grows, from its youth to its full size: "
+                     "FILE-1 to FILE-N, as many digits as N has")
+        ->type_name("N")
+        ->check(whole_number(1, 10'000));
     verb->footer(
         "MODEL may also be a skeleton that another program has drawn as lines (.obj). The\n"
         "same model and seed always give the same file.");
