@@ -52,8 +52,11 @@ Result<LoadModel> load_model_edit(std::filesystem::path const& path)
 
 Result<Edit> load_plant_edit(std::filesystem::path const& path)
 {
-    if (path.extension() != ".obj")
-        return Edit { TRY(load_model_edit(path)) };
+    if (path.extension() != ".obj") {
+        // By way of a name: g++ 14 warns wrongly of what it would destroy otherwise.
+        LoadModel model = TRY(load_model_edit(path));
+        return model;
+    }
     constexpr std::size_t kMaxSkeletonSize = std::size_t { 512 } << 20;
     auto const text = TRY(read_file(path, kMaxSkeletonSize));
     auto const pieces = TRY(parse_obj_lines(path.string(), text));

@@ -4,8 +4,11 @@
 
 namespace tractus {
 
-BranchIndex::BranchIndex(Model const& model, ModuleString const& string)
+static constexpr auto kNoOpening = std::numeric_limits<std::int64_t>::max();
+
+BranchIndex::BranchIndex(Model const& model, ModuleString const& string, std::size_t long_branch)
     : string_(string)
+    , long_branch_(long_branch)
     , blocks_((string.size() + kBlock - 1) / kBlock)
     , floors_((blocks_.size() + kSuperblock - 1) / kSuperblock)
 {
@@ -21,12 +24,41 @@ BranchIndex::BranchIndex(Model const& model, ModuleString const& string)
     Block next;
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
         auto const own = blocks_[b];
-        blocks_[b] = { next.parameter, next.depth, next.depth + own.floor };
+        blocks_[b].parameter = next.parameter;
+        blocks_[b].depth = next.depth;
+        blocks_[b].floor += next.depth;
+        if (own.opening != kNoOpening)
+            blocks_[b].opening += next.depth;
         next.parameter += own.parameter;
         next.depth += own.depth;
         auto& floor = floors_[b / kSuperblock];
         floor = b % kSuperblock == 0 ? blocks_[b].floor : std::min(floor, blocks_[b].floor);
     }
+    parallel_for(blocks_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (auto b = begin; b < end; ++b)
+            blocks_[b].opens_long = may_open_long(b);
+    });
+}
+
+// A long branch is still open where the blocks behind it begin.
+bool BranchIndex::may_open_long(std::size_t block) const
+{
+    auto const opening = blocks_[block].opening;
+    auto const end = std::min(block + long_branch_ / kBlock, blocks_.size() - 1);
+    for (auto b = block + 1; b <= end; ++b)
+        if (blocks_[b].depth < opening)
+            return false;
+    return opening != kNoOpening;
+}
+
+std::size_t BranchIndex::next_opening(std::size_t module) const
+{
+    auto block = module / kBlock;
+    if (block < blocks_.size() && blocks_[block].opens_long)
+        return module;
+    while (block < blocks_.size() && !blocks_[block].opens_long)
+        ++block;
+    return std::min(block * kBlock, string_.size());
 }
 
 // How many parameters a block has, and how it changes the depth.
@@ -39,6 +71,8 @@ BranchIndex::Block BranchIndex::measure(std::size_t block) const
         result.parameter += step.parameters;
         result.depth += step.depth;
         result.floor = std::min(result.floor, result.depth);
+        if (step.depth > 0)
+            result.opening = std::min(result.opening, result.depth);
     }
     return result;
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace tractus {
@@ -16,19 +17,23 @@ namespace tractus {
 // does not end are passed over.
 class BranchIndex {
 public:
-    // All must outlive it.
-    BranchIndex(Model const& model, ModuleString const& string);
+    // Looks for branches of at least `long_branch` modules. All must outlive it.
+    BranchIndex(Model const& model, ModuleString const& string, std::size_t long_branch);
 
     struct End {
         std::size_t module = 0;    // The closing bracket, or the string's size when none closes it.
         std::size_t parameter = 0; // Where that module's parameters begin.
     };
 
-    // False if a branch of which `module`, at `depth`, is the first module surely ends before
-    // `length` modules: a quick look at few places. Depths count from the string's beginning.
-    bool may_reach(std::size_t module, std::int64_t depth, std::size_t length) const
+    // The first module from `module` on at which a long branch may begin; the string's size if
+    // there is none.
+    std::size_t next_opening(std::size_t module) const;
+
+    // False if a branch of which `module`, at `depth`, is the first module is surely not long: a
+    // quick look at few places. Depths count from the string's beginning.
+    bool may_be_long(std::size_t module, std::int64_t depth) const
     {
-        auto const end = std::min((module + length) / kBlock, blocks_.size() - 1);
+        auto const end = std::min((module + long_branch_) / kBlock, blocks_.size() - 1);
         for (auto block = module / kBlock + 1; block <= end; ++block)
             if (blocks_[block].depth < depth)
                 return false;
@@ -50,12 +55,17 @@ private:
         std::size_t parameter = 0; // Before its first module.
         std::int64_t depth = 0;    // The same.
         std::int64_t floor = 0;    // No depth in it is less.
+        // The least depth of a branch that begins in it; then whether it may be a long one.
+        std::int64_t opening = std::numeric_limits<std::int64_t>::max();
+        bool opens_long = false;
     };
 
     Block measure(std::size_t block) const;
+    bool may_open_long(std::size_t block) const;
     std::size_t first_block_below(std::size_t block, std::int64_t depth) const;
 
     ModuleString const& string_;
+    std::size_t long_branch_;
     std::array<Step, 256> steps_ {}; // By kind.
     std::vector<Block> blocks_;
     std::vector<std::int64_t> floors_; // Of superblocks.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <fmt/core.h>
 #include <optional>
 #include <set>
@@ -41,6 +42,7 @@ struct Job {
     ModuleString const& string;
     TurtleOptions const& options;
     bool is_expanded = false; // The homomorphism has been applied.
+    bool is_finite = false;   // All parameters of the string are.
     Branches branches {};     // Where homomorphism rules have contexts.
     Arena memory {};          // What pieces have drawn.
     std::atomic<std::size_t> drawn { 0 };
@@ -76,7 +78,7 @@ public:
     Machine const& machine() const { return machine_; }
 
 private:
-    void draw_single(std::size_t end);
+    void draw_plain(std::size_t end);
     std::size_t draw_one();
     bool leave_out(Piece& piece);
     void count();
@@ -114,7 +116,11 @@ void PieceTurtle::draw(Piece& piece)
     look_from_ = piece.begin;
     counted_parts_ = 0;
     while (at_ < piece.end) {
-        draw_single(at_ + std::min(piece.end - at_, kBatch));
+        if (index_ && at_ >= look_from_)
+            look_from_ = index_->next_opening(at_);
+        auto const end = at_ < look_from_ ? std::min(piece.end, look_from_) : piece.end;
+        if (job_.is_finite)
+            draw_plain(at_ + std::min(end - at_, kBatch));
         if (at_ == piece.end)
             break;
         if (index_ && opens_[string_.kinds[at_]] && at_ >= look_from_ && leave_out(piece))
@@ -139,12 +145,12 @@ void PieceTurtle::count()
     job_.parts += drawing_.part_count() - std::exchange(counted_parts_, drawing_.part_count());
 }
 
-// Draws modules that are a symbol each, up to `end` or the first that is not.
-void PieceTurtle::draw_single(std::size_t end)
+// Draws modules that need nothing but the turtle, up to `end` or the first that does.
+void PieceTurtle::draw_plain(std::size_t end)
 {
     auto const* parameters = string_.parameters.data() + parameter_;
-    auto const count = turtle_.draw_single(string_.kinds.span().subspan(at_, end - at_), parameters,
-                                           at_, at_ < look_from_ ? has_rules_ : stops_);
+    auto const count = turtle_.draw_plain(string_.kinds.span().subspan(at_, end - at_), parameters,
+                                          at_, at_ < look_from_ ? has_rules_ : stops_);
     at_ += count;
     drawn_ += count;
     parameter_ = static_cast<std::size_t>(parameters - string_.parameters.data());
@@ -177,10 +183,14 @@ std::size_t PieceTurtle::draw_one()
 bool PieceTurtle::leave_out(Piece& piece)
 {
     auto const long_branch = job_.options.long_branch;
-    if (piece.end - at_ < 2 * long_branch || !turtle_.may_leave_out())
+    if (piece.end - at_ < 2 * long_branch) {
+        look_from_ = piece.end;
+        return false;
+    }
+    if (!turtle_.may_leave_out())
         return false;
     auto const depth = piece.depth + static_cast<std::int64_t>(turtle_.depth()) + 1;
-    if (!index_->may_reach(at_ + 1, depth, long_branch))
+    if (!index_->may_be_long(at_ + 1, depth))
         return false;
     auto const end = index_->find_end(at_ + 1);
     if (end.module - at_ < long_branch || end.module >= piece.end
@@ -203,8 +213,7 @@ bool PieceTurtle::leave_out(Piece& piece)
     return true;
 }
 
-// Whether pieces may be drawn in any order: no rule of the homomorphism has
-// effects.
+// Whether pieces may be drawn in any order: no rule of the homomorphism has effects.
 bool is_divisible(Model const& model)
 {
     auto const& rules = model.homomorphism.rules;
@@ -212,6 +221,22 @@ bool is_divisible(Model const& model)
         return has_effects(rule.condition) || has_effects(rule.successor_program)
             || has_effects(rule.probability);
     });
+}
+
+bool is_finite(ModuleString const& string)
+{
+    std::atomic<bool> result = true;
+    parallel_for(string.parameters.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
+        constexpr std::uint32_t kExponent = 0x7F80'0000; // All set: not finite.
+        std::uint32_t bad = 0;
+        for (auto i = begin; i < end; ++i) {
+            auto const bits = std::bit_cast<std::uint32_t>(string.parameters[i]);
+            bad |= static_cast<std::uint32_t>((bits & kExponent) == kExponent);
+        }
+        if (bad != 0)
+            result = false;
+    });
+    return result;
 }
 
 Piece whole(Job const& job)
@@ -230,7 +255,7 @@ std::optional<std::vector<Piece>> draw_in_pieces(Job& job)
     if (job.string.size() < 4 * job.options.long_branch || !is_divisible(job.model)
         || !job.model.subsystems.empty() || uses_patches(job.model))
         return std::nullopt;
-    BranchIndex const index(job.model, job.string);
+    BranchIndex const index(job.model, job.string, job.options.long_branch);
     std::vector<Piece> pieces { whole(job) };
     for (std::size_t first = 0; first < pieces.size();) {
         auto const end = pieces.size();
@@ -303,6 +328,7 @@ Result<TurtlePlant> draw_string(Job& job)
     if (std::any_of(model.homomorphism.rules.begin(), model.homomorphism.rules.end(),
                     [](Rule const& rule) { return !rule.left.empty() || !rule.right.empty(); }))
         find_branches(model, job.string, job.branches);
+    job.is_finite = is_finite(job.string);
     auto in_pieces = draw_in_pieces(job);
     auto pieces = in_pieces ? std::move(*in_pieces) : TRY(draw_at_once(job));
     TurtlePlant result;

@@ -21,12 +21,11 @@ static bool has_symbol(Model const& model, std::string_view symbols)
 bool uses_turtle_extras(Model const& model)
 {
     return !model.view.tropisms.empty() || (has_symbol(model, "@") && has_symbol(model, "TG"))
-        || std::find(model.alphabet.kinds.begin(), model.alphabet.kinds.end(),
-                     ModuleKind { '{', 1 })
-        != model.alphabet.kinds.end()
-        || std::find(model.alphabet.kinds.begin(), model.alphabet.kinds.end(),
-                     ModuleKind { '{', 2 })
-        != model.alphabet.kinds.end();
+        || std::any_of(model.alphabet.kinds.begin(), model.alphabet.kinds.end(),
+                       [](ModuleKind const& kind) {
+                           return kind.symbol == '{'
+                               && (kind.parameter_count == 1 || kind.parameter_count == 2);
+                       });
 }
 
 bool uses_patches(Model const& model)
@@ -100,24 +99,45 @@ Turtle::Start Turtle::branch_start() const
     return start;
 }
 
-std::size_t Turtle::draw_single(std::span<KindId const> kinds, float const*& parameters,
-                                std::size_t place, std::array<bool, 256> const& stops)
+std::size_t Turtle::draw_plain(std::span<KindId const> kinds, float const*& parameters,
+                               std::size_t place, std::array<bool, 256> const& stops)
 {
     Symbol symbol;
     std::size_t i = 0;
-    for (; i < kinds.size(); ++i) {
+    while (i < kinds.size()) {
         auto const kind = kinds[i];
-        if (stops[kind] || !is_single_[kind])
+        if (stops[kind])
             break;
-        symbol.name[0] = symbols_[kind];
-        symbol.parameters = parameters;
+        std::size_t length = 1;
+        symbol.name = { symbols_[kind] };
         symbol.count = parameter_counts_[kind];
+        if (!is_single_[kind]) {
+            length = name_at_symbol(kinds.subspan(i), symbol);
+            if (length == 0)
+                break;
+        }
+        symbol.parameters = parameters;
         parameters += symbol.count;
         place_ = place + i;
-        if (check(symbol))
-            draw_symbol(symbol);
+        i += length;
+        draw_symbol(symbol);
     }
     return i;
+}
+
+// How many modules the @-symbol at the beginning has; 0 if there is none, it is a cut, or it may go
+// on behind them.
+std::size_t Turtle::name_at_symbol(std::span<KindId const> kinds, Symbol& symbol) const
+{
+    if (symbols_[kinds[0]] != '@' || kinds.size() < symbol.name.size())
+        return 0;
+    auto const length = symbol_length(model_.alphabet, kinds);
+    if (length == 1 || symbols_[kinds[1]] == 'm')
+        return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        symbol.name[i] = symbols_[kinds[i]];
+    symbol.count = parameter_counts_[kinds[length - 1]];
+    return length;
 }
 
 std::size_t Turtle::draw(Modules const& modules, std::size_t place, bool in_homomorphism)

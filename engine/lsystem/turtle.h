@@ -58,11 +58,12 @@ public:
     // From here on draws into `drawing`, beginning as given.
     void begin(Start const& start, Drawing& drawing);
 
-    // Draws modules that are a symbol each and no cut, up to the first that is not or for which
-    // `stops` is true. The first stands at `place` in the string (for warnings). Returns how many
-    // were drawn and moves `parameters` behind theirs.
-    std::size_t draw_single(std::span<KindId const> kinds, float const*& parameters,
-                            std::size_t place, std::array<bool, 256> const& stops);
+    // Draws modules up to the first for which `stops` is true, that is not a symbol of its own or
+    // of the @-symbols, or that is a cut. All their parameters are finite. The first stands at
+    // `place` in the string (for warnings). Returns how many were drawn and moves `parameters`
+    // behind theirs.
+    std::size_t draw_plain(std::span<KindId const> kinds, float const*& parameters,
+                           std::size_t place, std::array<bool, 256> const& stops);
 
     // Draws the first symbol of `modules`; returns how many modules it had.
     std::size_t draw(Modules const& modules, std::size_t place, bool in_homomorphism);
@@ -118,6 +119,7 @@ private:
     };
 
     bool check(Symbol const& symbol);
+    std::size_t name_at_symbol(std::span<KindId const> kinds, Symbol& symbol) const;
     void draw_symbol(Symbol const& symbol);
     void draw_at_symbol(Symbol const& symbol);
     void step(Symbol const& symbol, bool draws, bool sets_vertex);

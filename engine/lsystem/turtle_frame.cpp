@@ -14,12 +14,13 @@ void TurtleFrame::straighten()
 
 void TurtleFrame::roll_horizontal()
 {
-    Vec3 const level = Vec3::UnitZ().cross(heading);
-    double const length = level.norm();
+    // The vertical's cross product with the heading; the left has no height, which spares half.
+    double const length = std::sqrt(heading.x() * heading.x() + heading.y() * heading.y());
     if (length < 1e-9)
         return;
-    left = level / length;
-    down = left.cross(heading);
+    left = { -heading.y() / length, heading.x() / length, 0 };
+    down = { left.y() * heading.z(), -left.x() * heading.z(),
+             left.x() * heading.y() - left.y() * heading.x() };
 }
 
 bool TurtleFrame::head_along(Vec3 const& new_heading)
