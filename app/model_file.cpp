@@ -59,8 +59,7 @@ Result<Edit> load_plant_edit(std::filesystem::path const& path)
     }
     constexpr std::size_t kMaxSkeletonSize = std::size_t { 512 } << 20;
     auto const text = TRY(read_file(path, kMaxSkeletonSize));
-    auto const pieces = TRY(parse_obj_lines(path.string(), text));
-    return Edit { LoadSkeleton { path.string(), TRY(plant_from_lines(path.string(), pieces)) } };
+    return Edit { LoadSkeleton { path.string(), TRY(parse_obj_lines(path.string(), text)) } };
 }
 
 Result<Model> load_model(std::filesystem::path const& path)

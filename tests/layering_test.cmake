@@ -12,10 +12,11 @@ set(engine/export    engine/base engine/stroke engine/plant engine/lsystem engin
 set(drivers          engine/base)
 set(calib            engine/base engine/stroke drivers)
 set(sim              engine/base engine/stroke drivers calib)
+set(app/session      engine)
 set(app              engine drivers calib sim)
 
 set(layers engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh
-           engine/scene engine/export drivers calib sim app)
+           engine/scene engine/export drivers calib sim app/session app)
 
 foreach(layer IN LISTS layers)
     set(allowed ${layer} ${${layer}})

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/lsystem/model.h"
-#include "engine/plant/plant.h"
+#include "engine/plant/skeleton_lines.h"
 #include "engine/stroke/stroke.h"
 #include "engine/variation/association.h"
 #include "engine/variation/growth.h"
@@ -38,10 +38,10 @@ struct LoadModel {
     Drawn drawn = Drawn::Forget;
 };
 
-// Takes a base plant as it is: the skeleton of another program's plant.
+// Takes a base plant from the lines that another program drew of it (skeleton_lines.h).
 struct LoadSkeleton {
     std::string name {};
-    Plant plant {};
+    std::vector<SkeletonPiece> lines {};
     Drawn drawn = Drawn::Forget;
 };
 

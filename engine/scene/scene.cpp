@@ -79,7 +79,8 @@ Result<Scene> applied(Scene const& scene, LoadModel const& edit, LoadOptions con
 
 Result<Scene> applied(Scene const& scene, LoadSkeleton const& edit)
 {
-    return with_plant(scene, edit.name, edit.plant, edit.drawn);
+    auto plant = TRY(plant_from_lines(edit.name, edit.lines));
+    return with_plant(scene, edit.name, std::move(plant), edit.drawn);
 }
 
 Result<Scene> applied(Scene scene, Select const& edit)
@@ -231,7 +232,7 @@ std::vector<std::size_t> selected_associations(Scene const& scene)
     return numbers;
 }
 
-Result<Scene> apply_edit(Scene const& scene, Edit const& edit, LoadOptions const& options)
+Result<Scene> apply_edit(Scene scene, Edit const& edit, LoadOptions const& options)
 {
     if (auto const* const model = std::get_if<LoadModel>(&edit))
         return applied(scene, *model, options);
@@ -240,7 +241,7 @@ Result<Scene> apply_edit(Scene const& scene, Edit const& edit, LoadOptions const
             if constexpr (std::is_same_v<Kind, LoadModel>)
                 CHECK(false);
             else
-                return applied(scene, kind);
+                return applied(std::move(scene), kind);
         },
         edit);
 }
@@ -249,7 +250,7 @@ Result<Scene> fold(std::span<Edit const> edits)
 {
     Scene scene;
     for (auto const& edit : edits)
-        scene = TRY(apply_edit(scene, edit));
+        scene = TRY(apply_edit(std::move(scene), edit));
     return scene;
 }
 

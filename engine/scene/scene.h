@@ -47,10 +47,10 @@ struct LoadOptions {
     std::function<void(std::string_view text)> print {}; // What the model prints; nowhere without.
 };
 
-// The scene after one more edit. Fails, and the scene stays as it was, for a model that does not
-// compile or derive, or not within its limits, a stroke that has no shape, an association when
-// nothing is selected, or a number that nothing has.
-Result<Scene> apply_edit(Scene const& scene, Edit const& edit, LoadOptions const& options = {});
+// The scene after one more edit. Fails for a model that does not compile or derive, or not within
+// its limits, lines that are no skeleton, a stroke that has no shape, an association when nothing
+// is selected, or a number that nothing has. By value: a scene that is moved in is not copied.
+Result<Scene> apply_edit(Scene scene, Edit const& edit, LoadOptions const& options = {});
 
 // The scene that all edits amount to, beginning with an empty one.
 Result<Scene> fold(std::span<Edit const> edits);

@@ -4,17 +4,19 @@
 
 namespace tractus {
 
-// The scene of a model with a trunk of six internodes, a branch of four and a branch of two.
+// A model with a trunk of six internodes, a branch of four and a branch of two.
+inline LoadModel small_model()
+{
+    return { .source = { .name = "small.l",
+                         .text = "Lsystem: 1\nderivation length: 1\n"
+                                 "Axiom: F(10)F(10)[+(60)F(8)F(8)]"
+                                 "F(10)[-(60)F(8)F(8)F(8)F(8)]F(10)F(10)F(10)\n"
+                                 "A --> A\nendlsystem\n" } };
+}
+
 inline Scene small_scene()
 {
-    return apply_edit(
-               {},
-               LoadModel { .source = { .name = "small.l",
-                                       .text = "Lsystem: 1\nderivation length: 1\n"
-                                               "Axiom: F(10)F(10)[+(60)F(8)F(8)]"
-                                               "F(10)[-(60)F(8)F(8)F(8)F(8)]F(10)F(10)F(10)\n"
-                                               "A --> A\nendlsystem\n" } })
-        .value();
+    return apply_edit({}, small_model()).value();
 }
 
 // A stroke through the given places, ten tips from each to the next, 5 ms apart.

@@ -169,9 +169,8 @@ TEST(DrawnEdits, ASkeletonOfAnotherProgramIsAPlantLikeAnother)
     std::vector<SkeletonPiece> const pieces { { { 0, 0, 0 }, { 0, 0, 100 } },
                                               { { 0, 0, 100 }, { 0, 0, 200 } },
                                               { { 0, 0, 100 }, { 60, 0, 140 } } };
-    auto const scene
-        = after({ LoadSkeleton { "tree.obj", plant_from_lines("tree.obj", pieces).value() },
-                  Select { { { 0, 1 } } }, Associate { stroke_to({ 80, 0, 0 }) } });
+    auto const scene = after({ LoadSkeleton { "tree.obj", pieces }, Select { { { 0, 1 } } },
+                               Associate { stroke_to({ 80, 0, 0 }) } });
     EXPECT_EQ(scene.model_name, "tree.obj");
     EXPECT_GT(plant_of(scene).node_position_mm[2].x(), 20);
 }

@@ -1,0 +1,345 @@
+#include "app/session/edit_fields.h"
+
+#include <bit>
+#include <cmath>
+#include <fmt/core.h>
+#include <limits>
+
+namespace tractus {
+
+namespace {
+
+constexpr char const* kBytes = "bytes";
+constexpr std::size_t kTipSize = 5 * 8 + 1;
+constexpr std::size_t kLineSize = 6 * 8;
+
+// A tip's flags.
+constexpr int kTouching = 1;
+constexpr int kEraser = 2;
+constexpr int kExtrapolated = 4;
+constexpr int kOutside = 8;
+constexpr int kAllFlags = 15;
+
+// Whether JSON can hold the text as it is: UTF-8 without overlong forms and surrogates.
+bool is_utf8(std::string const& text)
+{
+    auto const without_others = Json(text).dump(-1, ' ', false, Json::error_handler_t::ignore);
+    return Json::parse(without_others, nullptr, false) == text;
+}
+
+std::string utf8_of_bytes(std::string const& bytes)
+{
+    std::string text;
+    for (char const signed_byte : bytes) {
+        auto const byte = static_cast<unsigned char>(signed_byte);
+        if (byte < 0x80) {
+            text += signed_byte;
+        } else {
+            text += static_cast<char>(0xc0 | (byte >> 6));
+            text += static_cast<char>(0x80 | (byte & 0x3f));
+        }
+    }
+    return text;
+}
+
+// No value for characters that stand for no byte.
+std::optional<std::string> bytes_of_utf8(std::string const& text)
+{
+    std::string bytes;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        auto const first = static_cast<unsigned char>(text[i]);
+        if (first < 0x80) {
+            bytes += text[i];
+        } else if (first == 0xc2 || first == 0xc3) {
+            auto const second = static_cast<unsigned char>(text[++i]); // JSON's texts are UTF-8.
+            bytes += static_cast<char>((first << 6) | (second & 0x3f));
+        } else {
+            return std::nullopt;
+        }
+    }
+    return bytes;
+}
+
+void put(std::string& bytes, std::uint64_t value)
+{
+    for (int shift = 0; shift < 64; shift += 8)
+        bytes += static_cast<char>(value >> shift);
+}
+
+void put(std::string& bytes, double value)
+{
+    put(bytes, std::bit_cast<std::uint64_t>(value));
+}
+
+void put(std::string& bytes, Vec3 const& value)
+{
+    for (int i = 0; i < 3; ++i)
+        put(bytes, value[i]);
+}
+
+// Reads what put() wrote; there must be enough.
+class NumberReader {
+public:
+    explicit NumberReader(std::string_view bytes)
+        : bytes_(bytes)
+    {
+    }
+
+    bool at_end() const { return at_ == bytes_.size(); }
+    std::uint8_t u8() { return static_cast<std::uint8_t>(bytes_[at_++]); }
+    std::uint64_t u64()
+    {
+        std::uint64_t value = 0;
+        for (int shift = 0; shift < 64; shift += 8)
+            value |= std::uint64_t { u8() } << shift;
+        return value;
+    }
+    double f64() { return std::bit_cast<double>(u64()); }
+    Vec3 vec3()
+    {
+        double const x = f64();
+        double const y = f64();
+        return { x, y, f64() };
+    }
+
+private:
+    std::string_view bytes_;
+    std::size_t at_ = 0;
+};
+
+template<typename T> bool read_whole(Json const& json, T& value)
+{
+    if (json.is_number_unsigned()) {
+        auto const number = json.get<std::uint64_t>();
+        value = static_cast<T>(number);
+        return number <= static_cast<std::uint64_t>(std::numeric_limits<T>::max());
+    }
+    if (!std::is_signed_v<T> || !json.is_number_integer())
+        return false;
+    auto const number = json.get<std::int64_t>();
+    value = static_cast<T>(number);
+    return number >= static_cast<std::int64_t>(std::numeric_limits<T>::min())
+        && number <= static_cast<std::int64_t>(std::numeric_limits<T>::max());
+}
+
+} // namespace
+
+Json written(bool value)
+{
+    return value;
+}
+
+Json written(int value)
+{
+    return value;
+}
+
+Json written(std::uint32_t value)
+{
+    return value;
+}
+
+Json written(std::uint64_t value)
+{
+    return value;
+}
+
+Json written(double value)
+{
+    if (std::isfinite(value))
+        return value;
+    return fmt::format("{:016x}", std::bit_cast<std::uint64_t>(value));
+}
+
+Json written(std::string const& value)
+{
+    if (is_utf8(value))
+        return value;
+    return { { kBytes, utf8_of_bytes(value) } };
+}
+
+Json written(Vec3 const& value)
+{
+    return Json::array({ written(value.x()), written(value.y()), written(value.z()) });
+}
+
+Json written(std::map<std::string, std::string> const& texts)
+{
+    auto list = Json::array(); // Not an object: names may be no UTF-8.
+    for (auto const& [name, text] : texts)
+        list.push_back({ { "name", written(name) }, { "text", written(text) } });
+    return list;
+}
+
+bool read(Json const& json, bool& value)
+{
+    if (json.is_boolean())
+        value = json.get<bool>();
+    return json.is_boolean();
+}
+
+bool read(Json const& json, int& value)
+{
+    return read_whole(json, value);
+}
+
+bool read(Json const& json, std::uint32_t& value)
+{
+    return read_whole(json, value);
+}
+
+bool read(Json const& json, std::uint64_t& value)
+{
+    return read_whole(json, value);
+}
+
+bool read(Json const& json, double& value)
+{
+    if (json.is_number()) {
+        value = json.get<double>();
+        return true;
+    }
+    if (!json.is_string())
+        return false;
+    auto const& digits = json.get_ref<std::string const&>();
+    if (digits.size() != 16 || digits.find_first_not_of("0123456789abcdef") != std::string::npos)
+        return false;
+    value = std::bit_cast<double>(std::uint64_t { std::stoull(digits, nullptr, 16) });
+    return true;
+}
+
+bool read(Json const& json, std::string& value)
+{
+    if (json.is_string()) {
+        value = json.get<std::string>();
+        return true;
+    }
+    if (!json.is_object() || json.size() != 1 || !json.contains(kBytes)
+        || !json[kBytes].is_string())
+        return false;
+    auto bytes = bytes_of_utf8(json[kBytes].get<std::string>());
+    if (bytes)
+        value = *std::move(bytes);
+    return bytes.has_value();
+}
+
+bool read(Json const& json, Vec3& value)
+{
+    if (!json.is_array() || json.size() != 3)
+        return false;
+    return read(json[0], value.x()) && read(json[1], value.y()) && read(json[2], value.z());
+}
+
+bool read(Json const& json, std::map<std::string, std::string>& texts)
+{
+    texts.clear();
+    if (!json.is_array())
+        return false;
+    for (auto const& entry : json) {
+        std::string name;
+        std::string text;
+        if (!entry.is_object() || entry.size() != 2 || !entry.contains("name")
+            || !entry.contains("text") || !read(entry["name"], name) || !read(entry["text"], text))
+            return false;
+        texts[name] = text;
+    }
+    return true;
+}
+
+std::string written_tips(Stroke const& stroke)
+{
+    std::string bytes;
+    bytes.reserve(kTipSize * stroke.tips.size());
+    for (auto const& tip : stroke.tips) {
+        put(bytes, static_cast<std::uint64_t>(tip.time.time_since_epoch().count()));
+        put(bytes, tip.position_mm);
+        put(bytes, tip.pressure);
+        bool const is_extrapolated = tip.height == TipSample::Height::Extrapolated;
+        bytes += static_cast<char>((tip.touching ? kTouching : 0) | (tip.eraser ? kEraser : 0)
+                                   | (is_extrapolated ? kExtrapolated : 0)
+                                   | (tip.outside_calibration ? kOutside : 0));
+    }
+    return bytes;
+}
+
+std::string written_lines(std::vector<SkeletonPiece> const& lines)
+{
+    std::string bytes;
+    bytes.reserve(kLineSize * lines.size());
+    for (auto const& line : lines) {
+        put(bytes, line.from_mm);
+        put(bytes, line.to_mm);
+    }
+    return bytes;
+}
+
+bool read_tips(std::string_view bytes, Stroke& stroke)
+{
+    stroke.tips.clear();
+    if (bytes.size() % kTipSize != 0)
+        return false;
+    for (NumberReader in(bytes); !in.at_end();) {
+        auto& tip = stroke.tips.emplace_back();
+        tip.time = timestamp_ns(static_cast<std::int64_t>(in.u64()));
+        tip.position_mm = in.vec3();
+        tip.pressure = in.f64();
+        int const flags = in.u8();
+        if (flags > kAllFlags)
+            return false;
+        tip.touching = (flags & kTouching) != 0;
+        tip.eraser = (flags & kEraser) != 0;
+        if ((flags & kExtrapolated) != 0)
+            tip.height = TipSample::Height::Extrapolated;
+        tip.outside_calibration = (flags & kOutside) != 0;
+    }
+    return true;
+}
+
+bool read_lines(std::string_view bytes, std::vector<SkeletonPiece>& lines)
+{
+    lines.clear();
+    if (bytes.size() % kLineSize != 0)
+        return false;
+    for (NumberReader in(bytes); !in.at_end();) {
+        auto const from_mm = in.vec3();
+        lines.push_back({ from_mm, in.vec3() });
+    }
+    return true;
+}
+
+Json const* FieldReader::find(char const* name)
+{
+    known_.insert(name);
+    auto const found = json_.find(name);
+    return found == json_.end() ? nullptr : &*found;
+}
+
+void FieldReader::take_numbers(bool were_read)
+{
+    if (!were_read)
+        complain_of("numbers");
+    numbers_ = {};
+}
+
+void FieldReader::complain_of(std::string const& name)
+{
+    if (complaint_.empty())
+        complaint_ = fmt::format("its field \"{}\" does not have the form of one", name);
+}
+
+Result<void> FieldReader::finish() const
+{
+    if (!complaint_.empty())
+        return fail(Fault::User, complaint_);
+    if (!numbers_.empty())
+        return fail(Fault::User, "it has numbers, and should have none");
+    for (auto const& [name, value] : json_.items())
+        if (!known_.contains(name))
+            return fail(Fault::User,
+                        fmt::format("its field \"{}\" is unknown to this tractus: a newer one has "
+                                    "written it",
+                                    name));
+    return {};
+}
+
+} // namespace tractus

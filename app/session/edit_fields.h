@@ -1,0 +1,150 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/scene/edit.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tractus {
+
+// How the parts of an edit stand in JSON; see EditRecord. Keys keep their order.
+using Json = nlohmann::ordered_json;
+
+Json written(bool value);
+Json written(int value);
+Json written(std::uint32_t value);
+Json written(std::uint64_t value);
+Json written(double value);
+Json written(std::string const& value);
+Json written(Vec3 const& value);
+Json written(std::map<std::string, std::string> const& texts);
+
+template<typename T> Json written(std::optional<T> const& value)
+{
+    return value ? written(*value) : Json();
+}
+
+template<typename T> Json written(std::vector<T> const& values)
+{
+    auto list = Json::array();
+    for (auto const& value : values)
+        list.push_back(written(value));
+    return list;
+}
+
+// The way back: false for what has another form or does not fit.
+bool read(Json const& json, bool& value);
+bool read(Json const& json, int& value);
+bool read(Json const& json, std::uint32_t& value);
+bool read(Json const& json, std::uint64_t& value);
+bool read(Json const& json, double& value);
+bool read(Json const& json, std::string& value);
+bool read(Json const& json, Vec3& value);
+bool read(Json const& json, std::map<std::string, std::string>& texts);
+
+template<typename T> bool read(Json const& json, std::optional<T>& value)
+{
+    value.reset();
+    return json.is_null() || read(json, value.emplace());
+}
+
+template<typename T> bool read(Json const& json, std::vector<T>& values)
+{
+    values.clear();
+    if (!json.is_array())
+        return false;
+    for (auto const& element : json)
+        if (!read(element, values.emplace_back()))
+            return false;
+    return true;
+}
+
+// Bulk numbers; see EditRecord::numbers.
+std::string written_tips(Stroke const& stroke);
+std::string written_lines(std::vector<SkeletonPiece> const& lines);
+bool read_tips(std::string_view bytes, Stroke& stroke);
+bool read_lines(std::string_view bytes, std::vector<SkeletonPiece>& lines);
+
+// Writes fields one after the other. The same calls on a FieldReader read them.
+class FieldWriter {
+public:
+    template<typename T> void field(char const* name, T const& value)
+    {
+        json_[name] = written(value);
+    }
+
+    // An enumeration as one of these words, in its own order.
+    template<typename Enum, std::size_t N>
+    void word(char const* name, Enum value, std::array<char const*, N> const& words)
+    {
+        json_[name] = words[static_cast<std::size_t>(value)];
+    }
+
+    void numbers(Stroke const& stroke) { numbers_ = written_tips(stroke); }
+    void numbers(std::vector<SkeletonPiece> const& lines) { numbers_ = written_lines(lines); }
+
+    std::string json() const { return json_.dump(); }
+    std::string take_numbers() { return std::move(numbers_); }
+
+private:
+    Json json_ = Json::object();
+    std::string numbers_;
+};
+
+class FieldReader {
+public:
+    // Both must outlive the reader.
+    FieldReader(Json const& json, std::string_view numbers)
+        : json_(json)
+        , numbers_(numbers)
+    {
+    }
+
+    template<typename T> void field(char const* name, T& value)
+    {
+        if (auto const* const json = find(name); json && !read(*json, value))
+            complain_of(name);
+    }
+
+    template<typename Enum, std::size_t N>
+    void word(char const* name, Enum& value, std::array<char const*, N> const& words)
+    {
+        std::string text;
+        field(name, text);
+        for (std::size_t i = 0; i < N; ++i)
+            if (text == words[i]) {
+                value = static_cast<Enum>(i);
+                return;
+            }
+        if (json_.contains(name))
+            complain_of(name);
+    }
+
+    void numbers(Stroke& stroke) { take_numbers(read_tips(numbers_, stroke)); }
+    void numbers(std::vector<SkeletonPiece>& lines) { take_numbers(read_lines(numbers_, lines)); }
+
+    // Fails if anything had another form, or is left over. Call it last.
+    Result<void> finish() const;
+
+private:
+    Json const* find(char const* name);
+    void take_numbers(bool were_read);
+    void complain_of(std::string const& name);
+
+    Json const& json_;
+    std::string_view numbers_;
+    std::set<std::string> known_;
+    std::string complaint_; // The first.
+};
+
+} // namespace tractus

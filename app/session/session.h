@@ -1,0 +1,55 @@
+#pragma once
+
+#include "app/session/session_file.h"
+#include "app/session/session_history.h"
+#include "engine/base/result.h"
+#include "engine/scene/scene.h"
+
+#include <filesystem>
+#include <span>
+
+namespace tractus {
+
+// What somebody draws, kept in a file (session_file.h) as it is drawn. When a call here returns
+// what it did is on the disk, whatever becomes of the program or the machine; when it fails nothing
+// has changed. One program at a time draws in a session; others may read it meanwhile.
+class Session {
+public:
+    // Begins a session in a new file, which appears whole. `edits` are what it begins with, at
+    // least one, usually loading a plant; undo ends there. Fails, as the user's fault, if the file
+    // is there already or cannot be written, and where an edit fails.
+    static Result<Session> create(std::filesystem::path const& path, SessionOrigin const& origin,
+                                  std::span<Edit const> edits, MakeLoadOptions load_options);
+
+    // Goes on with a session. Fails like read_session(), and if another program draws in it or it
+    // may not be written.
+    static Result<Session> open(std::filesystem::path const& path, MakeLoadOptions load_options);
+
+    std::filesystem::path const& path() const { return path_; }
+    Scene const& scene() const { return history_.scene(); }
+    SessionContents const& contents() const { return history_.contents(); }
+
+    // Makes edits that belong together, such as those of a stroke, the next step. What was undone
+    // cannot be redone any more. No edits are no step.
+    Result<void> append(std::span<Edit const> edits);
+
+    // Take the last step back, or do the next one again. Without limit, but for the beginning.
+    bool can_undo() const { return history_.step() > 0; }
+    bool can_redo() const { return history_.step() < contents().last_step(); }
+    Result<void> undo();
+    Result<void> redo();
+
+private:
+    Session(std::filesystem::path path, Database database, SessionHistory history);
+
+    // In one transaction. Afterwards the next one is begun, which is what keeps others from
+    // writing.
+    Result<void> commit(std::function<Result<void>()> const& write);
+    Result<void> go_to(std::size_t step);
+
+    std::filesystem::path path_;
+    Database database_;
+    SessionHistory history_;
+};
+
+} // namespace tractus

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "app/session/database.h"
+#include "engine/base/result.h"
+#include "engine/scene/edit.h"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// A session's file (.tractus): SQLite 3 with two tables, to be looked at with its shell.
+//
+//   edits  number   1, 2, …: the edits in the order in which they were made
+//          step     what undo takes back at once; 0: what the session began with
+//          kind, fields, numbers  an EditRecord
+//   meta   key, value: "plant", "program", "created" (Unix seconds), and "step", the last that
+//          counts: later ones are undone.
+//
+// The file's application_id is "TRAC", its user_version the format's version.
+constexpr std::int64_t kSessionFormat = 1;
+
+// Where a session comes from.
+struct SessionOrigin {
+    std::string plant {};                // The name of the model that it began with.
+    std::string program {};              // The version of tractus that began it.
+    std::chrono::sys_seconds created {}; // By the clock on the wall.
+};
+
+struct SessionEdit {
+    std::size_t step = 0; // Those of one step stand together, and no step is without.
+    Edit edit {};
+};
+
+// All that a session's file holds.
+struct SessionContents {
+    SessionOrigin origin {};
+    std::vector<SessionEdit> edits {}; // At least one.
+    std::size_t step = 0;              // The last that counts.
+
+    std::size_t last_step() const { return edits.back().step; }
+};
+
+// Reads a session and changes nothing; another program may be drawing in it. Fails, as the user's
+// fault, in a sentence, for what is no session, is damaged, or is newer than this program.
+Result<SessionContents> read_session(std::filesystem::path const& path);
+
+// The same from a database that is open.
+Result<SessionContents> read_session(Database const& database, std::string const& name);
+
+// The tables, what a session begins with as step 0, and its origin, in one transaction.
+Result<void> write_beginning(Database const& database, SessionOrigin const& origin,
+                             std::span<Edit const> edits);
+
+// Puts edits in the place of all steps from `step` on, which becomes the last that counts. Inside
+// of a transaction.
+Result<void> write_step(Database const& database, std::size_t step, std::span<Edit const> edits);
+
+// The last step that counts. Inside of a transaction.
+Result<void> write_cursor(Database const& database, std::size_t step);
+
+} // namespace tractus

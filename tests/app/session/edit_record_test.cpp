@@ -1,0 +1,98 @@
+#include "app/session/edit_record.h"
+
+#include "tests/app/session/random_edits.h"
+#include "tests/app/session/same_edit.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace tractus {
+namespace {
+
+std::string refusal(EditRecord const& record)
+{
+    auto const edit = edit_of(record);
+    return edit ? "" : edit.error().message;
+}
+
+RC_GTEST_PROP(EditRecord, GivesEveryEditBackBitForBit, ())
+{
+    auto const edit = random_edit();
+    auto const read = edit_of(record_of(edit));
+    RC_ASSERT(read.has_value());
+    RC_ASSERT(same(*read, edit));
+}
+
+RC_GTEST_PROP(EditRecord, TakesAnyBytesWithoutHarm, ())
+{
+    auto record = record_of(random_edit());
+    for (int i = *rc::gen::inRange(1, 4); i > 0; --i) {
+        auto& part = *rc::gen::arbitrary<bool>() ? record.fields : record.numbers;
+        if (!part.empty())
+            part[*rc::gen::inRange<std::size_t>(0, part.size())] = *rc::gen::arbitrary<char>();
+    }
+    auto const read = edit_of(record);
+    if (!read)
+        RC_ASSERT(!read.error().message.empty());
+}
+
+// What an engineer finds in the file, and what files of today must stay readable by.
+TEST(EditRecord, IsReadableByEyeAndStaysAsItIs)
+{
+    auto const select = record_of(Select { { { 0, 1 }, { 7 } } });
+    EXPECT_EQ(select.kind, "select");
+    EXPECT_EQ(select.fields, R"({"paths":[[0,1],[7]]})");
+    EXPECT_EQ(select.numbers, "");
+    EXPECT_EQ(
+        record_of(Indicate { { .start_mm = { 0, 0.1, -0.0 }, .end_mm = { 1, 2, 3 } } }).fields,
+        R"({"start_mm":[0.0,0.1,-0.0],"end_mm":[1.0,2.0,3.0],"kind":"push","below":[],)"
+        R"("reach_mm":null,"is_orphaned":false})");
+    auto const drawn = record_of(
+        Associate { { { { .time = timestamp_ns(258), .touching = true } } }, Propagation::Both });
+    EXPECT_EQ(drawn.fields, R"({"propagation":"both","fit":"start","kept_hand":1.0})");
+    std::string numbers(41, '\0');
+    numbers[0] = 2;
+    numbers[1] = 1;
+    numbers[40] = 1;
+    EXPECT_EQ(drawn.numbers, numbers);
+    EXPECT_EQ(record_of(LoadModel { .source = { .name = "\xff.l" } }).fields.substr(0, 24),
+              "{\"name\":{\"bytes\":\"\xc3\xbf.l\"}");
+}
+
+TEST(EditRecord, FieldsThatAreMissingAreAsTheyAreByDefault)
+{
+    auto const edit = edit_of({ "load_model", R"({"name":"a.l","text":"x"})", "" });
+    ASSERT_TRUE(edit) << edit.error().message;
+    EXPECT_TRUE(same(*edit, LoadModel { .source = { .name = "a.l", .text = "x" } }));
+}
+
+TEST(EditRecord, RefusesWhatItDoesNotKnow)
+{
+    EXPECT_EQ(refusal({ "graft", "{}", "" }),
+              "its kind \"graft\" is unknown to this tractus: a newer one has written it");
+    EXPECT_EQ(refusal({ "delete_indicator", R"({"number":0,"why":1})", "" }),
+              "its field \"why\" is unknown to this tractus: a newer one has written it");
+}
+
+TEST(EditRecord, RefusesWhatHasAnotherForm)
+{
+    EXPECT_EQ(refusal({ "select", "{", "" }), "its fields are not JSON");
+    EXPECT_EQ(refusal({ "select", "[]", "" }), "its fields are not JSON");
+    EXPECT_EQ(refusal({ "select", R"({"paths":[[-1]]})", "" }),
+              "its field \"paths\" does not have the form of one");
+    for (char const* const fields :
+         { R"({"fit":"loosely"})", R"({"fit":0})", R"({"kept_hand":"1"})",
+           R"({"kept_hand":"7ff000000000000g"})", R"({"kept_hand":null})" })
+        EXPECT_NE(refusal({ "associate", fields, "" }), "") << fields;
+    for (char const* const fields :
+         { R"({"seed":-1})", R"({"seed":1.5})", R"({"steps":3000000000})",
+           R"({"name":{"bytes":3}})", R"({"name":{"bytes":"Ā"}})",
+           R"({"includes":[{"name":"a"}]})" })
+        EXPECT_NE(refusal({ "load_model", fields, "" }), "") << fields;
+    EXPECT_NE(refusal({ "associate", "{}", std::string(40, '\0') }), "");
+    EXPECT_NE(refusal({ "associate", "{}", std::string(40, '\0') + '\x10' }), "");
+    EXPECT_EQ(refusal({ "select", "{}", "x" }), "it has numbers, and should have none");
+}
+
+} // namespace
+} // namespace tractus

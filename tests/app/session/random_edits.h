@@ -1,0 +1,138 @@
+#pragma once
+
+#include "engine/scene/edit.h"
+
+#include <bit>
+#include <cstdint>
+#include <rapidcheck.h>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// Any double there is, also those that are not finite.
+inline double random_double()
+{
+    if (*rc::gen::arbitrary<bool>())
+        return *rc::gen::arbitrary<double>();
+    return std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
+}
+
+inline Vec3 random_vec3()
+{
+    double const x = random_double();
+    double const y = random_double();
+    return { x, y, random_double() };
+}
+
+// Any bytes: texts of models and names of files need not be UTF-8.
+inline std::string random_bytes()
+{
+    return *rc::gen::arbitrary<std::string>();
+}
+
+template<typename Enum> Enum random_enum(int count)
+{
+    return static_cast<Enum>(*rc::gen::inRange(0, count));
+}
+
+inline Stroke random_stroke()
+{
+    Stroke stroke;
+    stroke.tips.resize(*rc::gen::inRange<std::size_t>(0, 6));
+    for (auto& tip : stroke.tips) {
+        tip.time = timestamp_ns(*rc::gen::arbitrary<std::int64_t>());
+        tip.position_mm = random_vec3();
+        tip.pressure = random_double();
+        tip.touching = *rc::gen::arbitrary<bool>();
+        tip.eraser = *rc::gen::arbitrary<bool>();
+        tip.height = random_enum<TipSample::Height>(2);
+        tip.outside_calibration = *rc::gen::arbitrary<bool>();
+    }
+    return stroke;
+}
+
+inline MotionIndicator random_indicator()
+{
+    MotionIndicator indicator;
+    indicator.start_mm = random_vec3();
+    indicator.end_mm = random_vec3();
+    indicator.kind = random_enum<MotionIndicator::Kind>(2);
+    indicator.below = *rc::gen::arbitrary<std::vector<SegmentId>>();
+    if (*rc::gen::arbitrary<bool>())
+        indicator.reach_mm = random_double();
+    indicator.is_orphaned = *rc::gen::arbitrary<bool>();
+    return indicator;
+}
+
+inline GrowthParameters random_growth()
+{
+    GrowthParameters growth;
+    growth.steps = random_enum<GrowthParameters::Steps>(2);
+    for (auto* const value :
+         { &growth.steps_per_axis, &growth.strength, &growth.gain, &growth.noise_rad,
+           &growth.noise_memory, &growth.indicator_gain, &growth.circumnutation_rad,
+           &growth.circumnutation_period_steps, &growth.maturation_bending,
+           &growth.maturation_straightening, &growth.sag })
+        *value = random_double();
+    growth.delay_steps = *rc::gen::arbitrary<int>();
+    growth.growth_zone_steps = *rc::gen::arbitrary<int>();
+    growth.prevailing = random_vec3();
+    return growth;
+}
+
+inline LoadModel random_model()
+{
+    LoadModel edit;
+    edit.source = { random_bytes(), random_bytes(), random_bytes(), random_bytes() };
+    edit.includes = *rc::gen::arbitrary<std::map<std::string, std::string>>();
+    if (*rc::gen::arbitrary<bool>())
+        edit.steps = *rc::gen::arbitrary<int>();
+    edit.seed = *rc::gen::arbitrary<std::uint64_t>();
+    edit.drawn = random_enum<Drawn>(2);
+    return edit;
+}
+
+inline LoadSkeleton random_skeleton()
+{
+    LoadSkeleton edit;
+    edit.name = random_bytes();
+    edit.lines.resize(*rc::gen::inRange<std::size_t>(0, 5));
+    for (auto& line : edit.lines)
+        line = { random_vec3(), random_vec3() };
+    edit.drawn = random_enum<Drawn>(2);
+    return edit;
+}
+
+// An edit of any kind with any values, whether or not a scene takes it.
+inline Edit random_edit()
+{
+    auto const numbers = [] { return *rc::gen::arbitrary<std::vector<std::size_t>>(); };
+    switch (*rc::gen::inRange<std::size_t>(0, std::variant_size_v<Edit>)) {
+    case 0:
+        return random_model();
+    case 1:
+        return random_skeleton();
+    case 2:
+        return Select { *rc::gen::arbitrary<Selection>() };
+    case 3:
+        return Associate { random_stroke(), random_enum<Propagation>(3), random_enum<StrokeFit>(3),
+                           random_double() };
+    case 4:
+        return Oversketch { numbers(), random_stroke() };
+    case 5:
+        return SmoothStroke { numbers(), random_double() };
+    case 6:
+        return DeleteStroke { numbers() };
+    case 7:
+        return Indicate { random_indicator() };
+    case 8:
+        return ChangeIndicator { *rc::gen::arbitrary<std::size_t>(), random_indicator() };
+    case 9:
+        return DeleteIndicator { *rc::gen::arbitrary<std::size_t>() };
+    default:
+        return SetGrowth { random_growth(), *rc::gen::arbitrary<std::uint64_t>() };
+    }
+}
+
+} // namespace tractus

@@ -1,0 +1,143 @@
+#pragma once
+
+#include "engine/scene/edit.h"
+
+#include <bit>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// Whether two edits are the same in every bit: numbers that are not numbers, too.
+
+inline bool same(double one, double other)
+{
+    return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);
+}
+
+inline bool same(Vec3 const& one, Vec3 const& other)
+{
+    return same(one.x(), other.x()) && same(one.y(), other.y()) && same(one.z(), other.z());
+}
+
+inline bool same(Stroke const& one, Stroke const& other)
+{
+    if (one.tips.size() != other.tips.size())
+        return false;
+    for (std::size_t i = 0; i < one.tips.size(); ++i) {
+        auto const& a = one.tips[i];
+        auto const& b = other.tips[i];
+        if (a.time != b.time || !same(a.position_mm, b.position_mm) || !same(a.pressure, b.pressure)
+            || a.touching != b.touching || a.eraser != b.eraser || a.height != b.height
+            || a.outside_calibration != b.outside_calibration)
+            return false;
+    }
+    return true;
+}
+
+inline bool same(MotionIndicator const& one, MotionIndicator const& other)
+{
+    return same(one.start_mm, other.start_mm) && same(one.end_mm, other.end_mm)
+        && one.kind == other.kind && one.below == other.below
+        && one.reach_mm.has_value() == other.reach_mm.has_value()
+        && same(one.reach_mm.value_or(0), other.reach_mm.value_or(0))
+        && one.is_orphaned == other.is_orphaned;
+}
+
+inline bool same(GrowthParameters const& one, GrowthParameters const& other)
+{
+    auto const values = [](GrowthParameters const& growth) {
+        std::vector<std::uint64_t> bits;
+        for (double const value :
+             { growth.steps_per_axis, growth.strength, growth.gain, growth.noise_rad,
+               growth.noise_memory, growth.indicator_gain, growth.circumnutation_rad,
+               growth.circumnutation_period_steps, growth.maturation_bending,
+               growth.maturation_straightening, growth.sag })
+            bits.push_back(std::bit_cast<std::uint64_t>(value));
+        return bits;
+    };
+    return values(one) == values(other) && one.steps == other.steps
+        && one.delay_steps == other.delay_steps && one.growth_zone_steps == other.growth_zone_steps
+        && same(one.prevailing, other.prevailing);
+}
+
+inline bool same(LoadModel const& one, LoadModel const& other)
+{
+    return one.source.name == other.source.name && one.source.text == other.source.text
+        && one.source.view_name == other.source.view_name
+        && one.source.view_text == other.source.view_text && one.includes == other.includes
+        && one.steps == other.steps && one.seed == other.seed && one.drawn == other.drawn;
+}
+
+inline bool same(LoadSkeleton const& one, LoadSkeleton const& other)
+{
+    if (one.name != other.name || one.drawn != other.drawn
+        || one.lines.size() != other.lines.size())
+        return false;
+    for (std::size_t i = 0; i < one.lines.size(); ++i)
+        if (!same(one.lines[i].from_mm, other.lines[i].from_mm)
+            || !same(one.lines[i].to_mm, other.lines[i].to_mm))
+            return false;
+    return true;
+}
+
+inline bool same(Select const& one, Select const& other)
+{
+    return one.paths == other.paths;
+}
+
+inline bool same(Associate const& one, Associate const& other)
+{
+    return same(one.stroke, other.stroke) && one.propagation == other.propagation
+        && one.fit == other.fit && same(one.kept_hand, other.kept_hand);
+}
+
+inline bool same(Oversketch const& one, Oversketch const& other)
+{
+    return one.associations == other.associations && same(one.over, other.over);
+}
+
+inline bool same(SmoothStroke const& one, SmoothStroke const& other)
+{
+    return one.associations == other.associations && same(one.kept_hand, other.kept_hand);
+}
+
+inline bool same(DeleteStroke const& one, DeleteStroke const& other)
+{
+    return one.associations == other.associations;
+}
+
+inline bool same(Indicate const& one, Indicate const& other)
+{
+    return same(one.indicator, other.indicator);
+}
+
+inline bool same(ChangeIndicator const& one, ChangeIndicator const& other)
+{
+    return one.number == other.number && same(one.indicator, other.indicator);
+}
+
+inline bool same(DeleteIndicator const& one, DeleteIndicator const& other)
+{
+    return one.number == other.number;
+}
+
+inline bool same(SetGrowth const& one, SetGrowth const& other)
+{
+    return same(one.parameters, other.parameters) && one.seed == other.seed;
+}
+
+inline bool same(Edit const& one, Edit const& other)
+{
+    return one.index() == other.index()
+        && std::visit(
+               [&](auto const& kind) {
+                   return same(kind, std::get<std::decay_t<decltype(kind)>>(other));
+               },
+               one);
+}
+
+} // namespace tractus

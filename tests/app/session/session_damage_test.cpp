@@ -1,0 +1,123 @@
+#include "tests/app/session/small_session.h"
+
+#include <cstdlib>
+#include <random>
+
+namespace tractus {
+namespace {
+
+// Files that are no good session: each is refused in a sentence, or is one after all.
+class SessionDamage : public SessionFolder {
+protected:
+    void SetUp() override
+    {
+        SessionFolder::SetUp();
+        auto session = create().value();
+        for (int i = 0; i < 3; ++i)
+            ASSERT_TRUE(session.append(drawing_step(i)));
+    }
+
+    // Changes a copy of the session from within.
+    void change(std::string const& name, std::string const& sql) const
+    {
+        std::filesystem::copy_file(path(), path(name));
+        auto const database = Database::open(path(name), Database::Access::Write).value();
+        ASSERT_TRUE(database.execute(sql)) << sql;
+    }
+
+    // Such a copy's refusal, without the file's name.
+    std::string refusal_after(std::string const& sql) const
+    {
+        change("changed", sql);
+        auto const sentence = refusal("changed");
+        std::filesystem::remove(path("changed"));
+        EXPECT_EQ(sentence.find(path("changed").string()), 0u) << sentence;
+        return sentence.substr(std::min(sentence.size(), path("changed").string().size()));
+    }
+};
+
+TEST_F(SessionDamage, WhatIsNoSession)
+{
+    write_bytes("empty", "");
+    write_bytes("text", std::string(5000, 'x'));
+    change("other", "PRAGMA application_id = 7");
+    for (std::string const name : { "empty", "text", "other" })
+        EXPECT_EQ(refusal(name), path(name).string() + " is not a session of tractus");
+    EXPECT_EQ(refusal("missing"),
+              "cannot open " + path("missing").string() + ": there is no such file");
+    EXPECT_NE(refusal("."), "");
+}
+
+TEST_F(SessionDamage, ASessionOfANewerProgram)
+{
+    EXPECT_EQ(refusal_after("PRAGMA user_version = 1000"),
+              " was written by a newer tractus (format 1000, and this one knows up to "
+                  + std::to_string(kSessionFormat) + "): open it with that one");
+}
+
+TEST_F(SessionDamage, AnEditThatANewerProgramMade)
+{
+    EXPECT_EQ(refusal_after("UPDATE edits SET kind = 'graft' WHERE number = 4"),
+              ": edit 4 cannot be read: its kind \"graft\" is unknown to this tractus: a newer one "
+              "has written it");
+}
+
+TEST_F(SessionDamage, WhatDoesNotFitTogether)
+{
+    EXPECT_EQ(refusal_after("DELETE FROM edits WHERE number = 3"),
+              " is damaged (edit 3 is missing): take a copy of it that is not");
+    EXPECT_EQ(refusal_after("DELETE FROM edits"),
+              " is damaged (edit 1 is missing): take a copy of it that is not");
+    EXPECT_NE(refusal_after("UPDATE edits SET step = step + 1").find("edit 1 is missing"),
+              std::string::npos);
+    EXPECT_NE(refusal_after("UPDATE meta SET value = 9 WHERE key = 'step'").find("is damaged"),
+              std::string::npos);
+    EXPECT_NE(refusal_after("DELETE FROM meta").find("is damaged"), std::string::npos);
+    EXPECT_NE(refusal_after("DROP TABLE edits").find("is damaged"), std::string::npos);
+    EXPECT_NE(refusal_after("PRAGMA user_version = 0").find("is damaged"), std::string::npos);
+}
+
+TEST_F(SessionDamage, ThatIsCutOff)
+{
+    auto const whole = read_bytes();
+    for (std::size_t part = 1; part < 8; ++part) {
+        write_bytes("cut", whole.substr(0, whole.size() * part / 8));
+        EXPECT_NE(refusal("cut"), "") << part;
+    }
+}
+
+// Whatever is read has all of its edits, each as it was.
+TEST_F(SessionDamage, RandomBytesNeverHarm)
+{
+    auto const whole = read_bytes();
+    auto const contents = read_session(path()).value();
+    std::mt19937 random(1);
+    int refused = 0;
+    for (int i = 0; i < 400; ++i) {
+        auto bytes = whole;
+        for (int flips = 1 + i % 3; flips > 0; --flips)
+            bytes[random() % bytes.size()] ^= static_cast<char>(1u << (random() % 8));
+        write_bytes("flipped", bytes);
+        auto const read = read_session(path("flipped"));
+        auto const opened = open("flipped");
+        if (read)
+            EXPECT_EQ(read->edits.size(), contents.edits.size());
+        else
+            EXPECT_NE(read.error().message, "");
+        refused += !opened;
+    }
+    EXPECT_GT(refused, 40);
+}
+
+TEST_F(SessionDamage, AFileThatMayNotBeWrittenCanBeRead)
+{
+    if (::geteuid() == 0)
+        GTEST_SKIP() << "root may write everywhere";
+    std::filesystem::permissions(path(), std::filesystem::perms::owner_read);
+    EXPECT_TRUE(read_session(path()));
+    EXPECT_NE(open().error().message.find("may not be written"), std::string::npos)
+        << open().error().message;
+}
+
+} // namespace
+} // namespace tractus

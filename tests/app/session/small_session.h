@@ -1,0 +1,116 @@
+#pragma once
+
+#include "app/session/session.h"
+#include "tests/app/session/same_edit.h"
+#include "tests/app/small_model.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace tractus {
+
+inline LoadOptions unlimited()
+{
+    return {};
+}
+
+inline std::vector<Edit> const& beginning()
+{
+    static std::vector<Edit> const edits { small_model(), SetGrowth {} };
+    return edits;
+}
+
+// Chooses the trunk and shapes it towards a place of its own.
+inline std::vector<Edit> drawing_step(int number)
+{
+    return { Select { { { 0, 1, 2 } } },
+             Associate { stroke_through({ { 0, 0, 0 }, { 10.1 * number, 5, 100 } }) } };
+}
+
+inline bool same_scene(Scene const& one, Scene const& other)
+{
+    bool equal = one.model_name == other.model_name
+        && one.base->node_position_mm == other.base->node_position_mm
+        && one.selection == other.selection && one.growth_seed == other.growth_seed
+        && same(one.growth, other.growth) && one.associations.size() == other.associations.size()
+        && one.indicators.size() == other.indicators.size();
+    for (std::size_t i = 0; equal && i < one.associations.size(); ++i) {
+        auto const& a = one.associations[i];
+        auto const& b = other.associations[i];
+        equal = a.path == b.path && same(a.stroke, b.stroke) && a.propagation == b.propagation
+            && a.fit == b.fit && same(a.kept_hand, b.kept_hand) && a.is_orphaned == b.is_orphaned;
+    }
+    for (std::size_t i = 0; equal && i < one.indicators.size(); ++i)
+        equal = same(one.indicators[i], other.indicators[i]);
+    return equal;
+}
+
+// A folder of its own for sessions.
+class SessionFolder : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+    }
+
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    std::filesystem::path path(std::string const& name = "a.tractus") const
+    {
+        return folder_ / name;
+    }
+
+    Result<Session> create(std::string const& name = "a.tractus") const
+    {
+        return Session::create(path(name), { .plant = "small.l", .program = "1.2.3" }, beginning(),
+                               unlimited);
+    }
+
+    Result<Session> open(std::string const& name = "a.tractus") const
+    {
+        return Session::open(path(name), unlimited);
+    }
+
+    std::string read_bytes(std::string const& name = "a.tractus") const
+    {
+        std::ifstream in(path(name), std::ios::binary);
+        return { std::istreambuf_iterator<char>(in), {} };
+    }
+
+    void write_bytes(std::string const& name, std::string const& bytes) const
+    {
+        std::ofstream(path(name), std::ios::binary) << bytes;
+    }
+
+    // Why a session cannot be opened, neither to read nor to write.
+    std::string refusal(std::string const& name) const
+    {
+        auto const read = read_session(path(name));
+        auto const opened = open(name);
+        EXPECT_FALSE(read);
+        EXPECT_FALSE(opened);
+        if (read || opened)
+            return "";
+        EXPECT_EQ(read.error().message, opened.error().message);
+        EXPECT_EQ(read.error().fault, Fault::User);
+        return read.error().message;
+    }
+
+    std::size_t file_count() const
+    {
+        auto const entries = std::filesystem::directory_iterator(folder_);
+        return static_cast<std::size_t>(std::distance(begin(entries), end(entries)));
+    }
+
+private:
+    std::filesystem::path folder_ = std::filesystem::temp_directory_path()
+        / ("tractus_session_" + std::to_string(::getpid()));
+};
+
+} // namespace tractus
