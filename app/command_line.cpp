@@ -15,6 +15,7 @@
 #include "app/verbs/record.h"
 #include "app/verbs/render.h"
 #include "app/verbs/replay.h"
+#include "app/verbs/session.h"
 #include "app/verbs/sim.h"
 #include "app/verbs/vary.h"
 #include "app/verbs/verb.h"
@@ -65,6 +66,7 @@ static void add_verbs(CLI::App& root, Action& action)
     add_demo_verb(root, action);
     add_window_verb(root, action);
     add_replay_verb(root, action);
+    add_session_verb(root, action);
     add_vary_verb(root, action);
     add_grow_verb(root, action);
     add_render_verb(root, action);

@@ -4,6 +4,7 @@
 #include "app/model_cost.h"
 #include "app/model_file.h"
 #include "app/paced_log.h"
+#include "app/session_plant.h"
 #include "app/stroke_file.h"
 #include "calib/rig_file.h"
 #include "drivers/log.h"
@@ -34,17 +35,6 @@ void note_heights(FuserCounts const& counts, std::vector<std::string>& notes)
                                     counts.pens_without_height, counts.pens));
 }
 
-// All of it, at a multiple of the hand's pace or at once.
-void play(LogReplay& replay, std::optional<double> const& speed)
-{
-    constexpr Duration kStep = std::chrono::milliseconds(10);
-    if (!speed)
-        return replay.run();
-    auto const pace = pace_from_now(replay.begin(), *speed);
-    while (replay.advance_to(pace.data_time(pace.now())))
-        pace.wait(kStep);
-}
-
 class DrawingReader {
 public:
     DrawingReader(DrawingOptions const& options, Progress& progress, DrawingReport& report)
@@ -60,6 +50,8 @@ public:
 private:
     Result<Drawing> read_strokes(Scene scene);
     Result<Station> replay(Scene scene);
+    Result<void> play(LogReplay& replay) const;
+    Result<void> tell(DrawnStroke const& drawn) const;
     void note_replay(Station const& station);
 
     DrawingOptions const& options_;
@@ -88,10 +80,35 @@ Result<Drawing> DrawingReader::read_strokes(Scene scene)
         }
         drawing.strokes.push_back(
             draw(std::move(stroke), { .kind = Tool::Kind::DrawInOrder }, drawing.scene));
+        TRY(tell(drawing.strokes.back()));
     }
     report_.log = options_.log.string();
     report_.strokes = drawing.strokes.size();
     return drawing;
+}
+
+Result<void> DrawingReader::tell(DrawnStroke const& drawn) const
+{
+    return options_.on_stroke ? options_.on_stroke(drawn) : Result<void>();
+}
+
+// All of it, at a multiple of the hand's pace or at once.
+Result<void> DrawingReader::play(LogReplay& replay) const
+{
+    constexpr Duration kStep = std::chrono::milliseconds(10);
+    auto const pace = pace_from_now(replay.begin(), options_.speed.value_or(1));
+    auto const& strokes = replay.station().strokes();
+    std::size_t told = 0;
+    for (bool goes_on = true; goes_on;) {
+        auto const time = options_.speed ? pace.data_time(pace.now()) : Timestamp::max();
+        bool const is_stroke_end = replay.advance_to_stroke(time);
+        for (; told < strokes.size(); ++told)
+            TRY(tell(strokes[told]));
+        goes_on = !replay.is_over();
+        if (goes_on && !is_stroke_end)
+            pace.wait(kStep);
+    }
+    return {};
 }
 
 Result<Station> DrawingReader::replay(Scene scene)
@@ -110,7 +127,7 @@ Result<Station> DrawingReader::replay(Scene scene)
     if (options_.height)
         replay_options.height = TRY(parse_height_scenario(*options_.height));
     auto replay = TRY(LogReplay::create(log, std::move(replay_options)));
-    play(replay, options_.speed);
+    TRY(play(replay));
     auto const& counts = replay.station().counts();
     if (counts.pen_samples == 0 && counts.broken_reports > 0)
         return fail(Fault::Device,
@@ -157,18 +174,42 @@ void DrawingReader::note_drawing(Drawing const& drawing)
 
 } // namespace
 
-Result<Scene> load_growing_plant(std::filesystem::path const& model, GrowthOptions const& growth,
-                                 std::uint64_t seed)
+Result<std::vector<Edit>> growing_plant_edits(std::filesystem::path const& model,
+                                              GrowthOptions const& growth, std::uint64_t seed)
 {
-    auto const edit = TRY(load_plant_edit(model));
-    auto scene = TRY(apply_edit({}, edit, load_options()));
+    std::vector<Edit> edits;
+    std::optional<GrowthParameters> own;
+    if (is_session_file(model)) {
+        edits = TRY(session_edits(model));
+        for (auto const& edit : edits)
+            if (auto const* const set = std::get_if<SetGrowth>(&edit))
+                own = set->parameters;
+    } else {
+        edits.push_back(TRY(load_plant_edit(model)));
+    }
+    if (!own || growth.preset != GrowthOptions {}.preset)
+        own = TRY(growth_preset(growth.preset));
+    edits.push_back(SetGrowth { TRY(at_liking(*own, growth.liking)), seed });
+    return edits;
+}
+
+Result<Scene> growing_plant(std::filesystem::path const& model, std::vector<Edit> const& edits)
+{
+    Scene scene;
+    for (auto const& edit : edits)
+        scene = TRY(apply_edit(std::move(scene), edit, load_options()));
     if (scene.base->segment_count() == 0)
         return fail(Fault::User,
                     fmt::format("{}: the plant has no branch that a stroke could shape: its "
                                 "derivation draws nothing",
                                 model.string()));
-    auto const preset = TRY(growth_preset(growth.preset));
-    return apply_edit(scene, SetGrowth { TRY(at_liking(preset, growth.liking)), seed });
+    return scene;
+}
+
+Result<Scene> load_growing_plant(std::filesystem::path const& model, GrowthOptions const& growth,
+                                 std::uint64_t seed)
+{
+    return growing_plant(model, TRY(growing_plant_edits(model, growth, seed)));
 }
 
 Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene, Progress& progress,

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +21,16 @@ struct GrowthOptions {
     double liking = 1;            // See at_liking().
 };
 
-// The scene of a model (load_plant_edit) that nothing was drawn on. Fails, as the user's fault, for
-// what is no model, a plant without branches, or a growth that does not exist.
+// What loads a plant to be drawn on and says how it grows: a model (load_plant_edit), or a session
+// with all that was drawn in it. The preset that GrowthOptions has by default leaves a session its
+// own growth. Fails, as the user's fault, for what is neither, or a growth that does not exist.
+Result<std::vector<Edit>> growing_plant_edits(std::filesystem::path const& model,
+                                              GrowthOptions const& growth, std::uint64_t seed);
+
+// The scene that such edits give. Fails, as the user's fault, for a plant without branches.
+Result<Scene> growing_plant(std::filesystem::path const& model, std::vector<Edit> const& edits);
+
+// Both.
 Result<Scene> load_growing_plant(std::filesystem::path const& model, GrowthOptions const& growth,
                                  std::uint64_t seed);
 
@@ -33,6 +42,9 @@ struct DrawingOptions {
     std::optional<std::filesystem::path> rig {}; // A calibration in place of the log's own.
     std::optional<std::string> height {};        // A height scenario in place of the height sensor.
     std::optional<double> speed {}; // Times the pace of the hand; no value: as fast as it is read.
+
+    // Is told each stroke as soon as it is drawn; where it fails, reading does. May be empty.
+    std::function<Result<void>(DrawnStroke const&)> on_stroke {};
 };
 
 // What was read of it.

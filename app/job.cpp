@@ -2,6 +2,7 @@
 
 #include "app/pictures.h"
 #include "app/render/contact_sheet.h"
+#include "app/session_plant.h"
 #include "drivers/file.h"
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/make_mesh.h"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <fmt/core.h>
 #include <functional>
+#include <optional>
 
 namespace tractus {
 
@@ -42,6 +44,7 @@ public:
 
 private:
     Result<Scene> load_plant();
+    Result<Drawing> read_drawing(Scene scene);
     Result<void> draw_base(Drawing const& drawing);
     Result<void> make_collection(Scene const& scene);
     Result<void> write_picture(std::string const& name, Image const& picture);
@@ -51,6 +54,7 @@ private:
     JobOptions const& options_;
     Progress& progress_;
     PictureMaker* pictures_ = nullptr;
+    std::optional<Session> session_;
     JobReport report_;
 };
 
@@ -58,7 +62,7 @@ Result<JobReport> Job::run()
 {
     TRY(make_folder(options_.folder));
     auto scene = TRY(load_plant());
-    auto const drawing = TRY(read_drawing(options_.drawing, std::move(scene), progress_, report_));
+    auto const drawing = TRY(read_drawing(std::move(scene)));
     auto pictures = TRY(PictureMaker::create());
     pictures_ = &pictures;
     TRY(draw_base(drawing));
@@ -74,7 +78,12 @@ Result<JobReport> Job::run()
 Result<Scene> Job::load_plant()
 {
     progress_.begin("deriving the plant");
-    auto scene = TRY(load_growing_plant(options_.model, options_.growth, options_.seed));
+    auto const edits = TRY(growing_plant_edits(options_.model, options_.growth, options_.seed));
+    auto scene = TRY(growing_plant(options_.model, edits));
+    if (!options_.session.empty()) {
+        session_ = TRY(begin_session(options_.session, edits));
+        report_.files.push_back(options_.session);
+    }
     report_.growth = options_.growth;
     report_.age = options_.age;
     report_.seed = options_.seed;
@@ -83,6 +92,14 @@ Result<Scene> Job::load_plant()
     report_.segments = scene.base->segment_count();
     report_.organs = scene.base->organs.size();
     return scene;
+}
+
+Result<Drawing> Job::read_drawing(Scene scene)
+{
+    auto options = options_.drawing;
+    if (session_)
+        options.on_stroke = [&](DrawnStroke const& drawn) { return session_->append(drawn.edits); };
+    return tractus::read_drawing(options, std::move(scene), progress_, report_);
 }
 
 Result<void> Job::write_picture(std::string const& name, Image const& picture)

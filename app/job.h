@@ -21,6 +21,7 @@ struct JobOptions {
     std::filesystem::path folder = "."; // Made if it is not there.
     GrowthOptions growth {};
     double age = 1; // Of all plants; see Grower::grow().
+    std::filesystem::path session {}; // The new file that keeps what is drawn; empty: none.
 };
 
 // What was read, and what became of it.
@@ -39,7 +40,8 @@ struct JobReport : DrawingReport {
 };
 
 // Replays the log onto the model and writes base.png, strokes.png, varied.png, collection.png,
-// collection.glb and report.txt into the folder. Each file appears whole or not at all.
+// collection.glb and report.txt into the folder. Each file appears whole or not at all; a session
+// appears as the plant is loaded and holds each stroke as soon as it is drawn.
 Result<JobReport> run_job(JobOptions const& options, Progress& progress);
 
 // The report as lines for a person to read, as they stand in report.txt.

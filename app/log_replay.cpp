@@ -111,12 +111,22 @@ void LogReplay::push_tools()
 
 bool LogReplay::advance_to(Timestamp time)
 {
-    for (; next_record_ < log_->records.size(); ++next_record_) {
+    while (advance_to_stroke(time)) { }
+    return !finished_;
+}
+
+bool LogReplay::advance_to_stroke(Timestamp time)
+{
+    auto const strokes = station_.strokes().size();
+    while (next_record_ < log_->records.size()) {
         auto const& record = log_->records[next_record_];
         if (record.time > time)
-            return true;
+            return false;
         push_tools();
         station_.push(record.device, record.time, log_->report(record));
+        ++next_record_;
+        if (station_.strokes().size() != strokes)
+            return true;
     }
     if (!std::exchange(finished_, true))
         station_.finish();

@@ -31,6 +31,12 @@ public:
     // the station has finished.
     bool advance_to(Timestamp time);
 
+    // The same, but no farther than to the end of the next stroke. True while there is more up to
+    // `time`.
+    bool advance_to_stroke(Timestamp time);
+
+    bool is_over() const { return finished_; }
+
     // Everything that is left.
     void run() { advance_to(Timestamp::max()); }
 

@@ -24,11 +24,16 @@ Result<ModelSource> load_model_source(std::filesystem::path const& path)
     return source;
 }
 
+bool leads_out_of_folder(std::filesystem::path const& name)
+{
+    return name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end();
+}
+
 IncludeReader model_includes(std::filesystem::path const& path)
 {
     return [folder = path.parent_path()](std::string const& name) -> Result<std::string> {
         std::filesystem::path const file(name);
-        if (file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end())
+        if (leads_out_of_folder(file))
             return fail(Fault::User, fmt::format("{} is outside the model's folder", name));
         return read_file(folder / file, kMaxFileSize);
     };

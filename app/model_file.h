@@ -12,6 +12,9 @@ namespace tractus {
 // one. Fails, as the user's fault, if the rules cannot be read.
 Result<ModelSource> load_model_source(std::filesystem::path const& path);
 
+// True for names of files, as models include them, that lead out of the model's folder.
+bool leads_out_of_folder(std::filesystem::path const& name);
+
 // Gives what a model includes (other rules, functions) from the model's folder. Names that lead out
 // of that folder are refused.
 IncludeReader model_includes(std::filesystem::path const& path);

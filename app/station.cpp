@@ -7,19 +7,28 @@
 
 namespace tractus {
 
+static Result<Scene> scene_after(Scene scene, std::vector<Edit> const& edits)
+{
+    for (auto const& edit : edits)
+        scene = TRY(apply_edit(std::move(scene), edit, load_options()));
+    return scene;
+}
+
 DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene)
 {
-    DrawnStroke drawn { std::move(stroke), tool, {} };
-    auto const edits = edits_of(tool, drawn.stroke, scene);
-    if (!edits)
+    DrawnStroke drawn { std::move(stroke), tool };
+    auto edits = edits_of(tool, drawn.stroke, scene);
+    if (!edits) {
         drawn.refusal = edits.error().message;
-    for (std::size_t i = 0; drawn.refusal.empty() && i < edits->size(); ++i) {
-        auto next = apply_edit(scene, (*edits)[i], load_options());
-        if (next)
-            scene = *std::move(next);
-        else
-            drawn.refusal = next.error().message;
+        return drawn;
     }
+    auto next = scene_after(scene, *edits);
+    if (!next) {
+        drawn.refusal = next.error().message;
+        return drawn;
+    }
+    scene = *std::move(next);
+    drawn.edits = *std::move(edits);
     return drawn;
 }
 

@@ -42,10 +42,12 @@ struct StationCounts {
 struct DrawnStroke {
     Stroke stroke;
     Tool tool;
-    std::string refusal; // Why it changed nothing; empty if it did.
+    std::string refusal {};     // Why it changed nothing; empty if it did.
+    std::vector<Edit> edits {}; // What it changed; none if it was refused.
 };
 
-// What a stroke in the hand of a tool does to a scene, which is changed unless it is refused.
+// What a stroke in the hand of a tool does to a scene, which is changed by all of its edits, or by
+// none if one is refused.
 DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene);
 
 // The whole way of the data, from reports to the scene: decode, fuse, stroke, mean. The only class

@@ -95,6 +95,7 @@ Result<bool> Statement::step()
 Result<void> Statement::run()
 {
     while (TRY(step())) { }
+    sqlite3_reset(statement_);
     return {};
 }
 
@@ -177,14 +178,23 @@ Result<std::int64_t> Database::whole(char const* sql) const
 
 Result<void> Database::back_up(fs::path const& copy) const
 {
-    auto const target = TRY(open(copy, Access::Create));
-    auto* const backup
-        = sqlite3_backup_init(target.database_.get(), "main", database_.get(), "main");
-    if (!backup)
-        return target.error(sqlite3_errcode(target.database_.get()));
-    sqlite3_backup_step(backup, -1);
-    if (int const code = sqlite3_backup_finish(backup); code != SQLITE_OK)
-        return target.error(code);
+    auto const made = fs::path(copy.string() + ".part");
+    std::error_code failed;
+    fs::remove(made, failed);
+    {
+        auto const target = TRY(open(made, Access::Create));
+        auto* const backup
+            = sqlite3_backup_init(target.database_.get(), "main", database_.get(), "main");
+        if (!backup)
+            return target.error(sqlite3_errcode(target.database_.get()));
+        sqlite3_backup_step(backup, -1);
+        if (int const code = sqlite3_backup_finish(backup); code != SQLITE_OK)
+            return target.error(code);
+    }
+    fs::rename(made, copy, failed);
+    if (failed)
+        return fail(Fault::User,
+                    fmt::format("cannot write {}: {}", copy.string(), failed.message()));
     return {};
 }
 

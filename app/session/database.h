@@ -27,7 +27,7 @@ public:
     // The next row: false when there is none any more. Fails like the database.
     Result<bool> step();
 
-    // To the end, for statements without rows.
+    // To the end, for statements without rows. Then it may be bound and run again.
     Result<void> run();
 
     // Of the row.
@@ -64,7 +64,7 @@ public:
     // The first column of the first row.
     Result<std::int64_t> whole(char const* sql) const;
 
-    // Copies the whole of it, as it is committed, to a new file.
+    // Copies the whole of it to a file, which appears whole, in the place of an older one.
     Result<void> back_up(std::filesystem::path const& copy) const;
 
     // True between a "BEGIN" and its end, which an error may be.

@@ -49,14 +49,21 @@ Result<Database> open_to_write(fs::path const& path)
 
 } // namespace
 
+SessionOptions session_by_the_clock(MakeLoadOptions load_options)
+{
+    return { std::move(load_options), [] {
+                return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+            } };
+}
+
 Result<Session> Session::create(fs::path const& path, SessionOrigin const& origin,
-                                std::span<Edit const> edits, MakeLoadOptions load_options)
+                                std::span<Edit const> edits, SessionOptions options)
 {
     CHECK(!edits.empty());
     SessionContents contents { .origin = origin };
     for (auto const& edit : edits)
-        contents.edits.push_back({ 0, edit });
-    auto history = TRY(SessionHistory::create(std::move(contents), std::move(load_options)));
+        contents.edits.push_back({ 0, edit, origin.created });
+    auto history = TRY(SessionHistory::create(std::move(contents), options.load_options));
     std::error_code ignored;
     if (fs::exists(path, ignored))
         return fail(Fault::User,
@@ -77,23 +84,26 @@ Result<Session> Session::create(fs::path const& path, SessionOrigin const& origi
     }
     TRY(appear(made, path));
     auto database = TRY(open_to_write(path));
-    return Session(path, std::move(database), std::move(history));
+    return Session(path, std::move(database), std::move(options), std::move(history));
 }
 
-Result<Session> Session::open(fs::path const& path, MakeLoadOptions load_options)
+Result<Session> Session::open(fs::path const& path, SessionOptions options)
 {
     auto database = TRY(open_to_write(path));
+    TRY(migrate(database, path));
+    TRY(database.execute("COMMIT; BEGIN IMMEDIATE"));
     auto contents = TRY(read_session(database, path.string()));
-    auto history = SessionHistory::create(std::move(contents), std::move(load_options));
+    auto history = SessionHistory::create(std::move(contents), options.load_options);
     if (!history)
         return fail(history.error().fault,
                     fmt::format("{}: {}", path.string(), history.error().message));
-    return Session(path, std::move(database), *std::move(history));
+    return Session(path, std::move(database), std::move(options), *std::move(history));
 }
 
-Session::Session(fs::path path, Database database, SessionHistory history)
+Session::Session(fs::path path, Database database, SessionOptions options, SessionHistory history)
     : path_(std::move(path))
     , database_(std::move(database))
+    , options_(std::move(options))
     , history_(std::move(history))
 {
 }
@@ -103,9 +113,9 @@ Result<void> Session::append(std::span<Edit const> edits)
     if (edits.empty())
         return {};
     auto scene = TRY(history_.after(edits));
-    auto const write = [&] { return write_step(database_, history_.step() + 1, edits); };
-    TRY(commit(write));
-    history_.push(edits, std::move(scene));
+    SessionStep const step { history_.step() + 1, edits, options_.now() };
+    TRY(commit([&] { return write_step(database_, step); }));
+    history_.push(step, std::move(scene));
     return {};
 }
 

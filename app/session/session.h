@@ -10,6 +10,14 @@
 
 namespace tractus {
 
+struct SessionOptions {
+    MakeLoadOptions load_options;
+    std::function<std::chrono::sys_seconds()> now; // The clock on the wall: when steps are made.
+};
+
+// By the system's clock, models cost what `load_options` says.
+SessionOptions session_by_the_clock(MakeLoadOptions load_options);
+
 // What somebody draws, kept in a file (session_file.h) as it is drawn. When a call here returns
 // what it did is on the disk, whatever becomes of the program or the machine; when it fails nothing
 // has changed. One program at a time draws in a session; others may read it meanwhile.
@@ -19,11 +27,12 @@ public:
     // least one, usually loading a plant; undo ends there. Fails, as the user's fault, if the file
     // is there already or cannot be written, and where an edit fails.
     static Result<Session> create(std::filesystem::path const& path, SessionOrigin const& origin,
-                                  std::span<Edit const> edits, MakeLoadOptions load_options);
+                                  std::span<Edit const> edits, SessionOptions options);
 
-    // Goes on with a session. Fails like read_session(), and if another program draws in it or it
-    // may not be written.
-    static Result<Session> open(std::filesystem::path const& path, MakeLoadOptions load_options);
+    // Goes on with a session. One of an older format is brought up to date, and stays beside it as
+    // it was, with ".bak" after its name. Fails like read_session(), and if another program draws
+    // in it or it may not be written.
+    static Result<Session> open(std::filesystem::path const& path, SessionOptions options);
 
     std::filesystem::path const& path() const { return path_; }
     Scene const& scene() const { return history_.scene(); }
@@ -40,7 +49,8 @@ public:
     Result<void> redo();
 
 private:
-    Session(std::filesystem::path path, Database database, SessionHistory history);
+    Session(std::filesystem::path path, Database database, SessionOptions options,
+            SessionHistory history);
 
     // In one transaction. Afterwards the next one is begun, which is what keeps others from
     // writing.
@@ -49,6 +59,7 @@ private:
 
     std::filesystem::path path_;
     Database database_;
+    SessionOptions options_;
     SessionHistory history_;
 };
 

@@ -19,11 +19,14 @@ namespace tractus {
 //   edits  number   1, 2, …: the edits in the order in which they were made
 //          step     what undo takes back at once; 0: what the session began with
 //          kind, fields, numbers  an EditRecord
+//          made     when, in Unix seconds; 0 where nobody knows
+//          checksum CRC-32 of what stands before, so that damage does not pass for a drawing
 //   meta   key, value: "plant", "program", "created" (Unix seconds), and "step", the last that
 //          counts: later ones are undone.
 //
-// The file's application_id is "TRAC", its user_version the format's version.
-constexpr std::int64_t kSessionFormat = 1;
+// The file's application_id is "TRAC", its user_version the format's version: 1 had neither made
+// nor checksum.
+constexpr std::int64_t kSessionFormat = 2;
 
 // Where a session comes from.
 struct SessionOrigin {
@@ -35,6 +38,7 @@ struct SessionOrigin {
 struct SessionEdit {
     std::size_t step = 0; // Those of one step stand together, and no step is without.
     Edit edit {};
+    std::chrono::sys_seconds made {}; // By the clock on the wall; 0 where nobody knows.
 };
 
 // All that a session's file holds.
@@ -57,9 +61,20 @@ Result<SessionContents> read_session(Database const& database, std::string const
 Result<void> write_beginning(Database const& database, SessionOrigin const& origin,
                              std::span<Edit const> edits);
 
-// Puts edits in the place of all steps from `step` on, which becomes the last that counts. Inside
-// of a transaction.
-Result<void> write_step(Database const& database, std::size_t step, std::span<Edit const> edits);
+// Edits that belong together.
+struct SessionStep {
+    std::size_t number = 0;
+    std::span<Edit const> edits;
+    std::chrono::sys_seconds made {};
+};
+
+// Puts a step in the place of all from its number on; it becomes the last that counts. Inside of a
+// transaction.
+Result<void> write_step(Database const& database, SessionStep const& step);
+
+// Brings a session of an older format up to date. The file as it was stays beside it, with ".bak"
+// after its name. Nothing happens to a file that is up to date. Inside of a transaction.
+Result<void> migrate(Database const& database, std::filesystem::path const& path);
 
 // The last step that counts. Inside of a transaction.
 Result<void> write_cursor(Database const& database, std::size_t step);

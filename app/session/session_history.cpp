@@ -73,19 +73,19 @@ Result<Scene> SessionHistory::fold(Scene scene, std::size_t first, std::size_t l
     return scene;
 }
 
-void SessionHistory::push(std::span<Edit const> edits, Scene scene)
+void SessionHistory::push(SessionStep const& next, Scene scene)
 {
+    CHECK(next.number == step() + 1);
     keep(step(), std::exchange(scene_, std::move(scene)));
-    auto const next = step() + 1;
-    kept_.erase(kept_.lower_bound(next), kept_.end());
-    if (next < first_edit_.size()) {
-        contents_.edits.resize(first_edit_[next]);
-        first_edit_.resize(next);
+    kept_.erase(kept_.lower_bound(next.number), kept_.end());
+    if (next.number < first_edit_.size()) {
+        contents_.edits.resize(first_edit_[next.number]);
+        first_edit_.resize(next.number);
     }
     first_edit_.push_back(contents_.edits.size());
-    for (auto const& edit : edits)
-        contents_.edits.push_back({ next, edit });
-    contents_.step = next;
+    for (auto const& edit : next.edits)
+        contents_.edits.push_back({ next.number, edit, next.made });
+    contents_.step = next.number;
 }
 
 void SessionHistory::go_to(std::size_t step, Scene scene)

@@ -33,8 +33,8 @@ public:
     // The scene as it is, or was, at another step.
     Result<Scene> at(std::size_t wanted);
 
-    // Makes these edits, which lead to `scene`, the next step. What was undone is gone.
-    void push(std::span<Edit const> edits, Scene scene);
+    // Makes this, which leads to `scene`, the next step. What was undone is gone.
+    void push(SessionStep const& step, Scene scene);
 
     // Makes `step` the last that counts; `scene` is what at() gives.
     void go_to(std::size_t step, Scene scene);

@@ -4,6 +4,7 @@
 #include "app/model_file.h"
 #include "app/pictures.h"
 #include "app/resources.h"
+#include "app/session_plant.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/model_options.h"
 #include "drivers/file.h"
@@ -67,22 +68,20 @@ std::filesystem::path frame_path(std::filesystem::path const& output, std::size_
 
 // The plant at ages evenly apart, the last one full-grown: a file for each, since the number of
 // triangles grows with the plant.
-Result<void> write_animation(GrowArguments const& arguments, Scene scene, std::string const& name)
+Result<void> write_animation(GrowArguments const& arguments, Scene const& scene,
+                             std::string const& name)
 {
     if (scene.base->segment_count() == 0)
         return fail(Fault::User, fmt::format("{}: the plant has no branch that could grow", name));
-    // As the model has it, and not as it might have grown.
-    auto const usual = TRY(growth_preset("usual"));
-    auto const growth = TRY(at_liking(usual, 0));
-    scene = TRY(apply_edit(scene, SetGrowth { growth, arguments.model.seed }));
     auto const plan = TRY(plan_growth(scene));
+    Grower grower(plan);
+    PlantKey const key { scene.growth_seed, 0 };
     Bounds frame;
     if (arguments.output.extension() == ".png")
-        frame = bounds(make_mesh(*scene.base));
-    Grower grower(plan);
+        frame = bounds(make_mesh(grower.grow(key)));
     for (std::size_t i = 1; i <= arguments.frames; ++i) {
         double const age = static_cast<double>(i) / static_cast<double>(arguments.frames);
-        auto const plant = without_unborn(grower.grow({}, age));
+        auto const plant = without_unborn(grower.grow(key, age));
         auto const path = frame_path(arguments.output, i, arguments.frames);
         auto const triangles = TRY(write_plant(plant, name, path, frame));
         TRY(print_out(fmt::format("{}: age {:.3f}, {} segments, {} organs, {} triangles\n",
@@ -92,9 +91,35 @@ Result<void> write_animation(GrowArguments const& arguments, Scene scene, std::s
     return {};
 }
 
+Result<void> print_grown(GrowArguments const& arguments, Plant const& plant,
+                         std::filesystem::path const& path)
+{
+    auto const triangles = TRY(write_plant(plant, path.stem().string(), arguments.output));
+    return print_out(fmt::format("{}: {} segments, {} organs, {} triangles\n",
+                                 arguments.output.string(), plant.segment_count(),
+                                 plant.organs.size(), triangles));
+}
+
+// A session says itself how its plant is derived.
+Result<void> grow_session(GrowArguments const& arguments, std::filesystem::path const& path)
+{
+    if (arguments.model.steps)
+        return fail(Fault::User,
+                    fmt::format("{} is a session, which has its own derivation steps: leave "
+                                "--steps out",
+                                path.string()));
+    auto const scene = TRY(load_session_scene(path, arguments.cost));
+    if (arguments.frames > 0)
+        return write_animation(arguments, scene, path.stem().string());
+    auto const plant = TRY(shown_plant(scene));
+    return print_grown(arguments, plant, path);
+}
+
 Result<void> grow_model(GrowArguments const& arguments)
 {
     auto const path = TRY(find_model(arguments.model.model));
+    if (is_session_file(path))
+        return grow_session(arguments, path);
     auto edit = TRY(load_plant_edit(path));
     if (auto* const model = std::get_if<LoadModel>(&edit)) {
         model->steps = arguments.model.steps;
@@ -103,12 +128,12 @@ Result<void> grow_model(GrowArguments const& arguments)
     auto const scene = TRY(apply_edit({}, edit, load_options(arguments.cost)));
     for (auto const& warning : scene.model_warnings)
         print_error(fmt::format("warning: {}\n", warning));
-    if (arguments.frames > 0)
-        return write_animation(arguments, scene, path.stem().string());
-    auto const triangles = TRY(write_plant(*scene.base, path.stem().string(), arguments.output));
-    return print_out(fmt::format("{}: {} segments, {} organs, {} triangles\n",
-                                 arguments.output.string(), scene.base->segment_count(),
-                                 scene.base->organs.size(), triangles));
+    if (arguments.frames == 0)
+        return print_grown(arguments, *scene.base, path);
+    // As the model has it, and not as it might have grown.
+    auto const usual = TRY(growth_preset("usual"));
+    SetGrowth const growth { TRY(at_liking(usual, 0)), arguments.model.seed };
+    return write_animation(arguments, TRY(apply_edit(scene, growth)), path.stem().string());
 }
 
 } // namespace
@@ -131,8 +156,9 @@ void add_grow_verb(CLI::App& root, Action& action)
         ->type_name("N")
         ->check(whole_number(1, 10'000));
     verb->footer(
-        "MODEL may also be a skeleton that another program has drawn as lines (.obj). The\n"
-        "same model and seed always give the same file.");
+        "MODEL may also be a skeleton that another program has drawn as lines (.obj), or a\n"
+        "session (.tractus): then it is the plant as drawn, as the station's window shows it.\n"
+        "The same model and seed always give the same file.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return grow_model(*arguments); }; });
 }

@@ -2,9 +2,11 @@
 
 #include "app/render/offscreen_context.h"
 #include "app/render/renderer.h"
+#include "app/session_plant.h"
 #include "app/verbs/checks.h"
 #include "drivers/file.h"
 #include "engine/export/glb_reader.h"
+#include "engine/mesh/make_mesh.h"
 
 #include <charconv>
 #include <fmt/core.h>
@@ -57,17 +59,25 @@ std::string check_size(std::string const& text)
                       text, kSmallest_px, kLargest_px);
 }
 
+Result<Mesh> load_mesh(std::string const& path)
+{
+    if (is_session_file(path)) {
+        auto const scene = TRY(load_session_scene(path));
+        return make_mesh(TRY(shown_plant(scene)));
+    }
+    auto const bytes = TRY(read_file(path));
+    auto mesh = read_glb(bytes);
+    if (!mesh)
+        return fail(mesh.error().fault, fmt::format("{}: {}", path, mesh.error().message));
+    return *std::move(mesh);
+}
+
 Result<void> run(RenderArguments const& arguments)
 {
-    auto const bytes = TRY(read_file(arguments.input));
-    auto const mesh = read_glb(bytes);
-    if (!mesh)
-        return fail(mesh.error().fault,
-                    fmt::format("{}: {}", arguments.input, mesh.error().message));
-
+    auto const mesh = TRY(load_mesh(arguments.input));
     auto const context = TRY(OffscreenContext::create());
     auto renderer = TRY(Renderer::create());
-    GpuMesh const on_card(*mesh);
+    GpuMesh const on_card(mesh);
     Stage stage;
     stage.meshes.push_back({ &on_card });
     auto const size = parse_size(arguments.size).value();
@@ -84,11 +94,14 @@ void add_render_verb(CLI::App& root, Action& action)
 {
     // Shared with the callback, which outlives this.
     auto const arguments = std::make_shared<RenderArguments>();
-    auto* const verb = root.add_subcommand("render", "Draw the plants of a glTF file as a picture");
+    auto* const verb = root.add_subcommand(
+        "render", "Draw the plants of a glTF file, or of a session, as a picture");
     verb->footer(
         "Draws what a binary glTF 2.0 file (.glb) shows, ours or another program's, lit on a\n"
         "ground, without a window or a graphics card.");
-    verb->add_option("FILE", arguments->input, "What to draw: binary glTF 2.0 (.glb)")->required();
+    verb->add_option("FILE", arguments->input,
+                     "What to draw: binary glTF 2.0 (.glb), or a session (.tractus)")
+        ->required();
     verb->add_option("-o,--output", arguments->output, "The picture")
         ->type_name("FILE.png")
         ->check(picture_name())

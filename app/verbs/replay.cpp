@@ -44,6 +44,10 @@ void add_replay_verb(CLI::App& root, Action& action)
     add_growth_options(*verb, arguments->job.growth);
     add_age_option(*verb, arguments->job.age);
     add_folder_option(*verb, arguments->job.folder);
+    verb->add_option("--session", arguments->job.session,
+                     "Keep what is drawn in a new session, each stroke as soon as it ends")
+        ->type_name("FILE.tractus")
+        ->check(name_ending_in({ ".tractus" }));
     verb->footer(job_footer());
     verb->callback([arguments, &action] {
         action = [arguments]() -> Result<void> {

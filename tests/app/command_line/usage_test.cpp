@@ -10,10 +10,12 @@ namespace {
 using Usage = Workshop;
 
 // "" is the program itself.
-std::vector<std::string> const kVerbs { "",        "convert", "decode", "demo",          "derive",
-                                        "devices", "doctor",  "grow",   "lsystem check", "record",
-                                        "render",  "replay",  "sim",    "vary",          "watch",
-                                        "window" };
+std::vector<std::string> const kVerbs {
+    "",        "convert",      "decode",        "demo",           "derive", "devices",
+    "doctor",  "grow",         "lsystem check", "record",         "render", "replay",
+    "session", "session info", "session log",   "session export", "sim",    "vary",
+    "watch",   "window"
+};
 
 TEST_F(Usage, HelpGoesToStandardOutputAndIsNoFailure)
 {

@@ -12,7 +12,7 @@ SessionHistory history_of_beginning()
     SessionContents contents;
     for (auto const& edit : beginning())
         contents.edits.push_back({ 0, edit });
-    return SessionHistory::create(std::move(contents), unlimited).value();
+    return SessionHistory::create(std::move(contents), options_for_tests().load_options).value();
 }
 
 // A step that any scene of the small model takes.
@@ -55,7 +55,7 @@ void do_anything(SessionHistory& history, ModelOfHistory& model)
     switch (*rc::gen::weightedElement<int>({ { 5, 0 }, { 4, 1 }, { 2, 2 } })) {
     case 0: {
         auto const edits = random_step();
-        history.push(edits, history.after(edits).value());
+        history.push({ history.step() + 1, edits }, history.after(edits).value());
         model.steps.resize(model.count++);
         model.steps.push_back(edits);
         break;
@@ -88,7 +88,7 @@ TEST(SessionHistory, FindsEveryStepOfALongSession)
     auto history = history_of_beginning();
     for (int i = 0; i < kSteps; ++i) {
         std::vector<Edit> const edits { SetGrowth { {}, static_cast<std::uint64_t>(i) } };
-        history.push(edits, history.after(edits).value());
+        history.push({ history.step() + 1, edits }, history.after(edits).value());
     }
     for (std::size_t step : { 399u, 398u, 100u, 17u, 1u, 0u, 250u, 400u }) {
         history.go_to(step, history.at(step).value());
@@ -100,7 +100,8 @@ TEST(SessionHistory, SaysWhichEditFails)
 {
     SessionContents contents { .edits = { { 0, small_model() }, { 1, DeleteIndicator { 3 } } },
                                .step = 1 };
-    auto const history = SessionHistory::create(std::move(contents), unlimited);
+    auto const history
+        = SessionHistory::create(std::move(contents), options_for_tests().load_options);
     ASSERT_FALSE(history);
     EXPECT_EQ(history.error().message, "edit 2: there is no motion indicator 4: the scene has 0");
 }

@@ -115,6 +115,35 @@ TEST_F(SessionTest, ThatTheProgramLeftOpenIsReadAsItWas)
     EXPECT_EQ(open("b.tractus").value().scene().associations.size(), 1u);
 }
 
+TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
+{
+    {
+        auto session = create().value();
+        for (int i = 0; i < 3; ++i)
+            ASSERT_TRUE(session.append(drawing_step(i)));
+    }
+    ASSERT_TRUE(Database::open(path(), Database::Access::Write).value().execute(kToFormat1));
+    EXPECT_EQ(read_session(path()).value().edits.size(), 8u); // Reading needs no change.
+    EXPECT_EQ(file_count(), 1u);
+    {
+        auto session = open().value();
+        EXPECT_EQ(session.scene().associations.size(), 3u);
+        EXPECT_EQ(session.contents().edits.back().made.time_since_epoch().count(), 0);
+        ASSERT_TRUE(session.append(drawing_step(3)));
+    }
+    EXPECT_EQ(file_count(), 2u);
+    auto const format = [&](char const* name) {
+        return Database::open(path(name), Database::Access::Read)
+            .value()
+            .whole("PRAGMA user_version")
+            .value();
+    };
+    EXPECT_EQ(format("a.tractus"), kSessionFormat);
+    EXPECT_EQ(format("a.tractus.bak"), 1);
+    EXPECT_EQ(read_session(path("a.tractus")).value().edits.size(), 10u);
+    EXPECT_EQ(read_session(path("a.tractus.bak")).value().edits.size(), 8u);
+}
+
 TEST_F(SessionTest, CannotBeBegunWhereNothingCanBeWritten)
 {
     auto const session = create("nowhere/a.tractus");

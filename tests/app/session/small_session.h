@@ -14,10 +14,17 @@
 
 namespace tractus {
 
-inline LoadOptions unlimited()
+// A clock that stands still.
+inline SessionOptions options_for_tests()
 {
-    return {};
+    return { [] { return LoadOptions {}; },
+             [] { return std::chrono::sys_seconds(std::chrono::seconds(1'800'000'000)); } };
 }
+
+// Makes a session one as the first format had them.
+constexpr char const* kToFormat1 = "ALTER TABLE edits DROP COLUMN made;"
+                                   "ALTER TABLE edits DROP COLUMN checksum;"
+                                   "PRAGMA user_version = 1;";
 
 inline std::vector<Edit> const& beginning()
 {
@@ -69,12 +76,12 @@ protected:
     Result<Session> create(std::string const& name = "a.tractus") const
     {
         return Session::create(path(name), { .plant = "small.l", .program = "1.2.3" }, beginning(),
-                               unlimited);
+                               options_for_tests());
     }
 
     Result<Session> open(std::string const& name = "a.tractus") const
     {
-        return Session::open(path(name), unlimited);
+        return Session::open(path(name), options_for_tests());
     }
 
     std::string read_bytes(std::string const& name = "a.tractus") const
