@@ -20,7 +20,7 @@ struct JobOptions {
     std::size_t variations = 12;        // In the collection; at least 1.
     std::filesystem::path folder = "."; // Made if it is not there.
     GrowthOptions growth {};
-    double age = 1; // Of all plants; see Grower::grow().
+    double age = 1;                   // Of all plants; see Grower::grow().
     std::filesystem::path session {}; // The new file that keeps what is drawn; empty: none.
 };
 
