@@ -8,6 +8,7 @@
 #include "app/verbs/decode.h"
 #include "app/verbs/demo.h"
 #include "app/verbs/derive.h"
+#include "app/verbs/desktop.h"
 #include "app/verbs/devices.h"
 #include "app/verbs/doctor.h"
 #include "app/verbs/grow.h"
@@ -80,6 +81,7 @@ static void add_verbs(CLI::App& root, Action& action)
     add_sim_verb(root, action);
     add_decode_verb(root, action);
     add_convert_verb(root, action);
+    add_desktop_verbs(root, action);
 }
 
 int run_command_line(int argc, char const* const* argv)
@@ -93,7 +95,8 @@ int run_command_line(int argc, char const* const* argv)
     add_verbs(root, action);
     for (auto* const verb : root.get_subcommands({})) {
         verb->set_help_flag("-h,--help", "Print this help");
-        verb->group("Verbs");
+        if (!verb->get_group().empty()) // Those without are not listed.
+            verb->group("Verbs");
     }
     root.footer( // After the verbs, which would inherit it.
 

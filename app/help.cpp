@@ -51,19 +51,24 @@ std::string HelpFormatter::make_option_opts(CLI::Option const* option) const
     return type.empty() ? type : " " + type;
 }
 
+std::string option_text(CLI::Option const& option)
+{
+    auto text = option.get_description();
+    auto const add = [&](std::string const& note) { text += fmt::format(" ({})", note); };
+    if (!option.get_default_str().empty())
+        add("default: " + option.get_default_str());
+    if (option.get_required() && !option.get_positional())
+        add("required");
+    if (!option.get_needs().empty())
+        add("only with " + names_of(option.get_needs()));
+    if (!option.get_excludes().empty())
+        add("not with " + names_of(option.get_excludes()));
+    return text;
+}
+
 std::string HelpFormatter::make_option_desc(CLI::Option const* option) const
 {
-    auto text = option->get_description();
-    auto const add = [&](std::string const& note) { text += fmt::format(" ({})", note); };
-    if (!option->get_default_str().empty())
-        add("default: " + option->get_default_str());
-    if (option->get_required() && !option->get_positional())
-        add("required");
-    if (!option->get_needs().empty())
-        add("only with " + names_of(option->get_needs()));
-    if (!option->get_excludes().empty())
-        add("not with " + names_of(option->get_excludes()));
-    return wrapped(text);
+    return wrapped(option_text(*option));
 }
 
 std::string HelpFormatter::make_subcommand(CLI::App const* verb) const

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <string>
-#include <vector>
 
 namespace tractus {
 
@@ -24,11 +22,14 @@ Result<fs::path> find_resource(std::string_view name)
                             installed.string(), source.string()));
 }
 
-static std::vector<std::string> model_names(fs::path const& folder)
+std::vector<std::string> model_names()
 {
     std::vector<std::string> names;
     std::error_code error;
-    for (auto const& entry : fs::directory_iterator(folder, error))
+    auto const folder = find_resource("models");
+    if (!folder)
+        return names;
+    for (auto const& entry : fs::directory_iterator(*folder, error))
         if (entry.path().extension() == ".l")
             names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
@@ -47,7 +48,7 @@ Result<fs::path> find_model(std::string_view name)
     return fail(Fault::User,
                 fmt::format("there is no model {}: give the path of an L-system file, or "
                             "one of {}",
-                            name, fmt::join(model_names(folder), ", ")));
+                            name, fmt::join(model_names(), ", ")));
 }
 
 } // namespace tractus

@@ -3,7 +3,9 @@
 #include "engine/base/result.h"
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace tractus {
 
@@ -15,5 +17,8 @@ Result<std::filesystem::path> find_resource(std::string_view name);
 // A model that the user named: a file as it is, or else one of ours by its name alone ("shrub").
 // Fails, as the user's fault, listing ours.
 Result<std::filesystem::path> find_model(std::string_view name);
+
+// The names of ours, in alphabetical order; none where they are not installed.
+std::vector<std::string> model_names();
 
 } // namespace tractus

@@ -107,13 +107,34 @@ CLI::Validator part_of(std::size_t most)
     });
 }
 
-CLI::Validator one_of(std::vector<std::string> words)
+CLI::Validator one_of(std::vector<std::string> const& words)
 {
-    return check([words = std::move(words)](std::string const& text) {
-        return std::find(words.begin(), words.end(), text) != words.end()
-            ? std::string()
-            : fmt::format("'{}' is none of {}", text, fmt::join(words, ", "));
-    });
+    return offering(words, check([words](std::string const& text) {
+                        return std::find(words.begin(), words.end(), text) != words.end()
+                            ? std::string()
+                            : fmt::format("'{}' is none of {}", text, fmt::join(words, ", "));
+                    }));
+}
+
+// An option keeps of a check what the parser's own class has room for: its name.
+static constexpr std::string_view kOffers = "offers\n";
+
+CLI::Validator offering(std::vector<std::string> const& words, CLI::Validator check)
+{
+    return std::move(check.name(fmt::format("{}{}", kOffers, fmt::join(words, "\n"))));
+}
+
+std::vector<std::string> words_offered_by(CLI::Option& option)
+{
+    std::vector<std::string> words;
+    for (int i = 0;; ++i)
+        try {
+            auto const& name = option.get_validator(i)->get_name();
+            if (name.compare(0, kOffers.size(), kOffers) == 0)
+                words = CLI::detail::split(name.substr(kOffers.size()), '\n');
+        } catch (CLI::OptionNotFound const&) {
+            return words; // That was the last check.
+        }
 }
 
 CLI::Validator name_ending_in(std::vector<std::string> endings)
@@ -138,10 +159,10 @@ CLI::Validator picture_name()
 
 CLI::Validator height_scenario()
 {
-    return check([](std::string const& text) {
-        auto const scenario = parse_height_scenario(text);
-        return scenario ? std::string() : scenario.error().message;
-    });
+    return offering({ "rise", "fall", "arch", "sway" }, check([](std::string const& text) {
+                        auto const scenario = parse_height_scenario(text);
+                        return scenario ? std::string() : scenario.error().message;
+                    }));
 }
 
 } // namespace tractus

@@ -35,7 +35,13 @@ std::optional<std::pair<std::size_t, std::size_t>> parse_part(std::string const&
 CLI::Validator part_of(std::size_t most);
 
 // One of these words.
-CLI::Validator one_of(std::vector<std::string> words);
+CLI::Validator one_of(std::vector<std::string> const& words);
+
+// The same check; these words are offered where the option is typed.
+CLI::Validator offering(std::vector<std::string> const& words, CLI::Validator check);
+
+// The words that the option's checks offer, those of one_of() among them; none if any value may do.
+std::vector<std::string> words_offered_by(CLI::Option& option);
 
 // A file's name that ends in one of these, such as ".png".
 CLI::Validator name_ending_in(std::vector<std::string> endings);

@@ -4,6 +4,9 @@
 #include "engine/variation/growth_preset.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <string>
+#include <vector>
 
 namespace tractus {
 
@@ -15,12 +18,13 @@ static std::string preset_check(std::string const& name)
 
 void add_growth_options(CLI::App& verb, GrowthOptions& growth)
 {
-    std::string names;
+    std::vector<std::string> names;
     for (auto const& preset : growth_presets())
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", preset.name);
-    verb.add_option("--growth", growth.preset, fmt::format("How the plants grow: {}", names))
+        names.emplace_back(preset.name);
+    verb.add_option("--growth", growth.preset,
+                    fmt::format("How the plants grow: {}", fmt::join(names, ", ")))
         ->type_name("NAME")
-        ->check(CLI::Validator(preset_check, ""))
+        ->check(offering(names, CLI::Validator(preset_check, "")))
         ->capture_default_str();
     verb.add_option("--liking", growth.liking,
                     "From 0, as drawn, over 1, as the growth's name says, to 4, as the plant likes")

@@ -8,7 +8,7 @@ void add_model_options(CLI::App& verb, ModelOptions& options)
 {
     verb.add_option("MODEL", options.model,
                     "An L-system file (.l), or one of ours by its name: broadleaf, palm, …; "
-                    "app/models/README.md shows them all")
+                    "the manual shows them all")
         ->required();
     verb.add_option("-n,--steps", options.steps, "Derivation steps; without it, the model's own")
         ->type_name("STEPS")

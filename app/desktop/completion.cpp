@@ -1,0 +1,197 @@
+#include "app/desktop/completion.h"
+
+#include "app/verbs/checks.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+
+namespace tractus {
+
+namespace {
+
+bool begins_with(std::string const& text, std::string const& start)
+{
+    return text.compare(0, start.size(), start) == 0;
+}
+
+bool is_option(std::string const& word)
+{
+    return word.size() > 1 && word.front() == '-';
+}
+
+std::vector<std::string> names_of(CLI::Option const& option)
+{
+    std::vector<std::string> names;
+    for (auto const& name : option.get_snames())
+        names.push_back("-" + name);
+    for (auto const& name : option.get_lnames())
+        names.push_back("--" + name);
+    return names;
+}
+
+CLI::Option* find_option(CLI::App& verb, std::string const& name)
+{
+    for (auto* const option : verb.get_options({})) {
+        auto const names = names_of(*option);
+        if (std::find(names.begin(), names.end(), name) != names.end())
+            return option;
+    }
+    return nullptr;
+}
+
+CLI::App* find_verb(CLI::App& parent, std::string const& name)
+{
+    for (auto* const verb : parent.get_subcommands([](CLI::App*) { return true; }))
+        if (verb->get_name() == name)
+            return verb;
+    return nullptr;
+}
+
+// What has been read of the line before its last word.
+struct Place {
+    CLI::App* verb;
+    CLI::Option* option = nullptr; // Takes the next word, or may take it, if it is no option.
+    int values = 0;                // That it has taken already.
+    std::size_t positionals = 0;
+
+    bool needs_value() const { return option && values < option->get_items_expected_min(); }
+
+    void read(std::string const& word)
+    {
+        if (is_option(word) && !needs_value()) {
+            option = find_option(*verb, word.substr(0, word.find('=')));
+            values = word.find('=') == std::string::npos ? 0 : 1;
+        } else if (option) {
+            ++values;
+        } else if (auto* const below = positionals == 0 ? find_verb(*verb, word) : nullptr) {
+            verb = below;
+        } else {
+            ++positionals;
+        }
+        if (option && values >= option->get_items_expected_max())
+            option = nullptr;
+    }
+};
+
+// Bash takes --option=value apart; a place where nothing stands behind the = yet is empty.
+std::vector<std::string> without_equals_signs(std::vector<std::string> typed)
+{
+    if (!typed.empty() && typed.back() == "=")
+        typed.back().clear();
+    typed.erase(std::remove(typed.begin(), typed.end(), "="), typed.end());
+    return typed;
+}
+
+class Offer {
+public:
+    Offer(std::string typed, std::vector<std::string> const& models)
+        : typed_(std::move(typed))
+        , models_(models)
+    {
+    }
+
+    void word(std::string const& text, std::string const& about = {})
+    {
+        if (begins_with(text, typed_))
+            completion.words.push_back({ text, about });
+    }
+
+    // What an option or an argument may be; the words are put behind `prefix`.
+    void values_of(CLI::Option& option, std::string const& prefix = {})
+    {
+        for (auto const& text : words_offered_by(option))
+            word(prefix + text);
+        if (!words_offered_by(option).empty())
+            return;
+        auto const kind = option.get_positional() ? option.get_name(true) : option.get_type_name();
+        auto const has = [&](char const* part) { return kind.find(part) != std::string::npos; };
+        if (has("MODEL"))
+            for (auto const& model : models_)
+                word(prefix + model);
+        if (has("DEVICE"))
+            word(prefix + "simulated", "The simulated rig");
+        if (has("FILE") || has("LOG") || has("SCRIPT") || has("MODEL") || has("DEVICE"))
+            completion.names = Completion::Names::Files;
+        else if (has("FOLDER"))
+            completion.names = Completion::Names::Folders;
+    }
+
+    void verbs_of(CLI::App& verb)
+    {
+        for (auto* const below : verb.get_subcommands([](CLI::App*) { return true; }))
+            if (!below->get_group().empty())
+                word(below->get_name(), below->get_description());
+    }
+
+    void options_of(CLI::App& verb)
+    {
+        for (auto* const option : verb.get_options({}))
+            if (!option->get_lnames().empty())
+                word("--" + option->get_lnames().front(), option->get_description());
+    }
+
+    void positional_of(CLI::App& verb, std::size_t place)
+    {
+        for (auto* const option : verb.get_options({}))
+            if (option->get_positional() && place-- == 0)
+                values_of(*option);
+    }
+
+    Completion completion;
+
+private:
+    std::string typed_;
+    std::vector<std::string> const& models_;
+};
+
+} // namespace
+
+Completion complete(CLI::App& root, std::vector<std::string> typed,
+                    std::vector<std::string> const& models)
+{
+    typed = without_equals_signs(std::move(typed));
+    auto const last = typed.empty() ? std::string() : typed.back();
+    Place place { &root };
+    for (std::size_t i = 0; i + 1 < typed.size(); ++i)
+        place.read(typed[i]);
+
+    Offer offer(last, models);
+    if (auto const equals = last.find('='); is_option(last) && equals != std::string::npos) {
+        if (auto* const option = find_option(*place.verb, last.substr(0, equals)))
+            offer.values_of(*option, last.substr(0, equals + 1));
+    } else if (place.needs_value()) {
+        offer.values_of(*place.option);
+    } else if (!last.empty() && last.front() == '-') {
+        offer.options_of(*place.verb);
+    } else if (place.option) {
+        offer.values_of(*place.option);
+    } else {
+        if (place.positionals == 0)
+            offer.verbs_of(*place.verb);
+        offer.positional_of(*place.verb, place.positionals);
+        if (offer.completion.words.empty() && offer.completion.names == Completion::Names::None)
+            offer.options_of(*place.verb);
+    }
+    return std::move(offer.completion);
+}
+
+std::string print_completion(Completion const& completion)
+{
+    std::string lines;
+    for (auto const& word : completion.words)
+        lines += word.about.empty() ? word.text + "\n"
+                                    : fmt::format("{}\t{}\n", word.text, word.about);
+    switch (completion.names) {
+    case Completion::Names::None:
+        break;
+    case Completion::Names::Folders:
+        lines += ":folders\n";
+        break;
+    case Completion::Names::Files:
+        lines += ":files\n";
+        break;
+    }
+    return lines;
+}
+
+} // namespace tractus
