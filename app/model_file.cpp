@@ -1,10 +1,12 @@
 #include "app/model_file.h"
 
 #include "drivers/file.h"
+#include "engine/export/glb_lines.h"
 #include "engine/plant/skeleton_lines.h"
 
 #include <algorithm>
 #include <fmt/core.h>
+#include <utility>
 
 namespace tractus {
 
@@ -55,16 +57,29 @@ Result<LoadModel> load_model_edit(std::filesystem::path const& path)
     return edit;
 }
 
+// The lines of a file, by its name's ending; empty for one that has none.
+static Result<std::vector<SkeletonPiece>> load_lines(std::filesystem::path const& path)
+{
+    constexpr std::size_t kMaxSkeletonSize = std::size_t { 512 } << 20;
+    if (path.extension() == ".obj")
+        return parse_obj_lines(path.string(), TRY(read_file(path, kMaxSkeletonSize)));
+    if (path.extension() == ".glb")
+        return read_glb_lines(path.string(), TRY(read_file(path, kMaxSkeletonSize)));
+    if (path.extension() == ".gltf")
+        return fail(Fault::User,
+                    fmt::format("{}: glTF files are read in their binary form: export it as .glb",
+                                path.string()));
+    return std::vector<SkeletonPiece>();
+}
+
 Result<Edit> load_plant_edit(std::filesystem::path const& path)
 {
-    if (path.extension() != ".obj") {
-        // By way of a name: g++ 14 warns wrongly of what it would destroy otherwise.
-        LoadModel model = TRY(load_model_edit(path));
-        return model;
-    }
-    constexpr std::size_t kMaxSkeletonSize = std::size_t { 512 } << 20;
-    auto const text = TRY(read_file(path, kMaxSkeletonSize));
-    return Edit { LoadSkeleton { path.string(), TRY(parse_obj_lines(path.string(), text)) } };
+    auto lines = TRY(load_lines(path));
+    if (!lines.empty())
+        return LoadSkeleton { path.string(), std::move(lines) };
+    // By way of a name: g++ 14 warns wrongly of what it would destroy otherwise.
+    LoadModel model = TRY(load_model_edit(path));
+    return model;
 }
 
 Result<Model> load_model(std::filesystem::path const& path)

@@ -22,8 +22,9 @@ IncludeReader model_includes(std::filesystem::path const& path);
 // All of it as an edit, so that a scene holds the model's texts and needs no file again.
 Result<LoadModel> load_model_edit(std::filesystem::path const& path);
 
-// A plant as an edit: a model as above, or the skeleton that another program has drawn as lines in
-// a Wavefront OBJ file (skeleton_lines.h), if the name ends in .obj.
+// A plant as an edit: a model as above, or the skeleton that another program has drawn as lines, in
+// a Wavefront OBJ file (skeleton_lines.h) or a binary glTF file (glb_lines.h), if the name ends in
+// .obj or .glb.
 Result<Edit> load_plant_edit(std::filesystem::path const& path);
 
 // Both, compiled.

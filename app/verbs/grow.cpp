@@ -156,9 +156,9 @@ void add_grow_verb(CLI::App& root, Action& action)
         ->type_name("N")
         ->check(whole_number(1, 10'000));
     verb->footer(
-        "MODEL may also be a skeleton that another program has drawn as lines (.obj), or a\n"
-        "session (.tractus): then it is the plant as drawn, as the station's window shows it.\n"
-        "The same model and seed always give the same file.");
+        "MODEL may also be a skeleton that another program has drawn as lines (.obj, .glb), or\n"
+        "a session (.tractus): then it is the plant as drawn, as the station's window shows\n"
+        "it. The same model and seed always give the same file.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return grow_model(*arguments); }; });
 }

@@ -105,9 +105,10 @@ void add_vary_verb(CLI::App& root, Action& action)
     auto arguments = std::make_shared<VaryArguments>();
     auto* const verb = root.add_subcommand(
         "vary", "Make a collection: many plants that all keep what was drawn, no two alike");
-    verb->add_option("MODEL", arguments->model,
-                     "The plant's model: an L-system file (.l), a skeleton of lines (.obj), a "
-                     "session with what was drawn in it (.tractus), or one of ours by its name")
+    verb->add_option(
+            "MODEL", arguments->model,
+            "The plant's model: an L-system file (.l), a skeleton of lines (.obj, .glb), a "
+            "session with what was drawn in it (.tractus), or one of ours by its name")
         ->required();
     add_drawing_options(*verb, *arguments);
     verb->add_option("--count", arguments->collection.count, "Plants in the collection, all parts")

@@ -153,7 +153,11 @@ TEST_F(BadInput, AGlbThatIsNone)
     expect_error(run("tractus render cut.glb -o x.png"), 1, "truncated: 5000 bytes");
     expect_error(run("tractus render small.l -o x.png"), 1, "not a binary glTF file");
     expect_error(run("tractus render missing.glb -o x.png"), 1, "cannot open missing.glb");
+    expect_error(run("tractus grow plant.glb -o x.glb"), 1, "there are no lines");
+    write("plant.gltf", "{}");
+    expect_error(run("tractus grow plant.gltf -o x.glb"), 1, "export it as .glb");
     EXPECT_FALSE(exists("x.png"));
+    EXPECT_FALSE(exists("x.glb"));
 }
 
 TEST_F(BadInput, AScriptForTheHandThatIsNone)
