@@ -62,6 +62,12 @@ private:
     // Holds until the next call. `place` is of a plant of this collection.
     Plant const& grow(Grower& grower, PlantPlace const& place);
 
+    std::optional<WindKey> wind(PlantPlace const& place) const
+    {
+        return options_.has_wind ? std::optional(WindKey { options_.seed, place.index })
+                                 : std::nullopt;
+    }
+
     PlantKey key(std::size_t index) const
     {
         return { options_.seed, static_cast<std::uint32_t>(index) };
@@ -181,7 +187,8 @@ void Collection::add_details(PlacedMesh& mesh, std::function<Plant()> const& pla
             { PlantToMesh {
                   .plant
                   = [this, plant, share] { return coarser_plant(plant(), options_.mesh, share); },
-                  .options = coarser_options(options_.mesh, share) },
+                  .options = coarser_options(options_.mesh, share),
+                  .wind = std::get<PlantToMesh>(mesh.mesh).wind },
               kFullCoverage * share });
     }
     mesh.details.push_back(
@@ -235,7 +242,7 @@ Result<std::vector<ManifestPlant>> Collection::write_one_file(Grower& grower,
             }
             return grow(grower, place);
         };
-        meshes.back().mesh = PlantToMesh { .plant = make, .options = options_.mesh };
+        meshes.back().mesh = PlantToMesh { make, options_.mesh, wind(place) };
         add_details(meshes.back(), make);
     }
     auto const write = [&](std::ostream& out) -> Result<void> {
@@ -260,7 +267,7 @@ Result<std::vector<ManifestPlant>> Collection::write_folder(Grower& grower,
             = fmt::format("{}-{:0{}}.glb", options_.model.stem().string(), place.index + 1, digits);
         auto mesh = placed(place);
         auto const& plant = grow(grower, place);
-        mesh.mesh = PlantToMesh { .plant = &plant, .options = options_.mesh };
+        mesh.mesh = PlantToMesh { &plant, options_.mesh, wind(place) };
         add_details(mesh, [&] { return plant; });
         auto const write = [&](std::ostream& out) -> Result<void> {
             auto const summary = TRY(write_plants(out, { &mesh, 1 }));

@@ -54,6 +54,7 @@ struct CollectionOptions {
     std::filesystem::path sheet {};
     MeshOptions mesh {};
     GlbOptions glb {};
+    bool has_wind = false; // What the wind needs is in the files; glb.wind says where.
 
     // Coarser levels that each plant has beside itself, each of half the triangles of the one
     // before (engine/mesh/level_of_detail.h); the last one is a billboard. 0 to kMostDetails.

@@ -24,6 +24,7 @@ struct VaryArguments {
     std::string ages = "1";
     std::string stand = "grid";
     std::string shard = "1/1";
+    std::string wind = "none";
     bool quantized = false;
     bool nodes = false;
 };
@@ -48,6 +49,11 @@ Result<void> vary(VaryArguments const& arguments)
         options.stand = Stand::Scatter;
     if (arguments.quantized)
         options.glb.vertices = GlbOptions::Vertices::Quantized;
+    options.has_wind = arguments.wind != "none";
+    if (arguments.wind == "uv")
+        options.glb.wind = GlbOptions::Wind::TextureCoordinates;
+    if (arguments.wind == "colour")
+        options.glb.wind = GlbOptions::Wind::Colours;
     if (arguments.nodes)
         options.glb.instancing = GlbOptions::Instancing::Nodes;
     Progress progress;
@@ -91,6 +97,13 @@ void add_output_options(CLI::App& verb, VaryArguments& arguments)
                     "half the triangles of the one before, and the last is a billboard")
         ->type_name("N")
         ->check(whole_number(0, kMostDetails))
+        ->capture_default_str();
+    verb.add_option("--wind", arguments.wind,
+                    "Where vertices keep what game engines need for the wind (pivot, axis, level, "
+                    "phase and bend of their branch): none, attributes (_PIVOT and so on), uv "
+                    "(TEXCOORD_1 to _4) or colour (COLOR_0)")
+        ->type_name("CHANNELS")
+        ->check(one_of({ "none", "attributes", "uv", "colour" }))
         ->capture_default_str();
     verb.add_flag("--quantized", arguments.quantized,
                   "Write smaller vertices, for readers that know KHR_mesh_quantization");

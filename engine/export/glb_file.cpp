@@ -100,16 +100,25 @@ std::uint64_t glb_bytes(MeshPieces const& plant, GlbOptions const& options)
 {
     bool const quantized = options.vertices == GlbOptions::Vertices::Quantized;
     std::uint64_t bytes = plant.picture_png().size();
+    auto const wind = [&](GlbOptions::Wind channels) {
+        std::uint64_t of_one = 0;
+        for (auto const& stream : wind_streams(channels))
+            of_one += static_cast<std::uint64_t>(stream.format.element_bytes);
+        return plant.has_wind() ? of_one : 0;
+    };
     for (auto const& surface : plant.surfaces())
-        bytes += triangle_bytes(
-            surface.extent, with_indices_for({ .quantized = quantized }, surface.extent.vertices));
+        bytes += surface.extent.vertices * wind(options.wind)
+            + triangle_bytes(surface.extent,
+                             with_indices_for({ .quantized = quantized }, surface.extent.vertices));
     InstanceFormat const format { .quantized = quantized };
     auto const instance_bytes = format.translations().element_bytes
         + format.rotations().element_bytes + format.scales().element_bytes;
+    auto const organ_bytes
+        = static_cast<std::uint64_t>(instance_bytes) + wind(GlbOptions::Wind::Attributes);
     for (auto const& organ : plant.organs()) {
         auto const extent = extent_of(organ.prototype);
         bytes += triangle_bytes(extent, with_indices_for({}, extent.vertices))
-            + organ.instances.size() * static_cast<std::uint64_t>(instance_bytes);
+            + organ.instances.size() * organ_bytes;
     }
     return bytes;
 }
@@ -164,6 +173,23 @@ GlbFile::Columns GlbFile::open_triangles(MeshExtent const& extent, SurfaceFormat
     return columns;
 }
 
+void GlbFile::open_wind(Columns& columns, std::span<WindStream const> streams, std::size_t count)
+{
+    for (std::size_t i = 0; plant_->has_wind() && i < streams.size(); ++i)
+        open(columns, kFirstWindStream + i, streams[i].format, count);
+}
+
+// To be added to other attributes; empty without wind.
+std::string GlbFile::wind_attributes(Columns const& columns, std::span<WindStream const> streams,
+                                     int target)
+{
+    std::string text;
+    for (std::size_t i = 0; i < streams.size(); ++i)
+        if (auto const& column = columns[kFirstWindStream + i]; column.count > 0)
+            text += fmt::format(",\"{}\":{}", streams[i].name, add_accessor(column, target));
+    return text;
+}
+
 void GlbFile::write(Columns& columns, EncodedPiece const& piece)
 {
     for (std::size_t i = 0; i < columns.size(); ++i)
@@ -199,9 +225,10 @@ std::string GlbFile::add_primitive(Columns const& columns, EncodedPiece const& l
     auto const normals = add_accessor(columns[1], kArrayBuffer);
     auto const texture = add_accessor(columns[2], kArrayBuffer);
     auto const indices = add_accessor(columns[3], kElementArrayBuffer);
-    return fmt::format("{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{},\"TEXCOORD_0\":{}}},"
+    auto const wind = wind_attributes(columns, wind_streams(options_.wind), kArrayBuffer);
+    return fmt::format("{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{},\"TEXCOORD_0\":{}{}}},"
                        "\"indices\":{},\"material\":{}}}",
-                       positions, normals, texture, indices, material);
+                       positions, normals, texture, wind, indices, material);
 }
 
 Result<void> GlbFile::add_surface_piece(std::size_t index, bool is_last, EncodedPiece const& piece)
@@ -212,6 +239,7 @@ Result<void> GlbFile::add_surface_piece(std::size_t index, bool is_last, Encoded
             ? materials_.index_of(plant_->material(surface.material))
             : materials_.add_picture(plant_->picture_png());
         open_ = open_triangles(surface.extent, format_.of(surface));
+        open_wind(*open_, wind_streams(options_.wind), surface.extent.vertices);
         limits_ = {};
     }
     if (!piece.is_finite)
@@ -273,6 +301,7 @@ Result<void> GlbFile::add_instances(std::size_t index, bool is_last, EncodedPiec
         open(columns, 0, InstanceFormat::translations(), organ.instances.size());
         open(columns, 1, format_.instances.rotations(), organ.instances.size());
         open(columns, 2, InstanceFormat::scales(), organ.instances.size());
+        open_wind(columns, wind_streams(GlbOptions::Wind::Attributes), organ.instances.size());
     }
     write(*open_, piece);
     if (!is_last)
@@ -282,10 +311,12 @@ Result<void> GlbFile::add_instances(std::size_t index, bool is_last, EncodedPiec
     auto const translations = add_accessor(columns[0], kNoTarget);
     auto const rotations = add_accessor(columns[1], kNoTarget);
     auto const scales = add_accessor(columns[2], kNoTarget);
+    auto const wind
+        = wind_attributes(columns, wind_streams(GlbOptions::Wind::Attributes), kNoTarget);
     add_child(
         fmt::format("{{\"mesh\":{},\"extensions\":{{\"EXT_mesh_gpu_instancing\":"
-                    "{{\"attributes\":{{\"TRANSLATION\":{},\"ROTATION\":{},\"SCALE\":{}}}}}}}}}",
-                    open_index_, translations, rotations, scales));
+                    "{{\"attributes\":{{\"TRANSLATION\":{},\"ROTATION\":{},\"SCALE\":{}{}}}}}}}}}",
+                    open_index_, translations, rotations, scales, wind));
     open_.reset();
     return stream_.check();
 }

@@ -6,6 +6,7 @@
 #include "engine/export/gltf_materials.h"
 #include "engine/export/mesh_pieces.h"
 #include "engine/export/piece_encoder.h"
+#include "engine/export/wind_channels.h"
 
 #include <array>
 #include <map>
@@ -65,10 +66,13 @@ private:
         std::size_t count = 0;
         GlbStream::Block block {};
     };
-    using Columns = std::array<Column, 4>;
+    using Columns = std::array<Column, kMostStreams>;
 
     void open(Columns& columns, std::size_t index, NumberFormat const& format, std::size_t count);
     Columns open_triangles(MeshExtent const& extent, SurfaceFormat const& format);
+    void open_wind(Columns& columns, std::span<WindStream const> streams, std::size_t count);
+    std::string wind_attributes(Columns const& columns, std::span<WindStream const> streams,
+                                int target);
     void write(Columns& columns, EncodedPiece const& piece);
     std::size_t add_accessor(Column const& column, int target, std::string_view more = {});
     std::string add_primitive(Columns const& columns, EncodedPiece const& limits,

@@ -37,6 +37,7 @@ struct Unit {
 
     // Kept from unit to unit, so that they are allocated once.
     TriangleMesh triangles {};
+    std::vector<WindVertex> wind {};
     EncodedPiece encoded {};
 
     bool is_last() const { return piece + 1 == piece_count; }
@@ -134,18 +135,23 @@ private:
     std::size_t piece_ = 0;
 };
 
-void encode(Unit& unit)
+void encode(Unit& unit, GlbOptions const& options)
 {
     auto const& plant = *unit.plant;
     if (unit.kind == Unit::Kind::Surface) {
         auto const& surface = plant.pieces->surfaces()[unit.index];
         encode_triangles(plant.pieces->piece(unit.index, unit.piece, unit.triangles),
                          plant.format.of(surface), unit.encoded);
+        plant.pieces->wind(unit.index, unit.piece, unit.wind);
+        encode_wind(unit.wind, options.wind, unit.encoded);
     } else if (unit.kind == Unit::Kind::Organ) {
         std::span<InstanceTransform const> const all = plant.pieces->organs()[unit.index].instances;
         auto const first = all.size() * unit.piece / unit.piece_count;
         auto const end = all.size() * (unit.piece + 1) / unit.piece_count;
         encode_instances(all.subspan(first, end - first), plant.format.instances, unit.encoded);
+        auto const wind = plant.pieces->organ_wind(unit.index);
+        encode_wind(wind.empty() ? wind : wind.subspan(first, end - first),
+                    GlbOptions::Wind::Attributes, unit.encoded);
     }
 }
 
@@ -166,13 +172,13 @@ Result<void> write(Unit const& unit, GlbFile& file)
 }
 
 // Makes pieces on all threads and writes them one after another.
-Result<void> write_plants(Units units, GlbFile& file)
+Result<void> write_plants(Units units, GlbOptions const& options, GlbFile& file)
 {
     std::vector<Unit> slots(static_cast<std::size_t>(thread_count()) + 1);
     Result<void> result;
     parallel_in_order(slots.size(),
                       { .next = [&](std::size_t slot) { return units.next(slots[slot]); },
-                        .make = [&](std::size_t slot) { encode(slots[slot]); },
+                        .make = [&](std::size_t slot) { encode(slots[slot], options); },
                         .use =
                             [&](std::size_t slot) {
                                 result = write(slots[slot], file);
@@ -194,7 +200,9 @@ struct FirstPlant {
 void measure(MeshPieces const& pieces, GlbOptions const& options, FirstPlant& first)
 {
     first.bytes += glb_bytes(pieces, options);
-    first.json_bytes += 600 + 1400 * pieces.surfaces().size() + 1000 * pieces.organs().size();
+    auto const accessors = pieces.has_wind() ? 9u : 4u;
+    first.json_bytes += 600 + 350 * accessors * pieces.surfaces().size()
+        + 250 * accessors * pieces.organs().size();
     if (options.instancing == GlbOptions::Instancing::Nodes)
         for (auto const& organ : pieces.organs())
             first.json_bytes += 220 * organ.instances.size();
@@ -272,7 +280,7 @@ Result<GlbSummary> write_glb(std::ostream& out, std::span<PlacedMesh const> plan
     while (true) {
         out.seekp(start);
         GlbFile file(out, options, (room + 3) / 4 * 4);
-        TRY(write_plants(Units(plants, options, std::move(first.pieces)), file));
+        TRY(write_plants(Units(plants, options, std::move(first.pieces)), options, file));
         if (auto const summary = TRY(file.finish()))
             return *summary;
         room = file.json_bytes();

@@ -32,6 +32,19 @@ struct GlbOptions {
                    // of organs to 16.
     };
 
+    // Where vertices keep what the wind needs, of plants that have it. Organs that are instanced
+    // always have it as attributes; those that are nodes do not have it.
+    //
+    // Attributes:         _PIVOT and _AXIS (x, y, z), _LEVEL, _PHASE and _BEND.
+    // TextureCoordinates: TEXCOORD_1 (pivot x, y), _2 (pivot z, bend), _3 (axis x, y), _4 (axis z,
+    //                     level + phase).
+    // Colours:            COLOR_0, 8 bits each: phase, bend, level / 8 (1 at most), 1.
+    //
+    // Pivots are in metres in the frame of the plant's node, +y up, and so are axes, whatever
+    // `vertices` says.
+    enum class Wind { Attributes, TextureCoordinates, Colours };
+    Wind wind = Wind::Attributes;
+
     Instancing instancing = Instancing::Extension;
     Textures textures = Textures::Embedded;
     Vertices vertices = Vertices::Float;

@@ -33,11 +33,11 @@ MeshPieces::MeshPieces(MeshSource const& source)
     } else if (!to_mesh) {
         use_mesh(mesh_of(source, made_));
     } else if (auto const* const grow = std::get_if<std::function<Plant()>>(&to_mesh->plant)) {
-        use_plant(grown_.emplace((*grow)()), to_mesh->options);
+        use_plant(grown_.emplace((*grow)()), *to_mesh);
     } else {
         auto const* const plant = std::get<Plant const*>(to_mesh->plant);
         CHECK(plant);
-        use_plant(*plant, to_mesh->options);
+        use_plant(*plant, *to_mesh);
     }
 }
 
@@ -51,11 +51,16 @@ void MeshPieces::use_mesh(Mesh const& mesh)
               (surface.positions_mm.size() + kPieceVertices - 1) / kPieceVertices });
 }
 
-void MeshPieces::use_plant(Plant const& plant, MeshOptions const& options)
+void MeshPieces::use_plant(Plant const& plant, PlantToMesh const& source)
 {
     plant_ = &plant;
-    plan_.emplace(plant, options);
-    organs_ = make_organs(plant, options);
+    plan_.emplace(plant, source.options);
+    organs_ = make_organs(plant, source.options);
+    wind_ = source.wind;
+    organ_wind_.resize(plant.organ_shapes.size());
+    if (wind_)
+        for (auto const& organ : plant.organs)
+            organ_wind_[organ.shape].push_back(wind_at(plant, organ.segment, *wind_));
     for (auto const& surface : plan_->surfaces())
         surfaces_.push_back({ surface.material, surface.extent, surface.piece_count() });
 }
@@ -89,6 +94,23 @@ Bounds MeshPieces::bounds_mm() const
         for (auto const& position : surface.positions_mm)
             bounds.add(position.cast<double>());
     return bounds;
+}
+
+void MeshPieces::wind(std::size_t surface, std::size_t piece, std::vector<WindVertex>& buffer) const
+{
+    buffer.clear();
+    if (!wind_)
+        return;
+    auto const& planned = plan_->surfaces()[surface];
+    buffer.resize(planned.extent_of(piece).vertices);
+    plan_->make_wind(planned, piece, *wind_, buffer);
+}
+
+std::span<WindVertex const> MeshPieces::organ_wind(std::size_t organ) const
+{
+    if (!wind_)
+        return {};
+    return organ_wind_[organs_[organ].shape];
 }
 
 TriangleView MeshPieces::piece(std::size_t surface, std::size_t piece, TriangleMesh& buffer) const

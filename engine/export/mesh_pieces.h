@@ -38,6 +38,12 @@ public:
     std::span<InstancedMesh const> organs() const;
     Material const& material(MaterialId id) const;
     std::uint64_t triangle_count() const; // As drawn: every instance counted.
+    // What a piece's vertices need for the wind, into `buffer`; nothing for what has no wind.
+    bool has_wind() const { return wind_.has_value(); }
+    void wind(std::size_t surface, std::size_t piece, std::vector<WindVertex>& buffer) const;
+    // The same for the instances of an organ.
+    std::span<WindVertex const> organ_wind(std::size_t organ) const;
+
     // A billboard's picture, in PNG, on all of its surfaces; empty for what is none.
     std::string const& picture_png() const { return picture_png_; }
     Bounds bounds_mm() const; // A box around all surfaces. Reads a mesh through.
@@ -47,7 +53,7 @@ public:
 
 private:
     void use_mesh(Mesh const& mesh);
-    void use_plant(Plant const& plant, MeshOptions const& options);
+    void use_plant(Plant const& plant, PlantToMesh const& source);
 
     std::optional<Mesh> made_;
     std::string picture_png_;
@@ -56,6 +62,8 @@ private:
     Plant const* plant_ = nullptr; // this one, with its plan and organs.
     std::optional<MeshPlan> plan_;
     std::vector<InstancedMesh> organs_;
+    std::optional<WindKey> wind_;
+    std::vector<std::vector<WindVertex>> organ_wind_; // Per organ shape of the plant.
     std::vector<Surface> surfaces_;
 };
 

@@ -14,6 +14,7 @@ namespace tractus {
 // glTF's name for a kind of number (glTF 2.0 section 3.6.2.2).
 enum class ComponentType {
     Byte = 5120,
+    UnsignedByte = 5121,
     Short = 5122,
     UnsignedShort = 5123,
     UnsignedInt = 5125,
@@ -47,16 +48,18 @@ struct SurfaceFormat {
 // Quantisation for what lies in a box. A box that is empty or not finite gives some that works.
 SurfaceFormat quantized_format(Bounds const& bounds_mm);
 
+constexpr std::size_t kMostStreams = 9;
+
 // A part of a file, ready to be written: each stream continues a block of its own.
 struct EncodedPiece {
-    std::array<std::span<std::byte const>, 4> streams {};
+    std::array<std::span<std::byte const>, kMostStreams> streams {};
     bool is_finite = true;
     // Of positions, as they are written; low above high if there are none.
     Vec3f low = Vec3f::Constant(std::numeric_limits<float>::infinity());
     Vec3f high = -low;
 
     // What the streams lie in, if it is not the mesh itself.
-    std::array<BulkVector<std::byte>, 4> storage {};
+    std::array<BulkVector<std::byte>, kMostStreams> storage {};
 };
 
 // Streams: positions, normals, texture coordinates, indices. `triangles` must outlive what is

@@ -2,6 +2,7 @@
 
 #include "engine/export/billboard.h"
 #include "engine/mesh/make_mesh.h"
+#include "engine/mesh/wind.h"
 
 #include <functional>
 #include <optional>
@@ -18,6 +19,8 @@ struct PlantToMesh {
     // time. The function is called for one plant after another, but not always on the same thread.
     std::variant<Plant const*, std::function<Plant()>> plant = static_cast<Plant const*>(nullptr);
     MeshOptions options {};
+    // Where it is given, vertices and organs get what the wind needs (wind.h); .glb files only.
+    std::optional<WindKey> wind {};
 };
 
 // Triangles, or how to make them when their turn comes. An exporter may call a function more than

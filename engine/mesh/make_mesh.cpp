@@ -65,9 +65,11 @@ std::vector<InstancedMesh> make_organs(Plant const& plant, MeshOptions const& op
     std::vector<InstancedMesh> organs(plant.organ_shapes.size());
     for (auto const& organ : plant.organs)
         organs[organ.shape].instances.push_back(transform_of(organ));
-    for (std::size_t i = 0; i < organs.size(); ++i)
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        organs[i].shape = static_cast<OrganShapeId>(i);
         if (!organs[i].instances.empty())
-            organs[i].prototype = make_prototype(plant, static_cast<OrganShapeId>(i), options);
+            organs[i].prototype = make_prototype(plant, organs[i].shape, options);
+    }
     std::erase_if(organs,
                   [](InstancedMesh const& organ) { return organ.prototype.indices.empty(); });
     return organs;

@@ -230,4 +230,32 @@ void MeshPlan::make_piece(Surface const& surface, std::size_t piece, TrianglePla
     }
 }
 
+void MeshPlan::make_wind(Surface const& surface, std::size_t piece, WindKey const& key,
+                         std::span<WindVertex> to) const
+{
+    Spine spine;
+    Extrusion extrusion;
+    for (auto i = surface.pieces[piece]; i != surface.pieces[piece + 1]; ++i) {
+        auto const& item = surface.items[i];
+        auto const end = i + 1 < surface.items.size() ? surface.items[i + 1].first_vertex
+                                                      : surface.extent.vertices;
+        auto const vertices = to.first(end - item.first_vertex);
+        to = to.subspan(vertices.size());
+        if (i >= surface.tube_count) {
+            auto const segment = plant_.polygons[item.number].segment;
+            std::fill(vertices.begin(), vertices.end(), wind_at(plant_, segment, key));
+            continue;
+        }
+        auto const& axis = plant_.axes[item.number];
+        std::fill(vertices.begin(), vertices.end(), wind_of(plant_, axis, key));
+        if (has_contour(plant_, axis)) {
+            trace_extrusion(plant_, axis, options_, extrusion);
+            bend_extrusion(extrusion, item.part, vertices);
+            continue;
+        }
+        trace_spine(plant_, axis, options_, thickest_mm_, spine);
+        bend_tube(spine, item.part, vertices);
+    }
+}
+
 } // namespace tractus

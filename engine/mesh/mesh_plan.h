@@ -3,6 +3,7 @@
 #include "engine/mesh/make_mesh.h"
 #include "engine/mesh/triangle_place.h"
 #include "engine/mesh/tube.h"
+#include "engine/mesh/wind.h"
 
 #include <span>
 #include <vector>
@@ -51,6 +52,10 @@ public:
     // Makes one piece: `place` is where it begins, and has room for the piece's extent. Indices
     // count from the surface's first vertex if place.vertex is start_of(piece).vertices.
     void make_piece(Surface const& surface, std::size_t piece, TrianglePlace place) const;
+
+    // What the vertices of one piece need for the wind: as many as the piece's extent has.
+    void make_wind(Surface const& surface, std::size_t piece, WindKey const& key,
+                   std::span<WindVertex> to) const;
 
 private:
     void plan_tubes();

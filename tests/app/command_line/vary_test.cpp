@@ -133,6 +133,23 @@ TEST_F(Vary, PlantsHaveCoarserLevelsBesideThem)
     EXPECT_EQ(run("tractus vary small.l --lods 7 -o x").exit_code, 2);
 }
 
+TEST_F(Vary, PlantsHaveWhatTheWindNeedsWhereItIsAskedFor)
+{
+    vary("small.l --count 2 -o calm.glb");
+    vary("small.l --count 2 --lods 2 --wind attributes -o attributes.glb");
+    vary("small.l --count 2 --wind uv -o uv.glb");
+    vary("small.l --count 2 --wind colour -o colour.glb");
+    auto const has = [&](char const* file, char const* name) {
+        return read(file).find(name) != std::string::npos;
+    };
+    EXPECT_FALSE(has("calm.glb", "_PIVOT"));
+    EXPECT_TRUE(has("attributes.glb", "_PIVOT"));
+    EXPECT_TRUE(has("uv.glb", "TEXCOORD_4"));
+    EXPECT_TRUE(has("colour.glb", "COLOR_0"));
+    vary("small.l --count 2 --lods 2 --wind attributes -o again.glb", "taskset -c 0");
+    EXPECT_EQ(read("again.glb"), read("attributes.glb"));
+}
+
 TEST_F(Vary, WrongUsageIsRefused)
 {
     for (auto const& [arguments, reason] :
@@ -143,6 +160,7 @@ TEST_F(Vary, WrongUsageIsRefused)
            std::pair("small.l --ages old -o x", "'old' is not a range"),
            std::pair("small.l --spread heap -o x", "heap"), std::pair("small.l", "--output"),
            std::pair("small.l --sheet x.jpg -o x", ".png"),
+           std::pair("small.l --wind strong -o x", "strong"),
            std::pair("small.l --rig a.rig.toml -o x", "--drawing") }) {
         auto const outcome = run(std::string("tractus vary ") + arguments);
         EXPECT_EQ(outcome.exit_code, 2) << arguments;

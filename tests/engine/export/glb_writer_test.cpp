@@ -3,6 +3,7 @@
 #include "engine/mesh/make_mesh.h"
 #include "tests/engine/mesh/sample_plants.h"
 
+#include <algorithm>
 #include <cstring>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -170,6 +171,74 @@ TEST(GlbWriter, CoarserLevelsStandBesideTheScene)
     }
     EXPECT_EQ(json["extensionsUsed"].size(), 3u);
     EXPECT_EQ(json["extensionsRequired"].size(), 1u); // Leaves are instanced.
+}
+
+// The numbers of an accessor whose components are floats.
+std::vector<float> floats_of(std::string const& glb, std::size_t accessor, std::size_t components)
+{
+    auto const json = json_of(glb);
+    auto const& numbers = json["accessors"][accessor];
+    auto const& view = json["bufferViews"][numbers["bufferView"].get<std::size_t>()];
+    std::vector<float> values(numbers["count"].get<std::size_t>() * components);
+    std::memcpy(values.data(),
+                glb.data() + 28 + u32_at(glb, 12) + view["byteOffset"].get<std::size_t>(),
+                values.size() * sizeof(float));
+    return values;
+}
+
+TEST(GlbWriter, WritesWhatTheWindNeeds)
+{
+    auto const plant = sample_tree(1);
+    PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant, .wind = WindKey { 5, 6 } } };
+    auto const glb = glb_of(std::span(&placed, 1), { .vertices = GlbOptions::Vertices::Quantized });
+    auto const json = json_of(glb);
+    nlohmann::json attributes; // Of the tubes, and of the leaves.
+    nlohmann::json of_leaves;
+    for (auto const& mesh : json["meshes"])
+        if (mesh["primitives"][0]["attributes"].contains("_BEND"))
+            attributes = mesh["primitives"][0]["attributes"];
+    for (auto const& node : json["nodes"])
+        if (node.contains("extensions"))
+            of_leaves = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+    for (auto const* const name : { "_PIVOT", "_AXIS", "_LEVEL", "_PHASE", "_BEND" }) {
+        ASSERT_TRUE(attributes.contains(name)) << name;
+        ASSERT_TRUE(of_leaves.contains(name)) << name;
+    }
+    auto const count = json["accessors"][attributes["POSITION"].get<std::size_t>()]["count"];
+    auto const bends = floats_of(glb, attributes["_BEND"], 1);
+    EXPECT_EQ(bends.size(), count);
+    EXPECT_EQ(*std::min_element(bends.begin(), bends.end()), 0);
+    EXPECT_EQ(*std::max_element(bends.begin(), bends.end()), 1);
+
+    // A leaf's branch, in metres and +y up.
+    auto const pivots = floats_of(glb, of_leaves["_PIVOT"], 3);
+    auto const levels = floats_of(glb, of_leaves["_LEVEL"], 1);
+    ASSERT_EQ(levels.size(), plant.organs.size());
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        auto const& axis = plant.axes[axis_of(plant, plant.organs[i].segment)];
+        Vec3 const base = plant.positions(axis)[0];
+        EXPECT_EQ(levels[i], static_cast<float>(axis.order));
+        EXPECT_NEAR(pivots[3 * i], 0.001 * base.x(), 1e-5);
+        EXPECT_NEAR(pivots[3 * i + 1], 0.001 * base.z(), 1e-5);
+        EXPECT_NEAR(pivots[3 * i + 2], -0.001 * base.y(), 1e-5);
+    }
+}
+
+TEST(GlbWriter, WritesWindWhereAnEngineLooksForIt)
+{
+    auto const plant = single_axis(4, 10, 5);
+    PlacedMesh const windy { .mesh = PlantToMesh { .plant = &plant, .wind = WindKey {} } };
+    auto const attributes = [&](GlbOptions const& options) {
+        auto const json = json_of(glb_of(std::span(&windy, 1), options));
+        return json["meshes"][0]["primitives"][0]["attributes"];
+    };
+    auto const uv = attributes({ .wind = GlbOptions::Wind::TextureCoordinates });
+    for (auto const* const name : { "TEXCOORD_0", "TEXCOORD_1", "TEXCOORD_4" })
+        EXPECT_TRUE(uv.contains(name)) << name;
+    EXPECT_TRUE(attributes({ .wind = GlbOptions::Wind::Colours }).contains("COLOR_0"));
+    PlacedMesh const calm { .mesh = PlantToMesh { .plant = &plant } };
+    auto const json = json_of(glb_of(std::span(&calm, 1)));
+    EXPECT_EQ(json["meshes"][0]["primitives"][0]["attributes"].size(), 3u);
 }
 
 TEST(GlbWriter, WritesANodePerOrganWhenAsked)

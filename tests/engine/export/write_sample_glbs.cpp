@@ -113,6 +113,12 @@ Result<void> write_samples(std::filesystem::path const& folder)
     std::vector<PlacedMesh> const far { with_details(tree), with_details(odd) };
     TRY(write("details.glb", far, {}));
     TRY(write("details_quantized.glb", far, { .vertices = Options::Vertices::Quantized }));
+    for (auto& plant : collection)
+        if (auto* const meshed = std::get_if<PlantToMesh>(&plant.mesh))
+            meshed->wind = WindKey {};
+    TRY(write("wind.glb", collection, { .vertices = Options::Vertices::Quantized }));
+    TRY(write("wind_uv.glb", collection, { .wind = Options::Wind::TextureCoordinates }));
+    TRY(write("wind_colour.glb", collection, { .wind = Options::Wind::Colours }));
     TRY(write("empty.glb", {}, {}));
     return {};
 }

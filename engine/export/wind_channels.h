@@ -1,0 +1,27 @@
+#pragma once
+
+#include "engine/export/glb_writer.h"
+#include "engine/export/piece_encoder.h"
+#include "engine/mesh/wind.h"
+
+#include <span>
+#include <string_view>
+
+namespace tractus {
+
+// The first of a piece's streams that are for the wind.
+constexpr std::size_t kFirstWindStream = 4;
+
+// One attribute of a mesh or of instances.
+struct WindStream {
+    std::string_view name;
+    NumberFormat format {};
+};
+
+// What GlbOptions::Wind says, in the order of the streams: at most kMostStreams - kFirstWindStream.
+std::span<WindStream const> wind_streams(GlbOptions::Wind channels);
+
+// Fills those streams of `piece`; leaves them empty where there is no wind.
+void encode_wind(std::span<WindVertex const> wind, GlbOptions::Wind channels, EncodedPiece& piece);
+
+} // namespace tractus
