@@ -50,7 +50,7 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
     CHECK(options.now);
     StationOptions station_options;
     station_options.rig = TRY(choose_rig(devices, options));
-    station_options.scene = options.scene;
+    station_options.scene = options.session ? options.session->scene() : options.scene;
     if (options.height_mm || !has_height_sensor(devices))
         station_options.scripted_height = ScriptedHeight {
             .scenario = { .kind = HeightScenario::Kind::Constant,
@@ -81,13 +81,16 @@ LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
 {
     view_.state().is_live = true;
     view_.state().playing = false;
+    view_.state().has_session = options_.session.has_value();
     view_.state().status = "Draw: the station reads the pen";
 }
 
 void LiveWindow::advance(Duration)
 {
     take_reports();
+    keep_strokes(); // Before they are seen to be done.
     view_.show(station_);
+    tell_what_is_not_kept();
     tell_device_changes();
     tell_who_is_away();
     if (!recorder_)
@@ -105,6 +108,30 @@ void LiveWindow::take_reports()
     if (recorder_)
         for (auto const& report : reports_)
             recorder_->write(report);
+}
+
+// What could not be kept, since the disk was full, say, is tried again.
+void LiveWindow::keep_strokes()
+{
+    constexpr Duration kPatience = std::chrono::seconds(1);
+    if (!options_.session || (!not_kept_.empty() && options_.now() < next_try_))
+        return;
+    not_kept_.clear();
+    for (auto const& strokes = station_.strokes(); kept_strokes_ < strokes.size();
+         ++kept_strokes_) {
+        auto const kept = options_.session->append(strokes[kept_strokes_].edits);
+        if (!kept) {
+            not_kept_ = kept.error().message;
+            next_try_ = options_.now() + kPatience;
+            return;
+        }
+    }
+}
+
+void LiveWindow::tell_what_is_not_kept()
+{
+    if (!not_kept_.empty())
+        view_.state().trouble = fmt::format("What is drawn is not kept: {}", not_kept_);
 }
 
 void LiveWindow::tell_device_changes()
@@ -147,8 +174,44 @@ void LiveWindow::perform(WindowCommand const& command)
     std::visit([this](auto const& kind) { perform_kind(kind); }, command);
 }
 
+// Shows what the session has become.
+void LiveWindow::show_session(Result<void> const& done, std::string const& status)
+{
+    if (done) {
+        station_.set_scene(options_.session->scene());
+        view_.begin_again(station_);
+    }
+    view_.state().status = done ? status : done.error().message;
+}
+
+void LiveWindow::perform_kind(Undo const&)
+{
+    // What is not kept yet would be lost.
+    if (options_.session && not_kept_.empty())
+        show_session(options_.session->undo(), "Undone");
+}
+
+void LiveWindow::perform_kind(Redo const&)
+{
+    if (options_.session && not_kept_.empty())
+        show_session(options_.session->redo(), "Done again");
+}
+
+// A step like another: it can be undone.
+void LiveWindow::restart_session()
+{
+    std::vector<Edit> beginning;
+    for (auto const& [step, edit, made] : options_.session->contents().edits)
+        if (step == 0)
+            beginning.push_back(edit);
+    if (not_kept_.empty())
+        show_session(options_.session->append(beginning), "The session is as it began");
+}
+
 void LiveWindow::perform_kind(Restart const&)
 {
+    if (options_.session)
+        return restart_session();
     auto again = Station::create(devices_.infos(), station_options_);
     if (!again) {
         view_.state().status = again.error().message;

@@ -2,12 +2,14 @@
 
 #include "app/live_devices.h"
 #include "app/live_recorder.h"
+#include "app/session/session.h"
 #include "app/station_view.h"
 #include "app/window/window_model.h"
 #include "calib/rig.h"
 #include "engine/base/result.h"
 #include "engine/scene/scene.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -23,7 +25,9 @@ struct LiveWindowOptions {
     Scene scene {};                       // What the pen works on; its base plant is loaded.
     std::filesystem::path pictures = "."; // The folder in which saved pictures appear.
     std::filesystem::path recording {};   // The new log of all that comes; empty: none.
-    std::function<Timestamp()> now {};    // The clock of the reports.
+    // Keeps what is drawn; the pen works on its scene in place of the one above.
+    std::optional<Session> session {};
+    std::function<Timestamp()> now {}; // The clock of the reports.
 };
 
 // What the station's window shows while somebody draws: devices are read on threads of their own,
@@ -51,8 +55,14 @@ private:
     void perform_kind(NextVariation const&);
     void perform_kind(SavePicture const& command);
     void perform_kind(ChooseTool const& command);
+    void perform_kind(Undo const&);
+    void perform_kind(Redo const&);
 
     void take_reports();
+    void keep_strokes();
+    void tell_what_is_not_kept();
+    void restart_session();
+    void show_session(Result<void> const& done, std::string const& status);
     void tell_device_changes();
     void tell_who_is_away();
     void stop_recording(std::string const& why);
@@ -63,6 +73,9 @@ private:
     Station station_;
     StationView view_;
     std::optional<LiveRecorder> recorder_;
+    std::size_t kept_strokes_ = 0;           // Of the station's: they are in the session.
+    std::string not_kept_;                   // Why the next one is not; empty if it is.
+    Timestamp next_try_ {};                  // To keep it.
     std::vector<LiveReport> reports_;        // Kept for its memory.
     std::vector<LiveDevices::State> states_; // As the person was told.
 };

@@ -33,6 +33,8 @@ private:
     void perform_kind(NextVariation const&);
     void perform_kind(SavePicture const& command);
     void perform_kind(ChooseTool const&) { } // The recording chooses.
+    void perform_kind(Undo const&) { }       // It has no session.
+    void perform_kind(Redo const&) { }
 
     Log const* log_;        // Not owned.
     ReplayOptions options_; // To begin again.

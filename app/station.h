@@ -16,6 +16,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tractus {
@@ -69,6 +70,9 @@ public:
 
     // From the pen's samples at `time` on, strokes belong to `tool`.
     void set_tool(Timestamp time, Tool const& tool);
+
+    // Another scene to go on with, as undo leaves it. Strokes under way will work on it.
+    void set_scene(Scene scene) { scene_ = std::move(scene); }
 
     // Time has passed without a report: some pens leave by falling silent. Each report passes time
     // by itself; live, call this when all that have come are pushed.

@@ -7,6 +7,7 @@
 #include "app/model_file.h"
 #include "app/replay_window.h"
 #include "app/resources.h"
+#include "app/session_plant.h"
 #include "app/simulated_recording.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/device_sources.h"
@@ -33,6 +34,7 @@ struct WindowArguments {
     std::string log;
     std::vector<std::string> devices;
     std::string recording;
+    std::string session;
     std::string model = "broadleaf";
     std::string rig;
     std::string height;
@@ -56,6 +58,8 @@ Result<Log> drawn_by_the_simulated_hand(std::filesystem::path const& model, Scen
 
 Result<Scene> load_scene(std::filesystem::path const& model)
 {
+    if (is_session_file(model))
+        return load_session_scene(model);
     auto const edit = TRY(load_model_edit(model));
     return apply_edit({}, edit, load_options());
 }
@@ -86,6 +90,22 @@ Result<void> show_replay(WindowArguments const& arguments)
     return run_window(window, window_options(arguments, name, model));
 }
 
+Result<std::vector<Edit>> model_edits(std::filesystem::path const& model)
+{
+    auto edit = TRY(load_plant_edit(model));
+    return std::vector<Edit> { std::move(edit) };
+}
+
+// The session in the file, or a new one of the plant.
+Result<Session> keep_in(std::filesystem::path const& file, std::filesystem::path const& model)
+{
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored))
+        return Session::open(file, session_by_the_clock([] { return load_options(); }));
+    auto edits = is_session_file(model) ? session_edits(model) : model_edits(model);
+    return begin_session(file, TRY(edits));
+}
+
 // A hand that draws now has no end at which a movement could be over.
 Result<double> constant_height_mm(std::string const& text)
 {
@@ -102,7 +122,10 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices)
 {
     auto const model = TRY(find_model(arguments.model));
     LiveWindowOptions options;
-    options.scene = TRY(load_scene(model));
+    if (arguments.session.empty())
+        options.scene = TRY(load_scene(model));
+    else
+        options.session = TRY(keep_in(arguments.session, model));
     if (!arguments.rig.empty())
         options.rig = TRY(load_rig(arguments.rig));
     if (!arguments.height.empty())
@@ -128,9 +151,9 @@ Result<void> open_window(WindowArguments const& arguments)
     });
     if (any_pen)
         return show_devices(arguments, TRY(open_found(found)));
-    if (!arguments.recording.empty())
+    if (!arguments.recording.empty() || !arguments.session.empty())
         return fail(Fault::User,
-                    "there is no tablet to record: \"tractus doctor\" says why; the simulated rig "
+                    "there is no tablet to draw on: \"tractus doctor\" says why; the simulated rig "
                     "is read with --device simulated");
     return show_replay(arguments);
 }
@@ -156,6 +179,12 @@ void add_window_verb(CLI::App& root, Action& action)
                      "Record all that the devices send and every choice of a tool: a new "
                      ".tractus-log")
         ->type_name("FILE")
+        ->excludes(log);
+    verb->add_option("--session", arguments->session,
+                     "Keep every stroke in this session as soon as it ends, with undo and redo: a "
+                     "new one of the plant, or one that is gone on with")
+        ->type_name("FILE.tractus")
+        ->check(name_ending_in({ ".tractus" }))
         ->excludes(log);
     add_plant_option(*verb, arguments->model);
     add_rig_option(*verb, arguments->rig);

@@ -77,6 +77,15 @@ void draw_legend(ImVec2 const& corner)
     }
 }
 
+bool is_z_pressed()
+{
+#if IMGUI_VERSION_NUM >= 18700
+    return ImGui::IsKeyPressed(ImGuiKey_Z);
+#else
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Z));
+#endif
+}
+
 } // namespace
 
 void Layout::show(WindowModel& model, Renderer& renderer)
@@ -169,6 +178,8 @@ void Layout::show_controls(WindowModel& model, Renderer& renderer)
         ImGui::SameLine();
         if (button("Start again", 180))
             model.perform(Restart {});
+        if (state.has_session)
+            show_undo_buttons(model);
     } else {
         show_playing_buttons(model);
     }
@@ -217,6 +228,18 @@ void Layout::show_tool_buttons(WindowModel& model) const
         if (button(choices[i].text, i == 0 ? 250 : 130))
             model.perform(ChooseTool { choices[i].tool });
     }
+}
+
+void Layout::show_undo_buttons(WindowModel& model) const
+{
+    auto const& io = ImGui::GetIO();
+    bool const is_key = io.KeyCtrl && is_z_pressed();
+    ImGui::SameLine();
+    if (button("Undo", 100) || (is_key && !io.KeyShift))
+        model.perform(Undo {});
+    ImGui::SameLine();
+    if (button("Redo", 100) || (is_key && io.KeyShift))
+        model.perform(Redo {});
 }
 
 void Layout::show_speed(WindowModel& model) const

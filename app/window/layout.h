@@ -26,6 +26,7 @@ private:
     void show_controls(WindowModel& model, Renderer& renderer);
     void show_playing_buttons(WindowModel& model) const;
     void show_tool_buttons(WindowModel& model) const;
+    void show_undo_buttons(WindowModel& model) const; // And Ctrl+Z, Ctrl+Shift+Z.
     void show_speed(WindowModel& model) const;
     bool button(char const* text, float width) const;
     void show_title(char const* title, char const* detail) const;

@@ -85,6 +85,8 @@ struct WindowState {
     // Devices are read: there is no recording to be paused, and while a pen is in range the mouse
     // counts for nothing, since the window system takes that pen for one.
     bool is_live = false;
+    // What is drawn is kept in a session: it can be undone.
+    bool has_session = false;
     double progress = 0; // Of the recording, 0 to 1.
     bool playing = true;
     double speed = 1;       // Of the recording, 1 as it was made.
@@ -106,8 +108,10 @@ struct SavePicture {
 struct ChooseTool {
     Tool tool; // What the pen means from now on.
 };
-using WindowCommand
-    = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture, ChooseTool>;
+struct Undo { }; // The last stroke, or what else was done last.
+struct Redo { }; // What was undone last.
+using WindowCommand = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture,
+                                   ChooseTool, Undo, Redo>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

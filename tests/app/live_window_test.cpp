@@ -1,6 +1,7 @@
 #include "app/live_window.h"
 
 #include "app/paced_log.h"
+#include "app/session_plant.h"
 #include "calib/rig_file.h"
 #include "tests/app/simple_rig.h"
 
@@ -128,6 +129,47 @@ TEST(LiveWindow, BeginsAgainWithTheSameTool)
     EXPECT_TRUE(window.state().strokes.empty());
     EXPECT_EQ(window.state().tool, "Motion indicator");
     EXPECT_TRUE(window.station().strokes().empty());
+}
+
+// A session, gone on with if it is there.
+LiveWindowOptions options_with_session(fs::path const& path)
+{
+    auto options = options_for_tests();
+    options.session = fs::exists(path)
+        ? Session::open(path, session_by_the_clock([] { return LoadOptions {}; })).value()
+        : begin_session(path, { small_model() }).value();
+    return options;
+}
+
+TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
+{
+    auto const path = fs::temp_directory_path() / fmt::format("tractus_{}.tractus", ::getpid());
+    fs::remove(path);
+    {
+        auto window
+            = LiveWindow::create(drawing_devices(false), options_with_session(path)).value();
+        EXPECT_TRUE(window.state().has_session);
+        advance_to_end(window);
+        EXPECT_EQ(read_session(path).value().step, 1u); // While the window is open.
+        window.perform(Undo {});
+        EXPECT_TRUE(window.state().strokes.empty());
+        EXPECT_EQ(read_session(path).value().step, 0u);
+        window.perform(Undo {});
+        EXPECT_NE(window.state().status.find("nothing to undo"), std::string::npos);
+        window.perform(Redo {});
+        EXPECT_EQ(window.state().strokes.size(), 1u);
+        window.perform(Restart {});
+        EXPECT_TRUE(window.state().strokes.empty());
+        window.perform(Undo {});
+        EXPECT_EQ(window.state().strokes.size(), 1u);
+    }
+    auto again = LiveWindow::create(drawing_devices(false), options_with_session(path)).value();
+    EXPECT_EQ(again.state().strokes.size(), 1u);
+    advance_to_end(again);
+    EXPECT_EQ(again.station().scene().associations.size(), 2u);
+    EXPECT_EQ(read_session(path).value().step, 2u);
+    EXPECT_EQ(read_session(path).value().last_step(), 2u); // What was undone is gone.
+    fs::remove(path);
 }
 
 // What the window says is wrong after the height sensor has sent `counts` for 100 ms, at `now_ms`.
