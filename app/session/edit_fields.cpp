@@ -218,9 +218,10 @@ bool read(Json const& json, std::string& value)
         || !json[kBytes].is_string())
         return false;
     auto bytes = bytes_of_utf8(json[kBytes].get<std::string>());
-    if (bytes)
-        value = *std::move(bytes);
-    return bytes.has_value();
+    if (!bytes)
+        return false;
+    value = *std::move(bytes);
+    return true;
 }
 
 bool read(Json const& json, Vec3& value)
