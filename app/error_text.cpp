@@ -1,5 +1,6 @@
 #include "app/error_text.h"
 
+#include "app/console.h"
 #include "drivers/file.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ constexpr std::size_t kMaxLine = 160; // A longer one shows its part around the 
 
 constexpr std::string_view kBold = "\033[1m";
 constexpr std::string_view kRed = "\033[1;31m";
+constexpr std::string_view kYellow = "\033[1;33m";
 constexpr std::string_view kGreen = "\033[1;32m";
 constexpr std::string_view kReset = "\033[0m";
 
@@ -107,6 +109,24 @@ std::string excerpt(std::string line, std::size_t column, bool is_colored)
                       : fmt::format("  {}\n  {}^\n", line, caret);
 }
 
+std::string message_text(std::string_view kind, std::string_view color, std::string_view message,
+                         ErrorStyle style)
+{
+    auto const plain = fmt::format("{}: {}\n", kind, message);
+    if (style == ErrorStyle::Plain)
+        return plain;
+    bool const is_colored = style == ErrorStyle::Colored;
+    auto const place = find_place(message);
+    auto const line = place ? read_line(*place) : std::nullopt;
+    auto const lines = line ? excerpt(*line, place->column, is_colored) : std::string();
+    if (!is_colored)
+        return plain + lines;
+    auto const bold = line ? place->length : 0;
+    return fmt::format("{}{}:{} {}{}{}{}\n{}", color, kind, kReset, bold > 0 ? kBold : "",
+                       message.substr(0, bold), bold > 0 ? kReset : "", message.substr(bold),
+                       lines);
+}
+
 } // namespace
 
 ErrorStyle error_style()
@@ -124,19 +144,17 @@ ErrorStyle error_style()
 
 std::string error_text(Error const& error, ErrorStyle style)
 {
-    auto const plain = fmt::format("{}: {}\n", prefix(error.fault), error.message);
-    if (style == ErrorStyle::Plain)
-        return plain;
-    bool const is_colored = style == ErrorStyle::Colored;
-    auto const place = find_place(error.message);
-    auto const line = place ? read_line(*place) : std::nullopt;
-    auto const lines = line ? excerpt(*line, place->column, is_colored) : std::string();
-    if (!is_colored)
-        return plain + lines;
-    auto const bold = line ? place->length : 0;
-    return fmt::format("{}{}:{} {}{}{}{}\n{}", kRed, prefix(error.fault), kReset,
-                       bold > 0 ? kBold : "", error.message.substr(0, bold), bold > 0 ? kReset : "",
-                       error.message.substr(bold), lines);
+    return message_text(prefix(error.fault), kRed, error.message, style);
+}
+
+std::string warning_text(std::string_view message, ErrorStyle style)
+{
+    return message_text("warning", kYellow, message, style);
+}
+
+void print_warning(std::string_view message)
+{
+    print_error(warning_text(message, error_style()));
 }
 
 } // namespace tractus

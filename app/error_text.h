@@ -3,10 +3,11 @@
 #include "engine/base/result.h"
 
 #include <string>
+#include <string_view>
 
 namespace tractus {
 
-// How errors are shown to whoever reads them.
+// How errors and warnings are shown to whoever reads them.
 enum class ErrorStyle {
     Plain,   // One line, for logs and other programs.
     Excerpt, // With the line of the file that is wrong, and a caret under the column.
@@ -20,5 +21,11 @@ ErrorStyle error_style();
 // The error, with its line's end. The excerpt is that of a message that begins with
 // "FILE:LINE:COLUMN: ", if the file can be read.
 std::string error_text(Error const& error, ErrorStyle style);
+
+// The same for what does not end the work.
+std::string warning_text(std::string_view message, ErrorStyle style);
+
+// Writes a warning to standard error as it wants them.
+void print_warning(std::string_view message);
 
 } // namespace tractus

@@ -1,6 +1,7 @@
 #include "app/verbs/convert.h"
 
 #include "app/console.h"
+#include "app/error_text.h"
 #include "app/verbs/checks.h"
 #include "drivers/file.h"
 #include "drivers/foreign_log.h"
@@ -130,7 +131,7 @@ Result<void> convert(ConvertArguments const& arguments)
             info.product_id = ids->second;
         }
     if (auto const warnings = summarize_warnings(log); !warnings.empty())
-        print_error(fmt::format("warning: {}\n", warnings));
+        print_warning(warnings);
     bool const is_ours = arguments.format.empty() ? arguments.output.extension() == ".tractus-log"
                                                   : arguments.format == kTractusLog;
     TRY(write_file(arguments.output, [&](std::ostream& out) {

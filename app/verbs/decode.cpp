@@ -1,6 +1,7 @@
 #include "app/verbs/decode.h"
 
 #include "app/console.h"
+#include "app/error_text.h"
 #include "drivers/device_kind.h"
 #include "drivers/file.h"
 #include "drivers/height_decoder.h"
@@ -173,7 +174,7 @@ Result<std::vector<Device>> find_pens(Log const& log)
                     fmt::format("there is no pen to decode in {}: {}", log.name,
                                 reasons.empty() ? "it has a height sensor alone" : reasons));
     if (!reasons.empty())
-        print_error(fmt::format("warning: {}: {}\n", log.name, reasons));
+        print_warning(fmt::format("{}: {}", log.name, reasons));
     return devices;
 }
 
@@ -181,7 +182,7 @@ Result<std::vector<Device>> find_pens(Log const& log)
 Result<void> report_problems(Log const& log, std::vector<Device> const& devices)
 {
     if (auto const warnings = summarize_warnings(log); !warnings.empty())
-        print_error(fmt::format("warning: {}\n", warnings));
+        print_warning(warnings);
     for (std::size_t i = 0; i < devices.size(); ++i) {
         auto const& device = devices[i];
         if (device.bad_reports == 0)
@@ -192,9 +193,8 @@ Result<void> report_problems(Log const& log, std::vector<Device> const& devices)
                 Fault::Device,
                 fmt::format("{}: its reports are not what its report descriptor says, the first {}",
                             where, device.first_problem));
-        print_error(
-            fmt::format("warning: {}: {} of {} reports could not be decoded, the first {}\n", where,
-                        device.bad_reports, device.reports, device.first_problem));
+        print_warning(fmt::format("{}: {} of {} reports could not be decoded, the first {}", where,
+                                  device.bad_reports, device.reports, device.first_problem));
     }
     return {};
 }

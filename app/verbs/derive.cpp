@@ -1,6 +1,7 @@
 #include "app/verbs/derive.h"
 
 #include "app/console.h"
+#include "app/error_text.h"
 #include "app/model_file.h"
 #include "app/resources.h"
 #include "app/verbs/checks.h"
@@ -28,7 +29,7 @@ Result<void> run(DeriveArguments const& arguments)
     auto const path = TRY(find_model(arguments.model.model));
     auto const model = TRY(load_model(path));
     for (auto const& warning : model.warnings)
-        print_error(fmt::format("warning: {}\n", warning));
+        print_warning(warning);
     DeriveOptions options;
     options.steps = arguments.model.steps;
     options.seed = arguments.model.seed;

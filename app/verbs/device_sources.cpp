@@ -1,6 +1,7 @@
 #include "app/verbs/device_sources.h"
 
 #include "app/console.h"
+#include "app/error_text.h"
 
 #include <csignal>
 #include <fmt/core.h>
@@ -47,7 +48,7 @@ Result<LiveDevices> open_devices(std::vector<std::string> const& names, std::str
     auto devices = TRY(open_named_or_found(names, purpose));
     for (auto const& info : devices.infos())
         for (auto const& warning : info.warnings)
-            print_error(fmt::format("warning: {}\n", warning));
+            print_warning(warning);
     return devices;
 }
 

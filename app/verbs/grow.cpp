@@ -1,6 +1,7 @@
 #include "app/verbs/grow.h"
 
 #include "app/console.h"
+#include "app/error_text.h"
 #include "app/model_file.h"
 #include "app/pictures.h"
 #include "app/resources.h"
@@ -127,7 +128,7 @@ Result<void> grow_model(GrowArguments const& arguments)
     }
     auto const scene = TRY(apply_edit({}, edit, load_options(arguments.cost)));
     for (auto const& warning : scene.model_warnings)
-        print_error(fmt::format("warning: {}\n", warning));
+        print_warning(warning);
     if (arguments.frames == 0)
         return print_grown(arguments, *scene.base, path);
     // As the model has it, and not as it might have grown.
