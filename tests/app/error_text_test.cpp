@@ -50,7 +50,7 @@ TEST_F(ErrorText, IsTheSameForWarnings)
     EXPECT_EQ(warning_text("no leaves", ErrorStyle::Colored),
               "\033[1;33mwarning:\033[0m no leaves\n");
     auto const excerpt = warning_text(error(":3:9").message, ErrorStyle::Excerpt);
-    EXPECT_EQ(excerpt.substr(excerpt.find('\n')), "\n  A\t--> F(\n   \t     ^\n");
+    EXPECT_EQ(excerpt.substr(excerpt.find('\n')), "\n  A\t--> F(\n   \t      ^\n");
 }
 
 TEST_F(ErrorText, ShowsTheLineAndACaretUnderTheColumn)
