@@ -32,7 +32,7 @@ Result<void> run(DeriveArguments const& arguments)
         print_warning(warning);
     DeriveOptions options;
     options.steps = arguments.model.steps;
-    options.seed = arguments.model.seed;
+    options.seed = arguments.model.seed.value_or(1);
     auto const run = load_options(arguments.cost);
     options.limits = run.limits;
     options.print = run.print;

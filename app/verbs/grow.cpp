@@ -101,7 +101,7 @@ Result<void> print_grown(GrowArguments const& arguments, Plant const& plant,
                                  plant.organs.size(), triangles));
 }
 
-// A session says itself how its plant is derived.
+// A session says itself how its plant is derived; another seed is another variation of it.
 Result<void> grow_session(GrowArguments const& arguments, std::filesystem::path const& path)
 {
     if (arguments.model.steps)
@@ -109,7 +109,8 @@ Result<void> grow_session(GrowArguments const& arguments, std::filesystem::path 
                     fmt::format("{} is a session, which has its own derivation steps: leave "
                                 "--steps out",
                                 path.string()));
-    auto const scene = TRY(load_session_scene(path, arguments.cost));
+    auto scene = TRY(load_session_scene(path, arguments.cost));
+    scene.growth_seed = arguments.model.seed.value_or(scene.growth_seed);
     if (arguments.frames > 0)
         return write_animation(arguments, scene, path.stem().string());
     auto const plant = TRY(shown_plant(scene));
@@ -124,7 +125,7 @@ Result<void> grow_model(GrowArguments const& arguments)
     auto edit = TRY(load_plant_edit(path));
     if (auto* const model = std::get_if<LoadModel>(&edit)) {
         model->steps = arguments.model.steps;
-        model->seed = arguments.model.seed;
+        model->seed = arguments.model.seed.value_or(1);
     }
     auto const scene = TRY(apply_edit({}, edit, load_options(arguments.cost)));
     for (auto const& warning : scene.model_warnings)
@@ -133,7 +134,7 @@ Result<void> grow_model(GrowArguments const& arguments)
         return print_grown(arguments, *scene.base, path);
     // As the model has it, and not as it might have grown.
     auto const usual = TRY(growth_preset("usual"));
-    SetGrowth const growth { TRY(at_liking(usual, 0)), arguments.model.seed };
+    SetGrowth const growth { TRY(at_liking(usual, 0)), arguments.model.seed.value_or(1) };
     return write_animation(arguments, TRY(apply_edit(scene, growth)), path.stem().string());
 }
 
@@ -159,7 +160,8 @@ void add_grow_verb(CLI::App& root, Action& action)
     verb->footer(
         "MODEL may also be a skeleton that another program has drawn as lines (.obj, .glb), or\n"
         "a session (.tractus): then it is the plant as drawn, as the station's window shows\n"
-        "it. The same model and seed always give the same file.");
+        "it, or with --seed another variation. The same model and seed always give the same\n"
+        "file.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return grow_model(*arguments); }; });
 }

@@ -52,7 +52,7 @@ Result<void> check(LsystemArguments const& arguments)
     TRY(print_out(features_text(model) + "\nStep      modules   parameters\n"));
     DeriveOptions options;
     options.steps = arguments.model.steps;
-    options.seed = arguments.model.seed;
+    options.seed = arguments.model.seed.value_or(1);
     auto const run = load_options(arguments.cost);
     options.limits = run.limits;
     options.print = run.print;

@@ -14,10 +14,9 @@ void add_model_options(CLI::App& verb, ModelOptions& options)
         ->type_name("STEPS")
         ->check(whole_number(0, 1'000'000'000));
     verb.add_option("--seed", options.seed,
-                    "Of the model's stochastic rules: another seed, another plant")
+                    "Of the model's stochastic rules: another seed, another plant; without it, 1")
         ->type_name("N")
-        ->check(seed_number())
-        ->capture_default_str();
+        ->check(seed_number());
 }
 
 void add_cost_options(CLI::App& verb, ModelCost& cost)

@@ -13,7 +13,7 @@ namespace tractus {
 struct ModelOptions {
     std::string model; // For find_model().
     std::optional<int> steps;
-    std::uint64_t seed = 1;
+    std::optional<std::uint64_t> seed; // Without it 1, or what a session has.
 };
 
 // Adds them to a verb. `options` must live as long as the verb.

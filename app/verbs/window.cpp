@@ -1,5 +1,7 @@
 #include "app/verbs/window.h"
 
+#include "app/console.h"
+#include "app/error_text.h"
 #include "app/live_devices.h"
 #include "app/live_window.h"
 #include "app/log_replay.h"
@@ -9,6 +11,7 @@
 #include "app/resources.h"
 #include "app/session_plant.h"
 #include "app/simulated_recording.h"
+#include "app/unnamed_session.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/device_sources.h"
 #include "app/verbs/shared_options.h"
@@ -106,6 +109,31 @@ Result<Session> keep_in(std::filesystem::path const& file, std::filesystem::path
     return begin_session(file, TRY(edits));
 }
 
+// What is drawn is kept in the session that was asked for; else in a new one, which is `unnamed`
+// then. Where that has no place the person is told, and may draw.
+Result<void> keep(WindowArguments const& arguments, std::filesystem::path const& model,
+                  LiveWindowOptions& options, std::filesystem::path& unnamed)
+{
+    if (!arguments.session.empty()) {
+        options.session = TRY(keep_in(arguments.session, model));
+        return {};
+    }
+    options.scene = TRY(load_scene(model));
+    auto const begin = [&]() -> Result<Session> {
+        auto const now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+        unnamed = TRY(unnamed_session_path(model.stem().string(), now));
+        return keep_in(unnamed, model);
+    };
+    auto session = begin();
+    if (!session) {
+        unnamed.clear();
+        print_warning("what is drawn is not kept: " + session.error().message);
+        return {};
+    }
+    options.session = std::move(*session);
+    return print_out(fmt::format("What is drawn is kept in {}\n", unnamed.string()));
+}
+
 // A hand that draws now has no end at which a movement could be over.
 Result<double> constant_height_mm(std::string const& text)
 {
@@ -118,14 +146,19 @@ Result<double> constant_height_mm(std::string const& text)
     return scenario.constant_mm;
 }
 
+Result<void> draw_in_window(LiveDevices devices, LiveWindowOptions options,
+                            WindowOptions const& how)
+{
+    auto window = TRY(LiveWindow::create(std::move(devices), std::move(options)));
+    return run_window(window, how);
+}
+
 Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices)
 {
     auto const model = TRY(find_model(arguments.model));
     LiveWindowOptions options;
-    if (arguments.session.empty())
-        options.scene = TRY(load_scene(model));
-    else
-        options.session = TRY(keep_in(arguments.session, model));
+    std::filesystem::path unnamed;
+    TRY(keep(arguments, model, options, unnamed));
     if (!arguments.rig.empty())
         options.rig = TRY(load_rig(arguments.rig));
     if (!arguments.height.empty())
@@ -134,8 +167,11 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices)
     options.recording = arguments.recording;
     options.now = [] { return Timestamp(std::chrono::steady_clock::now().time_since_epoch()); };
     auto const name = devices.infos().empty() ? "" : devices.infos().front().name;
-    auto window = TRY(LiveWindow::create(std::move(devices), std::move(options)));
-    return run_window(window, window_options(arguments, name, model));
+    auto const done = draw_in_window(std::move(devices), std::move(options),
+                                     window_options(arguments, name, model));
+    if (!unnamed.empty())
+        remove_if_nothing_was_drawn(unnamed);
+    return done;
 }
 
 // What was asked for; else the devices that are there; else the simulated hand.
@@ -180,9 +216,11 @@ void add_window_verb(CLI::App& root, Action& action)
                      ".tractus-log")
         ->type_name("FILE")
         ->excludes(log);
-    verb->add_option("--session", arguments->session,
-                     "Keep every stroke in this session as soon as it ends, with undo and redo: a "
-                     "new one of the plant, or one that is gone on with")
+    verb->add_option(
+            "--session", arguments->session,
+            "Keep every stroke in this session as soon as it ends: a new one of the plant, "
+            "or one that is gone on with; without it, a new one named after the plant and "
+            "the time, in ~/.local/share/tractus")
         ->type_name("FILE.tractus")
         ->check(name_ending_in({ ".tractus" }))
         ->excludes(log);

@@ -75,6 +75,10 @@ TEST_F(SessionVerb, IsDrawnAsAPicture)
 {
     out("tractus grow hand.tractus -o grown.png; tractus grow small.l -o plain.png");
     EXPECT_NE(read("grown.png"), read("plain.png"));
+    out("tractus grow hand.tractus -o own.glb; tractus grow hand.tractus --seed 1 -o first.glb;"
+        "tractus grow hand.tractus --seed 2 -o second.glb");
+    EXPECT_EQ(read("own.glb"), read("first.glb"));
+    EXPECT_NE(read("own.glb"), read("second.glb"));
     out("tractus render hand.tractus -o shown.png --size 100x100");
     EXPECT_EQ(read("shown.png").substr(1, 3), "PNG");
 }
