@@ -94,7 +94,7 @@ Result<CollectionReport> Collection::run()
     auto const scene = TRY(load());
     auto const plan = TRY(plan_growth(scene));
     auto as_drawn = scene;
-    as_drawn.growth = TRY(at_liking(scene.growth, 0));
+    as_drawn.growth.liking = 0;
     auto const drawn_plan = TRY(plan_growth(as_drawn));
 
     Grower grower(plan);

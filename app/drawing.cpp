@@ -183,13 +183,13 @@ Result<std::vector<Edit>> growing_plant_edits(std::filesystem::path const& model
         edits = TRY(session_edits(model));
         for (auto const& edit : edits)
             if (auto const* const set = std::get_if<SetGrowth>(&edit))
-                own = set->parameters;
+                own = TRY(at_liking(set->parameters, set->liking));
     } else {
         edits.push_back(TRY(load_plant_edit(model)));
     }
     if (!own || growth.preset != GrowthOptions {}.preset)
         own = TRY(growth_preset(growth.preset));
-    edits.push_back(SetGrowth { TRY(at_liking(*own, growth.liking)), seed });
+    edits.push_back(SetGrowth { *own, seed, growth.liking });
     return edits;
 }
 

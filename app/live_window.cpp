@@ -76,21 +76,18 @@ LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
     , options_(std::move(options))
     , station_options_(std::move(station_options))
     , station_(std::move(station))
-    , view_(station_, options_.pictures)
+    , desk_(station_, std::exchange(options_.session, std::nullopt), options_.pictures)
     , states_(devices_.infos().size(), LiveDevices::State::Connected)
 {
-    view_.state().is_live = true;
-    view_.state().playing = false;
-    view_.state().has_session = options_.session.has_value();
-    view_.state().status = "Draw: the station reads the pen";
+    view().state().is_live = true;
+    view().state().playing = false;
+    view().state().status = "Draw: the station reads the pen";
 }
 
 void LiveWindow::advance(Duration)
 {
     take_reports();
-    keep_strokes(); // Before they are seen to be done.
-    view_.show(station_);
-    tell_what_is_not_kept();
+    desk_.show(station_, options_.now());
     tell_device_changes();
     tell_who_is_away();
     if (!recorder_)
@@ -110,30 +107,6 @@ void LiveWindow::take_reports()
             recorder_->write(report);
 }
 
-// What could not be kept, since the disk was full, say, is tried again.
-void LiveWindow::keep_strokes()
-{
-    constexpr Duration kPatience = std::chrono::seconds(1);
-    if (!options_.session || (!not_kept_.empty() && options_.now() < next_try_))
-        return;
-    not_kept_.clear();
-    for (auto const& strokes = station_.strokes(); kept_strokes_ < strokes.size();
-         ++kept_strokes_) {
-        auto const kept = options_.session->append(strokes[kept_strokes_].edits);
-        if (!kept) {
-            not_kept_ = kept.error().message;
-            next_try_ = options_.now() + kPatience;
-            return;
-        }
-    }
-}
-
-void LiveWindow::tell_what_is_not_kept()
-{
-    if (!not_kept_.empty())
-        view_.state().trouble = fmt::format("What is drawn is not kept: {}", not_kept_);
-}
-
 void LiveWindow::tell_device_changes()
 {
     for (std::size_t i = 0; i < states_.size(); ++i) {
@@ -143,12 +116,12 @@ void LiveWindow::tell_device_changes()
         auto const& name = devices_.infos()[i].name;
         switch (state) {
         case LiveDevices::State::Connected:
-            view_.state().status = fmt::format("{} is back", name);
+            view().state().status = fmt::format("{} is back", name);
             break;
         case LiveDevices::State::Away: // See tell_who_is_away().
             break;
         case LiveDevices::State::Ended:
-            view_.state().status = fmt::format("{} is over", name);
+            view().state().status = fmt::format("{} is over", name);
             break;
         }
     }
@@ -159,14 +132,14 @@ void LiveWindow::tell_who_is_away()
 {
     for (std::size_t i = 0; i < states_.size(); ++i)
         if (states_[i] == LiveDevices::State::Away)
-            view_.state().trouble = fmt::format(
+            view().state().trouble = fmt::format(
                 "{} has gone: plug it in again, what was drawn is kept", devices_.infos()[i].name);
 }
 
 void LiveWindow::stop_recording(std::string const& why)
 {
     recorder_.reset();
-    view_.state().status = fmt::format("The recording has stopped: {}", why);
+    view().state().status = fmt::format("The recording has stopped: {}", why);
 }
 
 void LiveWindow::perform(WindowCommand const& command)
@@ -174,64 +147,25 @@ void LiveWindow::perform(WindowCommand const& command)
     std::visit([this](auto const& kind) { perform_kind(kind); }, command);
 }
 
-// Shows what the session has become.
-void LiveWindow::show_session(Result<void> const& done, std::string const& status)
-{
-    if (done) {
-        station_.set_scene(options_.session->scene());
-        view_.begin_again(station_);
-    }
-    view_.state().status = done ? status : done.error().message;
-}
-
-void LiveWindow::perform_kind(Undo const&)
-{
-    // What is not kept yet would be lost.
-    if (options_.session && not_kept_.empty())
-        show_session(options_.session->undo(), "Undone");
-}
-
-void LiveWindow::perform_kind(Redo const&)
-{
-    if (options_.session && not_kept_.empty())
-        show_session(options_.session->redo(), "Done again");
-}
-
-// A step like another: it can be undone.
-void LiveWindow::restart_session()
-{
-    std::vector<Edit> beginning;
-    for (auto const& [step, edit, made] : options_.session->contents().edits)
-        if (step == 0)
-            beginning.push_back(edit);
-    if (not_kept_.empty())
-        show_session(options_.session->append(beginning), "The session is as it began");
-}
-
 void LiveWindow::perform_kind(Restart const&)
 {
-    if (options_.session)
-        return restart_session();
+    if (auto& keeper = desk_.keeper(); keeper.has_session())
+        desk_.show_again(keeper.begin_again(station_), station_, "The session is as it began");
+    else
+        restart_without_session();
+}
+
+void LiveWindow::restart_without_session()
+{
     auto again = Station::create(devices_.infos(), station_options_);
     if (!again) {
-        view_.state().status = again.error().message;
+        view().state().status = again.error().message;
         return;
     }
     auto const tool = station_.tool();
     station_ = *std::move(again);
     station_.set_tool(options_.now(), tool);
-    view_.begin_again(station_);
-    view_.state().status = "The plant is as its model gives it";
-}
-
-void LiveWindow::perform_kind(NextVariation const&)
-{
-    view_.show_next_variation(station_);
-}
-
-void LiveWindow::perform_kind(SavePicture const& command)
-{
-    view_.save(command.picture, station_);
+    desk_.show_again({}, station_, "The plant is as its model gives it");
 }
 
 void LiveWindow::perform_kind(ChooseTool const& command)
@@ -242,7 +176,7 @@ void LiveWindow::perform_kind(ChooseTool const& command)
         auto const words = words_for(command.tool);
         recorder_->write_tool(now, words.name, words.arguments);
     }
-    view_.show(station_);
+    view().show(station_);
 }
 
 } // namespace tractus

@@ -3,7 +3,7 @@
 #include "app/live_devices.h"
 #include "app/live_recorder.h"
 #include "app/session/session.h"
-#include "app/station_view.h"
+#include "app/station_desk.h"
 #include "app/window/window_model.h"
 #include "calib/rig.h"
 #include "engine/base/result.h"
@@ -25,7 +25,8 @@ struct LiveWindowOptions {
     Scene scene {};                       // What the pen works on; its base plant is loaded.
     std::filesystem::path pictures = "."; // The folder in which saved pictures appear.
     std::filesystem::path recording {};   // The new log of all that comes; empty: none.
-    // Keeps what is drawn; the pen works on its scene in place of the one above.
+    // Keeps what is drawn; the pen works on its scene in place of the one above. LiveWindow::create
+    // takes it over.
     std::optional<Session> session {};
     std::function<Timestamp()> now {}; // The clock of the reports.
 };
@@ -40,7 +41,8 @@ public:
     static Result<LiveWindow> create(LiveDevices devices, LiveWindowOptions options);
 
     void advance(Duration real_step) override;
-    WindowState const& state() const override { return view_.state(); }
+    void settle() override { view().settle(); }
+    WindowState const& state() const override { return desk_.view().state(); }
     void perform(WindowCommand const& command) override;
 
     Station const& station() const { return station_; }
@@ -52,17 +54,15 @@ private:
     void perform_kind(SetPlaying const&) { } // A hand has no pause,
     void perform_kind(SetSpeed const&) { }   // nor another speed.
     void perform_kind(Restart const&);
-    void perform_kind(NextVariation const&);
-    void perform_kind(SavePicture const& command);
     void perform_kind(ChooseTool const& command);
-    void perform_kind(Undo const&);
-    void perform_kind(Redo const&);
+    template<typename Command> void perform_kind(Command const& command)
+    {
+        desk_.perform(command, station_);
+    }
 
+    StationView& view() { return desk_.view(); }
     void take_reports();
-    void keep_strokes();
-    void tell_what_is_not_kept();
-    void restart_session();
-    void show_session(Result<void> const& done, std::string const& status);
+    void restart_without_session();
     void tell_device_changes();
     void tell_who_is_away();
     void stop_recording(std::string const& why);
@@ -71,11 +71,8 @@ private:
     LiveWindowOptions options_;
     StationOptions station_options_; // To begin again.
     Station station_;
-    StationView view_;
+    StationDesk desk_;
     std::optional<LiveRecorder> recorder_;
-    std::size_t kept_strokes_ = 0;           // Of the station's: they are in the session.
-    std::string not_kept_;                   // Why the next one is not; empty if it is.
-    Timestamp next_try_ {};                  // To keep it.
     std::vector<LiveReport> reports_;        // Kept for its memory.
     std::vector<LiveDevices::State> states_; // As the person was told.
 };

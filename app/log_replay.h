@@ -41,6 +41,7 @@ public:
     void run() { advance_to(Timestamp::max()); }
 
     Station const& station() const { return station_; }
+    Station& station() { return station_; }
     Station take_station() && { return std::move(station_); }
 
     // Of the first and the last report; equal for an empty log.

@@ -1,6 +1,7 @@
 #include "app/replay_window.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace tractus {
@@ -18,19 +19,20 @@ ReplayWindow::ReplayWindow(Log const& log, ReplayOptions options, std::filesyste
     , options_(std::move(options))
     , replay_(std::move(replay))
     , now_(replay_.begin())
-    , view_(replay_.station(), std::move(pictures))
+    , desk_(replay_.station(), std::nullopt, std::move(pictures))
 {
-    view_.state().status = "The hand begins";
+    view().state().status = "The hand begins";
 }
 
 void ReplayWindow::advance(Duration real_step)
 {
-    auto& state = view_.state();
+    auto& state = view().state();
+    view().show_grown();
     if (!state.playing)
         return;
     now_ += from_seconds(to_seconds(real_step) * state.speed);
     bool const goes_on = replay_.advance_to(now_);
-    view_.show(replay_.station());
+    desk_.show(replay_.station(), now_);
     if (!goes_on) {
         state.playing = false;
         state.status = "The recording has ended: play it again, or take another seed";
@@ -49,38 +51,31 @@ void ReplayWindow::perform_kind(SetPlaying const& command)
 {
     if (command.playing && now_ >= replay_.end())
         perform_kind(Restart {});
-    view_.state().playing = command.playing;
+    view().state().playing = command.playing;
 }
 
 void ReplayWindow::perform_kind(SetSpeed const& command)
 {
-    view_.state().speed = std::clamp(command.speed, 0.25, 4.0);
+    view().state().speed = std::clamp(command.speed, 0.25, 4.0);
 }
 
 void ReplayWindow::perform_kind(Restart const&)
 {
-    auto& state = view_.state();
+    auto& state = view().state();
     auto again = LogReplay::create(*log_, options_);
     if (!again) {
         state.status = again.error().message;
         return;
     }
+    auto const growth = replay_.station().scene().growth;
     replay_ = *std::move(again);
+    (void)desk_.keeper().make(std::array { Edit(growth) },
+                              replay_.station()); // It was taken before.
     now_ = replay_.begin();
     state.playing = true;
     state.progress = 0;
     state.status = "The hand begins again";
-    view_.begin_again(replay_.station());
-}
-
-void ReplayWindow::perform_kind(NextVariation const&)
-{
-    view_.show_next_variation(replay_.station());
-}
-
-void ReplayWindow::perform_kind(SavePicture const& command)
-{
-    view_.save(command.picture, replay_.station());
+    view().begin_again(replay_.station());
 }
 
 } // namespace tractus

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/log_replay.h"
-#include "app/station_view.h"
+#include "app/station_desk.h"
 #include "app/window/window_model.h"
 #include "drivers/log.h"
 #include "engine/base/result.h"
@@ -20,7 +20,8 @@ public:
                                        std::filesystem::path pictures);
 
     void advance(Duration real_step) override;
-    WindowState const& state() const override { return view_.state(); }
+    void settle() override { view().settle(); }
+    WindowState const& state() const override { return desk_.view().state(); }
     void perform(WindowCommand const& command) override;
 
 private:
@@ -30,17 +31,19 @@ private:
     void perform_kind(SetPlaying const& command);
     void perform_kind(SetSpeed const& command);
     void perform_kind(Restart const&);
-    void perform_kind(NextVariation const&);
-    void perform_kind(SavePicture const& command);
     void perform_kind(ChooseTool const&) { } // The recording chooses.
-    void perform_kind(Undo const&) { }       // It has no session.
-    void perform_kind(Redo const&) { }
+    template<typename Command> void perform_kind(Command const& command)
+    {
+        desk_.perform(command, replay_.station());
+    }
+
+    StationView& view() { return desk_.view(); }
 
     Log const* log_;        // Not owned.
     ReplayOptions options_; // To begin again.
     LogReplay replay_;
     Timestamp now_; // Of the log.
-    StationView view_;
+    StationDesk desk_;
 };
 
 } // namespace tractus

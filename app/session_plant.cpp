@@ -54,7 +54,9 @@ Result<Scene> load_session_scene(std::filesystem::path const& path, ModelCost co
 Result<Plant> shown_plant(Scene const& scene)
 {
     auto const plan = TRY(plan_growth(scene));
-    return Grower(plan).grow({ scene.growth_seed, 0 });
+    Grower grower(plan);
+    auto const& plant = grower.grow({ scene.growth.seed, 0 }, scene.growth.age);
+    return scene.growth.age < 1 ? without_unborn(plant) : plant;
 }
 
 Result<Session> begin_session(std::filesystem::path const& path, std::vector<Edit> const& edits)

@@ -23,7 +23,7 @@ Result<std::vector<Edit>> session_edits(std::filesystem::path const& path);
 // What they amount to.
 Result<Scene> load_session_scene(std::filesystem::path const& path, ModelCost const& cost = {});
 
-// The plant as the station's window shows it: as drawn, grown by the scene's own seed.
+// The plant as the station's window shows it: as drawn, grown as the scene says, at its age.
 Result<Plant> shown_plant(Scene const& scene);
 
 // Begins a session that this program, at this time, begins with `edits`. Fails like

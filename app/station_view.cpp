@@ -2,8 +2,7 @@
 
 #include "app/tools/tool.h"
 #include "drivers/file.h"
-#include "engine/mesh/make_mesh.h"
-#include "engine/variation/growth.h"
+#include "engine/variation/growth_preset.h"
 
 #include <ctime>
 #include <fmt/chrono.h>
@@ -131,7 +130,6 @@ StationView::StationView(Station const& station, std::filesystem::path pictures)
     state_.volume_mm.add({ -volume.width_mm / 2, -volume.depth_mm / 2, 0 });
     state_.volume_mm.add({ volume.width_mm / 2, volume.depth_mm / 2, volume.height_mm });
     auto const& scene = station.scene();
-    state_.seed = scene.growth_seed;
     state_.T_world_plant
         = Eigen::Affine3f(Eigen::Scaling(static_cast<float>(scene.placement.scale)));
     show_scene(station);
@@ -139,6 +137,7 @@ StationView::StationView(Station const& station, std::filesystem::path pictures)
 
 void StationView::show(Station const& station)
 {
+    show_grown();
     show_live(station);
     if (station.strokes().size() == shown_strokes_)
         return;
@@ -238,22 +237,51 @@ void StationView::show_skeleton(Scene const& scene, ShownSkeleton::Touched const
 
 void StationView::grow_plant(Scene const& scene)
 {
-    auto const plan = plan_growth(scene);
-    if (!plan) {
-        state_.status = plan.error().message;
+    grown_scene_ = std::make_shared<Scene const>(scene);
+    preview(scene.growth);
+}
+
+void StationView::preview(SetGrowth const& growth)
+{
+    state_.seed = growth.seed;
+    state_.growth = { std::string(growth_preset_of(growth.parameters)), growth.liking, growth.age };
+    grower_->grow({ grown_scene_, growth });
+    state_.is_growing = true;
+}
+
+void StationView::show_growth(Station const& station)
+{
+    grow_plant(station.scene());
+}
+
+void StationView::settle()
+{
+    grower_->settle();
+    show_grown();
+}
+
+void StationView::show_grown()
+{
+    auto grown = grower_->take();
+    state_.is_growing = grower_->is_growing();
+    if (!grown)
+        return;
+    if (!*grown) {
+        state_.status = grown->error().message;
         return;
     }
-    Grower grower(*plan);
-    plant_ = std::make_unique<Mesh const>(make_mesh(grower.grow({ state_.seed, 0 })));
+    plant_ = std::make_unique<Mesh const>(**std::move(grown));
     state_.plant = plant_.get();
     ++state_.plant_revision;
 }
 
-void StationView::show_next_variation(Station const& station)
+Result<SetGrowth> growth_set_to(GrowthView const& wanted, SetGrowth growth)
 {
-    ++state_.seed;
-    grow_plant(station.scene());
-    state_.status = fmt::format("Another one: seed {}", state_.seed);
+    if (!wanted.preset.empty())
+        growth.parameters = TRY(growth_preset(wanted.preset));
+    growth.liking = wanted.liking;
+    growth.age = wanted.age;
+    return growth;
 }
 
 void StationView::save(Image const& picture, Station const& station)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/plant_grower.h"
 #include "app/render/image.h"
 #include "app/station.h"
 #include "app/tools/shown_skeleton.h"
@@ -15,8 +16,8 @@
 namespace tractus {
 
 // A station as the window shows it, wherever its reports come from: the hand, its strokes, what is
-// selected, and the plant, which is grown anew after each stroke. Whoever owns it says in state()
-// what else is to be seen.
+// selected, and the plant, which is grown anew in the background after each stroke. Whoever owns it
+// says in state() what else is to be seen.
 class StationView {
 public:
     // `pictures` is the folder in which saved pictures appear.
@@ -28,11 +29,20 @@ public:
     // What has changed since the last call. A new stroke is named in the status.
     void show(Station const& station);
 
+    // A plant that has been grown meanwhile; show() does it too.
+    void show_grown();
+
+    // Waits for the plant as it was wanted last, and shows it.
+    void settle();
+
     // Another station in place of the one before, or one that has begun again.
     void begin_again(Station const& station);
 
-    // The next seed's plant.
-    void show_next_variation(Station const& station);
+    // The station's scene grows in another way, and nothing else of it has changed.
+    void show_growth(Station const& station);
+
+    // What other growth would give.
+    void preview(SetGrowth const& growth);
 
     // Writes a picture; the status says where.
     void save(Image const& picture, Station const& station);
@@ -44,6 +54,9 @@ private:
     void show_skeleton(Scene const& scene, ShownSkeleton::Touched const& touched = {});
     void grow_plant(Scene const& scene);
 
+    // On the heap, since a thread knows it.
+    std::unique_ptr<PlantGrower> grower_ = std::make_unique<PlantGrower>();
+    std::shared_ptr<Scene const> grown_scene_; // Shared with the grower.
     std::filesystem::path pictures_;
     std::size_t shown_strokes_ = 0;
     std::size_t shown_pen_samples_ = 0;
@@ -56,5 +69,9 @@ private:
     std::unique_ptr<Mesh const> plant_;
     WindowState state_;
 };
+
+// The growth that a person sets, all else as it is. Fails, as the user's fault, for a preset that
+// there is not.
+Result<SetGrowth> growth_set_to(GrowthView const& wanted, SetGrowth growth);
 
 } // namespace tractus

@@ -1,5 +1,7 @@
 #include "app/session/describe_edit.h"
 
+#include "engine/variation/growth_preset.h"
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -135,8 +137,15 @@ std::string described(DeleteIndicator const& edit)
 
 std::string described(SetGrowth const& edit)
 {
-    return fmt::format("grows with strength {:.3g}, gain {:.3g}, seed {}", edit.parameters.strength,
-                       edit.parameters.gain, edit.seed);
+    auto const preset = growth_preset_of(edit.parameters);
+    auto text = preset.empty() ? fmt::format("grows with strength {:.3g}, gain {:.3g}",
+                                             edit.parameters.strength, edit.parameters.gain)
+                               : fmt::format("grows as \"{}\"", preset);
+    if (edit.liking != 1)
+        text += fmt::format(", {:.3g} as it likes", edit.liking);
+    if (edit.age != 1)
+        text += fmt::format(", to age {:.3g}", edit.age);
+    return text + fmt::format(", seed {}", edit.seed);
 }
 
 } // namespace

@@ -121,6 +121,8 @@ template<typename Fields> void list(Fields& fields, SetGrowth& edit)
     fields.field("maturation_straightening", growth.maturation_straightening);
     fields.field("sag", growth.sag);
     fields.field("seed", edit.seed);
+    fields.field("liking", edit.liking);
+    fields.field("age", edit.age);
 }
 
 // An edit of a kind, as it is by default.

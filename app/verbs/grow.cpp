@@ -76,7 +76,7 @@ Result<void> write_animation(GrowArguments const& arguments, Scene const& scene,
         return fail(Fault::User, fmt::format("{}: the plant has no branch that could grow", name));
     auto const plan = TRY(plan_growth(scene));
     Grower grower(plan);
-    PlantKey const key { scene.growth_seed, 0 };
+    PlantKey const key { scene.growth.seed, 0 };
     Bounds frame;
     if (arguments.output.extension() == ".png")
         frame = bounds(make_mesh(grower.grow(key)));
@@ -110,7 +110,7 @@ Result<void> grow_session(GrowArguments const& arguments, std::filesystem::path 
                                 "--steps out",
                                 path.string()));
     auto scene = TRY(load_session_scene(path, arguments.cost));
-    scene.growth_seed = arguments.model.seed.value_or(scene.growth_seed);
+    scene.growth.seed = arguments.model.seed.value_or(scene.growth.seed);
     if (arguments.frames > 0)
         return write_animation(arguments, scene, path.stem().string());
     auto const plant = TRY(shown_plant(scene));

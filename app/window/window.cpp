@@ -177,12 +177,13 @@ public:
             still_frames_ = stirs ? 0 : still_frames_ + 1;
             return true;
         }
-        double const wait_s = model.state().is_live ? kLiveWait_s : kIdleWait_s;
+        bool const may_change = model.state().is_live || model.state().is_growing;
+        double const wait_s = may_change ? kLiveWait_s : kIdleWait_s;
         double const begin_s = glfwGetTime();
         glfwWaitEventsTimeout(wait_s);
         if (glfwGetTime() - begin_s < wait_s)
             still_frames_ = 0;
-        return still_frames_ == 0 || !model.state().is_live;
+        return still_frames_ == 0 || !may_change;
     }
 
 private:
@@ -238,6 +239,8 @@ Result<void> run_window(WindowModel& model, WindowOptions const& options)
          ++frame) {
         bool const may_differ = events.take(model, options);
         model.advance(step_since(last_s, options.frames));
+        if (options.frames > 0)
+            model.settle();
         if (!changes.any(model.state()) && !may_differ)
             continue;
         ignore_mouse_of_the_pen(model.state());

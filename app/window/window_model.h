@@ -51,6 +51,15 @@ struct PenView {
     Vec3f tip_mm = Vec3f::Zero();
 };
 
+// How the plant grows, as a person sets it.
+struct GrowthView {
+    // One of growth_presets(); empty: as nobody has named it (from a command line, say), which a
+    // command with an empty name leaves as it is.
+    std::string preset;
+    double liking = 1; // 0, as drawn, to 4, as it likes; see at_liking().
+    double age = 1;    // 0 to 1, full-grown.
+};
+
 // All that the window shows at one moment. Each revision number changes when the values after it
 // do, and only then: what did not change is not uploaded or drawn again.
 struct WindowState {
@@ -74,8 +83,11 @@ struct WindowState {
     Eigen::Affine3f T_world_plant = Eigen::Affine3f::Identity();
 
     std::uint64_t plant_revision = 0;
-    // The newest one; null before the first. Lives until the next advance().
+    // The newest one; null before the first. Lives until the next advance() or settle().
     Mesh const* plant = nullptr;
+    // A newer plant is being grown in the background; meanwhile the last one stays.
+    bool is_growing = false;
+    GrowthView growth; // Of the newest one that was asked for.
 
     std::string tool;   // What the pen means now, for example "Draw".
     std::string status; // One line: what is going on, or what was done.
@@ -102,16 +114,22 @@ struct SetSpeed {
 };
 struct Restart { };       // The recording, or the drawing, from its start.
 struct NextVariation { }; // "Another one": the next seed.
+// Other growth. While a slider that sets it moves it is only shown; released, it is a step that can
+// be undone.
+struct ChangeGrowth {
+    GrowthView growth;
+    enum class Slider { Moving, Released } slider = Slider::Released;
+};
 struct SavePicture {
     Image picture; // The plant as the window sees it; the receiver names and writes the file.
 };
 struct ChooseTool {
     Tool tool; // What the pen means from now on.
 };
-struct Undo { }; // The last stroke, or what else was done last.
+struct Undo { }; // The last stroke, another one, other growth, or what else was done last.
 struct Redo { }; // What was undone last.
 using WindowCommand = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture,
-                                   ChooseTool, Undo, Redo>;
+                                   ChooseTool, Undo, Redo, ChangeGrowth>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {
@@ -121,7 +139,11 @@ public:
     // Lets `real_step` of a person's time pass.
     virtual void advance(Duration real_step) = 0;
 
-    // As of the last advance() or perform(); valid until the next.
+    // Waits until nothing is done in the background any more: what the state shows then depends on
+    // what came before, and not on how fast this machine is. For tests and pictures.
+    virtual void settle() { }
+
+    // As of the last advance(), settle() or perform(); valid until the next.
     virtual WindowState const& state() const = 0;
 
     virtual void perform(WindowCommand const& command) = 0;

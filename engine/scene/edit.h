@@ -98,6 +98,8 @@ struct DeleteIndicator {
 struct SetGrowth {
     GrowthParameters parameters;
     std::uint64_t seed = 1; // Of the variations.
+    double liking = 1;      // At which the parameters count; see at_liking().
+    double age = 1;         // See Grower::grow().
 };
 
 using Edit = std::variant<LoadModel, Select, Associate, Indicate, SetGrowth, LoadSkeleton,

@@ -48,7 +48,6 @@ Scene with_plant(Scene const& scene, std::string const& name, Plant plant, Drawn
     loaded.base = std::make_shared<Plant const>(std::move(plant));
     loaded.rest = std::make_shared<RestShape const>(find_rest_shape(*loaded.base));
     loaded.growth = scene.growth;
-    loaded.growth_seed = scene.growth_seed;
     if (drawn == Drawn::Keep)
         keep_drawn(scene, loaded);
     return loaded;
@@ -209,8 +208,13 @@ Result<Scene> applied(Scene scene, DeleteIndicator const& edit)
 Result<Scene> applied(Scene scene, SetGrowth const& edit)
 {
     TRY(check_growth_parameters(edit.parameters));
-    scene.growth = edit.parameters;
-    scene.growth_seed = edit.seed;
+    TRY(at_liking(edit.parameters, edit.liking));
+    if (!(edit.age >= 0 && edit.age <= 1))
+        return fail(Fault::User,
+                    fmt::format("a plant cannot be {} of its age: give 0 (a seed) to "
+                                "1 (full-grown)",
+                                edit.age));
+    scene.growth = edit;
     return scene;
 }
 
@@ -261,7 +265,8 @@ Result<GrowthPlan> plan_growth(Scene const& scene)
     place_nodes(*scene.base, *scene.rest, shape, nodes_mm);
     auto influence = TRY(influence_of(*scene.base, nodes_mm, scene.indicators,
                                       { scene.placement.shown_height_mm, scene.placement.scale }));
-    return plan_growth(*scene.base, *scene.rest, shape, scene.growth, std::move(influence));
+    auto const growth = TRY(at_liking(scene.growth.parameters, scene.growth.liking));
+    return plan_growth(*scene.base, *scene.rest, shape, growth, std::move(influence));
 }
 
 } // namespace tractus

@@ -32,8 +32,7 @@ struct Scene {
     std::vector<PathAddress> places;       // One per association: by which it is found again.
     std::vector<MotionIndicator> indicators;
     std::vector<std::vector<SegmentAddress>> indicator_places; // Of what each acts below.
-    GrowthParameters growth;
-    std::uint64_t growth_seed = 1;
+    SetGrowth growth;
 };
 
 // The associations whose path has a segment in common with what is selected: their numbers. What

@@ -63,6 +63,8 @@ struct GrowthParameters {
     // How much the grown plant sags under its own weight: 1 as green wood of its radii would, more
     // for softer stuff. 0 to 1e6; 0: not at all, since what is drawn has sagged already.
     double sag = 0;
+
+    bool operator==(GrowthParameters const&) const = default;
 };
 
 // The same, on a slider from 0, "as drawn" (the strokes come back exactly), over 1, as the

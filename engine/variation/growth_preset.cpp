@@ -82,4 +82,13 @@ Result<GrowthParameters> growth_preset(std::string_view name)
                 fmt::format("plants cannot grow \"{}\": they can grow {}", name, names));
 }
 
+std::string_view growth_preset_of(GrowthParameters const& parameters)
+{
+    auto const presets = growth_presets();
+    auto const found = std::find_if(presets.begin(), presets.end(), [&](auto const& preset) {
+        return preset.parameters == parameters;
+    });
+    return found == presets.end() ? std::string_view {} : found->name;
+}
+
 } // namespace tractus

@@ -23,4 +23,7 @@ std::span<GrowthPreset const> growth_presets();
 // good as a blank.
 Result<GrowthParameters> growth_preset(std::string_view name);
 
+// The name of the preset that these are; empty if they are none's.
+std::string_view growth_preset_of(GrowthParameters const& parameters);
+
 } // namespace tractus

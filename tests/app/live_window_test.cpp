@@ -80,8 +80,10 @@ TEST(LiveWindow, ShowsWhatTheDevicesDraw)
     auto window = LiveWindow::create(drawing_devices(false), options_for_tests()).value();
     EXPECT_TRUE(window.state().is_live);
     EXPECT_FALSE(window.state().playing);
+    window.settle();
     auto const plants = window.state().plant_revision;
     advance_to_end(window);
+    window.settle();
     ASSERT_EQ(window.station().strokes().size(), 1u);
     EXPECT_EQ(window.station().strokes()[0].refusal, "");
     EXPECT_EQ(window.state().strokes.size(), 1u);
@@ -170,6 +172,67 @@ TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
     EXPECT_EQ(read_session(path).value().step, 2u);
     EXPECT_EQ(read_session(path).value().last_step(), 2u); // What was undone is gone.
     fs::remove(path);
+}
+
+// A window that keeps a session in a new file, which goes away with it.
+class LiveWindowWithSession : public testing::Test {
+protected:
+    LiveWindowWithSession() { fs::remove(path_); }
+    ~LiveWindowWithSession() override { fs::remove(path_); }
+
+    fs::path const path_
+        = fs::temp_directory_path() / fmt::format("tractus_growth_{}.tractus", ::getpid());
+};
+
+TEST_F(LiveWindowWithSession, KeepsGrowthAndTakesItBack)
+{
+    auto window = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
+    window.perform(ChangeGrowth { { "weeping", 0.5, 0.25 } });
+    EXPECT_EQ(window.state().growth.preset, "weeping");
+    EXPECT_EQ(window.station().scene().growth.liking, 0.5);
+    EXPECT_EQ(window.station().scene().growth.age, 0.25);
+    window.perform(NextVariation {});
+    EXPECT_EQ(window.state().seed, 2u);
+    EXPECT_EQ(window.state().growth.age, 0.25);
+    auto const kept = read_session(path_).value();
+    EXPECT_EQ(kept.last_step(), 2u);
+    EXPECT_EQ(std::get<SetGrowth>(kept.edits.back().edit).seed, 2u);
+    window.perform(Undo {});
+    EXPECT_EQ(window.state().seed, 1u);
+    window.perform(Undo {});
+    EXPECT_EQ(window.state().growth.preset, "usual");
+    EXPECT_EQ(window.state().growth.age, 1);
+}
+
+TEST_F(LiveWindowWithSession, ShowsWhatASliderWouldGiveAndKeepsItWhenItIsReleased)
+{
+    using Slider = ChangeGrowth::Slider;
+    auto window = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
+    window.settle();
+    auto const triangles = window.state().plant->triangle_count();
+    window.perform(ChangeGrowth { { "", 1, 0.3 }, Slider::Moving });
+    EXPECT_TRUE(window.state().is_growing);
+    EXPECT_EQ(window.state().plant->triangle_count(), triangles); // It stays until the new one.
+    window.settle();
+    EXPECT_FALSE(window.state().is_growing);
+    EXPECT_LT(window.state().plant->triangle_count(), triangles);
+    EXPECT_EQ(window.state().growth.age, 0.3);
+    EXPECT_EQ(read_session(path_).value().last_step(), 0u);
+    window.perform(ChangeGrowth { { "", 1, 0.2 }, Slider::Released });
+    EXPECT_EQ(read_session(path_).value().last_step(), 1u);
+}
+
+TEST_F(LiveWindowWithSession, RefusesGrowthThatThereIsNot)
+{
+    auto window = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
+    window.perform(ChangeGrowth { { "upwards", 1, 1 } });
+    EXPECT_NE(window.state().status.find("cannot grow \"upwards\""), std::string::npos);
+    window.perform(ChangeGrowth { { "", 5, 1 } });
+    EXPECT_NE(window.state().status.find("as it likes"), std::string::npos);
+    window.perform(ChangeGrowth { { "", 1, -1 } });
+    EXPECT_NE(window.state().status.find("full-grown"), std::string::npos);
+    EXPECT_EQ(window.state().growth.age, 1); // What holds is shown.
+    EXPECT_EQ(read_session(path_).value().last_step(), 0u);
 }
 
 // What the window says is wrong after the height sensor has sent `counts` for 100 ms, at `now_ms`.

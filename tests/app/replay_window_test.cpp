@@ -17,7 +17,9 @@ protected:
     {
         ReplayOptions options;
         options.scene = small_scene();
-        return ReplayWindow::create(log_, options, pictures).value();
+        auto window = ReplayWindow::create(log_, options, pictures).value();
+        window.settle();
+        return window;
     }
 
     // At a person's pace, until the recording has ended. `seen` looks at each frame.
@@ -25,6 +27,7 @@ protected:
     {
         for (int frame = 0; frame < 10'000 && window.state().playing; ++frame) {
             window.advance(std::chrono::milliseconds(33));
+            window.settle();
             seen(window.state());
         }
     }
@@ -125,6 +128,7 @@ TEST_F(ReplayedWindow, ShowsAnotherPlantForTheNextSeed)
     auto const before = window.state().plant_revision;
     auto const seed = window.state().seed;
     window.perform(NextVariation {});
+    window.settle();
     EXPECT_EQ(window.state().plant_revision, before + 1);
     EXPECT_EQ(window.state().seed, seed + 1);
 }

@@ -38,7 +38,7 @@ TEST_F(SessionVerb, LogSaysWhatWasDoneEditByEdit)
     auto const log = out("tractus session log hand.tractus");
     EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 5);
     for (char const* const what :
-         { "takes the model small.l: ", "grows with strength 1", "selects 1 path, 4 segments",
+         { "takes the model small.l: ", "grows as \"usual\"", "selects 1 path, 4 segments",
            "shapes what is selected and bears by a stroke: ", "leans the plant by (" })
         EXPECT_NE(log.find(what), std::string::npos) << what << log;
 }

@@ -131,7 +131,8 @@ inline Edit random_edit()
     case 9:
         return DeleteIndicator { *rc::gen::arbitrary<std::size_t>() };
     default:
-        return SetGrowth { random_growth(), *rc::gen::arbitrary<std::uint64_t>() };
+        return SetGrowth { random_growth(), *rc::gen::arbitrary<std::uint64_t>(), random_double(),
+                           random_double() };
     }
 }
 

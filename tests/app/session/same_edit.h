@@ -127,7 +127,8 @@ inline bool same(DeleteIndicator const& one, DeleteIndicator const& other)
 
 inline bool same(SetGrowth const& one, SetGrowth const& other)
 {
-    return same(one.parameters, other.parameters) && one.seed == other.seed;
+    return same(one.parameters, other.parameters) && one.seed == other.seed
+        && same(one.liking, other.liking) && same(one.age, other.age);
 }
 
 inline bool same(Edit const& one, Edit const& other)

@@ -92,7 +92,7 @@ TEST(SessionHistory, FindsEveryStepOfALongSession)
     }
     for (std::size_t step : { 399u, 398u, 100u, 17u, 1u, 0u, 250u, 400u }) {
         history.go_to(step, history.at(step).value());
-        EXPECT_EQ(history.scene().growth_seed, step == 0 ? 1 : step - 1);
+        EXPECT_EQ(history.scene().growth.seed, step == 0 ? 1 : step - 1);
     }
 }
 

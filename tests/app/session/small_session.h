@@ -43,8 +43,8 @@ inline bool same_scene(Scene const& one, Scene const& other)
 {
     bool equal = one.model_name == other.model_name
         && one.base->node_position_mm == other.base->node_position_mm
-        && one.selection == other.selection && one.growth_seed == other.growth_seed
-        && same(one.growth, other.growth) && one.associations.size() == other.associations.size()
+        && one.selection == other.selection && same(one.growth, other.growth)
+        && one.associations.size() == other.associations.size()
         && one.indicators.size() == other.indicators.size();
     for (std::size_t i = 0; equal && i < one.associations.size(); ++i) {
         auto const& a = one.associations[i];

@@ -55,7 +55,7 @@ Scene drawn_branch()
 
 Plant plant_of(Scene scene)
 {
-    scene.growth.strength = 0;
+    scene.growth.parameters.strength = 0;
     auto const plan = plan_growth(scene).value();
     return Grower(plan).grow({});
 }

@@ -94,8 +94,8 @@ TEST(Scene, IsTheFoldOfItsEdits)
     ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_EQ(scene->associations.size(), 1u);
     EXPECT_EQ(scene->indicators.size(), 1u);
-    EXPECT_EQ(scene->growth.strength, 0.5);
-    EXPECT_EQ(scene->growth_seed, 7u);
+    EXPECT_EQ(scene->growth.parameters.strength, 0.5);
+    EXPECT_EQ(scene->growth.seed, 7u);
     auto const one_less = fold(std::span(edits).first(3));
     EXPECT_TRUE(one_less->indicators.empty());
 }
