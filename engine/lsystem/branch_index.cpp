@@ -117,4 +117,30 @@ BranchIndex::End BranchIndex::find_end(std::size_t module) const
     return { string_.size(), string_.parameters.size() };
 }
 
+std::size_t BranchIndex::parameter(std::size_t module) const
+{
+    auto const block = std::min(module / kBlock, blocks_.size() - 1);
+    auto result = blocks_[block].parameter;
+    for (auto i = block * kBlock; i < module; ++i)
+        result += steps_[string_.kinds[i]].parameters;
+    return result;
+}
+
+std::optional<BranchIndex::End> BranchCutter::cut(std::size_t at, std::int64_t depth)
+{
+    auto const long_branch = index_->long_branch();
+    if (end_ - at < 2 * long_branch) {
+        look_from_ = end_;
+        return std::nullopt;
+    }
+    if (!index_->may_be_long(at + 1, depth))
+        return std::nullopt;
+    auto const end = index_->find_end(at + 1);
+    if (end.module - at < long_branch || end.module >= end_ || end_ - end.module < long_branch) {
+        look_from_ = at + long_branch / 32; // Bounds what looking costs.
+        return std::nullopt;
+    }
+    return end;
+}
+
 } // namespace tractus

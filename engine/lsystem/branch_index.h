@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace tractus {
@@ -43,6 +44,11 @@ public:
     // The end of the branch whose first module, behind the opening bracket, is `module`.
     End find_end(std::size_t module) const;
 
+    // Where a module's parameters begin.
+    std::size_t parameter(std::size_t module) const;
+
+    std::size_t long_branch() const { return long_branch_; }
+
 private:
     static constexpr std::size_t kBlock = 256;      // Modules.
     static constexpr std::size_t kSuperblock = 256; // Blocks.
@@ -69,6 +75,40 @@ private:
     std::array<Step, 256> steps_ {}; // By kind.
     std::vector<Block> blocks_;
     std::vector<std::int64_t> floors_; // Of superblocks.
+};
+
+// Says which branches of one part of a string are to be parts of their own: long ones that a long
+// rest follows.
+class BranchCutter {
+public:
+    explicit BranchCutter(BranchIndex const& index)
+        : index_(&index)
+    {
+    }
+
+    // For the part [begin, end) of the string.
+    void begin(std::size_t begin, std::size_t end)
+    {
+        look_from_ = begin;
+        end_ = end;
+    }
+
+    // No branch that begins before this module, at or behind `at`, is to be cut off.
+    std::size_t look_from(std::size_t at)
+    {
+        if (at >= look_from_)
+            look_from_ = index_->next_opening(at);
+        return look_from_;
+    }
+
+    // The end of the branch that opens at module `at`, not before look_from(), if it is to be cut
+    // off. Inside of it the depth is `depth`, counted from the string's beginning.
+    std::optional<BranchIndex::End> cut(std::size_t at, std::int64_t depth);
+
+private:
+    BranchIndex const* index_; // Not owned.
+    std::size_t look_from_ = 0;
+    std::size_t end_ = 0;
 };
 
 } // namespace tractus

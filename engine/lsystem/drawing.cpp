@@ -1,5 +1,7 @@
 #include "engine/lsystem/drawing.h"
 
+#include "engine/base/check.h"
+
 #include <algorithm>
 
 namespace tractus {
@@ -32,6 +34,7 @@ void Drawing::clear()
     sections.clear();
     gaps.clear();
     warnings.clear();
+    target = {};
 }
 
 void Drawing::add_polygon(std::vector<Vec3> const& vertices_mm, std::uint32_t segment,
@@ -47,6 +50,27 @@ void Drawing::add_polygon(std::vector<Vec3> const& vertices_mm, std::uint32_t se
     polygons.push_back(polygon);
     polygon_vertices_mm.insert(polygon_vertices_mm.end(), vertices_mm.begin(), vertices_mm.end());
     has_color[color] = true;
+}
+
+void Drawing::begin_axis(Place& place, Vec3 const& base_mm)
+{
+    CHECK(!target.axis_lengths.empty());
+    auto& plant = *target.plant;
+    auto const id = target.next_axis++;
+    auto& axis = plant.axes[id];
+    axis.first_segment = target.next_segment;
+    axis.first_node = target.next_segment + id;
+    axis.segment_count = target.axis_lengths.front();
+    axis.parent_segment = place.segment;
+    if (place.segment != kNone) {
+        axis.parent_axis = place.axis;
+        axis.order = plant.axes[place.axis].order + 1;
+    }
+    plant.node_position_mm[axis.first_node] = base_mm;
+    target.next_segment += axis.segment_count;
+    target.axis_lengths = target.axis_lengths.subspan(1);
+    place.axis = id;
+    place.is_open = true;
 }
 
 OrganShapeId Drawing::shape(ShapeKey const& key)

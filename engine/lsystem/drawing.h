@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory_resource>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,20 @@ struct Drawing {
     // Stands for the segment on which the piece stands.
     static constexpr std::uint32_t kBelow = kNone - 1;
 
-    // Where the next segment goes on: at the end of `segment`, on `axis` if that is open.
+    // Where the next segment goes on: at the end of `segment`, which is on `axis`.
     struct Place {
         std::uint32_t segment = kNone;
-        std::uint32_t axis = kNone; // kNone: the next segment begins an axis.
+        std::uint32_t axis = kNone;
+        bool is_open = false; // The next segment goes on with the axis; else it begins one.
+    };
+
+    // Where axes and segments are written if their places in the plant were counted before
+    // (segment_plan.h). Places, organs and polygons then name the plant's segments and axes.
+    struct Target {
+        Plant* plant = nullptr; // Not owned; nullptr: they are kept in the drawing.
+        AxisId next_axis = 0;
+        SegmentId next_segment = 0;
+        std::span<std::uint32_t const> axis_lengths {}; // In segments, of the axes to come.
     };
 
     struct Segment {
@@ -83,6 +94,7 @@ struct Drawing {
     std::vector<AxisSection> sections {};
     std::vector<Gap> gaps;
     std::vector<Warning> warnings;
+    Target target {};
 
     // A copy, its large arrays in other memory.
     Drawing copy(std::pmr::memory_resource& memory) const;
@@ -95,7 +107,11 @@ struct Drawing {
     void add_segment(Place& place, Vec3 const& base_mm, Vec3 const& tip_mm, float radius_mm,
                      std::uint8_t color)
     {
-        if (place.axis == kNone) {
+        has_color[color] = true;
+        if (target.plant)
+            return write_segment(place, base_mm, tip_mm, radius_mm, color);
+        if (!place.is_open) {
+            place.is_open = true;
             place.axis = static_cast<std::uint32_t>(axes.size());
             axes.push_back({ base_mm, place.segment, 0, 0 });
         }
@@ -103,13 +119,16 @@ struct Drawing {
         axis.tip_radius_mm = radius_mm;
         place.segment = static_cast<std::uint32_t>(segments.size());
         segments.push_back({ tip_mm, radius_mm, place.axis, axis.segment_count++, color });
-        has_color[color] = true;
     }
 
     // The radius at the end of the axis that `place` has reached.
     void set_tip_radius(Place const& place, float radius_mm)
     {
-        if (place.axis != kNone)
+        if (!place.is_open)
+            return;
+        if (target.plant)
+            target.plant->node_radius_mm[place.segment + place.axis + 1] = radius_mm;
+        else
             axes[place.axis].tip_radius_mm = radius_mm;
     }
 
@@ -119,6 +138,27 @@ struct Drawing {
 
     // The number of a shape in shape_keys.
     OrganShapeId shape(ShapeKey const& key);
+
+private:
+    // Segments of an axis lie one after the other; before their nodes lie those of the axes before,
+    // each of which has one more node than segments.
+    void write_segment(Place& place, Vec3 const& base_mm, Vec3 const& tip_mm, float radius_mm,
+                       std::uint8_t color)
+    {
+        auto& plant = *target.plant;
+        auto segment = place.segment + 1;
+        if (!place.is_open) {
+            segment = target.next_segment;
+            begin_axis(place, base_mm);
+        }
+        auto const node = segment + place.axis;
+        plant.node_radius_mm[node] = radius_mm;
+        plant.node_radius_mm[node + 1] = radius_mm;
+        plant.node_position_mm[node + 1] = tip_mm;
+        plant.segment_material[segment] = color;
+        place.segment = segment;
+    }
+    void begin_axis(Place& place, Vec3 const& base_mm);
 };
 
 } // namespace tractus

@@ -42,11 +42,13 @@ struct Target {
 
 class Assembly {
 public:
-    Assembly(View const& view, double unit_mm, std::span<DrawnPiece> pieces)
+    Assembly(View const& view, double unit_mm, std::span<DrawnPiece> pieces, Plant drawn)
         : view_(view)
         , pieces_(pieces)
         , catalogue_(view, unit_mm, pieces)
         , targets_(pieces.size())
+        , has_segments_(!drawn.axes.empty())
+        , plant_(std::move(drawn))
     {
     }
 
@@ -64,6 +66,8 @@ public:
             write_polygons(i);
             write_sections(i);
         });
+        if (has_segments_)
+            set_materials();
         plant_.materials = catalogue_.take_materials();
         plant_.organ_shapes = catalogue_.take_shapes();
         return std::move(plant_);
@@ -90,13 +94,14 @@ private:
     void write_organs(std::size_t piece);
     void write_polygons(std::size_t piece);
     void write_sections(std::size_t piece);
+    void set_materials();
 
     // The number in the plant of a segment of a piece.
     SegmentId segment_id(std::size_t piece, std::uint32_t segment) const
     {
         auto const& target = targets_[piece];
-        if (segment == kNone)
-            return kNone;
+        if (segment == kNone || has_segments_)
+            return segment;
         if (segment == Drawing::kBelow)
             return target.root_segment;
         auto const& drawn = pieces_[piece].drawing.segments[segment];
@@ -108,6 +113,7 @@ private:
     OrganCatalogue catalogue_;
     std::vector<Target> targets_; // One per piece.
     Counts total_;
+    bool has_segments_; // They were drawn into the plant, with colours instead of materials.
     Plant plant_;
 };
 
@@ -207,33 +213,19 @@ void Assembly::find_roots()
     }
 }
 
-// New elements of some arrays are written here already: they share the work.
 void Assembly::allocate()
 {
-    auto const nodes = total_.segments + total_.axes;
-    std::array<std::function<void()>, 4> const tasks {
-        [&] { resize_empty(plant_.node_position_mm, nodes); },
-        [&] { resize_empty(plant_.axes, total_.axes); },
-        [&] {
-            resize_empty(plant_.node_radius_mm, nodes);
-            resize_empty(plant_.segment_material, total_.segments);
-        },
-        [&] {
-            resize_empty(plant_.organs, total_.organs);
-            resize_empty(plant_.polygons, total_.polygons);
-            resize_empty(plant_.polygon_vertices_mm, total_.polygon_vertices);
-        },
-    };
+    if (!has_segments_)
+        make_room(plant_, total_.axes, total_.segments);
+    resize_empty(plant_.organs, total_.organs);
+    resize_empty(plant_.polygons, total_.polygons);
+    resize_empty(plant_.polygon_vertices_mm, total_.polygon_vertices);
     if (std::any_of(pieces_.begin(), pieces_.end(),
                     [](auto const& piece) { return !piece.drawing.sections.empty(); })) {
-        plant_.node_section.resize(nodes);
+        plant_.node_section.resize(plant_.node_position_mm.size());
         for (auto const& [id, contour] : view_.contours)
             plant_.contours.push_back(contour);
     }
-    parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (auto i = begin; i < end; ++i)
-            tasks[i]();
-    });
 }
 
 void Assembly::write_axes(std::size_t piece)
@@ -318,11 +310,38 @@ void Assembly::write_sections(std::size_t piece)
             = drawn.section;
 }
 
+void Assembly::set_materials()
+{
+    auto& materials = plant_.segment_material;
+    parallel_for(materials.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
+        for (auto i = begin; i < end; ++i)
+            materials[i] = catalogue_.material(static_cast<std::uint8_t>(materials[i]));
+    });
+}
+
 } // namespace
 
-Plant assemble_plant(View const& view, double unit_mm, std::span<DrawnPiece> pieces)
+// New elements of some arrays are written here already: they share the work.
+void make_room(Plant& plant, std::size_t axis_count, std::size_t segment_count)
 {
-    return Assembly(view, unit_mm, pieces).run();
+    auto const nodes = segment_count + axis_count;
+    std::array<std::function<void()>, 3> const tasks {
+        [&] { resize_empty(plant.node_position_mm, nodes); },
+        [&] { resize_empty(plant.axes, axis_count); },
+        [&] {
+            resize_empty(plant.node_radius_mm, nodes);
+            resize_empty(plant.segment_material, segment_count);
+        },
+    };
+    parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (auto i = begin; i < end; ++i)
+            tasks[i]();
+    });
+}
+
+Plant assemble_plant(View const& view, double unit_mm, std::span<DrawnPiece> pieces, Plant drawn)
+{
+    return Assembly(view, unit_mm, pieces, std::move(drawn)).run();
 }
 
 } // namespace tractus

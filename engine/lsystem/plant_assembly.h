@@ -21,6 +21,13 @@ struct DrawnPiece {
 //
 // Materials: bark first, for colours that the view does not define; then those that were used, by
 // turtle colour; then those of organs that the view does not define. Organ shapes: by letter.
-Plant assemble_plant(View const& view, double unit_mm, std::span<DrawnPiece> pieces);
+//
+// Pieces that were drawn as planned (segment_plan.h) have no axes and segments: those are in
+// `drawn`, with turtle colours as their materials.
+Plant assemble_plant(View const& view, double unit_mm, std::span<DrawnPiece> pieces,
+                     Plant drawn = {});
+
+// Gives a plant without any its axes, segments and their nodes, to be written.
+void make_room(Plant& plant, std::size_t axis_count, std::size_t segment_count);
 
 } // namespace tractus

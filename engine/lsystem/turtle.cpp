@@ -93,8 +93,8 @@ void Turtle::drop_drawing()
 Turtle::Start Turtle::branch_start() const
 {
     Start start { state_, extras_ };
-    start.state.place.axis = kNone;
-    if (start.state.place.segment != kNone)
+    start.state.place.is_open = false;
+    if (start.state.place.segment != kNone && !drawing_->target.plant)
         start.state.place.segment = Drawing::kBelow;
     return start;
 }
@@ -131,6 +131,11 @@ std::size_t Turtle::name_at_symbol(std::span<KindId const> kinds, Symbol& symbol
 {
     if (symbols_[kinds[0]] != '@' || kinds.size() < symbol.name.size())
         return 0;
+    if (symbols_[kinds[1]] == 'v' && symbol.count == 0) { // Quickly, what comes most often.
+        symbol.name[1] = 'v';
+        symbol.count = parameter_counts_[kinds[1]];
+        return 2;
+    }
     auto const length = symbol_length(model_.alphabet, kinds);
     if (length == 1 || symbols_[kinds[1]] == 'm')
         return 0;
@@ -340,7 +345,7 @@ void Turtle::step(Symbol const& symbol, bool draws, bool sets_vertex)
         if (polygons_.empty() && draws && state_.path != State::Path::OfSteps)
             drawing_->add_segment(state_.place, base_mm, tip_mm, radius_mm(), state_.color);
         else if (polygons_.empty())
-            state_.place.axis = kNone;
+            state_.place.is_open = false;
     }
     if (state_.elasticity != 0)
         frame.bend_towards(from_model(view_.tropism_direction), state_.elasticity);
@@ -359,9 +364,9 @@ void Turtle::push()
         extras_stack_.push_back(extras_);
     if (state_.path != State::Path::None) {
         cylinder_stack_.push_back(cylinder_);
-        cylinder_.place.axis = kNone;
+        cylinder_.place.is_open = false;
     }
-    state_.place.axis = kNone;
+    state_.place.is_open = false;
 }
 
 void Turtle::pop()
@@ -433,7 +438,7 @@ void Turtle::set_position(Symbol const& symbol)
         return;
     Vec3 const position(symbol.parameter(0, 0), symbol.parameter(1, 0), symbol.parameter(2, 0));
     state_.frame.position_mm = from_model(position).cwiseMax(-1e9).cwiseMin(1e9) * options_.unit_mm;
-    state_.place.axis = kNone;
+    state_.place.is_open = false;
 }
 
 void Turtle::set_frame(Symbol const& symbol)

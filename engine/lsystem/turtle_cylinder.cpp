@@ -95,7 +95,8 @@ void Turtle::begin_cylinder(Cylinder::Path path, int rings)
     options.rings = rings > 0 ? rings : options.rings;
     options.twists = view_.twist_of_cylinders;
     options.unit_mm = options_.unit_mm;
-    cylinder_ = { Cylinder(options), { state_.place.segment, kNone }, true };
+    cylinder_ = { Cylinder(options), state_.place, true };
+    cylinder_.place.is_open = false;
 }
 
 void Turtle::add_control_point(int rings)
@@ -119,7 +120,7 @@ void Turtle::draw_piece(Cylinder::Piece const& piece)
     auto& place = cylinder_.place;
     bool const is_round = from.style.contour == kNoContour && piece.to.contour == kNoContour;
     if (is_round != cylinder_.is_round)
-        place.axis = kNone;
+        place.is_open = false;
     cylinder_.is_round = is_round;
     auto const add_section = [&](std::uint32_t node, Vec3 const& normal, double share) {
         if (is_round)
@@ -145,7 +146,8 @@ void Turtle::draw_piece(Cylinder::Piece const& piece)
         radius_mm = section.radius_mm;
     }
     drawing_->set_tip_radius(place, static_cast<float>(radius_mm));
-    state_.place = { place.segment, kNone };
+    state_.place = place;
+    state_.place.is_open = false;
 }
 
 // @#(id): the contour of the view's with that number; a circle without one.

@@ -54,7 +54,7 @@ void Turtle::add_organ(char letter, Symbol const& symbol)
     Vec3 const position_mm = state_.frame.position_mm + axes * end_mm;
     if (end_mm.squaredNorm() > 0 && position_mm.cwiseAbs().maxCoeff() < 1e12) {
         state_.frame.position_mm = position_mm;
-        state_.place.axis = kNone;
+        state_.place.is_open = false;
     }
 }
 
@@ -103,7 +103,8 @@ void Turtle::add_circle(Symbol const& symbol)
     bool const faces_viewer = symbol.name[2] == 'o';
     Vec3 const x = radius * (faces_viewer ? Vec3(Vec3::UnitX()) : Vec3(-frame.left));
     Vec3 const y = radius * (faces_viewer ? Vec3(Vec3::UnitZ()) : frame.heading);
-    Drawing::Place place { state_.place.segment, kNone };
+    auto place = state_.place;
+    place.is_open = false;
     Vec3 base_mm = frame.position_mm + x;
     for (int i = 1; i <= kSides; ++i) {
         double const angle = 2 * kPi * (i % kSides) / kSides;

@@ -1,6 +1,8 @@
+#include "engine/lsystem/segment_plan.h"
 #include "tests/engine/lsystem/small_model.h"
 
 #include <fmt/format.h>
+#include <optional>
 #include <rapidcheck/gtest.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -75,20 +77,9 @@ material: 2 red kind=petal color=0.9,0.1,0.1
 organ: l leaf kind=blade material=1 length=2 width=1
 )";
 
-// Random modules of all kinds that pieces treat differently, brackets and braces that need not
-// match among them.
-RC_GTEST_PROP(Pieces, DrawTheSamePlant, ())
+// Modules, mostly with closed brackets, so that most strings can be cut.
+std::string closed(std::vector<std::string> const& parts)
 {
-    auto const symbol = rc::gen::element<std::string>(
-        "F", "F", "F(0.5)", "F(0)", "f", "G", "+", "-(40)", "&", "/(137.5)", "@v", "!(0.1)", "#",
-        ";", ",(1)", ";(2)", "~l", "~x", "@o", "@c(0.3)", "H", "H", "I", "@D(0.7)", "_(0.2)",
-        "@Ts(1,0.3)", "@Gs", "@Ge", "@Q");
-    auto const bracket = rc::gen::element<std::string>("[", "[", "[", "]", "]", "]");
-    auto const rare = rc::gen::element<std::string>("{", ".", "}", "%", "[", "]", "J");
-    auto const any
-        = rc::gen::weightedOneOf<std::string>({ { 30, symbol }, { 10, bracket }, { 1, rare } });
-    auto const parts = *rc::gen::container<std::vector<std::string>>(any);
-    // Mostly closed, so that most strings can be cut.
     std::string text;
     int depth = 0;
     for (auto const& part : parts) {
@@ -97,7 +88,26 @@ RC_GTEST_PROP(Pieces, DrawTheSamePlant, ())
         depth += (part == "[") - (part == "]");
         text += part;
     }
-    text += std::string(static_cast<std::size_t>(depth), ']');
+    return text + std::string(static_cast<std::size_t>(depth), ']');
+}
+
+rc::Gen<std::string> any_bracket()
+{
+    return rc::gen::element<std::string>("[", "[", "[", "]", "]", "]");
+}
+
+// Random modules of all kinds that pieces treat differently, brackets and braces that need not
+// match among them.
+RC_GTEST_PROP(Pieces, DrawTheSamePlant, ())
+{
+    auto const symbol = rc::gen::element<std::string>(
+        "F", "F", "F(0.5)", "F(0)", "f", "G", "+", "-(40)", "&", "/(137.5)", "@v", "!(0.1)", "#",
+        ";", ",(1)", ";(2)", "~l", "~x", "@o", "@c(0.3)", "H", "H", "I", "@D(0.7)", "_(0.2)",
+        "@Ts(1,0.3)", "@Gs", "@Ge", "@Q");
+    auto const rare = rc::gen::element<std::string>("{", ".", "}", "%", "[", "]", "J");
+    auto const any = rc::gen::weightedOneOf<std::string>(
+        { { 30, symbol }, { 10, any_bracket() }, { 1, rare } });
+    auto const text = closed(*rc::gen::container<std::vector<std::string>>(any));
     auto const model = compiled(
         with_header(
             "Axiom: F" + text + "F\nhomomorphism\nH --> F(ran(1))[+F;~l]\nI --> [F\nJ --> ]F\n", 0),
@@ -105,6 +115,35 @@ RC_GTEST_PROP(Pieces, DrawTheSamePlant, ())
     auto const string = derive(model).value();
     auto const expected = drawn_in_pieces(model, string, 1, kWhole);
     auto const length = *rc::gen::inRange<std::size_t>(1, 12);
+    RC_ASSERT(drawn_in_pieces(model, string, 1, length) == expected);
+    RC_ASSERT(drawn_in_pieces(model, string, 4, length) == expected);
+}
+
+// No value: the string was not planned, or it is too short.
+std::optional<std::vector<PlannedPiece>> plan(Model const& model, ModuleString const& string,
+                                              std::size_t long_branch)
+{
+    BranchIndex const index(model, string, long_branch);
+    return plan_segments(model, string, {}, index, parameter_range(string));
+}
+
+// Random modules whose segments can be counted before they are drawn.
+RC_GTEST_PROP(Pieces, DrawTheSamePlantWhereSegmentsAreCounted, ())
+{
+    auto const zeros = *rc::gen::element<std::string>("F(0)", "F(0.1)", "A(0)");
+    auto const symbol = rc::gen::element<std::string>(
+        "F", "F", "F(0.5)", zeros, "f", "G", "g(2)", "+", "-(40)", "/(137.5)", "@v", "!(0.1)", "#",
+        ";", ",(1)", ";(2)", "~l", "~x(2)", "@o", "@c(0.3)", "H", "H(3)", "_(0.2)", "@Ts(1,0.3)",
+        "@R(0,1,0)", "{F.[-f.]+F.G}", "?P", "?Q");
+    auto const any = rc::gen::weightedOneOf<std::string>({ { 30, symbol }, { 10, any_bracket() } });
+    auto const text = closed(*rc::gen::container<std::vector<std::string>>(any));
+    auto const model = compiled(
+        with_header("Axiom: F" + text + "F\nhomomorphism\nH --> +~l@o;\nH(x) --> !(x)H\n", 0),
+        kView);
+    auto const string = derive(model).value();
+    auto const expected = drawn_in_pieces(model, string, 1, kWhole);
+    auto const length = *rc::gen::inRange<std::size_t>(1, 12);
+    RC_CLASSIFY(plan(model, string, length).has_value());
     RC_ASSERT(drawn_in_pieces(model, string, 1, length) == expected);
     RC_ASSERT(drawn_in_pieces(model, string, 4, length) == expected);
 }
@@ -151,6 +190,31 @@ TEST(Pieces, ReachALimitTogether)
     EXPECT_NE(expected.find("derive fewer steps"), std::string::npos) << expected;
     EXPECT_EQ(drawn_in_pieces(model, string, 4, 20, count - 1), expected);
     EXPECT_NE(drawn_in_pieces(model, string, 4, 20, count), expected);
+}
+
+TEST(Pieces, AreCountedBeforeTheyAreDrawn)
+{
+    auto const model = tree(10);
+    auto const string = derive(model).value();
+    auto const plant = interpret(model, string, { .long_branch = kWhole }).value();
+    auto const pieces = plan(model, string, 100);
+    ASSERT_TRUE(pieces);
+    EXPECT_GT(pieces->size(), 10u);
+    EXPECT_EQ(pieces->front().axis_count, plant.axes.size());
+    EXPECT_EQ(pieces->front().segment_count, plant.segment_count());
+}
+
+// What they draw cannot be counted without drawing it.
+TEST(Pieces, AreNotCountedWhereSymbolsDoMore)
+{
+    for (std::string const symbol : { "@Gs", "@D(2)", "@M(1,2,3)", "@bo", "{(1)", "%", "@", "H" }) {
+        auto const model = compiled(
+            with_header("Axiom: " + symbol + "[FFFF][FFFF]FFFF\nhomomorphism\nH --> F\n", 0),
+            kView);
+        EXPECT_FALSE(plan(model, derive(model).value(), 2)) << symbol;
+    }
+    auto const model = compiled(with_header("Axiom: [FFFF][FFFF]FFFF", 0), kView);
+    EXPECT_TRUE(plan(model, derive(model).value(), 2));
 }
 
 // The homomorphism counts, so modules must be drawn in their order.
