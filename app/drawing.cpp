@@ -17,6 +17,8 @@ namespace tractus {
 
 namespace {
 
+constexpr char const* kUsual = "usual";
+
 // Why samples of the pen were lost, or stand in doubt.
 void note_heights(FuserCounts const& counts, std::vector<std::string>& notes)
 {
@@ -174,6 +176,11 @@ void DrawingReader::note_drawing(Drawing const& drawing)
 
 } // namespace
 
+std::string growth_name(std::filesystem::path const& model, GrowthOptions const& growth)
+{
+    return growth.preset.value_or(is_session_file(model) ? "as in the session" : kUsual);
+}
+
 Result<std::vector<Edit>> growing_plant_edits(std::filesystem::path const& model,
                                               GrowthOptions const& growth, std::uint64_t seed)
 {
@@ -187,8 +194,8 @@ Result<std::vector<Edit>> growing_plant_edits(std::filesystem::path const& model
     } else {
         edits.push_back(TRY(load_plant_edit(model)));
     }
-    if (!own || growth.preset != GrowthOptions {}.preset)
-        own = TRY(growth_preset(growth.preset));
+    if (!own || growth.preset)
+        own = TRY(growth_preset(growth.preset.value_or(kUsual)));
     edits.push_back(SetGrowth { *own, seed, growth.liking });
     return edits;
 }

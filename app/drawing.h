@@ -17,13 +17,18 @@ namespace tractus {
 
 // How plants grow.
 struct GrowthOptions {
-    std::string preset = "usual"; // See growth_presets().
-    double liking = 1;            // See at_liking().
+    // See growth_presets(). Without it a session's plants grow as the session says, and others as
+    // "usual".
+    std::optional<std::string> preset {};
+    double liking = 1; // See at_liking().
 };
 
+// How the plants of `model` grow, in words.
+std::string growth_name(std::filesystem::path const& model, GrowthOptions const& growth);
+
 // What loads a plant to be drawn on and says how it grows: a model (load_plant_edit), or a session
-// with all that was drawn in it. The preset that GrowthOptions has by default leaves a session its
-// own growth. Fails, as the user's fault, for what is neither, or a growth that does not exist.
+// with all that was drawn in it. Fails, as the user's fault, for what is neither, or a growth that
+// does not exist.
 Result<std::vector<Edit>> growing_plant_edits(std::filesystem::path const& model,
                                               GrowthOptions const& growth, std::uint64_t seed);
 

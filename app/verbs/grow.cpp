@@ -4,12 +4,15 @@
 #include "app/error_text.h"
 #include "app/model_file.h"
 #include "app/pictures.h"
+#include "app/progress.h"
 #include "app/resources.h"
 #include "app/session_plant.h"
 #include "app/verbs/checks.h"
+#include "app/verbs/drawing_options.h"
+#include "app/verbs/growth_options.h"
 #include "app/verbs/model_options.h"
 #include "drivers/file.h"
-#include "engine/export/glb_writer.h"
+#include "engine/export/glb_growth.h"
 #include "engine/export/obj_writer.h"
 #include "engine/mesh/make_mesh.h"
 #include "engine/mesh/mesh_measures.h"
@@ -28,8 +31,14 @@ namespace {
 struct GrowArguments {
     ModelOptions model;
     ModelCost cost;
+    GrowthOptions growth;
+    DrawingArguments drawing;
     std::filesystem::path output;
-    std::size_t frames = 0; // Of an animation; 0 for the plant alone.
+    std::size_t ages = 0;   // Of an animation in one file; 0 for none.
+    std::size_t frames = 0; // Of one in a file for each; 0 for none.
+    double seconds = 10;
+
+    bool is_varied() const { return growth.preset || growth.liking != 1 || !drawing.log.empty(); }
 };
 
 // Answers the number of triangles. `frame`: what a picture has to show; empty: the plant.
@@ -67,21 +76,31 @@ std::filesystem::path frame_path(std::filesystem::path const& output, std::size_
     return output.parent_path() / name;
 }
 
-// The plant at ages evenly apart, the last one full-grown: a file for each, since the number of
-// triangles grows with the plant.
-Result<void> write_animation(GrowArguments const& arguments, Scene const& scene,
-                             std::string const& name)
+Result<GrowthPlan> plan_animation(Scene const& scene, std::string const& name)
 {
     if (scene.base->segment_count() == 0)
         return fail(Fault::User, fmt::format("{}: the plant has no branch that could grow", name));
-    auto const plan = TRY(plan_growth(scene));
+    return plan_growth(scene);
+}
+
+// Ages evenly apart, the last one full-grown.
+double age_of(std::size_t frame, std::size_t frames)
+{
+    return static_cast<double>(frame) / static_cast<double>(frames);
+}
+
+// A file for each age, with what has grown by then.
+Result<void> write_sequence(GrowArguments const& arguments, Scene const& scene,
+                            std::string const& name)
+{
+    auto const plan = TRY(plan_animation(scene, name));
     Grower grower(plan);
     PlantKey const key { scene.growth.seed, 0 };
     Bounds frame;
     if (arguments.output.extension() == ".png")
         frame = bounds(make_mesh(grower.grow(key)));
     for (std::size_t i = 1; i <= arguments.frames; ++i) {
-        double const age = static_cast<double>(i) / static_cast<double>(arguments.frames);
+        double const age = age_of(i, arguments.frames);
         auto const plant = without_unborn(grower.grow(key, age));
         auto const path = frame_path(arguments.output, i, arguments.frames);
         auto const triangles = TRY(write_plant(plant, name, path, frame));
@@ -92,17 +111,47 @@ Result<void> write_animation(GrowArguments const& arguments, Scene const& scene,
     return {};
 }
 
-Result<void> print_grown(GrowArguments const& arguments, Plant const& plant,
-                         std::filesystem::path const& path)
+// All ages in one file, as morph targets.
+Result<void> write_animation(GrowArguments const& arguments, Scene const& scene,
+                             std::string const& name)
 {
-    auto const triangles = TRY(write_plant(plant, path.stem().string(), arguments.output));
+    if (arguments.output.extension() != ".glb")
+        return fail(Fault::User,
+                    fmt::format("{}: an animation in one file is a .glb; --sequence writes {} "
+                                "files, one for each age",
+                                arguments.output.string(), arguments.output.extension().string()));
+    auto const plan = TRY(plan_animation(scene, name));
+    Grower grower(plan);
+    PlantKey const key { scene.growth.seed, 0 };
+    Plant const whole = grower.grow(key);
+    AgedMesh const mesh(whole);
+    GrowthFilm film { .name = name, .mesh = &mesh, .seconds = arguments.seconds };
+    for (std::size_t i = 1; i <= arguments.ages; ++i)
+        film.ages.push_back(age_of(i, arguments.ages));
+    film.plant_at = [&](double age) -> Plant const& { return grower.grow(key, age); };
+    GlbSummary summary;
+    auto const write = [&](std::ostream& out) -> Result<void> {
+        summary = TRY(write_glb(out, film));
+        return {};
+    };
+    TRY(write_file(arguments.output, write));
+    return print_out(fmt::format("{}: {} ages in {} s, {} segments, {} organs, {} triangles, "
+                                 "{:.1f} MB\n",
+                                 arguments.output.string(), arguments.ages, arguments.seconds,
+                                 whole.segment_count(), whole.organs.size(), summary.triangles,
+                                 static_cast<double>(summary.bytes) / 1e6));
+}
+
+Result<void> write_one(GrowArguments const& arguments, Plant const& plant, std::string const& name)
+{
+    auto const triangles = TRY(write_plant(plant, name, arguments.output));
     return print_out(fmt::format("{}: {} segments, {} organs, {} triangles\n",
                                  arguments.output.string(), plant.segment_count(),
                                  plant.organs.size(), triangles));
 }
 
 // A session says itself how its plant is derived; another seed is another variation of it.
-Result<void> grow_session(GrowArguments const& arguments, std::filesystem::path const& path)
+Result<Scene> load_session(GrowArguments const& arguments, std::filesystem::path const& path)
 {
     if (arguments.model.steps)
         return fail(Fault::User,
@@ -111,31 +160,86 @@ Result<void> grow_session(GrowArguments const& arguments, std::filesystem::path 
                                 path.string()));
     auto scene = TRY(load_session_scene(path, arguments.cost));
     scene.growth.seed = arguments.model.seed.value_or(scene.growth.seed);
-    if (arguments.frames > 0)
-        return write_animation(arguments, scene, path.stem().string());
-    auto const plant = TRY(shown_plant(scene));
-    return print_grown(arguments, plant, path);
+    return scene;
 }
 
-Result<void> grow_model(GrowArguments const& arguments)
+// A model grows as drawn, and not as it might have grown, unless it is said how.
+Result<Scene> load_model_scene(GrowArguments const& arguments, std::filesystem::path const& path)
 {
-    auto const path = TRY(find_model(arguments.model.model));
-    if (is_session_file(path))
-        return grow_session(arguments, path);
     auto edit = TRY(load_plant_edit(path));
     if (auto* const model = std::get_if<LoadModel>(&edit)) {
         model->steps = arguments.model.steps;
         model->seed = arguments.model.seed.value_or(1);
     }
-    auto const scene = TRY(apply_edit({}, edit, load_options(arguments.cost)));
+    auto scene = TRY(apply_edit({}, edit, load_options(arguments.cost)));
     for (auto const& warning : scene.model_warnings)
         print_warning(warning);
-    if (arguments.frames == 0)
-        return print_grown(arguments, *scene.base, path);
-    // As the model has it, and not as it might have grown.
-    auto const usual = TRY(growth_preset("usual"));
-    SetGrowth const growth { TRY(at_liking(usual, 0)), arguments.model.seed.value_or(1) };
-    return write_animation(arguments, TRY(apply_edit(scene, growth)), path.stem().string());
+    scene.growth.parameters = TRY(growth_preset("as drawn"));
+    scene.growth.seed = arguments.model.seed.value_or(1);
+    return scene;
+}
+
+// A liking that is given counts on top of what a session has.
+Result<void> set_growth(GrowthOptions const& options, SetGrowth& growth)
+{
+    growth.parameters = TRY(options.preset ? growth_preset(*options.preset)
+                                           : at_liking(growth.parameters, growth.liking));
+    growth.liking = options.liking;
+    return {};
+}
+
+Result<Scene> add_drawing(DrawingOptions const& options, Scene scene, std::string const& name)
+{
+    if (scene.base->segment_count() == 0)
+        return fail(Fault::User,
+                    fmt::format("{}: the plant has no branch that a stroke could shape", name));
+    Progress progress;
+    DrawingReport report;
+    auto drawing = TRY(read_drawing(options, std::move(scene), progress, report));
+    progress.finish();
+    for (auto const& note : report.notes)
+        print_warning(note);
+    return std::move(drawing.scene);
+}
+
+Result<void> grow_model(GrowArguments const& arguments)
+{
+    auto const path = TRY(find_model(arguments.model.model));
+    auto const name = path.stem().string();
+    bool const is_session = is_session_file(path);
+    auto scene
+        = TRY(is_session ? load_session(arguments, path) : load_model_scene(arguments, path));
+    TRY(set_growth(arguments.growth, scene.growth));
+    if (auto const drawing = drawing_options(arguments.drawing))
+        scene = TRY(add_drawing(*drawing, std::move(scene), name));
+    if (arguments.ages > 0)
+        return write_animation(arguments, scene, name);
+    if (arguments.frames > 0)
+        return write_sequence(arguments, scene, name);
+    if (!is_session && !arguments.is_varied())
+        return write_one(arguments, *scene.base, name);
+    return write_one(arguments, TRY(shown_plant(scene)), name);
+}
+
+void add_animation_options(CLI::App& verb, GrowArguments& arguments)
+{
+    auto* const animation
+        = verb.add_option("--animation", arguments.ages,
+                          "Write the plant as it grows, from its youth to its full size, as one "
+                          ".glb: a morph target for each of N ages, and an animation of them")
+              ->type_name("N")
+              ->check(whole_number(2, 10'000));
+    verb.add_option("--seconds", arguments.seconds, "How long the animation takes")
+        ->type_name("S")
+        ->check(number(0.01, 1e6))
+        ->needs(animation)
+        ->capture_default_str();
+    verb.add_option("--sequence", arguments.frames,
+                    "Write it as it grows, a file for each of N ages: FILE-1 to FILE-N, as many "
+                    "digits as N has")
+        ->type_name("N")
+        ->check(whole_number(1, 10'000))
+        ->excludes(animation);
 }
 
 } // namespace
@@ -152,16 +256,14 @@ void add_grow_verb(CLI::App& root, Action& action)
         ->type_name("FILE")
         ->check(name_ending_in({ ".glb", ".obj", ".png" }))
         ->required();
-    verb->add_option("--animation", arguments->frames,
-                     "Write the plant N times as it grows, from its youth to its full size: "
-                     "FILE-1 to FILE-N, as many digits as N has")
-        ->type_name("N")
-        ->check(whole_number(1, 10'000));
+    add_growth_options(*verb, arguments->growth, "as drawn, or as in a session");
+    add_drawing_options(*verb, arguments->drawing, "the plant is as its model gives it");
+    add_animation_options(*verb, *arguments);
     verb->footer(
         "MODEL may also be a skeleton that another program has drawn as lines (.obj, .glb), or\n"
         "a session (.tractus): then it is the plant as drawn, as the station's window shows\n"
-        "it, or with --seed another variation. The same model and seed always give the same\n"
-        "file.");
+        "it, or with --seed another variation. With --growth the seed also says how a model\n"
+        "grows. The same model, drawing and seed always give the same file.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return grow_model(*arguments); }; });
 }

@@ -16,16 +16,16 @@ static std::string preset_check(std::string const& name)
     return preset ? "" : preset.error().message;
 }
 
-void add_growth_options(CLI::App& verb, GrowthOptions& growth)
+void add_growth_options(CLI::App& verb, GrowthOptions& growth, std::string const& without)
 {
     std::vector<std::string> names;
     for (auto const& preset : growth_presets())
         names.emplace_back(preset.name);
-    verb.add_option("--growth", growth.preset,
-                    fmt::format("How the plants grow: {}", fmt::join(names, ", ")))
+    verb.add_option(
+            "--growth", growth.preset,
+            fmt::format("How plants grow: {}; without it, {}", fmt::join(names, ", "), without))
         ->type_name("NAME")
-        ->check(offering(names, CLI::Validator(preset_check, "")))
-        ->capture_default_str();
+        ->check(offering(names, CLI::Validator(preset_check, "")));
     verb.add_option("--liking", growth.liking,
                     "From 0, as drawn, over 1, as the growth's name says, to 4, as the plant likes")
         ->type_name("X")

@@ -3,12 +3,13 @@
 #include "app/drawing.h"
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 namespace tractus {
 
-// "--growth NAME" and "--liking X": how a verb's plants grow. `growth` must live as long as the
-// verb.
-void add_growth_options(CLI::App& verb, GrowthOptions& growth);
+// "--growth NAME" and "--liking X": how a verb's plants grow. `without` ends a sentence: how they
+// grow without a name. `growth` must live as long as the verb.
+void add_growth_options(CLI::App& verb, GrowthOptions& growth, std::string const& without);
 
 // "--age X": how old they are, all alike. `age` must live as long as the verb.
 void add_age_option(CLI::App& verb, double& age);

@@ -41,7 +41,7 @@ void add_replay_verb(CLI::App& root, Action& action)
         ->type_name("N")
         ->check(whole_number(1, 100))
         ->capture_default_str();
-    add_growth_options(*verb, arguments->job.growth);
+    add_growth_options(*verb, arguments->job.growth, "usual, or as in a session");
     add_age_option(*verb, arguments->job.age);
     add_folder_option(*verb, arguments->job.folder);
     verb->add_option("--session", arguments->job.session,

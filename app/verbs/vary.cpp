@@ -5,6 +5,7 @@
 #include "app/progress.h"
 #include "app/resources.h"
 #include "app/verbs/checks.h"
+#include "app/verbs/drawing_options.h"
 #include "app/verbs/growth_options.h"
 #include "app/verbs/shared_options.h"
 
@@ -18,9 +19,7 @@ namespace {
 struct VaryArguments {
     CollectionOptions collection;
     std::string model;
-    std::string drawing;
-    std::string rig;
-    std::string height;
+    DrawingArguments drawing;
     std::string ages = "1";
     std::string stand = "grid";
     std::string shard = "1/1";
@@ -33,13 +32,7 @@ Result<void> vary(VaryArguments const& arguments)
 {
     auto options = arguments.collection;
     options.model = TRY(find_model(arguments.model));
-    if (!arguments.drawing.empty()) {
-        options.drawing = DrawingOptions { .log = arguments.drawing };
-        if (!arguments.rig.empty())
-            options.drawing->rig = arguments.rig;
-        if (!arguments.height.empty())
-            options.drawing->height = arguments.height;
-    }
+    options.drawing = drawing_options(arguments.drawing);
     auto const [youngest, oldest] = parse_range(arguments.ages).value();
     options.ages = { youngest, oldest };
     auto const [number, parts] = parse_part(arguments.shard).value();
@@ -58,18 +51,6 @@ Result<void> vary(VaryArguments const& arguments)
         options.glb.instancing = GlbOptions::Instancing::Nodes;
     Progress progress;
     return print_out(print_report(TRY(make_collection(options, progress))));
-}
-
-void add_drawing_options(CLI::App& verb, VaryArguments& arguments)
-{
-    auto* const drawing
-        = verb.add_option("--drawing", arguments.drawing,
-                          "What was drawn, kept by every plant: a .tractus-log, anybody's "
-                          "hid-recorder file, .tilt, .strokes or .txt; without it, plants vary by "
-                          "chance alone")
-              ->type_name("LOG");
-    add_rig_option(verb, arguments.rig)->needs(drawing);
-    add_height_option(verb, arguments.height)->needs(drawing);
 }
 
 void add_output_options(CLI::App& verb, VaryArguments& arguments)
@@ -123,13 +104,13 @@ void add_vary_verb(CLI::App& root, Action& action)
             "The plant's model: an L-system file (.l), a skeleton of lines (.obj, .glb), a "
             "session with what was drawn in it (.tractus), or one of ours by its name")
         ->required();
-    add_drawing_options(*verb, *arguments);
+    add_drawing_options(*verb, arguments->drawing, "plants vary by chance alone");
     verb->add_option("--count", arguments->collection.count, "Plants in the collection, all parts")
         ->type_name("N")
         ->check(whole_number(1, 4'000'000'000))
         ->capture_default_str();
     add_seed_option(*verb, arguments->collection.seed);
-    add_growth_options(*verb, arguments->collection.growth);
+    add_growth_options(*verb, arguments->collection.growth, "usual, or as in a session");
     verb->add_option("--ages", arguments->ages,
                      "How old the plants are, from the youngest to the oldest: above 0, and 1 is "
                      "full-grown")

@@ -9,9 +9,6 @@
 namespace tractus {
 namespace {
 
-constexpr int kArrayBuffer = 34962;
-constexpr int kElementArrayBuffer = 34963;
-constexpr int kNoTarget = 0;
 // 65,535 is no index: it restarts strips (section 3.7.2.1).
 constexpr std::size_t kMostShortVertices = 65535;
 
@@ -71,15 +68,6 @@ std::string coverages(PlacedMesh const& placed)
     for (auto const& detail : placed.details)
         text += fmt::format(",{}", detail.least_coverage);
     return text;
-}
-
-// As doubles: the decimal that is exactly the float.
-std::string limits_text(EncodedPiece const& limits)
-{
-    auto const low = limits.low.cast<double>();
-    auto const high = limits.high.cast<double>();
-    return fmt::format(",\"min\":[{},{},{}],\"max\":[{},{},{}]", low.x(), low.y(), low.z(),
-                       high.x(), high.y(), high.z());
 }
 
 } // namespace
@@ -156,27 +144,20 @@ Result<void> GlbFile::begin_level(LevelInFile const& level, MeshPieces const& pl
 
 // The binary part.
 
-void GlbFile::open(Columns& columns, std::size_t index, NumberFormat const& format,
-                   std::size_t count)
-{
-    auto const bytes = count * static_cast<std::size_t>(format.element_bytes);
-    columns[index] = { format, count, stream_.open_block(bytes) };
-}
-
 GlbFile::Columns GlbFile::open_triangles(MeshExtent const& extent, SurfaceFormat const& format)
 {
     Columns columns;
-    open(columns, 0, format.positions(), extent.vertices);
-    open(columns, 1, format.normals(), extent.vertices);
-    open(columns, 2, SurfaceFormat::texture_coordinates(), extent.vertices);
-    open(columns, 3, format.indices(), extent.indices);
+    columns[0] = open_column(stream_, format.positions(), extent.vertices);
+    columns[1] = open_column(stream_, format.normals(), extent.vertices);
+    columns[2] = open_column(stream_, SurfaceFormat::texture_coordinates(), extent.vertices);
+    columns[3] = open_column(stream_, format.indices(), extent.indices);
     return columns;
 }
 
 void GlbFile::open_wind(Columns& columns, std::span<WindStream const> streams, std::size_t count)
 {
     for (std::size_t i = 0; plant_->has_wind() && i < streams.size(); ++i)
-        open(columns, kFirstWindStream + i, streams[i].format, count);
+        columns[kFirstWindStream + i] = open_column(stream_, streams[i].format, count);
 }
 
 // To be added to other attributes; empty without wind.
@@ -186,7 +167,7 @@ std::string GlbFile::wind_attributes(Columns const& columns, std::span<WindStrea
     std::string text;
     for (std::size_t i = 0; i < streams.size(); ++i)
         if (auto const& column = columns[kFirstWindStream + i]; column.count > 0)
-            text += fmt::format(",\"{}\":{}", streams[i].name, add_accessor(column, target));
+            text += fmt::format(",\"{}\":{}", streams[i].name, add_accessor(json_, column, target));
     return text;
 }
 
@@ -197,34 +178,16 @@ void GlbFile::write(Columns& columns, EncodedPiece const& piece)
             stream_.write(columns[i].block, piece.streams[i]);
 }
 
-std::size_t GlbFile::add_accessor(Column const& column, int target, std::string_view more)
-{
-    constexpr char const* kTypes[] = { "", "SCALAR", "VEC2", "VEC3", "VEC4" };
-    auto const& [format, count, block] = column;
-    auto const target_text
-        = target == kNoTarget ? std::string() : fmt::format(",\"target\":{}", target);
-    // Elements that are padded to four bytes say how far they are apart.
-    bool const is_padded = format.components == 3 && format.type != ComponentType::Float;
-    auto const stride
-        = is_padded ? fmt::format(",\"byteStride\":{}", format.element_bytes) : std::string();
-    auto const view = json_.buffer_views.add(
-        fmt::format("{{\"buffer\":0,\"byteOffset\":{},\"byteLength\":{}{}{}}}", block.start,
-                    block.size, stride, target_text));
-    return json_.accessors.add(
-        fmt::format("{{\"bufferView\":{},\"componentType\":{},\"count\":{},\"type\":\"{}\"{}{}}}",
-                    view, static_cast<int>(format.type), count, kTypes[format.components],
-                    format.normalized ? ",\"normalized\":true" : "", more));
-}
-
 // Surfaces.
 
 std::string GlbFile::add_primitive(Columns const& columns, EncodedPiece const& limits,
                                    std::size_t material)
 {
-    auto const positions = add_accessor(columns[0], kArrayBuffer, limits_text(limits));
-    auto const normals = add_accessor(columns[1], kArrayBuffer);
-    auto const texture = add_accessor(columns[2], kArrayBuffer);
-    auto const indices = add_accessor(columns[3], kElementArrayBuffer);
+    auto const positions
+        = add_accessor(json_, columns[0], kArrayBuffer, limits_text(limits.low, limits.high));
+    auto const normals = add_accessor(json_, columns[1], kArrayBuffer);
+    auto const texture = add_accessor(json_, columns[2], kArrayBuffer);
+    auto const indices = add_accessor(json_, columns[3], kElementArrayBuffer);
     auto const wind = wind_attributes(columns, wind_streams(options_.wind), kArrayBuffer);
     return fmt::format("{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{},\"TEXCOORD_0\":{}{}}},"
                        "\"indices\":{},\"material\":{}}}",
@@ -298,9 +261,9 @@ Result<void> GlbFile::add_instances(std::size_t index, bool is_last, EncodedPiec
         }
         open_ = Columns();
         auto& columns = *open_;
-        open(columns, 0, InstanceFormat::translations(), organ.instances.size());
-        open(columns, 1, format_.instances.rotations(), organ.instances.size());
-        open(columns, 2, InstanceFormat::scales(), organ.instances.size());
+        columns[0] = open_column(stream_, InstanceFormat::translations(), organ.instances.size());
+        columns[1] = open_column(stream_, format_.instances.rotations(), organ.instances.size());
+        columns[2] = open_column(stream_, InstanceFormat::scales(), organ.instances.size());
         open_wind(columns, wind_streams(GlbOptions::Wind::Attributes), organ.instances.size());
     }
     write(*open_, piece);
@@ -308,9 +271,9 @@ Result<void> GlbFile::add_instances(std::size_t index, bool is_last, EncodedPiec
         return stream_.check();
     json_.required_extensions.insert("EXT_mesh_gpu_instancing");
     auto const& columns = *open_;
-    auto const translations = add_accessor(columns[0], kNoTarget);
-    auto const rotations = add_accessor(columns[1], kNoTarget);
-    auto const scales = add_accessor(columns[2], kNoTarget);
+    auto const translations = add_accessor(json_, columns[0], kNoTarget);
+    auto const rotations = add_accessor(json_, columns[1], kNoTarget);
+    auto const scales = add_accessor(json_, columns[2], kNoTarget);
     auto const wind
         = wind_attributes(columns, wind_streams(GlbOptions::Wind::Attributes), kNoTarget);
     add_child(

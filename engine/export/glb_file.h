@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/export/glb_column.h"
 #include "engine/export/glb_stream.h"
 #include "engine/export/glb_writer.h"
 #include "engine/export/gltf_json.h"
@@ -60,21 +61,13 @@ public:
     std::uint64_t json_bytes() const { return json_bytes_; }
 
 private:
-    // A block whose elements an accessor will describe.
-    struct Column {
-        NumberFormat format {};
-        std::size_t count = 0;
-        GlbStream::Block block {};
-    };
-    using Columns = std::array<Column, kMostStreams>;
+    using Columns = std::array<GlbColumn, kMostStreams>;
 
-    void open(Columns& columns, std::size_t index, NumberFormat const& format, std::size_t count);
     Columns open_triangles(MeshExtent const& extent, SurfaceFormat const& format);
     void open_wind(Columns& columns, std::span<WindStream const> streams, std::size_t count);
     std::string wind_attributes(Columns const& columns, std::span<WindStream const> streams,
                                 int target);
     void write(Columns& columns, EncodedPiece const& piece);
-    std::size_t add_accessor(Column const& column, int target, std::string_view more = {});
     std::string add_primitive(Columns const& columns, EncodedPiece const& limits,
                               std::size_t material);
     Result<std::size_t> prototype_index(TriangleMesh const& prototype);

@@ -39,6 +39,7 @@ std::string GltfJson::text(std::uint64_t buffer_bytes) const
     };
     append("nodes", nodes);
     append("meshes", meshes);
+    append("animations", animations);
     append("materials", materials);
     append("textures", textures);
     append("images", images);

@@ -25,7 +25,8 @@ private:
 // A glTF 2.0 document as it is put together: elements as text, extensions by name.
 struct GltfJson {
     JsonArray scene; // The scene's root nodes.
-    JsonArray nodes, meshes, materials, textures, images, samplers, accessors, buffer_views;
+    JsonArray nodes, meshes, materials, textures, images, samplers, accessors, buffer_views,
+        animations;
     // Those that a reader must know, and those that it may pass over.
     std::set<std::string> required_extensions;
     std::set<std::string> optional_extensions;

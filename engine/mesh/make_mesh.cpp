@@ -1,6 +1,5 @@
 #include "engine/mesh/make_mesh.h"
 
-#include "engine/base/parallel.h"
 #include "engine/mesh/mesh_plan.h"
 #include "engine/mesh/organ_card.h"
 #include "engine/mesh/organ_mesh.h"
@@ -9,25 +8,6 @@
 #include <vector>
 
 namespace tractus {
-namespace {
-
-std::vector<TriangleMesh> make_surfaces(MeshPlan const& plan)
-{
-    std::vector<TriangleMesh> made;
-    for (auto const& surface : plan.surfaces()) {
-        auto& mesh = made.emplace_back();
-        mesh.material = surface.material;
-        mesh.positions_mm.resize(surface.extent.vertices);
-        mesh.normals.resize(surface.extent.vertices);
-        mesh.texture_coordinates.resize(surface.extent.vertices);
-        mesh.indices.resize(surface.extent.indices);
-        parallel_for(surface.piece_count(), 1, [&](std::size_t begin, std::size_t end) {
-            for (auto piece = begin; piece != end; ++piece)
-                plan.make_piece(surface, piece, place_in(mesh, surface.start_of(piece)));
-        });
-    }
-    return made;
-}
 
 InstanceTransform transform_of(Organ const& organ)
 {
@@ -36,8 +16,6 @@ InstanceTransform transform_of(Organ const& organ)
              length > 0 ? organ.orientation.normalized().cast<float>() : Quatf::Identity(),
              organ.scale };
 }
-
-} // namespace
 
 Mesh make_mesh(Plant const& plant, MeshOptions const& options)
 {

@@ -51,6 +51,9 @@ struct MeshOptions {
 // Runs on all threads that oneTBB may use; the result is the same for any number of them.
 Mesh make_mesh(Plant const& plant, MeshOptions const& options = {});
 
+// Where an organ's prototype stands.
+InstanceTransform transform_of(Organ const& organ);
+
 // One organ of scale 1, in its own frame.
 TriangleMesh make_prototype(Plant const& plant, OrganShapeId shape,
                             MeshOptions const& options = {});

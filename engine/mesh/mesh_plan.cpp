@@ -4,6 +4,7 @@
 #include "engine/base/parallel.h"
 #include "engine/mesh/extrusion.h"
 #include "engine/mesh/polygon_mesh.h"
+#include "engine/mesh/section_rings.h"
 
 #include <algorithm>
 #include <limits>
@@ -256,6 +257,54 @@ void MeshPlan::make_wind(Surface const& surface, std::size_t piece, WindKey cons
         trace_spine(plant_, axis, options_, thickest_mm_, spine);
         bend_tube(spine, item.part, vertices);
     }
+}
+
+void MeshPlan::find_rings(Surface const& surface, std::size_t piece, std::vector<Ring>& rings) const
+{
+    Spine spine;
+    Extrusion extrusion;
+    auto const end_of_tubes = static_cast<std::uint32_t>(surface.tube_count);
+    for (auto i = surface.pieces[piece]; i < std::min(surface.pieces[piece + 1], end_of_tubes);
+         ++i) {
+        auto const& item = surface.items[i];
+        auto const end = i + 1 < surface.items.size() ? surface.items[i + 1].first_vertex
+                                                      : surface.extent.vertices;
+        auto vertex = item.first_vertex;
+        auto const add_from = [&](auto const& stations) {
+            return [&](std::uint32_t station, std::size_t count) {
+                auto const size = static_cast<std::uint32_t>(count);
+                rings.push_back(
+                    { stations[station].center_mm, stations[station].segment, vertex, size });
+                vertex += size;
+            };
+        };
+        auto const& axis = plant_.axes[item.number];
+        if (has_contour(plant_, axis)) {
+            trace_extrusion(plant_, axis, options_, extrusion);
+            for_each_ring(extrusion, item.part, end - vertex, add_from(extrusion.stations));
+            continue;
+        }
+        trace_spine(plant_, axis, options_, thickest_mm_, spine);
+        for_each_ring(spine, item.part, end - vertex, add_from(spine.stations));
+    }
+}
+
+std::vector<TriangleMesh> make_surfaces(MeshPlan const& plan)
+{
+    std::vector<TriangleMesh> made;
+    for (auto const& surface : plan.surfaces()) {
+        auto& mesh = made.emplace_back();
+        mesh.material = surface.material;
+        mesh.positions_mm.resize(surface.extent.vertices);
+        mesh.normals.resize(surface.extent.vertices);
+        mesh.texture_coordinates.resize(surface.extent.vertices);
+        mesh.indices.resize(surface.extent.indices);
+        parallel_for(surface.piece_count(), 1, [&](std::size_t begin, std::size_t end) {
+            for (auto piece = begin; piece != end; ++piece)
+                plan.make_piece(surface, piece, place_in(mesh, surface.start_of(piece)));
+        });
+    }
+    return made;
 }
 
 } // namespace tractus

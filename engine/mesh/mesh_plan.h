@@ -57,6 +57,17 @@ public:
     void make_wind(Surface const& surface, std::size_t piece, WindKey const& key,
                    std::span<WindVertex> to) const;
 
+    // A run of vertices of one cross-section of an axis, filled ends and tips included.
+    struct Ring {
+        Vec3 center_mm;
+        SegmentId segment = 0;          // That the stretch up to here belongs to.
+        std::uint32_t first_vertex = 0; // In the surface.
+        std::uint32_t vertex_count = 0;
+    };
+
+    // Appends the rings of one piece, in the order of their vertices. Polygons have none.
+    void find_rings(Surface const& surface, std::size_t piece, std::vector<Ring>& rings) const;
+
 private:
     void plan_tubes();
     void plan_polygons();
@@ -67,5 +78,8 @@ private:
     Bounds bounds_mm_;
     std::vector<Surface> surfaces_;
 };
+
+// All pieces of all surfaces at once, on all threads.
+std::vector<TriangleMesh> make_surfaces(MeshPlan const& plan);
 
 } // namespace tractus

@@ -1,6 +1,7 @@
 #include "engine/mesh/wind.h"
 
 #include "engine/base/random.h"
+#include "engine/mesh/section_rings.h"
 
 #include <bit>
 
@@ -27,12 +28,15 @@ double length_to(std::span<Vec3 const> nodes, std::uint32_t end)
     return length;
 }
 
-// Gives `count` vertices a share of the axis' length.
-std::span<WindVertex> give(std::span<WindVertex> to, std::size_t count, double share)
+template<typename Sections>
+void bend(Sections const& sections, TubePart const& part, std::span<WindVertex> to)
 {
-    for (auto& vertex : to.first(count))
-        vertex.bend = static_cast<float>(share);
-    return to.subspan(count);
+    double const length = sections.stations.back().arc_mm;
+    for_each_ring(sections, part, to.size(), [&](std::uint32_t station, std::size_t count) {
+        for (auto& vertex : to.first(count))
+            vertex.bend = static_cast<float>(sections.stations[station].arc_mm / length);
+        to = to.subspan(count);
+    });
 }
 
 } // namespace
@@ -66,30 +70,12 @@ WindVertex wind_at(Plant const& plant, SegmentId segment, WindKey const& key)
 
 void bend_tube(Spine const& spine, TubePart const& part, std::span<WindVertex> to)
 {
-    auto const& stations = spine.stations;
-    auto const sides = static_cast<std::size_t>(spine.sides);
-    double const length = stations.back().arc_mm;
-    bool const has_tip = part.last + 1 == stations.size();
-    auto const last_ring = has_tip && spine.tip == Spine::Tip::Point ? part.last - 1 : part.last;
-    if (part.first == 0 && spine.closed_base)
-        to = give(to, sides, 0);
-    for (auto i = part.first; i <= last_ring; ++i)
-        to = give(to, sides + 1, stations[i].arc_mm / length);
-    give(to, to.size(), 1); // The tip, if it has one.
+    bend(spine, part, to);
 }
 
 void bend_extrusion(Extrusion const& extrusion, TubePart const& part, std::span<WindVertex> to)
 {
-    auto const& stations = extrusion.stations;
-    double const length = stations.back().arc_mm;
-    for (int layer = 0; layer < (extrusion.is_sheet ? 2 : 1); ++layer)
-        for (auto i = part.first; i <= part.last; ++i)
-            to = give(to, extrusion.sides + 1, stations[i].arc_mm / length);
-    // What is left are filled ends, each with as many vertices as the other.
-    bool const has_both = part.first == 0 && part.last + 1 == stations.size();
-    if (part.first == 0)
-        to = give(to, has_both ? to.size() / 2 : to.size(), 0);
-    give(to, to.size(), 1);
+    bend(extrusion, part, to);
 }
 
 } // namespace tractus

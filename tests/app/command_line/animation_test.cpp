@@ -3,17 +3,23 @@
 #include <cstdint>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace tractus {
 namespace {
 
-// The highest of a .glb file's vertices, in metres: accessors say how far positions reach.
-double height_m(std::string const& glb)
+nlohmann::json json_of(std::string const& glb)
 {
     std::uint32_t json_bytes = 0;
     std::memcpy(&json_bytes, &glb.at(12), 4);
+    return nlohmann::json::parse(glb.substr(20, json_bytes));
+}
+
+// The highest of a .glb file's vertices, in metres: accessors say how far positions reach.
+double height_m(std::string const& glb)
+{
     double height = 0;
-    auto const json = nlohmann::json::parse(glb.substr(20, json_bytes));
+    auto const json = json_of(glb);
     for (auto const& accessor : json["accessors"])
         if (accessor.contains("max"))
             height = std::max(height, accessor["max"][1].get<double>());
@@ -24,10 +30,9 @@ class Animation : public Workshop { };
 
 TEST_F(Animation, ShowsThePlantAsItGrowsToItsFullSize)
 {
-    auto const outcome = run("tractus grow small.l --animation 12 -o film/small.glb");
+    auto const outcome = run("tractus grow small.l --sequence 12 -o film/small.glb");
     EXPECT_EQ(outcome.exit_code, 1); // There is no such folder.
-    ASSERT_EQ(run("mkdir film; tractus grow small.l --animation 12 -o film/small.glb").exit_code,
-              0);
+    ASSERT_EQ(run("mkdir film; tractus grow small.l --sequence 12 -o film/small.glb").exit_code, 0);
     EXPECT_EQ(count_files("film"), 12u);
     ASSERT_EQ(run("tractus grow small.l -o small.glb").exit_code, 0);
     double before = 0;
@@ -47,8 +52,8 @@ TEST_F(Animation, ShowsThePlantAsItGrowsToItsFullSize)
 TEST_F(Animation, IsTheSameAgainOnOneThread)
 {
     for (std::string const ending : { "glb", "png", "obj" }) {
-        run("tractus grow small.l --animation 2 -o a." + ending);
-        run("taskset -c 0 '" TRACTUS_PROGRAM "' grow small.l --animation 2 -o b." + ending);
+        run("tractus grow small.l --sequence 2 -o a." + ending);
+        run("taskset -c 0 '" TRACTUS_PROGRAM "' grow small.l --sequence 2 -o b." + ending);
         for (char const* const frame : { "-1.", "-2." }) {
             EXPECT_FALSE(read("a" + (frame + ending)).empty());
             EXPECT_EQ(read("a" + (frame + ending)), read("b" + (frame + ending)));
@@ -56,11 +61,65 @@ TEST_F(Animation, IsTheSameAgainOnOneThread)
     }
 }
 
+TEST_F(Animation, IsOneFileWithATargetForEachAge)
+{
+    auto const outcome = run("tractus grow small.l --animation 6 --seconds 3 -o film.glb");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("6 ages in 3 s"), std::string::npos) << outcome.out;
+    auto const json = json_of(read("film.glb"));
+    auto const& mesh = json["meshes"][0];
+    EXPECT_EQ(mesh["weights"].size(), 5u);
+    EXPECT_EQ(mesh["primitives"][0]["targets"].size(), 5u);
+    EXPECT_EQ(json["animations"][0]["channels"][0]["target"]["path"], "weights");
+    auto const& times = json["animations"][0]["samplers"][0]["input"];
+    EXPECT_EQ(json["accessors"][times.get<std::size_t>()]["max"][0], 3);
+    run("taskset -c 0 '" TRACTUS_PROGRAM "' grow small.l --animation 6 --seconds 3 -o again.glb");
+    EXPECT_EQ(read("again.glb"), read("film.glb"));
+    expect_error(run("tractus grow small.l --animation 6 -o film.png"), 1, "--sequence");
+    EXPECT_EQ(run("tractus grow small.l --animation 6 --sequence 6 -o x.glb").exit_code, 2);
+    EXPECT_EQ(run("tractus grow small.l --seconds 3 -o x.glb").exit_code, 2);
+}
+
+TEST_F(Animation, KeepsWhatWasDrawnAndGrowsAsItIsTold)
+{
+    record();
+    std::set<std::string> films;
+    for (std::string const how :
+         { "", "--drawing hand.tractus-log", "--growth wild", "--growth wild --liking 2",
+           "--growth wild --seed 2", "--drawing hand.tractus-log --growth weeping" }) {
+        for (std::string const what : { "", "--animation 3 " }) {
+            auto const outcome = run("tractus grow small.l -o film.glb " + what + how);
+            ASSERT_EQ(outcome.exit_code, 0) << how << outcome.err;
+            EXPECT_TRUE(films.insert(read("film.glb")).second) << what << how;
+        }
+    }
+}
+
+TEST_F(Animation, OfASessionIsOfWhatItShows)
+{
+    record();
+    ASSERT_EQ(run("tractus replay hand.tractus-log --plant small.l --session kept.tractus "
+                  "--growth weeping -o out")
+                  .exit_code,
+              0);
+    auto const grow = [&](std::string const& how) {
+        auto const outcome = run("tractus grow kept.tractus --animation 3 -o film.glb " + how);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return read("film.glb");
+    };
+    auto const own = grow("");
+    EXPECT_EQ(grow("--growth weeping"), own);
+    EXPECT_NE(grow("--growth usual"), own); // Not what a session does without being told.
+    EXPECT_NE(grow("--seed 7"), own);
+}
+
 TEST_F(Animation, OfAPlantWithoutBranchesIsRefused)
 {
     write("bare.l", "Lsystem: 1\nderivation length: 1\nAxiom: A\nA --> A\nendlsystem\n");
+    expect_error(run("tractus grow bare.l --sequence 3 -o x.glb"), 1, "no branch that could grow");
     expect_error(run("tractus grow bare.l --animation 3 -o x.glb"), 1, "no branch that could grow");
-    EXPECT_EQ(run("tractus grow small.l --animation 0 -o x.glb").exit_code, 2);
+    EXPECT_EQ(run("tractus grow small.l --sequence 0 -o x.glb").exit_code, 2);
+    EXPECT_EQ(run("tractus grow small.l --animation 1 -o x.glb").exit_code, 2);
 }
 
 } // namespace

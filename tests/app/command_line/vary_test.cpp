@@ -234,5 +234,24 @@ TEST_F(Vary, CtrlCLeavesWholeFiles)
     }
 }
 
+TEST_F(Vary, OfASessionGrowsAsTheSessionSaysOrAsItIsTold)
+{
+    record();
+    ASSERT_EQ(run("tractus replay hand.tractus-log --plant small.l --session kept.tractus "
+                  "--growth weeping -o out")
+                  .exit_code,
+              0);
+    auto const vary = [&](std::string const& how) {
+        auto const outcome = run("tractus vary kept.tractus --count 2 -o two.glb " + how);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return read("two.glb");
+    };
+    auto const own = vary("");
+    EXPECT_NE(read("two.json").find("as in the session"), std::string::npos);
+    EXPECT_EQ(vary("--growth weeping"), own);
+    EXPECT_NE(vary("--growth usual"), own);
+    EXPECT_NE(read("two.json").find("\"usual\""), std::string::npos);
+}
+
 } // namespace
 } // namespace tractus

@@ -1,10 +1,13 @@
 // Writes .glb files of every sort into a folder, for the validator. Run: write_sample_glbs FOLDER
 #include "drivers/file.h"
+#include "engine/export/glb_growth.h"
 #include "engine/export/glb_writer.h"
 #include "engine/export/texture.h"
 #include "engine/mesh/level_of_detail.h"
 #include "engine/mesh/make_mesh.h"
+#include "engine/variation/growth.h"
 #include "tests/engine/mesh/sample_plants.h"
+#include "tests/engine/variation/plans.h"
 
 #include <fmt/core.h>
 #include <vector>
@@ -76,6 +79,21 @@ PlacedMesh with_details(Plant const& plant)
     return placed;
 }
 
+// A tree as it grows, in wind and with weight.
+Result<void> write_growth(std::filesystem::path const& path)
+{
+    auto const plan = plan_of(sample_tree(4), { .sag = 2 }, { 0.5, 0, 0 });
+    Grower grower(plan);
+    Plant const whole = grower.grow({ 1, 0 });
+    AgedMesh const mesh(whole);
+    GrowthFilm film { .name = "grows", .mesh = &mesh, .ages = { 0.25, 0.5, 0.75, 1 } };
+    film.plant_at = [&](double age) -> Plant const& { return grower.grow({ 1, 0 }, age); };
+    return write_file(path, [&](std::ostream& out) -> Result<void> {
+        TRY(write_glb(out, film));
+        return {};
+    });
+}
+
 Result<void> write_samples(std::filesystem::path const& folder)
 {
     std::filesystem::create_directories(folder);
@@ -120,7 +138,7 @@ Result<void> write_samples(std::filesystem::path const& folder)
     TRY(write("wind_uv.glb", collection, { .wind = Options::Wind::TextureCoordinates }));
     TRY(write("wind_colour.glb", collection, { .wind = Options::Wind::Colours }));
     TRY(write("empty.glb", {}, {}));
-    return {};
+    return write_growth(folder / "growth.glb");
 }
 
 } // namespace

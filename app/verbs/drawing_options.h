@@ -1,0 +1,25 @@
+#pragma once
+
+#include "app/drawing.h"
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+namespace tractus {
+
+// What was drawn over a verb's plant.
+struct DrawingArguments {
+    std::string log; // Empty: nothing.
+    std::string rig;
+    std::string height;
+};
+
+// "--drawing LOG", "--rig FILE" and "--height MM|MOVEMENT". `without` ends a sentence: what there
+// is without a drawing. `drawing` must live as long as the verb.
+void add_drawing_options(CLI::App& verb, DrawingArguments& drawing, std::string const& without);
+
+// No value where nothing was drawn.
+std::optional<DrawingOptions> drawing_options(DrawingArguments const& drawing);
+
+} // namespace tractus

@@ -1,0 +1,270 @@
+#include "engine/export/glb_growth.h"
+
+#include "engine/base/check.h"
+#include "engine/base/parallel.h"
+#include "engine/export/glb_column.h"
+#include "engine/export/gltf_frame.h"
+#include "engine/export/gltf_materials.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <optional>
+
+namespace tractus {
+
+namespace {
+
+constexpr NumberFormat kVectors {};
+constexpr NumberFormat kNumbers { ComponentType::Float, 1, false, 4 };
+constexpr std::size_t kVerticesAtOnce = 16 << 10;
+
+// How far vertices or normals go, in glTF's frame, in pieces that lie one after another.
+struct Steps {
+    BulkVector<Vec3f> steps;
+    Vec3f low = Vec3f::Zero();
+    Vec3f high = Vec3f::Zero();
+
+    bool is_nothing() const { return low.isZero(0) && high.isZero(0); }
+    bool is_finite() const { return low.allFinite() && high.allFinite(); }
+};
+
+template<typename ToGltf>
+void find_steps(std::span<Vec3f const> from, std::span<Vec3f const> to, ToGltf const& to_gltf,
+                Steps& steps)
+{
+    steps.steps.resize(from.size());
+    parallel_for(from.size(), kVerticesAtOnce, [&](std::size_t begin, std::size_t end) {
+        for (auto i = begin; i != end; ++i)
+            steps.steps[i] = to_gltf(Vec3f(to[i] - from[i]));
+    });
+    steps.low = steps.high = from.empty() ? Vec3f(Vec3f::Zero()) : steps.steps[0];
+    Vec3f nothing = Vec3f::Zero(); // x - x is 0, or no number where x is infinite or none.
+    for (auto const& step : steps.steps) {
+        steps.low = steps.low.cwiseMin(step);
+        steps.high = steps.high.cwiseMax(step);
+        nothing += step - step;
+    }
+    steps.low += nothing;
+}
+
+// One try at a file, with a given room for its JSON.
+class FilmWriter {
+public:
+    FilmWriter(std::ostream& out, GrowthFilm const& film, std::uint64_t json_room)
+        : film_(film)
+        , json_room_(json_room)
+        , stream_(out, json_room)
+        , materials_(json_, stream_, film.textures == GlbOptions::Textures::Embedded)
+        , targets_(surfaces().size())
+    {
+    }
+
+    Result<void> write();
+
+    // No value if the JSON does not fit in its room.
+    Result<std::optional<GlbSummary>> finish();
+    std::uint64_t json_bytes() const { return json_bytes_; }
+
+private:
+    std::vector<TriangleMesh> const& surfaces() const { return film_.mesh->whole().surfaces; }
+    Result<void> add_surface(TriangleMesh const& surface);
+    Result<std::size_t> add_steps(Steps const& steps, std::string const& more);
+    Result<void> add_age(double age);
+    GlbColumn add_numbers(std::span<float const> values);
+    void add_animation();
+
+    GrowthFilm const& film_;
+    std::uint64_t json_room_;
+    GltfJson json_;
+    GlbStream stream_;
+    GltfMaterials materials_;
+    std::vector<std::string> primitives_; // But for their targets.
+    std::vector<JsonArray> targets_;      // Per surface.
+    JsonArray names_;
+    GlbSummary summary_;
+    std::uint64_t json_bytes_ = 0;
+
+    // Kept from age to age.
+    std::vector<AgedMesh::Vertices> vertices_;
+    Steps positions_;
+    Steps normals_;
+};
+
+auto fail_not_finite()
+{
+    return fail(Fault::Station, "cannot write the glTF file: a coordinate is not a finite number");
+}
+
+Result<void> FilmWriter::write()
+{
+    for (auto const& surface : surfaces())
+        TRY(add_surface(surface));
+    for (std::size_t i = 0; i + 1 < film_.ages.size(); ++i)
+        TRY(add_age(film_.ages[i]));
+    JsonArray primitives;
+    for (std::size_t i = 0; i < primitives_.size(); ++i)
+        primitives.add(targets_[i].count() > 0 ? fmt::format("{},\"targets\":[{}]}}",
+                                                             primitives_[i], targets_[i].text())
+                                               : primitives_[i] + "}");
+    auto node = fmt::format("{{\"name\":{}", quoted(film_.name));
+    if (primitives.count() > 0) {
+        JsonArray weights;
+        for (std::size_t i = 0; i < names_.count(); ++i)
+            weights.add("0");
+        auto const morphs = names_.count() > 0
+            ? fmt::format(",\"weights\":[{}],\"extras\":{{\"targetNames\":[{}]}}", weights.text(),
+                          names_.text())
+            : std::string();
+        json_.meshes.add(fmt::format("{{\"name\":{},\"primitives\":[{}]{}}}", quoted(film_.name),
+                                     primitives.text(), morphs));
+        node += ",\"mesh\":0";
+    }
+    json_.scene.add(fmt::format("{}", json_.nodes.add(node += '}')));
+    if (primitives.count() > 0 && names_.count() > 0)
+        add_animation();
+    return stream_.check();
+}
+
+Result<void> FilmWriter::add_surface(TriangleMesh const& surface)
+{
+    EncodedPiece piece;
+    encode_triangles(view_of(surface), {}, piece);
+    if (!piece.is_finite)
+        return fail_not_finite();
+    auto const vertices = surface.positions_mm.size();
+    std::array<GlbColumn, 4> columns {
+        open_column(stream_, kVectors, vertices),
+        open_column(stream_, kVectors, vertices),
+        open_column(stream_, SurfaceFormat::texture_coordinates(), vertices),
+        open_column(stream_, SurfaceFormat {}.indices(), surface.indices.size()),
+    };
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        stream_.write(columns[i].block, piece.streams[i]);
+    auto const positions
+        = add_accessor(json_, columns[0], kArrayBuffer, limits_text(piece.low, piece.high));
+    auto const normals = add_accessor(json_, columns[1], kArrayBuffer);
+    auto const texture = add_accessor(json_, columns[2], kArrayBuffer);
+    auto const indices = add_accessor(json_, columns[3], kElementArrayBuffer);
+    primitives_.push_back(fmt::format(
+        "{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{},\"TEXCOORD_0\":{}}},\"indices\":{},"
+        "\"material\":{}",
+        positions, normals, texture, indices,
+        materials_.index_of(film_.mesh->whole().materials[surface.material])));
+    summary_.triangles += surface.triangle_count();
+    return stream_.check();
+}
+
+Result<std::size_t> FilmWriter::add_steps(Steps const& steps, std::string const& more)
+{
+    if (!steps.is_finite())
+        return fail_not_finite();
+    if (steps.is_nothing())
+        return add_zeros(json_, kVectors, steps.steps.size(), more);
+    auto column = open_column(stream_, kVectors, steps.steps.size());
+    stream_.write(column.block, std::as_bytes(std::span(steps.steps)));
+    return add_accessor(json_, column, kArrayBuffer, more);
+}
+
+Result<void> FilmWriter::add_age(double age)
+{
+    film_.mesh->at(film_.plant_at(age), vertices_);
+    for (std::size_t i = 0; i < surfaces().size(); ++i) {
+        find_steps(
+            surfaces()[i].positions_mm, vertices_[i].positions_mm,
+            [](Vec3f const& step) { return to_gltf(step); }, positions_);
+        find_steps(
+            surfaces()[i].normals, vertices_[i].normals,
+            [](Vec3f const& step) { return turn_to_gltf(step); }, normals_);
+        auto const positions
+            = TRY(add_steps(positions_, limits_text(positions_.low, positions_.high)));
+        auto const normals = TRY(add_steps(normals_, {}));
+        targets_[i].add(fmt::format("{{\"POSITION\":{},\"NORMAL\":{}}}", positions, normals));
+    }
+    names_.add(quoted(fmt::format("age {:.4g}", age)));
+    return stream_.check();
+}
+
+GlbColumn FilmWriter::add_numbers(std::span<float const> values)
+{
+    auto column = open_column(stream_, kNumbers, values.size());
+    stream_.write(column.block, std::as_bytes(values));
+    return column;
+}
+
+// At the time of each age its own target has the weight 1; at the last one, none has.
+void FilmWriter::add_animation()
+{
+    auto const count = film_.ages.size();
+    double const first = film_.ages.front();
+    double const span = film_.ages.back() - first;
+    std::vector<float> times;
+    std::vector<float> weights(count * (count - 1), 0);
+    for (std::size_t i = 0; i < count; ++i) {
+        times.push_back(static_cast<float>(film_.seconds * (film_.ages[i] - first) / span));
+        if (i + 1 < count)
+            weights[i * (count - 1) + i] = 1;
+    }
+    auto const input = add_accessor(
+        json_, add_numbers(times), kNoTarget,
+        fmt::format(",\"min\":[{}],\"max\":[{}]", double { times[0] }, double { times.back() }));
+    auto const output = add_accessor(json_, add_numbers(weights), kNoTarget);
+    json_.animations.add(
+        fmt::format("{{\"name\":\"growth\",\"samplers\":[{{\"input\":{},\"output\":{},"
+                    "\"interpolation\":\"LINEAR\"}}],\"channels\":[{{\"sampler\":0,"
+                    "\"target\":{{\"node\":0,\"path\":\"weights\"}}}}]}}",
+                    input, output));
+}
+
+Result<std::optional<GlbSummary>> FilmWriter::finish()
+{
+    auto const text = json_.text(stream_.binary_bytes());
+    json_bytes_ = text.size();
+    if (text.size() > json_room_)
+        return std::optional<GlbSummary>();
+    TRY(stream_.finish(text));
+    summary_.bytes = stream_.file_bytes();
+    return std::optional(summary_);
+}
+
+// Where every vertex moves and turns at every age, and without JSON and pictures.
+Result<void> check_size(GrowthFilm const& film)
+{
+    constexpr double kRoom = 16 << 20; // For JSON and pictures.
+    constexpr std::size_t kVector = sizeof(Vec3f);
+    double bytes = kRoom;
+    for (auto const& surface : film.mesh->whole().surfaces)
+        bytes += static_cast<double>(surface.positions_mm.size()
+                                         * (2 * kVector * film.ages.size() + sizeof(Vec2f))
+                                     + surface.indices.size() * sizeof(std::uint32_t));
+    if (bytes <= static_cast<double>(kMaxGlbBytes))
+        return {};
+    return fail(Fault::User,
+                fmt::format("{} ages of this plant take up to {:.1f} GiB and a glTF file holds at "
+                            "most 4: write fewer ages, or a file for each",
+                            film.ages.size(), bytes / 0x1p30));
+}
+
+} // namespace
+
+Result<GlbSummary> write_glb(std::ostream& out, GrowthFilm const& film)
+{
+    CHECK(film.mesh && !film.ages.empty() && film.seconds > 0);
+    CHECK(std::is_sorted(film.ages.begin(), film.ages.end(), std::less_equal<>()));
+    auto const start = out.tellp();
+    if (start < 0)
+        return fail(Fault::User,
+                    "cannot write the glTF file: its stream cannot seek, so write to a file");
+    TRY(check_size(film));
+    auto const surfaces = film.mesh->whole().surfaces.size();
+    std::uint64_t room = 4000 + (600 + surfaces * 1000) * (film.ages.size() + 2);
+    while (true) {
+        out.seekp(start);
+        FilmWriter writer(out, film, (room + 3) / 4 * 4);
+        TRY(writer.write());
+        if (auto const summary = TRY(writer.finish()))
+            return *summary;
+        room = writer.json_bytes();
+    }
+}
+
+} // namespace tractus
