@@ -2,6 +2,7 @@
 
 #include "app/collection_manifest.h"
 #include "app/collection_sheet.h"
+#include "app/picture_thread.h"
 #include "app/plant_billboard.h"
 #include "drivers/file.h"
 #include "engine/base/random.h"
@@ -14,7 +15,6 @@
 #include <fmt/core.h>
 #include <functional>
 #include <numbers>
-#include <tuple>
 
 namespace tractus {
 
@@ -36,12 +36,6 @@ public:
     }
     Collection(Collection const&) = delete;
     Collection& operator=(Collection const&) = delete;
-
-    ~Collection()
-    {
-        if (pictures_) // They end on the thread that has them.
-            std::ignore = pictures_->acquire();
-    }
 
     Result<CollectionReport> run();
 
@@ -77,18 +71,15 @@ private:
     Progress& progress_;
     CollectionReport report_;
     Plant young_;
-    // Where pictures are asked for, which may be on any thread: nobody has them in between.
-    std::optional<PictureMaker> pictures_;
+    std::optional<PictureThread> pictures_; // Where pictures are wanted.
     std::optional<Error> picture_error_;
 };
 
 Result<CollectionReport> Collection::run()
 {
     // What can fail fails before the work.
-    if (!options_.sheet.empty() || options_.details > 0) {
-        pictures_ = TRY(PictureMaker::create());
-        pictures_->release();
-    }
+    if (!options_.sheet.empty() || options_.details > 0)
+        pictures_.emplace(TRY(PictureThread::create()));
     if (options_.sheet.has_parent_path())
         TRY(make_folder(options_.sheet.parent_path()));
     auto const scene = TRY(load());
@@ -198,16 +189,11 @@ void Collection::add_details(PlacedMesh& mesh, std::function<Plant()> const& pla
 // Keeps the first error: who asks cannot be told.
 Billboard Collection::billboard(Plant const& plant)
 {
-    auto const draw = [&]() -> Result<Billboard> {
-        TRY(pictures_->acquire());
-        constexpr double kShare = 0.25; // What more there is does not show in so few pixels.
-        auto const coarse = coarser_plant(plant, options_.mesh, kShare);
-        auto const mesh = make_mesh(coarse, coarser_options(options_.mesh, kShare));
-        auto drawn = draw_billboard(*pictures_, mesh);
-        pictures_->release();
-        return drawn;
-    };
-    auto drawn = draw();
+    constexpr double kShare = 0.25; // What more there is does not show in so few pixels.
+    auto const coarse = coarser_plant(plant, options_.mesh, kShare);
+    auto const mesh = make_mesh(coarse, coarser_options(options_.mesh, kShare));
+    Result<Billboard> drawn;
+    pictures_->draw([&](PictureMaker& pictures) { drawn = draw_billboard(pictures, mesh); });
     if (drawn)
         return *std::move(drawn);
     if (!picture_error_)
@@ -296,9 +282,9 @@ Result<void> Collection::write_sheet(Grower& grower, std::vector<PlantPlace> con
                             : fmt::format("{}, age {:.2f}", index + 1, age);
         },
     };
-    TRY(pictures_->acquire());
-    auto const sheet = collection_sheet(*pictures_, plants, progress_);
-    pictures_->release();
+    Image sheet;
+    pictures_->draw(
+        [&](PictureMaker& pictures) { sheet = collection_sheet(pictures, plants, progress_); });
     TRY(write_file(options_.sheet, [&](std::ostream& out) { return write_png(out, sheet); }));
     report_.sheet = options_.sheet;
     return {};

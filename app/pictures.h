@@ -18,7 +18,7 @@ struct PictureSize {
     int height_px = 960;
 };
 
-// Makes the pictures that go into files, without a window.
+// Makes the pictures that go into files, without a window, on the thread that created it.
 class PictureMaker {
 public:
     // Fails where the system has no OpenGL; the message says what to install.
@@ -43,11 +43,6 @@ public:
         int side_px = 256;
     };
     std::vector<Image> cutouts(Mesh const& mesh, std::span<Cutout const> views);
-
-    // Pictures are made on one thread at a time: the one that it was made on, until that releases
-    // it and another acquires it.
-    void release() { context_.release(); }
-    Result<void> acquire() { return context_.acquire(); }
 
 private:
     PictureMaker(OffscreenContext context, Renderer renderer);

@@ -87,24 +87,6 @@ OffscreenContext::OffscreenContext(OffscreenContext&&) noexcept = default;
 OffscreenContext& OffscreenContext::operator=(OffscreenContext&&) noexcept = default;
 OffscreenContext::~OffscreenContext() = default;
 
-void OffscreenContext::release()
-{
-    eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-}
-
-Result<void> OffscreenContext::acquire()
-{
-    // Which API is meant is the thread's own state (EGL 1.5 section 3.7).
-    if (!eglBindAPI(EGL_OPENGL_API)
-        || !eglMakeCurrent(handles_->display, handles_->surface, handles_->surface,
-                           handles_->context))
-        return fail(Fault::Station,
-                    fmt::format("the OpenGL context cannot be used on another thread (EGL error "
-                                "{:#x})",
-                                eglGetError()));
-    return {};
-}
-
 Result<OffscreenContext> OffscreenContext::create()
 {
     if (!epoxy_has_egl())

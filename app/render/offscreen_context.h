@@ -19,11 +19,6 @@ public:
     OffscreenContext& operator=(OffscreenContext&&) noexcept;
     ~OffscreenContext();
 
-    // Takes it off this thread, so that another one may have it; and makes it current on the
-    // calling thread, where no other has it. Fails, as the station's fault, if EGL refuses.
-    void release();
-    Result<void> acquire();
-
 private:
     struct Handles;
     explicit OffscreenContext(std::unique_ptr<Handles>);
