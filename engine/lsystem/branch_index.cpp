@@ -4,8 +4,6 @@
 
 namespace tractus {
 
-static constexpr auto kNoOpening = std::numeric_limits<std::int64_t>::max();
-
 BranchIndex::BranchIndex(Model const& model, ModuleString const& string, std::size_t long_branch)
     : string_(string)
     , long_branch_(long_branch)
@@ -14,7 +12,8 @@ BranchIndex::BranchIndex(Model const& model, ModuleString const& string, std::si
 {
     for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i) {
         auto const& kind = model.alphabet.kinds[i];
-        steps_[i] = { kind.parameter_count, (kind.symbol == '[') - (kind.symbol == ']') };
+        steps_[i] = { kind.parameter_count, (kind.symbol == '[') - (kind.symbol == ']'),
+                      kind.symbol == '[' ? 0 : kBeyond };
     }
     // First what each block has by itself, then the sums.
     parallel_for(blocks_.size(), 256, [&](std::size_t begin, std::size_t end) {
@@ -27,8 +26,7 @@ BranchIndex::BranchIndex(Model const& model, ModuleString const& string, std::si
         blocks_[b].parameter = next.parameter;
         blocks_[b].depth = next.depth;
         blocks_[b].floor += next.depth;
-        if (own.opening != kNoOpening)
-            blocks_[b].opening += next.depth;
+        blocks_[b].opening += next.depth;
         next.parameter += own.parameter;
         next.depth += own.depth;
         auto& floor = floors_[b / kSuperblock];
@@ -48,7 +46,7 @@ bool BranchIndex::may_open_long(std::size_t block) const
     for (auto b = block + 1; b <= end; ++b)
         if (blocks_[b].depth < opening)
             return false;
-    return opening != kNoOpening;
+    return opening < kBeyond / 2;
 }
 
 std::size_t BranchIndex::next_opening(std::size_t module) const
@@ -71,8 +69,7 @@ BranchIndex::Block BranchIndex::measure(std::size_t block) const
         result.parameter += step.parameters;
         result.depth += step.depth;
         result.floor = std::min(result.floor, result.depth);
-        if (step.depth > 0)
-            result.opening = std::min(result.opening, result.depth);
+        result.opening = std::min(result.opening, result.depth + step.beyond);
     }
     return result;
 }

@@ -53,16 +53,22 @@ private:
     static constexpr std::size_t kBlock = 256;      // Modules.
     static constexpr std::size_t kSuperblock = 256; // Blocks.
 
+    static constexpr auto kBeyond = std::int64_t { 1 } << 60; // No depth is as great.
+
     struct Step {
         std::uint32_t parameters = 0;
         int depth = 0; // Change behind the module.
+        // Added to the depths behind modules that open nothing, so that the least one is that of an
+        // opening: that is quicker than to ask each.
+        std::int64_t beyond = kBeyond;
     };
     struct Block {
         std::size_t parameter = 0; // Before its first module.
         std::int64_t depth = 0;    // The same.
         std::int64_t floor = 0;    // No depth in it is less.
-        // The least depth of a branch that begins in it; then whether it may be a long one.
-        std::int64_t opening = std::numeric_limits<std::int64_t>::max();
+        // The least depth of a branch that begins in it, far beyond all if none does; then whether
+        // it may be a long one.
+        std::int64_t opening = 2 * kBeyond;
         bool opens_long = false;
     };
 
