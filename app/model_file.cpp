@@ -2,15 +2,62 @@
 
 #include "drivers/file.h"
 #include "engine/export/glb_lines.h"
+#include "engine/lsystem/color_files.h"
 #include "engine/plant/skeleton_lines.h"
 
 #include <algorithm>
 #include <fmt/core.h>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace tractus {
 
 static constexpr std::size_t kMaxFileSize = std::size_t { 16 } << 20;
+
+// The only file with this ending in a folder.
+static std::optional<std::filesystem::path> only_file(std::filesystem::path const& folder,
+                                                      std::string const& ending)
+{
+    std::error_code ignored;
+    std::optional<std::filesystem::path> only;
+    for (auto const& entry : std::filesystem::directory_iterator(folder, ignored)) {
+        if (entry.path().extension() != ending || !entry.is_regular_file(ignored))
+            continue;
+        if (only)
+            return std::nullopt;
+        only = entry.path();
+    }
+    return only;
+}
+
+// The file beside the model with its name and this ending; where there is none, the only one with
+// the ending in a folder that is this model's alone.
+static std::optional<std::filesystem::path> find_beside(std::filesystem::path const& path,
+                                                        std::string const& ending)
+{
+    auto beside = path;
+    beside.replace_extension(ending);
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(beside, ignored))
+        return beside;
+    auto const folder = path.has_parent_path() ? path.parent_path() : ".";
+    return only_file(folder, path.extension()) ? only_file(folder, ending) : std::nullopt;
+}
+
+// Appends what a file of colours beside the model says, if there is one, to the view.
+static Result<void> add_colors(std::filesystem::path const& path, std::string const& ending,
+                               Result<std::string> (*statements)(std::string const& name,
+                                                                 std::string_view bytes),
+                               std::string& view_text)
+{
+    auto const file = find_beside(path, ending);
+    if (!file)
+        return {};
+    auto const bytes = TRY(read_file(*file, kMaxFileSize));
+    view_text += '\n' + TRY(statements(file->string(), bytes));
+    return {};
+}
 
 Result<ModelSource> load_model_source(std::filesystem::path const& path)
 {
@@ -23,6 +70,9 @@ Result<ModelSource> load_model_source(std::filesystem::path const& path)
     std::error_code ignored;
     if (view_path != path && std::filesystem::exists(view_path, ignored))
         source.view_text = TRY(read_file(view_path, kMaxFileSize));
+    // What cpfg is given on its command line. The first that names a colour counts: materials.
+    TRY(add_colors(path, ".mat", material_file_statements, source.view_text));
+    TRY(add_colors(path, ".map", color_map_statements, source.view_text));
     return source;
 }
 

@@ -9,7 +9,9 @@
 namespace tractus {
 
 // Reads a model: the rules at `path` and the view beside them (MODEL.v for MODEL.l) where there is
-// one. Fails, as the user's fault, if the rules cannot be read.
+// one. Colours that cpfg has in files of their own are read into the view: MODEL.mat and MODEL.map,
+// or the only ones in a folder that has no other model. Fails, as the user's fault, if the rules
+// cannot be read or such a file holds no colours.
 Result<ModelSource> load_model_source(std::filesystem::path const& path);
 
 // True for names of files, as models include them, that lead out of the model's folder.

@@ -30,9 +30,11 @@ std::string features_text(Model const& model)
 }
 
 // What the turtle leaves out is known only once it has drawn.
-Result<std::string> drawing_text(Model const& model, ModuleString const& string)
+Result<std::string> drawing_text(Model const& model, ModuleString const& string,
+                                 LoadOptions const& run)
 {
-    auto const drawn = TRY(interpret_with_warnings(model, string));
+    auto const drawn = TRY(
+        interpret_with_warnings(model, string, { .time = run.limits.time, .print = run.print }));
     auto const& plant = drawn.plant;
     std::string text = fmt::format("\nDraws {} segments on {} axes, {} organs, {} polygons\n",
                                    plant.segment_count(), plant.axes.size(), plant.organs.size(),
@@ -64,7 +66,7 @@ Result<void> check(LsystemArguments const& arguments)
     };
     auto const string = TRY(derive(model, options));
     TRY(std::move(printed));
-    auto const drawing = TRY(drawing_text(model, string));
+    auto const drawing = TRY(drawing_text(model, string, run));
     return print_out(drawing);
 }
 

@@ -26,7 +26,8 @@ struct DeriveOptions {
     // parameters without. The rules of the next step see the answers.
     Environment environment {};
 
-    // What printf in rules and blocks prints, but not in homomorphism rules; goes nowhere without.
+    // What printf in rules and blocks prints; goes nowhere without. Homomorphism rules print when
+    // their modules are drawn (interpret.h).
     std::function<void(std::string_view text)> print {};
 
     // Called with the axiom as step 0 and with the string after each step.

@@ -59,6 +59,7 @@ Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& 
     using Cuts = HomomorphismOptions::Cuts;
     Machine machine(model, string);
     machine.set_time_limit(&options.time);
+    machine.set_printer(&options.print);
     HomomorphismWalk walk(model, string, machine);
     ModuleString result;
     auto const append = [&](Modules const& modules) -> std::size_t {

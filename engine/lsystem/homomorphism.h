@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 namespace tractus {
@@ -56,6 +57,7 @@ private:
 struct HomomorphismOptions {
     StringLimit limit {};
     TimeLimit time {};
+    std::function<void(std::string_view text)> print {}; // For printf.
     // % means something where it stands in the string, and nothing where a rule makes it.
     enum class Cuts { Keep, KeepThoseOfTheString };
     Cuts cuts = Cuts::Keep;

@@ -196,6 +196,7 @@ Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString con
     HomomorphismOptions how;
     how.limit.modules = options.max_modules;
     how.time = options.time;
+    how.print = options.print;
     how.cuts = HomomorphismOptions::Cuts::KeepThoseOfTheString;
     auto const expanded = TRY(apply_homomorphism(model, string, how));
     DrawingJob expanded_job { model, expanded, options, true };

@@ -7,7 +7,9 @@
 #include "engine/plant/plant.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tractus {
@@ -20,6 +22,8 @@ struct TurtleOptions {
     // follow it. The plant is the same; the default keeps a branch in a processor's second cache.
     std::size_t long_branch = 8192;
     TimeLimit time {}; // For homomorphism rules.
+    // What printf in homomorphism rules prints; goes nowhere without.
+    std::function<void(std::string_view text)> print {};
 };
 
 struct TurtlePlant {

@@ -22,6 +22,7 @@ PieceTurtle::PieceTurtle(DrawingJob& job, BranchIndex const* index)
     if (index)
         cutter_.emplace(*index);
     machine_.set_time_limit(&job.options.time);
+    machine_.set_printer(&job.options.print);
     for (std::size_t i = 0; i < model_.alphabet.kinds.size(); ++i) {
         has_rules_[i] = !job.is_expanded && homomorphism_.has_rules(static_cast<KindId>(i));
         opens_[i] = model_.alphabet.kinds[i].symbol == '[' && !has_rules_[i];

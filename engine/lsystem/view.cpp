@@ -183,13 +183,16 @@ constexpr std::array kStatements {
     Statement { "polygonization level", read_polygonization_level },
     Statement { "twist of cylinders", read_switch<&View::twist_of_cylinders> },
     Statement { "surface", read_surface },
+    Statement { "line", read_surface }, // cpfg defines the surface and draws lines as ever.
+    Statement { "tsurface", read_triangle_surface },
+    Statement { "color", read_color },
     Statement { "material", read_material },
     Statement { "organ", read_organ },
     Statement { "radii", read_radii },
 };
 
 // How cpfg shows a model, which is not our business.
-constexpr std::array<std::string_view, 36> kDisplayKeys { "viewpoint",
+constexpr std::array<std::string_view, 35> kDisplayKeys { "viewpoint",
                                                           "view reference point",
                                                           "twist",
                                                           "projection",
@@ -208,7 +211,6 @@ constexpr std::array<std::string_view, 36> kDisplayKeys { "viewpoint",
                                                           "ambient light",
                                                           "font",
                                                           "light",
-                                                          "texture",
                                                           "render mode",
                                                           "line style",
                                                           "viewing angle",
@@ -233,8 +235,7 @@ struct MissingStatement {
 };
 
 constexpr std::array kMissingStatements {
-    MissingStatement { "line", "segments stay cylinders" },
-    MissingStatement { "tsurface", "what it defines is a plain leaf" },
+    MissingStatement { "texture", "surfaces have the colours of their materials" },
     MissingStatement { "blob", "inblob() is 0" },
 };
 
@@ -250,7 +251,7 @@ Result<void> read_statement(ViewReader& reader, std::string_view key, std::strin
         = std::find_if(kMissingStatements.begin(), kMissingStatements.end(), has_key);
     if (missing == kMissingStatements.end())
         reader.warn(fmt::format("unknown statement '{}:'", key));
-    else
+    else if (reader.missing.insert(missing->key).second) // Once each.
         reader.warn(fmt::format("'{}:' is not supported; {}", key, missing->instead));
     return {};
 }

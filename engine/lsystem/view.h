@@ -43,9 +43,11 @@ struct OrganDefinition {
 
 // What a view file (.v) says about geometry. Angles in degrees, lengths in turtle units.
 //
-// Besides cpfg's statements there are three of our own, which cpfg reports and skips:
+// Besides cpfg's statements there are four of our own, which cpfg reports and skips:
 //   material: INDEX NAME kind=bark|stem|leaf|petal|solid color=R,G,B [roughness=] [translucency=]
 //     INDEX is the turtle's colour, as ; and , set it. color is sRGB, 0 to 1.
+//   color: INDEX R,G,B [roughness=] [translucency=]
+//     A material by its colour alone, where no material: has the index (color_files.h).
 //   organ: LETTER NAME kind=blade|needle|disc|ball material=INDEX length= width= [petiole=]
 //   [widest=]
 //          [tip=] [base=] [lobes=] [lobe_count=] [fold=DEG] [curl=DEG]

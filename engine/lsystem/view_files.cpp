@@ -2,6 +2,7 @@
 
 #include "engine/lsystem/contour_file.h"
 #include "engine/lsystem/function_file.h"
+#include "engine/lsystem/triangle_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,27 @@ namespace {
 std::string stem(std::string const& name)
 {
     return name.substr(0, name.find('.'));
+}
+
+using ParseSurface
+    = Result<BezierSurface> (*)(std::string const& name, std::string_view text, double size);
+
+// LETTER FILE SIZE
+Result<void> define_surface(ViewReader& reader, std::string_view value, ParseSurface parse)
+{
+    auto const parts = words(value);
+    if (parts.size() < 3 || parts[0].size() != 1)
+        return reader.error("expected 'surface: LETTER FILE SIZE'");
+    auto const letter = parts[0][0];
+    auto const name = std::string(parts[1]);
+    auto size = std::min(TRY(reader.number(parts[2])), 1e6);
+    if (!(size > 0)) // As cpfg.
+        size = 1;
+    if (reader.view.surfaces.count(letter) > 0)
+        reader.warn(fmt::format("the surface {} is defined before; {} is left out", letter, name));
+    else if (auto const text = reader.file("surface", name, "it is a plain leaf"))
+        reader.view.surfaces.emplace(letter, TRY(parse(name, *text, size)));
+    return {};
 }
 
 } // namespace
@@ -80,19 +102,12 @@ Result<void> read_contour(ViewReader& reader, std::string_view value)
 
 Result<void> read_surface(ViewReader& reader, std::string_view value)
 {
-    auto const parts = words(value);
-    if (parts.size() < 3 || parts[0].size() != 1)
-        return reader.error("expected 'surface: LETTER FILE SIZE'");
-    auto const letter = parts[0][0];
-    auto const name = std::string(parts[1]);
-    auto size = std::min(TRY(reader.number(parts[2])), 1e6);
-    if (!(size > 0)) // As cpfg.
-        size = 1;
-    if (reader.view.surfaces.count(letter) > 0)
-        reader.warn(fmt::format("the surface {} is defined before; {} is left out", letter, name));
-    else if (auto const text = reader.file("surface", name, "it is a plain leaf"))
-        reader.view.surfaces.emplace(letter, TRY(parse_surface(name, *text, size)));
-    return {};
+    return define_surface(reader, value, parse_surface);
+}
+
+Result<void> read_triangle_surface(ViewReader& reader, std::string_view value)
+{
+    return define_surface(reader, value, parse_triangle_surface);
 }
 
 } // namespace tractus

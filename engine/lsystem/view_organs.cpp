@@ -67,6 +67,27 @@ Result<void> read_organ_field(ViewReader const& reader, OrganDefinition& organ,
     return {};
 }
 
+Result<int> color_index(ViewReader const& reader, std::string_view text)
+{
+    auto const index = TRY(reader.number(text));
+    if (index < 0 || index > 255 || index != std::floor(index))
+        return reader.error(
+            fmt::format("found the index {}, expected a turtle colour, 0 to 255", index));
+    return static_cast<int>(index);
+}
+
+// roughness= or translucency=; false where it is neither.
+Result<bool> read_share(ViewReader const& reader, Material& material, std::string_view part)
+{
+    auto const equals = std::min(part.find('='), part.size() - 1);
+    auto const key = part.substr(0, equals);
+    if (key != "roughness" && key != "translucency")
+        return false;
+    auto const share = std::clamp(TRY(reader.number(part.substr(equals + 1))), 0.0, 1.0);
+    (key == "roughness" ? material.roughness : material.translucency) = static_cast<float>(share);
+    return true;
+}
+
 } // namespace
 
 Result<void> read_material(ViewReader& reader, std::string_view value)
@@ -76,7 +97,7 @@ Result<void> read_material(ViewReader& reader, std::string_view value)
     auto const parts = words(value);
     if (parts.size() < 2)
         return reader.error("expected 'material: INDEX NAME kind=... color=R,G,B'");
-    auto const index = TRY(reader.number(parts[0]));
+    auto const index = TRY(color_index(reader, parts[0]));
     Material material;
     material.name = parts[1];
     for (auto const part : std::vector(parts.begin() + 2, parts.end())) {
@@ -92,19 +113,31 @@ Result<void> read_material(ViewReader& reader, std::string_view value)
         } else if (key == "color") {
             auto const color = TRY(reader.vector(text));
             material.base_color = color.cwiseMax(0).cwiseMin(1).cast<float>();
-        } else if (key == "roughness" || key == "translucency") {
-            auto const number = std::clamp(TRY(reader.number(text)), 0.0, 1.0);
-            (key == "roughness" ? material.roughness : material.translucency)
-                = static_cast<float>(number);
-        } else {
+        } else if (!TRY(read_share(reader, material, part))) {
             return reader.error(fmt::format(
                 "found '{}', expected kind=, color=, roughness= or translucency=", part));
         }
     }
-    if (index < 0 || index > 255 || index != std::floor(index))
-        return reader.error(
-            fmt::format("found the index {}, expected a turtle colour, 0 to 255", index));
-    reader.view.materials.insert_or_assign(static_cast<int>(index), material);
+    reader.view.materials.insert_or_assign(index, material);
+    return {};
+}
+
+// A material without a name or a kind: opaque, or a leaf that light passes through.
+Result<void> read_color(ViewReader& reader, std::string_view value)
+{
+    auto const parts = words(value);
+    if (parts.size() < 2)
+        return reader.error("expected 'color: INDEX R,G,B [roughness=] [translucency=]'");
+    auto const index = TRY(color_index(reader, parts[0]));
+    Material material;
+    material.name = fmt::format("color {}", index);
+    material.base_color = TRY(reader.vector(parts[1])).cwiseMax(0).cwiseMin(1).cast<float>();
+    for (auto const part : std::vector(parts.begin() + 2, parts.end()))
+        if (!TRY(read_share(reader, material, part)))
+            return reader.error(
+                fmt::format("found '{}', expected roughness= or translucency=", part));
+    material.kind = material.translucency > 0 ? Material::Kind::Leaf : Material::Kind::Stem;
+    reader.view.materials.try_emplace(index, material);
     return {};
 }
 

@@ -6,6 +6,7 @@ namespace tractus {
 
 // The statements of our own; view.h says what they mean.
 Result<void> read_material(ViewReader& reader, std::string_view value);
+Result<void> read_color(ViewReader& reader, std::string_view value);
 Result<void> read_organ(ViewReader& reader, std::string_view value);
 Result<void> read_radii(ViewReader& reader, std::string_view value);
 

@@ -5,6 +5,7 @@
 #include "engine/lsystem/view.h"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +18,8 @@ struct ViewReader {
     SourceText const& source;
     IncludeReader const& include;
     View view {};
-    std::size_t at = 0; // The statement's first character.
+    std::size_t at = 0;                    // The statement's first character.
+    std::set<std::string_view> missing {}; // Keys of statements that we lack, as far as said.
 
     void warn(std::string const& what);
     tl::unexpected<Error> error(std::string const& what) const;

@@ -68,7 +68,8 @@ Result<Scene> applied(Scene const& scene, LoadModel const& edit, LoadOptions con
                                      .seed = edit.seed,
                                      .limits = options.limits,
                                      .print = options.print }));
-    auto turtle = TRY(interpret_with_warnings(model, string, { .time = options.limits.time }));
+    auto turtle = TRY(interpret_with_warnings(
+        model, string, { .time = options.limits.time, .print = options.print }));
     auto loaded = with_plant(scene, edit.source.name, join_axes(turtle.plant), edit.drawn);
     loaded.model_warnings = model.warnings;
     loaded.model_warnings.insert(loaded.model_warnings.end(), turtle.warnings.begin(),

@@ -69,6 +69,21 @@ TEST_F(DeriveVerb, ReadsIncludesFromTheModelsFolderOnly)
     EXPECT_NE(outcome.err.find("outside the model's folder"), std::string::npos) << outcome.err;
 }
 
+// cpfg is given such files on its command line.
+TEST_F(DeriveVerb, FindsColorsBesideTheModel)
+{
+    auto const path = write("m.l", kRules);
+    write("m.v", "material: 1 wood kind=bark color=0.4,0.3,0.2\n");
+    write("m.map", std::string(9, 'x')); // Three colours, of which one is a material already.
+    auto const outcome = run({ "lsystem", "check", path });
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("3 materials"), std::string::npos) << outcome.out;
+    write("other.mat", std::string("\x07") + std::string(14, 'x')); // The only one of its kind.
+    EXPECT_NE(run({ "lsystem", "check", path }).out.find("4 materials"), std::string::npos);
+    write("m.mat", "");
+    EXPECT_NE(run({ "lsystem", "check", path }).err.find("expected materials"), std::string::npos);
+}
+
 TEST_F(DeriveVerb, WantsOneKindOfOutput)
 {
     auto const path = write("m.l", kRules);

@@ -1,5 +1,7 @@
+#include "engine/lsystem/color_files.h"
 #include "engine/lsystem/contour_file.h"
 #include "engine/lsystem/surface_file.h"
+#include "engine/lsystem/triangle_file.h"
 #include "engine/lsystem/view.h"
 #include "tests/corpus.h"
 
@@ -146,7 +148,7 @@ TEST(View, ReadsContoursAndSurfaces)
     auto const view = parse_view("model.v",
                                  "contour: 7 star.con\ncontour: 8 none.con\ncontour sides: 12\n"
                                  "twist of cylinders: on\nsurface: l leaf.s 2 10 6\n"
-                                 "surface: l leaf.s 3\nsurface: m none.s 1\ntsurface: n t.s 1\n"
+                                 "surface: l leaf.s 3\nsurface: m none.s 1\nline: n leaf.s 1\n"
                                  "initial scale: 2\nscale multiplier: 3\n"
                                  "interpretation past %: off\n",
                                  include);
@@ -155,8 +157,9 @@ TEST(View, ReadsContoursAndSurfaces)
     EXPECT_TRUE(view->contours.at(7).closed);
     EXPECT_EQ(view->contour_sides, 12);
     EXPECT_TRUE(view->twist_of_cylinders);
-    ASSERT_EQ(view->surfaces.size(), 1u);
+    ASSERT_EQ(view->surfaces.size(), 2u);
     EXPECT_EQ(view->surfaces.at('l').end_point, Vec3(0, 2, 0));
+    EXPECT_EQ(view->surfaces.at('n').end_point, Vec3(0, 1, 0));
     EXPECT_EQ(view->scale, 2);
     EXPECT_EQ(view->scale_step, 3);
     EXPECT_FALSE(view->draws_past_cut);
@@ -164,10 +167,78 @@ TEST(View, ReadsContoursAndSurfaces)
         "model.v:2:1: cannot read the contour none.con (no such file); it is a circle",
         "model.v:6:1: the surface l is defined before; leaf.s is left out",
         "model.v:7:1: cannot read the surface none.s (no such file); it is a plain leaf",
-        "model.v:8:1: 'tsurface:' is not supported; what it defines is a plain leaf",
     };
     EXPECT_EQ(view->warnings, expected);
     EXPECT_EQ(parse_view("model.v", "polygonization level: 3\n", {})->contour_sides, 16);
+}
+
+TEST(TriangleSurfaces, LieInTheFrameOfOrgans)
+{
+    auto const surface = parse_triangle_surface("leaf.t",
+                                                "// two triangles\ntriangle\n0 0 0 0 0 1\n"
+                                                "1, 0, 0 0 0 1\n0 2 0.5\n"
+                                                "triangle: 0 0 0\n0 2 0.5\n-1 0 0\n",
+                                                10);
+    ASSERT_TRUE(surface) << surface.error().message;
+    ASSERT_EQ(surface->patches.size(), 2u);
+    auto const& patch = surface->patches[0];
+    EXPECT_EQ(patch.at(0, 0), Vec3(0, 0, 0));
+    EXPECT_EQ(patch.at(1, 0), Vec3(-10, 0, 0)); // To the left.
+    EXPECT_EQ(patch.at(0, 1), Vec3(0, 20, -5));
+    EXPECT_EQ(patch.at(1, 1), Vec3(0, 20, -5));
+    EXPECT_EQ(surface->end_point, Vec3::Zero());
+}
+
+TEST(TriangleSurfaces, NameThePlaceOfAnError)
+{
+    auto const error = [](std::string const& text) {
+        auto const surface = parse_triangle_surface("leaf.t", text, 1);
+        return surface ? "no error" : surface.error().message;
+    };
+    EXPECT_EQ(error("triangle\n0 0 0\n1 x 0\n"),
+              "leaf.t:3: expected a vertex: three coordinates, at most 1e6");
+    EXPECT_EQ(error("triangle\n0 0 0\n"),
+              "leaf.t:2: the file ends before the triangle's last vertex");
+    EXPECT_EQ(error("# none\n"), "leaf.t:1: found no triangle");
+}
+
+TEST(ColorFiles, BecomeColorsOfTheView)
+{
+    auto const map = color_map_statements("plant.map", std::string("\0\0\0\xff\x80\0", 6));
+    ASSERT_TRUE(map) << map.error().message;
+    // The number, transparency, ambient, diffuse, emitted, reflected, shininess.
+    std::string const record("\x05\x33"
+                             "\x10\x10\x10"
+                             "\xff\0\x33"
+                             "\0\x33\0"
+                             "\xff\xff\xff"
+                             "\x62",
+                             15);
+    auto const materials = material_file_statements("plant.mat", record);
+    ASSERT_TRUE(materials) << materials.error().message;
+    auto const view = parse_view(
+        "model.v", "material: 0 soil kind=solid color=0.5,0.4,0.3\n" + *materials + *map, {});
+    ASSERT_TRUE(view) << view.error().message;
+    ASSERT_EQ(view->materials.size(), 3u);
+    EXPECT_EQ(view->materials.at(0).name, "soil"); // Said before; it would count behind it, too.
+    auto const& orange = view->materials.at(1);
+    EXPECT_LT((orange.base_color - Vec3f(1, 0.502f, 0)).norm(), 1e-3f);
+    EXPECT_EQ(orange.kind, Material::Kind::Stem);
+    auto const& red = view->materials.at(5);
+    EXPECT_LT((red.base_color - Vec3f(1, 0.2f, 0.2f)).norm(), 1e-3f);
+    EXPECT_EQ(red.kind, Material::Kind::Leaf);
+    EXPECT_NEAR(red.translucency, 0.2, 1e-3);
+    EXPECT_NEAR(red.roughness, std::sqrt(0.02), 1e-3); // An exponent of 98.
+}
+
+TEST(ColorFiles, SayWhatTheyShouldBe)
+{
+    EXPECT_EQ(
+        color_map_statements("a.map", "ab").error().message,
+        "a.map: found 2 bytes, expected a colour map: red, green and blue of 256 colours, 768 "
+        "bytes");
+    EXPECT_EQ(material_file_statements("a.mat", "ab").error().message,
+              "a.mat: found 2 bytes, expected materials: records of 15 bytes");
 }
 
 // Every surface and contour that comes with a published model.

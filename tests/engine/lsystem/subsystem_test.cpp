@@ -171,5 +171,19 @@ TEST(Subsystems, LeaveModelsWithoutThemAlone)
               "model.l:4:1: what follows endlsystem is not read, since it is no 'Lsystem:'");
 }
 
+// Once, in the order of the string.
+TEST(Subsystems, PrintWhatTheirHomomorphismsPrint)
+{
+    auto const model = compiled("Lsystem: 1\nderivation length: 0\nAxiom: B?(2)A(1)$B\n"
+                                "homomorphism\nB : 1 {printf(\"b\");} --> F\nendlsystem\n"
+                                "Lsystem: 2\nderivation length: 0\nAxiom: A(0)\nhomomorphism\n"
+                                "A(x) : 1 {printf(\"%g\", x);} --> F\nendlsystem\n");
+    std::string printed;
+    auto const plant = interpret(model, derive(model).value(),
+                                 { .print = [&](std::string_view text) { printed += text; } });
+    ASSERT_TRUE(plant) << plant.error().message;
+    EXPECT_EQ(printed, "b1b");
+}
+
 } // namespace
 } // namespace tractus

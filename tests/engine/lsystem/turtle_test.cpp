@@ -335,6 +335,21 @@ TEST(Turtle, DrawsSurfacesOfTheView)
     expect_near(tip(*plant), { -90, 0, 10 });
 }
 
+TEST(Turtle, PrintsWhatTheHomomorphismPrints)
+{
+    auto const model = compiled(with_header("Axiom: A(1)[A(2)]A(3)\nhomomorphism\n"
+                                            "A(x) : 1 {printf(\"%g;\", x);} --> F\n",
+                                            0));
+    auto const string = derive(model).value();
+    std::string printed;
+    auto const plant
+        = interpret(model, string,
+                    { .long_branch = 1, .print = [&](std::string_view text) { printed += text; } });
+    ASSERT_TRUE(plant) << plant.error().message;
+    EXPECT_EQ(plant->segment_count(), 3u);
+    EXPECT_EQ(printed, "1;2;3;");
+}
+
 TEST(Turtle, DrawsGeneralisedCylinders)
 {
     // A quarter turn: Hermite, tangents as long as 1.2 times the distance.

@@ -71,6 +71,15 @@ TEST(View, ReadsMaterialsAndOrgans)
     EXPECT_NEAR(shape.curl_rad, radians(-20), 1e-12);
 }
 
+TEST(View, SaysOnceThatTexturesAreMissing)
+{
+    auto const view = parsed("texture: F: a.rgb\ntexture: F: b.rgb\n");
+    ASSERT_EQ(view.warnings.size(), 1u);
+    EXPECT_EQ(
+        view.warnings[0],
+        "model.v:1:1: 'texture:' is not supported; surfaces have the colours of their materials");
+}
+
 TEST(View, WarnsOfUnknownStatementsOnly)
 {
     auto const view = parsed("z buffer: on\nlight: V: 5 3 5\nlite: V: 5 3 5\n");
