@@ -7,19 +7,23 @@
 namespace tractus {
 
 Result<ReplayWindow> ReplayWindow::create(Log const& log, ReplayOptions options,
-                                          std::filesystem::path pictures)
+                                          std::filesystem::path pictures,
+                                          std::optional<Session> session)
 {
+    if (session)
+        options.scene = session->scene();
     auto replay = TRY(LogReplay::create(log, options));
-    return ReplayWindow(log, std::move(options), std::move(pictures), std::move(replay));
+    StationDesk desk(replay.station(), std::move(session), std::move(pictures));
+    return ReplayWindow(log, std::move(options), std::move(replay), std::move(desk));
 }
 
-ReplayWindow::ReplayWindow(Log const& log, ReplayOptions options, std::filesystem::path pictures,
-                           LogReplay replay)
+ReplayWindow::ReplayWindow(Log const& log, ReplayOptions options, LogReplay replay,
+                           StationDesk desk)
     : log_(&log)
     , options_(std::move(options))
     , replay_(std::move(replay))
     , now_(replay_.begin())
-    , desk_(replay_.station(), std::nullopt, std::move(pictures))
+    , desk_(std::move(desk))
 {
     view().state().status = "The hand begins";
 }
@@ -67,10 +71,16 @@ void ReplayWindow::perform_kind(Restart const&)
         state.status = again.error().message;
         return;
     }
-    auto const growth = replay_.station().scene().growth;
+    // The growth stays as a person has set it; but a session is as it began.
+    auto& keeper = desk_.keeper();
+    auto const growth = std::array { Edit(replay_.station().scene().growth) };
+    auto const begun = keeper.has_session() ? keeper.begin_again(again->station())
+                                            : keeper.make(growth, again->station());
+    if (!begun) {
+        state.status = begun.error().message;
+        return;
+    }
     replay_ = *std::move(again);
-    (void)desk_.keeper().make(std::array { Edit(growth) },
-                              replay_.station()); // It was taken before.
     now_ = replay_.begin();
     state.playing = true;
     state.progress = 0;

@@ -7,6 +7,7 @@
 #include "engine/base/result.h"
 
 #include <filesystem>
+#include <optional>
 
 namespace tractus {
 
@@ -14,10 +15,12 @@ namespace tractus {
 // hand, its strokes, what is selected, and the plant, which is grown anew after each stroke.
 class ReplayWindow final : public WindowModel {
 public:
-    // The log must outlive the window. `pictures` is the folder in which saved pictures appear.
-    // Fails like LogReplay::create.
+    // The log must outlive the window. `pictures` is the folder in which saved pictures appear. A
+    // session keeps what is drawn, on its scene in place of that of the options. Fails like
+    // LogReplay::create.
     static Result<ReplayWindow> create(Log const& log, ReplayOptions options,
-                                       std::filesystem::path pictures);
+                                       std::filesystem::path pictures,
+                                       std::optional<Session> session = {});
 
     void advance(Duration real_step) override;
     void settle() override { view().settle(); }
@@ -25,8 +28,7 @@ public:
     void perform(WindowCommand const& command) override;
 
 private:
-    ReplayWindow(Log const& log, ReplayOptions options, std::filesystem::path pictures,
-                 LogReplay replay);
+    ReplayWindow(Log const& log, ReplayOptions options, LogReplay replay, StationDesk desk);
 
     void perform_kind(SetPlaying const& command);
     void perform_kind(SetSpeed const& command);

@@ -34,6 +34,7 @@ namespace tractus {
 namespace {
 
 struct WindowArguments {
+    std::string file; // A log or a session: sort_out() makes it one of the next two.
     std::string log;
     std::vector<std::string> devices;
     std::string recording;
@@ -71,26 +72,11 @@ WindowOptions window_options(WindowArguments const& arguments, std::string const
                              std::filesystem::path const& model)
 {
     WindowOptions options;
-    options.title = fmt::format("tractus: {} on {}", what, model.stem().string());
+    auto const on = arguments.session.empty() ? model : std::filesystem::path(arguments.session);
+    options.title = fmt::format("tractus: {} on {}", what, on.stem().string());
     options.frames = arguments.frames;
     options.screenshot = arguments.screenshot;
     return options;
-}
-
-Result<void> show_replay(WindowArguments const& arguments)
-{
-    auto const model = TRY(find_model(arguments.model));
-    ReplayOptions options;
-    options.scene = TRY(load_scene(model));
-    if (!arguments.rig.empty())
-        options.rig = TRY(load_rig(arguments.rig));
-    if (!arguments.height.empty())
-        options.height = TRY(parse_height_scenario(arguments.height));
-    auto const log = TRY(arguments.log.empty() ? drawn_by_the_simulated_hand(model, options.scene)
-                                               : read_log(arguments.log));
-    auto window = TRY(ReplayWindow::create(log, options, std::filesystem::current_path()));
-    auto const name = std::filesystem::path(log.name).filename().string();
-    return run_window(window, window_options(arguments, name, model));
 }
 
 Result<std::vector<Edit>> model_edits(std::filesystem::path const& model)
@@ -107,6 +93,26 @@ Result<Session> keep_in(std::filesystem::path const& file, std::filesystem::path
         return Session::open(file, session_by_the_clock([] { return load_options(); }));
     auto edits = is_session_file(model) ? session_edits(model) : model_edits(model);
     return begin_session(file, TRY(edits));
+}
+
+Result<void> show_replay(WindowArguments const& arguments)
+{
+    auto const model = TRY(find_model(arguments.model));
+    ReplayOptions options;
+    options.scene = TRY(load_scene(model));
+    if (!arguments.rig.empty())
+        options.rig = TRY(load_rig(arguments.rig));
+    if (!arguments.height.empty())
+        options.height = TRY(parse_height_scenario(arguments.height));
+    auto const log = TRY(arguments.log.empty() ? drawn_by_the_simulated_hand(model, options.scene)
+                                               : read_log(arguments.log));
+    std::optional<Session> session;
+    if (!arguments.session.empty())
+        session = TRY(keep_in(arguments.session, model));
+    auto window = TRY(
+        ReplayWindow::create(log, options, std::filesystem::current_path(), std::move(session)));
+    auto const name = std::filesystem::path(log.name).filename().string();
+    return run_window(window, window_options(arguments, name, model));
 }
 
 // What is drawn is kept in the session that was asked for; else in a new one, which is `unnamed`
@@ -174,6 +180,29 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices)
     return done;
 }
 
+// A session is gone on with; anything else is a recording.
+Result<WindowArguments> sort_out(WindowArguments arguments)
+{
+    if (is_session_file(arguments.file)) {
+        std::error_code ignored;
+        if (!std::filesystem::exists(arguments.file, ignored))
+            return fail(
+                Fault::User,
+                fmt::format("there is no session {}: --session begins one", arguments.file));
+        if (!arguments.session.empty())
+            return fail(Fault::User,
+                        fmt::format("{} and --session are two sessions: give one", arguments.file));
+        arguments.session = arguments.file;
+        return arguments;
+    }
+    arguments.log = arguments.file;
+    if (!arguments.log.empty() && !(arguments.devices.empty() && arguments.recording.empty()))
+        return fail(
+            Fault::User,
+            fmt::format("{} is replayed: --device and --record are for drawing", arguments.log));
+    return arguments;
+}
+
 // What was asked for; else the devices that are there; else the simulated hand.
 Result<void> open_window(WindowArguments const& arguments)
 {
@@ -201,29 +230,25 @@ void add_window_verb(CLI::App& root, Action& action)
     auto arguments = std::make_shared<WindowArguments>();
     auto* const verb = root.add_subcommand(
         "window", "Open the station's window: a hand draws, and the plant changes");
-    auto* const log
-        = verb->add_option("LOG", arguments->log,
-                           "A drawing to replay, a .tractus-log or anybody's hid-recorder file; "
-                           "without it, the tablets and the height sensor that are found, or "
-                           "else the model's demo on the simulated rig");
+    verb->add_option("FILE", arguments->file,
+                     "A session (.tractus) to go on with, or a drawing to replay, a .tractus-log "
+                     "or anybody's hid-recorder file; without it, the tablets and the height "
+                     "sensor that are found, or else the model's demo on the simulated rig");
     verb->add_option(
             "--device", arguments->devices,
             fmt::format("What to read in place of what is found, each {}", device_name_help()))
-        ->type_name("DEVICE...")
-        ->excludes(log);
+        ->type_name("DEVICE...");
     verb->add_option("--record", arguments->recording,
                      "Record all that the devices send and every choice of a tool: a new "
                      ".tractus-log")
-        ->type_name("FILE")
-        ->excludes(log);
+        ->type_name("FILE");
     verb->add_option(
             "--session", arguments->session,
             "Keep every stroke in this session as soon as it ends: a new one of the plant, "
             "or one that is gone on with; without it, a new one named after the plant and "
             "the time, in ~/.local/share/tractus")
         ->type_name("FILE.tractus")
-        ->check(name_ending_in({ ".tractus" }))
-        ->excludes(log);
+        ->check(name_ending_in({ ".tractus" }));
     add_plant_option(*verb, arguments->model);
     add_rig_option(*verb, arguments->rig);
     add_height_option(*verb, arguments->height);
@@ -239,8 +264,9 @@ void add_window_verb(CLI::App& root, Action& action)
         "Needs a display. Pictures that are saved appear in the working folder. While a pen is\n"
         "in range, the mouse counts for nothing in the window, since the desktop moves it with\n"
         "the pen; drivers/70-tractus.rules says how to stop that everywhere.");
-    verb->callback(
-        [arguments, &action] { action = [arguments] { return open_window(*arguments); }; });
+    verb->callback([arguments, &action] {
+        action = [arguments]() -> Result<void> { return open_window(TRY(sort_out(*arguments))); };
+    });
 }
 
 } // namespace tractus

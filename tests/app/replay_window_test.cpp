@@ -1,8 +1,10 @@
 #include "app/replay_window.h"
 
+#include "app/session_plant.h"
 #include "tests/app/simulated_drawing.h"
 
 #include <filesystem>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -131,6 +133,29 @@ TEST_F(ReplayedWindow, ShowsAnotherPlantForTheNextSeed)
     window.settle();
     EXPECT_EQ(window.state().plant_revision, before + 1);
     EXPECT_EQ(window.state().seed, seed + 1);
+}
+
+TEST_F(ReplayedWindow, KeepsWhatIsDrawnInASession)
+{
+    auto const path
+        = fs::temp_directory_path() / fmt::format("tractus_replay_{}.tractus", ::getpid());
+    fs::remove(path);
+    auto window
+        = ReplayWindow::create(log_, {}, ".", begin_session(path, { small_model() }).value())
+              .value();
+    EXPECT_TRUE(window.state().has_session);
+    play(window);
+    EXPECT_EQ(read_session(path)->last_step(), 3u); // What selects, too.
+    EXPECT_EQ(window.state().indicators.size(), 1u);
+    window.perform(Undo {});
+    EXPECT_TRUE(window.state().indicators.empty());
+    window.perform(Restart {});
+    EXPECT_TRUE(window.state().strokes.empty());
+    play(window);
+    EXPECT_EQ(window.state().strokes.size(), 2u);
+    EXPECT_EQ(read_session(path)->last_step(), 6u)
+        << "beginning again is a step in place of undone ones";
+    fs::remove(path);
 }
 
 TEST_F(ReplayedWindow, SavesAPictureUnderANameOfItsOwn)

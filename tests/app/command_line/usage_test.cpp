@@ -74,6 +74,16 @@ TEST_F(Usage, WrongUsageSaysWhereToReadOn)
     expect_error(run("tractus record -o x --simulate hand.toml --seconds 1"), 2, "excludes");
 }
 
+TEST_F(Usage, AWindowReplaysOrDraws)
+{
+    expect_error(run("tractus window hand.tractus-log --record x.tractus-log"), 1,
+                 "hand.tractus-log is replayed: --device and --record are for drawing");
+    expect_error(run("tractus window none.tractus"), 1, "there is no session none.tractus");
+    expect_error(run("tractus window none.tractus --session x.tractus"), 1,
+                 "there is no session none.tractus");
+    EXPECT_FALSE(exists("x.tractus"));
+}
+
 TEST_F(Usage, AValueThatAnOptionCannotHaveIsWrongUsage)
 {
     expect_error(run("tractus grow small.l -o x.glb --seed -1"), 2, "'-1' is not a whole number");
