@@ -117,7 +117,7 @@ bool LogReplay::advance_to(Timestamp time)
 
 bool LogReplay::advance_to_stroke(Timestamp time)
 {
-    auto const strokes = station_.strokes().size();
+    auto const strokes = station_.counts().strokes;
     while (next_record_ < log_->records.size()) {
         auto const& record = log_->records[next_record_];
         if (record.time > time)
@@ -125,7 +125,7 @@ bool LogReplay::advance_to_stroke(Timestamp time)
         push_tools();
         station_.push(record.device, record.time, log_->report(record));
         ++next_record_;
-        if (station_.strokes().size() != strokes)
+        if (station_.counts().strokes != strokes)
             return true;
     }
     if (!std::exchange(finished_, true))

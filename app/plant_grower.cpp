@@ -3,109 +3,85 @@
 #include "engine/mesh/make_mesh.h"
 #include "engine/variation/growth.h"
 
-#include <condition_variable>
-#include <mutex>
-#include <system_error>
-#include <thread>
-#include <utility>
-
 namespace tractus {
 
-static Result<Mesh> grown(WantedPlant const& wanted)
+static Result<Mesh> grow_mesh(WantedPlant const& wanted, MeshOptions const& options)
 {
     auto const scene = TRY(apply_edit(*wanted.scene, wanted.growth));
     auto const plan = TRY(plan_growth(scene));
     Grower grower(plan);
-    return make_mesh(grower.grow({ wanted.growth.seed, 0 }, wanted.growth.age));
+    return make_mesh(grower.grow({ wanted.growth.seed, 0 }, wanted.growth.age), options);
 }
 
-// Everything but the thread is guarded by the mutex.
-struct PlantGrower::Shared {
-    void run();
-    void grow_wanted(std::unique_lock<std::mutex>& lock);
-
-    std::mutex mutex;
-    std::condition_variable changed;
-    std::optional<WantedPlant> wanted;  // That nobody has begun to grow.
-    std::optional<Result<Mesh>> result; // The newest that was not taken.
-    bool is_at_work = false;
-    bool stop = false;
-    std::thread thread;
-};
-
-void PlantGrower::Shared::run()
+// What a picture of a few hundred pixels shows.
+static MeshOptions coarse()
 {
-    std::unique_lock lock(mutex);
-    for (;;) {
-        changed.wait(lock, [&] { return stop || wanted; });
-        if (stop)
-            return;
-        grow_wanted(lock);
-    }
-}
-
-void PlantGrower::Shared::grow_wanted(std::unique_lock<std::mutex>& lock)
-{
-    std::optional<Result<Mesh>> plant;
-    is_at_work = true;
-    {
-        auto const taken = *std::exchange(wanted, std::nullopt);
-        lock.unlock();
-        plant.emplace(grown(taken));
-    }
-    lock.lock();
-    result.swap(plant);
-    is_at_work = false;
-    changed.notify_all();
+    return { .min_sides = 3,
+             .max_sides = 6,
+             .subdivision = 1,
+             .collar = 0,
+             .ends = MeshOptions::Ends::Open,
+             .sections = MeshOptions::Sections::SameArea,
+             .organs = MeshOptions::Organs::Cards };
 }
 
 PlantGrower::PlantGrower()
-    : shared_(std::make_unique<Shared>())
+    : plant_([](WantedPlant const& wanted) { return grow_mesh(wanted, {}); })
+    , variation_(make_variation)
 {
-    try {
-        shared_->thread = std::thread(&Shared::run, shared_.get());
-    } catch (std::system_error const&) {
-        // The system gives no thread: grow() does it all, and the window waits.
+}
+
+PlantGrower::MadeVariation PlantGrower::make_variation(WantedVariation const& wanted)
+{
+    auto mesh = grow_mesh(wanted.plant, coarse());
+    if (!mesh)
+        return { tl::unexpected(std::move(mesh).error()), wanted.wish };
+    return { Variation { wanted.plant.growth.seed, *std::move(mesh) }, wanted.wish };
+}
+
+void PlantGrower::vary(WantedVariations wanted)
+{
+    variations_ = std::move(wanted);
+    varied_ = std::vector<Variation> {};
+    ++wish_;
+    want_next();
+}
+
+void PlantGrower::want_next()
+{
+    if (variations_.count > 0)
+        variation_.want({ variations_.like, wish_ });
+}
+
+void PlantGrower::take_variation()
+{
+    auto made = variation_.take();
+    if (!made || made->wish != wish_)
+        return;
+    if (made->variation) {
+        varied_->push_back(*std::move(made->variation));
+        --variations_.count;
+        ++variations_.like.growth.seed;
+        want_next();
+    } else {
+        varied_ = tl::unexpected(std::move(made->variation).error());
+        variations_.count = 0;
     }
 }
 
-PlantGrower::~PlantGrower()
+Result<std::vector<Variation>> PlantGrower::take_variations()
 {
-    {
-        std::lock_guard const lock(shared_->mutex);
-        shared_->stop = true;
-    }
-    shared_->changed.notify_all();
-    if (shared_->thread.joinable())
-        shared_->thread.join();
-}
-
-void PlantGrower::grow(WantedPlant wanted)
-{
-    std::unique_lock lock(shared_->mutex);
-    shared_->wanted = std::move(wanted);
-    if (shared_->thread.joinable())
-        shared_->changed.notify_all();
-    else
-        shared_->grow_wanted(lock);
-}
-
-bool PlantGrower::is_growing() const
-{
-    std::lock_guard const lock(shared_->mutex);
-    return shared_->wanted || shared_->is_at_work || shared_->result;
-}
-
-std::optional<Result<Mesh>> PlantGrower::take()
-{
-    std::lock_guard const lock(shared_->mutex);
-    return std::exchange(shared_->result, std::nullopt);
+    take_variation();
+    return std::exchange(varied_, std::vector<Variation> {});
 }
 
 void PlantGrower::settle()
 {
-    std::unique_lock lock(shared_->mutex);
-    shared_->changed.wait(lock, [&] { return !shared_->wanted && !shared_->is_at_work; });
+    plant_.settle();
+    while (variations_.count > 0) {
+        variation_.settle();
+        take_variation();
+    }
 }
 
 } // namespace tractus

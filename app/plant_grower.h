@@ -1,11 +1,16 @@
 #pragma once
 
+#include "app/newest_job.h"
 #include "engine/base/result.h"
 #include "engine/mesh/mesh.h"
 #include "engine/scene/scene.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace tractus {
 
@@ -16,31 +21,59 @@ struct WantedPlant {
     SetGrowth growth {}; // In place of the scene's own.
 };
 
-// Grows plants on a thread of its own, for a window that goes on meanwhile. Only the newest wish
-// counts: what is growing is finished, what still waits behind it is dropped.
-//
-// Everything here is called from one thread.
+// Others like it: `count` of them, of this seed and those that follow.
+struct WantedVariations {
+    WantedPlant like;
+    std::size_t count = 0;
+};
+
+struct Variation {
+    std::uint64_t seed = 0;
+    Mesh mesh; // Coarse, to be seen small.
+};
+
+// Grows plants in the background, for a window that goes on meanwhile: see NewestJob.
 class PlantGrower {
 public:
     PlantGrower();
 
-    // Waits for what is being grown.
-    ~PlantGrower();
+    void grow(WantedPlant wanted) { plant_.want(std::move(wanted)); }
 
-    void grow(WantedPlant wanted);
+    // Variations that have come, or are still to come, of an earlier wish are dropped.
+    void vary(WantedVariations wanted);
 
     // A plant was wanted that take() has not given yet.
-    bool is_growing() const;
+    bool is_growing() const { return plant_.is_busy(); }
 
     // The newest plant, if one has been finished since the last call. Fails like plan_growth().
-    std::optional<Result<Mesh>> take();
+    std::optional<Result<Mesh>> take() { return plant_.take(); }
 
-    // Waits until the newest plant is there to be taken.
+    // Those that have been finished since the last call, in the order of their seeds. Fails like
+    // plan_growth(); then none follow.
+    Result<std::vector<Variation>> take_variations();
+
+    // Waits until the newest plant and all variations are there to be taken.
     void settle();
 
 private:
-    struct Shared;
-    std::unique_ptr<Shared> shared_;
+    struct WantedVariation {
+        WantedPlant plant;
+        std::uint64_t wish = 0;
+    };
+    struct MadeVariation {
+        Result<Variation> variation;
+        std::uint64_t wish = 0;
+    };
+
+    static MadeVariation make_variation(WantedVariation const& wanted);
+    void want_next();
+    void take_variation();
+
+    NewestJob<WantedPlant, Result<Mesh>> plant_;
+    NewestJob<WantedVariation, MadeVariation> variation_;
+    WantedVariations variations_; // The next ones, and that which is being made.
+    std::uint64_t wish_ = 0;      // Which of the wishes for variations counts.
+    Result<std::vector<Variation>> varied_;
 };
 
 } // namespace tractus

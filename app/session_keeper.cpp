@@ -24,6 +24,14 @@ void SessionKeeper::keep_strokes(Station const& station, Timestamp now)
     }
 }
 
+void SessionKeeper::forget_kept(Station& station)
+{
+    if (!not_kept_.empty())
+        return;
+    station.forget_strokes();
+    kept_strokes_ = 0;
+}
+
 Result<void> SessionKeeper::check_kept() const
 {
     if (not_kept_.empty())

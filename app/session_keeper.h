@@ -24,10 +24,14 @@ public:
     }
 
     bool has_session() const { return session_.has_value(); }
+    Session const& session() const { return *session_; } // Only if there is one.
 
     // The strokes that the station has drawn since the last call. What could not be kept, since the
     // disk was full, say, is tried again a second later.
     void keep_strokes(Station const& station, Timestamp now);
+
+    // Those that are kept, or for which there is no session, need not be in memory any more.
+    void forget_kept(Station& station);
 
     // Why the newest strokes are not kept; empty if they are.
     std::string const& not_kept() const { return not_kept_; }
@@ -43,7 +47,7 @@ private:
     Result<void> check_kept() const;
 
     std::optional<Session> session_;
-    std::size_t kept_strokes_ = 0; // Of the station's: they are in the session.
+    std::size_t kept_strokes_ = 0; // Of those that the station has not forgotten.
     std::string not_kept_;
     Timestamp next_try_ {}; // To keep the next one.
 };

@@ -82,7 +82,11 @@ public:
     void finish();
 
     Scene const& scene() const { return scene_; }
+
+    // The finished strokes since the last forget_strokes(): who draws for hours forgets what has
+    // been dealt with. counts().strokes counts all.
     std::vector<DrawnStroke> const& strokes() const { return strokes_; }
+    void forget_strokes() { strokes_.clear(); }
     StationCounts const& counts() const { return counts_; }
     FuserCounts fuser_counts() const; // Of all pens.
 

@@ -16,10 +16,11 @@ StationDesk::StationDesk(Station const& station, std::optional<Session> session,
     view_.state().has_session = keeper_.has_session();
 }
 
-void StationDesk::show(Station const& station, Timestamp now)
+void StationDesk::show(Station& station, Timestamp now)
 {
     keeper_.keep_strokes(station, now);
     view_.show(station);
+    keeper_.forget_kept(station);
     if (auto const& why = keeper_.not_kept(); !why.empty())
         view_.state().trouble = fmt::format("What is drawn is not kept: {}", why);
 }
@@ -58,6 +59,18 @@ void StationDesk::perform(ChangeGrowth const& command, Station& station)
         view_.preview(*growth);
     else
         set_growth(*growth, station, fmt::format("The plant {}", describe_edit(*growth)));
+}
+
+void StationDesk::perform(AskForCollection const& command, Station&)
+{
+    view_.collect(command.count);
+}
+
+void StationDesk::perform(PickVariation const& command, Station& station)
+{
+    auto growth = station.scene().growth;
+    growth.seed = command.seed;
+    set_growth(growth, station, fmt::format("This one: seed {}", growth.seed));
 }
 
 void StationDesk::set_growth(SetGrowth const& growth, Station& station, std::string const& status)

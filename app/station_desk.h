@@ -22,12 +22,16 @@ public:
     StationView& view() { return view_; }
     StationView const& view() const { return view_; }
     SessionKeeper& keeper() { return keeper_; }
+    SessionKeeper const& keeper() const { return keeper_; }
 
-    // Keeps what has been drawn before it is seen to be done, and shows it.
-    void show(Station const& station, Timestamp now);
+    // Keeps what has been drawn before it is seen to be done, shows it, and lets the station forget
+    // its strokes.
+    void show(Station& station, Timestamp now);
 
     void perform(NextVariation const&, Station& station);
     void perform(ChangeGrowth const& command, Station& station);
+    void perform(AskForCollection const& command, Station& station);
+    void perform(PickVariation const& command, Station& station);
     void perform(SavePicture const& command, Station& station);
     void perform(Undo const&, Station& station);
     void perform(Redo const&, Station& station);

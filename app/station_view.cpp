@@ -4,6 +4,7 @@
 #include "drivers/file.h"
 #include "engine/variation/growth_preset.h"
 
+#include <algorithm>
 #include <ctime>
 #include <fmt/chrono.h>
 #include <fmt/core.h>
@@ -103,6 +104,27 @@ SkeletonLine skeleton_line(Plant const& plant, Axis const& axis, std::uint32_t f
     return line;
 }
 
+// Twigs of plants with very many would be a blot, and none of them can be chosen: only branches of
+// lower orders than this are shown.
+std::uint32_t shown_orders(Plant const& plant)
+{
+    constexpr std::size_t kMostSegments = 40'000;
+    std::vector<std::size_t> segments;
+    for (auto const& axis : plant.axes) {
+        segments.resize(std::max<std::size_t>(segments.size(), axis.order + 1));
+        segments[axis.order] += axis.segment_count;
+    }
+    auto const chosen = std::min<std::size_t>(fit_selection_view(plant).max_order, segments.size());
+    std::size_t sum = 0;
+    std::size_t order = 0;
+    for (; order < segments.size(); ++order) {
+        sum += segments[order];
+        if (order > chosen && sum > kMostSegments)
+            break;
+    }
+    return static_cast<std::uint32_t>(order);
+}
+
 std::vector<SkeletonLine::State> segment_states(Scene const& scene,
                                                 ShownSkeleton::Touched const& touched)
 {
@@ -125,6 +147,11 @@ std::vector<SkeletonLine::State> segment_states(Scene const& scene,
 
 StationView::StationView(Station const& station, std::filesystem::path pictures)
     : pictures_(std::move(pictures))
+    , preview_(std::make_unique<NewestJob<WantedPreview, Preview>>(
+          // Shared by the copies of the function, of which one is called.
+          [preview = std::make_shared<StrokePreview>()](WantedPreview const& wanted) {
+              return Preview { preview->moved_by(wanted), wanted.stroke };
+          }))
 {
     DrawingVolume const volume;
     state_.volume_mm.add({ -volume.width_mm / 2, -volume.depth_mm / 2, 0 });
@@ -139,7 +166,7 @@ void StationView::show(Station const& station)
 {
     show_grown();
     show_live(station);
-    if (station.strokes().size() == shown_strokes_)
+    if (station.counts().strokes == shown_strokes_)
         return;
     state_.status = describe(station.strokes().back());
     show_scene(station);
@@ -166,11 +193,36 @@ void StationView::show_live(Station const& station)
     for (auto const& ink : station.inks())
         state_.live_ink.push_back(ink_line(ink, station.tool()));
     show_selecting(station);
+    show_preview(station);
     if (auto const& tip = station.newest_tip()) {
         state_.surface_height_mm = tip->position_mm.z();
         state_.is_outside_calibration = tip->outside_calibration;
         state_.pen = { station.pen_in_range(), tip->touching, tip->position_mm.cast<float>() };
     }
+}
+
+// The branches follow the ink as fast as they can.
+void StationView::show_preview(Station const& station)
+{
+    auto const inks = station.inks();
+    if (inks.empty())
+        set_preview({});
+    else if (std::exchange(previewed_live_, state_.live_revision) != state_.live_revision)
+        preview_->want({ grown_scene_, station.tool(), inks.front(), station.counts().strokes });
+    is_drawing_ = !inks.empty();
+    take_preview();
+}
+
+void StationView::take_preview()
+{
+    if (auto made = preview_->take(); made && is_drawing_ && made->stroke == shown_strokes_)
+        set_preview(std::move(made->lines));
+}
+
+void StationView::set_preview(std::vector<SkeletonLine> lines)
+{
+    state_.preview_revision += !(lines.empty() && state_.preview.empty());
+    state_.preview = std::move(lines);
 }
 
 // While a pen selects, its path so far, and what is undetermined, are seen in their own colours.
@@ -186,22 +238,28 @@ void StationView::show_selecting(Station const& station)
     if (!is_selecting_) {
         if (was_selecting)
             show_skeleton(station.scene());
+        shown_touched_.reset();
         return;
     }
     if (!shown_skeleton_ || shown_plant_ != station.scene().base) {
         shown_plant_ = station.scene().base;
         shown_skeleton_.emplace(*shown_plant_);
     }
-    show_skeleton(station.scene(), shown_skeleton_->touched_by(inks.front()));
+    auto touched = shown_skeleton_->touched_by(inks.front());
+    if (shown_touched_ == touched)
+        return;
+    show_skeleton(station.scene(), touched);
+    shown_touched_ = std::move(touched);
 }
 
 void StationView::show_scene(Station const& station)
 {
-    shown_strokes_ = station.strokes().size();
+    shown_strokes_ = station.counts().strokes;
     state_.strokes.clear();
     auto const& scene = station.scene();
+    auto const associations = shaping_associations(scene);
     Stroke const* last = nullptr; // One that shapes several branches is shown once.
-    for (auto const& association : scene.associations) {
+    for (auto const& association : associations) {
         if (!last || last->tips.front().time != association.stroke.tips.front().time)
             state_.strokes.push_back(ink_line(association.stroke.tips, {}));
         last = &association.stroke;
@@ -209,8 +267,28 @@ void StationView::show_scene(Station const& station)
     for (auto const& indicator : scene.indicators)
         state_.strokes.push_back(indicator_line(indicator));
     ++state_.strokes_revision;
-    show_skeleton(station.scene());
+    if (!grown_scene_ || grown_scene_->base != scene.base)
+        shown_orders_ = shown_orders(*scene.base);
+    show_skeleton(scene);
+    shown_touched_.reset();
+    list_orphans(station.scene());
     grow_plant(station.scene());
+}
+
+void StationView::list_orphans(Scene const& scene)
+{
+    auto const before = state_.orphans.size();
+    state_.orphans.clear();
+    for (std::size_t i = 0; i < scene.associations.size(); ++i)
+        if (scene.associations[i].is_orphaned)
+            state_.orphans.push_back(fmt::format("stroke {}", i + 1));
+    for (std::size_t i = 0; i < scene.indicators.size(); ++i)
+        if (scene.indicators[i].is_orphaned)
+            state_.orphans.push_back(fmt::format("motion indicator {}", i + 1));
+    if (auto const count = state_.orphans.size(); count > before)
+        state_.status = fmt::format("The plant has lost {} of the branches that were drawn: what "
+                                    "was drawn there waits until they come back",
+                                    count);
 }
 
 void StationView::show_skeleton(Scene const& scene, ShownSkeleton::Touched const& touched)
@@ -218,6 +296,8 @@ void StationView::show_skeleton(Scene const& scene, ShownSkeleton::Touched const
     auto const states = segment_states(scene, touched);
     state_.skeleton.clear();
     for (auto const& axis : scene.base->axes) {
+        if (axis.order >= shown_orders_)
+            continue;
         std::uint32_t from = 0;
         for (std::uint32_t i = 1; i <= axis.segment_count; ++i) {
             auto const state = states[axis.first_segment + from];
@@ -254,14 +334,39 @@ void StationView::show_growth(Station const& station)
     grow_plant(station.scene());
 }
 
+void StationView::collect(std::size_t count)
+{
+    constexpr std::size_t kMost = 100;
+    state_.collection.clear();
+    state_.collection_wanted = std::min(count, kMost);
+    ++state_.collection_revision;
+    grower_->vary({ { grown_scene_, grown_scene_->growth }, state_.collection_wanted });
+}
+
+void StationView::show_variations()
+{
+    auto varied = grower_->take_variations();
+    if (!varied) {
+        state_.status = varied.error().message;
+        state_.collection_wanted = state_.collection.size();
+        return;
+    }
+    for (auto& [seed, mesh] : *varied)
+        state_.collection.push_back({ seed, std::make_shared<Mesh const>(std::move(mesh)) });
+    state_.collection_revision += !varied->empty();
+}
+
 void StationView::settle()
 {
     grower_->settle();
     show_grown();
+    preview_->settle();
+    take_preview();
 }
 
 void StationView::show_grown()
 {
+    show_variations();
     auto grown = grower_->take();
     state_.is_growing = grower_->is_growing();
     if (!grown)

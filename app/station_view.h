@@ -3,6 +3,7 @@
 #include "app/plant_grower.h"
 #include "app/render/image.h"
 #include "app/station.h"
+#include "app/stroke_preview.h"
 #include "app/tools/shown_skeleton.h"
 #include "app/window/window_model.h"
 #include "engine/mesh/mesh.h"
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace tractus {
 
@@ -32,7 +34,7 @@ public:
     // A plant that has been grown meanwhile; show() does it too.
     void show_grown();
 
-    // Waits for the plant as it was wanted last, and shows it.
+    // Waits for the plant as it was wanted last, and for all variations, and shows them.
     void settle();
 
     // Another station in place of the one before, or one that has begun again.
@@ -44,12 +46,25 @@ public:
     // What other growth would give.
     void preview(SetGrowth const& growth);
 
+    // Grows so many variations of the plant, from its own seed on.
+    void collect(std::size_t count);
+
     // Writes a picture; the status says where.
     void save(Image const& picture, Station const& station);
 
 private:
+    struct Preview {
+        std::vector<SkeletonLine> lines;
+        std::size_t stroke = 0; // Of which stroke, by its number.
+    };
+
     void show_live(Station const& station);
     void show_scene(Station const& station);
+    void show_variations();
+    void show_preview(Station const& station);
+    void take_preview();
+    void set_preview(std::vector<SkeletonLine> lines);
+    void list_orphans(Scene const& scene);
     void show_selecting(Station const& station);
     void show_skeleton(Scene const& scene, ShownSkeleton::Touched const& touched = {});
     void grow_plant(Scene const& scene);
@@ -64,7 +79,12 @@ private:
     // needed.
     std::optional<ShownSkeleton> shown_skeleton_;
     std::shared_ptr<Plant const> shown_plant_; // Shared with the station's scene, which may go on.
+    std::optional<ShownSkeleton::Touched> shown_touched_; // As the skeleton shows it.
+    std::uint32_t shown_orders_ = 0;                      // Of branches in the skeleton.
     bool is_selecting_ = false;
+    std::unique_ptr<NewestJob<WantedPreview, Preview>> preview_; // On the heap, as the grower.
+    std::uint64_t previewed_live_ = 0;                           // The ink's revision.
+    bool is_drawing_ = false;
     // On the heap, since the state points to it when this moves.
     std::unique_ptr<Mesh const> plant_;
     WindowState state_;

@@ -27,6 +27,7 @@ struct Curve {
     WidthUnit width_unit = WidthUnit::Pixels;
     Look look = Look::Round;
     End end = End::Plain;
+    bool fades = false; // With the depth: see Stage::fade.
 };
 
 } // namespace tractus

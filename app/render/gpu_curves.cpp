@@ -16,7 +16,7 @@ struct EndVertex {
 struct SegmentVertex {
     EndVertex begin {};
     EndVertex end {};
-    Vec2f traits = Vec2f::Zero(); // x: 1 for widths in millimetres; y: kRound, kHead or both.
+    Vec2f traits = Vec2f::Zero(); // x: 1 for widths in millimetres; y: a sum of what follows.
 };
 
 constexpr float kArrowWidth = 4.5f; // The head's base and length, in line widths.
@@ -25,6 +25,7 @@ constexpr float kArrowLength = 7.0f;
 // What SegmentVertex::traits.y is the sum of.
 constexpr float kRound = 1;
 constexpr float kHead = 2;
+constexpr float kFades = 4;
 
 EndVertex vertex(Curve::Point const& point)
 {
@@ -49,7 +50,8 @@ SegmentVertex arrow_head(Curve const& curve, Vec2f const& traits)
 void add_segments(Curve const& curve, std::vector<SegmentVertex>& segments)
 {
     Vec2f const traits(curve.width_unit == Curve::WidthUnit::Millimetres ? 1.0f : 0.0f,
-                       curve.look == Curve::Look::Round ? kRound : 0.0f);
+                       (curve.look == Curve::Look::Round ? kRound : 0.0f)
+                           + (curve.fades ? kFades : 0.0f));
     if (curve.points.size() == 1)
         segments.push_back({ vertex(curve.points[0]), vertex(curve.points[0]), traits });
     for (std::size_t i = 1; i < curve.points.size(); ++i)

@@ -253,6 +253,9 @@ void Renderer::Parts::draw_curves(View const& view) const
     curve.set("pixels_per_mm", view.pixels_per_mm);
     curve.set("depth_terms", view.depth_terms);
     curve.set("hidden_above_mm", static_cast<float>(view.stage.hidden_above_mm));
+    auto const& fade = view.stage.fade;
+    curve.set("fade_color", fade.color);
+    curve.set("fade_terms", Vec3f(fade.share, fade.from_mm, 1 / fade.range_mm));
     for (auto const* curves : view.stage.curves)
         curves->draw();
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);

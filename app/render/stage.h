@@ -40,6 +40,15 @@ struct Stage {
     // Curves are cut off above this height.
     double hidden_above_mm = std::numeric_limits<double>::infinity();
     bool curves_cast_shadows = true;
+    // What becomes of the colours of curves that fade: between `from_mm` and `range_mm` below it
+    // they go towards another one, by `share` at the most.
+    struct Fade {
+        Vec3f color = Vec3f::Zero();
+        float share = 0;
+        float from_mm = 0; // A height.
+        float range_mm = 1;
+    };
+    Fade fade;
 };
 
 // The box around all meshes and curves. Empty for an empty stage.

@@ -277,10 +277,12 @@ std::string written_lines(std::vector<SkeletonPiece> const& lines)
 bool read_tips(std::string_view bytes, Stroke& stroke)
 {
     stroke.tips.clear();
+    auto& tips = stroke.tips.own();
+    tips.reserve(bytes.size() / kTipSize);
     if (bytes.size() % kTipSize != 0)
         return false;
     for (NumberReader in(bytes); !in.at_end();) {
-        auto& tip = stroke.tips.emplace_back();
+        auto& tip = tips.emplace_back();
         tip.time = timestamp_ns(static_cast<std::int64_t>(in.u64()));
         tip.position_mm = in.vec3();
         tip.pressure = in.f64();

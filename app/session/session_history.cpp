@@ -9,10 +9,11 @@
 namespace tractus {
 
 // Which scenes are kept: those of so many steps around the last that counts, and of every so many
-// farther away, up to a distance.
-static constexpr std::size_t kNear = 8;
-static constexpr std::size_t kEvery = 16;
-static constexpr std::size_t kFar = 256;
+// farther away, up to a distance. Few, since each has a list of all strokes, though their tips are
+// shared; and making a step again costs next to nothing.
+static constexpr std::size_t kNear = 2;
+static constexpr std::size_t kEvery = 64;
+static constexpr std::size_t kFar = 192;
 
 static std::size_t distance(std::size_t one, std::size_t other)
 {

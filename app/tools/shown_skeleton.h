@@ -28,6 +28,8 @@ public:
     struct Touched {
         std::vector<SegmentId> selected {};
         std::vector<SegmentId> undetermined {}; // The pen has not yet shown whether it meant them.
+
+        bool operator==(Touched const&) const = default;
     };
     Touched touched_by(std::span<TipSample const> tips) const;
 

@@ -61,29 +61,18 @@ void add_volume(WindowState const& state, std::vector<Curve>& curves)
     }
 }
 
-// Paler the deeper below the surface: half way to the background at the volume's floor.
-Vec3f at_depth(Vec3f const& color, float z_mm, WindowState const& state)
-{
-    auto const range = static_cast<float>(state.volume_mm.max_mm.z() - state.volume_mm.min_mm.z());
-    float const depth
-        = (static_cast<float>(state.surface_height_mm) - z_mm) / std::max(range, 1.0f);
-    float const share = 0.55f * std::clamp(depth, 0.0f, 1.0f);
-    return color * (1 - share) + theme::kPadBackground * share;
-}
-
-void add_ink(WindowState const& state, std::vector<InkLine> const& lines, Vec3f const& color,
-             std::vector<Curve>& curves)
+void add_ink(std::vector<InkLine> const& lines, Vec3f const& color, std::vector<Curve>& curves)
 {
     for (auto const& ink : lines) {
         auto& curve = curves.emplace_back();
         curve.width_unit = Curve::WidthUnit::Millimetres;
         curve.look = Curve::Look::Flat;
+        curve.fades = true;
         if (ink.is_indicator)
             curve.end = Curve::End::Arrow;
         for (auto const& point : ink.points)
             curve.points.push_back({ point.position_mm,
-                                     at_depth(ink.is_indicator ? theme::kIndicator : color,
-                                              point.position_mm.z(), state),
+                                     ink.is_indicator ? theme::kIndicator : color,
                                      point.width_mm });
     }
 }
@@ -151,25 +140,67 @@ void add_ground_ring(std::vector<SkeletonLine> const& skeleton, std::vector<Curv
     }
 }
 
+void add_flat_line(WindowState const& state, SkeletonLine const& line, Vec3f const& color,
+                   std::vector<Curve>& curves)
+{
+    auto& curve = curves.emplace_back();
+    curve.look = Curve::Look::Flat;
+    for (auto const& point : line.points_mm)
+        curve.points.push_back({ state.T_world_plant * point, color, 1.5f });
+}
+
 } // namespace
 
-std::vector<Curve> pad_curves(WindowState const& state)
+std::vector<Curve> pad_skeleton_curves(WindowState const& state)
 {
     std::vector<Curve> curves;
-    add_volume(state, curves);
     for (auto const& line : state.skeleton) {
-        auto& curve = curves.emplace_back();
-        curve.look = Curve::Look::Flat;
         Vec3f const color = line.state == SkeletonLine::State::Unselected
             ? theme::kFaint
             : Vec3f(0.45f * state_color(line.state) + 0.55f * theme::kPadBackground);
-        for (auto const& point : line.points_mm)
-            curve.points.push_back({ state.T_world_plant * point, color, 1.5f });
+        add_flat_line(state, line, color, curves);
     }
+    return curves;
+}
+
+std::vector<Curve> pad_stroke_curves(WindowState const& state)
+{
+    std::vector<Curve> curves;
+    add_ink(state.strokes, theme::kStroke, curves);
+    return curves;
+}
+
+std::vector<Curve> pad_live_curves(WindowState const& state)
+{
+    std::vector<Curve> curves;
+    add_volume(state, curves);
     add_surface_grid(state, curves);
-    add_ink(state, state.strokes, theme::kStroke, curves);
-    add_ink(state, state.live_ink, theme::kInk, curves);
+    for (auto const& line : state.preview)
+        add_flat_line(state, line, 0.45f * state_color(line.state) + 0.55f * theme::kPadBackground,
+                      curves);
+    add_ink(state.live_ink, theme::kInk, curves);
     add_pen(state, curves);
+    return curves;
+}
+
+Stage::Fade pad_fade(WindowState const& state)
+{
+    auto const range = static_cast<float>(state.volume_mm.max_mm.z() - state.volume_mm.min_mm.z());
+    return { .color = theme::kPadBackground,
+             .share = 0.55f,
+             .from_mm = static_cast<float>(state.surface_height_mm),
+             .range_mm = std::max(range, 1.0f) };
+}
+
+std::vector<Curve> preview_curves(WindowState const& state)
+{
+    float const widest = widest_mm(state.skeleton);
+    std::vector<Curve> curves;
+    for (auto const& line : state.preview) {
+        auto& curve = curves.emplace_back();
+        for (auto const& point : line.points_mm)
+            curve.points.push_back({ point, state_color(line.state), width_px(line, widest) });
+    }
     return curves;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/render/curve.h"
+#include "app/render/stage.h"
 #include "app/window/window_model.h"
 
 #include <vector>
@@ -8,11 +9,21 @@
 // What the views draw, as curves. Values in, values out: no window needed.
 namespace tractus {
 
-// The drawing pad's picture: a grid at the surface, the volume below it, ink and strokes that grow
-// paler with the depth below the surface, the skeleton faintly, the pen's tip and its drop line.
-std::vector<Curve> pad_curves(WindowState const& state);
+// The drawing pad's picture, in parts by what they change with, so that what did not change is not
+// made again: the skeleton, faintly; finished strokes; and all that follows the hand: a grid at the
+// surface, the volume below it, the branches that the ink would move, the ink, the pen's tip and
+// its drop line.
+std::vector<Curve> pad_skeleton_curves(WindowState const& state);
+std::vector<Curve> pad_stroke_curves(WindowState const& state);
+std::vector<Curve> pad_live_curves(WindowState const& state);
+
+// Ink grows paler with the depth below the surface: half way to the background at the floor.
+Stage::Fade pad_fade(WindowState const& state);
 
 // The skeleton with its states, the indicators, and a ring on the ground.
 std::vector<Curve> skeleton_curves(WindowState const& state);
+
+// The branches that the ink would move, as the skeleton shows them.
+std::vector<Curve> preview_curves(WindowState const& state);
 
 } // namespace tractus

@@ -67,23 +67,20 @@ void ViewCanvas::show() const
 
 void PadView::show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px)
 {
-    bool changed = !drawn_ || state.live_revision != live_revision_
-        || state.strokes_revision != strokes_revision_
-        || state.skeleton_revision != skeleton_revision_;
+    bool changed = false;
+    changed
+        |= skeleton_.follow(state.skeleton_revision, [&] { return pad_skeleton_curves(state); });
+    changed |= strokes_.follow(state.strokes_revision, [&] { return pad_stroke_curves(state); });
+    changed |= live_.follow(state.live_revision, [&] { return pad_live_curves(state); });
     auto const& canvas = canvas_.sized(size_px, changed);
     if (changed) {
-        auto const curves = pad_curves(state);
-        GpuCurves const on_card(curves);
         Stage stage;
-        stage.curves.push_back(&on_card);
+        stage.curves = { skeleton_.curves(), strokes_.curves(), live_.curves() };
         stage.backdrop = plain_backdrop();
         stage.hidden_above_mm = state.surface_height_mm + kAboveSurface_mm;
+        stage.fade = pad_fade(state);
         renderer.draw(stage, pad_camera(state, aspect_of(canvas)), canvas);
     }
-    drawn_ = true;
-    live_revision_ = state.live_revision;
-    strokes_revision_ = state.strokes_revision;
-    skeleton_revision_ = state.skeleton_revision;
     canvas_.show();
 }
 
@@ -119,9 +116,10 @@ Camera Orbit::camera(Bounds const& box, double aspect) const
 
 void SkeletonView::show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px)
 {
-    bool changed = !curves_ || turned_ || state.skeleton_revision != revision_;
-    if (!curves_ || state.skeleton_revision != revision_) {
-        curves_.emplace(skeleton_curves(state));
+    bool changed = turned_;
+    changed |= preview_.follow(state.preview_revision, [&] { return preview_curves(state); });
+    if (curves_.follow(state.skeleton_revision, [&] { return skeleton_curves(state); })) {
+        changed = true;
         box_ = Bounds();
         for (auto const& line : state.skeleton)
             for (auto const& point : line.points_mm)
@@ -130,12 +128,11 @@ void SkeletonView::show(WindowState const& state, Renderer& renderer, ImVec2 con
             box_.add(arrow.from_mm.cast<double>());
             box_.add(arrow.to_mm.cast<double>());
         }
-        revision_ = state.skeleton_revision;
     }
     auto const& canvas = canvas_.sized(size_px, changed);
     if (changed) {
         Stage stage;
-        stage.curves.push_back(&*curves_);
+        stage.curves = { curves_.curves(), preview_.curves() };
         stage.backdrop = plain_backdrop();
         renderer.draw(stage, orbit_.camera(box_, aspect_of(canvas)), canvas);
     }

@@ -21,6 +21,26 @@ private:
     std::optional<Canvas> canvas_;
 };
 
+// Curves on the graphics card that are made again only when they have changed.
+class FollowedCurves {
+public:
+    // True if they were made, by `make`, since the revision is another one than at the last call.
+    template<typename Make> bool follow(std::uint64_t revision, Make const& make)
+    {
+        if (curves_ && revision == revision_)
+            return false;
+        curves_.emplace(make());
+        revision_ = revision;
+        return true;
+    }
+
+    GpuCurves const* curves() const { return &*curves_; }
+
+private:
+    std::optional<GpuCurves> curves_;
+    std::uint64_t revision_ = 0;
+};
+
 // The three views of Streit 2006 section 3. Each draws itself at ImGui's cursor, `size_px` large,
 // with the window's context current.
 
@@ -32,10 +52,9 @@ public:
 
 private:
     ViewCanvas canvas_;
-    std::uint64_t live_revision_ = 0;
-    std::uint64_t strokes_revision_ = 0;
-    std::uint64_t skeleton_revision_ = 0;
-    bool drawn_ = false;
+    FollowedCurves skeleton_;
+    FollowedCurves strokes_;
+    FollowedCurves live_;
 };
 
 // Where a person looks from: changed by dragging and the wheel over the last drawn item.
@@ -60,9 +79,9 @@ public:
 private:
     ViewCanvas canvas_;
     Orbit orbit_;
-    std::optional<GpuCurves> curves_;
+    FollowedCurves curves_;
+    FollowedCurves preview_;
     Bounds box_;
-    std::uint64_t revision_ = 0;
     bool turned_ = false;
 };
 

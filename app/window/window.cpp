@@ -195,8 +195,9 @@ class Changes {
 public:
     bool any(WindowState const& state)
     {
-        std::array const revisions { state.live_revision, state.strokes_revision,
-                                     state.skeleton_revision, state.plant_revision };
+        std::array const revisions { state.live_revision,       state.strokes_revision,
+                                     state.skeleton_revision,   state.plant_revision,
+                                     state.collection_revision, state.preview_revision };
         bool const same_revisions = std::exchange(revisions_, revisions) == revisions;
         bool const same_status = std::exchange(status_, state.status) == state.status;
         bool const same_trouble = std::exchange(trouble_, state.trouble) == state.trouble;
@@ -204,7 +205,7 @@ public:
     }
 
 private:
-    std::array<std::uint64_t, 4> revisions_ {};
+    std::array<std::uint64_t, 6> revisions_ {};
     std::string status_;
     std::string trouble_;
 };

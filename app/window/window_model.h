@@ -7,7 +7,9 @@
 #include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -60,6 +62,12 @@ struct GrowthView {
     double age = 1;    // 0 to 1, full-grown.
 };
 
+// Another plant that the scene may become. Others may show it, too.
+struct VariationView {
+    std::uint64_t seed = 0;
+    std::shared_ptr<Mesh const> mesh; // Coarse. Shared by the copies of this; nobody changes it.
+};
+
 // All that the window shows at one moment. Each revision number changes when the values after it
 // do, and only then: what did not change is not uploaded or drawn again.
 struct WindowState {
@@ -88,6 +96,20 @@ struct WindowState {
     // A newer plant is being grown in the background; meanwhile the last one stays.
     bool is_growing = false;
     GrowthView growth; // Of the newest one that was asked for.
+
+    // Those that were asked for last, as far as they have been grown; they come one by one.
+    std::uint64_t collection_revision = 0;
+    std::vector<VariationView> collection;
+    std::size_t collection_wanted = 0;
+
+    // The branches that the stroke under way would move if it ended here, as it would shape them.
+    // Plant frame.
+    std::uint64_t preview_revision = 0;
+    std::vector<SkeletonLine> preview;
+
+    // Strokes and indicators whose branch the plant has lost, a few words each: they do nothing
+    // until it comes back.
+    std::vector<std::string> orphans;
 
     std::string tool;   // What the pen means now, for example "Draw".
     std::string status; // One line: what is going on, or what was done.
@@ -120,6 +142,12 @@ struct ChangeGrowth {
     GrowthView growth;
     enum class Slider { Moving, Released } slider = Slider::Released;
 };
+struct AskForCollection {
+    std::size_t count = 12; // 0 takes the present one away.
+};
+struct PickVariation {
+    std::uint64_t seed = 1; // Makes it the plant.
+};
 struct SavePicture {
     Image picture; // The plant as the window sees it; the receiver names and writes the file.
 };
@@ -128,8 +156,9 @@ struct ChooseTool {
 };
 struct Undo { }; // The last stroke, another one, other growth, or what else was done last.
 struct Redo { }; // What was undone last.
-using WindowCommand = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture,
-                                   ChooseTool, Undo, Redo, ChangeGrowth>;
+using WindowCommand
+    = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture, ChooseTool, Undo,
+                   Redo, ChangeGrowth, AskForCollection, PickVariation>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <fmt/core.h>
 #include <functional>
+#include <set>
 #include <type_traits>
 #include <utility>
 
@@ -237,6 +238,17 @@ std::vector<std::size_t> selected_associations(Scene const& scene)
     return numbers;
 }
 
+std::vector<Association> shaping_associations(Scene const& scene)
+{
+    std::set<std::pair<std::vector<SegmentId>, Propagation>> later;
+    std::vector<Association> shaping;
+    for (auto i = scene.associations.rbegin(); i != scene.associations.rend(); ++i)
+        if (!i->is_orphaned && later.emplace(i->path, i->propagation).second)
+            shaping.push_back(*i);
+    std::reverse(shaping.begin(), shaping.end());
+    return shaping;
+}
+
 Result<Scene> apply_edit(Scene scene, Edit const& edit, LoadOptions const& options)
 {
     if (auto const* const model = std::get_if<LoadModel>(&edit))
@@ -261,7 +273,8 @@ Result<Scene> fold(std::span<Edit const> edits)
 
 Result<GrowthPlan> plan_growth(Scene const& scene)
 {
-    auto const shape = TRY(resolve_associations(*scene.base, *scene.rest, scene.associations));
+    auto const shape
+        = TRY(resolve_associations(*scene.base, *scene.rest, shaping_associations(scene)));
     std::vector<Vec3> nodes_mm;
     place_nodes(*scene.base, *scene.rest, shape, nodes_mm);
     auto influence = TRY(influence_of(*scene.base, nodes_mm, scene.indicators,

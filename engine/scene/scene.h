@@ -39,6 +39,11 @@ struct Scene {
 // the pen edits when it edits strokes.
 std::vector<std::size_t> selected_associations(Scene const& scene);
 
+// Those that some branch may still have its shape from, in order: neither orphaned nor followed by
+// one for the same path and propagation. After hours of drawing they are few among all. The others
+// count again when these are taken away.
+std::vector<Association> shaping_associations(Scene const& scene);
+
 // How a model is run when an edit loads it. Not part of the document: the plant does not depend on
 // it, only whether there is one.
 struct LoadOptions {

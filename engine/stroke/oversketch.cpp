@@ -28,10 +28,11 @@ NearestTip nearest_tip(Stroke const& stroke, Vec3 const& place_mm)
 // Moves the ends of `over` by the given vectors, and what is between them by shares of both.
 void shift(Stroke& over, Vec3 const& first_mm, Vec3 const& last_mm)
 {
-    auto const count = static_cast<double>(over.tips.size() - 1);
-    for (std::size_t i = 0; i < over.tips.size(); ++i) {
+    auto& tips = over.tips.own();
+    auto const count = static_cast<double>(tips.size() - 1);
+    for (std::size_t i = 0; i < tips.size(); ++i) {
         double const share = static_cast<double>(i) / count;
-        over.tips[i].position_mm += (1 - share) * first_mm + share * last_mm;
+        tips[i].position_mm += (1 - share) * first_mm + share * last_mm;
     }
 }
 
@@ -67,8 +68,9 @@ Result<Stroke> oversketch(Stroke const& drawn, Stroke over, double finger_mm)
     if (first_near && last_near && first.index > last.index) { // Drawn from tip to base.
         auto const begin = over.tips.front().time;
         auto const end = over.tips.back().time;
-        std::reverse(over.tips.begin(), over.tips.end());
-        for (auto& tip : over.tips)
+        auto& tips = over.tips.own();
+        std::reverse(tips.begin(), tips.end());
+        for (auto& tip : tips)
             tip.time = begin + (end - tip.time);
         std::swap(first, last);
     }

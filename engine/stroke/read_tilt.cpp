@@ -236,7 +236,7 @@ void stand_on_desk(std::vector<Stroke>& strokes)
         }
     Vec3 const foot_mm((low_mm.x() + high_mm.x()) / 2, (low_mm.y() + high_mm.y()) / 2, low_mm.z());
     for (auto& stroke : strokes)
-        for (auto& tip : stroke.tips)
+        for (auto& tip : stroke.tips.own())
             tip.position_mm -= foot_mm;
 }
 

@@ -1,15 +1,15 @@
 #pragma once
 
+#include "engine/base/shared_vector.h"
 #include "engine/stroke/tip_sample.h"
-
-#include <vector>
 
 namespace tractus {
 
 // What a hand drew from pen-down to pen-up: its tips in time order, all of them touching and with
-// settled heights. World frame.
+// settled heights. World frame. Copies share the tips, since a stroke is kept in many places: in
+// the edit that it was drawn by, and in every scene from there on.
 struct Stroke {
-    std::vector<TipSample> tips;
+    SharedVector<TipSample> tips;
 };
 
 } // namespace tractus

@@ -50,7 +50,7 @@ std::optional<Stroke> StrokeBuilder::finish()
 
 std::vector<TipSample> StrokeBuilder::ink() const
 {
-    auto ink = stroke_.tips;
+    auto ink = stroke_.tips.vector();
     ink.insert(ink.end(), live_.begin(), live_.end());
     return ink;
 }

@@ -17,8 +17,9 @@ static bool same(Association const& a, Association const& b)
     };
     return a.path == b.path && a.propagation == b.propagation && a.fit == b.fit
         && a.kept_hand == b.kept_hand && a.is_orphaned == b.is_orphaned
-        && std::equal(a.stroke.tips.begin(), a.stroke.tips.end(), b.stroke.tips.begin(),
-                      b.stroke.tips.end(), same_place);
+        && (a.stroke.tips.data() == b.stroke.tips.data()
+            || std::equal(a.stroke.tips.begin(), a.stroke.tips.end(), b.stroke.tips.begin(),
+                          b.stroke.tips.end(), same_place));
 }
 
 StrokeShaper::StrokeShaper(Plant const& plant, RestShape const& rest)

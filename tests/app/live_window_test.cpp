@@ -84,8 +84,8 @@ TEST(LiveWindow, ShowsWhatTheDevicesDraw)
     auto const plants = window.state().plant_revision;
     advance_to_end(window);
     window.settle();
-    ASSERT_EQ(window.station().strokes().size(), 1u);
-    EXPECT_EQ(window.station().strokes()[0].refusal, "");
+    ASSERT_EQ(window.station().counts().strokes, 1u);
+    EXPECT_EQ(window.station().scene().associations.size(), 1u);
     EXPECT_EQ(window.state().strokes.size(), 1u);
     EXPECT_EQ(window.state().plant_revision, plants + 1);
     EXPECT_FALSE(window.state().pen.touching);
@@ -95,7 +95,7 @@ TEST(LiveWindow, KeepsTheStrokeOfATabletThatIsUnplugged)
 {
     auto window = LiveWindow::create(drawing_devices(true), options_for_tests()).value();
     advance_to_end(window);
-    EXPECT_EQ(window.station().strokes().size(), 1u);
+    EXPECT_EQ(window.station().counts().strokes, 1u);
     EXPECT_TRUE(window.state().live_ink.empty());
     EXPECT_FALSE(window.state().pen.in_range); // The mouse counts again.
 }
@@ -130,7 +130,7 @@ TEST(LiveWindow, BeginsAgainWithTheSameTool)
     window.perform(Restart {});
     EXPECT_TRUE(window.state().strokes.empty());
     EXPECT_EQ(window.state().tool, "Motion indicator");
-    EXPECT_TRUE(window.station().strokes().empty());
+    EXPECT_EQ(window.station().counts().strokes, 0u);
 }
 
 // A session, gone on with if it is there.
@@ -220,6 +220,19 @@ TEST_F(LiveWindowWithSession, ShowsWhatASliderWouldGiveAndKeepsItWhenItIsRelease
     EXPECT_EQ(read_session(path_).value().last_step(), 0u);
     window.perform(ChangeGrowth { { "", 1, 0.2 }, Slider::Released });
     EXPECT_EQ(read_session(path_).value().last_step(), 1u);
+}
+
+TEST_F(LiveWindowWithSession, MakesAVariationThePlant)
+{
+    auto window = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
+    window.perform(AskForCollection { 4 });
+    window.settle();
+    ASSERT_EQ(window.state().collection.size(), 4u);
+    window.perform(PickVariation { window.state().collection[2].seed });
+    EXPECT_EQ(window.state().seed, 3u);
+    EXPECT_EQ(window.state().collection.size(), 4u) << "to pick another";
+    window.perform(Undo {});
+    EXPECT_EQ(window.state().seed, 1u);
 }
 
 TEST_F(LiveWindowWithSession, RefusesGrowthThatThereIsNot)

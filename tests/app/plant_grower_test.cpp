@@ -58,6 +58,37 @@ TEST(PlantGrower, GivesTheNewestOfManyWishes)
     EXPECT_FALSE(grower.is_growing());
 }
 
+std::vector<std::uint64_t> seeds(std::vector<Variation> const& variations)
+{
+    std::vector<std::uint64_t> seeds;
+    for (auto const& variation : variations)
+        seeds.push_back(variation.seed);
+    return seeds;
+}
+
+TEST(PlantGrower, GrowsVariationsOfTheNewestWish)
+{
+    PlantGrower grower;
+    auto const scene = shared_scene();
+    grower.vary({ { scene, { {}, 100 } }, 50 });
+    grower.vary({ { scene, { {}, 7 } }, 3 });
+    grower.settle();
+    auto const variations = grower.take_variations().value();
+    EXPECT_EQ(seeds(variations), (std::vector<std::uint64_t> { 7, 8, 9 }));
+    EXPECT_FALSE(same_vertices(variations[0].mesh, variations[1].mesh));
+    EXPECT_TRUE(grower.take_variations().value().empty());
+    EXPECT_FALSE(grower.is_growing()) << "nobody wants the plant anew";
+}
+
+TEST(PlantGrower, SaysWhyThereAreNoVariations)
+{
+    PlantGrower grower;
+    grower.vary({ { shared_scene(), { {}, 1, 7 } }, 3 });
+    grower.settle();
+    EXPECT_FALSE(grower.take_variations());
+    EXPECT_TRUE(grower.take_variations().value().empty());
+}
+
 TEST(PlantGrower, SaysWhyThereIsNoPlant)
 {
     PlantGrower grower;

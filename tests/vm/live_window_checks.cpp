@@ -36,7 +36,7 @@ public:
     void look_at(LiveWindow const& window)
     {
         auto const& state = window.state();
-        auto const strokes = window.station().strokes().size();
+        auto const strokes = window.station().counts().strokes;
         if (std::exchange(strokes_, strokes) != strokes)
             tell(fmt::format("stroke {}", strokes));
         bool const touches = state.pen.in_range && state.pen.touching;

@@ -11,12 +11,14 @@ layout(location = 2) in float begin_width;
 layout(location = 3) in vec3 end_position;
 layout(location = 4) in vec3 end_color;
 layout(location = 5) in float end_width;
-layout(location = 6) in vec2 traits; // x: 1 for widths in millimetres; y: plus 1 if round, plus 2 if an arrow's head.
+layout(location = 6) in vec2 traits; // x: 1 for widths in millimetres; y: plus 1 if round, plus 2 if an arrow's head, plus 4 if it fades.
 
 uniform mat4 T_clip_world;
 uniform vec2 viewport_px;
 uniform float pixels_per_mm; // At clip w = 1.
 uniform vec2 depth_terms;    // The projection's elements (2, 2) and (2, 3).
+uniform vec3 fade_color;
+uniform vec3 fade_terms; // The share at most, the height above which nothing fades, 1 / range.
 
 noperspective out vec2 at_px;
 flat out vec2 begin_px;
@@ -25,7 +27,7 @@ flat out vec2 radii_px;
 flat out vec2 heights_mm;
 flat out vec3 color_a;
 flat out vec3 color_b;
-flat out float look; // As traits.y.
+flat out float look; // As traits.y, without the 4.
 flat out vec2 cap_depths; // How much deeper the round ends are drawn.
 
 float radius_of(float width, float w) { return 0.5 * width * (traits.x > 0.5 ? pixels_per_mm / w : 1.0); }
@@ -36,6 +38,12 @@ float cap_depth(float radius_px, float w)
     float radius_mm = radius_px * w / pixels_per_mm;
     bool perspective = depth_terms.y != 0.0 && w != 1.0;
     return 0.5 * (perspective ? depth_terms.y / (w + radius_mm) - depth_terms.y / w : -depth_terms.x * radius_mm);
+}
+
+vec3 faded(vec3 color, float height)
+{
+    float depth = traits.y > 3.5 ? (fade_terms.y - height) * fade_terms.z : 0.0;
+    return mix(color, fade_color, fade_terms.x * clamp(depth, 0.0, 1.0));
 }
 
 void main()
@@ -57,9 +65,9 @@ void main()
     end_px = (b.xy / b.w * 0.5 + 0.5) * viewport_px;
     radii_px = vec2(radius_of(begin_width, a.w), radius_of(end_width, b.w));
     heights_mm = vec2(begin_position.z, end_position.z);
-    color_a = begin_color;
-    color_b = end_color;
-    look = traits.y;
+    color_a = faded(begin_color, begin_position.z);
+    color_b = faded(end_color, end_position.z);
+    look = mod(traits.y, 4.0);
     cap_depths = vec2(cap_depth(radii_px.x, a.w), cap_depth(radii_px.y, b.w));
 
     vec2 run = end_px - begin_px;

@@ -189,6 +189,24 @@ TEST_F(RendererTest, HidesCurvesAboveTheSurface)
     EXPECT_NE(at(drawn, Vec3(0, 0, 170)), kRed);
 }
 
+TEST_F(RendererTest, FadesCurvesWithTheDepth)
+{
+    Curve curve;
+    curve.look = Curve::Look::Flat;
+    curve.fades = true;
+    curve.points
+        = { { Vec3f(0, 0, 0), Vec3f(1, 0, 0), 10 }, { Vec3f(0, 0, 300), Vec3f(1, 0, 0), 10 } };
+    GpuCurves const curves(std::span(&curve, 1));
+    Stage stage;
+    stage.curves.push_back(&curves);
+    stage.fade = { .color = { 0, 0, 1 }, .share = 1, .from_mm = 150, .range_mm = 300 };
+    auto const drawn = picture(stage);
+    // Between the ends the colour is that of both in parts.
+    EXPECT_NEAR(at(drawn, Vec3(0, 0, 290)).blue, 0, 12) << "above nothing fades";
+    EXPECT_NEAR(at(drawn, Vec3(0, 0, 10)).blue, 255 / 2, 12);
+    EXPECT_NEAR(at(drawn, Vec3(0, 0, 10)).red, 255 / 2, 12);
+}
+
 TEST_F(RendererTest, PutsAWideHeadOnArrows)
 {
     Curve arrow;

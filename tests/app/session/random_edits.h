@@ -39,8 +39,8 @@ template<typename Enum> Enum random_enum(int count)
 inline Stroke random_stroke()
 {
     Stroke stroke;
-    stroke.tips.resize(*rc::gen::inRange<std::size_t>(0, 6));
-    for (auto& tip : stroke.tips) {
+    stroke.tips.own().resize(*rc::gen::inRange<std::size_t>(0, 6));
+    for (auto& tip : stroke.tips.own()) {
         tip.time = timestamp_ns(*rc::gen::arbitrary<std::int64_t>());
         tip.position_mm = random_vec3();
         tip.pressure = random_double();

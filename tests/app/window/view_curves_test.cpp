@@ -29,7 +29,7 @@ Curve find(std::vector<Curve> const& curves, Vec3f const& begin_mm, Curve::Width
 
 TEST(PadCurves, HaveAGridAtTheSurface)
 {
-    auto const curves = pad_curves(small_state());
+    auto const curves = pad_live_curves(small_state());
     auto const in_grid = std::ranges::count_if(curves, [](auto const& curve) {
         return curve.points.size() == 2 && curve.points[0].color == theme::kGrid
             && curve.points[0].position_mm.z() == 150 && curve.points[1].position_mm.z() == 150;
@@ -39,16 +39,33 @@ TEST(PadCurves, HaveAGridAtTheSurface)
 
 TEST(PadCurves, FadeStrokesWithTheDepthBelowTheSurface)
 {
-    auto const curves = pad_curves(small_state());
+    auto const curves = pad_stroke_curves(small_state());
     auto const stroke = find(curves, { -60, -40, 20 }, Curve::WidthUnit::Millimetres);
-    EXPECT_EQ(stroke.points[1].color, theme::kStroke) << "above the surface nothing is faded";
-    EXPECT_LT(stroke.points[0].color.sum(), theme::kStroke.sum());
+    EXPECT_TRUE(stroke.fades);
+    EXPECT_EQ(stroke.points[0].color, theme::kStroke);
     EXPECT_EQ(stroke.points[0].width, 6);
+    auto const fade = pad_fade(small_state());
+    EXPECT_EQ(fade.from_mm, 150) << "above the surface nothing is faded";
+    EXPECT_EQ(fade.range_mm, 300);
+}
+
+TEST(PadCurves, ShowTheBranchesThatTheInkWouldMove)
+{
+    auto state = small_state();
+    auto const before = pad_live_curves(state).size();
+    state.preview = { { .points_mm = { { 0, 0, 200 }, { 0, 100, 400 } },
+                        .width_mm = 15,
+                        .state = SkeletonLine::State::Assigned } };
+    auto const curves = pad_live_curves(state);
+    EXPECT_EQ(curves.size(), before + 1);
+    auto const moved = find(curves, { 0, 0, 80 }, Curve::WidthUnit::Pixels);
+    EXPECT_TRUE(moved.points.back().position_mm.isApprox(Vec3f(0, 40, 160)));
+    EXPECT_EQ(preview_curves(state).front().points[0].color, theme::kAssigned);
 }
 
 TEST(PadCurves, DropALineFromThePenToTheFloor)
 {
-    auto const curves = pad_curves(small_state());
+    auto const curves = pad_live_curves(small_state());
     auto const drop = find(curves, { 40, 30, 150 }, Curve::WidthUnit::Pixels);
     EXPECT_EQ(drop.points.back().position_mm, Vec3f(40, 30, 0));
 }
@@ -56,14 +73,14 @@ TEST(PadCurves, DropALineFromThePenToTheFloor)
 TEST(PadCurves, LeaveThePenOutWhenItIsAway)
 {
     auto state = small_state();
-    auto const with_pen = pad_curves(state).size();
+    auto const with_pen = pad_live_curves(state).size();
     state.pen.in_range = false;
-    EXPECT_EQ(pad_curves(state).size(), with_pen - 3);
+    EXPECT_EQ(pad_live_curves(state).size(), with_pen - 3);
 }
 
 TEST(PadCurves, PutTheSkeletonIntoTheVolume)
 {
-    auto const curves = pad_curves(small_state());
+    auto const curves = pad_skeleton_curves(small_state());
     auto const branch = find(curves, { 0, 0, 80 }, Curve::WidthUnit::Pixels);
     EXPECT_TRUE(branch.points.back().position_mm.isApprox(Vec3f(-80, 0, 160)));
 }

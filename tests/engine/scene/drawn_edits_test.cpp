@@ -128,7 +128,7 @@ TEST(DrawnEdits, RedrawingAPartMovesThePlant)
     EXPECT_GT((plant_of(redrawn).node_position_mm.back() - plant_of(scene).node_position_mm.back())
                   .norm(),
               1);
-    for (auto& tip : over.tips)
+    for (auto& tip : over.tips.own())
         tip.position_mm.x() += 500;
     EXPECT_FALSE(apply_edit(scene, Oversketch { { 0 }, over }));
 }

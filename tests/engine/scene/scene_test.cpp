@@ -127,5 +127,25 @@ TEST(Scene, GrowsTheDrawnShapeWithoutNoise)
                 axis_length_mm(*scene.base, scene.base->axes[0]), 1e-6);
 }
 
+TEST(Scene, KnowsTheStrokesThatStillShapeSomething)
+{
+    auto const loaded = apply_edit({}, small_model()).value();
+    Edit const select = Select { trunk(loaded) };
+    Edit const stroke = Associate { bent_stroke() };
+    Edit const on_branches = Associate { bent_stroke(), Propagation::Descendants };
+    auto const straight
+        = Associate { { { { .position_mm = { 0, 0, 0 } }, { .position_mm = { 0, 0, 90 } } } } };
+    std::vector<Edit> edits { small_model(), select, straight, on_branches, stroke };
+    auto const scene = fold(edits).value();
+    auto const shaping = shaping_associations(scene);
+    ASSERT_EQ(shaping.size(), 2u);
+    EXPECT_EQ(shaping[0].propagation, Propagation::Descendants);
+    EXPECT_EQ(shaping[1].propagation, Propagation::Selected);
+    auto const of_all = resolve_associations(*scene.base, *scene.rest, scene.associations).value();
+    auto const of_shaping = resolve_associations(*scene.base, *scene.rest, shaping).value();
+    for (std::size_t i = 0; i < of_all.frame.size(); ++i)
+        EXPECT_EQ(of_shaping.frame[i].coeffs(), of_all.frame[i].coeffs()) << i;
+}
+
 } // namespace
 } // namespace tractus

@@ -58,7 +58,7 @@ TEST(Association, ScaleOfTheStrokeDoesNotMatter)
 {
     auto const plant = hand_made_plant();
     auto small = quarter_circle();
-    for (auto& tip : small.tips)
+    for (auto& tip : small.tips.own())
         tip.position_mm = 0.01 * tip.position_mm + Vec3(7, 8, 9);
     auto const a = shaped(plant, { { .path = { 0, 1, 2, 3 }, .stroke = quarter_circle() } });
     auto const b = shaped(plant, { { .path = { 0, 1, 2, 3 }, .stroke = small } });

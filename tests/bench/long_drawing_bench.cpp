@@ -1,0 +1,105 @@
+// Eight hours of drawing, as fast as they can be replayed: a stroke of a second, three seconds of
+// looking at it, and now and then one taken back. Says after each hour what memory the program has,
+// which should stay the same; what was drawn is kept in a session.
+#include "app/model_file.h"
+#include "app/resources.h"
+#include "app/session_plant.h"
+#include "app/station_desk.h"
+#include "tests/app/simple_rig.h"
+#include "tests/bench/report.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fmt/core.h>
+#include <fstream>
+#include <malloc.h>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kHours = 8;
+constexpr std::int64_t kCycle_ms = 4000;
+constexpr std::int64_t kStroke_ms = 1000;
+constexpr std::int64_t kFrame_ms = 16;
+constexpr int kStrokesPerUndo = 10;
+
+double resident_mb()
+{
+    std::size_t all = 0, resident = 0;
+    std::ifstream("/proc/self/statm") >> all >> resident;
+    return static_cast<double>(resident * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE))) / 1e6;
+}
+
+class Day {
+public:
+    explicit Day(fs::path const& path)
+        : desk_(station_, begin_session(path, { model() }).value(), ".")
+    {
+    }
+
+    // One stroke and what follows it.
+    void cycle()
+    {
+        for (std::int64_t ms = 0; ms < kCycle_ms; ++ms, ++now_ms_) {
+            station_.push(kHeight, at_ms(now_ms_),
+                          height_report(2000 + static_cast<int>(ms % 300)));
+            if (ms % 5 == 0 && ms < 2 * kStroke_ms) {
+                double const turn = static_cast<double>(ms) * 0.002 + static_cast<double>(strokes_);
+                station_.push(kPen, at_ms(now_ms_),
+                              pen_report(100 + 30 * std::cos(turn),
+                                         50 + 0.02 * static_cast<double>(ms), ms < kStroke_ms));
+            }
+            if (ms % kFrame_ms == 0)
+                desk_.show(station_, at_ms(now_ms_));
+        }
+        if (++strokes_ % kStrokesPerUndo != 0)
+            return;
+        desk_.perform(Undo {}, station_);
+        desk_.view().settle(); // Growing keeps up with a hand, but not with this one.
+    }
+
+    std::size_t kept() const { return station_.scene().associations.size(); }
+
+private:
+    static Edit model() { return load_plant_edit(find_model("broadleaf").value()).value(); }
+
+    static Station new_station()
+    {
+        StationOptions options;
+        options.scene = apply_edit({}, model()).value();
+        return Station::create(simple_rig(), options).value();
+    }
+
+    Station station_ = new_station();
+    StationDesk desk_;
+    std::int64_t now_ms_ = 0;
+    std::int64_t strokes_ = 0;
+};
+
+void draw_for_eight_hours(benchmark::State& state)
+{
+    auto const path
+        = fs::temp_directory_path() / fmt::format("tractus-bench-{}.tractus", ::getpid());
+    constexpr std::int64_t kCycles = 3'600'000 / kCycle_ms;
+    for (auto _ : state) {
+        fs::remove(path);
+        Day day(path);
+        for (std::int64_t hour = 1; hour <= kHours; ++hour) {
+            for (std::int64_t i = 0; i < kCycles; ++i)
+                day.cycle();
+            auto const resident = resident_mb();
+            ::malloc_trim(0);
+            fmt::print(stderr, "# hour {}: {} strokes, {:.1f} MB resident, {:.1f} MB trimmed\n",
+                       hour, day.kept(), resident, resident_mb());
+        }
+    }
+    fs::remove(path);
+    report(state, { .items = kHours * kCycles, .item = "strokes" });
+}
+BENCHMARK(draw_for_eight_hours)->Iterations(1)->Unit(benchmark::kSecond);
+
+} // namespace
+} // namespace tractus

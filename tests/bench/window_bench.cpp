@@ -1,0 +1,161 @@
+// What the station's window has to do itself, without the graphics card: from a report to the ink's
+// vertices in the list of what is drawn, and a whole frame, while plants grow in the background.
+//
+// The times are those of the 99th of a hundred frames (p99) or of the usual one (median), at 60 of
+// them a second; items per second say how many would fit.
+#include "app/station_view.h"
+#include "app/window/view_curves.h"
+#include "tests/app/simple_rig.h"
+#include "tests/bench/report.h"
+#include "tests/engine/mesh/sample_plants.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+namespace tractus {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kFrames = 240;
+constexpr int kFramesPerStroke = 60;
+constexpr int kPenReports = 4;     // A frame: a pen of 250 Hz.
+constexpr int kHeightReports = 16; // A sensor of 1 kHz.
+
+// A trunk with limbs and twigs on them: so many segments, in axes of a hundred.
+Plant big_plant(std::size_t segments)
+{
+    constexpr std::uint32_t kAxis = 100;
+    Random random({ .seed = 1 });
+    Plant plant;
+    plant.materials = { {} };
+    AxisSketch sketch {
+        .segment_mm = 20, .segment_count = kAxis, .radius_mm = 60, .bend_rad = 0.05
+    };
+    append_axis(plant, sketch, random);
+    for (AxisId bearer = 0; plant.segment_count() < segments; ++bearer) {
+        auto const axis = plant.axes[bearer];
+        for (std::uint32_t i = 10; i < kAxis && plant.segment_count() < segments; i += 4) {
+            sketch.base_mm = plant.node_position_mm[axis.first_node + i + 1];
+            sketch.direction = Vec3(random.normal(), random.normal(), 0.5 + random.normal());
+            sketch.segment_mm = 20.0 / (2 + axis.order);
+            sketch.radius_mm = 0.4 * static_cast<double>(plant.node_radius_mm[axis.first_node + i]);
+            sketch.tip_radius_mm = 0.4 * sketch.radius_mm;
+            sketch.parent_segment = axis.first_segment + i;
+            sketch.parent_axis = bearer;
+            sketch.order = axis.order + 1;
+            append_axis(plant, sketch, random);
+        }
+    }
+    return plant;
+}
+
+Scene scene_of(std::size_t segments)
+{
+    Scene scene;
+    auto plant = big_plant(segments);
+    scene.placement = place_on_desk(plant);
+    scene.base = std::make_shared<Plant const>(std::move(plant));
+    scene.rest = std::make_shared<RestShape const>(find_rest_shape(*scene.base));
+    return scene;
+}
+
+// A hand that draws circles, a stroke a second, each for the next branch.
+class Drawing {
+public:
+    explicit Drawing(Scene scene)
+        : station_(station_on(std::move(scene)))
+        , view_(station_, ".")
+    {
+    }
+
+    // All that a frame does to show what has come; how long it took.
+    Clock::duration frame()
+    {
+        if (!view_.state().is_growing)
+            view_.preview({ {}, ++seed_ });
+        auto const begin = Clock::now();
+        push_reports();
+        view_.show(station_);
+        auto const curves = pad_live_curves(view_.state());
+        benchmark::DoNotOptimize(curves.data());
+        if (follow(view_.state().strokes_revision, strokes_))
+            benchmark::DoNotOptimize(pad_stroke_curves(view_.state()).data());
+        if (follow(view_.state().preview_revision, preview_))
+            benchmark::DoNotOptimize(preview_curves(view_.state()).data());
+        if (follow(view_.state().skeleton_revision, skeleton_)) {
+            benchmark::DoNotOptimize(pad_skeleton_curves(view_.state()).data());
+            benchmark::DoNotOptimize(skeleton_curves(view_.state()).data());
+        }
+        station_.forget_strokes();
+        return Clock::now() - begin;
+    }
+
+private:
+    static Station station_on(Scene scene)
+    {
+        StationOptions options;
+        options.scene = std::move(scene);
+        return Station::create(simple_rig(), options).value();
+    }
+
+    static bool follow(std::uint64_t revision, std::uint64_t& seen)
+    {
+        return std::exchange(seen, revision) != revision;
+    }
+
+    void push_reports()
+    {
+        for (int i = 0; i < kHeightReports; ++i) {
+            now_us_ += 1000;
+            station_.push(kHeight, timestamp_ns(now_us_ * 1000), height_report(2000 + i % 3));
+            if (i % (kHeightReports / kPenReports) != 0)
+                continue;
+            double const turn = 0.02 * static_cast<double>(++samples_);
+            bool const touches = samples_ % (kPenReports * kFramesPerStroke) != 0;
+            station_.push(kPen, timestamp_ns(now_us_ * 1000),
+                          pen_report(100 + 40 * std::cos(turn), 70 + 40 * std::sin(turn), touches));
+        }
+    }
+
+    Station station_;
+    StationView view_;
+    std::int64_t now_us_ = 0;
+    std::int64_t samples_ = 0;
+    std::uint64_t seed_ = 0;
+    std::uint64_t strokes_ = 0;
+    std::uint64_t preview_ = 0;
+    std::uint64_t skeleton_ = 0;
+};
+
+void frames_while_drawing(benchmark::State& state, double percentile)
+{
+    Drawing drawing(scene_of(static_cast<std::size_t>(state.range(0))));
+    for (auto _ : state) {
+        std::vector<double> took_s;
+        auto next = Clock::now();
+        for (int i = 0; i < kFrames; ++i) {
+            std::this_thread::sleep_until(next += std::chrono::microseconds(16'667));
+            took_s.push_back(std::chrono::duration<double>(drawing.frame()).count());
+        }
+        auto const at = static_cast<std::ptrdiff_t>(percentile * (kFrames - 1));
+        std::nth_element(took_s.begin(), took_s.begin() + at, took_s.end());
+        state.SetIterationTime(took_s[static_cast<std::size_t>(at)]);
+    }
+    report(state, { .items = 1, .item = "frames" });
+}
+
+void frame_while_drawing_median(benchmark::State& state)
+{
+    frames_while_drawing(state, 0.5);
+}
+void frame_while_drawing_p99(benchmark::State& state)
+{
+    frames_while_drawing(state, 0.99);
+}
+BENCHMARK(frame_while_drawing_median)->Arg(50'000)->Arg(1'300'000)->Iterations(1)->UseManualTime();
+BENCHMARK(frame_while_drawing_p99)->Arg(50'000)->Arg(1'300'000)->Iterations(1)->UseManualTime();
+
+} // namespace
+} // namespace tractus

@@ -1,0 +1,50 @@
+#include "engine/base/shared_vector.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+TEST(SharedVector, SharesItsElementsWithItsCopies)
+{
+    SharedVector<int> const one { 1, 2, 3 };
+    auto const other = one;
+    EXPECT_EQ(other.data(), one.data());
+    EXPECT_EQ(other, one);
+    EXPECT_EQ(other.size(), 3u);
+}
+
+TEST(SharedVector, HasItsOwnElementsOnceItIsChanged)
+{
+    SharedVector<int> const one { 1, 2, 3 };
+    auto other = one;
+    other.own()[0] = 7;
+    other.push_back(4);
+    EXPECT_EQ(one.vector(), (std::vector { 1, 2, 3 }));
+    EXPECT_EQ(other.vector(), (std::vector { 7, 2, 3, 4 }));
+    EXPECT_NE(other, one);
+}
+
+TEST(SharedVector, IsChangedInPlaceByItsOnlyOwner)
+{
+    SharedVector<int> one(std::vector { 1, 2, 3 });
+    auto const* const data = one.data();
+    one.own()[0] = 7;
+    EXPECT_EQ(one.data(), data);
+    EXPECT_EQ(one.front(), 7);
+}
+
+TEST(SharedVector, IsEmptyAtFirstAndWhenItIsCleared)
+{
+    SharedVector<int> one;
+    EXPECT_TRUE(one.empty());
+    EXPECT_EQ(one, SharedVector<int>(std::vector<int> {}));
+    one.push_back(1);
+    auto const copy = one;
+    one.clear();
+    EXPECT_TRUE(one.empty());
+    EXPECT_EQ(copy.back(), 1);
+}
+
+} // namespace
+} // namespace tractus
