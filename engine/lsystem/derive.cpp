@@ -45,7 +45,7 @@ public:
         machine_.set_time_limit(&options.limits.time);
         if (!model.subsystems.empty())
             subsystems_.emplace(model, machine_, branches_);
-        has_queries_ = has_queries(model);
+        has_queries_ = has_queries(model) || keeps_cuts(model);
     }
 
     Result<ModuleString> run();
@@ -207,6 +207,7 @@ Result<void> Derivation::rewrite()
     if (subsystems_)
         return subsystems_->rewrite(task, step_ >= length());
     rewriter_.rewrite(task, { 0, in_.size(), 0 });
+    rewriter_.rewrite_kept(task);
     return {};
 }
 

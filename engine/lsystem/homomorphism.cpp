@@ -38,7 +38,7 @@ Result<bool> HomomorphismWalk::read(Sink const& sink)
 
 void HomomorphismWalk::cut()
 {
-    pass(branch_end(model_, string_, at_) - at_);
+    pass(cut_end(model_, string_, at_) - at_);
 }
 
 void HomomorphismWalk::pass(std::size_t count)
@@ -79,6 +79,7 @@ Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& 
     result.globals = string.globals;
     result.arrays = string.arrays;
     result.calls = string.calls;
+    result.turtles = string.turtles;
     result.seed = string.seed;
     return result;
 }

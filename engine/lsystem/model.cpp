@@ -422,10 +422,9 @@ Model Parser::finish()
     set_ignored(model_, ignored_.front());
     for (std::size_t i = 0; i < model_.subsystems.size(); ++i)
         set_ignored(model_.subsystems[i], ignored_[i + 1]);
-    auto const& kinds = model_.alphabet.kinds;
-    if (std::find(kinds.begin(), kinds.end(), ModuleKind { '%', 1 }) != kinds.end())
-        names_.warn(fmt::format("{}: %(x) removes the rest of its branch, as % does; keeping it "
-                                "at the string's end is not supported",
+    if (!model_.subsystems.empty() && find_kind(model_.alphabet, { '%', 1 }))
+        names_.warn(fmt::format("{}: %(x) removes the rest of its branch, as % does; models with "
+                                "sub-L-systems cannot keep it at the string's end",
                                 model_.name));
     model_.formats = std::move(names_.formats);
     auto& warnings = model_.warnings;
@@ -435,6 +434,14 @@ Model Parser::finish()
 }
 
 } // namespace
+
+std::optional<KindId> find_kind(Alphabet const& alphabet, ModuleKind const& kind)
+{
+    auto const found = std::find(alphabet.kinds.begin(), alphabet.kinds.end(), kind);
+    if (found == alphabet.kinds.end())
+        return std::nullopt;
+    return static_cast<KindId>(found - alphabet.kinds.begin());
+}
 
 Result<Model> compile_model(ModelSource const& source, IncludeReader const& include)
 {

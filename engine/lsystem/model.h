@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,9 @@ struct Alphabet {
 
     ModuleKind const& operator[](KindId id) const { return kinds[id]; }
 };
+
+// No value for a kind that the model does not name.
+std::optional<KindId> find_kind(Alphabet const& alphabet, ModuleKind const& kind);
 
 // A string of modules to be written with new parameters: its kinds are copied as they are, its
 // parameters come from the registers, in order.

@@ -91,6 +91,26 @@ struct SubsystemCall {
     std::vector<std::vector<double>> arrays;
 };
 
+// A module %(x) in a string, which cuts its branch off in the next step: the turtle drawing the
+// branch then begins as ModuleString::turtles[turtle].
+struct KeptCut {
+    std::size_t module = 0;
+    std::size_t turtle = 0;
+};
+
+// Where the turtle was when it came to a %(x), and what it drew with. In the plant's frame, turtle
+// units.
+struct KeptTurtle {
+    Vec3 position = Vec3::Zero();
+    Vec3 heading = Vec3::UnitZ();
+    Vec3 left = -Vec3::UnitX();
+    Vec3 down = Vec3::UnitY();
+    double width = 0;
+    double scale = 1;
+    double elasticity = 0;
+    std::uint8_t color = 0;
+};
+
 // A string of modules: one byte for each module's kind, and the parameters of all modules one after
 // another, as many for each as its kind says.
 struct ModuleString {
@@ -102,6 +122,8 @@ struct ModuleString {
     std::vector<double> globals;
     std::vector<std::vector<double>> arrays;
     std::vector<SubsystemCall> calls; // One for each ?(…) in the string, in their order.
+    std::vector<KeptCut> cuts;        // In the order of the string.
+    std::vector<KeptTurtle> turtles;  // %(x,i) goes on with turtle i.
     std::uint64_t seed = 0;           // Of the numbers that homomorphism rules draw.
 
     std::size_t size() const { return kinds.size(); }

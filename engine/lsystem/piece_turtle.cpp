@@ -19,6 +19,7 @@ PieceTurtle::PieceTurtle(DrawingJob& job, BranchIndex const* index)
     , homomorphism_(job.model, job.model.homomorphism, machine_)
     , turtle_(job.model, job.options)
 {
+    turtle_.set_kept(string_.turtles);
     if (index)
         cutter_.emplace(*index);
     machine_.set_time_limit(&job.options.time);
@@ -122,7 +123,7 @@ bool PieceTurtle::draw_next()
 {
     pass(draw_one());
     if (turtle_.take_cut())
-        pass(branch_end(model_, string_, at_) - at_);
+        pass(cut_end(model_, string_, at_) - at_);
     if (drawn_ < kDrawnBatch)
         return true;
     count();

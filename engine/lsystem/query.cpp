@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fmt/core.h>
 #include <string_view>
 
 namespace tractus {
@@ -28,9 +29,12 @@ public:
         , machine_(main)
         , walk_(model, string, machine_)
         , turtle_(model, options_)
+        , keeps_cuts_(keeps_cuts(model))
     {
         machine_.set_printer(nullptr);
         turtle_.begin(turtle_.start(), drawing_);
+        turtle_.set_kept(string.turtles);
+        string.cuts.clear();
     }
 
     Result<void> run();
@@ -38,11 +42,13 @@ public:
 
 private:
     std::size_t draw(Modules const& modules);
+    void keep();
     void answer(char query, std::span<float> parameters) const;
     void ask_environment(Modules const& modules, std::size_t length, std::span<float> parameters);
 
     // Only the frame counts: what is drawn is dropped when it is more than this.
     static constexpr std::size_t kMaxParts = 65'536;
+    static constexpr std::size_t kMaxKept = 1'000'000; // Each needs as much as many modules.
 
     Model const& model_;
     ModuleString& string_;
@@ -52,6 +58,8 @@ private:
     Drawing drawing_;
     Turtle turtle_;
     std::vector<EnvironmentQuery> queries_;
+    bool keeps_cuts_;
+    std::vector<KeptTurtle> kept_; // Found in this string.
 };
 
 Result<void> Questioning::run()
@@ -62,7 +70,13 @@ Result<void> Questioning::run()
             walk_.cut();
         if (drawing_.part_count() > kMaxParts)
             turtle_.drop_drawing();
+        if (string_.turtles.size() + kept_.size() > kMaxKept)
+            return fail(Fault::User,
+                        fmt::format("{}: %(x) keeps more than {} branches; derive "
+                                    "fewer steps",
+                                    model_.name, kMaxKept));
     }
+    string_.turtles.insert(string_.turtles.end(), kept_.begin(), kept_.end());
     return {};
 }
 
@@ -71,6 +85,8 @@ std::size_t Questioning::draw(Modules const& modules)
     bool const is_in_string = walk_.is_in_string(modules);
     auto const& first = model_.alphabet[modules.kinds[0]];
     auto const length = symbol_length(model_.alphabet, { modules.kinds, modules.count });
+    if (first == ModuleKind { '%', 1 } && is_in_string && keeps_cuts_)
+        keep();
     if (first.symbol != '?' || length != 2 || !is_in_string)
         return turtle_.draw(modules, walk_.at(), !is_in_string);
     auto const& query = model_.alphabet[modules.kinds[1]];
@@ -81,6 +97,12 @@ std::size_t Questioning::draw(Modules const& modules)
     else
         answer(query.symbol, parameters);
     return length;
+}
+
+void Questioning::keep()
+{
+    string_.cuts.push_back({ walk_.at(), string_.turtles.size() + kept_.size() });
+    kept_.push_back(turtle_.kept());
 }
 
 void Questioning::answer(char query, std::span<float> parameters) const
@@ -130,6 +152,11 @@ void Questioning::ask_environment(Modules const& modules, std::size_t length,
 }
 
 } // namespace
+
+bool keeps_cuts(Model const& model)
+{
+    return model.subsystems.empty() && find_kind(model.alphabet, { '%', 1 });
+}
 
 bool has_queries(Model const& model)
 {

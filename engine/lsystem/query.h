@@ -36,12 +36,16 @@ using Environment = std::function<void(int step, std::span<EnvironmentQuery cons
 // Whether strings of the model can have query modules, ?P ?H ?L ?U ?Q or ?E.
 bool has_queries(Model const& model);
 
-// Runs the turtle over the string, without drawing, and fills its query modules: ?P(x,y,z) with the
-// turtle's position, ?H ?L ?U(x,y,z) with the directions of its frame, ?Q(x,y,z,w) with the
-// quaternion that turns x, y and z into ?H, ?L and away from ?U; then asks the environment, if
-// there is one, about the ?E. A query with fewer parameters gets the first of the values; one that
-// a homomorphism rule makes gets none. What the turtle does to the string's variables, by
-// homomorphism rules, is forgotten. Fails like apply_homomorphism().
+// Whether strings of the model can keep what %(x) cuts off: it goes to the string's end, where the
+// turtle begins as it was at the cut.
+bool keeps_cuts(Model const& model);
+
+// Runs the turtle over the string, without drawing, notes where it comes to a %(x), and fills its
+// query modules: ?P(x,y,z) with the turtle's position, ?H ?L ?U(x,y,z) with the directions of its
+// frame, ?Q(x,y,z,w) with the quaternion that turns x, y and z into ?H, ?L and away from ?U; then
+// asks the environment, if there is one, about the ?E. A query with fewer parameters gets the first
+// of the values; one that a homomorphism rule makes gets none. What the turtle does to the string's
+// variables, by homomorphism rules, is forgotten. Fails like apply_homomorphism().
 Result<void> answer_queries(Model const& model, ModuleString& string, Machine const& main, int step,
                             Environment const& environment);
 

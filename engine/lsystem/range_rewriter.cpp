@@ -1,5 +1,7 @@
 #include "engine/lsystem/range_rewriter.h"
 
+#include "engine/base/check.h"
+
 #include <algorithm>
 
 namespace tractus {
@@ -215,8 +217,12 @@ std::size_t RangeRewriter::rewrite_one(Modules const& rest, Surroundings const& 
         if (decomposed)
             return std::max<std::size_t>(count, 1);
     }
-    if (symbol.symbol == '%' && symbol.parameter_count < 2)
-        return branch_end(model_, *in_, around.left + 1) - around.left; // A cut.
+    if (symbol.symbol == '%' && symbol.parameter_count < 2) {
+        auto const end = cut_end(model_, *in_, around.left + 1);
+        if (symbol.parameter_count == 1)
+            keep({ around.left + 1, end, around.left_parameters + 1 });
+        return end - around.left;
+    }
     append_one(rest);
     return 1;
 }
@@ -246,6 +252,33 @@ void RangeRewriter::decompose_successor(Surroundings const& around, std::size_t 
             parameter += model_.alphabet[rest.kinds[k]].parameter_count;
         i += count;
     }
+}
+
+// Remembers what a %(x) has cut off, from the module behind it on.
+void RangeRewriter::keep(Range const& range)
+{
+    auto const& cuts = in_->cuts;
+    auto const cut = std::lower_bound(
+        cuts.begin(), cuts.end(), range.begin - 1,
+        [](KeptCut const& other, std::size_t module) { return other.module < module; });
+    if (cut != cuts.end() && cut->module == range.begin - 1)
+        kept_.push_back({ range, cut->turtle });
+}
+
+void RangeRewriter::rewrite_kept(Task const& task)
+{
+    begin(task);
+    auto const kind = find_kind(model_.alphabet, { '%', 2 });
+    for (std::size_t i = 0; i < kept_.size() && !is_over(); ++i) { // They may keep more.
+        auto const [range, turtle] = kept_[i];
+        CHECK(kind);
+        out_->kinds.append(&*kind, 1);
+        out_->parameters.append(in_->parameters.data() + range.parameter - 1, 1);
+        auto const number = static_cast<float>(turtle);
+        out_->parameters.append(&number, 1);
+        rewrite_any(range, task.step);
+    }
+    kept_.clear();
 }
 
 void RangeRewriter::append_one(Modules const& modules)

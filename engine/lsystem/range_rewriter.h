@@ -94,6 +94,10 @@ public:
     // the machine stops.
     void rewrite(Task const& task, Range const& range);
 
+    // Appends the branches that %(x) has cut off in rewrite() since this was called last, each
+    // behind a %(x,i), where i is its turtle's number.
+    void rewrite_kept(Task const& task);
+
     // Appends what the module at `at` becomes, whose parameters begin at `parameter`; returns how
     // many modules have been read: more than one for long predecessors and cuts.
     std::size_t rewrite_module(Task const& task, std::size_t at, std::size_t parameter);
@@ -107,6 +111,7 @@ private:
     std::size_t rewrite_one(Modules const& rest, Surroundings const& around);
     void decompose_successor(Surroundings const& around, std::size_t predecessor_length);
     void append_one(Modules const& modules);
+    void keep(Range const& range);
     void begin(Task const& task);
     bool is_over() const
     {
@@ -125,6 +130,11 @@ private:
     ModuleString* out_ = nullptr;      // Not owned.
     StringLimit limit_;
     ModuleString successor_; // Of one rule, before decomposition.
+    struct Kept {
+        Range range;
+        std::size_t turtle = 0;
+    };
+    std::vector<Kept> kept_;
 };
 
 } // namespace tractus

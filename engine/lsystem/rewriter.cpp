@@ -19,6 +19,19 @@ std::size_t branch_end(Model const& model, ModuleString const& string, std::size
     return string.size();
 }
 
+std::size_t cut_end(Model const& model, ModuleString const& string, std::size_t from)
+{
+    auto const end = branch_end(model, string, from);
+    int depth = 0;
+    for (auto i = from; i < end; ++i) {
+        auto const& kind = model.alphabet[string.kinds[i]];
+        depth += (kind.symbol == '[') - (kind.symbol == ']');
+        if (kind.symbol == '%' && kind.parameter_count > 0 && depth == 0)
+            return i;
+    }
+    return end;
+}
+
 void find_branches(Model const& model, ModuleString const& string, Branches& branches)
 {
     auto const count = string.size();

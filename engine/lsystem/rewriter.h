@@ -32,6 +32,11 @@ struct Branches {
 // its sub-L-system, whichever comes first; the string's size when none does.
 std::size_t branch_end(Model const& model, ModuleString const& string, std::size_t from);
 
+// What a cut before module `from` removes ends here: at the branch's end, or before the next %(x)
+// or
+// %(x,i) of the branch, as in cpfg.
+std::size_t cut_end(Model const& model, ModuleString const& string, std::size_t from);
+
 // Fills `branches` for a string of fewer than 2^32 modules and parameters.
 void find_branches(Model const& model, ModuleString const& string, Branches& branches);
 

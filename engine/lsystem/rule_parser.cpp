@@ -22,7 +22,10 @@ Result<KindId> RuleParser::kind(char symbol, std::size_t parameter_count)
                         "number of parameters is a kind)",
                         Alphabet::kMaxKinds));
     kinds.push_back(wanted);
-    return static_cast<KindId>(kinds.size() - 1);
+    auto const result = static_cast<KindId>(kinds.size() - 1);
+    if (wanted == ModuleKind { '%', 1 }) // What stands before the branch that it keeps.
+        TRY(kind('%', 2));
+    return result;
 }
 
 Result<char> RuleParser::symbol()

@@ -158,6 +158,8 @@ std::size_t Turtle::draw(Modules const& modules, std::size_t place, bool in_homo
         return length;
     if (symbol.name[0] == '%' && !in_homomorphism && symbol.count == 0)
         is_cut_ = !view_.draws_past_cut;
+    else if (symbol.name[0] == '%' && !in_homomorphism)
+        go_on_with(symbol);
     else
         draw_symbol(symbol);
     return length;
@@ -253,6 +255,35 @@ void Turtle::enter_subsystem(Symbol const& symbol)
     state_.scale = scale;
     if (outer != 0)
         state_.width = std::clamp(state_.width * scale / outer, kMinWidth, 1e6);
+}
+
+KeptTurtle Turtle::kept() const
+{
+    auto const& frame = state_.frame;
+    return { frame.position_mm / options_.unit_mm,
+             frame.heading,
+             frame.left,
+             frame.down,
+             state_.width,
+             state_.scale,
+             state_.elasticity,
+             state_.color };
+}
+
+// %(x,i): what a cut has kept, which stands by itself now.
+void Turtle::go_on_with(Symbol const& symbol)
+{
+    double const number = symbol.parameter(1, -1);
+    if (!(number >= 0) || number >= static_cast<double>(kept_.size()))
+        return;
+    auto const& kept = kept_[static_cast<std::size_t>(number)];
+    state_.frame = { kept.position * options_.unit_mm, kept.heading, kept.left, kept.down };
+    state_.width = kept.width;
+    state_.scale = kept.scale;
+    state_.elasticity = kept.elasticity;
+    state_.color = kept.color;
+    state_.place = {};
+    extras_.carried = state_.frame;
 }
 
 void Turtle::leave_subsystem()

@@ -55,6 +55,11 @@ public:
     // As the view has it.
     Start start() const;
 
+    // What %(x,i) goes on with; must outlive the drawing.
+    void set_kept(std::span<KeptTurtle const> turtles) { kept_ = turtles; }
+    // As a %(x) here keeps it.
+    KeptTurtle kept() const;
+
     // From here on draws into `drawing`, beginning as given.
     void begin(Start const& start, Drawing& drawing);
 
@@ -130,6 +135,7 @@ private:
     void set_scale(Symbol const& symbol);
     void enter_subsystem(Symbol const& symbol);
     void leave_subsystem();
+    void go_on_with(Symbol const& symbol);
     void set_color(Symbol const& symbol, int sign);
     void turn(Vec3& a, Vec3& b, Symbol const& symbol, double sign);
     void set_position(Symbol const& symbol);
@@ -173,6 +179,7 @@ private:
     std::vector<State> stack_;
     std::vector<Extras> extras_stack_; // Used if there are extras.
     std::vector<OpenPolygon> polygons_;
+    std::span<KeptTurtle const> kept_;
     std::vector<double> call_scales_; // Of the calls of sub-L-systems that are open.
     OpenCylinder cylinder_;           // While state_.path is not None.
     std::vector<OpenCylinder> cylinder_stack_;

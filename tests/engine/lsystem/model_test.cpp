@@ -98,12 +98,9 @@ TEST(Model, WarnsOnceOfWhatItLacks)
 {
     auto const model = compiled("Lsystem: 1\nStart: {stop(1); stop(1); y = z; y = z;}\nAxiom: "
                                 "A%(1)\nA --> B(stop(z))\nendlsystem\n");
-    ASSERT_EQ(model.warnings.size(), 3u);
+    ASSERT_EQ(model.warnings.size(), 2u);
     EXPECT_EQ(model.warnings[0], "model.l:2:9: stop() is not supported; its value is 0");
     EXPECT_EQ(model.warnings[1], "model.l:2:31: z is not defined; its value is 0");
-    EXPECT_EQ(model.warnings[2],
-              "model.l: %(x) removes the rest of its branch, as % does; keeping "
-              "it at the string's end is not supported");
 }
 
 TEST(Model, RefusesFilesWithOneWarning)

@@ -158,5 +158,40 @@ TEST(Cuts, EndTheDrawingOnlyIfTheViewSaysSo)
     EXPECT_EQ(drawn("F[FF%FF]F", "interpretation past %: off\n").segment_count(), 4u);
 }
 
+// As cpfg: the branch goes to the string's end in the step after the cut, and stays where it was.
+TEST(KeptCuts, GoToTheStringsEnd)
+{
+    std::string const rules = "Axiom: F[+(90)F(2)A]F(3)\nA --> %(7)F(4)B\nB --> F(1)B";
+    EXPECT_EQ(derived(rules, 1), "F[+(90)F(2)%(7)F(4)B]F(3)");
+    EXPECT_EQ(derived(rules, 2), "F[+(90)F(2)]F(3)%(7,0)F(4)F(1)B");
+    EXPECT_EQ(derived(rules, 3), "F[+(90)F(2)]F(3)%(7,0)F(4)F(1)F(1)B");
+    auto const model = compiled(with_header(rules, 2));
+    auto const plant = interpret(model, derive(model).value(), { .unit_mm = 10 }).value();
+    check_plant(plant);
+    ASSERT_EQ(plant.axes.size(), 3u);
+    auto const& axis = plant.axes[2];
+    EXPECT_EQ(axis.parent_segment, kNone); // It has fallen off.
+    auto const nodes = plant.positions(axis);
+    EXPECT_LT((nodes.front() - Vec3(-20, 0, 10)).norm(), 1e-9);
+    EXPECT_LT((nodes.back() - Vec3(-70, 0, 10)).norm(), 1e-9);
+}
+
+TEST(KeptCuts, EndBeforeTheNextOneAndInsideOfPlainOnes)
+{
+    // The first keeps A, the second B; each goes on by itself.
+    EXPECT_EQ(derived("Axiom: F%(1)AF%(2)BF\nA --> C\nB --> D"), "F%(1,0)CF%(2,1)DF");
+    EXPECT_EQ(derived("Axiom: [F%AF%(2)BF]F\nB --> D"), "[F]F%(2,0)DF");
+    EXPECT_EQ(derived("Axiom: [F%A[%(2)B]F]F\nB --> D"), "[F]F");
+    // A rule for it is as good as any.
+    EXPECT_EQ(derived("Axiom: F%(1)A\n%(x) --> G(x+1)"), "FG(2)A");
+}
+
+// Turtles are numbered on from step to step.
+TEST(KeptCuts, StayApartOverManySteps)
+{
+    EXPECT_EQ(derived("Axiom: A(0)\nA(i) --> F[%(i)L]A(i+1)", 3),
+              "F[]F[]F[%(2)L]A(3)%(0,0)L%(1,1)L");
+}
+
 } // namespace
 } // namespace tractus
