@@ -20,9 +20,6 @@ namespace {
 // Places in a string are 32-bit numbers, of parameters too.
 constexpr std::size_t kMaxModules = 200'000'000;
 
-// Strings are rewritten in pieces of so many modules, several at a time: few enough to stay in the
-// processor's second cache, and enough to be worth a thread's while.
-constexpr std::size_t kPiece = 32'768;
 constexpr std::size_t kPiecesAtATime = 32;
 
 // Where modules and their parameters begin.
@@ -36,6 +33,7 @@ public:
     Derivation(Model const& model, DeriveOptions const& options)
         : model_(model)
         , options_(options)
+        , piece_(std::max<std::size_t>(options.piece, 1))
         , machine_(model, options.seed)
         , table_(ContextTable::create(model))
         , plan_(model, model)
@@ -67,6 +65,7 @@ private:
 
     Model const& model_;
     DeriveOptions const& options_;
+    std::size_t piece_;
     Machine machine_;
     std::optional<ContextTable> table_;
     RulePlan plan_;
@@ -199,7 +198,7 @@ Result<void> Derivation::rewrite()
 {
     if (subsystems_ ? subsystems_->has_contexts() : rewriter_.has_contexts())
         find_branches(model_, in_, branches_);
-    if (in_.size() > 2 * kPiece && plan_.is_divisible() && thread_count() > 1 && !subsystems_)
+    if (in_.size() > 2 * piece_ && plan_.is_divisible() && thread_count() > 1 && !subsystems_)
         return rewrite_in_pieces();
     out_.kinds.reserve(in_.size());
     out_.parameters.reserve(in_.parameters.size());
@@ -260,13 +259,13 @@ Result<void> Derivation::rewrite_in_pieces()
 // Where the pieces of in_ begin, and its end.
 std::vector<Place> Derivation::find_pieces() const
 {
-    std::vector<Place> places((in_.size() + kPiece - 1) / kPiece + 1);
+    std::vector<Place> places((in_.size() + piece_ - 1) / piece_ + 1);
     parallel_for(places.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
         for (auto i = begin; i < end; ++i) {
-            auto const last = std::min((i + 1) * kPiece, in_.size());
+            auto const last = std::min((i + 1) * piece_, in_.size());
             std::size_t parameters = 0;
             if (!in_.parameters.empty())
-                for (auto k = i * kPiece; k < last; ++k)
+                for (auto k = i * piece_; k < last; ++k)
                     parameters += model_.alphabet[in_.kinds[k]].parameter_count;
             places[i + 1] = { last, parameters };
         }
@@ -323,9 +322,10 @@ void Derivation::write_fixed(Place const& from, Place const& from_end, Place con
     auto const* const successors = &plan_.fixed(0);
     ModuleWriter writer(out_.kinds.data() + to.module, out_.parameters.data() + to.parameter);
     // The next piece begins where this one ends, so the last moves must not be too wide.
+    auto const room = to_end.module - to.module;
     auto const* const wide_end
-        = out_.kinds.data() + to_end.module - std::min(FixedSuccessor::kShort, to_end.module);
-    for (; kind != end && writer.kinds <= wide_end; ++kind) {
+        = writer.kinds + (room >= FixedSuccessor::kShort ? room - FixedSuccessor::kShort + 1 : 0);
+    for (; kind != end && writer.kinds < wide_end; ++kind) {
         successors[*kind].write(parameters, writer);
         parameters += successors[*kind].read_parameter_count;
     }

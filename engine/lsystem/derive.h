@@ -30,6 +30,10 @@ struct DeriveOptions {
     // their modules are drawn (interpret.h).
     std::function<void(std::string_view text)> print {};
 
+    // Long strings are rewritten in pieces of so many modules, several at a time; the string is the
+    // same. The default stays in a processor's second cache and is worth a thread's while.
+    std::size_t piece = 32'768;
+
     // Called with the axiom as step 0 and with the string after each step.
     std::function<void(int step, ModuleString const& string)> on_step {};
 };

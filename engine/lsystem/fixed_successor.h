@@ -69,8 +69,7 @@ struct FixedSuccessor {
     // The same, into no more room than it needs.
     void write_narrowly(float const* from, ModuleWriter& to) const
     {
-        std::memcpy(to.kinds, length <= kShort ? first_kinds.data() : kinds, length);
-        to.kinds += length;
+        to.kinds = std::copy_n(length <= kShort ? first_kinds.data() : kinds, length, to.kinds);
         write_parameters(from, to.parameters);
     }
 

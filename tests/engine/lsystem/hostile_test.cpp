@@ -4,6 +4,7 @@
 #include <array>
 #include <gtest/gtest.h>
 #include <string>
+#include <vector>
 
 namespace tractus {
 namespace {
@@ -23,7 +24,7 @@ A(s,t) : t<3 {w=s*STEP;} --> F(s)[+(30)A(w,t+1)][-(30)&(20)A(half(s),t+1)]/(137.
 A(s,t) : t>=3 --> ;~l(s) : 0.7
 A(s,t) : t>=3 && s>0.1 --> ,{.F(s).+F.} : 0.3
 F(x) < B --> C(x)
-B > [=] --> @o(0.5)
+B > [=] --> @o(0.5)%(2)F(1)
 F(x) < A(s,t) > F(y) : {i=0; while (i<3) {i=i+1;}} x>y --> F(nran(x,0.1))@v@Ts(1,0.2)
 decomposition
 maximum depth: 3
@@ -125,6 +126,43 @@ TEST(HostileModels, DoNoHarmWithSubLSystems)
         plants += run_whole_pipeline(mutated(sound, random));
     EXPECT_GT(plants, 500);
     EXPECT_LT(plants, 9500);
+}
+
+// Files that views name.
+TEST(HostileFiles, DoNoHarm)
+{
+    struct Case {
+        std::string statement;
+        std::string file;
+    };
+    std::string surface = "0 1 0 1 0 1\nCONTACT POINT X: 0 Y: 0 Z: 0\nEND POINT X: 0 Y: 1 Z: 0\n"
+                          "HEADING X: 0 Y: 1 Z: 0\nUP X: 0 Y: 0 Z: -1\nSIZE: 1\nsquare\n"
+                          "TOP COLOR: 0 DIFFUSE: 0 BOTTOM COLOR: 0 DIFFUSE: 0\n"
+                          "AL: ~ A: ~ AR: ~\nL: ~ R: ~\nBL: ~ B: ~ BR: ~\n";
+    for (std::string const y : { "1", "0.7", "0.3", "0" })
+        surface += "0 " + y + " 0 0.3 " + y + " 0 0.7 " + y + " 0 1 " + y + " 0\n";
+    std::string const points = "1 -3 0 1\n3 3 0 1\n-3 3 1 1\n-3 -3 0 1\n";
+    std::vector<Case> const cases {
+        { "surface: s a.s 1", surface },
+        { "tsurface: s a.t 2",
+          "triangle\n0 0 0 0 0 1\n1 0 0\n0 2 0.5\ntriangle: 0 0 0\n0 2 1\n-1 0 0\n" },
+        { "contour: 1 a.con", "cver 1 2\nname: x\npoints: 4 4\ntype: cr\n" + points },
+        { "curve: a.crv 20", "points: 4\ndim: 4\ntype: bspline\n" + points },
+        { "function: a.func",
+          "fver 1 1\nname: a\nsamples: 5\npoints: 4\n0 0\n0.3 1\n0.6 1\n1 0\n" },
+    };
+    std::string const rules = "Lsystem: 1\nAxiom: F@#(1)@GsF+F@GeA~s(2)F\n"
+                              "A --> F(func(1,0.3))f(curveX(1,0.5))\nendlsystem\n";
+    Random random({ .seed = 3, .stream = 1, .substream = 0 });
+    for (auto const& [statement, file] : cases) {
+        auto const before = rules + '\0' + statement + '\0';
+        ASSERT_TRUE(run_whole_pipeline(before + file)) << statement;
+        int plants = 0;
+        for (int i = 0; i < 1000; ++i)
+            plants += run_whole_pipeline(before + mutated(file, random));
+        EXPECT_GT(plants, 5) << statement;
+        EXPECT_LT(plants, 1000) << statement;
+    }
 }
 
 TEST(HostileModels, CannotIncludeWithoutEnd)

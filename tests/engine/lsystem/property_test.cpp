@@ -68,6 +68,65 @@ RC_GTEST_PROP(LSystemProperty, ContextTableAgreesWithTheSearch, ())
         RC_ASSERT(to_string(tabled, *string) == to_string(searched, *expected));
 }
 
+// Rules of all kinds, of which every string is cut into pieces.
+RC_GTEST_PROP(LSystemProperty, ParallelAgreesWithSerial, ())
+{
+    auto const rule = rc::gen::element<std::string>(
+        "A(x) : x > 1 --> F(x)[+(30)A(x*0.5)]A(x-1)", "A(x) --> B(ran(x))A(x+1) : 0.5",
+        "A(x) --> C[A(x)] : x + 1", "B(x) > A(y) --> CB(nran(x,y))", "A(y) < B(x) --> A(x)C",
+        "B(x) : {z = x*2;} z < 5 {z = z+1;} --> B(z)", "B(x)C --> C", "C --> [C]A(2)", "C --> *",
+        "F(x) --> F(x)F(x/2)", "+(x) --> +(x)G", "G --> [GG]");
+    auto const module = rc::gen::element<std::string>("A(2)", "A(0.5)", "B(1)", "C", "C", "F(1)",
+                                                      "+(10)", "G", "[A(1)]", "[", "]");
+    std::string text = *rc::gen::element<std::string>("", "ignore: +G\n") + "Axiom: A(3)";
+    for (auto const& part : *rc::gen::container<std::vector<std::string>>(module))
+        text += part;
+    for (auto const& line : *rc::gen::container<std::vector<std::string>>(rule))
+        text += '\n' + line;
+    auto const model = compiled(with_header(text, *rc::gen::inRange(1, 5)));
+    auto const serial = derive(model);
+    RC_PRE(serial.has_value()); // Within the limits.
+    auto const expected = to_string(model, *serial);
+    DeriveOptions options;
+    options.piece = *rc::gen::inRange<std::size_t>(1, 12);
+    RC_ASSERT(derived_by(1, model, options) == expected);
+    RC_ASSERT(derived_by(4, model, options) == expected);
+}
+
+// A rule and another one before it that does the same in some contexts only are as good as the rule
+// alone.
+RC_GTEST_PROP(LSystemProperty, ContextsThatChangeNothingChangeNothing, ())
+{
+    auto const context = [] { return rc::gen::element<std::string>("", "A", "B", "C", "+"); };
+    auto const axiom = "Axiom: A" + *random_string("ABC+-");
+    std::string plain = axiom;
+    std::string contexts = axiom;
+    for (std::string const predecessor : { "A", "B", "C" }) {
+        auto successor = *random_string("ABC+-");
+        if (successor.empty())
+            successor = "*";
+        auto const left = *context();
+        auto const right = *context();
+        plain += '\n' + predecessor + " --> " + successor;
+        contexts += '\n' + (left.empty() ? "" : left + " < ") + predecessor
+            + (right.empty() ? "" : " > " + right) + " --> " + successor;
+        contexts += '\n' + predecessor + " --> " + successor;
+    }
+    auto const steps = *rc::gen::inRange(1, 4);
+    // By the table of contexts, and, as it knows no parameters, by the search.
+    for (std::string const more : { "", "\nZ(x) --> Z(x)" }) {
+        auto const one = compiled(with_header(plain + more, steps));
+        auto const other = compiled(with_header(contexts + more, steps));
+        DeriveOptions options;
+        options.limits.max_modules = 100'000;
+        auto const expected = derive(one, options);
+        auto const string = derive(other, options);
+        RC_ASSERT(string.has_value() == expected.has_value());
+        if (string)
+            RC_ASSERT(to_string(other, *string) == to_string(one, *expected));
+    }
+}
+
 RC_GTEST_PROP(LSystemProperty, StringsPrintAndParse, ())
 {
     auto const text = "A" + *random_string("ABC+-F");
@@ -88,6 +147,17 @@ TEST(LSystemThreads, ParametersAndChanceDoNotDependOnTheirNumber)
     EXPECT_GT(std::count(one.begin(), one.end(), 'F'), 10'000);
     EXPECT_TRUE(derived_by(2, model, {}) == one);
     EXPECT_TRUE(derived_by(4, model, {}) == one);
+}
+
+// Pieces of which little or nothing is left, side by side.
+TEST(LSystemThreads, PiecesMayBecomeNothing)
+{
+    EXPECT_EQ(derived("Axiom: AAA\nA --> *"), "");
+    auto const model = compiled(with_header("Axiom: " + std::string(40, 'A') + "BBB"
+                                                + std::string(40, 'A') + "\nA --> *\nB --> CD",
+                                            1));
+    for (std::size_t const piece : { 1u, 2u, 7u, 50u })
+        EXPECT_EQ(derived_by(4, model, { .piece = piece }), "CDCDCD") << piece;
 }
 
 TEST(LSystemThreads, KnownSuccessorsDoNotDependOnTheirNumber)

@@ -4,6 +4,7 @@
 #include "engine/lsystem/interpret.h"
 #include "engine/lsystem/print.h"
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <string>
@@ -11,18 +12,24 @@
 
 namespace tractus {
 
-// Everything that can be done with text that may be a model, under small limits. A zero byte
-// divides rules from view. Returns whether a plant came out; every plant is checked.
+// Everything that can be done with text that may be a model, under small limits. Zero bytes divide
+// rules, view and, in any files that these name, what stands there; without it that is a function.
+// Returns whether a plant came out; every plant is checked.
 inline bool run_whole_pipeline(std::string_view text)
 {
-    auto const middle = text.find('\0');
+    auto const part = [&] {
+        auto const end = std::min(text.find('\0'), text.size());
+        auto const result = std::string(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        return result;
+    };
     ModelSource source;
-    source.text = text.substr(0, middle);
-    if (middle != std::string_view::npos)
-        source.view_text = text.substr(middle + 1);
-    auto const model = compile_model(source, [](std::string const&) -> Result<std::string> {
-        return "fver 1 1\nsamples: 5\npoints: 4\n0 0\n0.3 1\n0.6 1\n1 0\n";
-    });
+    source.text = part();
+    source.view_text = part();
+    auto const file = text.empty() ? "fver 1 1\nsamples: 5\npoints: 4\n0 0\n0.3 1\n0.6 1\n1 0\n"
+                                   : std::string(text);
+    auto const model
+        = compile_model(source, [&](std::string const&) -> Result<std::string> { return file; });
     if (!model)
         return false;
     // Work instead of time, so that the same text always gives the same result.
