@@ -208,7 +208,8 @@ void StationView::show_preview(Station const& station)
     if (inks.empty())
         set_preview({});
     else if (std::exchange(previewed_live_, state_.live_revision) != state_.live_revision)
-        preview_->want({ grown_scene_, station.tool(), inks.front(), station.counts().strokes });
+        preview_->want({ grown_scene_, station.tool(), inks.front(), shown_orders_,
+                         station.counts().strokes });
     is_drawing_ = !inks.empty();
     take_preview();
 }

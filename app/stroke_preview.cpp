@@ -44,15 +44,17 @@ std::vector<SkeletonLine> StrokePreview::moved_by(WantedPreview const& wanted)
         || !shaper_->set(shaping_associations(scene)))
         return {};
     place_nodes(*scene_->base, *scene_->rest, shaper_->shape(), after_mm_);
-    return moved_lines();
+    return moved_lines(wanted.orders);
 }
 
-std::vector<SkeletonLine> StrokePreview::moved_lines() const
+std::vector<SkeletonLine> StrokePreview::moved_lines(std::uint32_t orders) const
 {
     constexpr double kMoved_mm = 1e-3;
     auto const& plant = *scene_->base;
     std::vector<SkeletonLine> lines;
     for (auto const& axis : plant.axes) {
+        if (axis.order >= orders)
+            continue;
         bool has_moved = false;
         for (auto node = axis.first_node; node <= axis.first_node + axis.segment_count; ++node)
             has_moved |= (after_mm_[node] - before_mm_[node]).squaredNorm() > kMoved_mm * kMoved_mm;

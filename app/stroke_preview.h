@@ -7,6 +7,7 @@
 #include "engine/variation/stroke_shaper.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,7 +19,8 @@ struct WantedPreview {
     std::shared_ptr<Scene const> scene; // Shared with whoever shows it; nobody changes it.
     Tool tool {};
     std::vector<TipSample> ink {};
-    std::size_t stroke = 0; // Which it is: of no meaning here.
+    std::uint32_t orders = 0; // Only branches of lower orders than this are looked at.
+    std::size_t stroke = 0;   // Which it is: of no meaning here.
 };
 
 // What a stroke would do to a scene's branches if it ended now, so that they can follow the pen
@@ -32,7 +34,7 @@ public:
 
 private:
     void lay(std::shared_ptr<Scene const> scene);
-    std::vector<SkeletonLine> moved_lines() const;
+    std::vector<SkeletonLine> moved_lines(std::uint32_t orders) const;
 
     std::shared_ptr<Scene const> scene_; // That is laid; as above.
     std::optional<StrokeShaper> shaper_;

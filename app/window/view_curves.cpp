@@ -145,6 +145,7 @@ void add_flat_line(WindowState const& state, SkeletonLine const& line, Vec3f con
 {
     auto& curve = curves.emplace_back();
     curve.look = Curve::Look::Flat;
+    curve.points.reserve(line.points_mm.size());
     for (auto const& point : line.points_mm)
         curve.points.push_back({ state.T_world_plant * point, color, 1.5f });
 }
@@ -163,6 +164,15 @@ std::vector<Curve> pad_skeleton_curves(WindowState const& state)
     return curves;
 }
 
+std::vector<Curve> pad_preview_curves(WindowState const& state)
+{
+    std::vector<Curve> curves;
+    for (auto const& line : state.preview)
+        add_flat_line(state, line, 0.45f * state_color(line.state) + 0.55f * theme::kPadBackground,
+                      curves);
+    return curves;
+}
+
 std::vector<Curve> pad_stroke_curves(WindowState const& state)
 {
     std::vector<Curve> curves;
@@ -175,9 +185,6 @@ std::vector<Curve> pad_live_curves(WindowState const& state)
     std::vector<Curve> curves;
     add_volume(state, curves);
     add_surface_grid(state, curves);
-    for (auto const& line : state.preview)
-        add_flat_line(state, line, 0.45f * state_color(line.state) + 0.55f * theme::kPadBackground,
-                      curves);
     add_ink(state.live_ink, theme::kInk, curves);
     add_pen(state, curves);
     return curves;
@@ -198,6 +205,7 @@ std::vector<Curve> preview_curves(WindowState const& state)
     std::vector<Curve> curves;
     for (auto const& line : state.preview) {
         auto& curve = curves.emplace_back();
+        curve.points.reserve(line.points_mm.size());
         for (auto const& point : line.points_mm)
             curve.points.push_back({ point, state_color(line.state), width_px(line, widest) });
     }
@@ -211,6 +219,7 @@ std::vector<Curve> skeleton_curves(WindowState const& state)
     float const widest = widest_mm(state.skeleton);
     for (auto const& line : state.skeleton) {
         auto& curve = curves.emplace_back();
+        curve.points.reserve(line.points_mm.size());
         for (auto const& point : line.points_mm)
             curve.points.push_back({ point, state_color(line.state), width_px(line, widest) });
     }

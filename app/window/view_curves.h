@@ -10,10 +10,11 @@
 namespace tractus {
 
 // The drawing pad's picture, in parts by what they change with, so that what did not change is not
-// made again: the skeleton, faintly; finished strokes; and all that follows the hand: a grid at the
-// surface, the volume below it, the branches that the ink would move, the ink, the pen's tip and
-// its drop line.
+// made again: the skeleton, faintly; the branches that the ink would move; finished strokes; and
+// what follows the hand at once: a grid at the surface, the volume below it, the ink, the pen's tip
+// and its drop line.
 std::vector<Curve> pad_skeleton_curves(WindowState const& state);
+std::vector<Curve> pad_preview_curves(WindowState const& state);
 std::vector<Curve> pad_stroke_curves(WindowState const& state);
 std::vector<Curve> pad_live_curves(WindowState const& state);
 

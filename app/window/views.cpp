@@ -70,12 +70,13 @@ void PadView::show(WindowState const& state, Renderer& renderer, ImVec2 const& s
     bool changed = false;
     changed
         |= skeleton_.follow(state.skeleton_revision, [&] { return pad_skeleton_curves(state); });
+    changed |= preview_.follow(state.preview_revision, [&] { return pad_preview_curves(state); });
     changed |= strokes_.follow(state.strokes_revision, [&] { return pad_stroke_curves(state); });
     changed |= live_.follow(state.live_revision, [&] { return pad_live_curves(state); });
     auto const& canvas = canvas_.sized(size_px, changed);
     if (changed) {
         Stage stage;
-        stage.curves = { skeleton_.curves(), strokes_.curves(), live_.curves() };
+        stage.curves = { skeleton_.curves(), preview_.curves(), strokes_.curves(), live_.curves() };
         stage.backdrop = plain_backdrop();
         stage.hidden_above_mm = state.surface_height_mm + kAboveSurface_mm;
         stage.fade = pad_fade(state);

@@ -53,6 +53,7 @@ public:
 private:
     ViewCanvas canvas_;
     FollowedCurves skeleton_;
+    FollowedCurves preview_;
     FollowedCurves strokes_;
     FollowedCurves live_;
 };

@@ -60,6 +60,7 @@ std::optional<Stroke> StrokeBuilder::take_stroke()
     auto stroke = std::exchange(stroke_, {});
     if (!has_two_points(stroke))
         return std::nullopt;
+    stroke.tips.own().shrink_to_fit(); // It may be kept for hours.
     return stroke;
 }
 

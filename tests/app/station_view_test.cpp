@@ -69,9 +69,11 @@ TEST(StationView, PreviewsWhatTheStrokeWillBe)
     auto const preview = view.state().preview.front().points_mm;
     station.finish();
     ASSERT_EQ(station.scene().associations.size(), 1u);
-    auto const lines = StrokePreview().moved_by({ std::make_shared<Scene const>(small_scene()),
-                                                  { Tool::Kind::DrawInOrder },
-                                                  station.scene().associations[0].stroke.tips });
+    auto const lines
+        = StrokePreview().moved_by({ std::make_shared<Scene const>(small_scene()),
+                                     { Tool::Kind::DrawInOrder },
+                                     station.scene().associations[0].stroke.tips.vector(),
+                                     9 });
     ASSERT_FALSE(lines.empty());
     for (std::size_t i = 0; i < preview.size(); ++i)
         EXPECT_TRUE(lines.front().points_mm[i].isApprox(preview[i], 1e-4f)) << i;
