@@ -331,7 +331,10 @@ void Turtle::draw_at_symbol(Symbol const& symbol)
     case 'L':
         return warn(fmt::format("{}: labels are not drawn", model_.name));
     case ';':
-    case ',': // The back face's colour.
+    case ',':
+        return warn(fmt::format("{}: back faces have the colour of the front; @; and @, change "
+                                "nothing",
+                                model_.name));
     case 'Z':
     case 'Y': // Of other programs.
         return;
@@ -348,6 +351,7 @@ void Turtle::draw_movement_symbol(Symbol const& symbol)
     case 's':
     case 'i':
     case 'd':
+    case '\0': // As @Ti.
         return set_elasticity(symbol);
     case 'p':
         return state_.frame.carry_from(extras_.carried);
@@ -490,14 +494,15 @@ void Turtle::set_elasticity(Symbol const& symbol)
     double const number = symbol.parameter(0, 1);
     if (!(number >= 1) || number >= static_cast<double>(tropism_count()) + 1)
         return warn(fmt::format("{}: @T{}({}) names a tropism that the view does not define",
-                                model_.name, symbol.name[2], number));
+                                model_.name, std::string_view(&symbol.name[2], symbol.name[2] != 0),
+                                number));
     auto const index = static_cast<std::size_t>(number) - 1;
     auto& elasticity = extras_.elasticities[index];
     double const change = symbol.parameter(1, view_.tropisms[index].elasticity_step);
     if (symbol.name[2] == 's')
         elasticity = symbol.parameter(1, 0);
     else
-        elasticity += symbol.name[2] == 'i' ? change : -change;
+        elasticity += symbol.name[2] == 'd' ? -change : change;
 }
 
 std::size_t Turtle::tropism_count() const
@@ -507,7 +512,8 @@ std::size_t Turtle::tropism_count() const
 
 float Turtle::radius_mm() const
 {
-    return static_cast<float>(std::min(state_.width * options_.unit_mm / 2, 1e6));
+    double const width = state_.width * view_.width_unit;
+    return static_cast<float>(std::min(width * options_.unit_mm / 2, 1e6));
 }
 
 void Turtle::warn(std::string warning)

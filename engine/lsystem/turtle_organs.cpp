@@ -61,7 +61,8 @@ void Turtle::add_organ(char letter, Symbol const& symbol)
 // The parameter, or the line width.
 double Turtle::diameter(Symbol const& symbol) const
 {
-    double const given = symbol.count > 0 ? symbol.parameter(0, 0) * state_.scale : state_.width;
+    double const given = symbol.count > 0 ? symbol.parameter(0, 0) * state_.scale
+                                          : state_.width * view_.width_unit;
     return std::clamp(given, 0.0, 1e6);
 }
 

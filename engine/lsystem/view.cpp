@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kUnitsPerPixel = 0.05;
 
-// A width in pixels means lines on a screen; a plant needs some thickness.
+// Widths in pixels mean lines on a screen; a plant needs some thickness. As in cpfg, the statement
+// that comes last says what widths are.
 Result<void> read_line_width(ViewReader& reader, std::string_view value)
 {
     auto const parts = words(value);
@@ -23,7 +24,16 @@ Result<void> read_line_width(ViewReader& reader, std::string_view value)
         return reader.error("found nothing, expected the line width");
     auto const width = TRY(reader.number(parts[0]));
     bool const is_pixels = parts.size() > 1 && parts[1].substr(0, 1) == "p";
-    reader.view.line_width = std::max(0.0, width) * (is_pixels ? kUnitsPerPixel : 1);
+    reader.view.line_width = std::max(0.0, width);
+    reader.view.width_unit = is_pixels ? kUnitsPerPixel : 1;
+    return {};
+}
+
+// pixel, polygon or cylinder, or their numbers: all are drawn as cylinders.
+Result<void> read_line_style(ViewReader& reader, std::string_view value)
+{
+    bool const is_pixels = value.substr(0, 5) == "pixel" || value.substr(0, 1) == "1";
+    reader.view.width_unit = is_pixels ? kUnitsPerPixel : 1;
     return {};
 }
 
@@ -165,6 +175,7 @@ constexpr std::array kStatements {
     Statement { "initial color", read_integer<&View::color, 0, 255> },
     Statement { "color increment", read_integer<&View::color_step, -255, 255> },
     Statement { "initial line width", read_line_width },
+    Statement { "line style", read_line_style },
     Statement { "line width increment", read_scalar<&View::line_width_step> },
     Statement { "tapered lines", read_tapered_lines },
     Statement { "initial scale", read_scale<&View::scale> },
@@ -192,7 +203,7 @@ constexpr std::array kStatements {
 };
 
 // How cpfg shows a model, which is not our business.
-constexpr std::array<std::string_view, 35> kDisplayKeys { "viewpoint",
+constexpr std::array<std::string_view, 34> kDisplayKeys { "viewpoint",
                                                           "view reference point",
                                                           "twist",
                                                           "projection",
@@ -212,7 +223,6 @@ constexpr std::array<std::string_view, 35> kDisplayKeys { "viewpoint",
                                                           "font",
                                                           "light",
                                                           "render mode",
-                                                          "line style",
                                                           "viewing angle",
                                                           "background scene",
                                                           "interpretation step",

@@ -58,6 +58,7 @@ struct View {
     double angle_increment_deg = 45;
     double line_width = 0.1;
     double line_width_step = 0;
+    double width_unit = 1; // What a width of 1 means: less where widths are pixels.
     double scale = 1;
     double scale_step = 1;      // Of @Di and @Dd without a parameter.
     bool draws_past_cut = true; // What follows a % in the string is drawn.

@@ -256,6 +256,29 @@ TEST(Turtle, DrawsFlatDiscsAndCircles)
     EXPECT_FLOAT_EQ(ring.node_radius_mm[0], 0.1f);
 }
 
+TEST(Turtle, TakesWidthsInPixelsForThinLines)
+{
+    std::string const axiom = "F#F#(4)F";
+    auto const in_units = drawn(axiom, "initial line width: 2\nline width increment: 1\n");
+    auto const in_pixels = drawn(axiom, "initial line width: 2 pixels\nline width increment: 1\n");
+    auto const by_style
+        = drawn(axiom, "initial line width: 2\nline width increment: 1\nline style: pixel\n");
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_FLOAT_EQ(in_units.node_radius_mm[i], 1 + 0.5f * static_cast<float>(i));
+        EXPECT_FLOAT_EQ(in_pixels.node_radius_mm[i], in_units.node_radius_mm[i] / 20);
+        EXPECT_FLOAT_EQ(by_style.node_radius_mm[i], in_units.node_radius_mm[i] / 20);
+    }
+}
+
+TEST(Turtle, HasOneColorOnBothSides)
+{
+    std::vector<std::string> const expected {
+        "model.l: back faces have the colour of the front; @; "
+        "and @, change nothing"
+    };
+    EXPECT_EQ(warnings_of("F@;F@,(3)F"), expected);
+}
+
 TEST(Turtle, LeavesOutLabelsAndTexturesWithOneWarning)
 {
     auto const warnings = warnings_of("F@L(\"a label\")F@L(\"other\", 3)@Tx(1)F@Tx(2)");
