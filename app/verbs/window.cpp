@@ -2,6 +2,7 @@
 
 #include "app/console.h"
 #include "app/error_text.h"
+#include "app/large_blocks.h"
 #include "app/live_devices.h"
 #include "app/live_window.h"
 #include "app/log_replay.h"
@@ -206,6 +207,7 @@ Result<WindowArguments> sort_out(WindowArguments arguments)
 // What was asked for; else the devices that are there; else the simulated hand.
 Result<void> open_window(WindowArguments const& arguments)
 {
+    return_large_blocks();
     if (!arguments.log.empty())
         return show_replay(arguments);
     if (!arguments.devices.empty())

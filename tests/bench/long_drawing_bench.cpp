@@ -1,6 +1,7 @@
 // Eight hours of drawing, as fast as they can be replayed: a stroke of a second, three seconds of
 // looking at it, and now and then one taken back. Says after each hour what memory the program has,
 // which should stay the same; what was drawn is kept in a session.
+#include "app/large_blocks.h"
 #include "app/model_file.h"
 #include "app/resources.h"
 #include "app/session_plant.h"
@@ -81,6 +82,7 @@ private:
 
 void draw_for_eight_hours(benchmark::State& state)
 {
+    return_large_blocks();
     auto const path
         = fs::temp_directory_path() / fmt::format("tractus-bench-{}.tractus", ::getpid());
     constexpr std::int64_t kCycles = 3'600'000 / kCycle_ms;
