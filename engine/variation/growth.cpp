@@ -187,6 +187,8 @@ Plant const& Grower::grow(PlantKey const& key, double age)
     if (plan_.parameters.sag > 0)
         sagger_.sag(plant_, bearer_frame_);
     carry_organs(plan_, bearer_frame_, plant_);
+    if (age < 1)
+        young_leaves_->place(plant_, age);
     carry_sections(plan_, bearer_frame_, plant_);
     carry_polygons(plan_, bearer_frame_, age, plant_);
     return plant_;
@@ -197,11 +199,13 @@ void Grower::age_plant(double age)
 {
     is_aged_ = age < 1;
     auto const& base = plan_.base;
+    if (!young_leaves_)
+        young_leaves_.emplace(plan_);
     if (!is_aged_)
         plant_.node_radius_mm = base.node_radius_mm;
     for (std::size_t i = 0; i < base.organs.size(); ++i)
         plant_.organs[i].scale = base.organs[i].scale
-            * static_cast<float>(is_aged_ ? unfolded(age, plan_.organs[i].birth) : 1);
+            * static_cast<float>(is_aged_ ? unfolded(age, young_leaves_->sprout(i)) : 1);
     if (!is_aged_)
         return;
     for_each_level(plan_.levels, [&](std::span<AxisId const> axes) {

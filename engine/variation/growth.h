@@ -7,7 +7,9 @@
 #include "engine/variation/growth_plan.h"
 #include "engine/variation/growth_sag.h"
 #include "engine/variation/influence.h"
+#include "engine/variation/young_leaves.h"
 
+#include <optional>
 #include <vector>
 
 namespace tractus {
@@ -28,9 +30,10 @@ public:
     //
     // At an `age` below 1 (0 to 1) it is the same plant when it was young: what its apices had
     // reached by then (AxisAge) stands, thinner, and where it has matured all the way as it will
-    // stand; leaves unfold when the segment below them is complete. The topology is that of the
-    // whole plant: what has not grown yet has no length, radius or size, and lies where its apex
-    // is. So plants of all ages can be blended, vertex by vertex; without_unborn gives one alone.
+    // stand; organs unfold when the segment below them is complete, but leaves are on every shoot
+    // that grows (YoungLeaves). The topology is that of the whole plant: what has not grown yet has
+    // no length, radius or size, and lies where its apex is. So plants of all ages can be blended,
+    // vertex by vertex; without_unborn gives one alone.
     Plant const& grow(PlantKey const& key, double age = 1);
 
 private:
@@ -40,11 +43,12 @@ private:
     Plant plant_;
     std::vector<Quat> bearer_frame_; // Per bearing segment, as it has grown.
     Sagger sagger_;
-    bool is_aged_ = false; // Radii and sizes of plant_ are not the base plant's.
+    std::optional<YoungLeaves> young_leaves_; // Once a young plant has been grown.
+    bool is_aged_ = false;                    // Radii and sizes of plant_ are not the base plant's.
 };
 
-// The plant without what has no length yet: segments, whole axes, organs and polygons. Orders stay,
-// numbers are new.
+// The plant without what has no length or size yet: segments, whole axes, organs and polygons.
+// Orders stay, numbers are new. A leaf whose segment has not grown belongs to what will bear that.
 Plant without_unborn(Plant const& plant);
 
 // All that a varied plant is made of.

@@ -62,9 +62,11 @@ Plant without_unborn(Plant const& plant)
     std::vector<SegmentId> new_segment(plant.segment_count(), kNone);
     keep_axes(plant, kept, new_segment);
     for (auto organ : plant.organs) {
-        bool const is_there = organ.segment == kNone || new_segment[organ.segment] != kNone;
+        bool const was_on_ground = organ.segment == kNone;
+        while (organ.segment != kNone && new_segment[organ.segment] == kNone)
+            organ.segment = parent_segment(plant, organ.segment);
         organ.segment = renumbered(new_segment, organ.segment);
-        if (is_there && !organ.scale.isZero(0))
+        if ((was_on_ground || organ.segment != kNone) && !organ.scale.isZero(0))
             kept.organs.push_back(organ);
     }
     for (auto polygon : plant.polygons) {

@@ -109,6 +109,65 @@ TEST(GrowthAge, LeavesUnfoldAfterTheirBranchIsThere)
     EXPECT_EQ(scale(1), 1);
 }
 
+// A tree whose organs are leaves; they sit on its last axes only.
+Plant leafy_tree()
+{
+    auto plant = forking_tree(6, 4);
+    plant.materials[0].kind = Material::Kind::Leaf;
+    return plant;
+}
+
+TEST(GrowthAge, ShootsBearLeavesBeforeTheirTwigsAreThere)
+{
+    auto const plan = plan_of(leafy_tree(), {}, { 0.5, 0, 0 });
+    Grower grower(plan);
+    std::size_t before = 0;
+    for (double const age : { 0.2, 0.4, 0.6, 0.8, 0.9 }) {
+        auto const young = without_unborn(grower.grow({ 1, 0 }, age));
+        check_plant(young);
+        std::size_t shoots = 0; // Axes that nothing stands on.
+        std::vector<bool> bears(young.axes.size());
+        for (auto const& axis : young.axes)
+            if (axis.parent_axis != kNone)
+                bears[axis.parent_axis] = true;
+        for (bool const bearing : bears)
+            shoots += bearing ? 0 : 1;
+        EXPECT_GE(young.organs.size(), shoots) << age;
+        EXPECT_GE(young.organs.size(), before) << age;
+        before = young.organs.size();
+        double top_mm = 0;
+        for (auto const& node : young.node_position_mm)
+            top_mm = std::max(top_mm, node.z());
+        for (auto const& organ : young.organs) { // On branches.
+            EXPECT_GE(organ.position_mm.z(), -1e-9);
+            EXPECT_LE(organ.position_mm.z(), top_mm + 1e-9);
+        }
+    }
+}
+
+TEST(GrowthAge, YoungLeavesGoToTheirPlacesWithoutAJump)
+{
+    auto const plan = plan_of(leafy_tree(), {}, { 0.5, 0, 0 });
+    Grower grower(plan);
+    Plant const whole = grower.grow({ 1, 0 });
+    Plant before = grower.grow({ 1, 0 }, 0);
+    constexpr int kSteps = 2000;
+    for (int i = 1; i <= kSteps; ++i) {
+        Plant const now = grower.grow({ 1, 0 }, static_cast<double>(i) / kSteps);
+        for (std::size_t o = 0; o < now.organs.size(); ++o) {
+            EXPECT_GE(now.organs[o].scale.x(), before.organs[o].scale.x());
+            // The trunk grows 5 m in 0.85 of the time; short branches pass quicker.
+            if (before.organs[o].scale.x() > 0) {
+                ASSERT_LT((now.organs[o].position_mm - before.organs[o].position_mm).norm(), 12)
+                    << i;
+            }
+        }
+        before = now;
+    }
+    for (std::size_t o = 0; o < whole.organs.size(); ++o)
+        EXPECT_EQ(before.organs[o].position_mm, whole.organs[o].position_mm);
+}
+
 TEST(WithoutUnborn, LeavesWhatHasGrownAlone)
 {
     auto const base = hand_made_plant();
