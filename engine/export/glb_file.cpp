@@ -256,7 +256,7 @@ Result<void> GlbFile::add_instances(std::size_t index, bool is_last, EncodedPiec
     if (!open_) {
         open_index_ = TRY(prototype_index(organ.prototype));
         if (options_.instancing == GlbOptions::Instancing::Nodes) {
-            add_organ_nodes(open_index_, organ.instances);
+            add_organ_nodes(open_index_, organ.instances, plant_->organ_wind(index));
             return stream_.check();
         }
         open_ = Columns();
@@ -284,17 +284,18 @@ Result<void> GlbFile::add_instances(std::size_t index, bool is_last, EncodedPiec
     return stream_.check();
 }
 
-void GlbFile::add_organ_nodes(std::size_t mesh, std::span<InstanceTransform const> instances)
+void GlbFile::add_organ_nodes(std::size_t mesh, std::span<InstanceTransform const> instances,
+                              std::span<WindVertex const> wind)
 {
-    for (auto const& instance : instances) {
-        auto const placed = to_gltf(instance);
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        auto const placed = to_gltf(instances[i]);
         auto const& t = placed.translation_mm;
         auto const& r = placed.rotation;
         auto const& s = placed.scale;
         add_child(fmt::format("{{\"mesh\":{},\"translation\":[{},{},{}],\"rotation\":[{},{},{},{}],"
-                              "\"scale\":[{},{},{}]}}",
+                              "\"scale\":[{},{},{}]{}}}",
                               mesh, t.x(), t.y(), t.z(), r.x(), r.y(), r.z(), r.w(), s.x(), s.y(),
-                              s.z()));
+                              s.z(), wind.empty() ? std::string() : wind_extras(wind[i])));
     }
 }
 

@@ -71,7 +71,8 @@ private:
     std::string add_primitive(Columns const& columns, EncodedPiece const& limits,
                               std::size_t material);
     Result<std::size_t> prototype_index(TriangleMesh const& prototype);
-    void add_organ_nodes(std::size_t mesh, std::span<InstanceTransform const> instances);
+    void add_organ_nodes(std::size_t mesh, std::span<InstanceTransform const> instances,
+                         std::span<WindVertex const> wind);
     std::string surfaces_reference();
     void add_child(std::string const& node);
 

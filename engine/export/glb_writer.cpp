@@ -205,7 +205,7 @@ void measure(MeshPieces const& pieces, GlbOptions const& options, FirstPlant& fi
         + 250 * accessors * pieces.organs().size();
     if (options.instancing == GlbOptions::Instancing::Nodes)
         for (auto const& organ : pieces.organs())
-            first.json_bytes += 220 * organ.instances.size();
+            first.json_bytes += (pieces.has_wind() ? 420 : 220) * organ.instances.size();
     if (!pieces.picture_png().empty())
         first.json_bytes += 1000;
     first.shared_json_bytes += 1500 * pieces.organs().size();

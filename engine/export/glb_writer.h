@@ -33,7 +33,7 @@ struct GlbOptions {
     };
 
     // Where vertices keep what the wind needs, of plants that have it. Organs that are instanced
-    // always have it as attributes; those that are nodes do not have it.
+    // always have it as attributes; those that are nodes, under the same names in their extras.
     //
     // Attributes:         _PIVOT and _AXIS (x, y, z), _LEVEL, _PHASE and _BEND.
     // TextureCoordinates: TEXCOORD_1 (pivot x, y), _2 (pivot z, bend), _3 (axis x, y), _4 (axis z,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace tractus {
 
@@ -108,6 +109,16 @@ void encode_wind(std::span<WindVertex const> wind, GlbOptions::Wind channels, En
     case GlbOptions::Wind::Colours:
         return encode_colours(wind, piece);
     }
+}
+
+std::string wind_extras(WindVertex const& wind)
+{
+    Vec3f const pivot = to_gltf(wind.pivot_mm);
+    Vec3f const axis = turn_to_gltf(wind.axis);
+    return fmt::format(",\"extras\":{{\"_PIVOT\":[{},{},{}],\"_AXIS\":[{},{},{}],\"_LEVEL\":{},"
+                       "\"_PHASE\":{},\"_BEND\":{}}}",
+                       pivot.x(), pivot.y(), pivot.z(), axis.x(), axis.y(), axis.z(), wind.level,
+                       wind.phase, wind.bend);
 }
 
 } // namespace tractus

@@ -5,6 +5,7 @@
 #include "engine/mesh/wind.h"
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace tractus {
@@ -23,5 +24,8 @@ std::span<WindStream const> wind_streams(GlbOptions::Wind channels);
 
 // Fills those streams of `piece`; leaves them empty where there is no wind.
 void encode_wind(std::span<WindVertex const> wind, GlbOptions::Wind channels, EncodedPiece& piece);
+
+// What Attributes says, as the extras of a node, to be added to its other properties.
+std::string wind_extras(WindVertex const& wind);
 
 } // namespace tractus

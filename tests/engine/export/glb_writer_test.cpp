@@ -241,6 +241,35 @@ TEST(GlbWriter, WritesWindWhereAnEngineLooksForIt)
     EXPECT_EQ(json["meshes"][0]["primitives"][0]["attributes"].size(), 3u);
 }
 
+TEST(GlbWriter, OrgansThatAreNodesHaveTheWindInTheirExtras)
+{
+    auto const plant = sample_tree(1);
+    PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant, .wind = WindKey { 5, 6 } } };
+    auto const glb = glb_of(std::span(&placed, 1));
+    auto const nodes
+        = json_of(glb_of(std::span(&placed, 1), { .instancing = GlbOptions::Instancing::Nodes }));
+    auto const json = json_of(glb);
+    nlohmann::json attributes; // Of the same leaves where they are instanced.
+    for (auto const& node : json["nodes"])
+        if (node.contains("extensions"))
+            attributes = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+    auto const pivots = floats_of(glb, attributes["_PIVOT"], 3);
+    auto const phases = floats_of(glb, attributes["_PHASE"], 1);
+    std::size_t leaf = 0;
+    for (auto const& node : nodes["nodes"]) {
+        if (!node.contains("extras"))
+            continue;
+        ASSERT_LT(leaf, phases.size());
+        auto const& wind = node["extras"];
+        EXPECT_FLOAT_EQ(wind["_PIVOT"][1].get<float>(), pivots[3 * leaf + 1]);
+        EXPECT_FLOAT_EQ(wind["_PHASE"].get<float>(), phases[leaf]);
+        for (auto const* const name : { "_AXIS", "_LEVEL", "_BEND" })
+            EXPECT_TRUE(wind.contains(name)) << name;
+        ++leaf;
+    }
+    EXPECT_EQ(leaf, plant.organs.size());
+}
+
 TEST(GlbWriter, WritesANodePerOrganWhenAsked)
 {
     auto const plant = sample_tree(1);
