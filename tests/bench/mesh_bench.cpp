@@ -9,6 +9,7 @@
 #include "tests/bench/monopodial_tree.h"
 #include "tests/bench/report.h"
 #include "tests/engine/mesh/sample_plants.h"
+#include "tests/engine/variation/plans.h"
 
 #include <cstring>
 #include <filesystem>
@@ -57,11 +58,11 @@ constexpr std::size_t kCollectionPlants = 200;
 constexpr std::size_t kCollectionSegments = 10000;
 constexpr std::size_t kCollectionLeaves = 5000;
 
-// One of a collection's plants, all of one topology: axes of eight segments on the nodes of earlier
+// What a collection's plants are variations of: axes of eight segments on the nodes of earlier
 // ones, leaves on the last.
-Plant grow_variation(std::uint64_t seed)
+Plant collected_plant()
 {
-    Random random({ .seed = seed });
+    Random random({ .seed = 1 });
     Plant plant;
     plant.materials = { {}, { .name = "leaf", .kind = Material::Kind::Leaf } };
     plant.organ_shapes = { { .material = 1 } };
@@ -210,9 +211,14 @@ void write_glb_while_meshing(benchmark::State& state)
 // 200 plants of 10,000 segments and 5,000 leaves, grown when their turn comes.
 void write_glb_of_a_collection(benchmark::State& state)
 {
+    auto const plan = plan_of(collected_plant(), {});
+    Grower grower(plan);
     std::vector<PlacedMesh> plants(kCollectionPlants);
-    for (std::size_t i = 0; i < plants.size(); ++i)
-        plants[i].mesh = PlantToMesh { .plant = [i] { return grow_variation(i); },
+    for (std::uint32_t i = 0; i < plants.size(); ++i)
+        plants[i].mesh = PlantToMesh { .plant =
+                                           [&, i] {
+                                               return grower.grow({ 1, i });
+                                           },
                                        .options = { .min_sides = 8, .max_sides = 8 } };
     write_glb_bench(state, plants, { .vertices = GlbOptions::Vertices::Quantized });
 }
