@@ -1,12 +1,12 @@
 #include "app/render/image.h"
 
 #include "engine/base/check.h"
+#include "engine/export/png.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/core.h>
-#include <png.h>
 #include <string>
 
 namespace tractus {
@@ -89,18 +89,6 @@ Color mean_color(Image const& picture, Coverage const& across, Coverage const& d
     return { byte(sum[0]), byte(sum[1]), byte(sum[2]), byte(sum[3]) };
 }
 
-std::string encode_png(Image const& picture, png_image& header, void const* pixels)
-{
-    // The bound is generous; the exact size comes back in `size`.
-    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
-    std::string bytes(size, '\0');
-    if (picture.pixels().empty()
-        || png_image_write_to_memory(&header, bytes.data(), &size, 0, pixels, 0, nullptr) == 0)
-        return {};
-    bytes.resize(size);
-    return bytes;
-}
-
 std::vector<std::uint8_t> without_alpha(Image const& picture)
 {
     std::vector<std::uint8_t> bytes;
@@ -138,19 +126,22 @@ Result<void> write_png(std::ostream& out, Image const& picture)
 {
     bool const opaque = std::ranges::all_of(picture.pixels(),
                                             [](auto const& pixel) { return pixel.alpha == 255; });
-    png_image header {};
-    header.version = PNG_IMAGE_VERSION;
-    header.width = static_cast<png_uint_32>(picture.width());
-    header.height = static_cast<png_uint_32>(picture.height());
-    header.format = opaque ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
-    header.flags = PNG_IMAGE_FLAG_FAST; // A third of the time for a few per cent more bytes.
-
-    auto const bytes = opaque ? encode_png(picture, header, without_alpha(picture).data())
-                              : encode_png(picture, header, picture.pixels().data());
-    if (bytes.empty())
-        return fail(Fault::Station,
-                    fmt::format("cannot make a PNG of {} x {} pixels: {}", picture.width(),
-                                picture.height(), header.message));
+    if (picture.pixels().empty())
+        return fail(
+            Fault::Station,
+            fmt::format("cannot make a PNG of {} x {} pixels", picture.width(), picture.height()));
+    std::vector<std::uint8_t> channels;
+    PngPicture png { picture.width(), picture.height(), 4, {}, PngPicture::Packing::Fast };
+    if (opaque) {
+        channels = without_alpha(picture);
+        png.channels = 3;
+        png.pixels = channels;
+    } else {
+        static_assert(sizeof(Color) == 4);
+        auto const& pixels = picture.pixels();
+        png.pixels = { reinterpret_cast<std::uint8_t const*>(pixels.data()), 4 * pixels.size() };
+    }
+    auto const bytes = png_bytes(png);
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (!out)
         return fail(Fault::Station, "cannot write the PNG: the stream takes no more bytes");

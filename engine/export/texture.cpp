@@ -1,14 +1,12 @@
 #include "engine/export/texture.h"
 
-#include "engine/base/check.h"
 #include "engine/base/random.h"
 #include "engine/base/vectors.h"
+#include "engine/export/png.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
-#include <zlib.h>
 
 namespace tractus {
 namespace {
@@ -83,39 +81,6 @@ template<typename Level> GreyPicture paint(Level const& level)
     return picture;
 }
 
-void append_u32_be(std::string& bytes, std::uint32_t value)
-{
-    for (int shift = 24; shift >= 0; shift -= 8)
-        bytes.push_back(static_cast<char>(value >> shift & 0xff));
-}
-
-void append_chunk(std::string& bytes, std::string_view type, std::string_view data)
-{
-    append_u32_be(bytes, static_cast<std::uint32_t>(data.size()));
-    auto const start = bytes.size();
-    bytes += type;
-    bytes += data;
-    auto const* const checked = reinterpret_cast<Bytef const*>(bytes.data() + start);
-    append_u32_be(
-        bytes,
-        static_cast<std::uint32_t>(crc32(0, checked, static_cast<uInt>(bytes.size() - start))));
-}
-
-// Each row after a filter byte: 2, the difference to the row above, which suits soft pictures.
-std::string filtered_rows(GreyPicture const& picture)
-{
-    std::string rows;
-    auto const width = static_cast<std::size_t>(picture.width);
-    for (std::size_t y = 0; y < static_cast<std::size_t>(picture.height); ++y) {
-        rows.push_back(2);
-        for (std::size_t x = 0; x < width; ++x) {
-            int const above = y == 0 ? 0 : picture.pixels[(y - 1) * width + x];
-            rows.push_back(static_cast<char>(picture.pixels[y * width + x] - above));
-        }
-    }
-    return rows;
-}
-
 } // namespace
 
 GreyPicture bark_picture()
@@ -130,26 +95,7 @@ GreyPicture leaf_picture()
 
 std::string png_bytes(GreyPicture const& picture)
 {
-    auto const rows = filtered_rows(picture);
-    uLongf size = compressBound(static_cast<uLong>(rows.size()));
-    std::string packed(size, '\0');
-    int const status = compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
-                                 reinterpret_cast<Bytef const*>(rows.data()),
-                                 static_cast<uLong>(rows.size()), 9);
-    CHECK(status == Z_OK);
-    packed.resize(size);
-
-    std::string header;
-    append_u32_be(header, static_cast<std::uint32_t>(picture.width));
-    append_u32_be(header, static_cast<std::uint32_t>(picture.height));
-    header += std::string_view("\x08\x00\x00\x00\x00",
-                               5); // 8 bits, grey, deflate, filters, no interlace.
-
-    std::string bytes = "\x89PNG\r\n\x1a\n";
-    append_chunk(bytes, "IHDR", header);
-    append_chunk(bytes, "IDAT", packed);
-    append_chunk(bytes, "IEND", "");
-    return bytes;
+    return png_bytes({ picture.width, picture.height, 1, picture.pixels });
 }
 
 } // namespace tractus
