@@ -68,8 +68,9 @@ Result<void> LiveDevices::add(std::unique_ptr<ReportSource> source,
                               ReconnectingSource const* reconnecting)
 {
     auto threaded = TRY(ThreadedSource::start(std::move(source)));
+    auto const* const observed = threaded.get();
     infos_.push_back(threaded->info());
-    devices_.push_back({ std::move(threaded), reconnecting });
+    devices_.push_back({ std::move(threaded), observed, reconnecting });
     return {};
 }
 
@@ -97,12 +98,33 @@ Result<void> LiveDevices::add_log(std::string const& name)
     return {};
 }
 
+Result<LiveDevices> LiveDevices::play_log(std::string const& name,
+                                          std::function<Timestamp()> const& now)
+{
+    auto read = TRY(read_log(name));
+    auto const log = std::make_shared<Log const>(std::move(read));
+    LiveDevices devices;
+    devices.rig_text_ = log->rig_text;
+    Pace const pace {
+        .data_begin = log->records.empty() ? Timestamp {} : log->records.front().time,
+        .real_begin = now(),
+        .now = now,
+        .wait = [](Duration) {}, // Who reads asks for no patience.
+    };
+    for (std::size_t i = 0; i < log->devices.size(); ++i) {
+        auto source = open_paced(log, i, pace);
+        devices.infos_.push_back(source->info());
+        devices.devices_.push_back({ std::move(source), nullptr, nullptr });
+    }
+    return devices;
+}
+
 LiveDevices::State LiveDevices::state(std::size_t device) const
 {
-    auto const& [source, reconnecting] = devices_.at(device);
-    if (!source)
+    auto const& one = devices_.at(device);
+    if (!one.source)
         return State::Ended;
-    return !reconnecting || reconnecting->is_connected() ? State::Connected : State::Away;
+    return !one.reconnecting || one.reconnecting->is_connected() ? State::Connected : State::Away;
 }
 
 bool LiveDevices::any_left() const
@@ -115,7 +137,7 @@ void LiveDevices::take(std::vector<LiveReport>& reports)
 {
     reports.clear();
     for (std::size_t i = 0; i < devices_.size(); ++i) {
-        auto& source = devices_[i].source;
+        auto& [source, threaded, reconnecting] = devices_[i];
         while (source) {
             auto const report = source->read(Duration::zero());
             if (report && !*report)
@@ -124,7 +146,8 @@ void LiveDevices::take(std::vector<LiveReport>& reports)
                 reports.push_back({ i, **report });
                 continue;
             }
-            lost_by_ended_ += source->lost_count();
+            if (threaded)
+                lost_by_ended_ += threaded->lost_count();
             source.reset();
         }
     }
@@ -137,7 +160,7 @@ std::uint64_t LiveDevices::lost_count() const
 {
     auto count = lost_by_ended_;
     for (auto const& device : devices_)
-        count += device.source ? device.source->lost_count() : 0;
+        count += device.source && device.threaded ? device.threaded->lost_count() : 0;
     return count;
 }
 

@@ -8,9 +8,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tractus {
@@ -48,9 +50,21 @@ public:
     // The devices and logs that people name: see name_help().
     static Result<LiveDevices> open_named(std::span<std::string const> names);
 
+    // One more, to be read like the others. Fails like start().
+    Result<void> add_source(std::unique_ptr<ReportSource> source)
+    {
+        return add(std::move(source), nullptr);
+    }
+
     std::vector<DeviceInfo> const& infos() const { return infos_; }
     State state(std::size_t device) const;
     bool any_left() const; // Not all have ended.
+
+    // A log as if its devices were there, played by another clock than this machine's; its
+    // calibration is rig_text(). The same at each run: no thread reads it. Its tool lines count for
+    // nothing: who plays the pen chooses the tools with it.
+    static Result<LiveDevices> play_log(std::string const& name,
+                                        std::function<Timestamp()> const& now);
 
     // What has come since the last call, in the order of its times, into `reports`.
     void take(std::vector<LiveReport>& reports);
@@ -63,7 +77,8 @@ public:
 
 private:
     struct Device {
-        std::unique_ptr<ThreadedSource> source;           // Null when it has ended.
+        std::unique_ptr<ReportSource> source;             // Null when it has ended.
+        ThreadedSource const* threaded = nullptr;         // The same; null if no thread reads it.
         ReconnectingSource const* reconnecting = nullptr; // Within source; null for a log.
     };
 

@@ -12,11 +12,41 @@ namespace tractus {
 
 namespace {
 
+constexpr double kMousePressure = 0.5; // As of a hand that draws without effort.
+
 bool has_height_sensor(LiveDevices const& devices)
 {
     return std::any_of(devices.infos().begin(), devices.infos().end(), [](auto const& info) {
         return !make_pen_decoder(info) && make_height_decoder(info);
     });
+}
+
+bool has_pen(LiveDevices const& devices)
+{
+    return std::any_of(devices.infos().begin(), devices.infos().end(),
+                       [](auto const& info) { return make_pen_decoder(info).has_value(); });
+}
+
+// What the mouse stands in for.
+struct MouseParts {
+    bool pen = false;
+    bool height = false;
+};
+
+Result<MouseParts> add_mouse(LiveDevices& devices, LiveWindowOptions const& options)
+{
+    constexpr double kFirstSurface_mm = 100; // Some of the plant is below it, and to be seen.
+    if (!options.mouse)
+        return MouseParts {};
+    MouseParts const parts { .pen = !has_pen(devices), .height = !has_height_sensor(devices) };
+    auto mouse = *options.mouse;
+    if (parts.pen)
+        TRY(devices.add_source(mouse.open_tablet()));
+    if (parts.height) {
+        mouse.set_surface(options.height_mm.value_or(kFirstSurface_mm));
+        TRY(devices.add_source(mouse.open_height()));
+    }
+    return parts;
 }
 
 // The size of the first tablet's active area.
@@ -28,8 +58,16 @@ std::optional<Vec2> tablet_size_mm(LiveDevices const& devices)
     return std::nullopt;
 }
 
-Result<Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions const& options)
+Result<Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions const& options,
+                       MouseParts const& mouse)
 {
+    if (mouse.pen && mouse.height)
+        return MouseRig::rig();
+    if (mouse.height) {
+        auto rig = options.rig.value_or(Rig { .tablet_size_mm = tablet_size_mm(devices).value() });
+        MouseRig::set_height_sensor_in(rig);
+        return rig;
+    }
     if (options.rig)
         return *options.rig;
     if (!devices.rig_text().empty())
@@ -49,9 +87,10 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
 {
     CHECK(options.now);
     StationOptions station_options;
-    station_options.rig = TRY(choose_rig(devices, options));
+    auto const mouse = TRY(add_mouse(devices, options));
+    station_options.rig = TRY(choose_rig(devices, options, mouse));
     station_options.scene = options.session ? options.session->scene() : options.scene;
-    if (options.height_mm || !has_height_sensor(devices))
+    if (!mouse.height && (options.height_mm || !has_height_sensor(devices)))
         station_options.scripted_height = ScriptedHeight {
             .scenario = { .kind = HeightScenario::Kind::Constant,
                           .constant_mm = options.height_mm.value_or(0) },
@@ -61,6 +100,8 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
     auto station = TRY(Station::create(devices.infos(), station_options));
     LiveWindow window(std::move(devices), std::move(options), std::move(station_options),
                       std::move(station));
+    window.view().state().mouse_draws = mouse.pen;
+    window.view().state().mouse_moves_surface = mouse.height;
     if (!window.options_.recording.empty())
         window.recorder_
             = TRY(LiveRecorder::create(window.options_.recording,
@@ -84,10 +125,13 @@ LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
     view().state().status = "Draw: the station reads the pen";
 }
 
-void LiveWindow::advance(Duration)
+void LiveWindow::advance(Duration real_step)
 {
+    if (options_.counted_time)
+        *options_.counted_time += real_step;
     take_reports();
     desk_.show(station_, options_.now());
+    view().show_pen(station_.take_moments());
     tell_device_changes();
     tell_who_is_away();
     if (!recorder_)
@@ -99,12 +143,22 @@ void LiveWindow::advance(Duration)
 void LiveWindow::take_reports()
 {
     devices_.take(reports_);
-    for (auto const& [device, report] : reports_)
-        station_.push(device, report.received, report.bytes());
-    station_.pass_time(options_.now());
-    if (recorder_)
-        for (auto const& report : reports_)
+    for (auto const& report : reports_) {
+        station_.push(report.device, report.report.received, report.report.bytes());
+        record_tool_changes(); // Before the report: what it began belongs to the tool.
+        if (recorder_)
             recorder_->write(report);
+    }
+    station_.pass_time(options_.now());
+}
+
+void LiveWindow::record_tool_changes()
+{
+    for (auto const& [time, tool] : station_.take_tool_changes()) {
+        auto const words = words_for(tool);
+        if (recorder_)
+            recorder_->write_tool(time, words.name, words.arguments);
+    }
 }
 
 void LiveWindow::tell_device_changes()
@@ -170,13 +224,40 @@ void LiveWindow::restart_without_session()
 
 void LiveWindow::perform_kind(ChooseTool const& command)
 {
-    auto const now = options_.now();
-    station_.set_tool(now, command.tool);
-    if (recorder_) {
-        auto const words = words_for(command.tool);
-        recorder_->write_tool(now, words.name, words.arguments);
-    }
+    station_.set_tool(options_.now(), command.tool);
+    record_tool_changes();
     view().show(station_);
+}
+
+void LiveWindow::perform_kind(SetPressingAreas const& command)
+{
+    station_.set_pressing_areas(command.areas);
+}
+
+void LiveWindow::perform_kind(PressInstead const&)
+{
+    station_.press_instead();
+    record_tool_changes();
+}
+
+void LiveWindow::perform_kind(MoveMousePen const& command)
+{
+    if (!options_.mouse)
+        return;
+    Vec2 const middle_mm = station_options_.rig.tablet_size_mm / 2;
+    std::vector<TabletPen> pens;
+    for (auto const& pen : command.path)
+        pens.push_back({ .place_mm = pen.place_mm + middle_mm,
+                         .in_range = pen.in_range,
+                         .touching = pen.touching,
+                         .pressure = pen.touching ? kMousePressure : 0 });
+    options_.mouse->move_pen(pens);
+}
+
+void LiveWindow::perform_kind(MoveSurface const& command)
+{
+    if (options_.mouse)
+        options_.mouse->move_surface(command.by_mm);
 }
 
 } // namespace tractus

@@ -2,6 +2,7 @@
 
 #include "app/live_devices.h"
 #include "app/live_recorder.h"
+#include "app/mouse_rig.h"
 #include "app/session/session.h"
 #include "app/station_desk.h"
 #include "app/window/window_model.h"
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +31,11 @@ struct LiveWindowOptions {
     // takes it over.
     std::optional<Session> session {};
     std::function<Timestamp()> now {}; // The clock of the reports.
+    // That clock, where it goes on by each advance()'s step and by nothing else: what `now` tells.
+    std::shared_ptr<Timestamp> counted_time {};
+    // Stands in for the pen, the height sensor, or both, where the devices lack them; `height_mm`
+    // is where its surface is at first.
+    std::optional<MouseRig> mouse {};
 };
 
 // What the station's window shows while somebody draws: devices are read on threads of their own,
@@ -55,6 +62,10 @@ private:
     void perform_kind(SetSpeed const&) { }   // nor another speed.
     void perform_kind(Restart const&);
     void perform_kind(ChooseTool const& command);
+    void perform_kind(SetPressingAreas const& command);
+    void perform_kind(PressInstead const&);
+    void perform_kind(MoveMousePen const& command);
+    void perform_kind(MoveSurface const& command);
     template<typename Command> void perform_kind(Command const& command)
     {
         desk_.perform(command, station_);
@@ -63,6 +74,7 @@ private:
     StationView& view() { return desk_.view(); }
     void take_reports();
     void restart_without_session();
+    void record_tool_changes();
     void tell_device_changes();
     void tell_who_is_away();
     void stop_recording(std::string const& why);

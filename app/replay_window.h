@@ -33,7 +33,11 @@ private:
     void perform_kind(SetPlaying const& command);
     void perform_kind(SetSpeed const& command);
     void perform_kind(Restart const&);
-    void perform_kind(ChooseTool const&) { } // The recording chooses.
+    void perform_kind(ChooseTool const&) { }       // The recording chooses.
+    void perform_kind(SetPressingAreas const&) { } // The hand was elsewhere.
+    void perform_kind(PressInstead const&) { }
+    void perform_kind(MoveMousePen const&) { }
+    void perform_kind(MoveSurface const&) { }
     template<typename Command> void perform_kind(Command const& command)
     {
         desk_.perform(command, replay_.station());

@@ -23,8 +23,7 @@ Result<std::vector<Vec2>> shown_axis(Plant const& plant, Vec2 const& tablet_size
     if (rank >= order.size())
         return fail(Fault::User,
                     fmt::format("the plant has no branch {}: it has {}", rank, order.size()));
-    auto const view = fit_selection_view(
-        plant, { .width_mm = tablet_size_mm.x(), .depth_mm = tablet_size_mm.y() });
+    auto const view = fit_selection_view(plant, { .area_mm = tablet_size_mm });
     auto const nodes = plant.positions(plant.axes[order[rank]]);
     auto const between = [&](std::size_t from, std::size_t to) {
         Vec2 const middle

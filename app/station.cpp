@@ -32,11 +32,29 @@ DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene)
     return drawn;
 }
 
+static Bounds volume_of(StationOptions const& options)
+{
+    Bounds volume_mm;
+    auto const T_world_tablet = tractus::T_world_tablet(options.rig);
+    auto const& size_mm = options.rig.tablet_size_mm;
+    for (double const x : { 0.0, size_mm.x() })
+        for (double const y : { 0.0, size_mm.y() })
+            volume_mm.add(T_world_tablet * Vec3(x, y, 0));
+    auto const heights = calibrated_heights(options.rig);
+    bool const is_known = heights && !options.scripted_height;
+    volume_mm.min_mm.z() = is_known ? heights->low_mm : 0;
+    volume_mm.max_mm.z() = is_known ? heights->high_mm : DrawingVolume().height_mm;
+    return volume_mm;
+}
+
 Station::Station(StationOptions const& options)
     : height_monitor_(options.rig)
+    , volume_mm_(volume_of(options))
+    , height_model_(options.rig.height_model)
     , is_height_measured_(!options.scripted_height)
     , tablet_latency_(options.rig.tablet_latency)
     , tool_changes_ { { Timestamp::min(), options.tool } }
+    , tool_in_hand_(options.tool)
 {
 }
 
@@ -136,10 +154,50 @@ void Station::use_pen(Pen& pen, PenSample const& sample)
     if (!is_height_there_)
         return; // Nobody knows where it is.
     if (auto const tip = pen.fuser.push(sample)) {
+        follow_touch(pen, sample, *tip);
         pen.builder.push_live(*tip);
         newest_tip_ = *tip;
+        keep_moment(sample, *tip);
     }
     take_settled(pen);
+}
+
+// What a touch is for is decided where it begins.
+void Station::follow_touch(Pen& pen, PenSample const& sample, TipSample const& tip)
+{
+    if (tip.touching == pen.touches_since.has_value())
+        return;
+    if (!tip.touching) {
+        pen.touches_since.reset();
+        if (is_pressing())
+            change_tool(sample.time, tool_in_hand_);
+        return;
+    }
+    pen.touches_since = sample.time;
+    Vec2 const place_mm = tip.position_mm.head<2>();
+    if (std::any_of(pressing_areas_.begin(), pressing_areas_.end(),
+                    [&](Eigen::AlignedBox2d const& area) { return area.contains(place_mm); }))
+        change_tool(sample.time, { .kind = Tool::Kind::Press });
+}
+
+void Station::press_instead()
+{
+    for (auto const& pen : pens_)
+        if (pen.touches_since && !is_pressing())
+            change_tool(*pen.touches_since, { .kind = Tool::Kind::Press });
+}
+
+void Station::keep_moment(PenSample const& sample, TipSample const& tip)
+{
+    if (moments_.size() == kMostMoments) // Nobody takes them, or not in time.
+        moments_.erase(moments_.begin(), moments_.begin() + kMostMoments / 2);
+    moments_.push_back({ .in_range = sample.in_range,
+                         .touching = tip.touching,
+                         .eraser = tip.eraser,
+                         .pressing = tip.touching && is_pressing(),
+                         .barrel = sample.in_range && (sample.buttons & 1) != 0,
+                         .pressure = tip.pressure,
+                         .position_mm = tip.position_mm });
 }
 
 void Station::push_height(Timestamp received, std::span<std::byte const> report)
@@ -154,9 +212,12 @@ void Station::push_height(Timestamp received, std::span<std::byte const> report)
     if (is_height_measured_)
         for (auto const& height : heights_) {
             height_monitor_.push(height);
-            if (!height_monitor_.is_on_rail(height))
-                for (auto& pen : pens_)
-                    pen.fuser.push(height);
+            if (height_monitor_.is_on_rail(height))
+                continue;
+            if (auto const height_mm = tractus::height_mm(height_model_, height.counts))
+                read_height_mm_ = height_mm;
+            for (auto& pen : pens_)
+                pen.fuser.push(height);
         }
     for (auto& pen : pens_)
         take_settled(pen);
@@ -203,6 +264,13 @@ std::vector<std::vector<TipSample>> Station::inks() const
     return inks;
 }
 
+std::optional<double> Station::surface_height_mm() const
+{
+    if (is_height_measured_)
+        return read_height_mm_;
+    return newest_tip_ ? std::optional(newest_tip_->position_mm.z()) : std::nullopt;
+}
+
 FuserCounts Station::fuser_counts() const
 {
     auto sum = pens_.front().fuser.counts(); // All have seen the same heights.
@@ -217,7 +285,30 @@ FuserCounts Station::fuser_counts() const
 
 void Station::set_tool(Timestamp time, Tool const& tool)
 {
+    if (tool.at_once) {
+        new_tool_changes_.push_back({ time, tool });
+        ++counts_.strokes;
+        strokes_.push_back(draw({}, tool, scene_));
+        return;
+    }
+    bool const is_press = tool.kind == Tool::Kind::Press;
+    if (!is_press)
+        tool_in_hand_ = tool;
+    bool const touch_goes_on = std::any_of(
+        pens_.begin(), pens_.end(), [](Pen const& pen) { return pen.touches_since.has_value(); });
+    // A tool that is chosen by pressing is in hand when the press is over.
+    if (is_press || !is_pressing() || !touch_goes_on)
+        change_tool(time, tool);
+}
+
+void Station::change_tool(Timestamp time, Tool const& tool)
+{
+    // Of hours of drawing only the last changes can still matter to a stroke.
+    constexpr Duration kLongestStroke = std::chrono::hours(1);
+    while (tool_changes_.size() > 1 && tool_changes_[1].time < time - kLongestStroke)
+        tool_changes_.erase(tool_changes_.begin());
     tool_changes_.push_back({ std::max(time, tool_changes_.back().time), tool });
+    new_tool_changes_.push_back(tool_changes_.back());
 }
 
 // A stroke belongs to the tool in hand when it began, though it is known to have ended only later.
@@ -231,9 +322,13 @@ Tool Station::tool_at(Timestamp time) const
 
 void Station::finish_stroke(Stroke stroke)
 {
-    ++counts_.strokes;
     // Tool changes are stamped on arrival, tips with the tablet's latency taken off.
-    auto const tool = tool_at(stroke.tips.front().time + tablet_latency_);
+    auto tool = tool_at(stroke.tips.front().time + tablet_latency_);
+    if (tool.kind == Tool::Kind::Press)
+        return;
+    if (stroke.tips.front().eraser)
+        tool = other_end_of(tool);
+    ++counts_.strokes;
     strokes_.push_back(draw(std::move(stroke), tool, scene_));
 }
 

@@ -11,6 +11,7 @@
 #include "engine/scene/scene.h"
 #include "engine/stroke/stroke_builder.h"
 
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -51,6 +52,17 @@ struct DrawnStroke {
 // none if one is refused.
 DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene);
 
+// The pen at one moment, as a window wants it that the pen works.
+struct PenMoment {
+    bool in_range = false;
+    bool touching = false;
+    bool eraser = false;
+    bool pressing = false; // Touches to press what the window shows: no stroke comes of it.
+    bool barrel = false;   // The first barrel button is held.
+    double pressure = 0;
+    Vec3 position_mm = Vec3::Zero(); // World frame; the last known one when out of range.
+};
+
 // The whole way of the data, from reports to the scene: decode, fuse, stroke, mean. The only class
 // that knows it. Reports and tool changes go in as they come, from devices or from a log, and the
 // scene is what they amount to. Not thread-safe: it lives on the main thread.
@@ -68,8 +80,33 @@ public:
     // it measured, ends there and is kept.
     void push(std::size_t device, Timestamp received, std::span<std::byte const> report);
 
-    // From the pen's samples at `time` on, strokes belong to `tool`.
+    // From the pen's samples at `time` on, strokes belong to `tool`, or, where they are drawn with
+    // the pen's other end, to its eraser (other_end_of()). One that is done at once is done now,
+    // and changes nothing in the hand.
     void set_tool(Timestamp time, Tool const& tool);
+
+    // Where a touch presses what the window shows there, from its beginning to its end, and draws
+    // nothing: x and y of the world frame, millimetres. None at first. Such touches are tool
+    // changes (Tool::Kind::Press), so that a recording of them draws the same.
+    void set_pressing_areas(std::vector<Eigen::AlignedBox2d> areas)
+    {
+        pressing_areas_ = std::move(areas);
+    }
+
+    // The touch under way presses, too, from its beginning on: a long one opens the ring of tools.
+    void press_instead();
+
+    // What the pen did since the last call, in order; of more than kMostMoments the newest.
+    static constexpr std::size_t kMostMoments = 1024;
+    std::vector<PenMoment> take_moments() { return std::exchange(moments_, {}); }
+
+    // A change of what the pen means.
+    struct ToolChange {
+        Timestamp time {};
+        Tool tool;
+    };
+    // Those since the last call, for a recording.
+    std::vector<ToolChange> take_tool_changes() { return std::exchange(new_tool_changes_, {}); }
 
     // Another scene to go on with, as undo leaves it. Strokes under way will work on it.
     void set_scene(Scene scene) { scene_ = std::move(scene); }
@@ -97,15 +134,17 @@ public:
     // all pens, and what it means.
     std::vector<std::vector<TipSample>> inks() const;
     std::optional<TipSample> const& newest_tip() const { return newest_tip_; }
+    // What the pen reaches: the first tablet's area, and the heights of its calibration. World
+    // frame.
+    Bounds const& volume_mm() const { return volume_mm_; }
+
+    // As the last reading has it, or where heights are scripted the last tip. No value before.
+    std::optional<double> surface_height_mm() const;
     bool pen_in_range() const { return pen_in_range_; }
-    Tool const& tool() const { return tool_changes_.back().tool; }
+    Tool const& tool() const { return tool_in_hand_; }
+    bool is_pressing() const { return tool_changes_.back().tool.kind == Tool::Kind::Press; }
 
 private:
-    struct ToolChange {
-        Timestamp time {};
-        Tool tool;
-    };
-
     // One tablet's pen, from its reports to its strokes.
     struct Pen {
         std::size_t device = 0;
@@ -113,6 +152,7 @@ private:
         PenSilence silence;
         Fuser fuser;
         StrokeBuilder builder {};
+        std::optional<Timestamp> touches_since {}; // On arrival; no value while it does not touch.
     };
 
     explicit Station(StationOptions const& options); // Without the scene.
@@ -120,6 +160,9 @@ private:
     Result<void> add_pens(std::span<DeviceInfo const> devices, StationOptions const& options);
     Pen* find_pen(std::size_t device);
     void use_pen(Pen& pen, PenSample const& sample);
+    void follow_touch(Pen& pen, PenSample const& sample, TipSample const& tip);
+    void keep_moment(PenSample const& sample, TipSample const& tip);
+    void change_tool(Timestamp time, Tool const& tool);
     void push_pen(Pen& pen, Timestamp received, std::span<std::byte const> report);
     void push_height(Timestamp received, std::span<std::byte const> report);
     void end_with_height();
@@ -130,14 +173,21 @@ private:
     void count_broken(Error const& error);
 
     HeightMonitor height_monitor_;
+    Bounds volume_mm_;
+    HeightModel height_model_;
+    std::optional<double> read_height_mm_;
     bool is_height_measured_;     // Not scripted.
     bool is_height_there_ = true; // The sensor that measures it has not gone away.
     Duration tablet_latency_;
     std::vector<Pen> pens_; // In the order of their devices.
     std::unique_ptr<HeightDecoder> height_decoder_;
     std::size_t height_device_ = 0;
-    std::vector<HeightSample> heights_;    // Of one report; kept for its memory.
-    std::vector<ToolChange> tool_changes_; // In time order; the first is from the beginning.
+    std::vector<HeightSample> heights_;        // Of one report; kept for its memory.
+    std::vector<ToolChange> tool_changes_;     // In time order; the first is from the beginning.
+    std::vector<ToolChange> new_tool_changes_; // Not taken yet.
+    Tool tool_in_hand_;                        // When it does not press.
+    std::vector<Eigen::AlignedBox2d> pressing_areas_;
+    std::vector<PenMoment> moments_; // Not taken yet.
     Scene scene_;
     std::vector<DrawnStroke> strokes_;
     std::optional<TipSample> newest_tip_;

@@ -5,6 +5,7 @@
 #include "engine/variation/growth_preset.h"
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <fmt/chrono.h>
 #include <fmt/core.h>
@@ -54,6 +55,10 @@ std::string describe(Tool const& tool)
         return "Move a motion indicator";
     case Tool::Kind::DeleteIndicator:
         return "Take a motion indicator away";
+    case Tool::Kind::Erase:
+        return "Erase";
+    case Tool::Kind::Press:
+        return "Press";
     case Tool::Kind::Draw:
         break;
     }
@@ -85,6 +90,10 @@ std::string describe(DrawnStroke const& drawn)
         return "The stroke is gone";
     case Tool::Kind::DeleteIndicator:
         return "The motion indicator is gone";
+    case Tool::Kind::Erase:
+        return "It is erased";
+    case Tool::Kind::Press: // Is no stroke.
+        break;
     case Tool::Kind::Draw:
     case Tool::Kind::DrawInOrder:
         break;
@@ -153,9 +162,7 @@ StationView::StationView(Station const& station, std::filesystem::path pictures)
               return Preview { preview->moved_by(wanted), wanted.stroke };
           }))
 {
-    DrawingVolume const volume;
-    state_.volume_mm.add({ -volume.width_mm / 2, -volume.depth_mm / 2, 0 });
-    state_.volume_mm.add({ volume.width_mm / 2, volume.depth_mm / 2, volume.height_mm });
+    state_.volume_mm = station.volume_mm();
     auto const& scene = station.scene();
     state_.T_world_plant
         = Eigen::Affine3f(Eigen::Scaling(static_cast<float>(scene.placement.scale)));
@@ -180,6 +187,41 @@ void StationView::begin_again(Station const& station)
     show_scene(station);
 }
 
+void StationView::show_pen(std::vector<PenMoment> const& moments)
+{
+    state_.pen_path.clear();
+    for (auto const& moment : moments)
+        state_.pen_path.push_back({ .in_range = moment.in_range,
+                                    .touching = moment.touching,
+                                    .tip_mm = moment.position_mm.cast<float>(),
+                                    .eraser = moment.eraser,
+                                    .pressing = moment.pressing,
+                                    .barrel = moment.barrel });
+    if (!state_.pen_path.empty())
+        state_.pen = state_.pen_path.back();
+}
+
+// The surface follows its sensor while no pen is there, but not the sensor's noise.
+void StationView::show_surface(Station const& station)
+{
+    constexpr double kSeen_mm = 0.5;
+    auto const& tip = station.newest_tip();
+    bool const follows_pen = station.pen_in_range() && tip.has_value();
+    if (follows_pen)
+        state_.surface_height_mm = tip->position_mm.z();
+    else if (auto const height_mm = station.surface_height_mm())
+        if (std::abs(*height_mm - state_.surface_height_mm) >= kSeen_mm)
+            state_.surface_height_mm = *height_mm;
+    if (tip) {
+        state_.is_outside_calibration = tip->outside_calibration;
+        state_.pen.in_range = station.pen_in_range();
+        state_.pen.touching = tip->touching;
+        state_.pen.tip_mm = tip->position_mm.cast<float>();
+    }
+    if (std::exchange(shown_surface_mm_, state_.surface_height_mm) != state_.surface_height_mm)
+        ++state_.live_revision;
+}
+
 void StationView::show_live(Station const& station)
 {
     // Without a sample of the pen there is nothing new to see: the hand rests, or is away.
@@ -187,24 +229,23 @@ void StationView::show_live(Station const& station)
         != station.counts().pen_samples)
         ++state_.live_revision;
     state_.tool = describe(station.tool());
+    state_.hand = station.tool();
     auto const fault = station.height_monitor().present();
     state_.trouble = fault ? describe_fault(*fault) : "";
     state_.live_ink.clear();
-    for (auto const& ink : station.inks())
-        state_.live_ink.push_back(ink_line(ink, station.tool()));
+    if (!station.is_pressing())
+        for (auto const& ink : station.inks())
+            state_.live_ink.push_back(ink_line(ink, station.tool()));
     show_selecting(station);
+    show_surface(station);
     show_preview(station);
-    if (auto const& tip = station.newest_tip()) {
-        state_.surface_height_mm = tip->position_mm.z();
-        state_.is_outside_calibration = tip->outside_calibration;
-        state_.pen = { station.pen_in_range(), tip->touching, tip->position_mm.cast<float>() };
-    }
 }
 
 // The branches follow the ink as fast as they can.
 void StationView::show_preview(Station const& station)
 {
-    auto const inks = station.inks();
+    auto const inks
+        = station.is_pressing() ? std::vector<std::vector<TipSample>>() : station.inks();
     if (inks.empty())
         set_preview({});
     else if (std::exchange(previewed_live_, state_.live_revision) != state_.live_revision)
@@ -234,7 +275,8 @@ void StationView::show_selecting(Station const& station)
     bool const chooses_path = tool.kind == Tool::Kind::Select
         && (tool.selecting == Selecting::Path || tool.selecting == Selecting::Add
             || tool.selecting == Selecting::Take);
-    auto const inks = station.inks();
+    auto const inks
+        = station.is_pressing() ? std::vector<std::vector<TipSample>>() : station.inks();
     bool const was_selecting = std::exchange(is_selecting_, chooses_path && !inks.empty());
     if (!is_selecting_) {
         if (was_selecting)
@@ -242,9 +284,10 @@ void StationView::show_selecting(Station const& station)
         shown_touched_.reset();
         return;
     }
-    if (!shown_skeleton_ || shown_plant_ != station.scene().base) {
+    if (!shown_skeleton_ || shown_plant_ != station.scene().base || shown_angle_ != tool.angle) {
         shown_plant_ = station.scene().base;
-        shown_skeleton_.emplace(*shown_plant_);
+        shown_angle_ = tool.angle;
+        shown_skeleton_.emplace(*shown_plant_, shown_angle_);
     }
     auto touched = shown_skeleton_->touched_by(inks.front());
     if (shown_touched_ == touched)
@@ -295,6 +338,7 @@ void StationView::list_orphans(Scene const& scene)
 void StationView::show_skeleton(Scene const& scene, ShownSkeleton::Touched const& touched)
 {
     auto const states = segment_states(scene, touched);
+    state_.skeleton_box_mm = bounds(*scene.base);
     state_.skeleton.clear();
     for (auto const& axis : scene.base->axes) {
         if (axis.order >= shown_orders_)

@@ -37,6 +37,9 @@ public:
     // Waits for the plant as it was wanted last, and for all variations, and shows them.
     void settle();
 
+    // What the pen did since the last call, for who lets it work the window. After show().
+    void show_pen(std::vector<PenMoment> const& moments);
+
     // Another station in place of the one before, or one that has begun again.
     void begin_again(Station const& station);
 
@@ -59,6 +62,7 @@ private:
     };
 
     void show_live(Station const& station);
+    void show_surface(Station const& station);
     void show_scene(Station const& station);
     void show_variations();
     void show_preview(Station const& station);
@@ -75,12 +79,14 @@ private:
     std::filesystem::path pictures_;
     std::size_t shown_strokes_ = 0;
     std::size_t shown_pen_samples_ = 0;
+    double shown_surface_mm_ = 0; // That the last picture of the pad was made for.
     // What a selecting pen is drawn over, and the plant that it was made of; none before it is
     // needed.
     std::optional<ShownSkeleton> shown_skeleton_;
     std::shared_ptr<Plant const> shown_plant_; // Shared with the station's scene, which may go on.
     std::optional<ShownSkeleton::Touched> shown_touched_; // As the skeleton shows it.
     std::uint32_t shown_orders_ = 0;                      // Of branches in the skeleton.
+    SelectionAngle shown_angle_;
     bool is_selecting_ = false;
     std::unique_ptr<NewestJob<WantedPreview, Preview>> preview_; // On the heap, as the grower.
     std::uint64_t previewed_live_ = 0;                           // The ink's revision.

@@ -20,6 +20,8 @@ static bool shapes_branches(Tool const& tool)
     case Tool::Kind::Delete:
     case Tool::Kind::MoveIndicator:
     case Tool::Kind::DeleteIndicator:
+    case Tool::Kind::Erase:
+    case Tool::Kind::Press:
         break;
     }
     return false;

@@ -59,6 +59,32 @@ std::vector<std::byte> report_descriptor(std::int32_t full_scale_counts)
     return bytes;
 }
 
+} // namespace
+
+DeviceInfo simulated_slider_info(std::int32_t full_scale_counts)
+{
+    return {
+        .name = "Simulated height sensor",
+        .location = "simulated",
+        .physical_path = "simulated/height",
+        .bus = 6,
+        .vendor_id = 0,
+        .product_id = 2,
+        .report_descriptor = report_descriptor(full_scale_counts),
+    };
+}
+
+RawReport simulated_slider_report(std::int32_t counts, Timestamp received)
+{
+    RawReport report { .received = received, .size = 4 };
+    report.storage[0] = static_cast<std::byte>(kHeightReportId);
+    report.storage[1] = static_cast<std::byte>(counts & 0xff);
+    report.storage[2] = static_cast<std::byte>(counts >> 8);
+    return report;
+}
+
+namespace {
+
 // Makes reports of readings.
 class Encoder {
 public:
@@ -78,27 +104,15 @@ public:
     {
     }
 
-    DeviceInfo info() const override
-    {
-        return {
-            .name = "Simulated height sensor",
-            .location = "simulated",
-            .physical_path = "simulated/height",
-            .bus = 6,
-            .vendor_id = 0,
-            .product_id = 2,
-            .report_descriptor = report_descriptor(full_scale_counts_),
-        };
-    }
+    DeviceInfo info() const override { return simulated_slider_info(full_scale_counts_); }
 
     std::optional<std::vector<std::byte>> encode(Timestamp,
                                                  std::optional<std::int32_t> counts) override
     {
         if (!counts)
             return std::nullopt;
-        return std::vector { static_cast<std::byte>(kHeightReportId),
-                             static_cast<std::byte>(*counts & 0xff),
-                             static_cast<std::byte>(*counts >> 8), std::byte {} };
+        auto const report = simulated_slider_report(*counts, {});
+        return std::vector(report.bytes().begin(), report.bytes().end());
     }
 
 private:

@@ -43,4 +43,8 @@ struct SimulatedHeight {
 SimulatedHeight simulate_height(Hand const& hand, RigGeometry const& geometry,
                                 HeightOptions const& options);
 
+// The HID slider, moved by somebody who is no Hand: what it is, and what it sends for a reading.
+DeviceInfo simulated_slider_info(std::int32_t full_scale_counts);
+RawReport simulated_slider_report(std::int32_t counts, Timestamp received);
+
 } // namespace tractus

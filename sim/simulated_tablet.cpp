@@ -124,19 +124,36 @@ PenReport quantise(HandState const& state, Vec2 const& place_mm, Vec2 const& siz
 
 } // namespace
 
-SimulatedTablet simulate_tablet(Hand const& hand, RigGeometry const& geometry,
-                                TabletOptions const& options)
+DeviceInfo simulated_tablet_info(Vec2 const& size_mm)
 {
-    SimulatedTablet tablet;
-    tablet.device.info = {
+    return {
         .name = "Simulated pen tablet",
         .location = "simulated",
         .physical_path = "simulated/tablet",
         .bus = 6,
         .vendor_id = 0,
         .product_id = 1,
-        .report_descriptor = report_descriptor(geometry.tablet_size_mm),
+        .report_descriptor = report_descriptor(size_mm),
     };
+}
+
+RawReport simulated_tablet_report(TabletPen const& pen, Vec2 const& size_mm, Timestamp received)
+{
+    HandState state;
+    state.touching = pen.touching;
+    state.pressure = pen.pressure;
+    Vec2 const place_mm = pen.place_mm.cwiseMax(0).cwiseMin(size_mm);
+    auto report = quantise(state, place_mm, size_mm);
+    if (!pen.in_range)
+        report.bits = 0;
+    return encode(report, received);
+}
+
+SimulatedTablet simulate_tablet(Hand const& hand, RigGeometry const& geometry,
+                                TabletOptions const& options)
+{
+    SimulatedTablet tablet;
+    tablet.device.info = simulated_tablet_info(geometry.tablet_size_mm);
     auto const T_tablet_world = tractus::T_tablet_world(geometry);
     DeviceClock clock(options.timing, { .seed = options.seed, .stream = kTabletTimingStream });
     PenReport last;

@@ -51,4 +51,15 @@ struct SimulatedTablet {
 SimulatedTablet simulate_tablet(Hand const& hand, RigGeometry const& geometry,
                                 TabletOptions const& options);
 
+// The same device, moved by somebody who is no Hand: what it is, and what it sends in one state of
+// a pen. The pen's place is on the tablet's active area, in the tablet frame.
+struct TabletPen {
+    Vec2 place_mm = Vec2::Zero();
+    bool in_range = false;
+    bool touching = false;
+    double pressure = 0; // 0 to 1.
+};
+DeviceInfo simulated_tablet_info(Vec2 const& size_mm);
+RawReport simulated_tablet_report(TabletPen const& pen, Vec2 const& size_mm, Timestamp received);
+
 } // namespace tractus

@@ -6,15 +6,16 @@ namespace tractus {
 
 namespace {
 
-Result<Selection> selection_of(Tool::Selecting selecting, Stroke const& stroke, Scene const& scene)
+Result<Selection> selection_of(Tool const& tool, Stroke const& stroke, Scene const& scene)
 {
+    auto const selecting = tool.selecting;
     using Selecting = Tool::Selecting;
     auto const& plant = *scene.base;
     if (selecting == Selecting::Nothing)
         return Selection {};
     if (selecting == Selecting::Invert)
         return inverted(plant, scene.selection);
-    ShownSkeleton const shown(plant);
+    ShownSkeleton const shown(plant, tool.angle);
     switch (selecting) {
     case Selecting::Ends: {
         auto const first = TRY(shown.segment_under(stroke.tips.front()));
@@ -38,11 +39,11 @@ Result<Selection> selection_of(Tool::Selecting selecting, Stroke const& stroke, 
 
 } // namespace
 
-Result<std::vector<Edit>> select_edits(Tool::Selecting selecting, Stroke const& stroke,
-                                       Scene const& scene)
+Result<std::vector<Edit>> select_edits(Tool const& tool, Stroke const& stroke, Scene const& scene)
 {
-    CHECK(!stroke.tips.empty());
-    return std::vector<Edit> { Select { TRY(selection_of(selecting, stroke, scene)) } };
+    CHECK(!stroke.tips.empty() || tool.selecting == Tool::Selecting::Nothing
+          || tool.selecting == Tool::Selecting::Invert);
+    return std::vector<Edit> { Select { TRY(selection_of(tool, stroke, scene)) } };
 }
 
 } // namespace tractus

@@ -1,6 +1,5 @@
 #include "app/tools/shown_skeleton.h"
 
-#include "engine/scene/desk_placement.h"
 #include "engine/variation/selection.h"
 
 namespace tractus {
@@ -8,8 +7,8 @@ namespace tractus {
 // Millimetres of the tablet: a line as thin as it is shown, and a hand that need not hit it.
 static constexpr PickOptions kPick { .line_half_width = 0.4, .finger = 2.5 };
 
-ShownSkeleton::ShownSkeleton(Plant const& plant)
-    : skeleton_(plant, skeleton_projection(fit_selection_view(plant)))
+ShownSkeleton::ShownSkeleton(Plant const& plant, SelectionAngle const& angle)
+    : skeleton_(plant, skeleton_projection(fit_selection_view(plant, angle)))
     , tree_(build_branch_tree(plant))
 {
 }

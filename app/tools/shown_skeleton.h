@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "engine/plant/plant.h"
+#include "engine/scene/desk_placement.h"
 #include "engine/stroke/stroke.h"
 #include "engine/variation/branch_tree.h"
 #include "engine/variation/projected_skeleton.h"
@@ -16,7 +17,7 @@ namespace tractus {
 // drawn over it. World frame: tips' x and y are millimetres of the tablet.
 class ShownSkeleton {
 public:
-    explicit ShownSkeleton(Plant const& plant);
+    explicit ShownSkeleton(Plant const& plant, SelectionAngle const& angle = {});
 
     // The paths that a stroke chooses. Fails, as the user's fault, if it touches no branch.
     Result<Selection> paths_under(Stroke const& stroke) const;

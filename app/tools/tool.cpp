@@ -2,7 +2,10 @@
 
 #include "engine/base/check.h"
 
+#include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <fmt/core.h>
 #include <utility>
 
@@ -10,7 +13,7 @@ namespace tractus {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Tool::Kind>, 9> kTools { {
+constexpr std::array<std::pair<std::string_view, Tool::Kind>, 11> kTools { {
     { "select", Tool::Kind::Select },
     { "draw", Tool::Kind::Draw },
     { "indicate", Tool::Kind::Indicate },
@@ -20,6 +23,8 @@ constexpr std::array<std::pair<std::string_view, Tool::Kind>, 9> kTools { {
     { "delete", Tool::Kind::Delete },
     { "move_indicator", Tool::Kind::MoveIndicator },
     { "delete_indicator", Tool::Kind::DeleteIndicator },
+    { "erase", Tool::Kind::Erase },
+    { "press", Tool::Kind::Press },
 } };
 
 // A word of a tool's arguments, and what it does to the tool. The first of those that do the same
@@ -57,6 +62,45 @@ constexpr std::array<Argument, 19> kArguments { {
     { Tool::Kind::Indicate, "light", [](Tool& tool) { tool.indicator = IndicatorKind::Light; } },
 } };
 
+constexpr std::string_view kNow = "now";
+constexpr std::string_view kView = "view=";
+
+bool can_be_done_at_once(Tool const& tool)
+{
+    return tool.kind == Tool::Kind::Smooth || tool.kind == Tool::Kind::Delete
+        || (tool.kind == Tool::Kind::Select
+            && (tool.selecting == Selecting::Invert || tool.selecting == Selecting::Nothing));
+}
+
+std::string view_word(SelectionAngle const& angle)
+{
+    return fmt::format("{}{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}", kView,
+                       angle.azimuth_deg, angle.elevation_deg, angle.zoom, angle.moved_mm.x(),
+                       angle.moved_mm.y(), angle.area_mm.x(), angle.area_mm.y());
+}
+
+Result<SelectionAngle> parse_view(std::string_view word)
+{
+    std::array<double, 7> numbers {};
+    auto rest = word.substr(kView.size());
+    bool is_whole = true;
+    for (auto& number : numbers) {
+        auto const end = std::min(rest.find(','), rest.size());
+        auto const parsed = std::from_chars(rest.data(), rest.data() + end, number);
+        is_whole = is_whole && parsed.ec == std::errc() && parsed.ptr == rest.data() + end
+            && std::isfinite(number);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    auto const [azimuth, elevation, zoom, x, y, width, depth] = numbers;
+    if (!is_whole || !rest.empty() || std::abs(elevation) >= 90 || zoom <= 0 || width <= 0
+        || depth <= 0)
+        return fail(Fault::User,
+                    fmt::format("\"{}\" is no view: give azimuth, elevation below 90, zoom, x, y, "
+                                "width and depth, for example view=0,0,1,0,0,254,159",
+                                word));
+    return SelectionAngle { azimuth, elevation, zoom, { x, y }, { width, depth } };
+}
+
 // "a, b or c" of the words that `is_listed` accepts.
 template<typename Entries, typename Accept>
 std::string list_words(Entries const& entries, Accept const& word_of)
@@ -73,6 +117,14 @@ std::string list_words(Entries const& entries, Accept const& word_of)
 
 Result<void> take_argument(Tool& tool, std::string_view name, std::string_view word)
 {
+    if (word == kNow) {
+        tool.at_once = true;
+        return {};
+    }
+    if (tool.kind == Tool::Kind::Select && word.starts_with(kView)) {
+        tool.angle = TRY(parse_view(word));
+        return {};
+    }
     for (auto const& argument : kArguments)
         if (argument.kind == tool.kind && argument.word == word) {
             argument.set(tool);
@@ -89,6 +141,15 @@ Result<void> take_argument(Tool& tool, std::string_view name, std::string_view w
 
 } // namespace
 
+Tool other_end_of(Tool const& tool)
+{
+    if (tool.kind == Tool::Kind::Press)
+        return tool;
+    if (tool.kind == Tool::Kind::Select)
+        return { .kind = Tool::Kind::Select, .selecting = Selecting::Take };
+    return { .kind = Tool::Kind::Erase };
+}
+
 Result<Tool> parse_tool(std::string_view name, std::string_view arguments)
 {
     for (auto const& [known, kind] : kTools) {
@@ -101,6 +162,9 @@ Result<Tool> parse_tool(std::string_view name, std::string_view arguments)
             if (!word.empty())
                 TRY(take_argument(tool, name, word));
         }
+        if (tool.at_once && !can_be_done_at_once(tool))
+            return fail(Fault::User,
+                        fmt::format("the tool {} needs a stroke: leave out \"{}\"", name, kNow));
         return tool;
     }
     return fail(Fault::User,
@@ -124,6 +188,13 @@ ToolWords words_for(Tool const& tool)
             words.arguments
                 += fmt::format("{}{}", words.arguments.empty() ? "" : " ", argument.word);
     }
+    auto const add = [&](std::string_view word) {
+        words.arguments += fmt::format("{}{}", words.arguments.empty() ? "" : " ", word);
+    };
+    if (tool.kind == Tool::Kind::Select && tool.angle != SelectionAngle {})
+        add(view_word(tool.angle));
+    if (tool.at_once)
+        add(kNow);
     return words;
 }
 
@@ -131,7 +202,7 @@ Result<std::vector<Edit>> edits_of(Tool const& tool, Stroke const& stroke, Scene
 {
     switch (tool.kind) {
     case Tool::Kind::Select:
-        return select_edits(tool.selecting, stroke, scene);
+        return select_edits(tool, stroke, scene);
     case Tool::Kind::Draw:
         return draw_edits(tool, stroke, scene);
     case Tool::Kind::Indicate:
@@ -145,6 +216,10 @@ Result<std::vector<Edit>> edits_of(Tool const& tool, Stroke const& stroke, Scene
     case Tool::Kind::MoveIndicator:
     case Tool::Kind::DeleteIndicator:
         return indicator_edits(tool.kind, stroke, scene);
+    case Tool::Kind::Erase:
+        return erase_edits(stroke, scene);
+    case Tool::Kind::Press:
+        return std::vector<Edit> {};
     }
     CHECK(false);
 }

@@ -23,6 +23,9 @@ struct Tool {
         MoveIndicator, // "move_indicator": the indicator where the stroke begins goes along with
                        // it.
         DeleteIndicator, // "delete_indicator": that where the stroke begins goes.
+        Erase, // "erase": strokes and indicators go that the stroke runs over, as the pad shows
+               // them. What the pen's other end does.
+        Press, // "press": the touch pressed what the window showed; it means nothing to the plant.
     };
     Kind kind = Kind::DrawInOrder;
 
@@ -44,6 +47,11 @@ struct Tool {
     };
     Selecting selecting = Selecting::Path;
 
+    // And from where its skeleton is shown under the pen: "view=", and seven numbers with commas
+    // between them: azimuth, elevation, zoom, moved to x and y, and the area's width and depth
+    // (SelectionAngle).
+    SelectionAngle angle {};
+
     // For Indicate, its arguments, in any order: "everywhere" (if none), "below" (on the selected
     // branches and what they bear) or "near" (falling off around the stroke); "push" (if none) or
     // "light".
@@ -51,8 +59,16 @@ struct Tool {
     Reach reach = Reach::Everywhere;
     MotionIndicator::Kind indicator = MotionIndicator::Kind::Push;
 
+    // "now": it is done at once, without a stroke, and the tool in hand stays in hand. For Smooth,
+    // Delete, and Select's Invert and Nothing.
+    bool at_once = false;
+
     bool operator==(Tool const&) const = default;
 };
+
+// What the eraser's end of the pen means while its tip is `tool`: to erase; when selecting, to take
+// branches from what is selected.
+Tool other_end_of(Tool const& tool);
 
 // A tool from the words of a log or a script. Fails, as the user's fault, naming the tools or
 // arguments there are.
@@ -71,8 +87,7 @@ ToolWords words_for(Tool const& tool);
 Result<std::vector<Edit>> edits_of(Tool const& tool, Stroke const& stroke, Scene const& scene);
 
 // One file for each kind of thing that is edited; edits_of chooses.
-Result<std::vector<Edit>> select_edits(Tool::Selecting selecting, Stroke const& stroke,
-                                       Scene const& scene);
+Result<std::vector<Edit>> select_edits(Tool const& tool, Stroke const& stroke, Scene const& scene);
 Result<std::vector<Edit>> draw_edits(Tool const& tool, Stroke const& stroke, Scene const& scene);
 Result<std::vector<Edit>> draw_in_order_edits(Stroke const& stroke, Scene const& scene);
 Result<std::vector<Edit>> stroke_edits(Tool::Kind kind, Stroke const& stroke, Scene const& scene);
@@ -80,5 +95,6 @@ Result<std::vector<Edit>> indicate_edits(Tool const& tool, Stroke const& stroke,
                                          Scene const& scene);
 Result<std::vector<Edit>> indicator_edits(Tool::Kind kind, Stroke const& stroke,
                                           Scene const& scene);
+Result<std::vector<Edit>> erase_edits(Stroke const& stroke, Scene const& scene);
 
 } // namespace tractus

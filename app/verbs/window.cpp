@@ -11,14 +11,12 @@
 #include "app/replay_window.h"
 #include "app/resources.h"
 #include "app/session_plant.h"
-#include "app/simulated_recording.h"
 #include "app/unnamed_session.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/device_sources.h"
 #include "app/verbs/shared_options.h"
 #include "app/window/window.h"
 #include "calib/rig_file.h"
-#include "drivers/device_kind.h"
 #include "drivers/file.h"
 #include "drivers/log.h"
 
@@ -26,7 +24,6 @@
 #include <chrono>
 #include <fmt/core.h>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -38,28 +35,17 @@ struct WindowArguments {
     std::string file; // A log or a session: sort_out() makes it one of the next two.
     std::string log;
     std::vector<std::string> devices;
+    std::string played; // A log whose devices are taken for real ones.
     std::string recording;
     std::string session;
     std::string model = "broadleaf";
     std::string rig;
     std::string height;
+    bool is_light = false;
+    double scale = 0;
     int frames = 0;
     std::string screenshot;
 };
-
-// The demo of a model of ours; on any other the hand does what it does in the broadleaf tree's
-// demo.
-Result<Log> drawn_by_the_simulated_hand(std::filesystem::path const& model, Scene const& scene)
-{
-    if (auto const demo = find_resource(fmt::format("demo/{}.tractus-log", model.stem().string())))
-        return read_log(*demo);
-    auto const path = TRY(find_resource("demo/broadleaf.hand.toml"));
-    auto const text = TRY(read_file(path));
-    auto const script = TRY(parse_gesture_script(text, path.string()));
-    std::ostringstream log;
-    TRY(write_simulated_recording(log, script, scene));
-    return parse_log(log.str(), "simulated hand");
-}
 
 Result<Scene> load_scene(std::filesystem::path const& model)
 {
@@ -75,6 +61,8 @@ WindowOptions window_options(WindowArguments const& arguments, std::string const
     WindowOptions options;
     auto const on = arguments.session.empty() ? model : std::filesystem::path(arguments.session);
     options.title = fmt::format("tractus: {} on {}", what, on.stem().string());
+    options.is_light = arguments.is_light;
+    options.scale = arguments.scale;
     options.frames = arguments.frames;
     options.screenshot = arguments.screenshot;
     return options;
@@ -105,8 +93,7 @@ Result<void> show_replay(WindowArguments const& arguments)
         options.rig = TRY(load_rig(arguments.rig));
     if (!arguments.height.empty())
         options.height = TRY(parse_height_scenario(arguments.height));
-    auto const log = TRY(arguments.log.empty() ? drawn_by_the_simulated_hand(model, options.scene)
-                                               : read_log(arguments.log));
+    auto const log = TRY(read_log(arguments.log));
     std::optional<Session> session;
     if (!arguments.session.empty())
         session = TRY(keep_in(arguments.session, model));
@@ -160,7 +147,20 @@ Result<void> draw_in_window(LiveDevices devices, LiveWindowOptions options,
     return run_window(window, how);
 }
 
-Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices)
+struct Clock {
+    std::function<Timestamp()> now;
+    std::shared_ptr<Timestamp> counted {}; // By frames, if it is not the machine's.
+};
+
+Clock clock_for(WindowArguments const& arguments)
+{
+    if (arguments.played.empty() || arguments.frames == 0)
+        return { [] { return Timestamp(std::chrono::steady_clock::now().time_since_epoch()); } };
+    auto const counted = std::make_shared<Timestamp>();
+    return { [counted] { return *counted; }, counted };
+}
+
+Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices, Clock const& clock)
 {
     auto const model = TRY(find_model(arguments.model));
     LiveWindowOptions options;
@@ -172,8 +172,11 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices)
         options.height_mm = TRY(constant_height_mm(arguments.height));
     options.pictures = std::filesystem::current_path();
     options.recording = arguments.recording;
-    options.now = [] { return Timestamp(std::chrono::steady_clock::now().time_since_epoch()); };
-    auto const name = devices.infos().empty() ? "" : devices.infos().front().name;
+    options.now = clock.now;
+    options.counted_time = clock.counted;
+    if (!clock.counted)
+        options.mouse.emplace(options.now); // On threads of their own, by the machine's clock.
+    auto const name = devices.infos().empty() ? "mouse" : devices.infos().front().name;
     auto const done = draw_in_window(std::move(devices), std::move(options),
                                      window_options(arguments, name, model));
     if (!unnamed.empty())
@@ -197,32 +200,29 @@ Result<WindowArguments> sort_out(WindowArguments arguments)
         return arguments;
     }
     arguments.log = arguments.file;
-    if (!arguments.log.empty() && !(arguments.devices.empty() && arguments.recording.empty()))
-        return fail(
-            Fault::User,
-            fmt::format("{} is replayed: --device and --record are for drawing", arguments.log));
+    if (!arguments.log.empty()
+        && !(arguments.devices.empty() && arguments.played.empty() && arguments.recording.empty()))
+        return fail(Fault::User,
+                    fmt::format("{} is replayed: --device, --log and --record are for drawing",
+                                arguments.log));
     return arguments;
 }
 
-// What was asked for; else the devices that are there; else the simulated hand.
+// What was asked for; else the devices that are there; else a mouse.
 Result<void> open_window(WindowArguments const& arguments)
 {
     return_large_blocks();
     if (!arguments.log.empty())
         return show_replay(arguments);
+    auto const clock = clock_for(arguments);
+    if (!arguments.played.empty())
+        return show_devices(arguments, TRY(LiveDevices::play_log(arguments.played, clock.now)),
+                            clock);
     if (!arguments.devices.empty())
-        return show_devices(arguments, TRY(LiveDevices::open_named(arguments.devices)));
+        return show_devices(arguments, TRY(LiveDevices::open_named(arguments.devices)), clock);
     auto const found = find_pens_and_height_sensors();
-    bool const any_pen = std::any_of(found.begin(), found.end(), [](auto const& info) {
-        return describe_device(info).kind == DeviceKind::Pen;
-    });
-    if (any_pen)
-        return show_devices(arguments, TRY(open_found(found)));
-    if (!arguments.recording.empty() || !arguments.session.empty())
-        return fail(Fault::User,
-                    "there is no tablet to draw on: \"tractus doctor\" says why; the simulated rig "
-                    "is read with --device simulated");
-    return show_replay(arguments);
+    auto devices = found.empty() ? LiveDevices::start({}) : open_found(found);
+    return show_devices(arguments, TRY(std::move(devices)), clock);
 }
 
 } // namespace
@@ -232,14 +232,22 @@ void add_window_verb(CLI::App& root, Action& action)
     auto arguments = std::make_shared<WindowArguments>();
     auto* const verb = root.add_subcommand(
         "window", "Open the station's window: a hand draws, and the plant changes");
+    verb->alias("draw");
     verb->add_option("FILE", arguments->file,
                      "A session (.tractus) to go on with, or a drawing to replay, a .tractus-log "
-                     "or anybody's hid-recorder file; without it, the tablets and the height "
-                     "sensor that are found, or else the model's demo on the simulated rig");
+                     "or anybody's hid-recorder file; without it, one draws: with the tablets and "
+                     "the height sensor that are found, and with the mouse in place of what is "
+                     "missing");
     verb->add_option(
             "--device", arguments->devices,
             fmt::format("What to read in place of what is found, each {}", device_name_help()))
         ->type_name("DEVICE...");
+    verb->add_option("--log", arguments->played,
+                     "Read this recording as if its devices were there: its pen draws and presses "
+                     "what the window shows; with --frames the same at each run")
+        ->type_name("FILE")
+        ->check(CLI::ExistingFile)
+        ->excludes("--device");
     verb->add_option("--record", arguments->recording,
                      "Record all that the devices send and every choice of a tool: a new "
                      ".tractus-log")
@@ -254,6 +262,11 @@ void add_window_verb(CLI::App& root, Action& action)
     add_plant_option(*verb, arguments->model);
     add_rig_option(*verb, arguments->rig);
     add_height_option(*verb, arguments->height);
+    verb->add_flag("--light", arguments->is_light, "Light colours, for a bright room");
+    verb->add_option("--scale", arguments->scale,
+                     "How large letters and buttons are; 0 takes the display's own scale")
+        ->type_name("X")
+        ->check(CLI::Range(0.0, 8.0));
     verb->add_option("--frames", arguments->frames,
                      "Close after so many frames of 1/60 s; 0 stays open")
         ->type_name("N")

@@ -21,21 +21,21 @@ Vec3f color_of(PlotTone tone)
 {
     switch (tone) {
     case PlotTone::Model:
-        return theme::kAssigned;
+        return theme::palette().assigned;
     case PlotTone::FromBelow:
-        return theme::kSelected;
+        return theme::palette().selected;
     case PlotTone::FromAbove:
-        return theme::kStroke;
+        return theme::palette().stroke;
     case PlotTone::FromNowhere:
-        return theme::kUnselected;
+        return theme::palette().unselected;
     case PlotTone::Slipped:
         return kRefused;
     case PlotTone::Expected:
-        return theme::kUnselected;
+        return theme::palette().unselected;
     case PlotTone::Measured:
-        return theme::kSelected;
+        return theme::palette().selected;
     }
-    return theme::kUnselected;
+    return theme::palette().unselected;
 }
 
 // A plot's frame on the screen.
@@ -74,14 +74,14 @@ private:
         for (double const x : ticks_between(plot_.low.x(), plot_.high.x(), 5)) {
             auto const at = place({ x, plot_.low.y() });
             auto const text = tick_text(x);
-            draw_.AddLine(at, { at.x, low_.y }, theme::packed(theme::kGrid));
+            draw_.AddLine(at, { at.x, low_.y }, theme::packed(theme::palette().grid));
             draw_.AddText({ at.x - ImGui::CalcTextSize(text.c_str()).x / 2, high_.y + 2 }, dim,
                           text.c_str());
         }
         for (double const y : ticks_between(plot_.low.y(), plot_.high.y(), 5)) {
             auto const at = place({ plot_.low.x(), y });
             auto const text = tick_text(y);
-            draw_.AddLine(at, { high_.x, at.y }, theme::packed(theme::kGrid));
+            draw_.AddLine(at, { high_.x, at.y }, theme::packed(theme::palette().grid));
             draw_.AddText({ at.x - ImGui::CalcTextSize(text.c_str()).x - 6, at.y - letter_ / 2 },
                           dim, text.c_str());
         }
@@ -193,7 +193,7 @@ void CalibrationPanel::show_procedures(CalibrationModel& model)
             ImGui::SameLine();
         bool const is_present = kProcedures[i] == present;
         if (is_present)
-            ImGui::PushStyleColor(ImGuiCol_Button, theme::imgui_color(theme::kAssigned));
+            ImGui::PushStyleColor(ImGuiCol_Button, theme::imgui_color(theme::palette().assigned));
         if (ImGui::Button(kTitles[i], { 150 * scale_, theme::kButtonHeight_px * scale_ })
             && !is_present)
             model.perform(ChooseProcedure { kProcedures[i] });
@@ -211,7 +211,7 @@ void CalibrationPanel::show_reading(CalibrationView const& view)
         ImGui::TextUnformatted(view.reading.c_str());
     ImGui::PopFont();
     ImGui::PushStyleColor(ImGuiCol_Text,
-                          theme::imgui_color(view.is_refusal ? kRefused : theme::kInk));
+                          theme::imgui_color(view.is_refusal ? kRefused : theme::palette().ink));
     ImGui::TextWrapped("%s", view.message.c_str());
     ImGui::PopStyleColor();
 }

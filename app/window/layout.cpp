@@ -1,10 +1,15 @@
 #include "app/window/layout.h"
 
+#include "app/window/height_gauge.h"
+#include "app/window/input.h"
 #include "app/window/theme.h"
+#include "app/window/tool_choices.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/core.h>
+#include <utility>
 
 namespace tractus {
 
@@ -12,41 +17,13 @@ namespace {
 
 constexpr int kSavedWidth_px = 1600; // Of "Save picture".
 constexpr int kSavedHeight_px = 1200;
-constexpr float kProgressHeight_px = 10;
 constexpr float kGaugeWidth_px = 88;
+constexpr double kAirAroundPad = 1.06;
+constexpr double kWheelStep_mm = 10;
+constexpr double kFineWheelStep_mm = 1; // With Shift.
+constexpr double kKeySpeed_mm_s = 80;
 
-// A ruler of the surface's calibrated range with a mark at its present height.
-void draw_height_gauge(WindowState const& state, ImVec2 const& corner, ImVec2 const& size)
-{
-    auto* const draw = ImGui::GetWindowDrawList();
-    double const low_mm = state.volume_mm.min_mm.z();
-    double const range_mm = std::max(1.0, state.volume_mm.max_mm.z() - low_mm);
-    float const top = corner.y + size.y * 0.08f;
-    float const length = size.y * 0.84f;
-    auto const y_of = [&](double height_mm) {
-        return top + length * (1 - static_cast<float>((height_mm - low_mm) / range_mm));
-    };
-    float const x = corner.x + size.x * 0.36f;
-    draw->AddLine({ x, top }, { x, top + length }, theme::packed(theme::kUnselected, 0.7f), 2);
-    for (int tick = 0; tick <= 10; ++tick) {
-        float const y = y_of(low_mm + range_mm * tick / 10);
-        float const reach = size.x * (tick % 5 == 0 ? 0.22f : 0.12f);
-        draw->AddLine({ x - reach, y }, { x, y }, theme::packed(theme::kUnselected, 0.7f), 2);
-    }
-    float const y = y_of(std::clamp(state.surface_height_mm, low_mm, low_mm + range_mm));
-    float const mark = size.x * 0.20f;
-    draw->AddTriangleFilled({ x + 2, y }, { x + 2 + mark, y - mark * 0.6f },
-                            { x + 2 + mark, y + mark * 0.6f }, theme::packed(theme::kInk));
-    auto const text = fmt::format("{:.0f} mm{}", state.surface_height_mm,
-                                  state.is_outside_calibration ? " ?" : "");
-    ImVec2 const text_size = ImGui::CalcTextSize(text.c_str());
-    draw->AddText({ corner.x + 6, top - text_size.y - 6 },
-                  theme::packed(state.is_outside_calibration ? theme::kIndicator : theme::kInk),
-                  text.c_str());
-    if (state.is_outside_calibration)
-        draw->AddText({ x + 2 + mark, y + mark }, theme::packed(theme::kIndicator),
-                      "outside the calibrated range");
-}
+using Shown = Workbench::Shown;
 
 constexpr int kLegendLines = 4;
 constexpr float kLegendSpacing = 1.25f; // In letters' heights.
@@ -59,10 +36,10 @@ struct LegendEntry {
 void draw_legend(ImVec2 const& corner)
 {
     static std::array<LegendEntry, kLegendLines> const entries {
-        { { theme::kSelected, "selected" },
-          { theme::kUndetermined, "undetermined" },
-          { theme::kAssigned, "shaped by a stroke" },
-          { theme::kIndicator, "leaning" } }
+        { { theme::palette().selected, "selected" },
+          { theme::palette().undetermined, "undetermined" },
+          { theme::palette().assigned, "shaped by a stroke" },
+          { theme::palette().indicator, "leaning" } }
     };
     auto* const draw = ImGui::GetWindowDrawList();
     float const line = ImGui::GetFontSize() * kLegendSpacing;
@@ -77,182 +54,381 @@ void draw_legend(ImVec2 const& corner)
     }
 }
 
-bool is_z_pressed()
+// What a pen that selects has drawn over the skeleton.
+void draw_selecting_ink(WindowState const& state, PenArea const& area)
 {
-#if IMGUI_VERSION_NUM >= 18700
-    return ImGui::IsKeyPressed(ImGuiKey_Z);
-#else
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Z));
-#endif
+    auto* const draw = ImGui::GetWindowDrawList();
+    std::vector<ImVec2> places;
+    for (auto const& ink : state.live_ink) {
+        places.clear();
+        for (auto const& point : ink.points)
+            places.push_back(area.to_px(point.position_mm.head<2>().cast<double>()));
+        draw->AddPolyline(places.data(), static_cast<int>(places.size()),
+                          theme::packed(theme::palette().ink, 0.6f), ImDrawFlags_None, 3);
+    }
+    if (state.pen.in_range)
+        draw->AddCircleFilled(area.to_px(state.pen.tip_mm.head<2>().cast<double>()), 6,
+                              theme::packed(theme::palette().ink, 0.8f));
 }
+
+constexpr ImGuiWindowFlags kPanelFlags
+    = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
 
 } // namespace
 
-void Layout::show(WindowModel& model, Renderer& renderer)
+WindowPart Layout::whole_window() const
 {
-    auto const& io = ImGui::GetIO();
+    auto const& display = ImGui::GetIO().DisplaySize;
+    return { 0, 0, display.x, display.y };
+}
+
+WindowPart Layout::above_controls(WindowState const& state) const
+{
+    auto part = whole_window();
+    part.height = std::max(part.height - controls_.height_px(state), 64.0f);
+    return part;
+}
+
+void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
+                  std::span<MouseMoment const> mouse)
+{
+    begin_frame(model);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                        model.calibration() ? ImGui::GetStyle().WindowPadding : ImVec2(0, 0));
     ImGui::SetNextWindowPos({ 0, 0 });
-    ImGui::SetNextWindowSize(io.DisplaySize);
-    ImGui::Begin("station", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
-                     | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+    ImGui::Begin("station", nullptr, kPanelFlags | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleVar();
     if (auto* const calibration = model.calibration()) {
         calibration_.show(*calibration);
         ImGui::End();
         return;
     }
-    auto const& style = ImGui::GetStyle();
-    float const controls_px = (theme::kButtonHeight_px + kProgressHeight_px) * scale_
-        + ImGui::GetFrameHeight() + 3 * style.ItemSpacing.y;
-    ImVec2 const room = ImGui::GetContentRegionAvail();
-    float const height_px = std::max(room.y - controls_px, 64.0f);
-    float const width_px = std::max(room.x - 2 * style.ItemSpacing.x, 192.0f);
-
-    auto const& state = model.state();
-    show_pad(state, renderer, { width_px * 0.37f, height_px });
-    ImGui::SameLine();
-    show_skeleton(state, renderer, { width_px * 0.28f, height_px });
-    ImGui::SameLine();
-    show_plant(state, renderer, { width_px * 0.35f, height_px });
-    show_controls(model, renderer);
+    show_views(model, renderer, mouse);
     ImGui::End();
+    bool const is_beside_pen
+        = model.state().is_live && !model.state().mouse_draws && bench_.shown != Shown::All;
+    auto const whole = whole_window();
+    float const left = is_beside_pen ? std::max(0.0f, pen_area_.left_px()) : 0;
+    float const right = is_beside_pen ? std::min(whole.width, pen_area_.right_px()) : whole.width;
+    covered_.push_back(controls_.show(model, bench_, left, right));
+    if (bench_.menu_is_open)
+        covered_.push_back(menu_.show(model, bench_, controls_, room_for_menu(model.state()), [&] {
+            return plant_.picture(renderer, kSavedWidth_px, kSavedHeight_px);
+        }));
+    if (bench_.keys_are_listed)
+        show_keys();
+    show_ring(model, pen);
+    follow_angle(model);
+    tell_pressing_areas(model);
 }
 
-void Layout::show_title(char const* title, char const* detail) const
+// A person with a tablet begins where it draws.
+void Layout::begin_frame(WindowModel& model)
 {
+    auto const& state = model.state();
+    if (!std::exchange(has_begun_, true) && state.is_live && !state.mouse_draws)
+        bench_.shown = Shown::Pad;
+    bench_.angle.area_mm = (state.volume_mm.max_mm - state.volume_mm.min_mm).head<2>().cwiseMax(1);
+    covered_.clear();
+    pad_is_pointed_at_ = false;
+    if (!model.calibration())
+        take_keys(model);
+}
+
+void Layout::take_keys(WindowModel& model)
+{
+    auto const& io = ImGui::GetIO();
+    if (input::is_question_mark_typed())
+        bench_.keys_are_listed = !bench_.keys_are_listed;
+    if (input::is_escape_pressed()) {
+        bool const is_anything_open
+            = ring_.is_open() || bench_.menu_is_open || bench_.keys_are_listed;
+        ring_.close();
+        bench_.menu_is_open = false;
+        bench_.keys_are_listed = false;
+        bench_.wants_to_close = !is_anything_open;
+    }
+    if (input::is_pressed('Q'))
+        bench_.wants_to_close = true;
+    if (io.KeyCtrl) {
+        if (input::is_pressed('Z') && model.state().has_session) {
+            if (io.KeyShift)
+                model.perform(Redo {});
+            else
+                model.perform(Undo {});
+        }
+        return;
+    }
+    if (input::is_pressed('N'))
+        model.perform(NextVariation {});
+    if (input::is_pressed('V'))
+        bench_.show_next();
+    if (!model.state().is_live)
+        return;
+    constexpr std::array<char, 4> kToolKeys { 'D', 'C', 'L', 'E' };
+    for (std::size_t i = 0; i < kToolKeys.size(); ++i)
+        if (input::is_pressed(kToolKeys[i]))
+            bench_.choose(model, tool_choices()[i].tool);
+    if (input::is_pressed('T'))
+        bench_.choose_view_tool();
+}
+
+// By the wheel over the pad, and by keys wherever the mouse is.
+void Layout::move_surface(WindowModel& model, bool wheel_counts) const
+{
+    if (!model.state().mouse_moves_surface)
+        return;
+    auto const& io = ImGui::GetIO();
+    double by_mm = 0;
+    if (wheel_counts)
+        by_mm += static_cast<double>(io.MouseWheel)
+            * (io.KeyShift ? kFineWheelStep_mm : kWheelStep_mm);
+    double const step_s = std::min(0.1, static_cast<double>(io.DeltaTime));
+    if (input::is_held('W'))
+        by_mm += kKeySpeed_mm_s * step_s;
+    if (input::is_held('S'))
+        by_mm -= kKeySpeed_mm_s * step_s;
+    if (by_mm != 0)
+        model.perform(MoveSurface { by_mm });
+}
+
+void Layout::show_views(WindowModel& model, Renderer& renderer, std::span<MouseMoment const> mouse)
+{
+    auto const& state = model.state();
+    if (!state.mouse_draws || !bench_.draws(state))
+        mouse_.let_go(model);
+    if (bench_.shown != Shown::Collection)
+        collection_is_shown_ = false;
+    if (bench_.shown != Shown::All) {
+        auto const whole = whole_window();
+        pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
+        if (bench_.shown == Shown::Pad)
+            show_pad(model, renderer, whole, mouse);
+        else if (bench_.shown == Shown::Skeleton)
+            show_skeleton(model, renderer, whole, mouse);
+        else if (bench_.shown == Shown::Plant)
+            show_plant(state, renderer, above_controls(state));
+        else
+            show_collection(model, renderer, above_controls(state));
+        if (bench_.shown != Shown::Pad)
+            move_surface(model, false);
+        return;
+    }
+    auto const room = above_controls(state);
+    float const gap = ImGui::GetStyle().ItemSpacing.x;
+    float const width = std::max(room.width - 2 * gap, 192.0f);
+    WindowPart part { 0, 0, width * 0.37f, room.height };
+    auto const whole = whole_window(); // What the pen points at unless it draws.
+    pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
+    show_pad(model, renderer, part, mouse);
+    part = { part.left + part.width + gap, 0, width * 0.28f, room.height };
+    show_skeleton(model, renderer, part, mouse);
+    part = { part.left + part.width + gap, 0, width * 0.35f, room.height };
+    show_plant(state, renderer, part);
+}
+
+void Layout::show_title(WindowPart const& part, char const* title, char const* detail) const
+{
+    ImGui::SetCursorScreenPos({ part.left + 14 * scale_, part.top + 10 * scale_ });
     ImGui::PushFont(title_font_);
     ImGui::TextUnformatted(title);
     ImGui::PopFont();
     ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().FramePadding.y + 3 * scale_);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 4 * scale_);
     ImGui::TextDisabled("%s", detail);
 }
 
-void Layout::show_pad(WindowState const& state, Renderer& renderer, ImVec2 const& size_px)
-{
-    ImGui::BeginGroup();
-    show_title("Drawing pad", state.tool.c_str());
-    ImVec2 const corner = ImGui::GetCursorScreenPos();
-    float const gauge_px = kGaugeWidth_px * scale_;
-    float const height_px = size_px.y - ImGui::GetFontSize() * 2;
-    ImGui::Dummy({ gauge_px, height_px });
-    draw_height_gauge(state, corner, { gauge_px, height_px });
-    ImGui::SameLine(0, 0);
-    pad_.show(state, renderer, { size_px.x - gauge_px, height_px });
-    ImGui::EndGroup();
-}
-
-void Layout::show_skeleton(WindowState const& state, Renderer& renderer, ImVec2 const& size_px)
-{
-    ImGui::BeginGroup();
-    show_title("Skeleton", "drag to turn, wheel to zoom");
-    ImVec2 const corner = ImGui::GetCursorScreenPos();
-    skeleton_.show(state, renderer, { size_px.x, size_px.y - ImGui::GetFontSize() * 2 });
-    float const legend_px = kLegendLines * kLegendSpacing * ImGui::GetFontSize();
-    draw_legend({ corner.x + 14 * scale_, ImGui::GetItemRectMax().y - legend_px - 8 * scale_ });
-    ImGui::EndGroup();
-}
-
-void Layout::show_plant(WindowState const& state, Renderer& renderer, ImVec2 const& size_px)
-{
-    ImGui::BeginGroup();
-    show_title("Plant", fmt::format("seed {}", state.seed).c_str());
-    plant_.show(state, renderer, { size_px.x, size_px.y - ImGui::GetFontSize() * 2 });
-    ImGui::EndGroup();
-}
-
-void Layout::show_controls(WindowModel& model, Renderer& renderer)
+void Layout::show_pad(WindowModel& model, Renderer& renderer, WindowPart const& part,
+                      std::span<MouseMoment const> mouse)
 {
     auto const& state = model.state();
-    bool const is_live = state.is_live;
-    ImGui::ProgressBar(static_cast<float>(state.progress), { -1, kProgressHeight_px * scale_ }, "");
-    ImGui::AlignTextToFramePadding();
-    if (state.trouble.empty())
-        ImGui::TextUnformatted(state.status.c_str());
-    else
-        ImGui::TextColored(theme::imgui_color(theme::kIndicator), "%s", state.trouble.c_str());
-
-    if (is_live) {
-        show_tool_buttons(model);
-        ImGui::SameLine();
-        if (button("Start again", 180))
-            model.perform(Restart {});
-        if (state.has_session)
-            show_undo_buttons(model);
-    } else {
-        show_playing_buttons(model);
+    bool const fills_window = bench_.shown == Shown::Pad;
+    auto const area = fit_pen_area(state.volume_mm, { part.left, part.top },
+                                   { part.width, part.height }, fills_window ? 1 : kAirAroundPad);
+    ImGui::SetCursorScreenPos({ part.left, part.top });
+    pad_.show(state, renderer, area, { part.width, part.height });
+    ImGui::SetCursorScreenPos({ part.left, part.top });
+    ImGui::InvisibleButton("pad", { part.width, part.height });
+    bool const draws_here = bench_.draws(state) && !Workbench::selects(state);
+    if (draws_here) {
+        pen_area_ = area;
+        if (state.mouse_draws && !ring_.is_open())
+            mouse_.hold(model, area, mouse);
     }
-    ImGui::SameLine();
-    if (button("Another one", 200))
-        model.perform(NextVariation {});
-    ImGui::SameLine();
-    if (button("Save picture", 200))
-        model.perform(SavePicture { plant_.picture(renderer, kSavedWidth_px, kSavedHeight_px) });
-    if (!is_live) {
-        ImGui::SameLine();
-        show_speed(model);
+    pad_is_pointed_at_ = ImGui::IsItemHovered();
+    move_surface(model, pad_is_pointed_at_);
+    float const gauge_px = kGaugeWidth_px * scale_;
+    float const gauge_left = fills_window ? std::max(part.left, area.left_px()) : part.left;
+    draw_height_gauge(state, { gauge_left, part.top + 40 * scale_ },
+                      { gauge_px, above_controls(state).height - 40 * scale_ });
+    show_title(part, "Drawing pad", state.tool.c_str());
+}
+
+// Where it shares the window only the plant need be seen, not all of the tablet.
+PenArea Layout::skeleton_area(WindowState const& state, WindowPart const& part) const
+{
+    auto area = fit_pen_area(state.volume_mm, { part.left, part.top }, { part.width, part.height });
+    if (bench_.shown != Shown::All)
+        return area;
+    auto const plant_mm
+        = fit_selection_view(state.skeleton_box_mm, { .area_mm = area.size_mm }).size_mm;
+    double const air = 1.15;
+    area.px_per_mm = std::min(static_cast<double>(part.height) / area.size_mm.y(),
+                              static_cast<double>(part.width) / std::max(1.0, plant_mm.x() * air));
+    return area;
+}
+
+void Layout::show_skeleton(WindowModel& model, Renderer& renderer, WindowPart const& part,
+                           std::span<MouseMoment const> mouse)
+{
+    auto const& state = model.state();
+    auto const area = skeleton_area(state, part);
+    ImGui::SetCursorScreenPos({ part.left, part.top });
+    skeleton_.show(state, renderer, bench_.angle, area, { part.width, part.height });
+    ImGui::SetCursorScreenPos({ part.left, part.top });
+    ImGui::InvisibleButton("skeleton", { part.width, part.height });
+    bool const selects_here = bench_.draws(state) && Workbench::selects(state);
+    turn_skeleton(bench_.angle, area, !selects_here);
+    if (selects_here) {
+        pen_area_ = area;
+        draw_selecting_ink(state, area);
+        if (state.mouse_draws && !ring_.is_open())
+            mouse_.hold(model, area, mouse);
     }
+    show_title(part, "Skeleton",
+               selects_here ? "draw along a branch to select it" : "drag to turn, wheel to zoom");
+    float const legend_px = kLegendLines * kLegendSpacing * ImGui::GetFontSize();
+    draw_legend(
+        { part.left + 14 * scale_, above_controls(state).height - legend_px - 12 * scale_ });
 }
 
-bool Layout::button(char const* text, float width) const
+void Layout::show_plant(WindowState const& state, Renderer& renderer, WindowPart const& part)
 {
-    return ImGui::Button(text, { width * scale_, theme::kButtonHeight_px * scale_ });
+    ImGui::SetCursorScreenPos({ part.left, part.top });
+    plant_.show(state, renderer, { part.width, part.height });
+    show_title(part, "Plant", fmt::format("seed {}", state.seed).c_str());
 }
 
-void Layout::show_playing_buttons(WindowModel& model) const
+void Layout::show_collection(WindowModel& model, Renderer& renderer, WindowPart const& part)
 {
-    bool const playing = model.state().playing;
-    if (button(playing ? "Pause" : "Play", 150))
-        model.perform(SetPlaying { !playing });
-    ImGui::SameLine();
-    if (button("Restart", 150))
-        model.perform(Restart {});
+    if (!std::exchange(collection_is_shown_, true))
+        CollectionView::begin(model);
+    auto const before = model.state().seed;
+    float const title_px = 44 * scale_;
+    ImGui::SetCursorScreenPos({ part.left, part.top + title_px });
+    collection_.show(model, renderer, { part.width, part.height - title_px });
+    show_title(part, "Variations", "press one to make it the plant");
+    if (model.state().seed != before)
+        bench_.shown = Shown::Plant;
 }
 
-void Layout::show_tool_buttons(WindowModel& model) const
+// Where the pen can reach it.
+WindowPart Layout::room_for_menu(WindowState const& state) const
 {
-    struct Choice {
-        char const* text;
-        Tool tool;
+    auto room = above_controls(state);
+    if (bench_.shown != Shown::All)
+        room.width = std::min(room.width, pen_area_.right_px());
+    return room;
+}
+
+void Layout::show_keys()
+{
+    struct Key {
+        char const* key;
+        char const* meaning;
     };
-    static std::array<Choice, 4> const choices {
-        { { "Branch by branch", { Tool::Kind::DrawInOrder } },
-          { "Select", { Tool::Kind::Select } },
-          { "Draw", { Tool::Kind::Draw, Propagation::Both } },
-          { "Lean", { Tool::Kind::Indicate } } }
+    static constexpr std::array<Key, 12> kKeys {
+        { { "D  C  L  E", "draw, select, lean, erase" },
+          { "T", "turn and zoom views" },
+          { "V", "the next view" },
+          { "W  S", "surface up, down (without a height sensor)" },
+          { "wheel", "the same over the pad; with Shift finely" },
+          { "right button", "ring of tools; turns the skeleton" },
+          { "Ctrl+Z", "undo" },
+          { "Ctrl+Shift+Z", "redo" },
+          { "N", "another one: the next seed" },
+          { "?", "this list" },
+          { "Esc", "closes what is open, else the window" },
+          { "Q", "closes the window" } }
     };
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        if (i > 0)
-            ImGui::SameLine();
-        if (button(choices[i].text, i == 0 ? 250 : 130))
-            model.perform(ChooseTool { choices[i].tool });
+    ImGui::SetNextWindowPos({ 40 * scale_, 60 * scale_ });
+    ImGui::Begin("keys", nullptr, kPanelFlags | ImGuiWindowFlags_AlwaysAutoResize);
+    for (auto const& [key, meaning] : kKeys) {
+        ImGui::TextUnformatted(key);
+        ImGui::SameLine(190 * scale_);
+        ImGui::TextDisabled("%s", meaning);
+    }
+    auto const corner = ImGui::GetWindowPos();
+    auto const size = ImGui::GetWindowSize();
+    covered_.push_back({ corner.x, corner.y, size.x, size.y });
+    ImGui::End();
+}
+
+void Layout::show_ring(WindowModel& model, PenPointer const& pen)
+{
+    auto const& state = model.state();
+    if (!state.is_live)
+        return;
+    bool const mouse_asks
+        = !pen.leads() && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && pad_is_pointed_at_;
+    if (!ring_.is_open() && (mouse_asks || pen.asks_for_ring())) {
+        ring_.open(pen.leads() ? pen.place_px() : ImGui::GetIO().MousePos, scale_);
+        model.perform(PressInstead {}); // A long touch is none of the plant's.
+    }
+    bool const let_go
+        = pen.leads() ? pen.has_let_barrel_go() : ImGui::IsMouseReleased(ImGuiMouseButton_Right);
+    auto const chosen = ring_.show(let_go);
+    if (ring_.is_open())
+        covered_.push_back(whole_window());
+    if (!chosen)
+        return;
+    switch (*chosen) {
+    case RingChoice::View:
+        return bench_.choose_view_tool();
+    case RingChoice::Undo:
+        return model.perform(Undo {});
+    case RingChoice::Redo:
+        return model.perform(Redo {});
+    case RingChoice::NextView:
+        return bench_.show_next();
+    default:
+        bench_.choose(model, tool_choices()[static_cast<std::size_t>(*chosen)].tool);
     }
 }
 
-void Layout::show_undo_buttons(WindowModel& model) const
+// Selecting goes by the skeleton as it is shown now.
+void Layout::follow_angle(WindowModel& model) const
 {
-    auto const& io = ImGui::GetIO();
-    bool const is_key = io.KeyCtrl && is_z_pressed();
-    ImGui::SameLine();
-    if (button("Undo", 100) || (is_key && !io.KeyShift))
-        model.perform(Undo {});
-    ImGui::SameLine();
-    if (button("Redo", 100) || (is_key && io.KeyShift))
-        model.perform(Redo {});
+    auto const& state = model.state();
+    if (!state.is_live || !Workbench::selects(state) || state.hand.angle == bench_.angle
+        || state.pen.touching)
+        return;
+    auto tool = state.hand;
+    tool.angle = bench_.angle;
+    model.perform(ChooseTool { tool });
 }
 
-void Layout::show_speed(WindowModel& model) const
+void Layout::tell_pressing_areas(WindowModel& model)
 {
-    auto speed = static_cast<float>(model.state().speed);
-    float const height = theme::kButtonHeight_px * scale_;
-    ImGui::SetNextItemWidth(std::min(420 * scale_, ImGui::GetContentRegionAvail().x));
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                        { 16 * scale_, (height - ImGui::GetFontSize()) / 2 });
-    if (ImGui::SliderFloat("##speed", &speed, 0.25f, 4, "speed %.2f x",
-                           ImGuiSliderFlags_Logarithmic))
-        model.perform(SetSpeed { static_cast<double>(speed) });
-    ImGui::PopStyleVar();
+    auto const& state = model.state();
+    if (!state.is_live || state.mouse_draws)
+        return;
+    if (!bench_.draws(state))
+        covered_.push_back(whole_window());
+    std::vector<Eigen::AlignedBox2d> areas;
+    for (auto const& part : covered_) {
+        Eigen::AlignedBox2d area;
+        area.extend(pen_area_.to_mm({ part.left, part.top }));
+        area.extend(pen_area_.to_mm({ part.left + part.width, part.top + part.height }));
+        areas.push_back(area);
+    }
+    auto const is_same
+        = [](Eigen::AlignedBox2d const& a, Eigen::AlignedBox2d const& b) { return a.isApprox(b); };
+    if (std::equal(areas.begin(), areas.end(), told_areas_.begin(), told_areas_.end(), is_same))
+        return;
+    told_areas_ = areas;
+    model.perform(SetPressingAreas { std::move(areas) });
 }
 
 } // namespace tractus

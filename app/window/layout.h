@@ -1,12 +1,21 @@
 #pragma once
 
 #include "app/window/calibration_panel.h"
+#include "app/window/collection_view.h"
+#include "app/window/controls.h"
+#include "app/window/menu.h"
+#include "app/window/mouse_hand.h"
+#include "app/window/pen_pointer.h"
+#include "app/window/tool_ring.h"
 #include "app/window/views.h"
+
+#include <span>
 
 namespace tractus {
 
-// The window's contents: three views side by side and a bar of large controls below them. Draws one
-// ImGui frame at a time; what a person asks for goes to the model at once.
+// The window's contents: the views, side by side or one of them over all of it, and above them the
+// bar of controls, the menu and the ring of tools. Draws one ImGui frame at a time; what a person
+// asks for goes to the model at once.
 class Layout {
 public:
     // `title_font` is theme::apply()'s; `scale` the display's.
@@ -14,29 +23,59 @@ public:
         : title_font_(title_font)
         , scale_(scale)
         , calibration_(title_font, scale)
+        , controls_(scale)
+        , menu_(scale)
     {
     }
 
-    void show(WindowModel& model, Renderer& renderer);
+    // The area that the pen points into, as last shown.
+    PenArea const& pen_area() const { return pen_area_; }
+
+    // `mouse`: what the window system's mouse did since the last frame.
+    void show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
+              std::span<MouseMoment const> mouse);
+
+    bool wants_to_close() const { return bench_.wants_to_close; }
 
 private:
-    void show_pad(WindowState const& state, Renderer& renderer, ImVec2 const& size_px);
-    void show_skeleton(WindowState const& state, Renderer& renderer, ImVec2 const& size_px);
-    void show_plant(WindowState const& state, Renderer& renderer, ImVec2 const& size_px);
-    void show_controls(WindowModel& model, Renderer& renderer);
-    void show_playing_buttons(WindowModel& model) const;
-    void show_tool_buttons(WindowModel& model) const;
-    void show_undo_buttons(WindowModel& model) const; // And Ctrl+Z, Ctrl+Shift+Z.
-    void show_speed(WindowModel& model) const;
-    bool button(char const* text, float width) const;
-    void show_title(char const* title, char const* detail) const;
+    void begin_frame(WindowModel& model);
+    void show_views(WindowModel& model, Renderer& renderer, std::span<MouseMoment const> mouse);
+    void show_pad(WindowModel& model, Renderer& renderer, WindowPart const& part,
+                  std::span<MouseMoment const> mouse);
+    void show_skeleton(WindowModel& model, Renderer& renderer, WindowPart const& part,
+                       std::span<MouseMoment const> mouse);
+    void show_plant(WindowState const& state, Renderer& renderer, WindowPart const& part);
+    void show_collection(WindowModel& model, Renderer& renderer, WindowPart const& part);
+    void show_title(WindowPart const& part, char const* title, char const* detail) const;
+    void show_keys();
+    void show_ring(WindowModel& model, PenPointer const& pen);
+    void take_keys(WindowModel& model);
+    void move_surface(WindowModel& model, bool wheel_counts) const;
+    void tell_pressing_areas(WindowModel& model);
+    void follow_angle(WindowModel& model) const;
+    WindowPart above_controls(WindowState const& state) const;
+    WindowPart room_for_menu(WindowState const& state) const;
+    PenArea skeleton_area(WindowState const& state, WindowPart const& part) const;
+    WindowPart whole_window() const;
 
     ImFont* title_font_ = nullptr;
     float scale_ = 1;
+    Workbench bench_;
     CalibrationPanel calibration_;
+    Controls controls_;
+    Menu menu_;
     PadView pad_;
     SkeletonView skeleton_;
     PlantView plant_;
+    CollectionView collection_;
+    ToolRing ring_;
+    MouseHand mouse_;
+    PenArea pen_area_;
+    std::vector<WindowPart> covered_;             // By what the pen presses, in this frame.
+    std::vector<Eigen::AlignedBox2d> told_areas_; // As the model knows them.
+    bool pad_is_pointed_at_ = false;              // By the mouse, in this frame.
+    bool collection_is_shown_ = false;
+    bool has_begun_ = false;
 };
 
 } // namespace tractus

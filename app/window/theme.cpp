@@ -18,12 +18,14 @@ ImFont* add_font(float size_px)
                                                       &config, kRanges);
 }
 
-void set_colors(ImGuiStyle& style)
+ImVec4 gray(float value)
+{
+    return { value, value * 1.04f, value * 1.09f, 1 };
+}
+
+void set_dark_colors(ImGuiStyle& style)
 {
     ImGui::StyleColorsDark(&style);
-    auto const gray = [](float value, float alpha = 1) {
-        return ImVec4(value, value * 1.04f, value * 1.09f, alpha);
-    };
     style.Colors[ImGuiCol_WindowBg] = gray(0.135f);
     style.Colors[ImGuiCol_ChildBg] = gray(0.10f);
     style.Colors[ImGuiCol_Text] = gray(0.91f);
@@ -35,17 +37,45 @@ void set_colors(ImGuiStyle& style)
     style.Colors[ImGuiCol_FrameBg] = gray(0.20f);
     style.Colors[ImGuiCol_FrameBgHovered] = gray(0.25f);
     style.Colors[ImGuiCol_FrameBgActive] = gray(0.29f);
-    style.Colors[ImGuiCol_SliderGrab] = imgui_color(kSelected);
-    style.Colors[ImGuiCol_SliderGrabActive] = imgui_color(kSelected);
-    style.Colors[ImGuiCol_PlotHistogram] = imgui_color(kSelected);
+    style.Colors[ImGuiCol_CheckMark] = { 0.13f, 0.42f, 0.62f, 1 };
+}
+
+void set_light_colors(ImGuiStyle& style)
+{
+    ImGui::StyleColorsLight(&style);
+    style.Colors[ImGuiCol_WindowBg] = gray(0.90f);
+    style.Colors[ImGuiCol_ChildBg] = gray(0.94f);
+    style.Colors[ImGuiCol_Text] = gray(0.08f);
+    style.Colors[ImGuiCol_TextDisabled] = gray(0.38f);
+    style.Colors[ImGuiCol_Border] = gray(0.75f);
+    style.Colors[ImGuiCol_Button] = gray(0.80f);
+    style.Colors[ImGuiCol_ButtonHovered] = gray(0.73f);
+    style.Colors[ImGuiCol_ButtonActive] = gray(0.66f);
+    style.Colors[ImGuiCol_FrameBg] = gray(0.82f);
+    style.Colors[ImGuiCol_FrameBgHovered] = gray(0.78f);
+    style.Colors[ImGuiCol_FrameBgActive] = gray(0.74f);
+    style.Colors[ImGuiCol_CheckMark] = { 0.50f, 0.76f, 0.93f, 1 };
 }
 
 } // namespace
 
+void set_light(bool is_light)
+{
+    use_light_palette(is_light);
+    auto& style = ImGui::GetStyle();
+    if (is_light)
+        set_light_colors(style);
+    else
+        set_dark_colors(style);
+    style.Colors[ImGuiCol_SliderGrab] = imgui_color(palette().selected);
+    style.Colors[ImGuiCol_SliderGrabActive] = imgui_color(palette().selected);
+    style.Colors[ImGuiCol_PlotHistogram] = imgui_color(palette().selected);
+}
+
 ImFont* apply(float scale)
 {
     auto& style = ImGui::GetStyle();
-    set_colors(style);
+    set_light(palette().is_light);
     style.WindowRounding = 0;
     style.WindowBorderSize = 0;
     style.ChildRounding = 8;

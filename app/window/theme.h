@@ -21,6 +21,9 @@ inline ImU32 packed(Vec3f const& color, float alpha = 1)
     return ImGui::ColorConvertFloat4ToU32(imgui_color(color, alpha));
 }
 
+// For a bright room or a dark one: the palette and ImGui's colours.
+void set_light(bool is_light);
+
 // Sets colours, distances and the typeface of the current ImGui context, times `scale` (the
 // display's). Returns the larger typeface for titles.
 ImFont* apply(float scale);

@@ -39,9 +39,11 @@ void add_surface_grid(WindowState const& state, std::vector<Curve>& curves)
     auto const height = static_cast<float>(state.surface_height_mm);
     float const step = grid_step_mm((high - low).head<2>().maxCoeff());
     for (float x = std::ceil(low.x() / step) * step; x <= high.x(); x += step)
-        curves.push_back(line({ x, low.y(), height }, { x, high.y(), height }, theme::kGrid, 1));
+        curves.push_back(
+            line({ x, low.y(), height }, { x, high.y(), height }, theme::palette().grid, 1));
     for (float y = std::ceil(low.y() / step) * step; y <= high.y(); y += step)
-        curves.push_back(line({ low.x(), y, height }, { high.x(), y, height }, theme::kGrid, 1));
+        curves.push_back(
+            line({ low.x(), y, height }, { high.x(), y, height }, theme::palette().grid, 1));
 }
 
 // The floor's rim and the edges that lead down to it.
@@ -56,8 +58,10 @@ void add_volume(WindowState const& state, std::vector<Curve>& curves)
         auto const& corner = corners[i];
         auto const& next = corners[(i + 1) % 4];
         Vec3f const floor(corner.x(), corner.y(), low.z());
-        curves.push_back(line(floor, { next.x(), next.y(), low.z() }, theme::kVolume, 1.5f));
-        curves.push_back(line(floor, { corner.x(), corner.y(), height }, theme::kVolume, 1.5f));
+        curves.push_back(
+            line(floor, { next.x(), next.y(), low.z() }, theme::palette().volume, 1.5f));
+        curves.push_back(
+            line(floor, { corner.x(), corner.y(), height }, theme::palette().volume, 1.5f));
     }
 }
 
@@ -72,7 +76,7 @@ void add_ink(std::vector<InkLine> const& lines, Vec3f const& color, std::vector<
             curve.end = Curve::End::Arrow;
         for (auto const& point : ink.points)
             curve.points.push_back({ point.position_mm,
-                                     ink.is_indicator ? theme::kIndicator : color,
+                                     ink.is_indicator ? theme::palette().indicator : color,
                                      point.width_mm });
     }
 }
@@ -83,10 +87,10 @@ void add_pen(WindowState const& state, std::vector<Curve>& curves)
         return;
     auto const& tip = state.pen.tip_mm;
     Vec3f const foot(tip.x(), tip.y(), static_cast<float>(state.volume_mm.min_mm.z()));
-    Vec3f const color = state.pen.touching ? theme::kInk : theme::kUnselected;
-    auto& drop = curves.emplace_back(line(tip, foot, theme::kUnselected, 2));
-    drop.points[1].color = theme::kVolume;
-    curves.push_back({ .points = { { foot, theme::kVolume, 9 } } });
+    Vec3f const color = state.pen.touching ? theme::palette().ink : theme::palette().unselected;
+    auto& drop = curves.emplace_back(line(tip, foot, theme::palette().unselected, 2));
+    drop.points[1].color = theme::palette().volume;
+    curves.push_back({ .points = { { foot, theme::palette().volume, 9 } } });
     curves.push_back({ .points = { { tip, color, state.pen.touching ? 18.0f : 12.0f } } });
 }
 
@@ -94,15 +98,15 @@ Vec3f state_color(SkeletonLine::State state)
 {
     switch (state) {
     case SkeletonLine::State::Unselected:
-        return theme::kUnselected;
+        return theme::palette().unselected;
     case SkeletonLine::State::Undetermined:
-        return theme::kUndetermined;
+        return theme::palette().undetermined;
     case SkeletonLine::State::Selected:
-        return theme::kSelected;
+        return theme::palette().selected;
     case SkeletonLine::State::Assigned:
-        return theme::kAssigned;
+        return theme::palette().assigned;
     }
-    return theme::kUnselected;
+    return theme::palette().unselected;
 }
 
 float widest_mm(std::vector<SkeletonLine> const& skeleton)
@@ -135,7 +139,7 @@ void add_ground_ring(std::vector<SkeletonLine> const& skeleton, std::vector<Curv
         for (int i = 0; i <= kPieces; ++i) {
             float const angle = static_cast<float>(i) * static_cast<float>(2 * kPi) / kPieces;
             ring.points.push_back({ Vec3f(std::cos(angle), std::sin(angle), 0) * (radius * share),
-                                    theme::kGrid, 1.5f });
+                                    theme::palette().grid, 1.5f });
         }
     }
 }
@@ -157,8 +161,8 @@ std::vector<Curve> pad_skeleton_curves(WindowState const& state)
     std::vector<Curve> curves;
     for (auto const& line : state.skeleton) {
         Vec3f const color = line.state == SkeletonLine::State::Unselected
-            ? theme::kFaint
-            : Vec3f(0.45f * state_color(line.state) + 0.55f * theme::kPadBackground);
+            ? theme::palette().faint
+            : Vec3f(0.45f * state_color(line.state) + 0.55f * theme::palette().pad_background);
         add_flat_line(state, line, color, curves);
     }
     return curves;
@@ -168,7 +172,8 @@ std::vector<Curve> pad_preview_curves(WindowState const& state)
 {
     std::vector<Curve> curves;
     for (auto const& line : state.preview)
-        add_flat_line(state, line, 0.45f * state_color(line.state) + 0.55f * theme::kPadBackground,
+        add_flat_line(state, line,
+                      0.45f * state_color(line.state) + 0.55f * theme::palette().pad_background,
                       curves);
     return curves;
 }
@@ -176,7 +181,7 @@ std::vector<Curve> pad_preview_curves(WindowState const& state)
 std::vector<Curve> pad_stroke_curves(WindowState const& state)
 {
     std::vector<Curve> curves;
-    add_ink(state.strokes, theme::kStroke, curves);
+    add_ink(state.strokes, theme::palette().stroke, curves);
     return curves;
 }
 
@@ -185,7 +190,9 @@ std::vector<Curve> pad_live_curves(WindowState const& state)
     std::vector<Curve> curves;
     add_volume(state, curves);
     add_surface_grid(state, curves);
-    add_ink(state.live_ink, theme::kInk, curves);
+    // A pen that selects draws over the skeleton's picture, not in the volume.
+    if (state.hand.kind != Tool::Kind::Select)
+        add_ink(state.live_ink, theme::palette().ink, curves);
     add_pen(state, curves);
     return curves;
 }
@@ -193,7 +200,7 @@ std::vector<Curve> pad_live_curves(WindowState const& state)
 Stage::Fade pad_fade(WindowState const& state)
 {
     auto const range = static_cast<float>(state.volume_mm.max_mm.z() - state.volume_mm.min_mm.z());
-    return { .color = theme::kPadBackground,
+    return { .color = theme::palette().pad_background,
              .share = 0.55f,
              .from_mm = static_cast<float>(state.surface_height_mm),
              .range_mm = std::max(range, 1.0f) };
@@ -226,8 +233,8 @@ std::vector<Curve> skeleton_curves(WindowState const& state)
     for (auto const& arrow : state.indicators) {
         auto& curve = curves.emplace_back();
         curve.end = Curve::End::Arrow;
-        curve.points
-            = { { arrow.from_mm, theme::kIndicator, 5 }, { arrow.to_mm, theme::kIndicator, 5 } };
+        curve.points = { { arrow.from_mm, theme::palette().indicator, 5 },
+                         { arrow.to_mm, theme::palette().indicator, 5 } };
     }
     return curves;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tractus {
 
@@ -15,27 +16,48 @@ constexpr double kAboveSurface_mm = 0.25; // Ink lies on the surface; half its w
 
 Backdrop plain_backdrop()
 {
-    return { .top = theme::kPadBackground,
-             .bottom = theme::kPadBackground,
+    return { .top = theme::palette().pad_background,
+             .bottom = theme::palette().pad_background,
              .ground = {},
              .has_ground = false };
 }
 
-// Straight down through the surface, whose rectangle just fits into the picture.
-Camera pad_camera(WindowState const& state, double aspect)
+// Straight down through the surface, whose area is seen as large as `area` has it.
+Camera pad_camera(WindowState const& state, PenArea const& area, Canvas const& canvas)
 {
     auto const& box = state.volume_mm;
-    Vec3 const size = box.max_mm - box.min_mm;
-    double const half_mm = std::max({ size.y() / 2, size.x() / 2 / aspect, 1.0 }) * 1.06;
-    double const distance_mm = half_mm / std::tan(kPadFieldOfView_rad / 2);
+    double const height_mm = std::max(1.0, box.max_mm.z() - box.min_mm.z());
+    double const distance_mm
+        = canvas.height() / area.px_per_mm / 2 / std::tan(kPadFieldOfView_rad / 2);
     Camera camera;
-    camera.target_mm = (box.min_mm + box.max_mm) / 2;
-    camera.target_mm.z() = state.surface_height_mm;
+    camera.target_mm << area.middle_mm, state.surface_height_mm;
     camera.eye_mm = camera.target_mm + Vec3(0, 0, distance_mm);
     camera.up = Vec3::UnitY();
     camera.field_of_view_rad = kPadFieldOfView_rad;
     camera.near_mm = distance_mm * 0.1;
-    camera.far_mm = distance_mm + 4 * std::max(size.z(), size.norm());
+    camera.far_mm = distance_mm + 4 * std::max(height_mm, area.size_mm.norm());
+    return camera;
+}
+
+// As one sees the skeleton from the angle, a tablet's millimetre as large as `area` has it.
+Camera skeleton_camera(WindowState const& state, SelectionAngle const& angle, PenArea const& area,
+                       Canvas const& canvas)
+{
+    auto const view = fit_selection_view(state.skeleton_box_mm, angle);
+    double const radius_mm
+        = std::max(1.0,
+                   state.skeleton_box_mm.empty()
+                       ? 1.0
+                       : (state.skeleton_box_mm.max_mm - state.skeleton_box_mm.min_mm).norm());
+    Vec2 const middle_mm = -view.origin_mm / view.scale; // Of the tablet, in the view's plane.
+    Camera camera;
+    camera.projection = Camera::Projection::Orthographic;
+    camera.target_mm = middle_mm.x() * view.right + middle_mm.y() * view.up;
+    camera.eye_mm = camera.target_mm + 4 * radius_mm * view.back;
+    camera.up = view.up;
+    camera.view_height_mm = canvas.height() / area.px_per_mm / view.scale;
+    camera.near_mm = radius_mm * 0.1;
+    camera.far_mm = 8 * radius_mm;
     return camera;
 }
 
@@ -65,9 +87,10 @@ void ViewCanvas::show() const
     ImGui::Image(texture, size, ImVec2(0, 1), ImVec2(1, 0));
 }
 
-void PadView::show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px)
+void PadView::show(WindowState const& state, Renderer& renderer, PenArea const& area,
+                   ImVec2 const& size_px)
 {
-    bool changed = false;
+    bool changed = std::exchange(px_per_mm_, area.px_per_mm) != area.px_per_mm;
     changed
         |= skeleton_.follow(state.skeleton_revision, [&] { return pad_skeleton_curves(state); });
     changed |= preview_.follow(state.preview_revision, [&] { return pad_preview_curves(state); });
@@ -80,7 +103,44 @@ void PadView::show(WindowState const& state, Renderer& renderer, ImVec2 const& s
         stage.backdrop = plain_backdrop();
         stage.hidden_above_mm = state.surface_height_mm + kAboveSurface_mm;
         stage.fade = pad_fade(state);
-        renderer.draw(stage, pad_camera(state, aspect_of(canvas)), canvas);
+        renderer.draw(stage, pad_camera(state, area, canvas), canvas);
+    }
+    canvas_.show();
+}
+
+void turn_skeleton(SelectionAngle& angle, PenArea const& area, bool left_turns)
+{
+    auto const& io = ImGui::GetIO();
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0)
+        angle.zoom = std::clamp(angle.zoom * std::pow(1.12, static_cast<double>(io.MouseWheel)),
+                                0.4, 40.0);
+    bool const turns = ImGui::IsMouseDragging(ImGuiMouseButton_Right, 0)
+        || (left_turns && ImGui::IsItemActive());
+    if (!turns || (!ImGui::IsItemHovered() && !ImGui::IsItemActive()))
+        return;
+    Vec2 const by_mm = Vec2(io.MouseDelta.x, -io.MouseDelta.y) / area.px_per_mm;
+    if (io.KeyShift) {
+        angle.moved_mm += by_mm;
+        return;
+    }
+    constexpr double kPerMm_deg = 1.2;
+    angle.azimuth_deg = std::remainder(angle.azimuth_deg - kPerMm_deg * by_mm.x(), 360);
+    angle.elevation_deg = std::clamp(angle.elevation_deg - kPerMm_deg * by_mm.y(), -10.0, 85.0);
+}
+
+void SkeletonView::show(WindowState const& state, Renderer& renderer, SelectionAngle const& angle,
+                        PenArea const& area, ImVec2 const& size_px)
+{
+    bool changed = curves_.follow(state.skeleton_revision, [&] { return skeleton_curves(state); });
+    changed |= preview_.follow(state.preview_revision, [&] { return preview_curves(state); });
+    changed |= std::exchange(angle_, angle) != angle;
+    changed |= std::exchange(px_per_mm_, area.px_per_mm) != area.px_per_mm;
+    auto const& canvas = canvas_.sized(size_px, changed);
+    if (changed) {
+        Stage stage;
+        stage.curves = { curves_.curves(), preview_.curves() };
+        stage.backdrop = plain_backdrop();
+        renderer.draw(stage, skeleton_camera(state, angle, area, canvas), canvas);
     }
     canvas_.show();
 }
@@ -115,35 +175,10 @@ Camera Orbit::camera(Bounds const& box, double aspect) const
     return camera;
 }
 
-void SkeletonView::show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px)
-{
-    bool changed = turned_;
-    changed |= preview_.follow(state.preview_revision, [&] { return preview_curves(state); });
-    if (curves_.follow(state.skeleton_revision, [&] { return skeleton_curves(state); })) {
-        changed = true;
-        box_ = Bounds();
-        for (auto const& line : state.skeleton)
-            for (auto const& point : line.points_mm)
-                box_.add(point.cast<double>());
-        for (auto const& arrow : state.indicators) {
-            box_.add(arrow.from_mm.cast<double>());
-            box_.add(arrow.to_mm.cast<double>());
-        }
-    }
-    auto const& canvas = canvas_.sized(size_px, changed);
-    if (changed) {
-        Stage stage;
-        stage.curves = { curves_.curves(), preview_.curves() };
-        stage.backdrop = plain_backdrop();
-        renderer.draw(stage, orbit_.camera(box_, aspect_of(canvas)), canvas);
-    }
-    canvas_.show();
-    turned_ = orbit_.take_input(ImGui::GetFontSize() / theme::kTextSize_px);
-}
-
 void PlantView::show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px)
 {
-    bool changed = turned_;
+    bool changed = turned_
+        || std::exchange(is_light_, theme::palette().is_light) != theme::palette().is_light;
     if (state.plant != nullptr && (!mesh_ || state.plant_revision != revision_)) {
         mesh_.emplace(*state.plant);
         revision_ = state.plant_revision;
@@ -152,7 +187,7 @@ void PlantView::show(WindowState const& state, Renderer& renderer, ImVec2 const&
     auto const& canvas = canvas_.sized(size_px, changed);
     if (changed) {
         Stage stage;
-        stage.backdrop = dark_backdrop();
+        stage.backdrop = is_light_ ? Backdrop() : dark_backdrop();
         if (mesh_)
             stage.meshes.push_back({ &*mesh_ });
         renderer.draw(stage, orbit_.camera(bounds(stage), aspect_of(canvas)), canvas);

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "app/render/renderer.h"
-#include "app/window/window_model.h"
+#include "app/window/palette.h"
+#include "app/window/pen_area.h"
+#include "app/window/workbench.h"
 
 #include <imgui.h>
 #include <optional>
+#include <utility>
 
 namespace tractus {
 
@@ -24,10 +27,13 @@ private:
 // Curves on the graphics card that are made again only when they have changed.
 class FollowedCurves {
 public:
-    // True if they were made, by `make`, since the revision is another one than at the last call.
+    // True if they were made, by `make`, since the revision is another one than at the last call,
+    // or the colours are.
     template<typename Make> bool follow(std::uint64_t revision, Make const& make)
     {
-        if (curves_ && revision == revision_)
+        bool const is_light = theme::palette().is_light;
+        bool const same_colors = std::exchange(is_light_, is_light) == is_light;
+        if (curves_ && revision == revision_ && same_colors)
             return false;
         curves_.emplace(make());
         revision_ = revision;
@@ -39,6 +45,7 @@ public:
 private:
     std::optional<GpuCurves> curves_;
     std::uint64_t revision_ = 0;
+    bool is_light_ = false;
 };
 
 // The three views of Streit 2006 section 3. Each draws itself at ImGui's cursor, `size_px` large,
@@ -48,7 +55,9 @@ private:
 // the surface is seen, and lines get thinner with the depth below it.
 class PadView {
 public:
-    void show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px);
+    // The surface's area is seen where `area` has it, in the middle of the view.
+    void show(WindowState const& state, Renderer& renderer, PenArea const& area,
+              ImVec2 const& size_px);
 
 private:
     ViewCanvas canvas_;
@@ -56,6 +65,7 @@ private:
     FollowedCurves preview_;
     FollowedCurves strokes_;
     FollowedCurves live_;
+    double px_per_mm_ = 0;
 };
 
 // Where a person looks from: changed by dragging and the wheel over the last drawn item.
@@ -72,18 +82,24 @@ private:
     double zoom_ = 1; // Above 1: nearer.
 };
 
-// The plant's skeleton with the states of its branches; turned by dragging, zoomed by the wheel.
+// Turns, zooms and moves the skeleton's view by what the mouse does over ImGui's last item: drags
+// with the right button, or with the left one if `left_turns`; with Shift they move it. Tablet
+// millimetres are as `area` shows them.
+void turn_skeleton(SelectionAngle& angle, PenArea const& area, bool left_turns);
+
+// The plant's skeleton with the states of its branches, as it is selected from.
 class SkeletonView {
 public:
-    void show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px);
+    // The tablet's area is seen where `area` has it, in the middle of the view.
+    void show(WindowState const& state, Renderer& renderer, SelectionAngle const& angle,
+              PenArea const& area, ImVec2 const& size_px);
 
 private:
     ViewCanvas canvas_;
-    Orbit orbit_;
     FollowedCurves curves_;
     FollowedCurves preview_;
-    Bounds box_;
-    bool turned_ = false;
+    SelectionAngle angle_;
+    double px_per_mm_ = 0;
 };
 
 // The whole plant, lit; turned and zoomed like the skeleton.
@@ -100,6 +116,7 @@ private:
     std::optional<GpuMesh> mesh_;
     std::uint64_t revision_ = 0;
     bool turned_ = false;
+    bool is_light_ = false;
 };
 
 } // namespace tractus

@@ -14,8 +14,10 @@
 #include <cstdint>
 #include <cstdlib>
 #include <fmt/core.h>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace tractus {
 
@@ -52,13 +54,20 @@ public:
 
     GLFWwindow* window() const { return window_; }
     bool wants_to_close() const;
-    void begin_frame();
+    void begin_frame(std::optional<float> step_s);
     void end_frame(); // Draws; the picture is in the back buffer.
 
     float scale() const { return scale_; }
     ImFont* title_font() const { return title_font_; }
 
+    // What the mouse did since the last call: more than ImGui tells, which knows where it is at
+    // each frame.
+    std::vector<MouseMoment> take_mouse() { return std::exchange(mouse_, {}); }
+
 private:
+    void watch_mouse();
+
+    std::vector<MouseMoment> mouse_;
     bool library_ = false;
     GLFWwindow* window_ = nullptr;
     bool imgui_ = false;
@@ -101,9 +110,13 @@ Result<void> Host::open(WindowOptions const& options)
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(options.frames > 0 ? 0 : 1);
     glfwGetWindowContentScale(window_, &scale_, nullptr);
+    watch_mouse(); // Before ImGui, which passes everything on.
 
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // Leaves no file behind.
+    if (options.scale > 0)
+        scale_ = static_cast<float>(options.scale);
+    theme::set_light(options.is_light);
     title_font_ = theme::apply(scale_);
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
@@ -111,17 +124,37 @@ Result<void> Host::open(WindowOptions const& options)
     return {};
 }
 
-bool Host::wants_to_close() const
+void Host::watch_mouse()
 {
-    return glfwWindowShouldClose(window_) || glfwGetKey(window_, GLFW_KEY_ESCAPE) == GLFW_PRESS
-        || glfwGetKey(window_, GLFW_KEY_Q) == GLFW_PRESS;
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+        auto& host = *static_cast<Host*>(glfwGetWindowUserPointer(window));
+        bool const is_down = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+        host.mouse_.push_back({ { static_cast<float>(x), static_cast<float>(y) }, is_down });
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+        auto& host = *static_cast<Host*>(glfwGetWindowUserPointer(window));
+        if (button != GLFW_MOUSE_BUTTON_LEFT)
+            return;
+        double x = 0, y = 0;
+        glfwGetCursorPos(window, &x, &y);
+        host.mouse_.push_back(
+            { { static_cast<float>(x), static_cast<float>(y) }, action == GLFW_PRESS });
+    });
 }
 
-void Host::begin_frame()
+bool Host::wants_to_close() const
+{
+    return glfwWindowShouldClose(window_);
+}
+
+// `step`: how long after the last one, where that is not the clock's.
+void Host::begin_frame(std::optional<float> step_s)
 {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    ImGui::NewFrame();
+    if (step_s)
+        ImGui::GetIO().DeltaTime = *step_s;
 }
 
 void Host::end_frame()
@@ -210,16 +243,6 @@ private:
     std::string trouble_;
 };
 
-// The window system moves its mouse with the pen that the station reads.
-void ignore_mouse_of_the_pen(WindowState const& state)
-{
-    auto& flags = ImGui::GetIO().ConfigFlags;
-    if (state.is_live && state.pen.in_range)
-        flags |= ImGuiConfigFlags_NoMouse;
-    else
-        flags &= ~ImGuiConfigFlags_NoMouse;
-}
-
 } // namespace
 
 Result<void> run_window(WindowModel& model, WindowOptions const& options)
@@ -228,23 +251,29 @@ Result<void> run_window(WindowModel& model, WindowOptions const& options)
     TRY(host.open(options));
     auto renderer = TRY(Renderer::create());
     Layout layout(host.title_font(), host.scale());
+    PenPointer pen;
     auto const draw_frame = [&] {
-        host.begin_frame();
-        layout.show(model, renderer);
+        auto const step_s = options.frames > 0
+            ? std::optional(static_cast<float>(to_seconds(kTestStep)))
+            : std::nullopt;
+        host.begin_frame(step_s);
+        pen.feed(model.state(), layout.pen_area(), ImGui::GetIO().DeltaTime);
+        ImGui::NewFrame();
+        layout.show(model, renderer, pen, host.take_mouse());
         host.end_frame();
     };
     Events events;
     Changes changes;
     double last_s = glfwGetTime();
-    for (int frame = 0; !host.wants_to_close() && (options.frames == 0 || frame < options.frames);
+    for (int frame = 0; !host.wants_to_close() && !layout.wants_to_close()
+         && (options.frames == 0 || frame < options.frames);
          ++frame) {
         bool const may_differ = events.take(model, options);
         model.advance(step_since(last_s, options.frames));
         if (options.frames > 0)
             model.settle();
-        if (!changes.any(model.state()) && !may_differ)
+        if (!changes.any(model.state()) && !may_differ && !pen.has_more())
             continue;
-        ignore_mouse_of_the_pen(model.state());
         draw_frame();
         glfwSwapBuffers(host.window());
     }

@@ -17,6 +17,9 @@ struct WindowOptions {
     // says. 0: stays until closed, and the model's time is the clock's.
     int frames = 0;
 
+    bool is_light = false; // For a bright room.
+    double scale = 0;      // Of letters and buttons; 0: the display's.
+
     // Where a PNG of the last frame is written; empty: nowhere.
     std::filesystem::path screenshot {};
 };

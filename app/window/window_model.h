@@ -7,6 +7,7 @@
 #include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"
 
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -51,6 +52,10 @@ struct PenView {
     bool in_range = false; // Else the rest says nothing.
     bool touching = false;
     Vec3f tip_mm = Vec3f::Zero();
+    bool eraser = false;
+    bool pressing
+        = false;         // It touches what the window shows: it works the window and does not draw.
+    bool barrel = false; // The first button on it is held.
 };
 
 // How the plant grows, as a person sets it.
@@ -79,6 +84,8 @@ struct WindowState {
     bool is_outside_calibration
         = false; // The height is a guess: the rig was never calibrated there.
     PenView pen;
+    // The states that the pen has gone through since the last advance(), in order.
+    std::vector<PenView> pen_path;
     std::vector<InkLine> live_ink; // Being drawn now.
 
     std::uint64_t strokes_revision = 0;
@@ -87,6 +94,7 @@ struct WindowState {
     std::uint64_t skeleton_revision = 0;
     std::vector<SkeletonLine> skeleton;
     std::vector<IndicatorArrow> indicators;
+    Bounds skeleton_box_mm; // Of the whole plant: what the selection view fits. Plant frame.
     // Puts the skeleton into the volume.
     Eigen::Affine3f T_world_plant = Eigen::Affine3f::Identity();
 
@@ -111,7 +119,8 @@ struct WindowState {
     // until it comes back.
     std::vector<std::string> orphans;
 
-    std::string tool;   // What the pen means now, for example "Draw".
+    Tool hand;          // What the pen means now.
+    std::string tool;   // The same for people, for example "Draw".
     std::string status; // One line: what is going on, or what was done.
     // One line: what is wrong with a device at this moment and what to do about it. Shown in place
     // of the status. Empty if nothing is.
@@ -119,6 +128,10 @@ struct WindowState {
     // Devices are read: there is no recording to be paused, and while a pen is in range the mouse
     // counts for nothing, since the window system takes that pen for one.
     bool is_live = false;
+    // There is no tablet: the mouse is the pen. There is no height sensor: wheel and keys move the
+    // surface.
+    bool mouse_draws = false;
+    bool mouse_moves_surface = false;
     // What is drawn is kept in a session: it can be undone.
     bool has_session = false;
     double progress = 0; // Of the recording, 0 to 1.
@@ -156,9 +169,31 @@ struct ChooseTool {
 };
 struct Undo { }; // The last stroke, another one, other growth, or what else was done last.
 struct Redo { }; // What was undone last.
+
+// Where on the surface a touch of the pen presses what the window shows there, and does not draw.
+// World frame, x and y in millimetres.
+struct SetPressingAreas {
+    std::vector<Eigen::AlignedBox2d> areas;
+};
+struct PressInstead { }; // The touch under way does so, too, wherever it began.
+
+// The mouse held as a pen. World frame, x and y in millimetres.
+struct MousePen {
+    Vec2 place_mm = Vec2::Zero();
+    bool in_range = false;
+    bool touching = false;
+};
+struct MoveMousePen {
+    std::vector<MousePen> path; // Since the last such command; ends where it is now.
+};
+struct MoveSurface {
+    double by_mm = 0; // Upwards.
+};
+
 using WindowCommand
     = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture, ChooseTool, Undo,
-                   Redo, ChangeGrowth, AskForCollection, PickVariation>;
+                   Redo, ChangeGrowth, AskForCollection, PickVariation, SetPressingAreas,
+                   PressInstead, MoveMousePen, MoveSurface>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

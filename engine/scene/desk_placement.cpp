@@ -1,6 +1,8 @@
 #include "engine/scene/desk_placement.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -45,32 +47,55 @@ DeskPlacement place_on_desk(Plant const& plant, DrawingVolume const& volume)
     return { .scale = scale, .shown_height_mm = std::max(scale * height_mm, 1.0) };
 }
 
-SelectionView fit_selection_view(Plant const& plant, DrawingVolume const& volume)
+SelectionView fit_selection_view(Bounds const& box, SelectionAngle const& angle)
 {
     // Of the tablet's area on each side, so that tips can be passed.
     constexpr double kMargin = 0.06;
-    auto const box = bounds(plant);
+    SelectionView view;
+    view.area_mm = angle.area_mm;
     if (box.empty())
-        return {};
-    Vec2 const low(box.min_mm.x(), box.min_mm.z());
-    Vec2 const high(box.max_mm.x(), box.max_mm.z());
-    Vec2 const area = (1 - 2 * kMargin) * Vec2(volume.width_mm, volume.depth_mm);
-    Vec2 const extent = high - low;
-    double const scale = std::min(fitting_scale(area.x(), std::max(extent.x(), extent.y() * 1e-3)),
-                                  fitting_scale(area.y(), extent.y()));
-    return { .scale = scale,
-             .origin_mm = -scale * (low + high) / 2,
-             .max_order = sparse_order(plant) };
+        return view;
+    double const azimuth_rad = radians(angle.azimuth_deg);
+    double const elevation_rad = radians(angle.elevation_deg);
+    view.right = Vec3(std::cos(azimuth_rad), std::sin(azimuth_rad), 0);
+    Vec3 const flat_back(std::sin(azimuth_rad), -std::cos(azimuth_rad), 0);
+    view.back = std::cos(elevation_rad) * flat_back + std::sin(elevation_rad) * Vec3::UnitZ();
+    view.up = std::cos(elevation_rad) * Vec3::UnitZ() - std::sin(elevation_rad) * flat_back;
+    Eigen::AlignedBox2d shown;
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3 const place(corner & 1 ? box.max_mm.x() : box.min_mm.x(),
+                         corner & 2 ? box.max_mm.y() : box.min_mm.y(),
+                         corner & 4 ? box.max_mm.z() : box.min_mm.z());
+        shown.extend(Vec2(view.right.dot(place), view.up.dot(place)));
+    }
+    Vec2 const area = (1 - 2 * kMargin) * angle.area_mm;
+    Vec2 const extent = shown.sizes();
+    view.scale = angle.zoom
+        * std::min(fitting_scale(area.x(), std::max(extent.x(), extent.y() * 1e-3)),
+                   fitting_scale(area.y(), extent.y()));
+    view.size_mm = view.scale * extent;
+    view.origin_mm = angle.moved_mm - view.scale * shown.center();
+    return view;
 }
 
-SkeletonProjection skeleton_projection(SelectionView const& view, DrawingVolume const& volume)
+SelectionView fit_selection_view(Plant const& plant, SelectionAngle const& angle)
+{
+    auto view = fit_selection_view(bounds(plant), angle);
+    if (!bounds(plant).empty())
+        view.max_order = sparse_order(plant);
+    return view;
+}
+
+SkeletonProjection skeleton_projection(SelectionView const& view)
 {
     SkeletonProjection result;
-    result.to_plane << view.scale, 0, 0, view.origin_mm.x(), //
-        0, 0, view.scale, view.origin_mm.y(),                //
-        0, 1, 0, 0,                                          // Seen along +y: farther is deeper.
+    Vec3 const right = view.scale * view.right;
+    Vec3 const up = view.scale * view.up;
+    result.to_plane << right.x(), right.y(), right.z(), view.origin_mm.x(), //
+        up.x(), up.y(), up.z(), view.origin_mm.y(),                         //
+        -view.back.x(), -view.back.y(), -view.back.z(), 0,                  // Farther is deeper.
         0, 0, 0, 1;
-    result.max = Vec2(volume.width_mm, volume.depth_mm) / 2;
+    result.max = view.area_mm / 2;
     result.min = -result.max;
     result.max_order = view.max_order;
     return result;

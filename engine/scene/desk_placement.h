@@ -30,23 +30,43 @@ struct DeskPlacement {
 
 DeskPlacement place_on_desk(Plant const& plant, DrawingVolume const& volume = {});
 
-// The skeleton as the selection view shows it on the tablet: seen from the front (along +y),
-// orthographic, the plant's frame scaled to fit the tablet with a margin. Tablet-centred
-// millimetres are the x and y of the world frame, whatever the surface's height.
+// From where the selection view looks at the skeleton, and how near.
+struct SelectionAngle {
+    double azimuth_deg = 0;        // 0: from the front, along +y; growing: walking to the right.
+    double elevation_deg = 0;      // Above the horizon; below 90.
+    double zoom = 1;               // 2 shows everything twice as large, about the tablet's centre.
+    Vec2 moved_mm = Vec2::Zero();  // By this on the tablet.
+    Vec2 area_mm = Vec2(254, 159); // The tablet's active area, which the plant fits at zoom 1.
+
+    bool operator==(SelectionAngle const&) const = default;
+};
+
+// The skeleton as the selection view shows it on the tablet: orthographic, the plant's frame scaled
+// to fit the tablet with a margin. Tablet-centred millimetres are the x and y of the world frame,
+// whatever the surface's height.
 struct SelectionView {
     double scale = 1;              // Tablet millimetres per plant millimetre.
     Vec2 origin_mm = Vec2::Zero(); // Where the plant's base is shown.
     std::uint32_t max_order = 1;   // Axes of a higher order are not shown.
+    // Unit vectors of the plant's frame that point right, up, and at who looks.
+    Vec3 right = Vec3::UnitX();
+    Vec3 up = Vec3::UnitZ();
+    Vec3 back = -Vec3::UnitY();
+    Vec2 area_mm = Vec2(254, 159); // The tablet's,
+    Vec2 size_mm = Vec2::Zero();   // and what of it the plant's box takes up.
 
     Vec2 tablet_of_plant(Vec3 const& plant_mm) const
     {
-        return origin_mm + scale * Vec2(plant_mm.x(), plant_mm.z());
+        return origin_mm + scale * Vec2(right.dot(plant_mm), up.dot(plant_mm));
     }
 };
 
 // The same as a projection, for picking: u and v are tablet-centred millimetres.
-SkeletonProjection skeleton_projection(SelectionView const& view, DrawingVolume const& volume = {});
+SkeletonProjection skeleton_projection(SelectionView const& view);
 
-SelectionView fit_selection_view(Plant const& plant, DrawingVolume const& volume = {});
+SelectionView fit_selection_view(Plant const& plant, SelectionAngle const& angle = {});
+
+// Of a plant of which only its box is known; the order is the default's.
+SelectionView fit_selection_view(Bounds const& box, SelectionAngle const& angle = {});
 
 } // namespace tractus

@@ -131,11 +131,11 @@ Vec3 YoungLeaves::point_on(Plant const& plant, AxisId id, double along_mm) const
     auto const& axis = plan_.base.axes[id];
     auto const ends = std::span(end_mm_).subspan(axis.first_segment, axis.segment_count);
     auto const found = std::lower_bound(ends.begin(), ends.end(), along_mm);
-    auto const i = std::min<std::ptrdiff_t>(found - ends.begin(), axis.segment_count - 1);
-    auto const nodes = plant.positions(axis).subspan(static_cast<std::size_t>(i), 2);
+    auto const i = std::min(static_cast<std::size_t>(found - ends.begin()),
+                            axis.segment_count - std::size_t(1));
+    auto const nodes = plant.positions(axis).subspan(i, 2);
     double const length_mm = (nodes[1] - nodes[0]).norm(); // As far as it has grown.
-    double const into_mm = along_mm
-        - (ends[static_cast<std::size_t>(i)] - plan_.segments[axis.first_segment + i].length_mm);
+    double const into_mm = along_mm - (ends[i] - plan_.segments[axis.first_segment + i].length_mm);
     if (into_mm >= length_mm)
         return nodes[1];
     return nodes[0] + std::max(into_mm, 0.0) / length_mm * (nodes[1] - nodes[0]);

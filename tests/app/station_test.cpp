@@ -23,6 +23,22 @@ Station flat_station(Tool const& tool = {})
     return Station::create(simple_rig(), std::move(options)).value();
 }
 
+TEST(Station, KnowsWhatThePenReaches)
+{
+    auto const volume = flat_station().volume_mm();
+    EXPECT_LT((volume.min_mm - Vec3(-100, -50, 0)).norm(), 1e-9);
+    EXPECT_LT((volume.max_mm - Vec3(100, 50, 300)).norm(), 1e-9);
+    StationOptions options;
+    options.rig = { .height_model = LinearHeight { .mm_per_count = 0.1, .zero_counts = 500 },
+                    .calibrated_min_counts = 700,
+                    .calibrated_max_counts = 3500,
+                    .tablet_size_mm = { 200, 100 },
+                    .rotation_deg = 90 };
+    auto const turned = Station::create(simple_rig(), options).value().volume_mm();
+    EXPECT_LT((turned.min_mm - Vec3(-50, -100, 20)).norm(), 1e-9);
+    EXPECT_LT((turned.max_mm - Vec3(50, 100, 300)).norm(), 1e-9);
+}
+
 TEST(Station, MakesAStrokeOfWhatThePenTouches)
 {
     auto station = flat_station();
@@ -309,6 +325,142 @@ TEST(Station, NeedsAPenAndAHeight)
     auto const nothing = Station::create({}, options);
     ASSERT_FALSE(nothing);
     EXPECT_NE(nothing.error().message.find("no device at all"), std::string::npos);
+}
+
+// The pen from one place to another, down all the way, then up; x and y of the tablet.
+void touch_along(Station& station, std::int64_t start_ms, Vec2 const& from_mm, Vec2 const& to_mm)
+{
+    for (int i = 0; i < 20; ++i) {
+        Vec2 const at_mm = from_mm + (to_mm - from_mm) * i / 19;
+        station.push(kPen, at_ms(start_ms + 5 * i), pen_report(at_mm.x(), at_mm.y(), true));
+    }
+    station.push(kPen, at_ms(start_ms + 100), pen_report(to_mm.x(), to_mm.y(), false));
+}
+
+Eigen::AlignedBox2d left_part()
+{
+    return { Vec2(-100, -50), Vec2(-60, 50) }; // x of the tablet below 40 mm.
+}
+
+TEST(Station, PressesWhereATouchBeginsInAnAreaForIt)
+{
+    auto station = flat_station({ .kind = Tool::Kind::Indicate });
+    station.set_pressing_areas({ left_part() });
+    touch_along(station, 0, { 30, 50 }, { 100, 50 }); // Out of the area: still a press.
+    EXPECT_FALSE(station.is_pressing());
+    touch_along(station, 200, { 100, 50 }, { 30, 50 }); // Into it: still a stroke.
+    station.finish();
+    ASSERT_EQ(station.strokes().size(), 1u);
+    EXPECT_EQ(station.counts().strokes, 1u);
+    EXPECT_EQ(station.strokes()[0].tool.kind, Tool::Kind::Indicate);
+    EXPECT_EQ(station.scene().indicators.size(), 1u);
+
+    auto const moments = station.take_moments();
+    ASSERT_EQ(moments.size(), 42u);
+    EXPECT_TRUE(moments[0].touching && moments[0].pressing);
+    EXPECT_TRUE(moments[19].pressing);
+    EXPECT_FALSE(moments[20].touching || moments[20].pressing);
+    EXPECT_TRUE(moments[21].touching && !moments[21].pressing);
+    EXPECT_TRUE(station.take_moments().empty());
+}
+
+TEST(Station, TakesAToolThatWasChosenByPressing)
+{
+    auto station = flat_station({ .kind = Tool::Kind::Select });
+    station.set_pressing_areas({ left_part() });
+    station.push(kPen, at_ms(0), pen_report(30, 50, true));
+    EXPECT_TRUE(station.is_pressing());
+    station.set_tool(at_ms(3), { .kind = Tool::Kind::Indicate });
+    EXPECT_TRUE(station.is_pressing()) << "the press goes on";
+    EXPECT_EQ(station.tool().kind, Tool::Kind::Indicate);
+    station.push(kPen, at_ms(5), pen_report(40, 50, true));
+    station.push(kPen, at_ms(10), pen_report(40, 50, false));
+    touch_along(station, 20, { 100, 50 }, { 150, 50 });
+    station.finish();
+    ASSERT_EQ(station.strokes().size(), 1u);
+    EXPECT_EQ(station.strokes()[0].tool.kind, Tool::Kind::Indicate);
+
+    auto const changes = station.take_tool_changes();
+    ASSERT_EQ(changes.size(), 2u);
+    EXPECT_EQ(changes[0].tool.kind, Tool::Kind::Press);
+    EXPECT_EQ(changes[0].time, at_ms(0));
+    EXPECT_EQ(changes[1].tool.kind, Tool::Kind::Indicate);
+    EXPECT_EQ(changes[1].time, at_ms(10));
+}
+
+TEST(Station, TakesBackAStrokeThatTurnsOutToBeAPress)
+{
+    auto station = flat_station();
+    for (int i = 0; i < 10; ++i)
+        station.push(kPen, at_ms(5 * i), pen_report(50 + i, 50, true));
+    station.press_instead();
+    EXPECT_TRUE(station.is_pressing());
+    station.push(kPen, at_ms(50), pen_report(60, 50, false));
+    EXPECT_FALSE(station.is_pressing());
+    station.press_instead(); // Nothing touches: nothing happens.
+    draw_across(station, 100);
+    station.finish();
+    ASSERT_EQ(station.strokes().size(), 1u);
+    EXPECT_EQ(station.strokes()[0].stroke.tips.size(), 20u);
+}
+
+TEST(Station, ReplaysPressesFromTheToolLinesOfARecording)
+{
+    auto live = flat_station({ .kind = Tool::Kind::Indicate });
+    live.set_pressing_areas({ left_part() });
+    touch_along(live, 0, { 30, 50 }, { 100, 50 });
+    touch_along(live, 200, { 100, 50 }, { 150, 60 });
+    auto const changes = live.take_tool_changes();
+    ASSERT_EQ(changes.size(), 2u);
+
+    auto replayed = flat_station({ .kind = Tool::Kind::Indicate });
+    replayed.set_tool(changes[0].time, changes[0].tool);
+    touch_along(replayed, 0, { 30, 50 }, { 100, 50 });
+    replayed.set_tool(changes[1].time, changes[1].tool);
+    touch_along(replayed, 200, { 100, 50 }, { 150, 60 });
+    live.finish();
+    replayed.finish();
+    ASSERT_EQ(live.strokes().size(), 1u);
+    ASSERT_EQ(replayed.strokes().size(), 1u);
+    EXPECT_EQ(replayed.strokes()[0].stroke.tips.front().position_mm,
+              live.strokes()[0].stroke.tips.front().position_mm);
+}
+
+TEST(Station, DoesAtOnceWhatNeedsNoStroke)
+{
+    auto station = flat_station({ .kind = Tool::Kind::Indicate });
+    station.set_tool(
+        at_ms(0),
+        { .kind = Tool::Kind::Select, .selecting = Tool::Selecting::Invert, .at_once = true });
+    EXPECT_FALSE(station.scene().selection.empty());
+    EXPECT_EQ(station.tool().kind, Tool::Kind::Indicate);
+    EXPECT_EQ(station.strokes().size(), 1u) << "it is kept like a stroke";
+    EXPECT_EQ(words_for(station.take_tool_changes().at(0).tool).arguments, "invert now");
+}
+
+TEST(Station, ErasesWithThePensOtherEnd)
+{
+    auto station = flat_station({ .kind = Tool::Kind::Indicate });
+    touch_along(station, 0, { 50, 50 }, { 150, 50 });
+    ASSERT_EQ(station.strokes().size(), 1u);
+    EXPECT_EQ(station.scene().indicators.size(), 1u);
+    auto const erase_at = [&](std::int64_t start_ms, double y_mm) {
+        for (int i = 0; i < 10; ++i) {
+            auto report = pen_report(100, y_mm + i, true);
+            report[1] = std::byte { 0x38 }; // In range, eraser, invert.
+            station.push(kPen, at_ms(start_ms + 5 * i), report);
+        }
+        station.push(kPen, at_ms(start_ms + 60), pen_report(100, y_mm, false));
+    };
+    erase_at(300, 70); // Beside it.
+    ASSERT_EQ(station.strokes().size(), 2u);
+    EXPECT_NE(station.strokes()[1].refusal, "");
+    EXPECT_EQ(station.scene().indicators.size(), 1u);
+    erase_at(600, 45);
+    ASSERT_EQ(station.strokes().size(), 3u);
+    EXPECT_EQ(station.strokes()[2].tool.kind, Tool::Kind::Erase);
+    EXPECT_EQ(station.strokes()[2].refusal, "");
+    EXPECT_TRUE(station.scene().indicators.empty());
 }
 
 } // namespace

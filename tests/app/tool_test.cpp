@@ -15,7 +15,11 @@ TEST(Tool, IsReadAndWrittenAsWords)
          { Tool { Tool::Kind::Select }, Tool { Tool::Kind::Indicate },
            Tool { Tool::Kind::DrawInOrder }, Tool { Tool::Kind::Draw, Propagation::Selected },
            Tool { Tool::Kind::Draw, Propagation::Descendants },
-           Tool { Tool::Kind::Draw, Propagation::Both } }) {
+           Tool { Tool::Kind::Draw, Propagation::Both }, Tool { Tool::Kind::Erase },
+           Tool { Tool::Kind::Press }, Tool { .kind = Tool::Kind::Smooth, .at_once = true },
+           Tool { .kind = Tool::Kind::Select,
+                  .selecting = Tool::Selecting::Ends,
+                  .angle = { 30, -12.5, 2, { 10, -4 }, { 152, 95 } } } }) {
         auto const words = words_for(tool);
         EXPECT_EQ(parse_tool(words.name, words.arguments).value(), tool) << words.name;
     }
@@ -25,6 +29,10 @@ TEST(Tool, NamesTheToolsThereAre)
 {
     EXPECT_NE(parse_tool("hammer", "").error().message.find("select, draw, indicate"),
               std::string::npos);
+    EXPECT_NE(parse_tool("draw", "now").error().message.find("needs a stroke"), std::string::npos);
+    for (auto const* view : { "view=1,2", "view=0,90,1,0,0,254,159", "view=0,0,1,0,0,254,159,3",
+                              "view=0,0,nan,0,0,254,159", "view=0,0,1,0,0,254,15 9" })
+        EXPECT_FALSE(parse_tool("select", view)) << view;
     EXPECT_NE(parse_tool("draw", "everything").error().message.find("selected, descendants, both"),
               std::string::npos);
 }
@@ -201,6 +209,66 @@ TEST(StrokeTools, EditTheStrokesOfTheSelectedBranch)
     EXPECT_TRUE(draw(up, { Tool::Kind::Delete }, scene).refusal.empty());
     EXPECT_TRUE(scene.associations.empty());
     EXPECT_FALSE(draw(up, { Tool::Kind::Delete }, scene).refusal.empty());
+}
+
+Associate association_of(Stroke stroke)
+{
+    return { .stroke = std::move(stroke), .propagation = Propagation::Both };
+}
+
+// Two strokes along x, the second 50 mm above the first, each on one axis, and the second on two.
+Scene scene_with_two_strokes()
+{
+    auto scene = small_scene();
+    scene.selection = { segments_of(scene.base->axes[0]) };
+    scene = apply_edit(std::move(scene),
+                       association_of(stroke_through({ { -50, 0, 20 }, { 50, 0, 20 } })))
+                .value();
+    scene.selection = { segments_of(scene.base->axes[1]), segments_of(scene.base->axes[2]) };
+    return apply_edit(std::move(scene),
+                      association_of(stroke_through({ { -50, 0, 70 }, { 50, 0, 70 } })))
+        .value();
+}
+
+TEST(EraseTool, TakesTheTopmostStrokeAsAWhole)
+{
+    auto const scene = scene_with_two_strokes();
+    ASSERT_EQ(scene.associations.size(), 3u);
+    auto const over = stroke_through({ { 0, -30, 100 }, { 0, -1, 100 }, { 0, 30, 100 } });
+    auto const edits = edits_of({ Tool::Kind::Erase }, over, scene).value();
+    ASSERT_EQ(edits.size(), 1u);
+    EXPECT_EQ(std::get<DeleteStroke>(edits[0]).associations, (std::vector<std::size_t> { 1, 2 }));
+}
+
+TEST(EraseTool, DoesNotReachWhatIsAboveTheSurface)
+{
+    auto const scene = scene_with_two_strokes();
+    auto const over = stroke_through({ { 0, -1, 40 }, { 0, 1, 40 } });
+    auto const edits = edits_of({ Tool::Kind::Erase }, over, scene).value();
+    EXPECT_EQ(std::get<DeleteStroke>(edits[0]).associations, (std::vector<std::size_t> { 0 }));
+    auto const below = stroke_through({ { 0, -1, 10 }, { 0, 1, 10 } });
+    EXPECT_FALSE(edits_of({ Tool::Kind::Erase }, below, scene));
+}
+
+TEST(EraseTool, TakesIndicatorsFromTheLastOneOn)
+{
+    auto scene = small_scene();
+    for (double const x : { -20.0, 0.0, 20.0 })
+        scene = apply_edit(std::move(scene),
+                           Indicate { { .start_mm = { x, -40, 10 }, .end_mm = { x, 40, 10 } } })
+                    .value();
+    auto const over = stroke_through({ { -30, 0, 10 }, { -20, 0, 10 }, { -1, 0, 10 } });
+    auto const edits = edits_of({ Tool::Kind::Erase }, over, scene).value();
+    ASSERT_EQ(edits.size(), 2u);
+    EXPECT_EQ(std::get<DeleteIndicator>(edits[0]).number, 1u);
+    EXPECT_EQ(std::get<DeleteIndicator>(edits[1]).number, 0u);
+}
+
+TEST(EraseTool, IsTheOtherEndOfThePen)
+{
+    EXPECT_EQ(other_end_of({ Tool::Kind::Draw }).kind, Tool::Kind::Erase);
+    EXPECT_EQ(other_end_of({ Tool::Kind::Select }).selecting, Tool::Selecting::Take);
+    EXPECT_EQ(other_end_of({ Tool::Kind::Press }).kind, Tool::Kind::Press);
 }
 
 } // namespace

@@ -67,9 +67,10 @@ TEST(CalibrationPanel, ShowsCapturesAndPlots)
     ASSERT_TRUE(shown) << shown.error().message;
     auto const picture = read_png(read_file(path).value());
     std::filesystem::remove(path);
-    EXPECT_GT(colored(picture, theme::kAssigned), 2000) << "the fit's curves";
-    EXPECT_GT(colored(picture, theme::kSelected), 5000) << "the noise, and captures from below";
-    EXPECT_GT(colored(picture, theme::kStroke), 300) << "captures from above";
+    EXPECT_GT(colored(picture, theme::palette().assigned), 2000) << "the fit's curves";
+    EXPECT_GT(colored(picture, theme::palette().selected), 5000)
+        << "the noise, and captures from below";
+    EXPECT_GT(colored(picture, theme::palette().stroke), 300) << "captures from above";
     EXPECT_GT(colored(picture, { 0.93f, 0.40f, 0.33f }), 200) << "the slip";
     EXPECT_EQ(model.commands, 0);
 }

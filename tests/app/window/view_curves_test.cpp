@@ -31,7 +31,7 @@ TEST(PadCurves, HaveAGridAtTheSurface)
 {
     auto const curves = pad_live_curves(small_state());
     auto const in_grid = std::ranges::count_if(curves, [](auto const& curve) {
-        return curve.points.size() == 2 && curve.points[0].color == theme::kGrid
+        return curve.points.size() == 2 && curve.points[0].color == theme::palette().grid
             && curve.points[0].position_mm.z() == 150 && curve.points[1].position_mm.z() == 150;
     });
     EXPECT_EQ(in_grid, 11 + 7) << "every 20 mm of 200 by 150";
@@ -42,7 +42,7 @@ TEST(PadCurves, FadeStrokesWithTheDepthBelowTheSurface)
     auto const curves = pad_stroke_curves(small_state());
     auto const stroke = find(curves, { -60, -40, 20 }, Curve::WidthUnit::Millimetres);
     EXPECT_TRUE(stroke.fades);
-    EXPECT_EQ(stroke.points[0].color, theme::kStroke);
+    EXPECT_EQ(stroke.points[0].color, theme::palette().stroke);
     EXPECT_EQ(stroke.points[0].width, 6);
     auto const fade = pad_fade(small_state());
     EXPECT_EQ(fade.from_mm, 150) << "above the surface nothing is faded";
@@ -58,7 +58,7 @@ TEST(PadCurves, ShowTheBranchesThatTheInkWouldMove)
     auto const curves = pad_preview_curves(state);
     auto const moved = find(curves, { 0, 0, 80 }, Curve::WidthUnit::Pixels);
     EXPECT_TRUE(moved.points.back().position_mm.isApprox(Vec3f(0, 40, 160)));
-    EXPECT_EQ(preview_curves(state).front().points[0].color, theme::kAssigned);
+    EXPECT_EQ(preview_curves(state).front().points[0].color, theme::palette().assigned);
 }
 
 TEST(PadCurves, DropALineFromThePenToTheFloor)
@@ -87,14 +87,14 @@ TEST(SkeletonCurves, ShowEachStateInItsColour)
 {
     auto const curves = skeleton_curves(small_state());
     EXPECT_EQ(find(curves, { 0, 0, 0 }, Curve::WidthUnit::Pixels).points[0].color,
-              theme::kUnselected);
+              theme::palette().unselected);
     auto const colored = [&](Vec3f const& color) {
         return std::ranges::count_if(
             curves, [&](auto const& curve) { return curve.points[0].color == color; });
     };
-    EXPECT_EQ(colored(theme::kSelected), 1);
-    EXPECT_EQ(colored(theme::kAssigned), 1);
-    EXPECT_EQ(colored(theme::kUndetermined), 0);
+    EXPECT_EQ(colored(theme::palette().selected), 1);
+    EXPECT_EQ(colored(theme::palette().assigned), 1);
+    EXPECT_EQ(colored(theme::palette().undetermined), 0);
 }
 
 TEST(SkeletonCurves, DrawIndicatorsAsArrows)
@@ -102,7 +102,7 @@ TEST(SkeletonCurves, DrawIndicatorsAsArrows)
     auto const curves = skeleton_curves(small_state());
     auto const arrow = find(curves, { -150, 0, 60 }, Curve::WidthUnit::Pixels);
     EXPECT_EQ(arrow.end, Curve::End::Arrow);
-    EXPECT_EQ(arrow.points[0].color, theme::kIndicator);
+    EXPECT_EQ(arrow.points[0].color, theme::palette().indicator);
 }
 
 } // namespace tractus

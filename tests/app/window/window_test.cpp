@@ -72,10 +72,10 @@ protected:
     }
     void TearDown() override { std::filesystem::remove(path_); }
 
-    Image last_frame(StillModel& model)
+    Image last_frame(StillModel& model, bool is_light = false)
     {
         WindowOptions const options {
-            .width = 1500, .height = 800, .frames = 3, .screenshot = path_
+            .width = 1500, .height = 800, .frames = 3, .is_light = is_light, .screenshot = path_
         };
         auto const result = run_window(model, options);
         if (!result) {
@@ -102,13 +102,14 @@ TEST_F(WindowTest, ShowsPadSkeletonAndPlantSideBySide)
     ASSERT_EQ(picture.width(), 1500);
     ASSERT_EQ(picture.height(), 800);
     int const whole_pad = (kPad.right - kPad.left) * (picture.height() - 200);
-    EXPECT_LT(colored(picture, kPad, theme::kPadBackground), whole_pad - 4000) << "no grid";
-    EXPECT_GT(colored(picture, kPad, theme::kStroke), 40);
-    EXPECT_GT(colored(picture, kPad, theme::kInk), 100);
-    EXPECT_EQ(colored(picture, kSkeleton, theme::kInk), 0);
-    EXPECT_GT(colored(picture, kSkeleton, theme::kUnselected), 80);
-    EXPECT_GT(colored(picture, kSkeleton, theme::kSelected), 80);
-    EXPECT_GT(colored(picture, kSkeleton, theme::kAssigned), 80);
+    EXPECT_LT(colored(picture, kPad, theme::palette().pad_background), whole_pad - 4000)
+        << "no grid";
+    EXPECT_GT(colored(picture, kPad, theme::palette().stroke), 40);
+    EXPECT_GT(colored(picture, kPad, theme::palette().ink), 100);
+    EXPECT_EQ(colored(picture, kSkeleton, theme::palette().ink), 0);
+    EXPECT_GT(colored(picture, kSkeleton, theme::palette().unselected), 80);
+    EXPECT_GT(colored(picture, kSkeleton, theme::palette().selected), 80);
+    EXPECT_GT(colored(picture, kSkeleton, theme::palette().assigned), 80);
     int leaf = 0;
     for (int y = 60; y < 660; ++y)
         for (int x = kPlant.left; x < kPlant.right; ++x) {
@@ -120,11 +121,20 @@ TEST_F(WindowTest, ShowsPadSkeletonAndPlantSideBySide)
 
 TEST_F(WindowTest, SaysWhatIsWrongInPlaceOfTheStatus)
 {
-    constexpr Part kStatus { 0, 1500, 660, 800 };
+    constexpr Part kStatus { 0, 1500, 670, 735 };
     StillModel well;
-    EXPECT_EQ(colored(last_frame(well), kStatus, theme::kIndicator), 0);
+    EXPECT_EQ(colored(last_frame(well), kStatus, theme::palette().indicator), 0);
     StillModel ill("height sensor silent for 3.0 s: is it plugged in?");
-    EXPECT_GT(colored(last_frame(ill), kStatus, theme::kIndicator), 200);
+    EXPECT_GT(colored(last_frame(ill), kStatus, theme::palette().indicator), 200);
+}
+
+TEST_F(WindowTest, IsLightWhereTheRoomIs)
+{
+    StillModel model;
+    auto const picture = last_frame(model, true);
+    EXPECT_TRUE(theme::palette().is_light);
+    EXPECT_GT(colored(picture, kPad, theme::palette().pad_background), 10'000);
+    theme::use_light_palette(false);
 }
 
 TEST_F(WindowTest, StepsTheModelOncePerFrame)

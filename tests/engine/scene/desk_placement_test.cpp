@@ -40,7 +40,7 @@ TEST(SelectionView, ShowsTheWholePlantOnTheTabletFromTheFront)
 {
     auto const plant = small_plant();
     DrawingVolume const volume { .width_mm = 254, .depth_mm = 159 };
-    auto const view = fit_selection_view(plant, volume);
+    auto const view = fit_selection_view(plant);
     for (auto const& node : plant.node_position_mm) {
         auto const shown = view.tablet_of_plant(node);
         EXPECT_LT(std::abs(shown.x()), volume.width_mm / 2);
@@ -88,12 +88,39 @@ TEST(SelectionView, ShowsAllOfASparsePlantAndTheFirstOrderOfADenseOne)
 
 TEST(SelectionView, ProjectsAsItShows)
 {
-    auto const view = fit_selection_view(small_plant());
-    auto const projection = skeleton_projection(view);
     Vec3 const place(40, 25, 130);
-    Eigen::Vector4d const projected = projection.to_plane * place.homogeneous();
-    EXPECT_LT((projected.head<2>() - view.tablet_of_plant(place)).norm(), 1e-12);
-    EXPECT_GT(projected.z(), (projection.to_plane * Vec3(40, 0, 130).homogeneous()).z());
+    for (auto const& angle :
+         { SelectionAngle {}, SelectionAngle { .azimuth_deg = 50, .elevation_deg = 20 } }) {
+        auto const view = fit_selection_view(small_plant(), angle);
+        auto const projection = skeleton_projection(view);
+        Eigen::Vector4d const projected = projection.to_plane * place.homogeneous();
+        EXPECT_LT((projected.head<2>() - view.tablet_of_plant(place)).norm(), 1e-12);
+        Vec3 const nearer = place + 25 * view.back;
+        EXPECT_GT(projected.z(), (projection.to_plane * nearer.homogeneous()).z());
+        EXPECT_LT((view.tablet_of_plant(nearer) - projected.head<2>()).norm(), 1e-9);
+    }
+}
+
+TEST(SelectionView, LooksFromWhereOneStands)
+{
+    // From the right side what is far from the user is to the right.
+    auto const plant = small_plant();
+    auto const side = fit_selection_view(plant, { .azimuth_deg = 90 });
+    EXPECT_GT(side.tablet_of_plant({ 0, 50, 0 }).x(), side.tablet_of_plant({ 0, -50, 0 }).x());
+    // From above, too.
+    auto const high = fit_selection_view(plant, { .elevation_deg = 80 });
+    EXPECT_GT(high.tablet_of_plant({ 0, 50, 0 }).y(), high.tablet_of_plant({ 0, -50, 0 }).y());
+
+    SelectionAngle const small { .area_mm = { 150, 95 } };
+    auto const on_small = fit_selection_view(plant, small);
+    auto const twice
+        = fit_selection_view(plant, { .zoom = 2, .moved_mm = { 5, -3 }, .area_mm = small.area_mm });
+    for (auto const& node : plant.node_position_mm) {
+        auto const shown = on_small.tablet_of_plant(node);
+        EXPECT_TRUE((shown.array().abs() < small.area_mm.array() / 2).all());
+        EXPECT_TRUE((shown.array().abs() <= on_small.size_mm.array() / 2 + 1e-9).all());
+        EXPECT_LT((twice.tablet_of_plant(node) - (2 * shown + Vec2(5, -3))).norm(), 1e-9);
+    }
 }
 
 } // namespace

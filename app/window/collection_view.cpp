@@ -1,0 +1,82 @@
+#include "app/window/collection_view.h"
+
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <optional>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+constexpr std::size_t kVariations = 12;
+constexpr int kSheetColumns = 4;
+constexpr int kSheetRows = 3;
+constexpr ViewAngles kSheetAngles { .azimuth_rad = 0.45, .elevation_rad = 0.22 };
+
+} // namespace
+
+void CollectionView::draw(VariationView const& variation, Picture& picture, Renderer& renderer,
+                          ImVec2 const& size_px) const
+{
+    bool changed = picture.mesh != variation.mesh.get();
+    auto const& canvas = picture.canvas.sized(size_px, changed);
+    if (!changed)
+        return;
+    picture.mesh = variation.mesh.get();
+    GpuMesh const on_card(*variation.mesh);
+    Stage stage;
+    stage.backdrop = is_light_ ? Backdrop() : dark_backdrop();
+    stage.meshes.push_back({ &on_card });
+    double const aspect = static_cast<double>(canvas.width()) / canvas.height();
+    renderer.draw(stage, framing_camera(on_card.bounds(), kSheetAngles, aspect), canvas);
+}
+
+void CollectionView::begin(WindowModel& model)
+{
+    model.perform(AskForCollection { kVariations });
+}
+
+void CollectionView::show(WindowModel& model, Renderer& renderer, ImVec2 const& size_px)
+{
+    auto const& state = model.state();
+    if (std::exchange(is_light_, theme::palette().is_light) != is_light_)
+        pictures_.clear();
+    std::erase_if(pictures_, [&](auto const& entry) {
+        return std::none_of(state.collection.begin(), state.collection.end(),
+                            [&](auto const& one) { return one.seed == entry.first; });
+    });
+    ImVec2 const corner = ImGui::GetCursorScreenPos();
+    float const gap = ImGui::GetStyle().ItemSpacing.x;
+    ImVec2 const cell((size_px.x - gap * (kSheetColumns + 1)) / kSheetColumns,
+                      (size_px.y - gap * (kSheetRows + 1)) / kSheetRows);
+    std::optional<std::uint64_t> picked;
+    for (std::size_t i = 0; i < state.collection.size() && i < kVariations; ++i) {
+        auto const& variation = state.collection[i];
+        auto const column = static_cast<float>(i % kSheetColumns);
+        auto const row = static_cast<float>(i / kSheetColumns);
+        ImVec2 const place(corner.x + gap + column * (cell.x + gap),
+                           corner.y + gap + row * (cell.y + gap));
+        auto& picture = pictures_[variation.seed];
+        draw(variation, picture, renderer, cell);
+        ImGui::SetCursorScreenPos(place);
+        picture.canvas.show();
+        ImGui::SetCursorScreenPos(place);
+        auto const name = fmt::format("seed {}", variation.seed);
+        if (ImGui::InvisibleButton(name.c_str(), cell))
+            picked = variation.seed;
+        bool const is_marked = ImGui::IsItemHovered() || variation.seed == state.seed;
+        auto* const paint = ImGui::GetWindowDrawList();
+        if (is_marked)
+            paint->AddRect(place, { place.x + cell.x, place.y + cell.y },
+                           theme::packed(theme::palette().selected), 8, 0, 3);
+        paint->AddText({ place.x + gap, place.y + gap }, ImGui::GetColorU32(ImGuiCol_Text),
+                       name.c_str());
+    }
+    if (picked)
+        model.perform(PickVariation { *picked });
+}
+
+} // namespace tractus

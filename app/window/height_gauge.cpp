@@ -1,0 +1,45 @@
+#include "app/window/height_gauge.h"
+
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+
+namespace tractus {
+
+void draw_height_gauge(WindowState const& state, ImVec2 const& corner, ImVec2 const& size)
+{
+    auto* const draw = ImGui::GetWindowDrawList();
+    double const low_mm = state.volume_mm.min_mm.z();
+    double const range_mm = std::max(1.0, state.volume_mm.max_mm.z() - low_mm);
+    float const top = corner.y + size.y * 0.08f;
+    float const length = size.y * 0.84f;
+    auto const y_of = [&](double height_mm) {
+        return top + length * (1 - static_cast<float>((height_mm - low_mm) / range_mm));
+    };
+    float const x = corner.x + size.x * 0.36f;
+    draw->AddLine({ x, top }, { x, top + length }, theme::packed(theme::palette().unselected, 0.7f),
+                  2);
+    for (int tick = 0; tick <= 10; ++tick) {
+        float const y = y_of(low_mm + range_mm * tick / 10);
+        float const reach = size.x * (tick % 5 == 0 ? 0.22f : 0.12f);
+        draw->AddLine({ x - reach, y }, { x, y }, theme::packed(theme::palette().unselected, 0.7f),
+                      2);
+    }
+    float const y = y_of(std::clamp(state.surface_height_mm, low_mm, low_mm + range_mm));
+    float const mark = size.x * 0.20f;
+    draw->AddTriangleFilled({ x + 2, y }, { x + 2 + mark, y - mark * 0.6f },
+                            { x + 2 + mark, y + mark * 0.6f }, theme::packed(theme::palette().ink));
+    auto const text = fmt::format("{:.0f} mm{}", state.surface_height_mm,
+                                  state.is_outside_calibration ? " ?" : "");
+    ImVec2 const text_size = ImGui::CalcTextSize(text.c_str());
+    draw->AddText({ corner.x + 6, top - text_size.y - 6 },
+                  theme::packed(state.is_outside_calibration ? theme::palette().indicator
+                                                             : theme::palette().ink),
+                  text.c_str());
+    if (state.is_outside_calibration)
+        draw->AddText({ x + 2 + mark, y + mark }, theme::packed(theme::palette().indicator),
+                      "outside the calibrated range");
+}
+
+} // namespace tractus

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "app/window/pen_area.h"
+#include "app/window/window_model.h"
+
+#include <imgui.h>
+#include <span>
+
+namespace tractus {
+
+// The window system's mouse at one moment.
+struct MouseMoment {
+    ImVec2 place_px { 0, 0 };
+    bool is_down = false; // Its left button.
+};
+
+// Holds the mouse as a pen over a part of the window, where there is no tablet.
+class MouseHand {
+public:
+    // What the mouse did since the last frame, over ImGui's last item, which shows `area`. A touch
+    // that begins there is the pen's until it ends, wherever it goes.
+    void hold(WindowModel& model, PenArea const& area, std::span<MouseMoment const> path);
+
+    // Over nothing of the kind.
+    void let_go(WindowModel& model);
+
+private:
+    bool is_in_range_ = false;
+    bool is_down_ = false; // And began on the area.
+};
+
+} // namespace tractus

@@ -1,0 +1,55 @@
+#include "app/window/palette.h"
+
+namespace tractus::theme {
+
+namespace {
+
+Palette const kDark {
+    .is_light = false,
+    .ink = { 0.96f, 0.80f, 0.38f },
+    .stroke = { 0.90f, 0.62f, 0.00f },
+    .indicator = { 0.84f, 0.37f, 0.00f },
+    .unselected = { 0.62f, 0.65f, 0.68f },
+    .undetermined = { 0.94f, 0.89f, 0.26f },
+    .selected = { 0.34f, 0.71f, 0.91f },
+    .assigned = { 0.00f, 0.62f, 0.45f },
+    .grid = { 0.27f, 0.30f, 0.33f },
+    .volume = { 0.22f, 0.245f, 0.27f },
+    .pad_background = { 0.095f, 0.105f, 0.12f },
+    .faint = { 0.21f, 0.235f, 0.26f },
+};
+
+Palette const kLight {
+    .is_light = true,
+    .ink = { 0.10f, 0.12f, 0.16f },
+    .stroke = { 0.72f, 0.42f, 0.00f },
+    .indicator = { 0.84f, 0.37f, 0.00f },
+    .unselected = { 0.45f, 0.47f, 0.50f },
+    .undetermined = { 0.80f, 0.47f, 0.65f },
+    .selected = { 0.00f, 0.45f, 0.70f },
+    .assigned = { 0.00f, 0.55f, 0.40f },
+    .grid = { 0.80f, 0.82f, 0.84f },
+    .volume = { 0.84f, 0.85f, 0.87f },
+    .pad_background = { 0.965f, 0.97f, 0.975f },
+    .faint = { 0.78f, 0.80f, 0.82f },
+};
+
+Palette const*& present()
+{
+    static Palette const* palette = &kDark;
+    return palette;
+}
+
+} // namespace
+
+Palette const& palette()
+{
+    return *present();
+}
+
+void use_light_palette(bool is_light)
+{
+    present() = is_light ? &kLight : &kDark;
+}
+
+} // namespace tractus::theme

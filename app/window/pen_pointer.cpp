@@ -1,0 +1,67 @@
+#include "app/window/pen_pointer.h"
+
+#include "app/window/input.h"
+
+#include <cfloat>
+
+namespace tractus {
+
+void PenPointer::feed(WindowState const& state, PenArea const& area, float step_s)
+{
+    asks_for_ring_ = false;
+    has_let_barrel_go_ = false;
+    if (!state.is_live || state.mouse_draws) {
+        leads_ = false;
+        return;
+    }
+    path_.insert(path_.end(), state.pen_path.begin(), state.pen_path.end());
+    take_next();
+    watch_rest(step_s);
+    bool const led = leads_;
+    leads_ = pen_.in_range;
+    if (!leads_ && !led)
+        return;
+    place_px_ = area.to_px(pen_.tip_mm.head<2>().cast<double>());
+    // A pen that draws points at nothing of the window.
+    bool const points = leads_ && (!pen_.touching || pen_.pressing);
+    input::put_mouse(points ? place_px_ : ImVec2(-FLT_MAX, -FLT_MAX),
+                     leads_ && pen_.touching && pen_.pressing);
+}
+
+// Up to the next change that ImGui must see for a frame at least.
+void PenPointer::take_next()
+{
+    while (!path_.empty()) {
+        auto const next = path_.front();
+        path_.pop_front();
+        bool const begins = next.touching && !pen_.touching;
+        bool const ends = !next.touching && pen_.touching;
+        asks_for_ring_ |= next.barrel && !pen_.barrel;
+        has_let_barrel_go_ |= !next.barrel && pen_.barrel;
+        bool const changes = begins || ends || next.barrel != pen_.barrel;
+        pen_ = next;
+        if (begins) {
+            touch_mm_ = pen_.tip_mm;
+            rest_s_ = 0;
+            rests_ = true;
+        }
+        if (changes)
+            return;
+    }
+}
+
+void PenPointer::watch_rest(float step_s)
+{
+    bool const draws = pen_.touching && !pen_.pressing;
+    rests_ = rests_ && draws && (pen_.tip_mm - touch_mm_).norm() <= kAtRest_mm;
+    if (!rests_)
+        return;
+    rest_s_ += step_s;
+    if (rest_s_ < kLongPress_s)
+        return;
+    rests_ = false;
+    asks_for_ring_ = true;
+    pen_.pressing = true; // As the station will say when it hears of it.
+}
+
+} // namespace tractus

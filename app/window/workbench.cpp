@@ -1,0 +1,35 @@
+#include "app/window/workbench.h"
+
+namespace tractus {
+
+void Workbench::choose(WindowModel& model, Tool tool)
+{
+    bool const is_select = tool.kind == Tool::Kind::Select;
+    if (is_select)
+        tool.angle = angle;
+    if (!tool.at_once) {
+        turns_views = false;
+        if (shown != Shown::All)
+            shown = is_select ? Shown::Skeleton : Shown::Pad;
+    }
+    model.perform(ChooseTool { tool });
+}
+
+void Workbench::choose_view_tool()
+{
+    turns_views = true;
+    if (shown == Shown::Pad)
+        shown = Shown::Plant;
+}
+
+void Workbench::show_next()
+{
+    shown = shown == Shown::Collection ? Shown::All : Shown(static_cast<int>(shown) + 1);
+}
+
+bool Workbench::draws(WindowState const& state) const
+{
+    return state.is_live && !turns_views && is_shown(selects(state) ? Shown::Skeleton : Shown::Pad);
+}
+
+} // namespace tractus

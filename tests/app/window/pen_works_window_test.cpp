@@ -1,0 +1,216 @@
+#include "app/live_window.h"
+#include "app/log_replay.h"
+#include "app/window/window.h"
+#include "drivers/file.h"
+#include "drivers/log_writer.h"
+#include "tests/app/simple_rig.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sstream>
+#include <unistd.h>
+
+namespace tractus {
+
+namespace {
+
+constexpr int kWidth_px = 1000;
+constexpr int kHeight_px = 560;
+// The simple pen's tablet; the window shows it as large as it fits, in its middle.
+constexpr double kTabletWidth_mm = 200;
+constexpr double kTabletDepth_mm = 100;
+constexpr double kPxPerMm = kWidth_px / kTabletWidth_mm;
+
+// Writes what a pen sends that works the window: places are the window's pixels.
+class PenScript {
+public:
+    PenScript()
+        : log_(text_, { .devices = { simple_pen() }, .rig_text = {}, .start = {} })
+    {
+        hover(10, 10);
+        wait(300); // The window is there.
+    }
+
+    void hover(double x_px, double y_px, bool barrel = false) { send(x_px, y_px, false, barrel); }
+
+    void tap(double x_px, double y_px)
+    {
+        hover(x_px, y_px);
+        wait(100);
+        for (int i = 0; i < 5; ++i)
+            send(x_px, y_px, true, false);
+        hover(x_px, y_px);
+        wait(100);
+    }
+
+    void draw(double from_x_px, double from_y_px, double to_x_px, double to_y_px)
+    {
+        for (int i = 0; i <= 20; ++i)
+            send(from_x_px + (to_x_px - from_x_px) * i / 20,
+                 from_y_px + (to_y_px - from_y_px) * i / 20, true, false);
+        hover(to_x_px, to_y_px);
+        wait(100);
+    }
+
+    // Opens the ring there, and taps the choice, which are counted clockwise from the top.
+    void choose(double x_px, double y_px, int choice)
+    {
+        constexpr double kMiddleOfRing_px = 126;
+        hover(x_px, y_px);
+        hover(x_px, y_px, true);
+        wait(50);
+        hover(x_px, y_px);
+        wait(50);
+        double const angle = (choice - 2) * kPi / 4;
+        tap(x_px + kMiddleOfRing_px * std::cos(angle), y_px + kMiddleOfRing_px * std::sin(angle));
+    }
+
+    void rest(double x_px, double y_px, int milliseconds)
+    {
+        for (int i = 0; i < milliseconds / 5; ++i)
+            send(x_px, y_px, true, false);
+    }
+
+    void wait(int milliseconds) { now_ms_ += milliseconds; }
+    int frames() const { return static_cast<int>(now_ms_ * 60 / 1000 + 30); }
+
+    std::string text()
+    {
+        EXPECT_TRUE(log_.flush());
+        return text_.str();
+    }
+
+private:
+    void send(double x_px, double y_px, bool touching, bool barrel)
+    {
+        double const x_mm = kTabletWidth_mm / 2 + (x_px - kWidth_px / 2.0) / kPxPerMm;
+        double const y_mm = kTabletDepth_mm / 2 + (y_px - kHeight_px / 2.0) / kPxPerMm;
+        auto report = pen_report(x_mm, y_mm, touching);
+        if (barrel)
+            report[1] |= std::byte { 2 };
+        now_ms_ += 5;
+        log_.write_report(0, at_ms(now_ms_), report);
+    }
+
+    std::ostringstream text_;
+    LogWriter log_;
+    std::int64_t now_ms_ = 0;
+};
+
+class PenWorksWindow : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        folder_ = std::filesystem::temp_directory_path()
+            / ("tractus_pen_works_" + std::to_string(::getpid()));
+        std::filesystem::create_directories(folder_);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    LiveWindow window_of(PenScript& script, bool records = false)
+    {
+        auto const file = folder_ / "pen.tractus-log";
+        std::ofstream(file) << script.text();
+        auto const now = std::make_shared<Timestamp>();
+        LiveWindowOptions options {
+            .height_mm = 100,
+            .scene = small_scene(),
+            .pictures = folder_,
+            .now = [now] { return *now; },
+            .counted_time = now,
+        };
+        if (records)
+            options.recording = folder_ / "again.tractus-log";
+        auto devices = LiveDevices::play_log(file.string(), options.now).value();
+        return LiveWindow::create(std::move(devices), std::move(options)).value();
+    }
+
+    void run(LiveWindow& window, PenScript const& script)
+    {
+        auto const result = run_window(window,
+                                       { .width = kWidth_px,
+                                         .height = kHeight_px,
+                                         .frames = script.frames(),
+                                         .screenshot = folder_ / "window.png" });
+        EXPECT_TRUE(result) << result.error().message;
+    }
+
+    std::filesystem::path folder_;
+};
+
+constexpr int kSelectChoice = 1; // Of the ring, clockwise from the top.
+constexpr int kLeanChoice = 2;
+constexpr int kEraseChoice = 3;
+
+} // namespace
+
+TEST_F(PenWorksWindow, ChoosesAToolInTheRingAndDrawsWithIt)
+{
+    PenScript script;
+    script.choose(500, 195, kLeanChoice);
+    script.draw(350, 195, 600, 195);
+    auto window = window_of(script);
+    run(window, script);
+    EXPECT_EQ(window.state().hand.kind, Tool::Kind::Indicate);
+    ASSERT_EQ(window.station().counts().strokes, 1u) << "what presses draws nothing";
+    ASSERT_EQ(window.station().scene().indicators.size(), 1u);
+    auto const& indicator = window.station().scene().indicators[0];
+    EXPECT_NEAR(indicator.start_mm.x(), (350 - 500) / kPxPerMm, 0.1);
+    EXPECT_NEAR(indicator.start_mm.y(), (280 - 195) / kPxPerMm, 0.1);
+    EXPECT_NEAR(indicator.end_mm.x(), (600 - 500) / kPxPerMm, 0.1);
+}
+
+TEST_F(PenWorksWindow, OpensTheRingForATouchThatRests)
+{
+    PenScript script;
+    script.hover(500, 195);
+    script.rest(500, 195, 700);
+    script.hover(500, 195);
+    script.wait(100);
+    script.tap(500 + 126, 195); // Lean.
+    script.draw(350, 150, 600, 150);
+    script.choose(500, 195, kEraseChoice);
+    script.draw(450, 60, 450, 220);
+    auto window = window_of(script);
+    run(window, script);
+    EXPECT_EQ(window.state().hand.kind, Tool::Kind::Erase);
+    ASSERT_EQ(window.station().counts().strokes, 2u);
+    EXPECT_TRUE(window.station().scene().indicators.empty()) << "the eraser ran over it";
+}
+
+TEST_F(PenWorksWindow, SelectsWhereTheSkeletonIsShown)
+{
+    PenScript script;
+    script.choose(500, 195, kSelectChoice);
+    script.draw(500, 370, 500, 120); // Up the trunk, which stands in the middle.
+    auto window = window_of(script);
+    run(window, script);
+    EXPECT_EQ(window.state().hand.kind, Tool::Kind::Select);
+    ASSERT_EQ(window.station().counts().strokes, 1u);
+    EXPECT_FALSE(window.station().scene().selection.empty());
+}
+
+TEST_F(PenWorksWindow, RecordsWhatReplaysTheSame)
+{
+    PenScript script;
+    script.choose(500, 195, kLeanChoice);
+    script.draw(350, 195, 600, 195);
+    auto window = window_of(script, true);
+    run(window, script);
+    auto const log = read_log(folder_ / "again.tractus-log").value();
+    ReplayOptions options;
+    options.scene = small_scene();
+    options.height = parse_height_scenario("100").value();
+    auto replay = LogReplay::create(log, options);
+    ASSERT_TRUE(replay) << replay.error().message;
+    replay->advance_to(Timestamp::max());
+    auto const& again = replay->station().scene().indicators;
+    ASSERT_EQ(again.size(), 1u);
+    EXPECT_LT((again[0].start_mm - window.station().scene().indicators.at(0).start_mm).norm(),
+              1e-9);
+    EXPECT_EQ(replay->station().strokes().size(), 1u);
+}
+
+} // namespace tractus
