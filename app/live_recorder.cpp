@@ -75,7 +75,14 @@ Result<void> LiveRecorder::flush_if_due(Timestamp now)
         return {};
     stroke_ended_ = false;
     next_flush_ = now + kFlushEvery;
-    return log_->flush();
+    return flush();
+}
+
+Result<void> LiveRecorder::flush()
+{
+    TRY(log_->flush());
+    byte_count_ = static_cast<std::uint64_t>(std::streamoff(out_->tellp()));
+    return {};
 }
 
 } // namespace tractus

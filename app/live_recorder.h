@@ -7,6 +7,7 @@
 #include "engine/base/time.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <ostream>
@@ -37,9 +38,10 @@ public:
     // Hands what was written to the system if kFlushEvery has passed since it last did or a stroke
     // has ended. Fails, as the user's fault, if the disk is full.
     Result<void> flush_if_due(Timestamp now);
-    Result<void> flush() { return log_->flush(); }
+    Result<void> flush();
 
     std::size_t report_count() const { return report_count_; }
+    std::uint64_t byte_count() const { return byte_count_; } // As of the last flush.
 
 private:
     bool ends_stroke(LiveReport const& report);
@@ -55,6 +57,7 @@ private:
     bool stroke_ended_ = false;
     Timestamp next_flush_ {};
     std::size_t report_count_ = 0;
+    std::uint64_t byte_count_ = 0;
 };
 
 } // namespace tractus

@@ -103,11 +103,7 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
     window.view().state().mouse_draws = mouse.pen;
     window.view().state().mouse_moves_surface = mouse.height;
     if (!window.options_.recording.empty())
-        window.recorder_
-            = TRY(LiveRecorder::create(window.options_.recording,
-                                       { .devices = window.devices_.infos(),
-                                         .rig_text = print_rig(window.station_options_.rig),
-                                         .start = window.options_.now() }));
+        TRY(window.start_recording(window.options_.recording));
     return window;
 }
 
@@ -117,7 +113,7 @@ LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
     , options_(std::move(options))
     , station_options_(std::move(station_options))
     , station_(std::move(station))
-    , desk_(station_, std::exchange(options_.session, std::nullopt), options_.pictures)
+    , desk_(station_, std::exchange(options_.session, std::nullopt), options_.folder)
     , states_(devices_.infos().size(), LiveDevices::State::Connected)
 {
     view().state().is_live = true;
@@ -134,10 +130,7 @@ void LiveWindow::advance(Duration real_step)
     view().show_pen(station_.take_moments());
     tell_device_changes();
     tell_who_is_away();
-    if (!recorder_)
-        return;
-    if (auto const flushed = recorder_->flush_if_due(options_.now()); !flushed)
-        stop_recording(flushed.error().message);
+    flush_recording();
 }
 
 void LiveWindow::take_reports()
@@ -190,10 +183,58 @@ void LiveWindow::tell_who_is_away()
                 "{} has gone: plug it in again, what was drawn is kept", devices_.infos()[i].name);
 }
 
-void LiveWindow::stop_recording(std::string const& why)
+Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
 {
+    auto const now = options_.now();
+    recorder_ = TRY(LiveRecorder::create(path,
+                                         { .devices = devices_.infos(),
+                                           .rig_text = print_rig(station_options_.rig),
+                                           .start = now }));
+    if (auto const& tool = station_.tool(); !(tool == station_options_.tool)) {
+        auto const words = words_for(tool);
+        recorder_->write_tool(now, words.name, words.arguments);
+    }
+    view().state().recording = { true, path.filename().string(), recorder_->byte_count() };
+    return {};
+}
+
+Result<void> LiveWindow::stop_recording()
+{
+    auto const flushed = recorder_->flush();
+    view().state().recording.bytes = recorder_->byte_count();
+    view().state().recording.is_on = false;
     recorder_.reset();
-    view().state().status = fmt::format("The recording has stopped: {}", why);
+    return flushed;
+}
+
+void LiveWindow::flush_recording()
+{
+    if (!recorder_)
+        return;
+    auto const flushed = recorder_->flush_if_due(options_.now());
+    view().state().recording.bytes = recorder_->byte_count();
+    if (flushed)
+        return;
+    recorder_.reset();
+    view().state().recording.is_on = false;
+    view().state().status = fmt::format("The recording has stopped: {}", flushed.error().message);
+}
+
+void LiveWindow::perform_kind(SetRecording const& command)
+{
+    if (command.is_on == recorder_.has_value())
+        return;
+    auto& status = view().state().status;
+    if (command.is_on) {
+        auto const path = desk_.new_file(".tractus-log");
+        auto const begun = start_recording(path);
+        status = begun ? fmt::format("Recording into {}", path.string()) : begun.error().message;
+        return;
+    }
+    auto const stopped = stop_recording();
+    auto const& [is_on, file, bytes] = view().state().recording;
+    status = stopped ? fmt::format("Recorded {}, {:.1f} kB", file, static_cast<double>(bytes) / 1e3)
+                     : stopped.error().message;
 }
 
 void LiveWindow::perform(WindowCommand const& command)

@@ -24,9 +24,10 @@ struct LiveWindowOptions {
     std::optional<Rig> rig {}; // No value: that of a log among the devices, else see create().
     // The surface's height in place of a height sensor, above the desk.
     std::optional<double> height_mm {};
-    Scene scene {};                       // What the pen works on; its base plant is loaded.
-    std::filesystem::path pictures = "."; // The folder in which saved pictures appear.
-    std::filesystem::path recording {};   // The new log of all that comes; empty: none.
+    Scene scene {}; // What the pen works on; its base plant is loaded.
+    // The folder in which saved pictures, exports, and recordings that nobody named appear.
+    std::filesystem::path folder = ".";
+    std::filesystem::path recording {}; // The new log of all that comes; empty: none at first.
     // Keeps what is drawn; the pen works on its scene in place of the one above. LiveWindow::create
     // takes it over.
     std::optional<Session> session {};
@@ -48,7 +49,7 @@ public:
     static Result<LiveWindow> create(LiveDevices devices, LiveWindowOptions options);
 
     void advance(Duration real_step) override;
-    void settle() override { view().settle(); }
+    void settle() override { desk_.settle(); }
     WindowState const& state() const override { return desk_.view().state(); }
     void perform(WindowCommand const& command) override;
 
@@ -66,6 +67,7 @@ private:
     void perform_kind(PressInstead const&);
     void perform_kind(MoveMousePen const& command);
     void perform_kind(MoveSurface const& command);
+    void perform_kind(SetRecording const& command);
     template<typename Command> void perform_kind(Command const& command)
     {
         desk_.perform(command, station_);
@@ -77,7 +79,9 @@ private:
     void record_tool_changes();
     void tell_device_changes();
     void tell_who_is_away();
-    void stop_recording(std::string const& why);
+    Result<void> start_recording(std::filesystem::path const& path);
+    Result<void> stop_recording();
+    void flush_recording();
 
     LiveDevices devices_;
     LiveWindowOptions options_;

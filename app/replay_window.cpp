@@ -31,7 +31,7 @@ ReplayWindow::ReplayWindow(Log const& log, ReplayOptions options, LogReplay repl
 void ReplayWindow::advance(Duration real_step)
 {
     auto& state = view().state();
-    view().show_grown();
+    desk_.show_done();
     if (!state.playing)
         return;
     now_ += from_seconds(to_seconds(real_step) * state.speed);

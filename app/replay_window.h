@@ -23,7 +23,7 @@ public:
                                        std::optional<Session> session = {});
 
     void advance(Duration real_step) override;
-    void settle() override { view().settle(); }
+    void settle() override { desk_.settle(); }
     WindowState const& state() const override { return desk_.view().state(); }
     void perform(WindowCommand const& command) override;
 
@@ -38,6 +38,7 @@ private:
     void perform_kind(PressInstead const&) { }
     void perform_kind(MoveMousePen const&) { }
     void perform_kind(MoveSurface const&) { }
+    void perform_kind(SetRecording const&) { } // It is recorded.
     template<typename Command> void perform_kind(Command const& command)
     {
         desk_.perform(command, replay_.station());

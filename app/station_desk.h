@@ -1,13 +1,16 @@
 #pragma once
 
+#include "app/file_queue.h"
 #include "app/session_keeper.h"
 #include "app/station.h"
 #include "app/station_view.h"
 #include "app/window/window_model.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace tractus {
 
@@ -15,9 +18,9 @@ namespace tractus {
 // drawn and done is kept, shown, and can be undone.
 class StationDesk {
 public:
-    // `pictures` is the folder in which saved pictures appear.
+    // `folder` is where saved pictures and exports appear.
     StationDesk(Station const& station, std::optional<Session> session,
-                std::filesystem::path pictures);
+                std::filesystem::path folder);
 
     StationView& view() { return view_; }
     StationView const& view() const { return view_; }
@@ -28,11 +31,21 @@ public:
     // its strokes.
     void show(Station& station, Timestamp now);
 
+    // What has been done in the background meanwhile; show() does it, too.
+    void show_done();
+
+    // Waits until nothing is done in the background any more, and shows what came of it.
+    void settle();
+
+    // A new file's name in the folder.
+    std::filesystem::path new_file(std::string_view ending) const;
+
     void perform(NextVariation const&, Station& station);
     void perform(ChangeGrowth const& command, Station& station);
     void perform(AskForCollection const& command, Station& station);
     void perform(PickVariation const& command, Station& station);
     void perform(SavePicture const& command, Station& station);
+    void perform(ExportPlant const& command, Station& station);
     void perform(Undo const&, Station& station);
     void perform(Redo const&, Station& station);
 
@@ -40,10 +53,14 @@ public:
     void show_again(Result<void> const& done, Station const& station, std::string const& status);
 
 private:
+    void save(std::string_view ending,
+              std::function<Result<void>(std::filesystem::path const&)> write);
     void set_growth(SetGrowth const& growth, Station& station, std::string const& status);
 
     SessionKeeper keeper_;
     StationView view_;
+    std::filesystem::path folder_;
+    std::unique_ptr<FileQueue> files_ = std::make_unique<FileQueue>(); // As this moves.
 };
 
 } // namespace tractus

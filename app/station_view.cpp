@@ -1,13 +1,10 @@
 #include "app/station_view.h"
 
 #include "app/tools/tool.h"
-#include "drivers/file.h"
 #include "engine/variation/growth_preset.h"
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <fmt/chrono.h>
 #include <fmt/core.h>
 #include <utility>
 
@@ -154,13 +151,12 @@ std::vector<SkeletonLine::State> segment_states(Scene const& scene,
 
 } // namespace
 
-StationView::StationView(Station const& station, std::filesystem::path pictures)
-    : pictures_(std::move(pictures))
-    , preview_(std::make_unique<NewestJob<WantedPreview, Preview>>(
-          // Shared by the copies of the function, of which one is called.
-          [preview = std::make_shared<StrokePreview>()](WantedPreview const& wanted) {
-              return Preview { preview->moved_by(wanted), wanted.stroke };
-          }))
+StationView::StationView(Station const& station)
+    : preview_(std::make_unique<NewestJob<WantedPreview, Preview>>(
+        // Shared by the copies of the function, of which one is called.
+        [preview = std::make_shared<StrokePreview>()](WantedPreview const& wanted) {
+            return Preview { preview->moved_by(wanted), wanted.stroke };
+        }))
 {
     state_.volume_mm = station.volume_mm();
     auto const& scene = station.scene();
@@ -432,18 +428,6 @@ Result<SetGrowth> growth_set_to(GrowthView const& wanted, SetGrowth growth)
     growth.liking = wanted.liking;
     growth.age = wanted.age;
     return growth;
-}
-
-void StationView::save(Image const& picture, Station const& station)
-{
-    // The date makes the name, so that nobody needs a keyboard to save a picture.
-    auto const stem = std::filesystem::path(station.scene().model_name).stem().string();
-    auto const path = pictures_
-        / fmt::format("{}-{:%Y-%m-%d-%H%M%S}-seed-{}.png", stem, fmt::localtime(std::time(nullptr)),
-                      state_.seed);
-    auto const written
-        = write_file(path, [&](std::ostream& out) { return write_png(out, picture); });
-    state_.status = written ? fmt::format("Saved {}", path.string()) : written.error().message;
 }
 
 } // namespace tractus

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/plant_grower.h"
-#include "app/render/image.h"
 #include "app/station.h"
 #include "app/stroke_preview.h"
 #include "app/tools/shown_skeleton.h"
@@ -10,7 +9,6 @@
 #include "engine/scene/scene.h"
 
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -22,8 +20,7 @@ namespace tractus {
 // says in state() what else is to be seen.
 class StationView {
 public:
-    // `pictures` is the folder in which saved pictures appear.
-    StationView(Station const& station, std::filesystem::path pictures);
+    explicit StationView(Station const& station);
 
     WindowState& state() { return state_; }
     WindowState const& state() const { return state_; }
@@ -52,8 +49,9 @@ public:
     // Grows so many variations of the plant, from its own seed on.
     void collect(std::size_t count);
 
-    // Writes a picture; the status says where.
-    void save(Image const& picture, Station const& station);
+    // What the plant grows from, as of the last change that was not only previewed. Shared with who
+    // grows it in the background; nobody changes it.
+    std::shared_ptr<Scene const> const& grown_scene() const { return grown_scene_; }
 
 private:
     struct Preview {
@@ -76,7 +74,6 @@ private:
     // On the heap, since a thread knows it.
     std::unique_ptr<PlantGrower> grower_ = std::make_unique<PlantGrower>();
     std::shared_ptr<Scene const> grown_scene_; // Shared with the grower.
-    std::filesystem::path pictures_;
     std::size_t shown_strokes_ = 0;
     std::size_t shown_pen_samples_ = 0;
     double shown_surface_mm_ = 0; // That the last picture of the pad was made for.

@@ -3,7 +3,7 @@
 #include "app/console.h"
 #include "app/error_text.h"
 #include "app/model_file.h"
-#include "app/pictures.h"
+#include "app/plant_file.h"
 #include "app/progress.h"
 #include "app/resources.h"
 #include "app/session_plant.h"
@@ -13,7 +13,6 @@
 #include "app/verbs/model_options.h"
 #include "drivers/file.h"
 #include "engine/export/glb_growth.h"
-#include "engine/export/obj_writer.h"
 #include "engine/mesh/make_mesh.h"
 #include "engine/mesh/mesh_measures.h"
 #include "engine/scene/scene.h"
@@ -40,32 +39,6 @@ struct GrowArguments {
 
     bool is_varied() const { return growth.preset || growth.liking != 1 || !drawing.log.empty(); }
 };
-
-// Answers the number of triangles. `frame`: what a picture has to show; empty: the plant.
-Result<std::uint64_t> write_plant(Plant const& plant, std::string const& name,
-                                  std::filesystem::path const& path, Bounds const& frame = {})
-{
-    std::uint64_t triangles = 0;
-    if (path.extension() == ".glb") { // Meshed while it is written: plants may be large.
-        PlacedMesh const placed { .name = name, .mesh = PlantToMesh { .plant = &plant } };
-        auto const write = [&](std::ostream& out) -> Result<void> {
-            triangles = TRY(write_glb(out, { &placed, 1 })).triangles;
-            return {};
-        };
-        TRY(write_file(path, write));
-        return triangles;
-    }
-    auto const mesh = make_mesh(plant);
-    if (path.extension() == ".png") {
-        auto pictures = TRY(PictureMaker::create());
-        auto const picture = pictures.plant(mesh, {}, frame);
-        TRY(write_file(path, [&](std::ostream& out) { return write_png(out, picture); }));
-    } else {
-        PlacedMesh const placed { .name = name, .mesh = &mesh };
-        TRY(write_file(path, [&](std::ostream& out) { return write_obj(out, { &placed, 1 }); }));
-    }
-    return mesh.triangle_count();
-}
 
 // tree.glb becomes tree-01.glb and so on.
 std::filesystem::path frame_path(std::filesystem::path const& output, std::size_t frame,
@@ -103,7 +76,7 @@ Result<void> write_sequence(GrowArguments const& arguments, Scene const& scene,
         double const age = age_of(i, arguments.frames);
         auto const plant = without_unborn(grower.grow(key, age));
         auto const path = frame_path(arguments.output, i, arguments.frames);
-        auto const triangles = TRY(write_plant(plant, name, path, frame));
+        auto const triangles = TRY(write_plant_file(plant, name, path, frame));
         TRY(print_out(fmt::format("{}: age {:.3f}, {} segments, {} organs, {} triangles\n",
                                   path.string(), age, plant.segment_count(), plant.organs.size(),
                                   triangles)));
@@ -144,7 +117,7 @@ Result<void> write_animation(GrowArguments const& arguments, Scene const& scene,
 
 Result<void> write_one(GrowArguments const& arguments, Plant const& plant, std::string const& name)
 {
-    auto const triangles = TRY(write_plant(plant, name, arguments.output));
+    auto const triangles = TRY(write_plant_file(plant, name, arguments.output));
     return print_out(fmt::format("{}: {} segments, {} organs, {} triangles\n",
                                  arguments.output.string(), plant.segment_count(),
                                  plant.organs.size(), triangles));

@@ -170,7 +170,7 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
         options.rig = TRY(load_rig(arguments.rig));
     if (!arguments.height.empty())
         options.height_mm = TRY(constant_height_mm(arguments.height));
-    options.pictures = std::filesystem::current_path();
+    options.folder = std::filesystem::current_path();
     options.recording = arguments.recording;
     options.now = clock.now;
     options.counted_time = clock.counted;

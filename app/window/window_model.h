@@ -73,6 +73,13 @@ struct VariationView {
     std::shared_ptr<Mesh const> mesh; // Coarse. Shared by the copies of this; nobody changes it.
 };
 
+// The log into which what the devices send is written.
+struct RecordingView {
+    bool is_on = false;      // The rest is that of the last one otherwise.
+    std::string file;        // Its name; the status says in which folder. Empty before the first.
+    std::uint64_t bytes = 0; // What is in it, renewed a few times a second.
+};
+
 // All that the window shows at one moment. Each revision number changes when the values after it
 // do, and only then: what did not change is not uploaded or drawn again.
 struct WindowState {
@@ -132,6 +139,10 @@ struct WindowState {
     // surface.
     bool mouse_draws = false;
     bool mouse_moves_surface = false;
+    RecordingView recording; // Only if is_live.
+    // Pictures and exports are being written in the background; the status will say where to, or
+    // why not.
+    bool is_saving = false;
     // What is drawn is kept in a session: it can be undone.
     bool has_session = false;
     double progress = 0; // Of the recording, 0 to 1.
@@ -161,8 +172,24 @@ struct AskForCollection {
 struct PickVariation {
     std::uint64_t seed = 1; // Makes it the plant.
 };
+// The receiver names the files after plant and date, writes them in the background, and says in the
+// status where to, or why not: see WindowState::is_saving.
 struct SavePicture {
-    Image picture; // The plant as the window sees it; the receiver names and writes the file.
+    Image picture; // The plant as the window sees it.
+};
+// The plant as it grows now, at its age: what a slider only previews does not count.
+struct ExportPlant {
+    enum class Format {
+        Glb,
+        Obj,
+        Png, // A picture of the whole plant, wherever the window looks at it from.
+    } format
+        = Format::Glb;
+};
+// Begins a new log of all that the devices send and of every choice of a tool, named after plant
+// and date; or ends it. See WindowState::recording. Only if WindowState::is_live.
+struct SetRecording {
+    bool is_on = true;
 };
 struct ChooseTool {
     Tool tool; // What the pen means from now on.
@@ -193,7 +220,7 @@ struct MoveSurface {
 using WindowCommand
     = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture, ChooseTool, Undo,
                    Redo, ChangeGrowth, AskForCollection, PickVariation, SetPressingAreas,
-                   PressInstead, MoveMousePen, MoveSurface>;
+                   PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

@@ -5,6 +5,7 @@
 #include "calib/rig_file.h"
 #include "tests/app/simple_rig.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -120,6 +121,120 @@ TEST(LiveWindow, RecordsWhatReplaysToTheSame)
     EXPECT_EQ(log.tools[0].tool, "indicate");
     EXPECT_TRUE(parse_rig(log.rig_text, "log"));
     fs::remove(path);
+}
+
+// A window that writes its files into a new folder, which goes away with it.
+class LiveWindowWithFolder : public testing::Test {
+protected:
+    LiveWindowWithFolder() { fs::create_directory(folder_); }
+    ~LiveWindowWithFolder() override { fs::remove_all(folder_); }
+
+    LiveWindow window(bool goes_away = false) const
+    {
+        auto options = options_for_tests();
+        options.folder = folder_;
+        return LiveWindow::create(drawing_devices(goes_away), std::move(options)).value();
+    }
+
+    // The files that are there with this ending.
+    std::vector<fs::path> files(std::string const& ending) const
+    {
+        std::vector<fs::path> found;
+        for (auto const& entry : fs::directory_iterator(folder_))
+            if (entry.path().string().ends_with(ending))
+                found.push_back(entry.path());
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+    fs::path const folder_
+        = fs::temp_directory_path() / fmt::format("tractus_files_{}", ::getpid());
+};
+
+TEST_F(LiveWindowWithFolder, RecordsWhenItIsAskedTo)
+{
+    auto window = this->window();
+    EXPECT_FALSE(window.state().recording.is_on);
+    window.perform(ChooseTool { { Tool::Kind::Indicate } });
+    window.perform(SetRecording { true });
+    EXPECT_TRUE(window.state().recording.is_on);
+    EXPECT_EQ(window.state().recording.file.substr(0, 6), "small-");
+    auto const begun = window.state().recording.bytes;
+    EXPECT_GT(begun, 0u);
+    advance_to_end(window);
+    window.perform(SetRecording { false });
+    EXPECT_FALSE(window.state().recording.is_on);
+    EXPECT_EQ(window.state().status.substr(0, 15), "Recorded small-");
+    window.perform(SetRecording { false }); // Not twice.
+
+    auto const logs = files(".tractus-log");
+    ASSERT_EQ(logs.size(), 1u);
+    EXPECT_EQ(logs[0].filename(), window.state().recording.file);
+    EXPECT_EQ(fs::file_size(logs[0]), window.state().recording.bytes);
+    EXPECT_GT(window.state().recording.bytes, begun);
+    auto const log = read_log(logs[0]).value();
+    EXPECT_EQ(log.records.size(), 21u);
+    ASSERT_EQ(log.tools.size(), 1u) << "the one that was in hand before";
+    EXPECT_EQ(log.tools[0].tool, "indicate");
+}
+
+TEST_F(LiveWindowWithFolder, NeverRecordsOverARecording)
+{
+    auto window = this->window();
+    for (int i = 0; i < 2; ++i) {
+        window.perform(SetRecording { true });
+        window.perform(SetRecording { false });
+    }
+    EXPECT_EQ(files(".tractus-log").size(), 2u);
+}
+
+TEST_F(LiveWindowWithFolder, SaysWhyItCannotRecord)
+{
+    auto window = this->window();
+    fs::remove_all(folder_);
+    window.perform(SetRecording { true });
+    EXPECT_FALSE(window.state().recording.is_on);
+    EXPECT_NE(window.state().status.find("cannot write"), std::string::npos);
+}
+
+TEST_F(LiveWindowWithFolder, ExportsThePlantInTheBackground)
+{
+    auto window = this->window();
+    advance_to_end(window);
+    window.perform(ExportPlant { ExportPlant::Format::Glb });
+    window.perform(ExportPlant { ExportPlant::Format::Obj });
+    window.perform(SavePicture { Image(2, 2) });
+    EXPECT_TRUE(window.state().is_saving);
+    EXPECT_EQ(window.state().status.substr(0, 8), "Writing ");
+    window.settle();
+    EXPECT_FALSE(window.state().is_saving);
+    EXPECT_EQ(window.state().status.substr(0, 6), "Saved ");
+    for (auto const* const ending : { "-seed-1.glb", "-seed-1.obj", "-seed-1.png" }) {
+        ASSERT_EQ(files(ending).size(), 1u) << ending;
+        EXPECT_GT(fs::file_size(files(ending)[0]), 0u) << ending;
+    }
+}
+
+TEST_F(LiveWindowWithFolder, WritesAllFilesThoughTheWindowCloses)
+{
+    {
+        auto window = this->window();
+        window.perform(ExportPlant { ExportPlant::Format::Glb });
+        window.perform(ExportPlant { ExportPlant::Format::Obj });
+    }
+    EXPECT_EQ(files(".glb").size(), 1u);
+    EXPECT_EQ(files(".obj").size(), 1u);
+}
+
+TEST_F(LiveWindowWithFolder, SaysWhyItCannotExport)
+{
+    auto window = this->window();
+    fs::remove_all(folder_);
+    window.perform(ExportPlant {});
+    window.settle();
+    EXPECT_FALSE(window.state().is_saving);
+    EXPECT_NE(window.state().status.find("cannot write"), std::string::npos)
+        << window.state().status;
 }
 
 TEST(LiveWindow, BeginsAgainWithTheSameTool)

@@ -35,7 +35,7 @@ void end_stroke(Station& station)
 TEST(StationView, LetsTheBranchFollowThePen)
 {
     auto station = station_on(small_scene(), { Tool::Kind::DrawInOrder });
-    StationView view(station, ".");
+    StationView view(station);
     view.show(station);
     EXPECT_TRUE(view.state().preview.empty());
     begin_stroke(station);
@@ -62,7 +62,7 @@ TEST(StationView, LetsTheBranchFollowThePen)
 TEST(StationView, PreviewsWhatTheStrokeWillBe)
 {
     auto station = station_on(small_scene(), { Tool::Kind::DrawInOrder });
-    StationView view(station, ".");
+    StationView view(station);
     begin_stroke(station);
     view.show(station);
     view.settle();
@@ -84,7 +84,7 @@ TEST(StationView, PreviewsNothingForAPenThatShapesNothing)
     for (auto const& tool : { Tool { Tool::Kind::Select }, Tool { Tool::Kind::Indicate },
                               Tool { Tool::Kind::Draw } /* Nothing is selected. */ }) {
         auto station = station_on(small_scene(), tool);
-        StationView view(station, ".");
+        StationView view(station);
         begin_stroke(station);
         view.show(station);
         EXPECT_FALSE(view.state().live_ink.empty());
@@ -106,9 +106,9 @@ Scene bushy_scene(int branches)
 TEST(StationView, LeavesTheTwigsOfLargePlantsOutOfTheSkeleton)
 {
     auto const small = station_on(bushy_scene(100), {});
-    EXPECT_EQ(StationView(small, ".").state().skeleton.size(), 1u + 2 * 100);
+    EXPECT_EQ(StationView(small).state().skeleton.size(), 1u + 2 * 100);
     auto const large = station_on(bushy_scene(500), {});
-    EXPECT_EQ(StationView(large, ".").state().skeleton.size(), 1u + 500);
+    EXPECT_EQ(StationView(large).state().skeleton.size(), 1u + 500);
 }
 
 TEST(StationView, ListsWhatHasLostItsBranch)
@@ -119,7 +119,7 @@ TEST(StationView, ListsWhatHasLostItsBranch)
     std::vector<Edit> edits { small_model(), Select { { { 0, 1, 2 } } },
                               Associate { stroke_through({ { 0, 0, 0 }, { 10, 5, 100 } }) } };
     auto station = station_on(fold(edits).value(), {});
-    StationView view(station, ".");
+    StationView view(station);
     EXPECT_TRUE(view.state().orphans.empty());
     station.set_scene(apply_edit(station.scene(), bare).value());
     view.begin_again(station);
@@ -133,7 +133,7 @@ TEST(StationView, ListsWhatHasLostItsBranch)
 TEST(StationView, GrowsACollectionOneByOne)
 {
     auto const station = station_on(small_scene(), {});
-    StationView view(station, ".");
+    StationView view(station);
     view.collect(3);
     EXPECT_EQ(view.state().collection_wanted, 3u);
     view.settle();

@@ -68,7 +68,7 @@ class Drawing {
 public:
     explicit Drawing(Scene scene)
         : station_(station_on(std::move(scene)))
-        , view_(station_, ".")
+        , view_(station_)
     {
     }
 
