@@ -7,14 +7,16 @@ namespace tractus {
 BranchIndex::BranchIndex(Model const& model, ModuleString const& string, std::size_t long_branch)
     : string_(string)
     , long_branch_(long_branch)
+    , kind_count_(model.alphabet.kinds.size())
     , blocks_((string.size() + kBlock - 1) / kBlock)
     , floors_((blocks_.size() + kSuperblock - 1) / kSuperblock)
 {
     for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i) {
         auto const& kind = model.alphabet.kinds[i];
-        steps_[i] = { kind.parameter_count, (kind.symbol == '[') - (kind.symbol == ']'),
-                      kind.symbol == '[' ? 0 : kBeyond };
+        steps_[i] = { kind.parameter_count, (kind.symbol == '[') - (kind.symbol == ']') };
     }
+    for (std::size_t i = 0; i < kind_count_ * kind_count_; ++i)
+        pairs_.push_back(pair(steps_[i / kind_count_], steps_[i % kind_count_]));
     // First what each block has by itself, then the sums.
     parallel_for(blocks_.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (auto b = begin; b < end; ++b)
@@ -59,18 +61,41 @@ std::size_t BranchIndex::next_opening(std::size_t module) const
     return std::min(block * kBlock, string_.size());
 }
 
+BranchIndex::Pair BranchIndex::pair(Step const& first, Step const& second)
+{
+    auto const depth = first.depth + second.depth;
+    auto const opening = first.depth > 0 ? first.depth : second.depth > 0 ? depth : kNoOpening;
+    return { static_cast<std::uint16_t>(first.parameters + second.parameters),
+             static_cast<std::int8_t>(depth),
+             static_cast<std::int8_t>(std::min(first.depth, depth)), opening };
+}
+
 // How many parameters a block has, and how it changes the depth.
 BranchIndex::Block BranchIndex::measure(std::size_t block) const
 {
+    auto const begin = block * kBlock;
+    auto const size = std::min(kBlock, string_.size() - begin);
+    auto const* const kinds = string_.kinds.data() + begin;
+    std::uint32_t parameters = 0;
+    std::int32_t depth = 0;
+    std::int32_t floor = 0;
+    std::int32_t opening = kNoOpening;
+    auto const add = [&](Pair const& next) {
+        parameters += next.parameters;
+        floor = std::min(floor, depth + next.floor);
+        opening = std::min(opening, depth + next.opening);
+        depth += next.depth;
+    };
+    for (std::size_t i = 0; i + 1 < size; i += 2)
+        add(pairs_[kinds[i] * kind_count_ + kinds[i + 1]]);
+    if (size % 2 != 0)
+        add(pair(steps_[kinds[size - 1]], {}));
     Block result;
-    auto const end = std::min((block + 1) * kBlock, string_.size());
-    for (auto i = block * kBlock; i < end; ++i) {
-        auto const& step = steps_[string_.kinds[i]];
-        result.parameter += step.parameters;
-        result.depth += step.depth;
-        result.floor = std::min(result.floor, result.depth);
-        result.opening = std::min(result.opening, result.depth + step.beyond);
-    }
+    result.parameter = parameters;
+    result.depth = depth;
+    result.floor = floor;
+    if (opening < kNoOpening / 2)
+        result.opening = opening;
     return result;
 }
 

@@ -58,9 +58,14 @@ private:
     struct Step {
         std::uint32_t parameters = 0;
         int depth = 0; // Change behind the module.
-        // Added to the depths behind modules that open nothing, so that the least one is that of an
-        // opening: that is quicker than to ask each.
-        std::int64_t beyond = kBeyond;
+    };
+    static constexpr std::int32_t kNoOpening = 1 << 20; // No depth in a block is as great.
+    // What two modules do, one behind the other: blocks are measured by twos.
+    struct Pair {
+        std::uint16_t parameters = 0;
+        std::int8_t depth = 0;
+        std::int8_t floor = 0;    // Least depth behind one of them.
+        std::int32_t opening = 0; // Of a branch that one of them opens; kNoOpening if none does.
     };
     struct Block {
         std::size_t parameter = 0; // Before its first module.
@@ -72,13 +77,16 @@ private:
         bool opens_long = false;
     };
 
+    static Pair pair(Step const& first, Step const& second);
     Block measure(std::size_t block) const;
     bool may_open_long(std::size_t block) const;
     std::size_t first_block_below(std::size_t block, std::int64_t depth) const;
 
     ModuleString const& string_;
     std::size_t long_branch_;
+    std::size_t kind_count_;
     std::array<Step, 256> steps_ {}; // By kind.
+    std::vector<Pair> pairs_;        // By first kind * kind_count_ + second kind.
     std::vector<Block> blocks_;
     std::vector<std::int64_t> floors_; // Of superblocks.
 };

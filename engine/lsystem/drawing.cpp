@@ -52,7 +52,7 @@ void Drawing::add_polygon(std::vector<Vec3> const& vertices_mm, std::uint32_t se
     has_color[color] = true;
 }
 
-void Drawing::begin_axis(Place& place, Vec3 const& base_mm)
+AxisId Drawing::begin_axis(SegmentId parent_segment, AxisId parent_axis, Vec3 const& base_mm)
 {
     CHECK(!target.axis_lengths.empty());
     auto& plant = *target.plant;
@@ -61,16 +61,15 @@ void Drawing::begin_axis(Place& place, Vec3 const& base_mm)
     axis.first_segment = target.next_segment;
     axis.first_node = target.next_segment + id;
     axis.segment_count = target.axis_lengths.front();
-    axis.parent_segment = place.segment;
-    if (place.segment != kNone) {
-        axis.parent_axis = place.axis;
-        axis.order = plant.axes[place.axis].order + 1;
+    axis.parent_segment = parent_segment;
+    if (parent_segment != kNone) {
+        axis.parent_axis = parent_axis;
+        axis.order = plant.axes[parent_axis].order + 1;
     }
     plant.node_position_mm[axis.first_node] = base_mm;
     target.next_segment += axis.segment_count;
     target.axis_lengths = target.axis_lengths.subspan(1);
-    place.axis = id;
-    place.is_open = true;
+    return id;
 }
 
 OrganShapeId Drawing::shape(ShapeKey const& key)

@@ -103,9 +103,10 @@ struct Drawing {
 
     std::size_t part_count() const { return segments.size() + organs.size() + polygons.size(); }
 
-    // Draws a segment from `base_mm` at `place` and moves the place to its end.
-    void add_segment(Place& place, Vec3 const& base_mm, Vec3 const& tip_mm, float radius_mm,
-                     std::uint8_t color)
+    // Draws a segment from `base_mm` at `place` and moves the place to its end. Inlined, so that
+    // places may lie in registers.
+    [[gnu::always_inline]] void add_segment(Place& place, Vec3 const& base_mm, Vec3 const& tip_mm,
+                                            float radius_mm, std::uint8_t color)
     {
         has_color[color] = true;
         if (target.plant)
@@ -142,14 +143,15 @@ struct Drawing {
 private:
     // Segments of an axis lie one after the other; before their nodes lie those of the axes before,
     // each of which has one more node than segments.
-    void write_segment(Place& place, Vec3 const& base_mm, Vec3 const& tip_mm, float radius_mm,
-                       std::uint8_t color)
+    [[gnu::always_inline]] void write_segment(Place& place, Vec3 const& base_mm, Vec3 const& tip_mm,
+                                              float radius_mm, std::uint8_t color)
     {
         auto& plant = *target.plant;
         auto segment = place.segment + 1;
         if (!place.is_open) {
             segment = target.next_segment;
-            begin_axis(place, base_mm);
+            place.axis = begin_axis(place.segment, place.axis, base_mm);
+            place.is_open = true;
         }
         auto const node = segment + place.axis;
         plant.node_radius_mm[node] = radius_mm;
@@ -158,7 +160,7 @@ private:
         plant.segment_material[segment] = color;
         place.segment = segment;
     }
-    void begin_axis(Place& place, Vec3 const& base_mm);
+    AxisId begin_axis(SegmentId parent_segment, AxisId parent_axis, Vec3 const& base_mm);
 };
 
 } // namespace tractus

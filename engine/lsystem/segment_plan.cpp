@@ -96,7 +96,7 @@ public:
     {
         for (std::size_t i = 0; i < alphabet_.kinds.size(); ++i) {
             auto const& kind = alphabet_.kinds[i];
-            steps_[i] = { effect_of(kind), kind.parameter_count };
+            steps_[i] = { effect_of(kind), kind.parameter_count, kind == ModuleKind { '@', 0 } };
             is_plain_second_[i]
                 = std::string_view("voORc").find(kind.symbol) != std::string_view::npos;
         }
@@ -115,15 +115,29 @@ private:
     struct Step {
         Effect effect = Effect::None;
         std::uint8_t parameters = 0;
+        bool is_bare_at = false; // @ without parameters.
+    };
+
+    // Where a count has come to. A local variable while it runs: in memory, each module would wait
+    // for what the last one wrote.
+    struct Walk {
+        std::size_t at = 0;
+        std::size_t parameter = 0;  // Where lengths are looked at.
+        std::size_t axis_count = 0; // Of the piece.
+        std::size_t depth = 0;      // In brackets.
+        std::size_t open_polygons = 0;
+        double reach_mm = 0;
+        std::uint32_t axis = kClosed; // That the next segment goes on with.
     };
 
     template<StepLengths kLengths>
     bool count_modules(PlannedPiece& piece, std::vector<PlannedPiece>& branches);
-    template<StepLengths kLengths> bool apply(Effect effect);
-    template<StepLengths kLengths> void step(bool draws);
-    template<StepLengths kLengths> void pass(std::size_t count);
-    std::size_t plain_length() const;
-    bool leave_out(PlannedPiece& piece, std::vector<PlannedPiece>& branches);
+    template<StepLengths kLengths> bool apply(Effect effect, Walk& walk);
+    template<StepLengths kLengths> void step(bool draws, Walk& walk);
+    template<StepLengths kLengths> void pass(std::size_t count, Walk& walk) const;
+    std::size_t plain_length(std::size_t at) const;
+    bool leave_out(PlannedPiece& piece, std::size_t at, std::size_t depth,
+                   std::vector<PlannedPiece>& branches);
 
     Alphabet const& alphabet_;
     ModuleString const& string_;
@@ -133,153 +147,140 @@ private:
     BranchCutter cutter_;
     std::array<Step, 256> steps_ {};
     std::array<bool, 256> is_plain_second_ {}; // Behind @: a symbol of two modules.
-    std::size_t at_ = 0;
-    std::size_t parameter_ = 0;     // Where lengths are looked at.
-    std::uint32_t axis_ = kClosed;  // That the next segment goes on with.
-    Column<std::uint32_t> lengths_; // Of the piece's axes, in segments.
-    Column<std::uint32_t> stack_;   // Axes to go on with behind brackets.
-    std::size_t open_polygons_ = 0;
+    Column<std::uint32_t> lengths_;            // Of the piece's axes, in segments.
+    Column<std::uint32_t> stack_;              // Axes to go on with behind brackets.
     double reach_mm_ = 0;
 };
 
 bool SegmentCounter::count(PlannedPiece& piece, StepLengths lengths,
                            std::vector<PlannedPiece>& branches)
 {
-    at_ = piece.begin;
-    axis_ = kClosed;
-    open_polygons_ = 0;
     lengths_.clear();
-    stack_.clear();
     // More than there can be.
     lengths_.reserve(piece.end - piece.begin);
     stack_.reserve(piece.end - piece.begin);
     cutter_.begin(piece.begin, piece.end);
-    bool is_counted = false;
-    if (lengths == StepLengths::Plain) {
-        is_counted = count_modules<StepLengths::Plain>(piece, branches);
-    } else {
-        parameter_ = index_.parameter(piece.begin);
-        is_counted = count_modules<StepLengths::Any>(piece, branches);
-    }
-    auto const counted = lengths_.span();
-    piece.axis_lengths.assign(counted.begin(), counted.end());
-    return is_counted;
+    return lengths == StepLengths::Plain ? count_modules<StepLengths::Plain>(piece, branches)
+                                         : count_modules<StepLengths::Any>(piece, branches);
 }
 
 template<StepLengths kLengths>
 bool SegmentCounter::count_modules(PlannedPiece& piece, std::vector<PlannedPiece>& branches)
 {
-    while (at_ < piece.end) {
-        auto const effect = steps_[string_.kinds[at_]].effect;
+    Walk walk;
+    walk.at = piece.begin;
+    if (kLengths == StepLengths::Any)
+        walk.parameter = index_.parameter(piece.begin);
+    while (walk.at < piece.end) {
+        auto const effect = steps_[string_.kinds[walk.at]].effect;
         if (effect == Effect::None) {
-            pass<kLengths>(1);
+            pass<kLengths>(1, walk);
         } else if (effect == Effect::Long) {
-            auto const length = plain_length();
+            // Quickly, what most have.
+            bool const is_quick = steps_[string_.kinds[walk.at]].is_bare_at
+                && walk.at + 1 < string_.size() && is_plain_second_[string_.kinds[walk.at + 1]];
+            auto const length = is_quick ? 2 : plain_length(walk.at);
             if (length == 0)
                 return false;
-            pass<kLengths>(length);
-        } else if (effect == Effect::Push && at_ >= cutter_.look_from(at_)
-                   && leave_out(piece, branches)) {
+            pass<kLengths>(length, walk);
+        } else if (effect == Effect::Push && walk.at >= cutter_.look_from(walk.at)
+                   && walk.open_polygons == 0 && leave_out(piece, walk.at, walk.depth, branches)) {
+            walk.at = branches.back().end + 1;
             if (kLengths == StepLengths::Any)
-                parameter_ = index_.parameter(at_);
+                walk.parameter = index_.parameter(walk.at);
         } else {
-            if (!apply<kLengths>(effect))
+            if (!apply<kLengths>(effect, walk))
                 return false;
-            pass<kLengths>(1);
+            pass<kLengths>(1, walk);
         }
     }
-    return stack_.empty() && open_polygons_ == 0 && at_ == piece.end;
+    piece.axis_lengths.assign(lengths_.data(), lengths_.data() + walk.axis_count);
+    reach_mm_ += walk.reach_mm;
+    return walk.depth == 0 && walk.open_polygons == 0 && walk.at == piece.end;
 }
 
 // How many modules the organ or other long symbol has; 0 if it may be more than plain.
-std::size_t SegmentCounter::plain_length() const
+std::size_t SegmentCounter::plain_length(std::size_t at) const
 {
-    auto const kinds = string_.kinds.span().subspan(at_);
-    if (alphabet_[kinds[0]] == ModuleKind { '@', 0 } && kinds.size() > 1
-        && is_plain_second_[kinds[1]])
-        return 2; // Quickly, what most have.
+    auto const kinds = string_.kinds.span().subspan(at);
     auto const length = symbol_length(alphabet_, kinds);
     return are_plain(alphabet_, kinds.first(length)) ? length : 0;
 }
 
-template<StepLengths kLengths> void SegmentCounter::pass(std::size_t count)
+template<StepLengths kLengths> void SegmentCounter::pass(std::size_t count, Walk& walk) const
 {
     if (kLengths == StepLengths::Any)
         for (std::size_t i = 0; i < count; ++i)
-            parameter_ += steps_[string_.kinds[at_ + i]].parameters;
-    at_ += count;
+            walk.parameter += steps_[string_.kinds[walk.at + i]].parameters;
+    walk.at += count;
 }
 
-template<StepLengths kLengths> bool SegmentCounter::apply(Effect effect)
+template<StepLengths kLengths> bool SegmentCounter::apply(Effect effect, Walk& walk)
 {
     switch (effect) {
     case Effect::Draw:
     case Effect::Move:
-        step<kLengths>(effect == Effect::Draw);
+        step<kLengths>(effect == Effect::Draw, walk);
         return true;
     case Effect::Push:
-        stack_.data()[stack_.size()] = axis_;
-        stack_.set_size(stack_.size() + 1);
-        axis_ = kClosed;
+        stack_.data()[walk.depth++] = walk.axis;
+        walk.axis = kClosed;
         return true;
     case Effect::Pop:
-        if (stack_.empty())
+        if (walk.depth == 0)
             return false;
-        stack_.set_size(stack_.size() - 1);
-        axis_ = stack_.data()[stack_.size()];
+        walk.axis = stack_.data()[--walk.depth];
         return true;
     case Effect::BeginPolygon:
-        ++open_polygons_;
+        ++walk.open_polygons;
         return true;
     case Effect::EndPolygon:
-        return open_polygons_-- > 0;
+        return walk.open_polygons-- > 0;
     default:
         return false;
     }
 }
 
 // As Turtle::step().
-template<StepLengths kLengths> void SegmentCounter::step(bool draws)
+template<StepLengths kLengths> void SegmentCounter::step(bool draws, Walk& walk)
 {
     if (kLengths == StepLengths::Any) {
-        double const length = steps_[string_.kinds[at_]].parameters > 0
-            ? static_cast<double>(string_.parameters[parameter_])
+        double const length = steps_[string_.kinds[walk.at]].parameters > 0
+            ? static_cast<double>(string_.parameters[walk.parameter])
             : 1;
         double const length_mm = length * scale_ * unit_mm_;
-        reach_mm_ += std::abs(length_mm);
+        walk.reach_mm += std::abs(length_mm);
         if (length_mm == 0)
             return;
     }
-    if (open_polygons_ > 0)
+    if (walk.open_polygons > 0)
         return;
-    if (draws && axis_ == kClosed) {
-        axis_ = static_cast<std::uint32_t>(lengths_.size());
-        lengths_.set_size(lengths_.size() + 1);
-        lengths_.data()[axis_] = 1;
+    auto* const lengths = lengths_.data();
+    if (draws && walk.axis == kClosed) {
+        walk.axis = static_cast<std::uint32_t>(walk.axis_count++);
+        lengths[walk.axis] = 1;
     } else if (draws) {
-        ++lengths_.data()[axis_];
+        ++lengths[walk.axis];
     } else {
-        axis_ = kClosed;
+        walk.axis = kClosed;
     }
 }
 
-// Leaves a long branch to another piece, if it begins here.
-bool SegmentCounter::leave_out(PlannedPiece& piece, std::vector<PlannedPiece>& branches)
+// Leaves a long branch to another piece, if it begins at module `at`: the last of `branches` then.
+bool SegmentCounter::leave_out(PlannedPiece& piece, std::size_t at, std::size_t depth,
+                               std::vector<PlannedPiece>& branches)
 {
-    if (open_polygons_ > 0)
-        return false;
-    auto const depth = piece.depth + static_cast<std::int64_t>(stack_.size()) + 1;
-    auto const end = cutter_.cut(at_, depth);
+    auto const depth_inside = piece.depth + static_cast<std::int64_t>(depth) + 1;
+    auto const end = cutter_.cut(at, depth_inside);
     if (!end)
         return false;
-    piece.gaps.push_back({ at_, branches.size() });
+    piece.gaps.push_back({ at, branches.size() });
     PlannedPiece branch;
-    branch.begin = at_ + 1;
+    branch.begin = at + 1;
     branch.end = end->module;
     branch.end_parameter = end->parameter;
-    branch.depth = depth;
+    branch.depth = depth_inside;
     branches.push_back(std::move(branch));
-    at_ = end->module + 1;
     return true;
 }
 

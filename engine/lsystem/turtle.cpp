@@ -9,8 +9,6 @@
 
 namespace tractus {
 
-constexpr double kMinWidth = 1e-7; // As cpfg.
-
 static bool has_symbol(Model const& model, std::string_view symbols)
 {
     return std::any_of(
@@ -39,12 +37,8 @@ Turtle::Turtle(Model const& model, TurtleOptions const& options)
     , options_(options)
     , has_extras_(uses_turtle_extras(model))
 {
-    for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i) {
-        auto const& kind = model.alphabet.kinds[i];
-        is_single_[i] = std::string_view("@~?%").find(kind.symbol) == std::string_view::npos;
-        symbols_[i] = kind.symbol;
-        parameter_counts_[i] = kind.parameter_count;
-    }
+    for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i)
+        kinds_[i] = describe(model.alphabet.kinds[i]);
 }
 
 Turtle::Start Turtle::start() const
@@ -65,7 +59,7 @@ void Turtle::begin(Start const& start, Drawing& drawing)
     drawing_ = &drawing;
     state_ = start.state;
     extras_ = start.extras;
-    stack_.clear();
+    depth_ = 0;
     extras_stack_.clear();
     polygons_.clear();
     call_scales_.clear();
@@ -99,60 +93,14 @@ Turtle::Start Turtle::branch_start() const
     return start;
 }
 
-std::size_t Turtle::draw_plain(std::span<KindId const> kinds, float const*& parameters,
-                               std::size_t place, std::array<bool, 256> const& stops)
-{
-    Symbol symbol;
-    std::size_t i = 0;
-    while (i < kinds.size()) {
-        auto const kind = kinds[i];
-        if (stops[kind])
-            break;
-        std::size_t length = 1;
-        symbol.name = { symbols_[kind] };
-        symbol.count = parameter_counts_[kind];
-        if (!is_single_[kind]) {
-            length = name_at_symbol(kinds.subspan(i), symbol);
-            if (length == 0)
-                break;
-        }
-        symbol.parameters = parameters;
-        parameters += symbol.count;
-        place_ = place + i;
-        i += length;
-        draw_symbol(symbol);
-    }
-    return i;
-}
-
-// How many modules the @-symbol at the beginning has; 0 if there is none, it is a cut, or it may go
-// on behind them.
-std::size_t Turtle::name_at_symbol(std::span<KindId const> kinds, Symbol& symbol) const
-{
-    if (symbols_[kinds[0]] != '@' || kinds.size() < symbol.name.size())
-        return 0;
-    if (symbols_[kinds[1]] == 'v' && symbol.count == 0) { // Quickly, what comes most often.
-        symbol.name[1] = 'v';
-        symbol.count = parameter_counts_[kinds[1]];
-        return 2;
-    }
-    auto const length = symbol_length(model_.alphabet, kinds);
-    if (length == 1 || symbols_[kinds[1]] == 'm')
-        return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        symbol.name[i] = symbols_[kinds[i]];
-    symbol.count = parameter_counts_[kinds[length - 1]];
-    return length;
-}
-
 std::size_t Turtle::draw(Modules const& modules, std::size_t place, bool in_homomorphism)
 {
     auto const length = symbol_length(model_.alphabet, { modules.kinds, modules.count });
     Symbol symbol;
     for (std::size_t i = 0; i < length; ++i)
-        symbol.name[i] = symbols_[modules.kinds[i]];
+        symbol.name[i] = kinds_[modules.kinds[i]].symbol;
     symbol.parameters = modules.parameters;
-    symbol.count = parameter_counts_[modules.kinds[length - 1]];
+    symbol.count = kinds_[modules.kinds[length - 1]].parameter_count;
     place_ = place;
     if (!check(symbol))
         return length;
@@ -210,9 +158,9 @@ void Turtle::draw_symbol(Symbol const& symbol)
     case ']':
         return pop();
     case '!':
-        return set_width(symbol, -1);
+        return set_width(state_, symbol.count > 0, symbol.parameter(0, -1));
     case '#':
-        return set_width(symbol, 1);
+        return set_width(state_, symbol.count > 0, symbol.parameter(0, 1));
     case ';':
         return set_color(symbol, 1);
     case ',':
@@ -378,7 +326,7 @@ void Turtle::step(Symbol const& symbol, bool draws, bool sets_vertex)
     if (is_inside && length_mm != 0) {
         frame.position_mm = tip_mm;
         if (polygons_.empty() && draws && state_.path != State::Path::OfSteps)
-            drawing_->add_segment(state_.place, base_mm, tip_mm, radius_mm(), state_.color);
+            drawing_->add_segment(state_.place, base_mm, tip_mm, radius_mm(state_), state_.color);
         else if (polygons_.empty())
             state_.place.is_open = false;
     }
@@ -394,7 +342,7 @@ void Turtle::step(Symbol const& symbol, bool draws, bool sets_vertex)
 
 void Turtle::push()
 {
-    stack_.push_back(state_);
+    save(state_);
     if (has_extras_)
         extras_stack_.push_back(extras_);
     if (state_.path != State::Path::None) {
@@ -406,12 +354,11 @@ void Turtle::push()
 
 void Turtle::pop()
 {
-    if (stack_.empty()) {
+    if (depth_ == 0) {
         has_unpaired_ = true;
         return warn(fmt::format("{}: left out a ] without a [", model_.name));
     }
-    state_ = stack_.back();
-    stack_.pop_back();
+    state_ = stack_[--depth_];
     if (has_extras_) {
         extras_ = extras_stack_.back();
         extras_stack_.pop_back();
@@ -431,15 +378,6 @@ void Turtle::close_polygon()
     auto const& polygon = polygons_.back();
     drawing_->add_polygon(polygon.vertices_mm, state_.place.segment, polygon.color);
     polygons_.pop_back();
-}
-
-void Turtle::set_width(Symbol const& symbol, int sign)
-{
-    double const step = sign * view_.line_width_step * state_.scale;
-    double const width
-        = symbol.count > 0 ? symbol.parameter(0, 0) * state_.scale : state_.width + step;
-    state_.width = std::clamp(width, kMinWidth, 1e6);
-    drawing_->set_tip_radius(state_.place, radius_mm());
 }
 
 // @D, @Di, @Dd.
@@ -508,12 +446,6 @@ void Turtle::set_elasticity(Symbol const& symbol)
 std::size_t Turtle::tropism_count() const
 {
     return std::min(view_.tropisms.size(), kMaxTropisms);
-}
-
-float Turtle::radius_mm() const
-{
-    double const width = state_.width * view_.width_unit;
-    return static_cast<float>(std::min(width * options_.unit_mm / 2, 1e6));
 }
 
 void Turtle::warn(std::string warning)

@@ -6,6 +6,7 @@
 #include "engine/lsystem/rewriter.h"
 #include "engine/lsystem/turtle_frame.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -85,13 +86,16 @@ public:
     // The segment at whose end the turtle is.
     std::uint32_t segment() const { return state_.place.segment; }
     // How many branches were begun since begin() and are open.
-    std::size_t depth() const { return stack_.size(); }
+    std::size_t depth() const { return depth_; }
     // Whether a branch may be left out: what is open would go on in it.
     bool may_leave_out() const { return polygons_.empty() && state_.path == State::Path::None; }
     // Whether all that was begun since begin() is at its end, as another turtle must find it.
-    bool is_complete() const { return stack_.empty() && polygons_.empty() && !has_unpaired_; }
+    bool is_complete() const { return depth_ == 0 && polygons_.empty() && !has_unpaired_; }
 
 private:
+    static constexpr double kMinWidth = 1e-7; // As cpfg.
+    static constexpr double kMaxReachMm = 1e12;
+
     // One symbol with its parameters.
     struct Symbol {
         std::array<char, 3> name {}; // Filled with 0.
@@ -123,15 +127,83 @@ private:
         std::uint32_t given = 0; // One bit for each point.
     };
 
+    // What draw_quick() knows.
+    enum class Quick : std::uint8_t {
+        Other, // Nothing of these.
+        Nothing,
+        Step,
+        Turn,
+        Pitch,
+        Roll,
+        Push,
+        Pop,
+        Width,
+        Level // Behind it may be what makes it @v.
+    };
+    struct Kind {
+        char symbol = 0;
+        std::uint8_t parameter_count = 0;
+        bool is_single = false; // A symbol by itself, and no cut.
+        bool draws = false;     // A step.
+        Quick quick = Quick::Other;
+        double sign = 1; // Of a turn or a step of the width.
+    };
+
+    static Kind describe(ModuleKind const& kind);
     bool check(Symbol const& symbol);
+    // turtle_plain.cpp
     std::size_t name_at_symbol(std::span<KindId const> kinds, Symbol& symbol) const;
+    // Whether steps do no more than draw a segment or move.
+    static bool is_quick(State const& state)
+    {
+        return state.elasticity == 0 && state.path == State::Path::None;
+    }
+    std::size_t draw_quick(std::span<KindId const> kinds, float const*& parameters,
+                           std::array<bool, 256> const& stops);
+    // False, and no change, for a step that leads too far.
+    bool step_quickly(State& state, double length_mm, bool draws)
+    {
+        Vec3 const base_mm = state.frame.position_mm;
+        Vec3 const tip_mm = base_mm + length_mm * state.frame.heading;
+        if (!(tip_mm.cwiseAbs().maxCoeff() < kMaxReachMm))
+            return false;
+        if (length_mm == 0)
+            return true;
+        state.frame.position_mm = tip_mm;
+        if (draws)
+            drawing_->add_segment(state.place, base_mm, tip_mm, radius_mm(state), state.color);
+        else
+            state.place.is_open = false;
+        return true;
+    }
+    // False, and no change, if there is nothing that draw_quick() may go on with.
+    bool restore_quickly(State& state)
+    {
+        if (depth_ == 0 || !is_quick(stack_[depth_ - 1]))
+            return false;
+        state = stack_[--depth_];
+        return true;
+    }
+    void save(State const& state)
+    {
+        if (depth_ == stack_.size())
+            stack_.resize(2 * depth_ + 16);
+        stack_[depth_++] = state;
+    }
     void draw_symbol(Symbol const& symbol);
     void draw_at_symbol(Symbol const& symbol);
     void step(Symbol const& symbol, bool draws, bool sets_vertex);
     void push();
     void pop();
     void close_polygon();
-    void set_width(Symbol const& symbol, int sign);
+    // To the value if it is given, else by as many steps.
+    void set_width(State& state, bool is_given, double value)
+    {
+        double const change = value * view_.line_width_step * state.scale;
+        double const width = is_given ? value * state.scale : state.width + change;
+        state.width = std::clamp(width, kMinWidth, 1e6);
+        drawing_->set_tip_radius(state.place, radius_mm(state));
+    }
     void set_scale(Symbol const& symbol);
     void enter_subsystem(Symbol const& symbol);
     void leave_subsystem();
@@ -161,22 +233,25 @@ private:
     void set_sides(Symbol const& symbol);
     void set_radius_tangents(Symbol const& symbol);
     std::size_t tropism_count() const;
-    float radius_mm() const;
+    float radius_mm(State const& state) const
+    {
+        double const width = state.width * view_.width_unit;
+        return static_cast<float>(std::min(width * options_.unit_mm / 2, 1e6));
+    }
     void warn(std::string warning);
 
     Model const& model_;
     View const& view_;
     TurtleOptions const& options_;
-    std::array<bool, 256> is_single_ {}; // Kinds that are a symbol by themselves, and no cut.
-    std::array<char, 256> symbols_ {};
-    std::array<std::uint8_t, 256> parameter_counts_ {};
+    std::array<Kind, 256> kinds_ {};
     AngleCache angles_;
 
     Drawing* drawing_ = nullptr; // Not owned.
     State state_;
     Extras extras_;
     bool has_extras_ = false;
-    std::vector<State> stack_;
+    std::vector<State> stack_; // Of which `depth_` count.
+    std::size_t depth_ = 0;
     std::vector<Extras> extras_stack_; // Used if there are extras.
     std::vector<OpenPolygon> polygons_;
     std::span<KeptTurtle const> kept_;

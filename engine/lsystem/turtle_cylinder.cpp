@@ -105,7 +105,7 @@ void Turtle::add_control_point(int rings)
     point.position_mm = state_.frame.position_mm;
     point.heading = state_.frame.heading;
     point.normal = state_.frame.down;
-    point.radius_mm = static_cast<double>(radius_mm());
+    point.radius_mm = static_cast<double>(radius_mm(state_));
     point.color = state_.color;
     point.style = extras_.style;
     draw_piece(cylinder_.cylinder.add(std::move(point), rings));

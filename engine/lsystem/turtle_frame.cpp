@@ -12,17 +12,6 @@ void TurtleFrame::straighten()
     down = left.cross(heading);
 }
 
-void TurtleFrame::roll_horizontal()
-{
-    // The vertical's cross product with the heading; the left has no height, which spares half.
-    double const length = std::sqrt(heading.x() * heading.x() + heading.y() * heading.y());
-    if (length < 1e-9)
-        return;
-    left = { -heading.y() / length, heading.x() / length, 0 };
-    down = { left.y() * heading.z(), -left.x() * heading.z(),
-             left.x() * heading.y() - left.y() * heading.x() };
-}
-
 bool TurtleFrame::head_along(Vec3 const& new_heading)
 {
     double const length = new_heading.norm();

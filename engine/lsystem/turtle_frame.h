@@ -61,7 +61,16 @@ struct TurtleFrame {
 
     // The left becomes horizontal, the upper side looks up. No change when the turtle heads
     // straight up or down.
-    void roll_horizontal();
+    void roll_horizontal()
+    {
+        // The vertical's cross product with the heading; the left has no height, which spares half.
+        double const length = std::sqrt(heading.x() * heading.x() + heading.y() * heading.y());
+        if (length < 1e-9)
+            return;
+        left = { -heading.y() / length, heading.x() / length, 0 };
+        down = { left.y() * heading.z(), -left.x() * heading.z(),
+                 left.x() * heading.y() - left.y() * heading.x() };
+    }
 
     // Heads along `new_heading` with the least twist. False, and no change, for a direction of no
     // length.

@@ -110,7 +110,7 @@ void Turtle::add_circle(Symbol const& symbol)
     for (int i = 1; i <= kSides; ++i) {
         double const angle = 2 * kPi * (i % kSides) / kSides;
         Vec3 const tip_mm = frame.position_mm + std::cos(angle) * x + std::sin(angle) * y;
-        drawing_->add_segment(place, base_mm, tip_mm, radius_mm(), state_.color);
+        drawing_->add_segment(place, base_mm, tip_mm, radius_mm(state_), state_.color);
         base_mm = tip_mm;
     }
 }

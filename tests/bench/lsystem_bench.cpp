@@ -3,6 +3,7 @@
 #include "tests/bench/monopodial_tree.h"
 #include "tests/bench/report.h"
 
+#include <oneapi/tbb/global_control.h>
 #include <string>
 
 namespace tractus {
@@ -100,8 +101,11 @@ void compile_tree(benchmark::State& state)
            { .items = 1, .item = "models", .bytes = static_cast<double>(source.text.size()) });
 }
 
+// Arguments: steps, threads.
 void interpret_tree(benchmark::State& state)
 {
+    tbb::global_control const threads(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<std::size_t>(state.range(1)));
     auto const model = compiled(kMonopodialTree);
     DeriveOptions options;
     options.steps = static_cast<int>(state.range(0));
@@ -127,7 +131,11 @@ BENCHMARK(derive_tree)->Arg(17);
 BENCHMARK(derive_signals)->Arg(60);
 BENCHMARK(signal_through_a_row)->Arg(100);
 BENCHMARK(compile_tree);
-BENCHMARK(interpret_tree)->Arg(17)->Arg(20);
+BENCHMARK(interpret_tree)
+    ->ArgNames({ "", "threads" })
+    ->ArgsProduct({ { 17, 20 }, { 1, 2 } })
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace tractus
