@@ -1,5 +1,6 @@
 #include "app/live_window.h"
 
+#include "app/calibration/save_calibration.h"
 #include "calib/rig_file.h"
 #include "drivers/height_decoder.h"
 #include "engine/base/check.h"
@@ -58,6 +59,13 @@ std::optional<Vec2> tablet_size_mm(LiveDevices const& devices)
     return std::nullopt;
 }
 
+// The rig's height sensor has never been calibrated: its readings mean nothing yet.
+bool lacks_calibration(LiveDevices const& devices, LiveWindowOptions const& options)
+{
+    return !options.rig && devices.rig_text().empty() && !options.height_mm
+        && has_height_sensor(devices);
+}
+
 Result<Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions const& options,
                        MouseParts const& mouse)
 {
@@ -72,7 +80,7 @@ Result<Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions const& opti
         return *options.rig;
     if (!devices.rig_text().empty())
         return parse_rig(devices.rig_text(), "the log's rig");
-    if (!options.height_mm && has_height_sensor(devices))
+    if (lacks_calibration(devices, options) && options.rig_file.empty())
         return fail(Fault::User,
                     "there is a height sensor but no calibration of it: give one with --rig, or "
                     "the surface's height with --height");
@@ -87,10 +95,12 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
 {
     CHECK(options.now);
     StationOptions station_options;
+    bool const has_sensor = has_height_sensor(devices);
+    bool const lacks_calibration = tractus::lacks_calibration(devices, options);
     auto const mouse = TRY(add_mouse(devices, options));
     station_options.rig = TRY(choose_rig(devices, options, mouse));
     station_options.scene = options.session ? options.session->scene() : options.scene;
-    if (!mouse.height && (options.height_mm || !has_height_sensor(devices)))
+    if (!mouse.height && (options.height_mm || !has_sensor || lacks_calibration))
         station_options.scripted_height = ScriptedHeight {
             .scenario = { .kind = HeightScenario::Kind::Constant,
                           .constant_mm = options.height_mm.value_or(0) },
@@ -102,6 +112,9 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
                       std::move(station));
     window.view().state().mouse_draws = mouse.pen;
     window.view().state().mouse_moves_surface = mouse.height;
+    window.view().state().may_calibrate = has_sensor && !window.options_.rig_file.empty();
+    if (lacks_calibration)
+        window.perform(OpenCalibration {});
     if (!window.options_.recording.empty())
         TRY(window.start_recording(window.options_.recording));
     return window;
@@ -128,6 +141,8 @@ void LiveWindow::advance(Duration real_step)
     take_reports();
     desk_.show(station_, options_.now());
     view().show_pen(station_.take_moments());
+    calibrate();
+    show_devices();
     tell_device_changes();
     tell_who_is_away();
     flush_recording();
@@ -141,6 +156,10 @@ void LiveWindow::take_reports()
         record_tool_changes(); // Before the report: what it began belongs to the tool.
         if (recorder_)
             recorder_->write(report);
+        if (diagnosis_)
+            diagnosis_->push(report);
+        if (calibration_)
+            calibration_->push(report);
     }
     station_.pass_time(options_.now());
 }
@@ -257,10 +276,17 @@ void LiveWindow::restart_without_session()
         view().state().status = again.error().message;
         return;
     }
-    auto const tool = station_.tool();
-    station_ = *std::move(again);
-    station_.set_tool(options_.now(), tool);
+    go_on_with(*std::move(again));
     desk_.show_again({}, station_, "The plant is as its model gives it");
+}
+
+// In the present one's place, with what is in the hand.
+void LiveWindow::go_on_with(Station station)
+{
+    auto const tool = station_.tool();
+    station_ = std::move(station);
+    station_.set_pressing_areas(pressing_areas_);
+    station_.set_tool(options_.now(), tool);
 }
 
 void LiveWindow::perform_kind(ChooseTool const& command)
@@ -272,6 +298,7 @@ void LiveWindow::perform_kind(ChooseTool const& command)
 
 void LiveWindow::perform_kind(SetPressingAreas const& command)
 {
+    pressing_areas_ = command.areas;
     station_.set_pressing_areas(command.areas);
 }
 
@@ -299,6 +326,83 @@ void LiveWindow::perform_kind(MoveSurface const& command)
 {
     if (options_.mouse)
         options_.mouse->move_surface(command.by_mm);
+}
+
+void LiveWindow::perform_kind(WatchDevices const& command)
+{
+    diagnosis_.reset();
+    if (command.watched)
+        diagnosis_.emplace(devices_, options_.now());
+    view().state().devices = {};
+    ++view().state().devices_revision;
+    next_look_ = options_.now();
+}
+
+// As often as a person can read it.
+void LiveWindow::show_devices()
+{
+    constexpr Duration kLookEvery = std::chrono::milliseconds(100);
+    auto const now = options_.now();
+    if (!diagnosis_ || now < next_look_)
+        return;
+    next_look_ = now + kLookEvery;
+    diagnosis_->pass_time(now);
+    view().state().devices = { diagnosis_->readings(), diagnosis_->findings() };
+    ++view().state().devices_revision;
+}
+
+void LiveWindow::perform_kind(OpenCalibration const&)
+{
+    if (!view().state().may_calibrate)
+        return;
+    auto bench = CalibrationBench::create(
+        devices_.infos(),
+        { .desk = { .rig = station_options_.rig },
+          .date = today(),
+          .now = options_.now,
+          .keep = [file = options_.rig_file](CalibrationOutcome const& outcome) {
+              std::error_code ignored; // Saving fails, and says why.
+              std::filesystem::create_directories(file.parent_path(), ignored);
+              return save_calibration(outcome, file);
+          } });
+    if (bench)
+        calibration_ = *std::move(bench);
+    else
+        view().state().status = bench.error().message;
+}
+
+void LiveWindow::perform_kind(CloseCalibration const&)
+{
+    calibration_.reset();
+    ++view().state().live_revision; // The views are seen again.
+}
+
+void LiveWindow::calibrate()
+{
+    if (!calibration_)
+        return;
+    calibration_->advance();
+    if (auto const rig = calibration_->take_kept_rig())
+        use_rig(*rig);
+}
+
+// The pen draws by it from now on.
+void LiveWindow::use_rig(Rig const& rig)
+{
+    auto options = station_options_;
+    options.rig = rig;
+    options.scripted_height.reset();
+    auto station = Station::create(devices_.infos(), options);
+    if (!station) {
+        view().state().status = station.error().message;
+        return;
+    }
+    station->set_scene(station_.scene());
+    station_options_ = std::move(options);
+    go_on_with(*std::move(station));
+    desk_.show_again({}, station_, "The pen draws by the new calibration");
+    if (recorder_) // Its header has the old one.
+        perform_kind(SetRecording { false });
 }
 
 } // namespace tractus

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "app/calibration_bench.h"
 #include "app/live_devices.h"
+#include "app/live_diagnosis.h"
 #include "app/live_recorder.h"
 #include "app/mouse_rig.h"
 #include "app/session/session.h"
@@ -22,6 +24,8 @@ namespace tractus {
 
 struct LiveWindowOptions {
     std::optional<Rig> rig {}; // No value: that of a log among the devices, else see create().
+    // Where calibrating keeps the rig; empty: nowhere, and there is no calibrating.
+    std::filesystem::path rig_file {};
     // The surface's height in place of a height sensor, above the desk.
     std::optional<double> height_mm {};
     Scene scene {}; // What the pen works on; its base plant is loaded.
@@ -43,15 +47,17 @@ struct LiveWindowOptions {
 // and each advance() takes what they have sent. Devices may go away and come back meanwhile.
 class LiveWindow final : public WindowModel {
 public:
-    // Fails like Station::create and LiveRecorder::create; and, as the user's fault, if there is a
-    // height sensor but neither a calibration of it nor a height. Without a height sensor and a
-    // height the surface lies on the desk.
+    // Fails like Station::create and LiveRecorder::create. Without a height sensor and a height the
+    // surface lies on the desk; so it does where there is a height sensor and nothing is known of
+    // what its readings mean, and the window opens with calibrating it. Where that cannot be kept,
+    // it fails, as the user's fault.
     static Result<LiveWindow> create(LiveDevices devices, LiveWindowOptions options);
 
     void advance(Duration real_step) override;
     void settle() override { desk_.settle(); }
     WindowState const& state() const override { return desk_.view().state(); }
     void perform(WindowCommand const& command) override;
+    CalibrationModel* calibration() override { return calibration_ ? &*calibration_ : nullptr; }
 
     Station const& station() const { return station_; }
 
@@ -68,6 +74,9 @@ private:
     void perform_kind(MoveMousePen const& command);
     void perform_kind(MoveSurface const& command);
     void perform_kind(SetRecording const& command);
+    void perform_kind(WatchDevices const& command);
+    void perform_kind(OpenCalibration const&);
+    void perform_kind(CloseCalibration const&);
     template<typename Command> void perform_kind(Command const& command)
     {
         desk_.perform(command, station_);
@@ -75,6 +84,10 @@ private:
 
     StationView& view() { return desk_.view(); }
     void take_reports();
+    void show_devices();
+    void calibrate();
+    void use_rig(Rig const& rig);
+    void go_on_with(Station station);
     void restart_without_session();
     void record_tool_changes();
     void tell_device_changes();
@@ -89,6 +102,10 @@ private:
     Station station_;
     StationDesk desk_;
     std::optional<LiveRecorder> recorder_;
+    std::optional<LiveDiagnosis> diagnosis_;      // While the devices are watched.
+    Timestamp next_look_ {};                      // At what it found.
+    std::optional<CalibrationBench> calibration_; // While a person calibrates.
+    std::vector<Eigen::AlignedBox2d> pressing_areas_;
     std::vector<LiveReport> reports_;        // Kept for its memory.
     std::vector<LiveDevices::State> states_; // As the person was told.
 };

@@ -178,6 +178,7 @@ void StationView::show(Station const& station)
 void StationView::begin_again(Station const& station)
 {
     shown_pen_samples_ = 0;
+    state_.volume_mm = station.volume_mm();
     ++state_.live_revision;
     show_live(station);
     show_scene(station);

@@ -15,20 +15,6 @@ double milliseconds(Duration duration)
     return to_seconds(duration) * 1e3;
 }
 
-std::string pace_line(DeviceReading const& reading)
-{
-    auto const& pace = reading.pace;
-    if (reading.is_away)
-        return fmt::format("  gone; waiting for it to come back; {} reports", reading.reports);
-    if (pace.rate_hz == 0)
-        return fmt::format("  nothing now; {} reports", reading.reports);
-    return fmt::format("  {:.1f}/s  every {:.2f} ms  jitter {:.2f} ms  longest {:.2f} ms  {} "
-                       "reports  {} broken",
-                       pace.rate_hz, milliseconds(pace.mean_interval), milliseconds(pace.jitter),
-                       milliseconds(pace.longest_interval), reading.reports,
-                       reading.broken_reports);
-}
-
 // The newest report, sixteen bytes to a line, beside the sample's fields.
 void append_report(DeviceReading const& reading, std::vector<std::string>& lines)
 {
@@ -48,6 +34,20 @@ void append_report(DeviceReading const& reading, std::vector<std::string>& lines
 
 } // namespace
 
+std::string describe_pace(DeviceReading const& reading)
+{
+    auto const& pace = reading.pace;
+    if (reading.is_away)
+        return fmt::format("gone; waiting for it to come back; {} reports", reading.reports);
+    if (pace.rate_hz == 0)
+        return fmt::format("nothing now; {} reports", reading.reports);
+    return fmt::format("{:.1f}/s  every {:.2f} ms  jitter {:.2f} ms  longest {:.2f} ms  {} "
+                       "reports  {} broken",
+                       pace.rate_hz, milliseconds(pace.mean_interval), milliseconds(pace.jitter),
+                       milliseconds(pace.longest_interval), reading.reports,
+                       reading.broken_reports);
+}
+
 std::vector<std::string> watch_lines(std::span<DeviceReading const> readings, std::size_t width)
 {
     std::vector<std::string> lines;
@@ -56,7 +56,7 @@ std::vector<std::string> watch_lines(std::span<DeviceReading const> readings, st
                                     reading.info.vendor_id, reading.info.product_id,
                                     reading.info.location));
         lines.push_back("  " + reading.description.text);
-        lines.push_back(pace_line(reading));
+        lines.push_back("  " + describe_pace(reading));
         append_report(reading, lines);
         if (!reading.first_broken.empty())
             lines.push_back("  broken: " + reading.first_broken);

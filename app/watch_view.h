@@ -14,4 +14,8 @@ namespace tractus {
 // No line is longer than `width` characters, at least 20.
 std::vector<std::string> watch_lines(std::span<DeviceReading const> readings, std::size_t width);
 
+// How regularly a device sends: "200.0/s  every 5.00 ms  jitter 0.12 ms …"; or that it is silent,
+// or gone.
+std::string describe_pace(DeviceReading const& reading);
+
 } // namespace tractus

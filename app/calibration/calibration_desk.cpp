@@ -2,6 +2,7 @@
 
 #include "app/calibration/calibration_report.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -86,14 +87,18 @@ void CalibrationDesk::push(std::size_t device, Timestamp received,
 
 void CalibrationDesk::push_pen(PenSample const& sample)
 {
+    bool const begins = sample.touching && !(pen_ && pen_->touching);
     pen_ = sample;
+    if (begins)
+        pens_before_touch_ = pens_.size();
+    is_pressing_ &= sample.touching;
     if (!sample.touching)
         touch_.reset();
     else if (!touch_ || (sample.position_mm - touch_->position_mm).norm() > kPenStill_mm) {
         touch_ = sample;
         is_rest_told_ = false;
     }
-    if (!takes_captures(procedure()) && is_moving_) {
+    if (!takes_captures(procedure()) && is_moving_ && !is_pressing_) {
         pens_.push_back(sample);
         touches_ += sample.touching;
     }
@@ -128,7 +133,7 @@ void CalibrationDesk::close_capture()
 
 bool CalibrationDesk::take_pen_rest()
 {
-    if (!touch_ || is_rest_told_ || pen_->time - touch_->time < kPenRest)
+    if (!touch_ || is_pressing_ || is_rest_told_ || pen_->time - touch_->time < kPenRest)
         return false;
     is_rest_told_ = true;
     return true;
@@ -161,16 +166,37 @@ Result<void> CalibrationDesk::command(Timestamp time, std::string_view words)
     }
     if (!takes_captures(procedure()) && (words == "begin" || words == "end")) {
         is_moving_ = words == "begin";
-        if (is_moving_) { // What was before does not count.
-            pens_.clear();
-            touches_ = 0;
-        }
+        if (is_moving_)
+            begin_movement();
+        return {};
+    }
+    if (words == "press") {
+        press();
         return {};
     }
     return fail(Fault::User,
                 fmt::format("\"{}\" is no command of calibrate {}: expected {}", words,
                             name_of(procedure()),
                             takes_captures(procedure()) ? "capture MM or undo" : "begin or end"));
+}
+
+// What was before does not count.
+void CalibrationDesk::begin_movement()
+{
+    pens_.clear();
+    pens_before_touch_ = 0;
+    touches_ = 0;
+}
+
+void CalibrationDesk::press()
+{
+    if (!pen_ || !pen_->touching || is_pressing_)
+        return;
+    is_pressing_ = true;
+    auto const of_touch = pens_.begin() + static_cast<std::ptrdiff_t>(pens_before_touch_);
+    touches_ -= static_cast<std::size_t>(
+        std::count_if(of_touch, pens_.end(), [](PenSample const& pen) { return pen.touching; }));
+    pens_.erase(of_touch, pens_.end());
 }
 
 Result<CalibrationOutcome> CalibrationDesk::finish(std::string const& date) const

@@ -48,6 +48,7 @@ struct CalibrationOutcome {
 //                      kCaptureTime is the capture
 //     undo             the last capture was wrong
 //     begin, end       of the movement of travel and latency; in a log without them it is all of it
+//     press            the pen's touch under way presses a button: it is no rest, and no movement
 class CalibrationDesk {
 public:
     struct Options {
@@ -103,6 +104,8 @@ private:
     void push_height(HeightSample const& sample);
     void close_capture();
     Result<void> capture(Timestamp time, std::string_view height);
+    void begin_movement();
+    void press();
     Result<CalibrationOutcome> finish_height(std::string const& date) const;
     Result<CalibrationOutcome> finish_travel(std::string const& date) const;
     Result<CalibrationOutcome> finish_latency(std::string const& date) const;
@@ -126,10 +129,12 @@ private:
     std::optional<PenSample> pen_;
     std::optional<PenSample> touch_; // The present touch's first sample.
     bool is_rest_told_ = false;
+    bool is_pressing_ = false; // The present touch is none of the calibration's.
 
     bool is_moving_ = true; // In a log without begin and end, always.
     std::size_t touches_ = 0;
-    std::vector<PenSample> pens_; // Of travel and latency.
+    std::vector<PenSample> pens_;       // Of travel and latency.
+    std::size_t pens_before_touch_ = 0; // Of pens_, before the present touch.
     std::vector<HeightSample> heights_;
 };
 

@@ -1,11 +1,9 @@
 #include "app/verbs/calibrate.h"
 
 #include "app/calibration/calibration_desk.h"
-#include "app/calibration/calibration_report.h"
-#include "app/calibration/height_plots.h"
 #include "app/calibration/live_calibration.h"
 #include "app/calibration/log_calibration.h"
-#include "app/calibration/plot_svg.h"
+#include "app/calibration/save_calibration.h"
 #include "app/calibration/simulated_calibration.h"
 #include "app/calibration_window.h"
 #include "app/console.h"
@@ -21,9 +19,7 @@
 #include "drivers/file.h"
 #include "drivers/log.h"
 
-#include <ctime>
 #include <filesystem>
-#include <fmt/chrono.h>
 #include <fmt/core.h>
 #include <memory>
 #include <sstream>
@@ -49,11 +45,6 @@ struct CalibrateArguments {
     int frames = 0;
     std::string screenshot;
 };
-
-std::string today()
-{
-    return fmt::format("{:%Y-%m-%d}", fmt::localtime(std::time(nullptr)));
-}
 
 // The rig so far: its file, else the log's, else one that height makes from nothing.
 Result<Rig> load_start(CalibrateArguments const& arguments, std::string const& log_rig)
@@ -161,43 +152,9 @@ Result<std::optional<CalibrationOutcome>> from_devices(CalibrateArguments const&
     return std::optional<CalibrationOutcome>(TRY(desk.finish(today())));
 }
 
-// Beside my.rig.toml: my.rig.svg.
-fs::path picture_path(std::string const& rig)
-{
-    return fs::path(rig).replace_extension(".svg");
-}
-
-Result<void> write_picture(CalibrateArguments const& arguments, CalibrationOutcome const& outcome)
-{
-    auto const& record = outcome.rig.calibration.height.value();
-    auto const plots
-        = height_plots(*outcome.height_fit, record.captures, outcome.rig.full_scale_counts);
-    PlotSheet const sheet {
-        .title = "Height calibration",
-        .subtitle
-        = fmt::format("{} · {} · {} · calibrated from {}",
-                      fs::path(arguments.rig).filename().string(), record.sensor.name, record.date,
-                      describe_heights(record.heights_mm.x(), record.heights_mm.y())),
-    };
-    return write_file(picture_path(arguments.rig), print_svg(sheet, plots));
-}
-
-// Writes the rig's file and its picture; what was written.
-Result<std::string> write_rig(CalibrateArguments const& arguments,
-                              CalibrationOutcome const& outcome)
-{
-    TRY(save_rig(outcome.rig, arguments.rig));
-    auto text = fmt::format("{}: written\n", arguments.rig);
-    if (outcome.height_fit) {
-        TRY(write_picture(arguments, outcome));
-        text += fmt::format("{}: its picture\n", picture_path(arguments.rig).string());
-    }
-    return text;
-}
-
 Result<void> keep(CalibrateArguments const& arguments, CalibrationOutcome const& outcome)
 {
-    return print_out(outcome.report + TRY(write_rig(arguments, outcome)));
+    return print_out(outcome.report + TRY(save_calibration(outcome, arguments.rig)));
 }
 
 // Real devices, or a log that is played at its pace.
@@ -220,14 +177,15 @@ Result<void> calibrate_in_window(CalibrateArguments const& arguments)
 {
     auto rig = TRY(load_start(arguments, {}));
     auto devices = TRY(open_for_window(arguments));
-    auto window = TRY(CalibrationWindow::create(std::move(devices),
-                                                { .desk = desk_options(arguments, std::move(rig)),
-                                                  .heights_mm = arguments.heights_mm,
-                                                  .date = today(),
-                                                  .now = live_recording_by_the_clock({}).now,
-                                                  .keep = [&](CalibrationOutcome const& outcome) {
-                                                      return write_rig(arguments, outcome);
-                                                  } }));
+    auto window
+        = TRY(CalibrationWindow::create(std::move(devices),
+                                        { .desk = desk_options(arguments, std::move(rig)),
+                                          .heights_mm = arguments.heights_mm,
+                                          .date = today(),
+                                          .now = live_recording_by_the_clock({}).now,
+                                          .keep = [&](CalibrationOutcome const& outcome) {
+                                              return save_calibration(outcome, arguments.rig);
+                                          } }));
     return run_window(window,
                       { .title = fmt::format("tractus: calibrating {}", arguments.rig),
                         .frames = arguments.frames,

@@ -12,6 +12,7 @@
 #include "app/resources.h"
 #include "app/session_plant.h"
 #include "app/unnamed_session.h"
+#include "app/user_folder.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/device_sources.h"
 #include "app/verbs/shared_options.h"
@@ -166,8 +167,13 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
     LiveWindowOptions options;
     std::filesystem::path unnamed;
     TRY(keep(arguments, model, options, unnamed));
-    if (!arguments.rig.empty())
-        options.rig = TRY(load_rig(arguments.rig));
+    options.rig_file
+        = arguments.rig.empty() ? user_rig_path() : std::filesystem::path(arguments.rig);
+    std::error_code ignored;
+    if (!arguments.rig.empty()
+        || (arguments.played.empty() && devices.rig_text().empty()
+            && std::filesystem::exists(options.rig_file, ignored)))
+        options.rig = TRY(load_rig(options.rig_file));
     if (!arguments.height.empty())
         options.height_mm = TRY(constant_height_mm(arguments.height));
     options.folder = std::filesystem::current_path();

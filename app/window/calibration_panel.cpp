@@ -15,6 +15,8 @@ constexpr std::array kProcedures { CalibrationProcedure::Height, CalibrationProc
                                    CalibrationProcedure::Check };
 constexpr std::array<char const*, 5> kTitles { "Height", "Travel", "Latency", "Zero", "Check" };
 
+constexpr ImGuiWindowFlags kPadded = ImGuiWindowFlags_AlwaysUseWindowPadding;
+
 Vec3f const kRefused { 0.93f, 0.40f, 0.33f };
 
 Vec3f color_of(PlotTone tone)
@@ -162,18 +164,19 @@ void show_plot(Plot const& plot, ImVec2 const& size_px)
     Frame(plot, corner, size_px).draw();
 }
 
-void CalibrationPanel::show(CalibrationModel& model)
+bool CalibrationPanel::show(CalibrationModel& model, bool may_go_back)
 {
-    show_procedures(model);
+    bool const wants_back = show_procedures(model, may_go_back);
     show_reading(model.view());
     ImVec2 const room = ImGui::GetContentRegionAvail();
     auto const spacing = ImGui::GetStyle().ItemSpacing;
-    ImGui::BeginChild("captures", { room.x * 0.38f, 0 });
+    ImGui::BeginChild("captures", { room.x * 0.38f, 0 }, false, kPadded);
     show_controls(model);
     show_captures(model.view());
+    theme::scroll_by_dragging();
     ImGui::EndChild();
     ImGui::SameLine();
-    ImGui::BeginChild("plots", { 0, 0 });
+    ImGui::BeginChild("plots", { 0, 0 }, false, kPadded);
     auto const& plots = model.view().plots;
     ImVec2 const inside = ImGui::GetContentRegionAvail();
     ImVec2 const size((inside.x - spacing.x) / 2, (inside.y - spacing.y) / 2);
@@ -183,9 +186,10 @@ void CalibrationPanel::show(CalibrationModel& model)
         show_plot(plots[i], size);
     }
     ImGui::EndChild();
+    return wants_back;
 }
 
-void CalibrationPanel::show_procedures(CalibrationModel& model)
+bool CalibrationPanel::show_procedures(CalibrationModel& model, bool may_go_back)
 {
     auto const present = model.view().procedure;
     for (std::size_t i = 0; i < kProcedures.size(); ++i) {
@@ -200,6 +204,10 @@ void CalibrationPanel::show_procedures(CalibrationModel& model)
         if (is_present)
             ImGui::PopStyleColor();
     }
+    if (!may_go_back)
+        return false;
+    ImGui::SameLine(0, 48 * scale_);
+    return ImGui::Button("Back to drawing", { 230 * scale_, theme::kButtonHeight_px * scale_ });
 }
 
 void CalibrationPanel::show_reading(CalibrationView const& view)
@@ -225,17 +233,13 @@ void CalibrationPanel::show_controls(CalibrationModel& model)
     bool const may_keep = view.may_keep;
     bool const has_captures = !view.captures.empty();
     bool const captures = takes_captures(view.procedure);
-    if (view.proposed_mm != proposed_mm_) {
-        proposed_mm_ = view.proposed_mm;
-        height_mm_ = static_cast<float>(view.proposed_mm);
-    }
+    double const height_mm = view.proposed_mm;
     ImVec2 const size(150 * scale_, theme::kButtonHeight_px * scale_);
     if (captures) {
-        ImGui::SetNextItemWidth(220 * scale_);
-        ImGui::InputFloat("mm", &height_mm_, 0, 0, "%.1f");
+        show_height(model);
         ImGui::BeginDisabled(!may_capture);
         if (ImGui::Button("Capture", size))
-            model.perform(CaptureAt { static_cast<double>(height_mm_) });
+            model.perform(CaptureAt { height_mm });
         ImGui::EndDisabled();
         ImGui::SameLine();
         ImGui::BeginDisabled(!has_captures);
@@ -250,6 +254,30 @@ void CalibrationPanel::show_controls(CalibrationModel& model)
     if (ImGui::Button("Keep", size))
         model.perform(KeepRig {});
     ImGui::EndDisabled();
+}
+
+// Typed, or set with the pen.
+void CalibrationPanel::show_height(CalibrationModel& model) const
+{
+    double height_mm = model.view().proposed_mm;
+    ImVec2 const size(64 * scale_, theme::kButtonHeight_px * scale_);
+    for (double const step_mm : { -10.0, -1.0 }) {
+        if (ImGui::Button(fmt::format("{:+g}", step_mm).c_str(), size))
+            height_mm += step_mm;
+        ImGui::SameLine();
+    }
+    ImGui::SetNextItemWidth(120 * scale_);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        { 12 * scale_, (size.y - ImGui::GetFontSize()) / 2 });
+    ImGui::InputDouble("##height", &height_mm, 0, 0, "%.1f mm");
+    ImGui::PopStyleVar();
+    for (double const step_mm : { 1.0, 10.0 }) {
+        ImGui::SameLine();
+        if (ImGui::Button(fmt::format("{:+g}", step_mm).c_str(), size))
+            height_mm += step_mm;
+    }
+    if (height_mm != model.view().proposed_mm)
+        model.perform(ProposeHeight { height_mm });
 }
 
 void CalibrationPanel::show_captures(CalibrationView const& view)

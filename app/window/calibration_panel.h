@@ -18,18 +18,18 @@ public:
     {
     }
 
-    void show(CalibrationModel& model);
+    // True if a person wants back to drawing, which `may_go_back` offers.
+    bool show(CalibrationModel& model, bool may_go_back);
 
 private:
-    void show_procedures(CalibrationModel& model);
+    bool show_procedures(CalibrationModel& model, bool may_go_back);
     void show_reading(CalibrationView const& view);
     void show_controls(CalibrationModel& model);
+    void show_height(CalibrationModel& model) const;
     void show_captures(CalibrationView const& view);
 
     ImFont* title_font_ = nullptr;
     float scale_ = 1;
-    float height_mm_ = 0;       // In the entry.
-    double proposed_mm_ = -1e9; // What the entry was last set to.
 };
 
 // One plot at ImGui's cursor.

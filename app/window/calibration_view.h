@@ -21,7 +21,7 @@ struct CalibrationView {
     std::vector<HeightCapture> captures {};
     std::vector<double> residuals_mm {}; // One per capture, or empty before the first fit.
     std::vector<std::size_t> slipped {}; // Captures that the fit leaves out.
-    double proposed_mm = 0;              // The height to go to next.
+    double proposed_mm = 0;              // The height to go to next, and to capture there.
     std::string message {};              // What to do, or what was refused and why.
     bool is_refusal = false;             // Of the message.
     std::string report {};               // Of the fit so far; empty before the first.
@@ -33,6 +33,9 @@ struct CalibrationView {
 struct ChooseProcedure {
     CalibrationProcedure procedure = CalibrationProcedure::Height;
 };
+struct ProposeHeight {
+    double height_mm = 0; // What is captured next, by CaptureAt or by the pen's rest.
+};
 struct CaptureAt {
     double ruler_mm = 0;
 };
@@ -40,8 +43,10 @@ struct UndoCapture { };
 struct BeginMovement { };
 struct EndMovement { };
 struct KeepRig { }; // Writes the rig's file.
-using CalibrationCommand
-    = std::variant<ChooseProcedure, CaptureAt, UndoCapture, BeginMovement, EndMovement, KeepRig>;
+struct PressWithPen {
+}; // The pen's touch under way presses what the panel shows, and means no more.
+using CalibrationCommand = std::variant<ChooseProcedure, ProposeHeight, CaptureAt, UndoCapture,
+                                        BeginMovement, EndMovement, KeepRig, PressWithPen>;
 
 // Where the panel's contents come from. Called from the window's thread only.
 class CalibrationModel {

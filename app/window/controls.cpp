@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fmt/core.h>
 #include <utility>
 
 namespace tractus {
@@ -59,8 +60,12 @@ WindowPart Controls::show(WindowModel& model, Workbench& bench, float left_px, f
         show_undo(model);
     show_views(bench);
     ImGui::SameLine();
-    if (button("Menu", 96, bench.menu_is_open))
-        bench.menu_is_open = !bench.menu_is_open;
+    if (button("Menu", 96, bench.menu_is_open())) {
+        if (bench.menu_is_open())
+            bench.close_menu();
+        else
+            bench.open_menu(bench.last_menu);
+    }
     if (!state.is_live) {
         ImGui::SameLine(0, 28 * scale_);
         show_speed(model);
@@ -87,18 +92,35 @@ void Controls::show_status(WindowState const& state) const
     else
         ImGui::TextColored(theme::imgui_color(theme::palette().indicator), "%s",
                            state.trouble.c_str());
+    if (state.recording.is_on)
+        show_recording(state.recording);
+}
+
+// At the right end of the status: what is seen while one draws.
+void Controls::show_recording(RecordingView const& recording)
+{
+    auto const text = fmt::format("recording {} · {:.1f} MB", recording.file,
+                                  static_cast<double>(recording.bytes) / 1e6);
+    float const letter = ImGui::GetFontSize();
+    ImGui::SameLine();
+    float const left = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x
+        - ImGui::CalcTextSize(text.c_str()).x - 1.2f * letter;
+    if (left > ImGui::GetCursorPosX())
+        ImGui::SetCursorPosX(left);
+    auto const corner = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddCircleFilled(
+        { corner.x + 0.5f * letter, corner.y + 0.5f * letter }, 0.36f * letter,
+        theme::packed(theme::palette().recording));
+    ImGui::Dummy({ letter, letter });
+    ImGui::SameLine(0, 0.2f * letter);
+    ImGui::TextUnformatted(text.c_str());
 }
 
 // What the tool in hand may mean: a row for it alone.
 void Controls::show_meanings(WindowModel& model, Workbench& bench) const
 {
-    if (bench.turns_views) {
-        ImGui::AlignTextToFramePadding();
-        ImGui::Dummy({ 1, theme::kButtonHeight_px * scale_ });
-        ImGui::SameLine();
-        ImGui::TextDisabled("Drag to turn a view; wheel, or drag with Shift, to zoom or move it");
-        return;
-    }
+    if (bench.turns_views)
+        return show_view_meanings(bench);
     auto const hand = model.state().hand;
     bool is_first = true;
     for (auto const& meaning : meanings_of(hand)) {
@@ -109,6 +131,25 @@ void Controls::show_meanings(WindowModel& model, Workbench& bench) const
     }
     if (is_first)
         ImGui::Dummy({ 1, theme::kButtonHeight_px * scale_ });
+}
+
+void Controls::show_view_meanings(Workbench& bench) const
+{
+    constexpr double kButtonStep = kZoomStep * kZoomStep * kZoomStep;
+    if (button("Turn", 96, bench.drag == ViewDrag::Turn))
+        bench.drag = ViewDrag::Turn;
+    ImGui::SameLine();
+    if (button("Move", 96, bench.drag == ViewDrag::Move))
+        bench.drag = ViewDrag::Move;
+    ImGui::SameLine(0, 28 * scale_);
+    if (button("Nearer", 110))
+        bench.zoom_wished *= kButtonStep;
+    ImGui::SameLine();
+    if (button("Farther", 110))
+        bench.zoom_wished /= kButtonStep;
+    ImGui::SameLine();
+    if (button("Whole plant", 150))
+        bench.whole_is_wished = true;
 }
 
 void Controls::show_tools(WindowModel& model, Workbench& bench) const

@@ -33,7 +33,9 @@ public:
 
 private:
     void show_status(WindowState const& state) const;
+    static void show_recording(RecordingView const& recording);
     void show_meanings(WindowModel& model, Workbench& bench) const;
+    void show_view_meanings(Workbench& bench) const;
     void show_tools(WindowModel& model, Workbench& bench) const;
     void show_undo(WindowModel& model) const;
     void show_playing(WindowModel& model) const;

@@ -89,6 +89,15 @@ WindowPart Layout::above_controls(WindowState const& state) const
     return part;
 }
 
+// What the menu leaves of that, unless the window is so small that it covers the views.
+WindowPart Layout::beside_menu(WindowState const& state) const
+{
+    auto part = above_controls(state);
+    if (bench_.menu_is_open() && part.width > 2 * menu_.width_px())
+        part.width -= menu_.width_px();
+    return part;
+}
+
 void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
                   std::span<MouseMoment const> mouse)
 {
@@ -99,8 +108,8 @@ void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
     ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
     ImGui::Begin("station", nullptr, kPanelFlags | ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PopStyleVar();
-    if (auto* const calibration = model.calibration()) {
-        calibration_.show(*calibration);
+    if (model.calibration() != nullptr) {
+        show_calibration(model, pen);
         ImGui::End();
         return;
     }
@@ -112,15 +121,59 @@ void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
     float const left = is_beside_pen ? std::max(0.0f, pen_area_.left_px()) : 0;
     float const right = is_beside_pen ? std::min(whole.width, pen_area_.right_px()) : whole.width;
     covered_.push_back(controls_.show(model, bench_, left, right));
-    if (bench_.menu_is_open)
-        covered_.push_back(menu_.show(model, bench_, controls_, room_for_menu(model.state()), [&] {
-            return plant_.picture(renderer, kSavedWidth_px, kSavedHeight_px);
-        }));
+    show_menu(model, renderer);
     if (bench_.keys_are_listed)
         show_keys();
     show_ring(model, pen);
+    fulfil_view_wishes();
     follow_angle(model);
     tell_pressing_areas(model);
+}
+
+// All of the window is to be pressed, and the pen's rest elsewhere is the calibration's.
+void Layout::show_calibration(WindowModel& model, PenPointer const& pen)
+{
+    auto const whole = whole_window();
+    auto const& state = model.state();
+    pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
+    mouse_.let_go(model);
+    auto& calibration = *model.calibration();
+    bool const is_beside_drawing = state.is_live;
+    bool const wants_back = calibration_.show(calibration, is_beside_drawing);
+    if (pen.leads() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::IsAnyItemHovered())
+        calibration.perform(PressWithPen {});
+    covered_.push_back(whole);
+    tell_pressing_areas(model);
+    if (wants_back)
+        model.perform(CloseCalibration {});
+}
+
+void Layout::show_menu(WindowModel& model, Renderer& renderer)
+{
+    if (bench_.menu_is_open())
+        covered_.push_back(menu_.show(model, bench_, controls_, room_for_menu(model.state()), [&] {
+            return plant_.picture(renderer, kSavedWidth_px, kSavedHeight_px);
+        }));
+    bool const watches = bench_.menu == Workbench::MenuPage::Devices;
+    if (std::exchange(devices_are_watched_, watches) != watches)
+        model.perform(WatchDevices { watches });
+}
+
+void Layout::fulfil_view_wishes()
+{
+    double const factor = std::exchange(bench_.zoom_wished, 1);
+    bool const whole = std::exchange(bench_.whole_is_wished, false);
+    if (bench_.is_shown(Shown::Skeleton)) {
+        zoom(bench_.angle, whole ? 1 / bench_.angle.zoom : factor);
+        if (whole)
+            bench_.angle.moved_mm.setZero();
+    }
+    if (!bench_.is_shown(Shown::Plant))
+        return;
+    if (whole)
+        plant_.look_at_whole();
+    else if (factor != 1)
+        plant_.zoom(factor);
 }
 
 // A person with a tablet begins where it draws.
@@ -132,8 +185,15 @@ void Layout::begin_frame(WindowModel& model)
     bench_.angle.area_mm = (state.volume_mm.max_mm - state.volume_mm.min_mm).head<2>().cwiseMax(1);
     covered_.clear();
     pad_is_pointed_at_ = false;
-    if (!model.calibration())
-        take_keys(model);
+    if (model.calibration() == nullptr)
+        return take_keys(model);
+    bench_.wants_to_close = input::is_pressed('Q');
+    if (!input::is_escape_pressed())
+        return;
+    if (state.is_live)
+        model.perform(CloseCalibration {});
+    else
+        bench_.wants_to_close = true;
 }
 
 void Layout::take_keys(WindowModel& model)
@@ -143,9 +203,9 @@ void Layout::take_keys(WindowModel& model)
         bench_.keys_are_listed = !bench_.keys_are_listed;
     if (input::is_escape_pressed()) {
         bool const is_anything_open
-            = ring_.is_open() || bench_.menu_is_open || bench_.keys_are_listed;
+            = ring_.is_open() || bench_.menu_is_open() || bench_.keys_are_listed;
         ring_.close();
-        bench_.menu_is_open = false;
+        bench_.close_menu();
         bench_.keys_are_listed = false;
         bench_.wants_to_close = !is_anything_open;
     }
@@ -208,14 +268,14 @@ void Layout::show_views(WindowModel& model, Renderer& renderer, std::span<MouseM
         else if (bench_.shown == Shown::Skeleton)
             show_skeleton(model, renderer, whole, mouse);
         else if (bench_.shown == Shown::Plant)
-            show_plant(state, renderer, above_controls(state));
+            show_plant(state, renderer, beside_menu(state));
         else
-            show_collection(model, renderer, above_controls(state));
+            show_collection(model, renderer, beside_menu(state));
         if (bench_.shown != Shown::Pad)
             move_surface(model, false);
         return;
     }
-    auto const room = above_controls(state);
+    auto const room = beside_menu(state);
     float const gap = ImGui::GetStyle().ItemSpacing.x;
     float const width = std::max(room.width - 2 * gap, 192.0f);
     WindowPart part { 0, 0, width * 0.37f, room.height };
@@ -235,6 +295,9 @@ void Layout::show_title(WindowPart const& part, char const* title, char const* d
     ImGui::TextUnformatted(title);
     ImGui::PopFont();
     ImGui::SameLine();
+    float const room = part.left + part.width - ImGui::GetCursorScreenPos().x;
+    if (ImGui::CalcTextSize(detail).x > room)
+        return ImGui::NewLine();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 4 * scale_);
     ImGui::TextDisabled("%s", detail);
 }
@@ -289,7 +352,7 @@ void Layout::show_skeleton(WindowModel& model, Renderer& renderer, WindowPart co
     ImGui::SetCursorScreenPos({ part.left, part.top });
     ImGui::InvisibleButton("skeleton", { part.width, part.height });
     bool const selects_here = bench_.draws(state) && Workbench::selects(state);
-    turn_skeleton(bench_.angle, area, !selects_here);
+    turn_skeleton(bench_.angle, area, !selects_here, bench_.drag);
     if (selects_here) {
         pen_area_ = area;
         draw_selecting_ink(state, area);
@@ -306,7 +369,7 @@ void Layout::show_skeleton(WindowModel& model, Renderer& renderer, WindowPart co
 void Layout::show_plant(WindowState const& state, Renderer& renderer, WindowPart const& part)
 {
     ImGui::SetCursorScreenPos({ part.left, part.top });
-    plant_.show(state, renderer, { part.width, part.height });
+    plant_.show(state, renderer, { part.width, part.height }, bench_.drag);
     show_title(part, "Plant", fmt::format("seed {}", state.seed).c_str());
 }
 

@@ -24,7 +24,7 @@ public:
         , scale_(scale)
         , calibration_(title_font, scale)
         , controls_(scale)
-        , menu_(scale)
+        , menu_(title_font, scale)
     {
     }
 
@@ -39,6 +39,8 @@ public:
 
 private:
     void begin_frame(WindowModel& model);
+    void show_calibration(WindowModel& model, PenPointer const& pen);
+    void show_menu(WindowModel& model, Renderer& renderer);
     void show_views(WindowModel& model, Renderer& renderer, std::span<MouseMoment const> mouse);
     void show_pad(WindowModel& model, Renderer& renderer, WindowPart const& part,
                   std::span<MouseMoment const> mouse);
@@ -48,12 +50,14 @@ private:
     void show_collection(WindowModel& model, Renderer& renderer, WindowPart const& part);
     void show_title(WindowPart const& part, char const* title, char const* detail) const;
     void show_keys();
+    void fulfil_view_wishes();
     void show_ring(WindowModel& model, PenPointer const& pen);
     void take_keys(WindowModel& model);
     void move_surface(WindowModel& model, bool wheel_counts) const;
     void tell_pressing_areas(WindowModel& model);
     void follow_angle(WindowModel& model) const;
     WindowPart above_controls(WindowState const& state) const;
+    WindowPart beside_menu(WindowState const& state) const;
     WindowPart room_for_menu(WindowState const& state) const;
     PenArea skeleton_area(WindowState const& state, WindowPart const& part) const;
     WindowPart whole_window() const;
@@ -75,6 +79,7 @@ private:
     std::vector<Eigen::AlignedBox2d> told_areas_; // As the model knows them.
     bool pad_is_pointed_at_ = false;              // By the mouse, in this frame.
     bool collection_is_shown_ = false;
+    bool devices_are_watched_ = false;
     bool has_begun_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include "engine/variation/growth_preset.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -17,35 +18,105 @@ constexpr float kMenuHalfItem_px = 204; // Two beside each other.
 
 } // namespace
 
-WindowPart Menu::show(WindowModel& model, Workbench& bench, Controls const& controls,
-                      WindowPart const& room, std::function<Image()> const& picture) const
+float Menu::width_px() const
 {
-    float const width = std::min(kMenuWidth_px * scale_, room.width);
+    return kMenuWidth_px * scale_;
+}
+
+WindowPart Menu::show(WindowModel& model, Workbench& bench, Controls const& controls,
+                      WindowPart const& room, std::function<Image()> const& picture)
+{
+    using Page = Workbench::MenuPage;
+    float const width = std::min(width_px(), room.width);
     WindowPart const part { room.left + room.width - width, room.top, width, room.height };
     ImGui::SetNextWindowPos({ part.left, part.top });
     ImGui::SetNextWindowSize({ part.width, part.height });
     ImGui::Begin("menu", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove
                      | ImGuiWindowFlags_NoSavedSettings);
-    show_growth(model, controls);
-    ImGui::Spacing();
-    if (controls.button("Save picture", kMenuHalfItem_px))
-        model.perform(SavePicture { picture() });
-    ImGui::SameLine();
-    if (controls.button("Keys", kMenuHalfItem_px, bench.keys_are_listed))
-        bench.keys_are_listed = !bench.keys_are_listed;
-    if (controls.button("Close", kMenuHalfItem_px))
-        bench.wants_to_close = true;
-    ImGui::SameLine();
-    if (model.state().is_live && controls.button("Start again", kMenuHalfItem_px))
-        model.perform(Restart {});
-    if (controls.button(theme::palette().is_light ? "Dark" : "Light", kMenuHalfItem_px))
-        theme::set_light(!theme::palette().is_light);
+    show_pages(bench, controls);
+    if (bench.menu == Page::Plant)
+        show_plant(model, controls);
+    else if (bench.menu == Page::Keep)
+        show_keeping(model, controls, picture);
+    else if (bench.menu == Page::Devices)
+        show_devices(model, controls);
+    else
+        show_window(bench, controls);
+    theme::scroll_by_dragging();
     ImGui::End();
     return part;
 }
 
-void Menu::show_growth(WindowModel& model, Controls const& controls) const
+void Menu::show_pages(Workbench& bench, Controls const& controls) const
+{
+    using Page = Workbench::MenuPage;
+    constexpr std::array<std::pair<char const*, Page>, 4> kPages { { { "Plant", Page::Plant },
+                                                                     { "Keep", Page::Keep },
+                                                                     { "Devices", Page::Devices },
+                                                                     { "Window", Page::Window } } };
+    constexpr float kPageButton_px = 99;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, { 8 * scale_, ImGui::GetStyle().ItemSpacing.y });
+    for (auto const& [name, page] : kPages) {
+        if (page != Page::Plant)
+            ImGui::SameLine();
+        if (controls.button(name, kPageButton_px, bench.menu == page))
+            bench.open_menu(page);
+    }
+    ImGui::PopStyleVar();
+    ImGui::Dummy({ 1, 8 * scale_ });
+}
+
+void Menu::show_keeping(WindowModel& model, Controls const& controls,
+                        std::function<Image()> const& picture) const
+{
+    using Format = ExportPlant::Format;
+    constexpr std::array<std::pair<char const*, Format>, 2> kFormats {
+        { { "Export .glb", Format::Glb }, { "Export .obj", Format::Obj } }
+    };
+    bool const records = model.state().recording.is_on;
+    if (model.state().is_live
+        && controls.button(records ? "End recording" : "Record", kMenuItem_px, records))
+        model.perform(SetRecording { !records });
+    if (controls.button("Save picture", kMenuItem_px))
+        model.perform(SavePicture { picture() });
+    for (auto const& [text, format] : kFormats) {
+        if (format != Format::Glb)
+            ImGui::SameLine();
+        if (controls.button(text, kMenuHalfItem_px))
+            model.perform(ExportPlant { format });
+    }
+    if (model.state().is_live && controls.button("Start again", kMenuItem_px))
+        model.perform(Restart {});
+}
+
+void Menu::show_devices(WindowModel& model, Controls const& controls)
+{
+    auto const& state = model.state();
+    if (state.may_calibrate && controls.button("Calibrate", kMenuItem_px))
+        model.perform(OpenCalibration {});
+    if (state.mouse_draws)
+        ImGui::TextWrapped("There is no tablet: the mouse is the pen.");
+    if (state.mouse_moves_surface)
+        ImGui::TextWrapped("There is no height sensor: wheel, W and S move the surface.");
+    if (!state.is_live)
+        ImGui::TextWrapped("A recording is replayed: no device is read.");
+    else
+        devices_.show(state.devices);
+}
+
+void Menu::show_window(Workbench& bench, Controls const& controls) const
+{
+    if (controls.button(theme::palette().is_light ? "Dark" : "Light", kMenuHalfItem_px))
+        theme::set_light(!theme::palette().is_light);
+    ImGui::SameLine();
+    if (controls.button("Keys", kMenuHalfItem_px, bench.keys_are_listed))
+        bench.keys_are_listed = !bench.keys_are_listed;
+    if (controls.button("Close", kMenuItem_px))
+        bench.wants_to_close = true;
+}
+
+void Menu::show_plant(WindowModel& model, Controls const& controls) const
 {
     if (controls.button("Another one", kMenuItem_px))
         model.perform(NextVariation {});
@@ -70,6 +141,12 @@ void Menu::show_growth(WindowModel& model, Controls const& controls) const
         change.slider = ChangeGrowth::Slider::Released;
         model.perform(change);
     }
+    if (model.state().orphans.empty())
+        return;
+    ImGui::Spacing();
+    ImGui::TextWrapped("Without a branch, and kept until it comes back:");
+    for (auto const& orphan : model.state().orphans)
+        ImGui::BulletText("%s", orphan.c_str());
 }
 
 // True while the slider moves.

@@ -1,31 +1,42 @@
 #pragma once
 
 #include "app/window/controls.h"
+#include "app/window/devices_panel.h"
 
 #include <functional>
 
 namespace tractus {
 
-// The panel beside the views with what is not needed at each stroke: how the plant grows, pictures,
-// the keys.
+// The panel beside the views with what is not needed at each stroke, on a few pages: how the plant
+// grows, what is kept of the work, the devices, the window itself.
 class Menu {
 public:
-    explicit Menu(float scale)
+    // `title_font` is theme::apply()'s; `scale` the display's.
+    Menu(ImFont* title_font, float scale)
         : scale_(scale)
+        , devices_(title_font, scale)
     {
     }
+
+    float width_px() const;
 
     // Shows it at the right edge of `room`; returns where it is. `picture`: of the plant as it is
     // seen, for a file.
     WindowPart show(WindowModel& model, Workbench& bench, Controls const& controls,
-                    WindowPart const& room, std::function<Image()> const& picture) const;
+                    WindowPart const& room, std::function<Image()> const& picture);
 
 private:
-    void show_growth(WindowModel& model, Controls const& controls) const;
+    void show_pages(Workbench& bench, Controls const& controls) const;
+    void show_plant(WindowModel& model, Controls const& controls) const;
+    void show_keeping(WindowModel& model, Controls const& controls,
+                      std::function<Image()> const& picture) const;
+    void show_devices(WindowModel& model, Controls const& controls);
+    void show_window(Workbench& bench, Controls const& controls) const;
     bool show_slider(char const* name, char const* text, float greatest, double& value,
                      bool& is_released) const;
 
     float scale_ = 1;
+    DevicesPanel devices_;
 };
 
 } // namespace tractus

@@ -16,6 +16,7 @@ Palette const kDark {
     .grid = { 0.27f, 0.30f, 0.33f },
     .volume = { 0.22f, 0.245f, 0.27f },
     .pad_background = { 0.095f, 0.105f, 0.12f },
+    .recording = { 0.93f, 0.28f, 0.22f },
     .faint = { 0.21f, 0.235f, 0.26f },
 };
 
@@ -24,14 +25,15 @@ Palette const kLight {
     .ink = { 0.10f, 0.12f, 0.16f },
     .stroke = { 0.72f, 0.42f, 0.00f },
     .indicator = { 0.84f, 0.37f, 0.00f },
-    .unselected = { 0.45f, 0.47f, 0.50f },
+    .unselected = { 0.47f, 0.47f, 0.46f },
     .undetermined = { 0.80f, 0.47f, 0.65f },
     .selected = { 0.00f, 0.45f, 0.70f },
     .assigned = { 0.00f, 0.55f, 0.40f },
-    .grid = { 0.80f, 0.82f, 0.84f },
-    .volume = { 0.84f, 0.85f, 0.87f },
-    .pad_background = { 0.965f, 0.97f, 0.975f },
-    .faint = { 0.78f, 0.80f, 0.82f },
+    .grid = { 0.81f, 0.81f, 0.80f },
+    .volume = { 0.85f, 0.85f, 0.84f },
+    .pad_background = { 0.972f, 0.97f, 0.965f },
+    .recording = { 0.80f, 0.10f, 0.08f },
+    .faint = { 0.80f, 0.80f, 0.79f },
 };
 
 Palette const*& present()

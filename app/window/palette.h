@@ -18,7 +18,8 @@ struct Palette {
     Vec3f grid;
     Vec3f volume;
     Vec3f pad_background;
-    Vec3f faint; // The skeleton where it only helps to find one's way.
+    Vec3f recording; // The mark that all is recorded.
+    Vec3f faint;     // The skeleton where it only helps to find one's way.
 };
 
 // That of the window now: for a dark room, until a person wants light.

@@ -18,42 +18,48 @@ ImFont* add_font(float size_px)
                                                       &config, kRanges);
 }
 
-ImVec4 gray(float value)
+// Of a dark room: a little blue, and of a bright one: a little warm.
+ImVec4 cool(float value)
 {
     return { value, value * 1.04f, value * 1.09f, 1 };
+}
+
+ImVec4 warm(float value)
+{
+    return { value, value * 0.997f, value * 0.985f, 1 };
 }
 
 void set_dark_colors(ImGuiStyle& style)
 {
     ImGui::StyleColorsDark(&style);
-    style.Colors[ImGuiCol_WindowBg] = gray(0.135f);
-    style.Colors[ImGuiCol_ChildBg] = gray(0.10f);
-    style.Colors[ImGuiCol_Text] = gray(0.91f);
-    style.Colors[ImGuiCol_TextDisabled] = gray(0.60f);
-    style.Colors[ImGuiCol_Border] = gray(0.22f);
-    style.Colors[ImGuiCol_Button] = gray(0.23f);
-    style.Colors[ImGuiCol_ButtonHovered] = gray(0.31f);
-    style.Colors[ImGuiCol_ButtonActive] = gray(0.40f);
-    style.Colors[ImGuiCol_FrameBg] = gray(0.20f);
-    style.Colors[ImGuiCol_FrameBgHovered] = gray(0.25f);
-    style.Colors[ImGuiCol_FrameBgActive] = gray(0.29f);
+    style.Colors[ImGuiCol_WindowBg] = cool(0.135f);
+    style.Colors[ImGuiCol_ChildBg] = cool(0.10f);
+    style.Colors[ImGuiCol_Text] = cool(0.91f);
+    style.Colors[ImGuiCol_TextDisabled] = cool(0.60f);
+    style.Colors[ImGuiCol_Border] = cool(0.22f);
+    style.Colors[ImGuiCol_Button] = cool(0.23f);
+    style.Colors[ImGuiCol_ButtonHovered] = cool(0.31f);
+    style.Colors[ImGuiCol_ButtonActive] = cool(0.40f);
+    style.Colors[ImGuiCol_FrameBg] = cool(0.20f);
+    style.Colors[ImGuiCol_FrameBgHovered] = cool(0.25f);
+    style.Colors[ImGuiCol_FrameBgActive] = cool(0.29f);
     style.Colors[ImGuiCol_CheckMark] = { 0.13f, 0.42f, 0.62f, 1 };
 }
 
 void set_light_colors(ImGuiStyle& style)
 {
     ImGui::StyleColorsLight(&style);
-    style.Colors[ImGuiCol_WindowBg] = gray(0.90f);
-    style.Colors[ImGuiCol_ChildBg] = gray(0.94f);
-    style.Colors[ImGuiCol_Text] = gray(0.08f);
-    style.Colors[ImGuiCol_TextDisabled] = gray(0.38f);
-    style.Colors[ImGuiCol_Border] = gray(0.75f);
-    style.Colors[ImGuiCol_Button] = gray(0.80f);
-    style.Colors[ImGuiCol_ButtonHovered] = gray(0.73f);
-    style.Colors[ImGuiCol_ButtonActive] = gray(0.66f);
-    style.Colors[ImGuiCol_FrameBg] = gray(0.82f);
-    style.Colors[ImGuiCol_FrameBgHovered] = gray(0.78f);
-    style.Colors[ImGuiCol_FrameBgActive] = gray(0.74f);
+    style.Colors[ImGuiCol_WindowBg] = warm(0.90f);
+    style.Colors[ImGuiCol_ChildBg] = warm(0.94f);
+    style.Colors[ImGuiCol_Text] = warm(0.08f);
+    style.Colors[ImGuiCol_TextDisabled] = warm(0.38f);
+    style.Colors[ImGuiCol_Border] = warm(0.75f);
+    style.Colors[ImGuiCol_Button] = warm(0.80f);
+    style.Colors[ImGuiCol_ButtonHovered] = warm(0.73f);
+    style.Colors[ImGuiCol_ButtonActive] = warm(0.66f);
+    style.Colors[ImGuiCol_FrameBg] = warm(0.82f);
+    style.Colors[ImGuiCol_FrameBgHovered] = warm(0.78f);
+    style.Colors[ImGuiCol_FrameBgActive] = warm(0.74f);
     style.Colors[ImGuiCol_CheckMark] = { 0.50f, 0.76f, 0.93f, 1 };
 }
 
@@ -72,6 +78,14 @@ void set_light(bool is_light)
     style.Colors[ImGuiCol_PlotHistogram] = imgui_color(palette().selected);
 }
 
+void scroll_by_dragging()
+{
+    bool const drags
+        = ImGui::IsMouseDragging(ImGuiMouseButton_Left, 4) && !ImGui::IsAnyItemHovered();
+    if (drags && ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
+        ImGui::SetScrollY(ImGui::GetScrollY() - ImGui::GetIO().MouseDelta.y);
+}
+
 ImFont* apply(float scale)
 {
     auto& style = ImGui::GetStyle();
@@ -85,6 +99,7 @@ ImFont* apply(float scale)
     style.FramePadding = { 16, 10 };
     style.ItemSpacing = { 12, 10 };
     style.GrabMinSize = 28;
+    style.ScrollbarSize = 22;
     style.ScaleAllSizes(scale);
     add_font(kTextSize_px * scale);
     return add_font(kTitleSize_px * scale);

@@ -24,6 +24,9 @@ inline ImU32 packed(Vec3f const& color, float alpha = 1)
 // For a bright room or a dark one: the palette and ImGui's colours.
 void set_light(bool is_light);
 
+// Lets a drag over the current window's bare parts scroll it: a pen has no wheel.
+void scroll_by_dragging();
+
 // Sets colours, distances and the typeface of the current ImGui context, times `scale` (the
 // display's). Returns the larger typeface for titles.
 ImFont* apply(float scale);

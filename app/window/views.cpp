@@ -108,18 +108,22 @@ void PadView::show(WindowState const& state, Renderer& renderer, PenArea const& 
     canvas_.show();
 }
 
-void turn_skeleton(SelectionAngle& angle, PenArea const& area, bool left_turns)
+void zoom(SelectionAngle& angle, double factor)
+{
+    angle.zoom = std::clamp(angle.zoom * factor, 0.4, 40.0);
+}
+
+void turn_skeleton(SelectionAngle& angle, PenArea const& area, bool left_turns, ViewDrag drag)
 {
     auto const& io = ImGui::GetIO();
     if (ImGui::IsItemHovered() && io.MouseWheel != 0)
-        angle.zoom = std::clamp(angle.zoom * std::pow(1.12, static_cast<double>(io.MouseWheel)),
-                                0.4, 40.0);
+        zoom(angle, std::pow(kZoomStep, static_cast<double>(io.MouseWheel)));
     bool const turns = ImGui::IsMouseDragging(ImGuiMouseButton_Right, 0)
         || (left_turns && ImGui::IsItemActive());
     if (!turns || (!ImGui::IsItemHovered() && !ImGui::IsItemActive()))
         return;
     Vec2 const by_mm = Vec2(io.MouseDelta.x, -io.MouseDelta.y) / area.px_per_mm;
-    if (io.KeyShift) {
+    if (io.KeyShift || drag == ViewDrag::Move) {
         angle.moved_mm += by_mm;
         return;
     }
@@ -145,43 +149,20 @@ void SkeletonView::show(WindowState const& state, Renderer& renderer, SelectionA
     canvas_.show();
 }
 
-bool Orbit::take_input(float scale)
-{
-    if (!ImGui::IsItemHovered())
-        return false;
-    auto const& io = ImGui::GetIO();
-    bool changed = false;
-    if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0)
-        && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
-        constexpr double kPerPixel_rad = 0.008;
-        angles_.azimuth_rad -= kPerPixel_rad * static_cast<double>(io.MouseDelta.x / scale);
-        angles_.elevation_rad = std::clamp(
-            angles_.elevation_rad + kPerPixel_rad * static_cast<double>(io.MouseDelta.y / scale),
-            0.02, 1.45);
-        changed = true;
-    }
-    if (io.MouseWheel != 0) {
-        zoom_ = std::clamp(zoom_ * std::pow(1.12, static_cast<double>(io.MouseWheel)), 0.4, 8.0);
-        changed = true;
-    }
-    return changed;
-}
-
-Camera Orbit::camera(Bounds const& box, double aspect) const
-{
-    auto camera = framing_camera(box, angles_, aspect);
-    camera.eye_mm = camera.target_mm + (camera.eye_mm - camera.target_mm) / zoom_;
-    camera.near_mm /= 4 * zoom_;
-    return camera;
-}
-
-void PlantView::show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px)
+void PlantView::show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px,
+                     ViewDrag drag)
 {
     bool changed = turned_
         || std::exchange(is_light_, theme::palette().is_light) != theme::palette().is_light;
     if (state.plant != nullptr && (!mesh_ || state.plant_revision != revision_)) {
         mesh_.emplace(*state.plant);
         revision_ = state.plant_revision;
+        if (state.growth.age >= 1)
+            framed_mm_ = {};
+        if (auto const box_mm = mesh_->bounds(); !box_mm.empty()) {
+            framed_mm_.add(box_mm.min_mm);
+            framed_mm_.add(box_mm.max_mm);
+        }
         changed = true;
     }
     auto const& canvas = canvas_.sized(size_px, changed);
@@ -190,10 +171,22 @@ void PlantView::show(WindowState const& state, Renderer& renderer, ImVec2 const&
         stage.backdrop = is_light_ ? Backdrop() : dark_backdrop();
         if (mesh_)
             stage.meshes.push_back({ &*mesh_ });
-        renderer.draw(stage, orbit_.camera(bounds(stage), aspect_of(canvas)), canvas);
+        renderer.draw(stage, orbit_.camera(framed_mm_, aspect_of(canvas)), canvas);
     }
     canvas_.show();
-    turned_ = orbit_.take_input(ImGui::GetFontSize() / theme::kTextSize_px);
+    turned_ = orbit_.take_input(ImGui::GetFontSize() / theme::kTextSize_px, size_px.y, drag);
+}
+
+void PlantView::zoom(double factor)
+{
+    orbit_.zoom(factor);
+    turned_ = true;
+}
+
+void PlantView::look_at_whole()
+{
+    orbit_.look_at_whole();
+    turned_ = true;
 }
 
 Image PlantView::picture(Renderer& renderer, int width, int height) const
@@ -202,8 +195,8 @@ Image PlantView::picture(Renderer& renderer, int width, int height) const
         return {};
     Stage stage;
     stage.meshes.push_back({ &*mesh_ });
-    return renderer.picture(
-        stage, orbit_.camera(mesh_->bounds(), static_cast<double>(width) / height), width, height);
+    return renderer.picture(stage, orbit_.camera(framed_mm_, static_cast<double>(width) / height),
+                            width, height);
 }
 
 } // namespace tractus

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/render/renderer.h"
+#include "app/window/orbit.h"
 #include "app/window/palette.h"
 #include "app/window/pen_area.h"
 #include "app/window/workbench.h"
@@ -68,24 +69,11 @@ private:
     double px_per_mm_ = 0;
 };
 
-// Where a person looks from: changed by dragging and the wheel over the last drawn item.
-class Orbit {
-public:
-    // True if the person has changed it.
-    bool take_input(float scale);
-
-    // A view of the box from there.
-    Camera camera(Bounds const& box, double aspect) const;
-
-private:
-    ViewAngles angles_ { .azimuth_rad = 0.45, .elevation_rad = 0.22 };
-    double zoom_ = 1; // Above 1: nearer.
-};
-
 // Turns, zooms and moves the skeleton's view by what the mouse does over ImGui's last item: drags
-// with the right button, or with the left one if `left_turns`; with Shift they move it. Tablet
-// millimetres are as `area` shows them.
-void turn_skeleton(SelectionAngle& angle, PenArea const& area, bool left_turns);
+// with the right button, or with the left one if `left_turns`, mean `drag`; with Shift they move
+// it. Tablet millimetres are as `area` shows them.
+void turn_skeleton(SelectionAngle& angle, PenArea const& area, bool left_turns, ViewDrag drag);
+void zoom(SelectionAngle& angle, double factor);
 
 // The plant's skeleton with the states of its branches, as it is selected from.
 class SkeletonView {
@@ -102,10 +90,15 @@ private:
     double px_per_mm_ = 0;
 };
 
-// The whole plant, lit; turned and zoomed like the skeleton.
+// The whole plant, lit; turned, moved and zoomed like the skeleton. What it frames is the plant
+// full-grown, so that a younger one is seen to be smaller.
 class PlantView {
 public:
-    void show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px);
+    void show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px, ViewDrag drag);
+
+    // By what the view tool's buttons wish for.
+    void zoom(double factor);
+    void look_at_whole();
 
     // What is seen now, for a file. Empty before the first plant.
     Image picture(Renderer& renderer, int width, int height) const;
@@ -114,6 +107,7 @@ private:
     ViewCanvas canvas_;
     Orbit orbit_;
     std::optional<GpuMesh> mesh_;
+    Bounds framed_mm_; // What the orbit looks at.
     std::uint64_t revision_ = 0;
     bool turned_ = false;
     bool is_light_ = false;

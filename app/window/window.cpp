@@ -230,17 +230,21 @@ public:
     {
         std::array const revisions { state.live_revision,       state.strokes_revision,
                                      state.skeleton_revision,   state.plant_revision,
-                                     state.collection_revision, state.preview_revision };
+                                     state.collection_revision, state.preview_revision,
+                                     state.devices_revision };
         bool const same_revisions = std::exchange(revisions_, revisions) == revisions;
         bool const same_status = std::exchange(status_, state.status) == state.status;
         bool const same_trouble = std::exchange(trouble_, state.trouble) == state.trouble;
-        return !same_revisions || !same_status || !same_trouble;
+        auto const recorded = state.recording.is_on ? 1 + state.recording.bytes / 100'000 : 0;
+        bool const same_recording = std::exchange(recorded_, recorded) == recorded; // As shown.
+        return !same_revisions || !same_status || !same_trouble || !same_recording;
     }
 
 private:
-    std::array<std::uint64_t, 6> revisions_ {};
+    std::array<std::uint64_t, 7> revisions_ {};
     std::string status_;
     std::string trouble_;
+    std::uint64_t recorded_ = 0;
 };
 
 } // namespace

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/diagnosis/device_monitor.h"
+#include "app/diagnosis/finding.h"
 #include "app/render/image.h"
 #include "app/tools/tool.h"
 #include "app/window/calibration_view.h"
@@ -80,6 +82,12 @@ struct RecordingView {
     std::uint64_t bytes = 0; // What is in it, renewed a few times a second.
 };
 
+// The devices that are read, and what is the matter with them or with the machine.
+struct DevicesView {
+    std::vector<DeviceReading> readings; // With the newest raw values.
+    std::vector<Finding> findings;       // Empty if nothing is the matter.
+};
+
 // All that the window shows at one moment. Each revision number changes when the values after it
 // do, and only then: what did not change is not uploaded or drawn again.
 struct WindowState {
@@ -126,6 +134,9 @@ struct WindowState {
     // until it comes back.
     std::vector<std::string> orphans;
 
+    std::uint64_t devices_revision = 0;
+    DevicesView devices; // Empty unless WatchDevices asks for it.
+
     Tool hand;          // What the pen means now.
     std::string tool;   // The same for people, for example "Draw".
     std::string status; // One line: what is going on, or what was done.
@@ -143,6 +154,7 @@ struct WindowState {
     // Pictures and exports are being written in the background; the status will say where to, or
     // why not.
     bool is_saving = false;
+    bool may_calibrate = false; // There is a height sensor: see OpenCalibration.
     // What is drawn is kept in a session: it can be undone.
     bool has_session = false;
     double progress = 0; // Of the recording, 0 to 1.
@@ -217,10 +229,17 @@ struct MoveSurface {
     double by_mm = 0; // Upwards.
 };
 
+struct WatchDevices {
+    bool watched = true; // Show DevicesView, and keep it new, some ten times a second.
+};
+struct OpenCalibration { }; // Show WindowModel::calibration(), with the devices that are read.
+struct CloseCalibration { };
+
 using WindowCommand
     = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture, ChooseTool, Undo,
                    Redo, ChangeGrowth, AskForCollection, PickVariation, SetPressingAreas,
-                   PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording>;
+                   PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording, WatchDevices,
+                   OpenCalibration, CloseCalibration>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

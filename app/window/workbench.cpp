@@ -27,6 +27,12 @@ void Workbench::show_next()
     shown = shown == Shown::Collection ? Shown::All : Shown(static_cast<int>(shown) + 1);
 }
 
+void Workbench::open_menu(MenuPage page)
+{
+    menu = page;
+    last_menu = page;
+}
+
 bool Workbench::draws(WindowState const& state) const
 {
     return state.is_live && !turns_views && is_shown(selects(state) ? Shown::Skeleton : Shown::Pad);

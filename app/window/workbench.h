@@ -4,6 +4,12 @@
 
 namespace tractus {
 
+// What a drag means that turns no tool.
+enum class ViewDrag { Turn, Move };
+
+// How much nearer one step of the wheel goes.
+constexpr double kZoomStep = 1.12;
+
 // How the window is set up to work with: what is not the document's, nor the station's.
 struct Workbench {
     enum class Shown {
@@ -17,9 +23,23 @@ struct Workbench {
 
     // The view tool is in hand: the pointer turns and zooms views and draws nothing.
     bool turns_views = false;
+    ViewDrag drag = ViewDrag::Turn;
+    // What the view tool's buttons ask of the views that are seen; the layout does it and takes it
+    // back.
+    double zoom_wished = 1;
+    bool whole_is_wished = false;
     // From where the skeleton is seen, and selected from.
     SelectionAngle angle {};
-    bool menu_is_open = false;
+    // What the menu beside the views is open at.
+    enum class MenuPage {
+        None, // It is closed.
+        Plant,
+        Keep,
+        Devices,
+        Window,
+    };
+    MenuPage menu = MenuPage::None;
+    MenuPage last_menu = MenuPage::Plant; // What it opens at.
     bool keys_are_listed = false;
     bool wants_to_close = false;
 
@@ -27,6 +47,9 @@ struct Workbench {
     void choose(WindowModel& model, Tool tool);
     void choose_view_tool();
     void show_next(); // The next of Shown.
+    void open_menu(MenuPage page);
+    void close_menu() { menu = MenuPage::None; }
+    bool menu_is_open() const { return menu != MenuPage::None; }
 
     // The area in which pen or mouse selects is the skeleton's; else it draws on the pad's.
     static bool selects(WindowState const& state) { return state.hand.kind == Tool::Kind::Select; }

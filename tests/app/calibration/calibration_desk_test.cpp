@@ -5,6 +5,7 @@
 #include "app/calibration/simulated_calibration.h"
 #include "calib/rig_file.h"
 #include "drivers/log.h"
+#include "tests/app/simple_rig.h"
 
 #include <cmath>
 #include <fmt/core.h>
@@ -274,6 +275,43 @@ TEST(LiveCalibration, CapturesWhenThePenRestsAndRecordsWhatGivesTheSameRig)
     EXPECT_EQ(live.rig.calibration.height->captures.size(), 2u);
     EXPECT_EQ(print_rig(outcome_of(recorded_text.str(), CalibrationProcedure::Height).value().rig),
               print_rig(live.rig));
+}
+
+// Touches the tablet every 10 ms, or hovers over it.
+void hold_pen(CalibrationDesk& desk, int from_ms, int to_ms, bool touching)
+{
+    for (int time_ms = from_ms; time_ms < to_ms; time_ms += 10)
+        desk.push(kPen, at_ms(time_ms), pen_report(50, 50, touching));
+}
+
+TEST(CalibrationDesk, CountsATouchThatPressesForNothing)
+{
+    auto desk = CalibrationDesk::create(simple_rig(), { .procedure = CalibrationProcedure::Travel })
+                    .value();
+    ASSERT_TRUE(desk.command(at_ms(0), "begin"));
+    hold_pen(desk, 0, 100, true);
+    hold_pen(desk, 100, 150, false);
+    hold_pen(desk, 150, 200, true);
+    EXPECT_EQ(desk.touches(), 15u);
+    ASSERT_TRUE(desk.command(at_ms(200), "press"));
+    EXPECT_EQ(desk.touches(), 10u) << "of the touch from its beginning on";
+    hold_pen(desk, 200, 250, true);
+    EXPECT_EQ(desk.touches(), 10u) << "to its end";
+    hold_pen(desk, 250, 300, false);
+    hold_pen(desk, 300, 330, true);
+    EXPECT_EQ(desk.touches(), 13u) << "and not of the next one";
+}
+
+TEST(CalibrationDesk, TakesATouchThatPressesForNoRest)
+{
+    auto desk = CalibrationDesk::create(simple_rig(), {}).value();
+    hold_pen(desk, 0, 50, true);
+    ASSERT_TRUE(desk.command(at_ms(50), "press"));
+    hold_pen(desk, 50, 1000, true);
+    EXPECT_FALSE(desk.take_pen_rest());
+    hold_pen(desk, 1000, 1100, false);
+    hold_pen(desk, 1100, 2000, true);
+    EXPECT_TRUE(desk.take_pen_rest());
 }
 
 } // namespace

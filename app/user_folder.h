@@ -1,0 +1,21 @@
+#pragma once
+
+#include "engine/base/result.h"
+
+#include <filesystem>
+
+namespace tractus {
+
+// Where the program keeps what a person did not name: $XDG_DATA_HOME/tractus, else
+// ~/.local/share/tractus (XDG Base Directory Specification). Empty where the user has no home.
+std::filesystem::path user_folder();
+
+// The same, which is there then. Fails, as the user's fault, if it cannot be made; the sentence
+// ends in what to do: `instead`.
+Result<std::filesystem::path> make_user_folder(std::string_view instead);
+
+// The calibration of the table that belongs to this user, where the window keeps it unless it is
+// told another place. Empty where the user has no home.
+std::filesystem::path user_rig_path();
+
+} // namespace tractus
