@@ -170,7 +170,9 @@ bool CalibrationPanel::show(CalibrationModel& model, bool may_go_back)
     show_reading(model.view());
     ImVec2 const room = ImGui::GetContentRegionAvail();
     auto const spacing = ImGui::GetStyle().ItemSpacing;
-    ImGui::BeginChild("captures", { room.x * 0.38f, 0 }, false, kPadded);
+    constexpr float kControls_px = 520;
+    ImGui::BeginChild("captures", { std::max(room.x * 0.38f, kControls_px * scale_), 0 }, false,
+                      kPadded);
     show_controls(model);
     show_captures(model.view());
     theme::scroll_by_dragging();
@@ -198,7 +200,7 @@ bool CalibrationPanel::show_procedures(CalibrationModel& model, bool may_go_back
         bool const is_present = kProcedures[i] == present;
         if (is_present)
             ImGui::PushStyleColor(ImGuiCol_Button, theme::imgui_color(theme::palette().assigned));
-        if (ImGui::Button(kTitles[i], { 150 * scale_, theme::kButtonHeight_px * scale_ })
+        if (ImGui::Button(kTitles[i], { 120 * scale_, theme::kButtonHeight_px * scale_ })
             && !is_present)
             model.perform(ChooseProcedure { kProcedures[i] });
         if (is_present)

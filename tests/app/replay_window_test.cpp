@@ -165,6 +165,7 @@ TEST_F(ReplayedWindow, SavesAPictureUnderANameOfItsOwn)
     fs::create_directories(folder);
     auto window = open(folder);
     window.perform(SavePicture { Image(4, 3) });
+    window.settle(); // It is written in the background.
     ASSERT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
     auto const saved = fs::directory_iterator(folder)->path();
     EXPECT_EQ(saved.filename().string().rfind("small-", 0), 0u) << saved;
@@ -177,6 +178,7 @@ TEST_F(ReplayedWindow, SaysWhyAPictureWasNotSaved)
 {
     auto window = open("/proc/nowhere");
     window.perform(SavePicture { Image(4, 3) });
+    window.settle();
     EXPECT_NE(window.state().status.find("cannot write /proc/nowhere"), std::string::npos);
 }
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <optional>
 #include <sstream>
 #include <unistd.h>
 
@@ -26,8 +27,8 @@ constexpr double kPxPerMm = kWidth_px / kTabletWidth_mm;
 // Writes what a pen sends that works the window: places are the window's pixels.
 class PenScript {
 public:
-    PenScript()
-        : log_(text_, { .devices = { simple_pen() }, .rig_text = {}, .start = {} })
+    explicit PenScript(std::vector<DeviceInfo> devices = { simple_pen() })
+        : log_(text_, { .devices = std::move(devices), .rig_text = {}, .start = {} })
     {
         hover(10, 10);
         wait(300); // The window is there.
@@ -109,15 +110,16 @@ protected:
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }
 
-    LiveWindow window_of(PenScript& script, bool records = false)
+    LiveWindow window_of(PenScript& script, bool records = false, bool has_sensor = false)
     {
         auto const file = folder_ / "pen.tractus-log";
         std::ofstream(file) << script.text();
         auto const now = std::make_shared<Timestamp>();
         LiveWindowOptions options {
-            .height_mm = 100,
+            .rig_file = folder_ / "table.rig.toml",
+            .height_mm = has_sensor ? std::nullopt : std::optional(100.0),
             .scene = small_scene(),
-            .pictures = folder_,
+            .folder = folder_,
             .now = [now] { return *now; },
             .counted_time = now,
         };
@@ -211,6 +213,48 @@ TEST_F(PenWorksWindow, RecordsWhatReplaysTheSame)
     EXPECT_LT((again[0].start_mm - window.station().scene().indicators.at(0).start_mm).norm(),
               1e-9);
     EXPECT_EQ(replay->station().strokes().size(), 1u);
+}
+
+// A table whose height sensor nobody has calibrated yet, and a person without keyboard and mouse.
+TEST_F(PenWorksWindow, LeavesCalibratingForDrawing)
+{
+    PenScript script(simple_rig());
+    script.tap(826, 42); // "Back to drawing".
+    script.choose(500, 195, kLeanChoice);
+    script.draw(350, 195, 600, 195);
+    auto window = window_of(script, false, true);
+    EXPECT_NE(window.calibration(), nullptr);
+    run(window, script);
+    EXPECT_EQ(window.calibration(), nullptr);
+    EXPECT_EQ(window.station().scene().indicators.size(), 1u) << "the surface lies on the desk";
+}
+
+TEST_F(PenWorksWindow, RestsOnTheTabletToCapture)
+{
+    PenScript script(simple_rig());
+    script.tap(760, 400); // Nothing is there to be pressed.
+    script.rest(760, 400, 800);
+    script.wait(500);
+    auto window = window_of(script, false, true);
+    run(window, script);
+    ASSERT_NE(window.calibration(), nullptr);
+    EXPECT_TRUE(window.calibration()->view().is_capturing) << window.calibration()->view().message;
+    EXPECT_EQ(window.station().counts().strokes, 0u);
+}
+
+TEST_F(PenWorksWindow, PressesAButtonForLongWithoutCapturing)
+{
+    PenScript script(simple_rig());
+    script.hover(64, 212);
+    script.wait(50);
+    script.rest(64, 212, 800); // "-10".
+    script.hover(64, 212);
+    script.wait(100);
+    auto window = window_of(script, false, true);
+    run(window, script);
+    ASSERT_NE(window.calibration(), nullptr);
+    EXPECT_FALSE(window.calibration()->view().is_capturing);
+    EXPECT_EQ(window.calibration()->view().proposed_mm, -10);
 }
 
 } // namespace tractus
