@@ -22,7 +22,46 @@ bool is_pure(Op op)
     return op >= Op::Copy && op <= Op::Sqrt;
 }
 
-// NOLINTNEXTLINE(readability-function-size): a table, one line per operation.
+// A function of one number, or of the two coordinates of a point.
+static double call_function(Op op, double left, double right)
+{
+    switch (op) {
+    case Op::Sin:
+        return std::sin(radians(left));
+    case Op::Cos:
+        return std::cos(radians(left));
+    case Op::Tan:
+        return std::tan(radians(left));
+    case Op::Asin:
+        return degrees(std::asin(left));
+    case Op::Acos:
+        return degrees(std::acos(left));
+    case Op::Atan:
+        return degrees(std::atan(left));
+    case Op::Atan2:
+        return degrees(std::atan2(right, left));
+    case Op::Exp:
+        return std::exp(left);
+    case Op::Log:
+        return std::log(left);
+    case Op::Floor:
+        return std::floor(left);
+    case Op::Ceil:
+        return std::ceil(left);
+    case Op::Round:
+        return std::floor(left + 0.5);
+    case Op::Abs:
+        return std::fabs(left);
+    case Op::Sign:
+        return (left > 0) - (left < 0);
+    case Op::Sqrt:
+        return std::sqrt(left);
+    default:
+        CHECK(false);
+        return 0;
+    }
+}
+
 double compute(Op op, double left, double right)
 {
     switch (op) {
@@ -58,39 +97,8 @@ double compute(Op op, double left, double right)
         return left == 0;
     case Op::IsTrue:
         return left != 0;
-    case Op::Sin:
-        return std::sin(radians(left));
-    case Op::Cos:
-        return std::cos(radians(left));
-    case Op::Tan:
-        return std::tan(radians(left));
-    case Op::Asin:
-        return degrees(std::asin(left));
-    case Op::Acos:
-        return degrees(std::acos(left));
-    case Op::Atan:
-        return degrees(std::atan(left));
-    case Op::Atan2:
-        return degrees(std::atan2(right, left));
-    case Op::Exp:
-        return std::exp(left);
-    case Op::Log:
-        return std::log(left);
-    case Op::Floor:
-        return std::floor(left);
-    case Op::Ceil:
-        return std::ceil(left);
-    case Op::Round:
-        return std::floor(left + 0.5);
-    case Op::Abs:
-        return std::fabs(left);
-    case Op::Sign:
-        return (left > 0) - (left < 0);
-    case Op::Sqrt:
-        return std::sqrt(left);
     default:
-        CHECK(false);
-        return 0;
+        return call_function(op, left, right);
     }
 }
 

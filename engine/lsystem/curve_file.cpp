@@ -160,9 +160,10 @@ void measure(CurveTable& curve, std::size_t samples)
         curve.lengths[i] = curve.lengths[i - 1] + (here - before).norm();
         before = here;
     }
-    if (double const whole = curve.lengths.back(); whole > 0)
+    curve.length = curve.lengths.back();
+    if (curve.length > 0)
         for (auto& length : curve.lengths)
-            length /= whole;
+            length /= curve.length;
 }
 
 } // namespace

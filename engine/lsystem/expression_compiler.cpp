@@ -1,6 +1,5 @@
 #include "engine/lsystem/expression_compiler.h"
 
-#include "engine/lsystem/functions.h"
 #include "engine/lsystem/model.h"
 
 #include <algorithm>
@@ -294,25 +293,14 @@ Result<Register> ExpressionCompiler::call(std::string const& function, std::size
         return print_call(position, program);
     if (function == "SetDerivationLength" || function == "GetDerivationLength")
         return derivation_length(function, program);
-    if (auto const* const missing = find_missing_function(function)) {
-        auto const place = cursor_.source().place(position);
-        if (missing->is_about_files)
-            names_.warn_of("files",
-                           fmt::format("{}: models read and write no files here: fopen() gives -1, "
-                                       "and fprintf, fscanf, fflush and fclose do nothing",
-                                       place));
-        else
-            names_.warn_of(
-                function + "()",
-                fmt::format("{}: {}() is not supported; its value is 0", place, function));
-        return missing_call(function, missing->value, program);
-    }
+    if (auto const* const missing = find_missing_function(function))
+        return missing_call(*missing, position, program);
     auto const* const entry = find_function(function);
     if (!entry)
         return cursor_.error_at(
             position, fmt::format("found the function {}, expected one of cpfg's", function));
     bool const is_function = entry->op == Op::Function;
-    bool const is_curve = entry->op >= Op::CurveX && entry->op <= Op::CurveZ;
+    bool const is_curve = entry->op >= Op::CurveX && entry->op <= Op::CurveLength;
     auto const left = is_function ? TRY(table_id(names_.functions, program))
         : is_curve                ? TRY(table_id(names_.curves, program))
                                   : TRY(expression(program));
@@ -409,21 +397,46 @@ Result<std::string> ExpressionCompiler::quoted_text()
     return std::string(text.substr(0, end));
 }
 
-Result<Register> ExpressionCompiler::missing_call(std::string const& function, double value,
-                                                  Program& program)
+Result<Register> ExpressionCompiler::missing_call(MissingFunction const& function,
+                                                  std::size_t position, Program& program)
 {
+    auto const place = cursor_.source().place(position);
+    switch (function.about) {
+    case MissingFunction::About::Files:
+        names_.warn_of("files",
+                       fmt::format("{}: models read and write no files here: fopen() gives -1, and "
+                                   "fprintf, fscanf, fflush and fclose do nothing",
+                                   place));
+        break;
+    case MissingFunction::About::Window:
+        names_.warn_of("window",
+                       fmt::format("{}: {}() is about cpfg's window; stop, play and Display do "
+                                   "nothing here, and vvXmin to vvScale are 0",
+                                   place, function.name));
+        break;
+    case MissingFunction::About::Blobs:
+        names_.warn_of("blobs",
+                       fmt::format("{}: inblob() is not supported; its value is 0, as outside of "
+                                   "all blobs",
+                                   place));
+    }
+    std::optional<Register> first;
     while (cursor_.peek() != ')') {
         if (cursor_.peek() == '"') {
             TRY(quoted_text());
         } else {
             cursor_.take("&"); // The address of a variable, for fscanf.
-            frame_.release(TRY(expression(program)));
+            auto const argument = TRY(expression(program));
+            if (!first && function.which == MissingFunction::Value::FirstArgument)
+                first = argument;
+            else
+                frame_.release(argument);
         }
         if (!cursor_.take(",") && cursor_.peek() != ')')
-            return cursor_.unexpected(fmt::format("')' to end the call of {}", function));
+            return cursor_.unexpected(fmt::format("')' to end the call of {}", function.name));
     }
     cursor_.take(")");
-    return frame_.constant(value);
+    return first ? *first : frame_.constant(function.value);
 }
 
 // The number of a function or a curve, or its name in the view file.
@@ -433,7 +446,7 @@ Result<Register> ExpressionCompiler::table_id(std::vector<std::string> const& ta
     auto const begin = cursor_.position();
     if (auto const found = name(cursor_)) {
         auto const table = std::find(tables.begin(), tables.end(), *found);
-        if (table != tables.end() && cursor_.peek() == ',')
+        if (table != tables.end() && (cursor_.peek() == ',' || cursor_.peek() == ')'))
             return frame_.constant(static_cast<double>(table - tables.begin() + 1));
     }
     cursor_.set_position(begin);

@@ -3,6 +3,7 @@
 #include "engine/base/result.h"
 #include "engine/lsystem/cursor.h"
 #include "engine/lsystem/frame_builder.h"
+#include "engine/lsystem/functions.h"
 #include "engine/lsystem/names.h"
 #include "engine/lsystem/program.h"
 
@@ -75,7 +76,8 @@ private:
     Result<Register> call(std::string const& function, std::size_t position, Program& program);
     Result<Register> derivation_length(std::string const& function, Program& program);
     Result<Register> print_call(std::size_t position, Program& program);
-    Result<Register> missing_call(std::string const& function, double value, Program& program);
+    Result<Register> missing_call(MissingFunction const& function, std::size_t position,
+                                  Program& program);
     Result<Register> table_id(std::vector<std::string> const& tables, Program& program);
     Result<std::string> quoted_text();
 

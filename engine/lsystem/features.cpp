@@ -118,7 +118,7 @@ void add_functions(Model const& model, std::vector<std::string>& features)
         features.emplace_back("random numbers");
     if (uses(model, { Op::Function }))
         features.push_back(counted(model.view.functions.size(), "function"));
-    if (uses(model, { Op::CurveX, Op::CurveY, Op::CurveZ }))
+    if (uses(model, { Op::CurveX, Op::CurveY, Op::CurveZ, Op::CurveLength }))
         features.push_back(counted(model.view.curves.size(), "curve"));
     if (uses(model, { Op::Print }))
         features.emplace_back("printf");

@@ -18,9 +18,17 @@ FunctionEntry const* find_function(std::string_view name);
 
 // A function of cpfg's that we do not carry out: it has this value instead.
 struct MissingFunction {
+    enum class About {
+        Files,  // A model from anywhere must not read or change its reader's files.
+        Window, // cpfg's: where it looks, its animation, its sounds.
+        Blobs,  // Implicit surfaces.
+    };
+    enum class Value { Given, FirstArgument }; // As cpfg, which leaves some arguments in place.
+
     std::string_view name;
+    About about = About::Files;
     double value = 0;
-    bool is_about_files = false;
+    Value which = Value::Given;
 };
 
 // nullptr for other names.

@@ -47,9 +47,9 @@ struct TurtlePlant {
 // sides; @Gs @Gc(rings) @Ge(rings) generalised cylinder, {(1) … }(1) along a Hermite path, {(2) a
 // closed one, {(3) {(4) B-splines, @Gt @Gr tangents, @# contour, @! sides; @PS @PC @PD surface of
 // the turtle's points; % and @mc(1) end the drawing of the branch, % only in the string and where
-// the view says so; %(x,i) goes on as the turtle was where a %(x) has cut that off. @L and @Tx warn
-// once that labels and textures are not drawn. Other symbols draw nothing. How cpfg has them: the
-// CPFG User's Manual.
+// the view says so; %(x,i) goes on as the turtle was where a %(x) has cut that off. @L, @Tx, @; @,
+// and @S warn once: labels and textures are not drawn, back faces look as the front, and a model
+// runs no programs. Other symbols draw nothing. How cpfg has them: the CPFG User's Manual.
 //
 // Axes: segments drawn one after another are one axis. What is drawn inside brackets, and after a
 // step that draws nothing, begins an axis of its own that stands on the last segment. Steps of no

@@ -171,7 +171,10 @@ double Machine::curve(Op op, double number, double t) const
     auto const& curves = model_.view.curves;
     if (!(number >= 1) || !(number < static_cast<double>(curves.size()) + 1))
         return 0;
-    Vec3 const point = curves[static_cast<std::size_t>(number) - 1].at(t);
+    auto const& curve = curves[static_cast<std::size_t>(number) - 1];
+    if (op == Op::CurveLength)
+        return curve.length;
+    Vec3 const point = curve.at(t);
     return op == Op::CurveX ? point.x() : op == Op::CurveY ? point.y() : point.z();
 }
 
@@ -182,7 +185,28 @@ void Machine::print(Instruction const& instruction, double const* frame) const
                                    { frame + instruction.left, instruction.right }));
 }
 
-// NOLINTNEXTLINE(readability-function-size): a table, one case per instruction.
+// What an instruction gives that only needs its two operands.
+double Machine::evaluate(Op op, double left, double right)
+{
+    switch (op) {
+    case Op::Random:
+    case Op::Normal:
+    case Op::Beta:
+    case Op::Binomial:
+    case Op::SeedRandom:
+        return draw(op, left, right);
+    case Op::Function:
+        return function(left, right);
+    case Op::CurveX:
+    case Op::CurveY:
+    case Op::CurveZ:
+    case Op::CurveLength:
+        return curve(op, left, right);
+    default:
+        return compute(op, left, right);
+    }
+}
+
 void Machine::execute(Program const& program, double* frame)
 {
     std::uint64_t rounds = 0;
@@ -215,34 +239,13 @@ void Machine::execute(Program const& program, double* frame)
             array_element(i->target, frame[i->left]) = frame[i->right];
             break;
         case Op::JumpIfZero:
-            if (frame[i->left] != 0)
-                break;
-            i = begin + i->target - 1;
+            if (frame[i->left] == 0)
+                i = begin + i->target - 1;
             break;
         case Op::Jump:
-            if (begin + i->target <= i) {
-                spend(1);
-                if (++rounds > kMaxRounds)
-                    stop_too(Stop::Loop);
-                if (has_stopped())
-                    return;
-            }
+            if (begin + i->target <= i && !may_go_on(++rounds))
+                return;
             i = begin + i->target - 1;
-            break;
-        case Op::Random:
-        case Op::Normal:
-        case Op::Beta:
-        case Op::Binomial:
-        case Op::SeedRandom:
-            frame[i->target] = draw(i->op, frame[i->left], frame[i->right]);
-            break;
-        case Op::Function:
-            frame[i->target] = function(frame[i->left], frame[i->right]);
-            break;
-        case Op::CurveX:
-        case Op::CurveY:
-        case Op::CurveZ:
-            frame[i->target] = curve(i->op, frame[i->left], frame[i->right]);
             break;
         case Op::Print:
             print(*i, frame);
@@ -250,9 +253,18 @@ void Machine::execute(Program const& program, double* frame)
         case Op::Halt:
             return;
         default:
-            frame[i->target] = compute(i->op, frame[i->left], frame[i->right]);
+            frame[i->target] = evaluate(i->op, frame[i->left], frame[i->right]);
         }
     }
+}
+
+// Takes note of a loop's next round.
+bool Machine::may_go_on(std::uint64_t rounds)
+{
+    spend(1);
+    if (rounds > kMaxRounds)
+        stop_too(Stop::Loop);
+    return !has_stopped();
 }
 
 } // namespace tractus

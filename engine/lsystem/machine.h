@@ -95,6 +95,8 @@ public:
 
 private:
     void execute(Program const& program, double* frame);
+    double evaluate(Op op, double left, double right);
+    bool may_go_on(std::uint64_t rounds);
     double draw(Op op, double left, double right);
     double normal();
     double gamma(double shape);

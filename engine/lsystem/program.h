@@ -54,6 +54,7 @@ enum class Op : std::uint8_t {
     CurveX,   // Of the point at `right` of the model's curve number `left`, from 1.
     CurveY,
     CurveZ,
+    CurveLength, // Of the model's curve number `left`, from 1.
     Print,       // By the model's format number `target`: `right` registers from `left` on.
     LoadGlobal,  // target <- global left.
     StoreGlobal, // global target <- left.

@@ -75,9 +75,10 @@ Rewriter::Rewriter(Model const& model, LSystem const& system, RuleSet const& rul
     for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i) {
         auto const& kind = model.alphabet.kinds[i];
         parameter_counts_[i] = kind.parameter_count;
-        brackets_[i] = kind.symbol == '[' ? Bracket::Open
-            : kind.symbol == ']'          ? Bracket::Close
-                                          : Bracket::None;
+        brackets_[i] = kind.symbol == '['                    ? Bracket::Open
+            : kind.symbol == ']'                             ? Bracket::Close
+            : kind.symbol == '%' && kind.parameter_count > 0 ? Bracket::Keep
+                                                             : Bracket::None;
     }
 }
 
@@ -151,7 +152,7 @@ bool Rewriter::matches(std::uint16_t index, Modules const& modules, Surroundings
 }
 
 // The first module from `at` on that a context may mean. Passes over ignored modules, and over
-// branches unless the context names their bracket.
+// branches unless the context names their bracket, and ends before a %(…).
 std::optional<Rewriter::Place> Rewriter::next_right(Place at, int& rounds,
                                                     Surroundings const& around,
                                                     OpeningBrackets brackets) const
@@ -165,6 +166,8 @@ std::optional<Rewriter::Place> Rewriter::next_right(Place at, int& rounds,
             at = {};
         }
         auto const kind = string.kinds[at.module];
+        if (brackets_[kind] == Bracket::Keep)
+            return std::nullopt;
         if (system_.ignored[kind]) {
             at = after(at, string);
         } else if (brackets_[kind] == Bracket::Open && brackets == OpeningBrackets::PassBranches) {
@@ -213,7 +216,7 @@ bool Rewriter::matches_right(Rule const& rule, double* parameters, Surroundings 
 }
 
 // The last module before `at` that a context may mean. Passes over ignored modules and whole
-// branches, and through an opening bracket to what bears the branch.
+// branches, and through an opening bracket to what bears the branch; ends behind a %(…).
 std::optional<Rewriter::Place> Rewriter::next_left(Place at, int& rounds,
                                                    Surroundings const& around) const
 {
@@ -226,6 +229,8 @@ std::optional<Rewriter::Place> Rewriter::next_left(Place at, int& rounds,
         }
         auto const kind = string.kinds[at.module - 1];
         Place const before { at.module - 1, at.parameters - parameter_counts_[kind] };
+        if (brackets_[kind] == Bracket::Keep)
+            return std::nullopt;
         if (brackets_[kind] == Bracket::Close) {
             std::size_t const begin = around.branches->partner[before.module];
             if (begin >= string.size())

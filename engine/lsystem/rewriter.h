@@ -87,7 +87,12 @@ private:
         std::size_t from = 0;
         std::optional<Place> place;
     };
-    enum class Bracket : std::uint8_t { None, Open, Close };
+    enum class Bracket : std::uint8_t {
+        None,
+        Open,
+        Close,
+        Keep // %(…): what is behind it stands by itself, or will.
+    };
     enum class OpeningBrackets { PassBranches, Stop };
 
     bool matches(std::uint16_t rule, Modules const& modules, Surroundings const& around,

@@ -126,31 +126,24 @@ bool Turtle::check(Symbol const& symbol)
     return true;
 }
 
-// NOLINTNEXTLINE(readability-function-size): a table, one case per symbol.
 void Turtle::draw_symbol(Symbol const& symbol)
 {
     auto& frame = state_.frame;
     switch (symbol.name[0]) {
     case 'F':
-        return step(symbol, true, true);
     case 'G':
-        return step(symbol, true, false);
     case 'f':
-        return step(symbol, false, true);
     case 'g':
-        return step(symbol, false, false);
+        return step(symbol);
     case '+':
-        return turn(frame.heading, frame.left, symbol, 1);
     case '-':
-        return turn(frame.heading, frame.left, symbol, -1);
+        return turn(frame.heading, frame.left, symbol, symbol.name[0] == '+' ? 1 : -1);
     case '&':
-        return turn(frame.heading, frame.down, symbol, 1);
     case '^':
-        return turn(frame.heading, frame.down, symbol, -1);
+        return turn(frame.heading, frame.down, symbol, symbol.name[0] == '&' ? 1 : -1);
     case '/':
-        return turn(frame.left, frame.down, symbol, 1);
     case '\\':
-        return turn(frame.left, frame.down, symbol, -1);
+        return turn(frame.left, frame.down, symbol, symbol.name[0] == '/' ? 1 : -1);
     case '|':
         return TurtleFrame::rotate(frame.heading, frame.left, 0, -1);
     case '[':
@@ -273,7 +266,7 @@ void Turtle::draw_at_symbol(Symbol const& symbol)
         return set_sides(symbol);
     case 'P':
         return draw_patch_symbol(symbol);
-    case 'm': // @mc(1): a cut.
+    case 'm': // @mc(1): a cut. @mo, as @J, is about ray tracing.
         is_cut_ = is_cut_ || (symbol.name[2] == 'c' && symbol.parameter(0, 0) == 1);
         return;
     case 'L':
@@ -283,6 +276,10 @@ void Turtle::draw_at_symbol(Symbol const& symbol)
         return warn(fmt::format("{}: back faces have the colour of the front; @; and @, change "
                                 "nothing",
                                 model_.name));
+    case 'S':
+        return warn(fmt::format("{}: models run no programs here; @S does nothing", model_.name));
+    case 'I':
+    case 'J': // For a ray tracer of cpfg's.
     case 'Z':
     case 'Y': // Of other programs.
         return;
@@ -312,15 +309,18 @@ void Turtle::draw_movement_symbol(Symbol const& symbol)
     }
 }
 
-void Turtle::step(Symbol const& symbol, bool draws, bool sets_vertex)
+// F and G draw, F and f set vertices.
+void Turtle::step(Symbol const& symbol)
 {
+    bool const draws = symbol.name[0] == 'F' || symbol.name[0] == 'G';
+    bool const sets_vertex = symbol.name[0] == 'F' || symbol.name[0] == 'f';
     auto& frame = state_.frame;
     if (tropism_count() > 0)
         bend_by_tropisms(frame, extras_.carried, view_.tropisms, extras_.elasticities);
     auto const base_mm = frame.position_mm;
     double const length_mm = symbol.parameter(0, 1) * state_.scale * options_.unit_mm;
     Vec3 const tip_mm = base_mm + length_mm * frame.heading;
-    bool const is_inside = tip_mm.cwiseAbs().maxCoeff() < 1e12;
+    bool const is_inside = tip_mm.cwiseAbs().maxCoeff() < kMaxReachMm;
     if (!is_inside)
         warn(fmt::format("{}: left out steps to places more than 1e12 mm away", model_.name));
     if (is_inside && length_mm != 0) {
@@ -380,15 +380,18 @@ void Turtle::close_polygon()
     polygons_.pop_back();
 }
 
-// @D, @Di, @Dd.
+// @D(scale), @Di[(factor)], @Dd[(factor)]; no change without a scale, or by a factor of 0.
 void Turtle::set_scale(Symbol const& symbol)
 {
-    double const value = symbol.parameter(0, symbol.name[2] != 0 ? view_.scale_step : 1);
+    double const value = symbol.parameter(0, view_.scale_step);
     double scale = value;
+    if (symbol.name[2] == 0 ? symbol.count == 0 : value == 0)
+        return warn(
+            fmt::format("{}: left out a @D without a scale, or a @Di or @Dd by 0", model_.name));
     if (symbol.name[2] == 'i')
         scale = state_.scale * value;
     else if (symbol.name[2] == 'd')
-        scale = value != 0 ? state_.scale / value : state_.scale;
+        scale = state_.scale / value;
     state_.scale = std::clamp(scale, -1e6, 1e6);
 }
 
@@ -405,24 +408,28 @@ void Turtle::turn(Vec3& a, Vec3& b, Symbol const& symbol, double sign)
     TurtleFrame::rotate(a, b, sign * angle.sine, angle.cosine);
 }
 
+// @M(x,y[,z]).
 void Turtle::set_position(Symbol const& symbol)
 {
-    if (symbol.count < 3)
+    if (symbol.count < 2)
         return;
     Vec3 const position(symbol.parameter(0, 0), symbol.parameter(1, 0), symbol.parameter(2, 0));
     state_.frame.position_mm = from_model(position).cwiseMax(-1e9).cwiseMin(1e9) * options_.unit_mm;
     state_.place.is_open = false;
 }
 
+// @R(x,y[,z[,up]]): a heading of no length is straight up, as cpfg has it.
 void Turtle::set_frame(Symbol const& symbol)
 {
-    if (symbol.count < 3)
+    if (symbol.count < 2)
         return;
     auto const direction = [&](std::size_t i) {
         return from_model(
             { symbol.parameter(i, 0), symbol.parameter(i + 1, 0), symbol.parameter(i + 2, 0) });
     };
-    if (state_.frame.head_along(direction(0)) && symbol.count >= 6)
+    Vec3 const heading = direction(0);
+    if (state_.frame.head_along(heading.isZero() ? Vec3(Vec3::UnitZ()) : heading)
+        && symbol.count >= 6)
         state_.frame.set_up(direction(3));
 }
 

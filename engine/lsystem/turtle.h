@@ -192,7 +192,7 @@ private:
     }
     void draw_symbol(Symbol const& symbol);
     void draw_at_symbol(Symbol const& symbol);
-    void step(Symbol const& symbol, bool draws, bool sets_vertex);
+    void step(Symbol const& symbol);
     void push();
     void pop();
     void close_polygon();

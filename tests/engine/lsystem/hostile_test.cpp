@@ -19,7 +19,7 @@ define: { array a[3] = {1,2,3}; }
 Start: { n=0; }
 StartEach: { n=n+1; if (n>2) { a[1]=n; } else { a[0]=ran(1); } }
 ignore: +-/
-Axiom: !(0.2)A(1,0)[+B]~l(2)%
+Axiom: !(0.2)A(1,0)[+B]~l(2)%@S("x")@M(1,2)@R(0,0)@Di(0)
 A(s,t) : t<3 {w=s*STEP;} --> F(s)[+(30)A(w,t+1)][-(30)&(20)A(half(s),t+1)]/(137.5)A(s*0.9,t+1)
 A(s,t) : t>=3 --> ;~l(s) : 0.7
 A(s,t) : t>=3 && s>0.1 --> ,{.F(s).+F.} : 0.3
@@ -31,7 +31,7 @@ maximum depth: 3
 C(x) : x>0.2 --> f(x/2)C(x/2)
 homomorphism
 maximum depth: 2
-C(x) --> #(0.1)G(x*func(1,x))@Gs|^\@Ge
+C(x) --> #(0.1)G(x*func(1,x)+curveGAL(1)*stop(x))@Gs|^\@Ge
 endlsystem
 )";
 

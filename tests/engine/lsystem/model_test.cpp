@@ -2,6 +2,7 @@
 
 #include "tests/engine/lsystem/small_model.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace tractus {
@@ -99,8 +100,21 @@ TEST(Model, WarnsOnceOfWhatItLacks)
     auto const model = compiled("Lsystem: 1\nStart: {stop(1); stop(1); y = z; y = z;}\nAxiom: "
                                 "A%(1)\nA --> B(stop(z))\nendlsystem\n");
     ASSERT_EQ(model.warnings.size(), 2u);
-    EXPECT_EQ(model.warnings[0], "model.l:2:9: stop() is not supported; its value is 0");
+    EXPECT_EQ(model.warnings[0],
+              "model.l:2:9: stop() is about cpfg's window; stop, play and Display do nothing here, "
+              "and vvXmin to vvScale are 0");
     EXPECT_EQ(model.warnings[1], "model.l:2:31: z is not defined; its value is 0");
+}
+
+TEST(Model, GivesFunctionsItLacksTheValuesThatModelsExpect)
+{
+    auto const model = compiled("Lsystem: 1\nAxiom: A(stop(7), Display(2), vvXmin(1), "
+                                "vvScale(1), play(\"bell\"), inblob(1,0,0,0), stop(1)+1)\n"
+                                "endlsystem\n");
+    EXPECT_EQ(to_string(model, *derive(model)), "A(7,2,0,0,0,0,2)");
+    ASSERT_EQ(model.warnings.size(), 2u); // Of the window, whatever asks for it, and of blobs.
+    EXPECT_EQ(model.warnings[1],
+              "model.l:2:68: inblob() is not supported; its value is 0, as outside of all blobs");
 }
 
 TEST(Model, RefusesFilesWithOneWarning)
@@ -135,19 +149,23 @@ TEST(Model, ChecksFormatsWhenItIsCompiled)
 TEST(Model, LooksUpCurvesByNumberAndName)
 {
     ModelSource source;
-    source.text
-        = with_header("Axiom: A(curveX(1,0.5), curveY(bow,0.5), curveZ(1,9), curveX(2,0))", 0);
+    source.text = with_header("Axiom: A(curveX(1,0.5), curveY(bow,0.5), curveZ(1,9), curveX(2,0), "
+                              "curveGAL(1), curveGAL(bow), curveGAL(2))",
+                              0);
     source.view_text = "curve: bow.cur\n";
     auto const model = compile_model(source, [](std::string const&) -> Result<std::string> {
         return "points: 4\ndim: 3\ntype: bezier\n0 0 0\n1 0 3\n2 0 6\n3 0 9\n";
     });
     ASSERT_TRUE(model) << model.error().message;
     auto const string = derive(*model);
-    ASSERT_EQ(string->parameters.size(), 4u);
+    ASSERT_EQ(string->parameters.size(), 7u);
     EXPECT_NEAR(static_cast<double>(string->parameters[0]), 1.5, 1e-4);
     EXPECT_NEAR(static_cast<double>(string->parameters[1]), 0, 1e-4);
     EXPECT_NEAR(static_cast<double>(string->parameters[2]), 9, 1e-4);
     EXPECT_EQ(string->parameters[3], 0.0f);
+    EXPECT_NEAR(static_cast<double>(string->parameters[4]), std::sqrt(90), 1e-4); // (3, 0, 9) long.
+    EXPECT_EQ(string->parameters[5], string->parameters[4]);
+    EXPECT_EQ(string->parameters[6], 0.0f);
 }
 
 } // namespace

@@ -160,6 +160,25 @@ Model tree(int steps)
                     kView);
 }
 
+// A parameter that is not finite, wherever it stands, lets every symbol be looked at by itself.
+RC_GTEST_PROP(Turtle, DrawsCommonSymbolsAsItDrawsAll, ())
+{
+    auto const part = rc::gen::element<std::string>(
+        "F", "F(2)", "F(0)", "F(-1)", "F(9e11)", "G(3)", "f", "f(0)", "g(2)", "+", "-(30)", "&(10)",
+        "^", "/(50)", "\\", "|", "[", "[", "[", "]", "]", "]", "!", "!(0.3)", "#", "#(0)", "@v",
+        "@v", "@v(1)", ";", ",(1)", "@D(2)", "@Di(0.5)", "{", "}", ".", "~l", "@o(1)", "A", "B(3)",
+        "_(0.1)", "@", "v", "@R(1,2,3)", "@M(1,1,1)", "%", "?P(1,2,3)");
+    std::string text;
+    for (auto const& symbol : *rc::gen::container<std::vector<std::string>>(part))
+        text += symbol;
+    auto const plant_of = [&](std::string const& axiom) {
+        auto const model = compiled(with_header("Axiom: " + axiom, 0), "angle increment: 25\n");
+        auto const plant = interpret(model, derive(model).value());
+        return plant ? dump({ *plant, {} }) : plant.error().message;
+    };
+    RC_ASSERT(plant_of(text) == plant_of("Z(exp(1000))" + text));
+}
+
 TEST(Pieces, OfALongStringDrawTheSamePlant)
 {
     auto const model = tree(13);

@@ -127,6 +127,31 @@ RC_GTEST_PROP(LSystemProperty, ContextsThatChangeNothingChangeNothing, ())
     }
 }
 
+// Branches that %(x) has kept are derived as if each were a string of its own.
+RC_GTEST_PROP(LSystemProperty, KeptBranchesDeriveByThemselves, ())
+{
+    std::string rules = *rc::gen::element<std::string>("", "ignore: +-%\n", "consider: ABC%\n");
+    auto const balanced = [] {
+        return rc::gen::suchThat(random_string("ABC+-"), [](std::string const& text) {
+            int depth = 0;
+            for (char const c : text)
+                if ((depth += (c == '[') - (c == ']')) < 0)
+                    return false;
+            return true;
+        });
+    };
+    std::string successors = "\nZ(x) --> Z(x)";
+    for (auto const& rule : *rc::gen::container<std::vector<std::string>>(random_rule()))
+        successors += '\n' + rule;
+    auto const derive_one = [&](std::string const& axiom) {
+        return derived(rules + "Axiom: " + axiom + successors, 1);
+    };
+    auto const first = "A" + *balanced();
+    auto const second = "B" + *balanced();
+    RC_ASSERT(derive_one(first + "%(3,0)" + second)
+              == derive_one(first) + "%(3,0)" + derive_one(second));
+}
+
 RC_GTEST_PROP(LSystemProperty, StringsPrintAndParse, ())
 {
     auto const text = "A" + *random_string("ABC+-F");

@@ -186,6 +186,16 @@ TEST(KeptCuts, EndBeforeTheNextOneAndInsideOfPlainOnes)
     EXPECT_EQ(derived("Axiom: F%(1)A\n%(x) --> G(x+1)"), "FG(2)A");
 }
 
+// What is behind a %(…) stands by itself: contexts look no further.
+TEST(KeptCuts, EndContexts)
+{
+    std::string const rules = "\nA < B --> C\nA > B --> D\nA < F > B --> G";
+    EXPECT_EQ(derived("Axiom: AB%(1,0)AB" + rules), "DC%(1,0)DC");
+    EXPECT_EQ(derived("Axiom: A%(1,0)BA%(2,1)FB" + rules), "A%(1,0)BA%(2,1)FB");
+    EXPECT_EQ(derived("Axiom: A[%(1)B]B" + rules), "D[]C%(1,0)B"); // And before it is cut off.
+    EXPECT_EQ(derived("ignore: %\nAxiom: A%(1,0)B" + rules), "A%(1,0)B");
+}
+
 // Turtles are numbered on from step to step.
 TEST(KeptCuts, StayApartOverManySteps)
 {
