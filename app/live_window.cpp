@@ -134,6 +134,11 @@ LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
     view().state().status = "Draw: the station reads the pen";
 }
 
+LiveWindow::~LiveWindow()
+{
+    desk_.finish(station_, options_.now ? options_.now() : Timestamp {});
+}
+
 void LiveWindow::advance(Duration real_step)
 {
     if (options_.counted_time)
@@ -263,8 +268,8 @@ void LiveWindow::perform(WindowCommand const& command)
 
 void LiveWindow::perform_kind(Restart const&)
 {
-    if (auto& keeper = desk_.keeper(); keeper.has_session())
-        desk_.show_again(keeper.begin_again(station_), station_, "The session is as it began");
+    if (desk_.keeper().has_session())
+        desk_.perform(Restart {}, station_);
     else
         restart_without_session();
 }
@@ -277,7 +282,7 @@ void LiveWindow::restart_without_session()
         return;
     }
     go_on_with(*std::move(again));
-    desk_.show_again({}, station_, "The plant is as its model gives it");
+    desk_.show_again(station_, "The plant is as its model gives it");
 }
 
 // In the present one's place, with what is in the hand.
@@ -293,7 +298,7 @@ void LiveWindow::perform_kind(ChooseTool const& command)
 {
     station_.set_tool(options_.now(), command.tool);
     record_tool_changes();
-    view().show(station_);
+    desk_.show(station_, options_.now());
 }
 
 void LiveWindow::perform_kind(SetPressingAreas const& command)
@@ -397,10 +402,11 @@ void LiveWindow::use_rig(Rig const& rig)
         view().state().status = station.error().message;
         return;
     }
+    desk_.finish(station_, options_.now());
     station->set_scene(station_.scene());
     station_options_ = std::move(options);
     go_on_with(*std::move(station));
-    desk_.show_again({}, station_, "The pen draws by the new calibration");
+    desk_.show_again(station_, "The pen draws by the new calibration");
     if (recorder_) // Its header has the old one.
         perform_kind(SetRecording { false });
 }

@@ -52,9 +52,12 @@ public:
     // what its readings mean, and the window opens with calibrating it. Where that cannot be kept,
     // it fails, as the user's fault.
     static Result<LiveWindow> create(LiveDevices devices, LiveWindowOptions options);
+    LiveWindow(LiveWindow&&) = default;
+    LiveWindow& operator=(LiveWindow&&) = delete;
+    ~LiveWindow() override; // Waits until what was drawn is kept.
 
     void advance(Duration real_step) override;
-    void settle() override { desk_.settle(); }
+    void settle() override { desk_.settle(station_, options_.now()); }
     WindowState const& state() const override { return desk_.view().state(); }
     void perform(WindowCommand const& command) override;
     CalibrationModel* calibration() override { return calibration_ ? &*calibration_ : nullptr; }

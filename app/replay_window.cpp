@@ -1,7 +1,6 @@
 #include "app/replay_window.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace tractus {
@@ -28,16 +27,24 @@ ReplayWindow::ReplayWindow(Log const& log, ReplayOptions options, LogReplay repl
     view().state().status = "The hand begins";
 }
 
+ReplayWindow::~ReplayWindow()
+{
+    desk_.finish(replay_.station(), now_);
+}
+
 void ReplayWindow::advance(Duration real_step)
 {
     auto& state = view().state();
-    desk_.show_done();
-    if (!state.playing)
+    if (!state.playing) {
+        desk_.show(replay_.station(), now_);
         return;
+    }
     now_ += from_seconds(to_seconds(real_step) * state.speed);
     bool const goes_on = replay_.advance_to(now_);
     desk_.show(replay_.station(), now_);
     if (!goes_on) {
+        desk_.finish(replay_.station(), now_);
+        desk_.show(replay_.station(), now_);
         state.playing = false;
         state.status = "The recording has ended: play it again, or take another seed";
     }
@@ -66,26 +73,29 @@ void ReplayWindow::perform_kind(SetSpeed const& command)
 void ReplayWindow::perform_kind(Restart const&)
 {
     auto& state = view().state();
+    desk_.finish(replay_.station(), now_);
+    if (auto const& why = desk_.keeper().not_kept(); !why.empty()) {
+        state.status = "what was drawn must be kept first: " + why;
+        return;
+    }
     auto again = LogReplay::create(*log_, options_);
     if (!again) {
         state.status = again.error().message;
         return;
     }
     // The growth stays as a person has set it; but a session is as it began.
-    auto& keeper = desk_.keeper();
-    auto const growth = std::array { Edit(replay_.station().scene().growth) };
-    auto const begun = keeper.has_session() ? keeper.begin_again(again->station())
-                                            : keeper.make(growth, again->station());
-    if (!begun) {
-        state.status = begun.error().message;
-        return;
-    }
+    auto& station = again->station();
+    auto scene = station.scene();
+    scene.growth = replay_.station().scene().growth;
+    station.set_scene(std::move(scene));
     replay_ = *std::move(again);
     now_ = replay_.begin();
     state.playing = true;
     state.progress = 0;
-    state.status = "The hand begins again";
-    view().begin_again(replay_.station());
+    if (desk_.keeper().has_session())
+        desk_.perform(Restart {}, replay_.station());
+    else
+        desk_.show_again(replay_.station(), "The hand begins again");
 }
 
 } // namespace tractus

@@ -22,8 +22,12 @@ public:
                                        std::filesystem::path pictures,
                                        std::optional<Session> session = {});
 
+    ReplayWindow(ReplayWindow&&) = default;
+    ReplayWindow& operator=(ReplayWindow&&) = delete;
+    ~ReplayWindow() override; // Waits until what was drawn is kept.
+
     void advance(Duration real_step) override;
-    void settle() override { desk_.settle(); }
+    void settle() override { desk_.settle(replay_.station(), now_); }
     WindowState const& state() const override { return desk_.view().state(); }
     void perform(WindowCommand const& command) override;
 

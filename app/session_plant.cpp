@@ -32,9 +32,9 @@ Result<std::vector<Edit>> session_edits(std::filesystem::path const& path)
 {
     auto contents = TRY(read_session(path));
     std::vector<Edit> edits;
-    for (auto& [step, edit, made] : contents.edits)
-        if (step <= contents.step)
-            edits.push_back(std::move(edit));
+    for (auto& kept : contents.edits)
+        if (kept.step <= contents.step)
+            edits.push_back(std::move(kept.edit));
     return edits;
 }
 

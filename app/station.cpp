@@ -287,8 +287,7 @@ void Station::set_tool(Timestamp time, Tool const& tool)
 {
     if (tool.at_once) {
         new_tool_changes_.push_back({ time, tool });
-        ++counts_.strokes;
-        strokes_.push_back(draw({}, tool, scene_));
+        mean({}, tool);
         return;
     }
     bool const is_press = tool.kind == Tool::Kind::Press;
@@ -328,8 +327,29 @@ void Station::finish_stroke(Stroke stroke)
         return;
     if (stroke.tips.front().eraser)
         tool = other_end_of(tool);
+    mean(std::move(stroke), tool);
+}
+
+void Station::mean(Stroke stroke, Tool const& tool)
+{
+    if (hold_ == Hold::On) {
+        waiting_strokes_.push_back(std::move(stroke));
+        waiting_tools_.push_back(tool);
+        return;
+    }
     ++counts_.strokes;
     strokes_.push_back(draw(std::move(stroke), tool, scene_));
+}
+
+void Station::hold(Hold hold)
+{
+    hold_ = hold;
+    if (hold == Hold::On)
+        return;
+    auto strokes = std::exchange(waiting_strokes_, {});
+    auto const tools = std::exchange(waiting_tools_, {});
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+        mean(std::move(strokes[i]), tools[i]);
 }
 
 void Station::count_broken(Error const& error)

@@ -111,6 +111,14 @@ public:
     // Another scene to go on with, as undo leaves it. Strokes under way will work on it.
     void set_scene(Scene scene) { scene_ = std::move(scene); }
 
+    // While it is on, strokes that are finished wait, and so does what is done at once; then they
+    // do what they mean.
+    enum class Hold { Off, On };
+    void hold(Hold hold);
+
+    // Those that wait, in order.
+    std::vector<Stroke> const& waiting_strokes() const { return waiting_strokes_; }
+
     // Time has passed without a report: some pens leave by falling silent. Each report passes time
     // by itself; live, call this when all that have come are pushed.
     void pass_time(Timestamp now);
@@ -169,6 +177,7 @@ private:
     void take_settled(Pen& pen);
     void finish(Pen& pen);
     void finish_stroke(Stroke stroke);
+    void mean(Stroke stroke, Tool const& tool);
     Tool tool_at(Timestamp time) const;
     void count_broken(Error const& error);
 
@@ -189,6 +198,9 @@ private:
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
     std::vector<PenMoment> moments_; // Not taken yet.
     Scene scene_;
+    Hold hold_ = Hold::Off;
+    std::vector<Stroke> waiting_strokes_;
+    std::vector<Tool> waiting_tools_; // One for each.
     std::vector<DrawnStroke> strokes_;
     std::optional<TipSample> newest_tip_;
     bool pen_in_range_ = false;

@@ -23,28 +23,54 @@ StationDesk::StationDesk(Station const& station, std::optional<Session> session,
 
 void StationDesk::show(Station& station, Timestamp now)
 {
-    show_done();
-    keeper_.keep_strokes(station, now);
-    view_.show(station);
+    show_kept(station, now);
+    show_files();
+}
+
+void StationDesk::show_kept(Station& station, Timestamp now)
+{
+    now_ = now;
+    keeper_.advance(station, now);
+    while (auto const done = keeper_.take_done()) {
+        if (done->of == WantedStep::Of::Growth) {
+            view_.show_growth(station); // Where it was refused, what a slider previewed is gone.
+            view_.state().status = done->status ? *done->status : done->status.error().message;
+        } else if (done->status) {
+            show_again(station, *done->status);
+        } else {
+            view_.state().status = done->status.error().message;
+        }
+    }
+    view_.show(station,
+               keeper_.is_settled() ? StationView::Strokes::Kept : StationView::Strokes::AsInk);
     keeper_.forget_kept(station);
     if (auto const& why = keeper_.not_kept(); !why.empty())
         view_.state().trouble = fmt::format("What is drawn is not kept: {}", why);
 }
 
-void StationDesk::show_done()
+void StationDesk::show_files()
 {
-    view_.show_grown();
     while (auto const written = files_->take())
         view_.state().status
             = *written ? fmt::format("Saved {}", (*written)->string()) : written->error().message;
     view_.state().is_saving = files_->is_busy();
 }
 
-void StationDesk::settle()
+void StationDesk::finish(Station& station, Timestamp now)
 {
+    if (!keeper_.has_session())
+        return;
+    keeper_.settle(station, now);
+    keeper_.forget_kept(station);
+}
+
+void StationDesk::settle(Station& station, Timestamp now)
+{
+    keeper_.settle(station, now);
+    show_kept(station, now);
     view_.settle();
     files_->settle();
-    show_done();
+    show_files();
 }
 
 std::filesystem::path StationDesk::new_file(std::string_view ending) const
@@ -52,40 +78,55 @@ std::filesystem::path StationDesk::new_file(std::string_view ending) const
     return dated_path(folder_, view_.grown_scene()->model_name, ending);
 }
 
-void StationDesk::show_again(Result<void> const& done, Station const& station,
-                             std::string const& status)
+void StationDesk::show_again(Station const& station, std::string const& status)
 {
-    if (done)
-        view_.begin_again(station);
-    view_.state().status = done ? status : done.error().message;
+    view_.begin_again(station);
+    view_.state().status = status;
 }
 
 void StationDesk::perform(Undo const&, Station& station)
 {
-    show_again(keeper_.undo(station), station, "Undone");
+    keeper_.undo();
+    show_kept(station, now_);
 }
 
 void StationDesk::perform(Redo const&, Station& station)
 {
-    show_again(keeper_.redo(station), station, "Done again");
+    keeper_.redo();
+    show_kept(station, now_);
+}
+
+void StationDesk::perform(Restart const&, Station& station)
+{
+    keeper_.begin_again("The session is as it began");
+    show_kept(station, now_);
 }
 
 void StationDesk::perform(NextVariation const&, Station& station)
 {
-    auto growth = station.scene().growth;
-    ++growth.seed;
-    set_growth(growth, station, fmt::format("Another one: seed {}", growth.seed));
+    auto const next = [](SetGrowth growth) -> Result<WantedStep::Change> {
+        ++growth.seed;
+        return WantedStep::Change { { growth }, fmt::format("Another one: seed {}", growth.seed) };
+    };
+    set_growth(next, station);
 }
 
 void StationDesk::perform(ChangeGrowth const& command, Station& station)
 {
-    auto const growth = growth_set_to(command.growth, station.scene().growth);
-    if (!growth)
-        view_.state().status = growth.error().message;
-    else if (command.slider == ChangeGrowth::Slider::Moving)
-        view_.preview(*growth);
-    else
-        set_growth(*growth, station, fmt::format("The plant {}", describe_edit(*growth)));
+    if (command.slider == ChangeGrowth::Slider::Moving) {
+        auto const seen = growth_set_to(command.growth, station.scene().growth);
+        if (seen)
+            view_.preview(*seen);
+        else
+            view_.state().status = seen.error().message;
+        return;
+    }
+    auto const set = [wanted = command.growth](SetGrowth growth) -> Result<WantedStep::Change> {
+        growth = TRY(growth_set_to(wanted, std::move(growth)));
+        auto status = fmt::format("The plant {}", describe_edit(growth));
+        return WantedStep::Change { { growth }, std::move(status) };
+    };
+    set_growth(set, station);
 }
 
 void StationDesk::perform(AskForCollection const& command, Station&)
@@ -95,16 +136,20 @@ void StationDesk::perform(AskForCollection const& command, Station&)
 
 void StationDesk::perform(PickVariation const& command, Station& station)
 {
-    auto growth = station.scene().growth;
-    growth.seed = command.seed;
-    set_growth(growth, station, fmt::format("This one: seed {}", growth.seed));
+    auto const pick = [seed = command.seed](SetGrowth growth) -> Result<WantedStep::Change> {
+        growth.seed = seed;
+        return WantedStep::Change { { growth }, fmt::format("This one: seed {}", seed) };
+    };
+    set_growth(pick, station);
 }
 
-void StationDesk::set_growth(SetGrowth const& growth, Station& station, std::string const& status)
+// `change` is asked when what was wanted before is done.
+void StationDesk::set_growth(
+    std::function<Result<WantedStep::Change>(SetGrowth growth)> const& change, Station& station)
 {
-    auto const made = keeper_.make(std::array { Edit(growth) }, station);
-    view_.show_growth(station); // Where it was refused, what a slider previewed is gone.
-    view_.state().status = made ? status : made.error().message;
+    keeper_.make(
+        { [=](Scene const& scene) { return change(scene.growth); }, WantedStep::Of::Growth });
+    show_kept(station, now_);
 }
 
 void StationDesk::perform(SavePicture const& command, Station&)

@@ -27,15 +27,15 @@ public:
     SessionKeeper& keeper() { return keeper_; }
     SessionKeeper const& keeper() const { return keeper_; }
 
-    // Keeps what has been drawn before it is seen to be done, shows it, and lets the station forget
-    // its strokes.
+    // Keeps what has been drawn, shows it once it is kept, and until then as ink; lets the station
+    // forget its strokes; and shows what has been done in the background meanwhile.
     void show(Station& station, Timestamp now);
 
-    // What has been done in the background meanwhile; show() does it, too.
-    void show_done();
+    // The same when all that is under way is done, or cannot be done for now.
+    void settle(Station& station, Timestamp now);
 
-    // Waits until nothing is done in the background any more, and shows what came of it.
-    void settle();
+    // Waits until what was drawn is kept, if it can be, before all is over.
+    void finish(Station& station, Timestamp now);
 
     // A new file's name in the folder.
     std::filesystem::path new_file(std::string_view ending) const;
@@ -48,17 +48,22 @@ public:
     void perform(ExportPlant const& command, Station& station);
     void perform(Undo const&, Station& station);
     void perform(Redo const&, Station& station);
+    void perform(Restart const&, Station& station); // There must be a session.
 
-    // Shows another scene of the station, and what led to it; or why nothing did.
-    void show_again(Result<void> const& done, Station const& station, std::string const& status);
+    // Shows another scene of the station, and what led to it.
+    void show_again(Station const& station, std::string const& status);
 
 private:
     void save(std::string_view ending,
               std::function<Result<void>(std::filesystem::path const&)> write);
-    void set_growth(SetGrowth const& growth, Station& station, std::string const& status);
+    void show_kept(Station& station, Timestamp now);
+    void show_files();
+    void set_growth(std::function<Result<WantedStep::Change>(SetGrowth growth)> const& change,
+                    Station& station);
 
     SessionKeeper keeper_;
     StationView view_;
+    Timestamp now_ {}; // Of the last show().
     std::filesystem::path folder_;
     std::unique_ptr<FileQueue> files_ = std::make_unique<FileQueue>(); // As this moves.
 };

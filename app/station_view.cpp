@@ -165,13 +165,14 @@ StationView::StationView(Station const& station)
     show_scene(station);
 }
 
-void StationView::show(Station const& station)
+void StationView::show(Station const& station, Strokes strokes)
 {
     show_grown();
-    show_live(station);
-    if (station.counts().strokes == shown_strokes_)
+    show_live(station, strokes);
+    if (strokes == Strokes::AsInk || station.counts().strokes == shown_strokes_)
         return;
-    state_.status = describe(station.strokes().back());
+    if (!station.strokes().empty())
+        state_.status = describe(station.strokes().back());
     show_scene(station);
 }
 
@@ -180,7 +181,7 @@ void StationView::begin_again(Station const& station)
     shown_pen_samples_ = 0;
     state_.volume_mm = station.volume_mm();
     ++state_.live_revision;
-    show_live(station);
+    show_live(station, Strokes::Kept);
     show_scene(station);
 }
 
@@ -219,7 +220,26 @@ void StationView::show_surface(Station const& station)
         ++state_.live_revision;
 }
 
-void StationView::show_live(Station const& station)
+// Under way, and finished but not yet kept.
+void StationView::show_ink(Station const& station, Strokes strokes)
+{
+    state_.live_ink.clear();
+    if (strokes == Strokes::AsInk) {
+        for (auto const& drawn : station.strokes())
+            if (!drawn.edits.empty())
+                state_.live_ink.push_back(ink_line(drawn.stroke.tips, drawn.tool));
+        for (auto const& stroke : station.waiting_strokes())
+            state_.live_ink.push_back(ink_line(stroke.tips, station.tool()));
+    }
+    auto const unkept = state_.live_ink.size();
+    if (std::exchange(shown_unkept_, unkept) != unkept)
+        ++state_.live_revision;
+    if (!station.is_pressing())
+        for (auto const& ink : station.inks())
+            state_.live_ink.push_back(ink_line(ink, station.tool()));
+}
+
+void StationView::show_live(Station const& station, Strokes strokes)
 {
     // Without a sample of the pen there is nothing new to see: the hand rests, or is away.
     if (std::exchange(shown_pen_samples_, station.counts().pen_samples)
@@ -229,10 +249,7 @@ void StationView::show_live(Station const& station)
     state_.hand = station.tool();
     auto const fault = station.height_monitor().present();
     state_.trouble = fault ? describe_fault(*fault) : "";
-    state_.live_ink.clear();
-    if (!station.is_pressing())
-        for (auto const& ink : station.inks())
-            state_.live_ink.push_back(ink_line(ink, station.tool()));
+    show_ink(station, strokes);
     show_selecting(station);
     show_surface(station);
     show_preview(station);
@@ -277,7 +294,7 @@ void StationView::show_selecting(Station const& station)
     bool const was_selecting = std::exchange(is_selecting_, chooses_path && !inks.empty());
     if (!is_selecting_) {
         if (was_selecting)
-            show_skeleton(station.scene());
+            show_skeleton(*grown_scene_);
         shown_touched_.reset();
         return;
     }
@@ -289,7 +306,7 @@ void StationView::show_selecting(Station const& station)
     auto touched = shown_skeleton_->touched_by(inks.front());
     if (shown_touched_ == touched)
         return;
-    show_skeleton(station.scene(), touched);
+    show_skeleton(*grown_scene_, touched);
     shown_touched_ = std::move(touched);
 }
 

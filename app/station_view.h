@@ -25,11 +25,11 @@ public:
     WindowState& state() { return state_; }
     WindowState const& state() const { return state_; }
 
-    // What has changed since the last call. A new stroke is named in the status.
-    void show(Station const& station);
+    // Whether the station's finished strokes are seen as what they have become, or are not yet.
+    enum class Strokes { Kept, AsInk };
 
-    // A plant that has been grown meanwhile; show() does it too.
-    void show_grown();
+    // What has changed since the last call. A new stroke that is kept is named in the status.
+    void show(Station const& station, Strokes strokes);
 
     // Waits for the plant as it was wanted last, and for all variations, and shows them.
     void settle();
@@ -59,7 +59,9 @@ private:
         std::size_t stroke = 0; // Of which stroke, by its number.
     };
 
-    void show_live(Station const& station);
+    void show_grown();
+    void show_live(Station const& station, Strokes strokes);
+    void show_ink(Station const& station, Strokes strokes);
     void show_surface(Station const& station);
     void show_scene(Station const& station);
     void show_variations();
@@ -88,6 +90,7 @@ private:
     std::unique_ptr<NewestJob<WantedPreview, Preview>> preview_; // On the heap, as the grower.
     std::uint64_t previewed_live_ = 0;                           // The ink's revision.
     bool is_drawing_ = false;
+    std::size_t shown_unkept_ = 0; // Strokes as ink.
     // On the heap, since the state points to it when this moves.
     std::unique_ptr<Mesh const> plant_;
     WindowState state_;

@@ -95,8 +95,13 @@ Result<bool> Statement::step()
 Result<void> Statement::run()
 {
     while (TRY(step())) { }
-    sqlite3_reset(statement_);
+    reset();
     return {};
+}
+
+void Statement::reset()
+{
+    sqlite3_reset(statement_);
 }
 
 std::int64_t Statement::whole(int column) const

@@ -30,6 +30,9 @@ public:
     // To the end, for statements without rows. Then it may be bound and run again.
     Result<void> run();
 
+    // Back to before the first row, to be bound again.
+    void reset();
+
     // Of the row.
     std::int64_t whole(int column) const;
     std::string bytes(int column) const; // Text or blob; empty for null.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fmt/core.h>
 
@@ -48,8 +49,10 @@ std::string describe_stroke(Stroke const& stroke)
 std::string describe_indicator(MotionIndicator const& indicator)
 {
     Vec3 const way_mm = indicator.end_mm - indicator.start_mm;
-    auto text = fmt::format("({:.0f}, {:.0f}, {:.0f}) mm{}", way_mm.x(), way_mm.y(), way_mm.z(),
-                            indicator.kind == MotionIndicator::Kind::Light ? ", light" : "");
+    auto const whole = [](double mm) { return std::round(mm) + 0.0; }; // Never -0.
+    auto text
+        = fmt::format("({}, {}, {}) mm{}", whole(way_mm.x()), whole(way_mm.y()), whole(way_mm.z()),
+                      indicator.kind == MotionIndicator::Kind::Light ? ", light" : "");
     if (!indicator.below.empty())
         text += fmt::format(", on {} and what they bear",
                             counted(indicator.below.size(), "segment"));

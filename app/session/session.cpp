@@ -47,6 +47,12 @@ Result<Database> open_to_write(fs::path const& path)
     return database;
 }
 
+// Holds as long as the store stays where it is.
+ReadStep read_from(SessionStore const& store)
+{
+    return [&store](std::size_t step) { return store.read_step(step); };
+}
+
 } // namespace
 
 SessionOptions session_by_the_clock(MakeLoadOptions load_options)
@@ -60,10 +66,14 @@ Result<Session> Session::create(fs::path const& path, SessionOrigin const& origi
                                 std::span<Edit const> edits, SessionOptions options)
 {
     CHECK(!edits.empty());
-    SessionContents contents { .origin = origin };
-    for (auto const& edit : edits)
-        contents.edits.push_back({ 0, edit, origin.created });
-    auto history = TRY(SessionHistory::create(std::move(contents), options.load_options));
+    auto const read_beginning = [&](std::size_t) {
+        std::vector<SessionEdit> beginning;
+        for (auto const& edit : edits)
+            beginning.push_back(
+                { 0, edit, origin.created, { .number = std::ssize(beginning) + 1 } });
+        return Result<std::vector<SessionEdit>>(std::move(beginning));
+    };
+    auto history = TRY(SessionHistory::create({}, read_beginning, options.load_options));
     std::error_code ignored;
     if (fs::exists(path, ignored))
         return fail(Fault::User,
@@ -84,7 +94,7 @@ Result<Session> Session::create(fs::path const& path, SessionOrigin const& origi
     }
     TRY(appear(made, path));
     auto database = TRY(open_to_write(path));
-    return Session(path, std::move(database), std::move(options), std::move(history));
+    return Session({ path, std::move(database) }, std::move(options), std::move(history));
 }
 
 Result<Session> Session::open(fs::path const& path, SessionOptions options)
@@ -92,30 +102,39 @@ Result<Session> Session::open(fs::path const& path, SessionOptions options)
     auto database = TRY(open_to_write(path));
     TRY(migrate(database, path));
     TRY(database.execute("COMMIT; BEGIN IMMEDIATE"));
-    auto contents = TRY(read_session(database, path.string()));
-    auto history = SessionHistory::create(std::move(contents), options.load_options);
+    auto const summary = TRY(check_session(database, path.string()));
+    SessionStore store(path, std::move(database));
+    auto history = SessionHistory::create({ summary.step, summary.last_step }, read_from(store),
+                                          options.load_options);
     if (!history)
         return fail(history.error().fault,
                     fmt::format("{}: {}", path.string(), history.error().message));
-    return Session(path, std::move(database), std::move(options), *std::move(history));
+    return Session(std::move(store), std::move(options), *std::move(history));
 }
 
-Session::Session(fs::path path, Database database, SessionOptions options, SessionHistory history)
-    : path_(std::move(path))
-    , database_(std::move(database))
+Session::Session(SessionStore store, SessionOptions options, SessionHistory history)
+    : store_(std::move(store))
     , options_(std::move(options))
     , history_(std::move(history))
 {
+}
+
+Result<std::vector<Edit>> Session::beginning() const
+{
+    std::vector<Edit> edits;
+    for (auto& edit : TRY(store_.read_step(0)))
+        edits.push_back(std::move(edit.edit));
+    return edits;
 }
 
 Result<void> Session::append(std::span<Edit const> edits)
 {
     if (edits.empty())
         return {};
-    auto scene = TRY(history_.after(edits));
-    SessionStep const step { history_.step() + 1, edits, options_.now() };
-    TRY(commit([&] { return write_step(database_, step); }));
-    history_.push(step, std::move(scene));
+    auto const prepared = TRY(store_.prepare({ step() + 1, edits, options_.now() }));
+    auto scene = TRY(history_.after(prepared.edits));
+    TRY(store_.write(prepared));
+    history_.push(std::move(scene));
     return {};
 }
 
@@ -123,36 +142,22 @@ Result<void> Session::undo()
 {
     if (!can_undo())
         return fail(Fault::User, "there is nothing to undo: this is how the session began");
-    return go_to(history_.step() - 1);
+    return go_to(step() - 1);
 }
 
 Result<void> Session::redo()
 {
     if (!can_redo())
         return fail(Fault::User, "there is nothing to redo: the last step was made, not undone");
-    return go_to(history_.step() + 1);
+    return go_to(step() + 1);
 }
 
 Result<void> Session::go_to(std::size_t step)
 {
-    auto scene = TRY(history_.at(step));
-    TRY(commit([&] { return write_cursor(database_, step); }));
+    auto scene = TRY(history_.at(step, read_from(store_)));
+    TRY(store_.write_cursor(step));
     history_.go_to(step, std::move(scene));
     return {};
-}
-
-Result<void> Session::commit(std::function<Result<void>()> const& write)
-{
-    if (!database_.is_in_transaction()) // An error has ended it.
-        TRY(database_.execute("BEGIN IMMEDIATE"));
-    auto done = write();
-    if (done)
-        done = database_.execute("COMMIT");
-    if (!done && database_.is_in_transaction())
-        (void)database_.execute("ROLLBACK");
-    // If it cannot be begun now, the next commit tries again.
-    (void)database_.execute("BEGIN IMMEDIATE");
-    return done;
 }
 
 } // namespace tractus

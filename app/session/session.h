@@ -2,11 +2,15 @@
 
 #include "app/session/session_file.h"
 #include "app/session/session_history.h"
+#include "app/session/session_store.h"
 #include "engine/base/result.h"
 #include "engine/scene/scene.h"
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <span>
+#include <vector>
 
 namespace tractus {
 
@@ -34,31 +38,33 @@ public:
     // in it or it may not be written.
     static Result<Session> open(std::filesystem::path const& path, SessionOptions options);
 
-    std::filesystem::path const& path() const { return path_; }
+    std::filesystem::path const& path() const { return store_.path(); }
+
+    // Of strokes that shape nothing any more the tips are not in memory: see SessionStore.
     Scene const& scene() const { return history_.scene(); }
-    SessionContents const& contents() const { return history_.contents(); }
+
+    // What it began with: step 0. Fails where the file was damaged since it was opened.
+    Result<std::vector<Edit>> beginning() const;
+
+    std::size_t step() const { return history_.step(); } // The last that counts.
+    std::size_t last_step() const { return history_.last_step(); }
 
     // Makes edits that belong together, such as those of a stroke, the next step. What was undone
     // cannot be redone any more. No edits are no step.
     Result<void> append(std::span<Edit const> edits);
 
     // Take the last step back, or do the next one again. Without limit, but for the beginning.
-    bool can_undo() const { return history_.step() > 0; }
-    bool can_redo() const { return history_.step() < contents().last_step(); }
+    bool can_undo() const { return step() > 0; }
+    bool can_redo() const { return step() < last_step(); }
     Result<void> undo();
     Result<void> redo();
 
 private:
-    Session(std::filesystem::path path, Database database, SessionOptions options,
-            SessionHistory history);
+    Session(SessionStore store, SessionOptions options, SessionHistory history);
 
-    // In one transaction. Afterwards the next one is begun, which is what keeps others from
-    // writing.
-    Result<void> commit(std::function<Result<void>()> const& write);
     Result<void> go_to(std::size_t step);
 
-    std::filesystem::path path_;
-    Database database_;
+    SessionStore store_;
     SessionOptions options_;
     SessionHistory history_;
 };

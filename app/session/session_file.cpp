@@ -1,9 +1,8 @@
 #include "app/session/session_file.h"
 
-#include "app/session/edit_record.h"
-
 #include <fmt/core.h>
-#include <optional>
+#include <functional>
+#include <utility>
 #include <zlib.h>
 
 namespace tractus {
@@ -45,58 +44,126 @@ std::int64_t checksum(std::size_t step, EditRecord const& record)
     return static_cast<std::int64_t>(sum);
 }
 
-// One row of the edits, with its checksum if the format has one.
-struct EditRow {
-    std::int64_t number = 0;
-    std::size_t step = 0;
-    EditRecord record;
-    std::chrono::sys_seconds made {};
-    std::optional<std::int64_t> sum;
-};
+constexpr char const* kColumns = "number, step, kind, fields, numbers, made, checksum";
 
-Result<std::vector<EditRow>> read_rows(Database const& database, std::int64_t format)
+// A row of edits in kColumns' order; those of the first format lack the last two.
+EditRow row_of(Statement const& rows, std::int64_t format)
 {
-    auto rows = TRY(database.prepare(
-        format == 1 ? "SELECT number, step, kind, fields, numbers FROM edits ORDER BY number"
-                    : "SELECT number, step, kind, fields, numbers, made, checksum FROM edits "
-                      "ORDER BY number"));
-    std::vector<EditRow> result;
-    while (TRY(rows.step())) {
-        auto& row = result.emplace_back();
-        row.number = rows.whole(0);
-        row.step = static_cast<std::size_t>(rows.whole(1));
-        row.record = { rows.bytes(2), rows.bytes(3), rows.bytes(4) };
-        if (format == 1)
-            continue;
+    EditRow row;
+    row.place.number = rows.whole(0);
+    row.step = static_cast<std::size_t>(rows.whole(1));
+    row.record = { rows.bytes(2), rows.bytes(3), rows.bytes(4) };
+    if (format > 1) {
         row.made = std::chrono::sys_seconds(std::chrono::seconds(rows.whole(5)));
-        row.sum = rows.whole(6);
+        row.place.checksum = rows.whole(6);
+    } else {
+        row.place.checksum = checksum(row.step, row.record);
     }
-    return result;
+    return row;
 }
 
-Result<void> read_edits(Database const& database, std::string const& name,
-                        std::vector<SessionEdit>& edits)
+// Calls `take` with all, in order.
+Result<void> for_each_row(Database const& database, std::int64_t format,
+                          std::function<Result<void>(EditRow&&)> const& take)
+{
+    auto const columns = format > 1 ? kColumns : "number, step, kind, fields, numbers";
+    auto rows = TRY(
+        database.prepare(fmt::format("SELECT {} FROM edits ORDER BY number", columns).c_str()));
+    while (TRY(rows.step()))
+        TRY(take(row_of(rows, format)));
+    return {};
+}
+
+using TakeEdit = std::function<void(SessionEdit&&)>;
+
+// Answers the last step.
+Result<std::size_t> read_edits(Database const& database, std::string const& name,
+                               TakeEdit const& take)
 {
     auto const format = TRY(read_format(database, name));
-    for (auto& row : TRY(read_rows(database, format))) {
-        auto const expected = edits.size() + 1;
-        bool const goes_on = edits.empty()
-            ? row.step == 0
-            : row.step == edits.back().step || row.step == edits.back().step + 1;
-        if (row.number != static_cast<std::int64_t>(expected) || !goes_on)
-            return damaged(name, fmt::format("edit {} is missing", expected));
-        if (row.sum && *row.sum != checksum(row.step, row.record))
-            return damaged(name, fmt::format("edit {} is not as it was written", expected));
+    std::int64_t count = 0;
+    std::size_t last_step = 0;
+    auto const read = [&](EditRow&& row) -> Result<void> {
+        ++count;
+        bool const goes_on
+            = count == 1 ? row.step == 0 : row.step == last_step || row.step == last_step + 1;
+        if (row.place.number != count || !goes_on)
+            return damaged(name, fmt::format("edit {} is missing", count));
+        if (row.place.checksum != checksum(row.step, row.record))
+            return damaged(name, fmt::format("edit {} is not as it was written", count));
         auto edit = edit_of(row.record);
         if (!edit)
-            return fail(Fault::User,
-                        fmt::format("{}: edit {} cannot be read: {}", name, row.number,
-                                    edit.error().message));
-        edits.push_back({ row.step, *std::move(edit), row.made });
-    }
-    if (edits.empty())
+            return fail(
+                Fault::User,
+                fmt::format("{}: edit {} cannot be read: {}", name, count, edit.error().message));
+        last_step = row.step;
+        take({ row.step, *std::move(edit), row.made, row.place });
+        return {};
+    };
+    TRY(for_each_row(database, format, read));
+    if (count == 0)
         return damaged(name, "edit 1 is missing");
-    return {};
+    return last_step;
+}
+
+Result<SessionSummary> read_all(Database const& database, std::string const& name,
+                                TakeEdit const& take)
+{
+    SessionSummary summary { .last_step = TRY(read_edits(database, name, take)) };
+    auto meta = TRY(database.prepare("SELECT key, value FROM meta"));
+    std::int64_t step = -1;
+    while (TRY(meta.step())) {
+        auto const key = meta.bytes(0);
+        if (key == "plant")
+            summary.origin.plant = meta.bytes(1);
+        else if (key == "program")
+            summary.origin.program = meta.bytes(1);
+        else if (key == "created")
+            summary.origin.created = std::chrono::sys_seconds(std::chrono::seconds(meta.whole(1)));
+        else if (key == "step")
+            step = meta.whole(1);
+    }
+    if (step < 0 || step > static_cast<std::int64_t>(summary.last_step))
+        return damaged(name,
+                       fmt::format("of its {} steps, step {} should be the last that counts",
+                                   summary.last_step, step));
+    summary.step = static_cast<std::size_t>(step);
+    return summary;
+}
+
+// The number of the first edit of this step or a later one; one more than there are if there is
+// none. Steps are in the order of their edits' numbers.
+Result<std::int64_t> first_number(Database const& database, std::size_t step)
+{
+    std::int64_t first = 1;
+    auto last = TRY(database.whole("SELECT coalesce(max(number), 0) FROM edits")) + 1;
+    auto step_of = TRY(database.prepare("SELECT step FROM edits WHERE number = ?"));
+    while (first < last) {
+        auto const middle = first + (last - first) / 2;
+        step_of.bind(0, middle);
+        auto const is_there = TRY(step_of.step());
+        bool const is_before = is_there && step_of.whole(0) < static_cast<std::int64_t>(step);
+        step_of.reset();
+        if (is_before)
+            first = middle + 1;
+        else
+            last = middle;
+    }
+    return first;
+}
+
+tl::unexpected<Error> changed_since(std::int64_t number)
+{
+    return fail(
+        Fault::User,
+        fmt::format("edit {} is not in the session's file any more as it was written", number));
+}
+
+Result<Edit> checked_edit(EditRow const& row)
+{
+    if (row.place.checksum != checksum(row.step, row.record))
+        return changed_since(row.place.number);
+    return edit_of(row.record);
 }
 
 Result<void> write_meta(Database const& database, char const* key, std::int64_t value)
@@ -117,32 +184,18 @@ Result<SessionContents> read_session(std::filesystem::path const& path)
 {
     auto const database = TRY(Database::open(path, Database::Access::Read));
     TRY(database.execute("BEGIN")); // One moment of it, if another program goes on writing.
-    return read_session(database, path.string());
+    SessionContents contents;
+    auto summary = TRY(read_all(database, path.string(), [&](SessionEdit&& edit) {
+        contents.edits.push_back(std::move(edit));
+    }));
+    contents.origin = std::move(summary.origin);
+    contents.step = summary.step;
+    return contents;
 }
 
-Result<SessionContents> read_session(Database const& database, std::string const& name)
+Result<SessionSummary> check_session(Database const& database, std::string const& name)
 {
-    SessionContents contents;
-    TRY(read_edits(database, name, contents.edits));
-    auto meta = TRY(database.prepare("SELECT key, value FROM meta"));
-    std::int64_t step = -1;
-    while (TRY(meta.step())) {
-        auto const key = meta.bytes(0);
-        if (key == "plant")
-            contents.origin.plant = meta.bytes(1);
-        else if (key == "program")
-            contents.origin.program = meta.bytes(1);
-        else if (key == "created")
-            contents.origin.created = std::chrono::sys_seconds(std::chrono::seconds(meta.whole(1)));
-        else if (key == "step")
-            step = meta.whole(1);
-    }
-    if (step < 0 || step > static_cast<std::int64_t>(contents.last_step()))
-        return damaged(name,
-                       fmt::format("of its {} steps, step {} should be the last that counts",
-                                   contents.last_step(), step));
-    contents.step = static_cast<std::size_t>(step);
-    return contents;
+    return read_all(database, name, [](SessionEdit&&) {});
 }
 
 Result<void> write_beginning(Database const& database, SessionOrigin const& origin,
@@ -158,29 +211,69 @@ Result<void> write_beginning(Database const& database, SessionOrigin const& orig
     TRY(write_meta(database, "plant", origin.plant));
     TRY(write_meta(database, "program", origin.program));
     TRY(write_meta(database, "created", origin.created.time_since_epoch().count()));
-    TRY(write_step(database, { 0, edits, origin.created }));
+    auto const rows = TRY(rows_of(database, { 0, edits, origin.created }));
+    TRY(write_step(database, rows));
     return database.execute("COMMIT");
 }
 
-Result<void> write_step(Database const& database, SessionStep const& step)
+Result<std::vector<EditRow>> rows_of(Database const& database, SessionStep const& step)
 {
-    auto const number = static_cast<std::int64_t>(step.number);
-    auto undone = TRY(database.prepare("DELETE FROM edits WHERE step >= ?"));
-    TRY(undone.bind(0, number).run());
+    auto number = TRY(first_number(database, step.number));
+    std::vector<EditRow> rows;
     for (auto const& edit : step.edits) {
-        auto const record = record_of(edit);
-        auto row = TRY(database.prepare(
-            "INSERT INTO edits (number, step, kind, fields, numbers, made, checksum) "
-            "SELECT coalesce(max(number), 0) + 1, ?, ?, ?, ?, ?, ? FROM edits"));
-        TRY(row.bind(0, number)
-                .bind_text(1, record.kind)
-                .bind_text(2, record.fields)
-                .bind_blob(3, record.numbers)
-                .bind(4, step.made.time_since_epoch().count())
-                .bind(5, checksum(step.number, record))
-                .run());
+        auto record = record_of(edit);
+        auto const sum = checksum(step.number, record);
+        rows.push_back({ { number++, sum }, step.number, std::move(record), step.made });
     }
-    return write_cursor(database, step.number);
+    return rows;
+}
+
+Result<void> write_step(Database const& database, std::span<EditRow const> rows)
+{
+    auto undone = TRY(database.prepare("DELETE FROM edits WHERE number >= ?"));
+    TRY(undone.bind(0, rows.front().place.number).run());
+    auto const columns
+        = fmt::format("INSERT INTO edits ({}) VALUES (?, ?, ?, ?, ?, ?, ?)", kColumns);
+    auto row = TRY(database.prepare(columns.c_str()));
+    for (auto const& [place, step, record, made] : rows)
+        TRY(row.bind(0, place.number)
+                .bind(1, static_cast<std::int64_t>(step))
+                .bind_text(2, record.kind)
+                .bind_text(3, record.fields)
+                .bind_blob(4, record.numbers)
+                .bind(5, made.time_since_epoch().count())
+                .bind(6, place.checksum)
+                .run());
+    return write_cursor(database, rows.front().step);
+}
+
+Result<std::vector<SessionEdit>> read_step(Database const& database, std::size_t step)
+{
+    auto const columns
+        = fmt::format("SELECT {} FROM edits WHERE number >= ? ORDER BY number", kColumns);
+    auto rows = TRY(database.prepare(columns.c_str()));
+    rows.bind(0, TRY(first_number(database, step)));
+    std::vector<SessionEdit> edits;
+    while (TRY(rows.step())) {
+        auto const row = row_of(rows, kSessionFormat);
+        if (row.step != step)
+            break;
+        edits.push_back({ row.step, TRY(checked_edit(row)), row.made, row.place });
+    }
+    return edits;
+}
+
+Result<Edit> read_edit(Database const& database, EditPlace const& place)
+{
+    auto const columns = fmt::format("SELECT {} FROM edits WHERE number = ?", kColumns);
+    auto rows = TRY(database.prepare(columns.c_str()));
+    rows.bind(0, place.number);
+    if (!TRY(rows.step()))
+        return changed_since(place.number);
+    auto const row = row_of(rows, kSessionFormat);
+    if (row.place.checksum != place.checksum)
+        return changed_since(place.number);
+    return checked_edit(row);
 }
 
 Result<void> migrate(Database const& database, std::filesystem::path const& path)
@@ -193,8 +286,10 @@ Result<void> migrate(Database const& database, std::filesystem::path const& path
     TRY(database.execute("ALTER TABLE edits ADD COLUMN made INTEGER NOT NULL DEFAULT 0;"
                          "ALTER TABLE edits ADD COLUMN checksum INTEGER NOT NULL DEFAULT 0;"));
     auto update = TRY(database.prepare("UPDATE edits SET checksum = ? WHERE number = ?"));
-    for (auto const& row : TRY(read_rows(database, 1)))
-        TRY(update.bind(0, checksum(row.step, row.record)).bind(1, row.number).run());
+    auto const add_checksum = [&](EditRow&& row) {
+        return update.bind(0, row.place.checksum).bind(1, row.place.number).run();
+    };
+    TRY(for_each_row(database, 1, add_checksum));
     return database.execute(fmt::format("PRAGMA user_version = {}", kSessionFormat));
 }
 

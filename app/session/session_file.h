@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/session/database.h"
+#include "app/session/edit_record.h"
 #include "engine/base/result.h"
 #include "engine/scene/edit.h"
 
@@ -35,10 +36,17 @@ struct SessionOrigin {
     std::chrono::sys_seconds created {}; // By the clock on the wall.
 };
 
+// By which an edit is found again in its file, and known to be the same.
+struct EditPlace {
+    std::int64_t number = 0;
+    std::int64_t checksum = 0;
+};
+
 struct SessionEdit {
     std::size_t step = 0; // Those of one step stand together, and no step is without.
     Edit edit {};
     std::chrono::sys_seconds made {}; // By the clock on the wall; 0 where nobody knows.
+    EditPlace place {};
 };
 
 // All that a session's file holds.
@@ -50,12 +58,20 @@ struct SessionContents {
     std::size_t last_step() const { return edits.back().step; }
 };
 
+// The same without the edits, of which there may be very many.
+struct SessionSummary {
+    SessionOrigin origin {};
+    std::size_t step = 0; // The last that counts.
+    std::size_t last_step = 0;
+};
+
 // Reads a session and changes nothing; another program may be drawing in it. Fails, as the user's
 // fault, in a sentence, for what is no session, is damaged, or is newer than this program.
 Result<SessionContents> read_session(std::filesystem::path const& path);
 
-// The same from a database that is open.
-Result<SessionContents> read_session(Database const& database, std::string const& name);
+// The same from a database that is open, of which `name` is the file's: all edits are checked, and
+// forgotten.
+Result<SessionSummary> check_session(Database const& database, std::string const& name);
 
 // The tables, what a session begins with as step 0, and its origin, in one transaction.
 Result<void> write_beginning(Database const& database, SessionOrigin const& origin,
@@ -68,9 +84,26 @@ struct SessionStep {
     std::chrono::sys_seconds made {};
 };
 
-// Puts a step in the place of all from its number on; it becomes the last that counts. Inside of a
-// transaction.
-Result<void> write_step(Database const& database, SessionStep const& step);
+// An edit as a row of its table.
+struct EditRow {
+    EditPlace place;
+    std::size_t step = 0;
+    EditRecord record;
+    std::chrono::sys_seconds made {};
+};
+
+// The rows of a step, numbered after all of earlier steps.
+Result<std::vector<EditRow>> rows_of(Database const& database, SessionStep const& step);
+
+// Puts a step, which has rows, in the place of all from its number on; it becomes the last that
+// counts. Inside of a transaction.
+Result<void> write_step(Database const& database, std::span<EditRow const> rows);
+
+// The edits of a step, read back; of a file that was checked. Fails where it was damaged since.
+Result<std::vector<SessionEdit>> read_step(Database const& database, std::size_t step);
+
+// One edit, likewise. Fails, too, where another has taken its place.
+Result<Edit> read_edit(Database const& database, EditPlace const& place);
 
 // Brings a session of an older format up to date. The file as it was stays beside it, with ".bak"
 // after its name. Nothing happens to a file that is up to date. Inside of a transaction.

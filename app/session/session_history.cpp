@@ -1,5 +1,6 @@
 #include "app/session/session_history.h"
 
+#include "app/session/session_store.h"
 #include "engine/base/check.h"
 
 #include <fmt/core.h>
@@ -20,78 +21,111 @@ static std::size_t distance(std::size_t one, std::size_t other)
     return one < other ? other - one : one - other;
 }
 
-Result<SessionHistory> SessionHistory::create(SessionContents contents,
+// Tips are read back for strokes that shape something, and leave memory where they do not.
+static Result<void> settle_tips(Scene& scene)
+{
+    std::vector<bool> is_shaping(scene.associations.size());
+    for (auto const number : shaping_numbers(scene))
+        is_shaping[number] = true;
+    for (std::size_t i = 0; i < scene.associations.size(); ++i) {
+        auto const& tips = scene.associations[i].stroke.tips;
+        if (!tips.source() || tips.is_in_memory() == is_shaping[i])
+            continue;
+        auto association = scene.associations[i];
+        association.stroke.tips = is_shaping[i]
+            ? SharedVector<TipSample>(tips.source()->read(), tips.source())
+            : tips.parked();
+        if (is_shaping[i] && association.stroke.tips.empty())
+            return fail(
+                Fault::User,
+                fmt::format("stroke {} cannot be read any more from the session's file", i + 1));
+        scene.associations.replace(i, std::move(association));
+    }
+    return {};
+}
+
+Result<SessionHistory> SessionHistory::create(SessionExtent const& extent, ReadStep const& read,
                                               MakeLoadOptions load_options)
 {
-    SessionHistory history(std::move(contents), std::move(load_options));
-    history.scene_ = TRY(history.fold({}, 0, history.step()));
+    SessionHistory history(extent, std::move(load_options));
+    history.scene_ = TRY(history.fold({}, 0, history.step(), read));
     return history;
 }
 
-SessionHistory::SessionHistory(SessionContents contents, MakeLoadOptions load_options)
-    : contents_(std::move(contents))
+SessionHistory::SessionHistory(SessionExtent const& extent, MakeLoadOptions load_options)
+    : extent_(extent)
     , load_options_(std::move(load_options))
 {
-    CHECK(!contents_.edits.empty());
-    for (std::size_t i = 0; i < contents_.edits.size(); ++i)
-        if (contents_.edits[i].step == first_edit_.size())
-            first_edit_.push_back(i);
+}
+
+// What has been redrawn has a source, too, if both parts have.
+Result<Scene> SessionHistory::apply(Scene scene, Edit const& edit) const
+{
+    auto const* const over = std::get_if<Oversketch>(&edit);
+    if (!over)
+        return apply_edit(std::move(scene), edit, load_options_());
+    auto redrawn = TRY(apply_edit(scene, edit, load_options_()));
+    for (auto const number : over->associations) {
+        auto association = redrawn.associations[number];
+        association.stroke.tips = { association.stroke.tips.vector(),
+                                    redrawn_source(scene.associations[number].stroke.tips.source(),
+                                                   over->over.tips.source()) };
+        redrawn.associations.replace(number, std::move(association));
+    }
+    return redrawn;
 }
 
 Result<Scene> SessionHistory::after(std::span<Edit const> edits) const
 {
     auto scene = scene_;
     for (auto const& edit : edits)
-        scene = TRY(apply_edit(std::move(scene), edit, load_options_()));
+        scene = TRY(apply(std::move(scene), edit));
+    TRY(settle_tips(scene));
     return scene;
 }
 
-Result<Scene> SessionHistory::at(std::size_t wanted)
+Result<Scene> SessionHistory::at(std::size_t wanted, ReadStep const& read)
 {
-    CHECK(wanted <= contents_.last_step());
+    CHECK(wanted <= last_step());
     // From the nearest scene before it that is known; that of the beginning always is.
     auto const& [kept_step, kept_scene] = *std::prev(kept_.upper_bound(wanted));
     if (step() <= wanted && step() >= kept_step)
-        return fold(scene_, step() + 1, wanted);
-    return fold(kept_scene, kept_step + 1, wanted);
+        return fold(scene_, step() + 1, wanted, read);
+    return fold(kept_scene, kept_step + 1, wanted, read);
 }
 
-Result<Scene> SessionHistory::fold(Scene scene, std::size_t first, std::size_t last)
+Result<Scene> SessionHistory::fold(Scene scene, std::size_t first, std::size_t last,
+                                   ReadStep const& read)
 {
     for (auto next = first; next <= last; ++next) {
-        auto const end
-            = next + 1 < first_edit_.size() ? first_edit_[next + 1] : contents_.edits.size();
-        for (auto i = first_edit_[next]; i < end; ++i) {
-            auto applied = apply_edit(std::move(scene), contents_.edits[i].edit, load_options_());
+        for (auto const& [step, edit, made, place] : TRY(read(next))) {
+            auto applied = apply(std::move(scene), edit);
             if (!applied)
                 return fail(applied.error().fault,
-                            fmt::format("edit {}: {}", i + 1, applied.error().message));
+                            fmt::format("edit {}: {}", place.number, applied.error().message));
             scene = *std::move(applied);
         }
+        // Not after each, since it looks at all strokes.
+        if (is_worth_keeping(next) || next % kEvery == 0)
+            TRY(settle_tips(scene));
         if (is_worth_keeping(next))
             keep(next, scene);
     }
+    TRY(settle_tips(scene));
     return scene;
 }
 
-void SessionHistory::push(SessionStep const& next, Scene scene)
+void SessionHistory::push(Scene scene)
 {
-    CHECK(next.number == step() + 1);
-    keep(step(), std::exchange(scene_, std::move(scene)));
-    kept_.erase(kept_.lower_bound(next.number), kept_.end());
-    if (next.number < first_edit_.size()) {
-        contents_.edits.resize(first_edit_[next.number]);
-        first_edit_.resize(next.number);
-    }
-    first_edit_.push_back(contents_.edits.size());
-    for (auto const& edit : next.edits)
-        contents_.edits.push_back({ next.number, edit, next.made });
-    contents_.step = next.number;
+    auto const before = extent_.step++;
+    extent_.last_step = extent_.step;
+    keep(before, std::exchange(scene_, std::move(scene)));
+    kept_.erase(kept_.lower_bound(extent_.step), kept_.end());
 }
 
 void SessionHistory::go_to(std::size_t step, Scene scene)
 {
-    auto const left = std::exchange(contents_.step, step);
+    auto const left = std::exchange(extent_.step, step);
     keep(left, std::exchange(scene_, std::move(scene)));
 }
 
@@ -104,7 +138,7 @@ void SessionHistory::keep(std::size_t step, Scene scene)
 // The beginning always is: its plant takes longest.
 bool SessionHistory::is_worth_keeping(std::size_t step) const
 {
-    auto const away = distance(step, contents_.step);
+    auto const away = distance(step, extent_.step);
     return step == 0 || away <= kNear || (step % kEvery == 0 && away <= kFar);
 }
 

@@ -15,41 +15,54 @@ namespace tractus {
 // Gives what each model may cost from that moment on.
 using MakeLoadOptions = std::function<LoadOptions()>;
 
-// The steps of a session in memory and the scene that they amount to, so that undo and redo need
-// not begin at the first edit: some scenes on the way are kept, the newest ones and a few of old,
-// so memory stays bounded however long the session is.
+// The edits of a step, which somebody keeps.
+using ReadStep = std::function<Result<std::vector<SessionEdit>>(std::size_t step)>;
+
+// How far a session has come.
+struct SessionExtent {
+    std::size_t step = 0; // The last that counts.
+    std::size_t last_step = 0;
+};
+
+// The scene that the steps of a session amount to. The steps themselves are read when they are
+// needed; so that undo and redo need not begin at the first, some scenes on the way are kept, the
+// newest ones and a few of old. In memory are the tips of strokes that shape something, in one of
+// those scenes; others are left to their source, if they have one (SharedVector). So memory stays
+// bounded however long the session is, but for some 200 bytes for each stroke that still counts.
 class SessionHistory {
 public:
-    // Of a session's contents, which has a beginning. Fails where an edit does, saying which.
-    static Result<SessionHistory> create(SessionContents contents, MakeLoadOptions load_options);
+    // Of a session that has a beginning. Fails where an edit does, saying which, and where reading
+    // does.
+    static Result<SessionHistory> create(SessionExtent const& extent, ReadStep const& read,
+                                         MakeLoadOptions load_options);
 
     Scene const& scene() const { return scene_; }
-    std::size_t step() const { return contents_.step; } // The last that counts.
-    SessionContents const& contents() const { return contents_; }
+    std::size_t step() const { return extent_.step; }
+    std::size_t last_step() const { return extent_.last_step; }
 
     // What the scene would be after one more step. Fails where an edit does.
     Result<Scene> after(std::span<Edit const> edits) const;
 
-    // The scene as it is, or was, at another step.
-    Result<Scene> at(std::size_t wanted);
+    // The scene as it is, or was, at another step. Fails where reading does.
+    Result<Scene> at(std::size_t wanted, ReadStep const& read);
 
-    // Makes this, which leads to `scene`, the next step. What was undone is gone.
-    void push(SessionStep const& step, Scene scene);
+    // The next step has been made, and leads to `scene`. What was undone is gone.
+    void push(Scene scene);
 
     // Makes `step` the last that counts; `scene` is what at() gives.
     void go_to(std::size_t step, Scene scene);
 
 private:
-    SessionHistory(SessionContents contents, MakeLoadOptions load_options);
+    SessionHistory(SessionExtent const& extent, MakeLoadOptions load_options);
 
     // On from the scene before step `first`.
-    Result<Scene> fold(Scene scene, std::size_t first, std::size_t last);
+    Result<Scene> fold(Scene scene, std::size_t first, std::size_t last, ReadStep const& read);
+    Result<Scene> apply(Scene scene, Edit const& edit) const;
     void keep(std::size_t step, Scene scene);
     bool is_worth_keeping(std::size_t step) const;
 
-    SessionContents contents_;
+    SessionExtent extent_;
     MakeLoadOptions load_options_;
-    std::vector<std::size_t> first_edit_; // Of each step, into the contents' edits.
     Scene scene_;
     std::map<std::size_t, Scene> kept_; // By step.
 };

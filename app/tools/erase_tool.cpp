@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <span>
 
 namespace tractus {
 
@@ -73,7 +74,8 @@ void add(std::vector<std::size_t>& numbers, std::vector<std::size_t> const& more
 // Of what lies above each other only the topmost goes, as with ink on paper, however long the
 // eraser stays. A stroke that shapes several branches is in the scene once for each, and goes as a
 // whole.
-void touch(Vec3 const& eraser_mm, Scene const& scene, Touched& touched)
+void touch(Vec3 const& eraser_mm, Scene const& scene, std::span<std::size_t const> shaping,
+           Touched& touched)
 {
     std::optional<double> top_mm;
     Touched here;
@@ -86,7 +88,7 @@ void touch(Vec3 const& eraser_mm, Scene const& scene, Touched& touched)
         top_mm = height_mm;
         numbers.push_back(number);
     };
-    for (std::size_t i = 0; i < scene.associations.size(); ++i)
+    for (auto const i : shaping)
         take(height_under(eraser_mm, scene.associations[i].stroke), here.associations, i);
     for (std::size_t i = 0; i < scene.indicators.size(); ++i)
         take(height_under(eraser_mm, scene.indicators[i]), here.indicators, i);
@@ -99,8 +101,9 @@ void touch(Vec3 const& eraser_mm, Scene const& scene, Touched& touched)
 Result<std::vector<Edit>> erase_edits(Stroke const& stroke, Scene const& scene)
 {
     Touched touched;
+    auto const shaping = shaping_numbers(scene); // The pad shows no others.
     for (auto const& tip : stroke.tips)
-        touch(tip.position_mm, scene, touched);
+        touch(tip.position_mm, scene, shaping, touched);
     std::vector<Edit> edits;
     if (!touched.associations.empty())
         edits.push_back(DeleteStroke { touched.associations });

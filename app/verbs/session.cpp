@@ -69,11 +69,9 @@ Result<void> print_log(SessionArguments const& arguments)
 {
     auto const contents = TRY(read_session(arguments.file));
     std::string text;
-    for (std::size_t i = 0; i < contents.edits.size(); ++i) {
-        auto const& [step, edit, made] = contents.edits[i];
-        text += fmt::format("{:>5}  step {:<5} {:<23}  {}{}\n", i + 1, step, date_text(made),
+    for (auto const& [step, edit, made, place] : contents.edits)
+        text += fmt::format("{:>5}  step {:<5} {:<23}  {}{}\n", place.number, step, date_text(made),
                             describe_edit(edit), step > contents.step ? " (undone)" : "");
-    }
     return print_out(text);
 }
 

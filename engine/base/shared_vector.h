@@ -1,31 +1,66 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <initializer_list>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
 namespace tractus {
 
+// Where elements can be read again that are not in memory.
+template<typename T> class ElementSource {
+public:
+    virtual ~ElementSource() = default;
+
+    // Always the same ones; none if they cannot be read any more. Called from any thread.
+    virtual std::vector<T> read() const = 0;
+};
+
 // A vector of which copies are cheap: they share their elements until one of them is changed, which
 // then has its own. For values that are kept in many places and hardly ever changed. A copy may go
 // to another thread; one copy belongs to one thread at a time, as any value does.
+//
+// Elements that have a source need not be in memory: those of a parked() copy are read when
+// somebody looks at them.
 template<typename T> class SharedVector {
 public:
     using value_type = T;
+    using Source = std::shared_ptr<ElementSource<T> const>; // Shared between the copies.
 
     SharedVector() = default;
     SharedVector(std::vector<T> elements) // NOLINT(google-explicit-constructor): is one.
-        : elements_(std::make_shared<std::vector<T>>(std::move(elements)))
+        : SharedVector(std::move(elements), nullptr)
     {
     }
     SharedVector(std::initializer_list<T> elements)
         : SharedVector(std::vector<T>(elements))
     {
     }
+    // Elements that are those of the source, too.
+    SharedVector(std::vector<T> elements, Source source)
+        : shared_(std::make_shared<Shared>(std::move(elements), std::move(source)))
+    {
+    }
 
-    std::vector<T> const& vector() const { return elements_ ? *elements_ : nothing(); }
+    Source const& source() const
+    {
+        static Source const none;
+        return shared_ ? shared_->source : none;
+    }
+    bool is_in_memory() const { return !shared_ || shared_->is_in_memory; }
+
+    // The same elements, left to their source, which they must have.
+    SharedVector parked() const
+    {
+        SharedVector parked;
+        parked.shared_ = std::make_shared<Shared>(shared_->source);
+        return parked;
+    }
+
+    std::vector<T> const& vector() const { return shared_ ? shared_->look() : nothing(); }
     operator std::vector<T> const&() const
     {
         return vector();
@@ -40,31 +75,59 @@ public:
     auto begin() const { return vector().begin(); }
     auto end() const { return vector().end(); }
 
-    // To change them. Holds until the next copy is made.
+    // To change them: they are the source's no more. Holds until the next copy is made.
     std::vector<T>& own()
     {
-        if (!elements_)
-            elements_ = std::make_shared<std::vector<T>>();
-        else if (elements_.use_count() > 1)
-            elements_ = std::make_shared<std::vector<T>>(*elements_);
-        return *elements_;
+        if (!shared_)
+            *this = SharedVector(std::vector<T>());
+        else if (shared_.use_count() > 1 || shared_->source)
+            *this = SharedVector(vector());
+        return shared_->elements;
     }
     void push_back(T element) { own().push_back(std::move(element)); }
-    void clear() { elements_.reset(); }
+    void clear() { shared_.reset(); }
 
     bool operator==(SharedVector const& other) const
     {
-        return elements_ == other.elements_ || vector() == other.vector();
+        return shared_ == other.shared_ || vector() == other.vector();
     }
 
 private:
+    struct Shared {
+        Shared(std::vector<T> all, Source from)
+            : elements(std::move(all))
+            , source(std::move(from))
+            , is_in_memory(true)
+        {
+        }
+        explicit Shared(Source from)
+            : source(std::move(from))
+        {
+        }
+
+        std::vector<T> const& look()
+        {
+            if (!is_in_memory)
+                std::call_once(reading, [this] {
+                    elements = source->read();
+                    is_in_memory = true;
+                });
+            return elements;
+        }
+
+        std::vector<T> elements;
+        Source const source;
+        std::once_flag reading;
+        std::atomic<bool> is_in_memory { false }; // Then nothing here changes any more.
+    };
+
     static std::vector<T> const& nothing()
     {
         static std::vector<T> const none;
         return none;
     }
 
-    std::shared_ptr<std::vector<T>> elements_; // Shared between the copies; null: none.
+    std::shared_ptr<Shared> shared_; // Shared between the copies; null: none.
 };
 
 } // namespace tractus

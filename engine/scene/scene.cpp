@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <fmt/core.h>
 #include <functional>
+#include <map>
 #include <set>
 #include <type_traits>
 #include <utility>
@@ -22,11 +23,17 @@ namespace {
 void keep_drawn(Scene const& before, Scene& now)
 {
     now.places = before.places;
-    now.associations = before.associations;
+    std::map<PathAddress const*, SharedVector<SegmentId>> paths; // Empty: there is none.
     for (std::size_t i = 0; i < now.places.size(); ++i) {
-        auto path = find_path(*now.base, now.places[i]);
-        now.associations[i].is_orphaned = !path;
-        now.associations[i].path = path ? *std::move(path) : std::vector<SegmentId> {};
+        auto const& place = now.places[i];
+        auto const [found, is_new] = paths.try_emplace(place.get());
+        if (is_new)
+            if (auto path = find_path(*now.base, *place))
+                found->second = *std::move(path);
+        auto association = before.associations[i];
+        association.path = found->second;
+        association.is_orphaned = association.path.empty();
+        now.associations.push_back(std::move(association));
     }
     now.indicator_places = before.indicator_places;
     now.indicators = before.indicators;
@@ -96,20 +103,38 @@ Result<Scene> applied(Scene scene, Select const& edit)
     return scene;
 }
 
+// After hours of drawing each branch has been drawn many times: its path and place are held once.
+void share_with_earlier(Scene const& scene, Association& association,
+                        std::shared_ptr<PathAddress const>& place)
+{
+    for (auto i = scene.associations.size(); i-- > 0;) {
+        auto const& earlier = *scene.places[i];
+        if (scene.associations[i].path != association.path || earlier.first != place->first
+            || earlier.last != place->last)
+            continue;
+        association.path = scene.associations[i].path;
+        place = scene.places[i];
+        return;
+    }
+}
+
 Result<Scene> applied(Scene scene, Associate const& edit)
 {
     if (scene.selection.empty())
         return fail(Fault::User,
                     "nothing is selected for the stroke to shape: select a branch first");
     for (auto const& path : scene.selection) {
-        scene.associations.push_back({ .path = path,
-                                       .stroke = edit.stroke,
-                                       .propagation = edit.propagation,
-                                       .fit = edit.fit,
-                                       .kept_hand = edit.kept_hand });
+        Association association { .path = path,
+                                  .stroke = edit.stroke,
+                                  .propagation = edit.propagation,
+                                  .fit = edit.fit,
+                                  .kept_hand = edit.kept_hand };
         // Refused here, at its own edit, rather than later when the plant is grown.
-        TRY(check_association(*scene.base, scene.associations.back()));
-        scene.places.push_back(address_of(*scene.base, path));
+        TRY(check_association(*scene.base, association));
+        auto place = std::make_shared<PathAddress const>(address_of(*scene.base, path));
+        share_with_earlier(scene, association, place);
+        scene.associations.push_back(std::move(association));
+        scene.places.push_back(std::move(place));
     }
     return scene;
 }
@@ -131,9 +156,10 @@ Result<Scene> applied(Scene scene, Oversketch const& edit)
 {
     TRY(check_numbers(scene, edit.associations));
     for (auto const number : edit.associations) {
-        auto& association = scene.associations[number];
+        auto association = scene.associations[number];
         association.stroke = TRY(oversketch(association.stroke, edit.over));
         TRY(check_association(*scene.base, association));
+        scene.associations.replace(number, std::move(association));
     }
     return scene;
 }
@@ -142,8 +168,10 @@ Result<Scene> applied(Scene scene, SmoothStroke const& edit)
 {
     TRY(check_numbers(scene, edit.associations));
     for (auto const number : edit.associations) {
-        scene.associations[number].kept_hand = edit.kept_hand;
-        TRY(check_association(*scene.base, scene.associations[number]));
+        auto association = scene.associations[number];
+        association.kept_hand = edit.kept_hand;
+        TRY(check_association(*scene.base, association));
+        scene.associations.replace(number, std::move(association));
     }
     return scene;
 }
@@ -155,9 +183,8 @@ Result<Scene> applied(Scene scene, DeleteStroke const& edit)
     std::sort(numbers.begin(), numbers.end(), std::greater<> {});
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
     for (auto const number : numbers) {
-        auto const at = static_cast<std::ptrdiff_t>(number);
-        scene.associations.erase(scene.associations.begin() + at);
-        scene.places.erase(scene.places.begin() + at);
+        scene.associations.erase(number);
+        scene.places.erase(number);
     }
     return scene;
 }
@@ -222,31 +249,46 @@ Result<Scene> applied(Scene scene, SetGrowth const& edit)
 
 } // namespace
 
+std::vector<std::size_t> shaping_numbers(Scene const& scene)
+{
+    // Whether two are for the same path and propagation; most that are share the path itself.
+    auto const before = [&](std::size_t one, std::size_t other) {
+        auto const& a = scene.associations[one];
+        auto const& b = scene.associations[other];
+        if (a.propagation != b.propagation)
+            return a.propagation < b.propagation;
+        return a.path.data() != b.path.data() && a.path.vector() < b.path.vector();
+    };
+    std::set<std::size_t, decltype(before)> later(before);
+    std::vector<std::size_t> numbers;
+    for (auto i = scene.associations.size(); i-- > 0;)
+        if (!scene.associations[i].is_orphaned && later.insert(i).second)
+            numbers.push_back(i);
+    std::reverse(numbers.begin(), numbers.end());
+    return numbers;
+}
+
+std::vector<Association> shaping_associations(Scene const& scene)
+{
+    std::vector<Association> shaping;
+    for (auto const number : shaping_numbers(scene))
+        shaping.push_back(scene.associations[number]);
+    return shaping;
+}
+
 std::vector<std::size_t> selected_associations(Scene const& scene)
 {
     std::vector<bool> is_selected(scene.base->segment_count());
     for (auto const& path : scene.selection)
         for (auto const segment : path)
             is_selected[segment] = true;
-    std::vector<std::size_t> numbers;
-    for (std::size_t i = 0; i < scene.associations.size(); ++i) {
-        auto const& path = scene.associations[i].path;
-        if (std::any_of(path.begin(), path.end(),
-                        [&](SegmentId segment) { return is_selected[segment]; }))
-            numbers.push_back(i);
-    }
+    auto numbers = shaping_numbers(scene);
+    std::erase_if(numbers, [&](std::size_t number) {
+        auto const& path = scene.associations[number].path;
+        return std::none_of(path.begin(), path.end(),
+                            [&](SegmentId segment) { return is_selected[segment]; });
+    });
     return numbers;
-}
-
-std::vector<Association> shaping_associations(Scene const& scene)
-{
-    std::set<std::pair<std::vector<SegmentId>, Propagation>> later;
-    std::vector<Association> shaping;
-    for (auto i = scene.associations.rbegin(); i != scene.associations.rend(); ++i)
-        if (!i->is_orphaned && later.emplace(i->path, i->propagation).second)
-            shaping.push_back(*i);
-    std::reverse(shaping.begin(), shaping.end());
-    return shaping;
 }
 
 Result<Scene> apply_edit(Scene scene, Edit const& edit, LoadOptions const& options)

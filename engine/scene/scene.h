@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/base/shared_list.h"
 #include "engine/lsystem/limits.h"
 #include "engine/plant/branch_address.h"
 #include "engine/scene/desk_placement.h"
@@ -28,21 +29,25 @@ struct Scene {
 
     DeskPlacement placement; // Where the base plant is shown in the drawing volume.
     Selection selection;
-    std::vector<Association> associations; // In order: a later one overrides an earlier one.
-    std::vector<PathAddress> places;       // One per association: by which it is found again.
+    SharedList<Association> associations; // In order: a later one overrides an earlier one.
+    // One per association: by which it is found again. Shared by those for the same branch.
+    SharedList<std::shared_ptr<PathAddress const>> places;
     std::vector<MotionIndicator> indicators;
     std::vector<std::vector<SegmentAddress>> indicator_places; // Of what each acts below.
     SetGrowth growth;
 };
 
-// The associations whose path has a segment in common with what is selected: their numbers. What
-// the pen edits when it edits strokes.
-std::vector<std::size_t> selected_associations(Scene const& scene);
+// The associations that some branch may still have its shape from, in order: neither orphaned nor
+// followed by one for the same path and propagation. After hours of drawing they are few among all.
+// The others count again when these are taken away. Their numbers.
+std::vector<std::size_t> shaping_numbers(Scene const& scene);
 
-// Those that some branch may still have its shape from, in order: neither orphaned nor followed by
-// one for the same path and propagation. After hours of drawing they are few among all. The others
-// count again when these are taken away.
+// The same themselves.
 std::vector<Association> shaping_associations(Scene const& scene);
+
+// Those of them whose path has a segment in common with what is selected: their numbers. What the
+// pen edits when it edits strokes.
+std::vector<std::size_t> selected_associations(Scene const& scene);
 
 // How a model is run when an edit loads it. Not part of the document: the plant does not depend on
 // it, only whether there is one.

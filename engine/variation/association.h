@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/base/shared_vector.h"
 #include "engine/plant/plant.h"
 #include "engine/stroke/stroke.h"
 #include "engine/variation/rest_shape.h"
@@ -33,8 +34,8 @@ enum class StrokeFit {
 
 // "These branches shall have this shape."
 struct Association {
-    std::vector<SegmentId>
-        path {};      // From root to tip, each the child of the one before. At least one.
+    // From root to tip, each the child of the one before. At least one.
+    SharedVector<SegmentId> path {};
     Stroke stroke {}; // World frame, at any scale: only its shape counts.
     Propagation propagation = Propagation::Selected;
     StrokeFit fit = StrokeFit::Start;

@@ -269,22 +269,29 @@ TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
             = LiveWindow::create(drawing_devices(false), options_with_session(path)).value();
         EXPECT_TRUE(window.state().has_session);
         advance_to_end(window);
+        window.settle();
         EXPECT_EQ(read_session(path).value().step, 1u); // While the window is open.
         window.perform(Undo {});
+        window.settle();
         EXPECT_TRUE(window.state().strokes.empty());
         EXPECT_EQ(read_session(path).value().step, 0u);
         window.perform(Undo {});
+        window.settle();
         EXPECT_NE(window.state().status.find("nothing to undo"), std::string::npos);
         window.perform(Redo {});
+        window.settle();
         EXPECT_EQ(window.state().strokes.size(), 1u);
         window.perform(Restart {});
+        window.settle();
         EXPECT_TRUE(window.state().strokes.empty());
         window.perform(Undo {});
+        window.settle();
         EXPECT_EQ(window.state().strokes.size(), 1u);
     }
     auto again = LiveWindow::create(drawing_devices(false), options_with_session(path)).value();
     EXPECT_EQ(again.state().strokes.size(), 1u);
     advance_to_end(again);
+    again.settle();
     EXPECT_EQ(again.station().scene().associations.size(), 2u);
     EXPECT_EQ(read_session(path).value().step, 2u);
     EXPECT_EQ(read_session(path).value().last_step(), 2u); // What was undone is gone.
@@ -305,18 +312,22 @@ TEST_F(LiveWindowWithSession, KeepsGrowthAndTakesItBack)
 {
     auto window = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
     window.perform(ChangeGrowth { { "weeping", 0.5, 0.25 } });
+    window.settle();
     EXPECT_EQ(window.state().growth.preset, "weeping");
     EXPECT_EQ(window.station().scene().growth.liking, 0.5);
     EXPECT_EQ(window.station().scene().growth.age, 0.25);
     window.perform(NextVariation {});
+    window.settle();
     EXPECT_EQ(window.state().seed, 2u);
     EXPECT_EQ(window.state().growth.age, 0.25);
     auto const kept = read_session(path_).value();
     EXPECT_EQ(kept.last_step(), 2u);
     EXPECT_EQ(std::get<SetGrowth>(kept.edits.back().edit).seed, 2u);
     window.perform(Undo {});
+    window.settle();
     EXPECT_EQ(window.state().seed, 1u);
     window.perform(Undo {});
+    window.settle();
     EXPECT_EQ(window.state().growth.preset, "usual");
     EXPECT_EQ(window.state().growth.age, 1);
 }
@@ -336,6 +347,7 @@ TEST_F(LiveWindowWithSession, ShowsWhatASliderWouldGiveAndKeepsItWhenItIsRelease
     EXPECT_EQ(window.state().growth.age, 0.3);
     EXPECT_EQ(read_session(path_).value().last_step(), 0u);
     window.perform(ChangeGrowth { { "", 1, 0.2 }, Slider::Released });
+    window.settle();
     EXPECT_EQ(read_session(path_).value().last_step(), 1u);
 }
 
@@ -346,9 +358,11 @@ TEST_F(LiveWindowWithSession, MakesAVariationThePlant)
     window.settle();
     ASSERT_EQ(window.state().collection.size(), 4u);
     window.perform(PickVariation { window.state().collection[2].seed });
+    window.settle();
     EXPECT_EQ(window.state().seed, 3u);
     EXPECT_EQ(window.state().collection.size(), 4u) << "to pick another";
     window.perform(Undo {});
+    window.settle();
     EXPECT_EQ(window.state().seed, 1u);
 }
 
@@ -356,10 +370,13 @@ TEST_F(LiveWindowWithSession, RefusesGrowthThatThereIsNot)
 {
     auto window = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
     window.perform(ChangeGrowth { { "upwards", 1, 1 } });
+    window.settle();
     EXPECT_NE(window.state().status.find("cannot grow \"upwards\""), std::string::npos);
     window.perform(ChangeGrowth { { "", 5, 1 } });
+    window.settle();
     EXPECT_NE(window.state().status.find("as it likes"), std::string::npos);
     window.perform(ChangeGrowth { { "", 1, -1 } });
+    window.settle();
     EXPECT_NE(window.state().status.find("full-grown"), std::string::npos);
     EXPECT_EQ(window.state().growth.age, 1); // What holds is shown.
     EXPECT_EQ(read_session(path_).value().last_step(), 0u);

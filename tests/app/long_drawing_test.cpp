@@ -1,5 +1,6 @@
 #include "app/session_plant.h"
 #include "app/station_desk.h"
+#include "tests/app/session/same_edit.h"
 #include "tests/app/simple_rig.h"
 
 #include <filesystem>
@@ -30,6 +31,7 @@ protected:
         for (std::size_t i = 0; i < strokes; ++i, now_ms_ += 1000) {
             draw_across(station_, now_ms_);
             desk_.show(station_, at_ms(now_ms_));
+            desk_.settle(station_, at_ms(now_ms_));
         }
     }
 
@@ -59,28 +61,56 @@ private:
     }
 };
 
-void add_places(std::set<void const*>& places, std::vector<Association> const& associations)
+// Where tips are in memory.
+void add_places(std::set<void const*>& places, Scene const& scene)
 {
-    for (auto const& association : associations)
-        places.insert(association.stroke.tips.data());
+    for (auto const& association : scene.associations)
+        if (association.stroke.tips.is_in_memory())
+            places.insert(association.stroke.tips.data());
 }
 
-TEST_F(LongDrawing, HoldsEachStrokeOnceHoweverOftenItIsCopied)
+TEST_F(LongDrawing, HasOnlyStrokesInMemoryThatShapeSomething)
 {
     constexpr std::size_t kStrokes = 150;
     draw(kStrokes);
     EXPECT_TRUE(station_.strokes().empty());
     EXPECT_EQ(station_.counts().strokes, kStrokes);
     std::set<void const*> places;
-    auto const& session = desk_.keeper().session();
-    add_places(places, session.scene().associations);
-    add_places(places, station_.scene().associations);
-    for (auto const& [step, edit, made] : session.contents().edits)
-        if (auto const* const associate = std::get_if<Associate>(&edit))
-            places.insert(associate->stroke.tips.data());
-    EXPECT_EQ(places.size(), kStrokes);
+    add_places(places, desk_.keeper().session().scene());
+    add_places(places, station_.scene());
+    EXPECT_EQ(places.size(), 3u) << "one for each of the three branches";
     EXPECT_EQ(station_.scene().associations.size(), kStrokes);
     EXPECT_EQ(read_session(path_).value().last_step(), kStrokes) << "no lost edit";
+}
+
+TEST_F(LongDrawing, ReadsStrokesBackThatCountAgain)
+{
+    draw(1);
+    Stroke const first { station_.scene().associations[0].stroke.tips.vector() };
+    draw(6); // Three branches: numbers 3 and 6 are the trunk's, too.
+    EXPECT_FALSE(station_.scene().associations[0].stroke.tips.is_in_memory());
+    desk_.keeper().make({ [](Scene const&) -> Result<WantedStep::Change> {
+        return WantedStep::Change { { DeleteStroke { { 3, 6 } } }, "" };
+    } });
+    desk_.settle(station_, at_ms(now_ms_));
+    ASSERT_EQ(station_.scene().associations.size(), 5u);
+    EXPECT_TRUE(station_.scene().associations[0].stroke.tips.is_in_memory());
+    EXPECT_TRUE(same(station_.scene().associations[0].stroke, first));
+}
+
+TEST_F(LongDrawing, ShowsAStrokeAsDoneOnlyWhenItIsKept)
+{
+    draw_across(station_, now_ms_);
+    desk_.show(station_, at_ms(now_ms_));
+    EXPECT_FALSE(desk_.keeper().is_settled());
+    EXPECT_TRUE(desk_.view().state().strokes.empty());
+    EXPECT_EQ(desk_.view().state().live_ink.size(), 1u) << "the ink stays meanwhile";
+    draw_across(station_, now_ms_ + 1000); // It ends before the first one is kept.
+    EXPECT_EQ(station_.counts().strokes, 1u);
+    desk_.settle(station_, at_ms(now_ms_ + 2000));
+    EXPECT_EQ(read_session(path_).value().last_step(), 2u);
+    EXPECT_EQ(desk_.view().state().strokes.size(), 2u);
+    EXPECT_TRUE(desk_.view().state().live_ink.empty());
 }
 
 TEST_F(LongDrawing, ShowsAndGrowsWhatStillCounts)
@@ -89,6 +119,7 @@ TEST_F(LongDrawing, ShowsAndGrowsWhatStillCounts)
     EXPECT_EQ(desk_.view().state().strokes.size(), 3u) << "one for each of the three branches";
     EXPECT_EQ(shaping_associations(station_.scene()).size(), 3u);
     desk_.perform(Undo {}, station_);
+    desk_.settle(station_, at_ms(now_ms_));
     EXPECT_EQ(station_.scene().associations.size(), 29u);
     EXPECT_EQ(desk_.view().state().strokes.size(), 3u) << "the one before counts again";
 }
@@ -99,10 +130,12 @@ TEST_F(LongDrawing, TakesBackEveryStepAndDoesItAgain)
     draw(kStrokes);
     for (std::size_t left = kStrokes; left-- > 0;) {
         desk_.perform(Undo {}, station_);
+        desk_.finish(station_, at_ms(now_ms_));
         ASSERT_EQ(station_.scene().associations.size(), left);
     }
     for (std::size_t i = 0; i < kStrokes; ++i)
         desk_.perform(Redo {}, station_);
+    desk_.finish(station_, at_ms(now_ms_));
     EXPECT_EQ(station_.scene().associations.size(), kStrokes);
 }
 

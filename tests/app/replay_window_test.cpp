@@ -148,8 +148,10 @@ TEST_F(ReplayedWindow, KeepsWhatIsDrawnInASession)
     EXPECT_EQ(read_session(path)->last_step(), 3u); // What selects, too.
     EXPECT_EQ(window.state().indicators.size(), 1u);
     window.perform(Undo {});
+    window.settle();
     EXPECT_TRUE(window.state().indicators.empty());
     window.perform(Restart {});
+    window.settle();
     EXPECT_TRUE(window.state().strokes.empty());
     play(window);
     EXPECT_EQ(window.state().strokes.size(), 2u);
@@ -165,7 +167,7 @@ TEST_F(ReplayedWindow, SavesAPictureUnderANameOfItsOwn)
     fs::create_directories(folder);
     auto window = open(folder);
     window.perform(SavePicture { Image(4, 3) });
-    window.settle(); // It is written in the background.
+    window.settle();
     ASSERT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
     auto const saved = fs::directory_iterator(folder)->path();
     EXPECT_EQ(saved.filename().string().rfind("small-", 0), 0u) << saved;

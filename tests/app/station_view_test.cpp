@@ -36,10 +36,10 @@ TEST(StationView, LetsTheBranchFollowThePen)
 {
     auto station = station_on(small_scene(), { Tool::Kind::DrawInOrder });
     StationView view(station);
-    view.show(station);
+    view.show(station, StationView::Strokes::Kept);
     EXPECT_TRUE(view.state().preview.empty());
     begin_stroke(station);
-    view.show(station);
+    view.show(station, StationView::Strokes::Kept);
     view.settle();
     // The trunk, and the two branches that it carries along.
     ASSERT_EQ(view.state().preview.size(), 3u);
@@ -48,11 +48,11 @@ TEST(StationView, LetsTheBranchFollowThePen)
     EXPECT_EQ(trunk.points_mm.size(), 7u);
     auto const revision = view.state().preview_revision;
     auto const skeletons = view.state().skeleton_revision;
-    view.show(station); // Nothing new has come.
+    view.show(station, StationView::Strokes::Kept); // Nothing new has come.
     view.settle();
     EXPECT_EQ(view.state().preview_revision, revision);
     end_stroke(station);
-    view.show(station);
+    view.show(station, StationView::Strokes::Kept);
     view.settle();
     EXPECT_TRUE(view.state().preview.empty());
     EXPECT_GT(view.state().preview_revision, revision);
@@ -64,7 +64,7 @@ TEST(StationView, PreviewsWhatTheStrokeWillBe)
     auto station = station_on(small_scene(), { Tool::Kind::DrawInOrder });
     StationView view(station);
     begin_stroke(station);
-    view.show(station);
+    view.show(station, StationView::Strokes::Kept);
     view.settle();
     auto const preview = view.state().preview.front().points_mm;
     station.finish();
@@ -86,7 +86,7 @@ TEST(StationView, PreviewsNothingForAPenThatShapesNothing)
         auto station = station_on(small_scene(), tool);
         StationView view(station);
         begin_stroke(station);
-        view.show(station);
+        view.show(station, StationView::Strokes::Kept);
         EXPECT_FALSE(view.state().live_ink.empty());
         EXPECT_TRUE(view.state().preview.empty());
     }

@@ -59,7 +59,7 @@ public:
         if (++strokes_ % kStrokesPerUndo != 0)
             return;
         desk_.perform(Undo {}, station_);
-        desk_.view().settle(); // Growing keeps up with a hand, but not with this one.
+        desk_.settle(station_, at_ms(now_ms_)); // Growing keeps up with a hand, but not with this.
     }
 
     std::size_t kept() const { return station_.scene().associations.size(); }

@@ -84,7 +84,7 @@ public:
         auto const begin = Clock::now();
         double const begin_s = cpu_s();
         push_reports();
-        view_.show(station_);
+        view_.show(station_, StationView::Strokes::Kept);
         benchmark::DoNotOptimize(pad_live_curves(view_.state()).data());
         std::chrono::duration<double> const ink = Clock::now() - begin;
         if (follow(view_.state().strokes_revision, strokes_))

@@ -113,7 +113,7 @@ protected:
             return;
         auto const& scene = session->scene();
         auto const drawn = scene.associations.size() + scene.indicators.size();
-        auto const steps = session->contents().step;
+        auto const steps = session->step();
         if (drawn + scene.selection.size() == steps
             && session->append(std::vector<Edit> { Select {} }))
             say(static_cast<int>(steps));

@@ -7,13 +7,43 @@
 namespace tractus {
 namespace {
 
-SessionHistory history_of_beginning()
-{
-    SessionContents contents;
-    for (auto const& edit : beginning())
-        contents.edits.push_back({ 0, edit });
-    return SessionHistory::create(std::move(contents), options_for_tests().load_options).value();
-}
+// Steps that are kept in memory, and counted as a file counts their edits.
+class Steps {
+public:
+    explicit Steps(std::vector<std::vector<Edit>> steps)
+        : steps_(std::move(steps))
+    {
+    }
+
+    // Those of `step` and later ones are gone.
+    void push(std::size_t step, std::vector<Edit> edits)
+    {
+        steps_.resize(step);
+        steps_.push_back(std::move(edits));
+    }
+
+    ReadStep read() const
+    {
+        return [this](std::size_t wanted) -> Result<std::vector<SessionEdit>> {
+            std::int64_t number = 0;
+            for (std::size_t step = 0; step < wanted; ++step)
+                number += std::ssize(steps_[step]);
+            std::vector<SessionEdit> edits;
+            for (auto const& edit : steps_.at(wanted))
+                edits.push_back({ wanted, edit, {}, { .number = ++number } });
+            return edits;
+        };
+    }
+
+    Result<SessionHistory> history() const
+    {
+        auto const last = steps_.size() - 1;
+        return SessionHistory::create({ last, last }, read(), options_for_tests().load_options);
+    }
+
+private:
+    std::vector<std::vector<Edit>> steps_;
+};
 
 // A step that any scene of the small model takes.
 std::vector<Edit> random_step()
@@ -50,34 +80,36 @@ struct ModelOfHistory {
 };
 
 // Does one thing to both.
-void do_anything(SessionHistory& history, ModelOfHistory& model)
+void do_anything(SessionHistory& history, Steps& steps, ModelOfHistory& model)
 {
     switch (*rc::gen::weightedElement<int>({ { 5, 0 }, { 4, 1 }, { 2, 2 } })) {
     case 0: {
         auto const edits = random_step();
-        history.push({ history.step() + 1, edits }, history.after(edits).value());
+        history.push(history.after(edits).value());
+        steps.push(history.step(), edits);
         model.steps.resize(model.count++);
         model.steps.push_back(edits);
         break;
     }
     case 1:
         model.count -= model.count > 0;
-        history.go_to(model.count, history.at(model.count).value());
+        history.go_to(model.count, history.at(model.count, steps.read()).value());
         break;
     default:
         model.count += model.count < model.steps.size();
-        history.go_to(model.count, history.at(model.count).value());
+        history.go_to(model.count, history.at(model.count, steps.read()).value());
     }
 }
 
 RC_GTEST_PROP(SessionHistory, IsTheFoldOfTheStepsThatCount, ())
 {
-    auto history = history_of_beginning();
+    Steps steps({ beginning() });
+    auto history = steps.history().value();
     ModelOfHistory model;
     for (int i = *rc::gen::inRange(0, 40); i > 0; --i) {
-        do_anything(history, model);
+        do_anything(history, steps, model);
         RC_ASSERT(history.step() == model.count);
-        RC_ASSERT(history.contents().last_step() == model.steps.size());
+        RC_ASSERT(history.last_step() == model.steps.size());
         RC_ASSERT(same_scene(history.scene(), model.scene()));
     }
 }
@@ -85,23 +117,22 @@ RC_GTEST_PROP(SessionHistory, IsTheFoldOfTheStepsThatCount, ())
 TEST(SessionHistory, FindsEveryStepOfALongSession)
 {
     constexpr int kSteps = 400; // More than are kept.
-    auto history = history_of_beginning();
+    Steps steps({ beginning() });
+    auto history = steps.history().value();
     for (int i = 0; i < kSteps; ++i) {
         std::vector<Edit> const edits { SetGrowth { {}, static_cast<std::uint64_t>(i) } };
-        history.push({ history.step() + 1, edits }, history.after(edits).value());
+        history.push(history.after(edits).value());
+        steps.push(history.step(), edits);
     }
     for (std::size_t step : { 399u, 398u, 100u, 17u, 1u, 0u, 250u, 400u }) {
-        history.go_to(step, history.at(step).value());
+        history.go_to(step, history.at(step, steps.read()).value());
         EXPECT_EQ(history.scene().growth.seed, step == 0 ? 1 : step - 1);
     }
 }
 
 TEST(SessionHistory, SaysWhichEditFails)
 {
-    SessionContents contents { .edits = { { 0, small_model() }, { 1, DeleteIndicator { 3 } } },
-                               .step = 1 };
-    auto const history
-        = SessionHistory::create(std::move(contents), options_for_tests().load_options);
+    auto const history = Steps({ { small_model() }, { DeleteIndicator { 3 } } }).history();
     ASSERT_FALSE(history);
     EXPECT_EQ(history.error().message, "edit 2: there is no motion indicator 4: the scene has 0");
 }

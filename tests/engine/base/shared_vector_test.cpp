@@ -34,6 +34,40 @@ TEST(SharedVector, IsChangedInPlaceByItsOnlyOwner)
     EXPECT_EQ(one.front(), 7);
 }
 
+// Counts how often it is read.
+struct Numbers : ElementSource<int> {
+    std::vector<int> read() const override
+    {
+        ++reads;
+        return { 1, 2, 3 };
+    }
+    mutable int reads = 0;
+};
+
+TEST(SharedVector, IsReadFromItsSourceWhenSomebodyLooksAtIt)
+{
+    auto const numbers = std::make_shared<Numbers>();
+    SharedVector<int> const whole(std::vector { 1, 2, 3 }, numbers);
+    EXPECT_TRUE(whole.is_in_memory());
+    auto const parked = whole.parked();
+    auto const copy = parked;
+    EXPECT_FALSE(parked.is_in_memory());
+    EXPECT_EQ(parked.source(), numbers);
+    EXPECT_EQ(numbers->reads, 0);
+    EXPECT_EQ(parked, whole);
+    EXPECT_EQ(copy.size(), 3u);
+    EXPECT_TRUE(copy.is_in_memory());
+    EXPECT_EQ(numbers->reads, 1);
+}
+
+TEST(SharedVector, IsNoMoreItsSourcesOnceItIsChanged)
+{
+    auto parked = SharedVector<int>({}, std::make_shared<Numbers>()).parked();
+    parked.push_back(4);
+    EXPECT_EQ(parked.source(), nullptr);
+    EXPECT_EQ(parked.vector(), (std::vector { 1, 2, 3, 4 }));
+}
+
 TEST(SharedVector, IsEmptyAtFirstAndWhenItIsCleared)
 {
     SharedVector<int> one;

@@ -141,7 +141,8 @@ TEST(Scene, KnowsTheStrokesThatStillShapeSomething)
     ASSERT_EQ(shaping.size(), 2u);
     EXPECT_EQ(shaping[0].propagation, Propagation::Descendants);
     EXPECT_EQ(shaping[1].propagation, Propagation::Selected);
-    auto const of_all = resolve_associations(*scene.base, *scene.rest, scene.associations).value();
+    auto const of_all
+        = resolve_associations(*scene.base, *scene.rest, scene.associations.vector()).value();
     auto const of_shaping = resolve_associations(*scene.base, *scene.rest, shaping).value();
     for (std::size_t i = 0; i < of_all.frame.size(); ++i)
         EXPECT_EQ(of_shaping.frame[i].coeffs(), of_all.frame[i].coeffs()) << i;

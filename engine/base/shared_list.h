@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstddef>
+#include <iterator>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+// A long list of which many versions are kept, each with a few more or other elements than the one
+// before: copies share all but the elements near those that differ. For values, as SharedVector.
+template<typename T> class SharedList {
+    static constexpr std::size_t kBlock = 32; // Elements that are shared or copied together.
+    using Block = std::vector<T>;
+
+public:
+    class Iterator {
+    public:
+        using iterator_category = std::forward_iterator_tag;
+        using value_type = T;
+        using difference_type = std::ptrdiff_t;
+        using pointer = T const*;
+        using reference = T const&;
+
+        Iterator() = default;
+        Iterator(SharedList const& list, std::size_t index)
+            : list_(&list)
+            , index_(index)
+        {
+        }
+        reference operator*() const { return (*list_)[index_]; }
+        pointer operator->() const { return &(*list_)[index_]; }
+        Iterator& operator++()
+        {
+            ++index_;
+            return *this;
+        }
+        Iterator operator++(int)
+        {
+            auto const before = *this;
+            ++index_;
+            return before;
+        }
+        bool operator==(Iterator const&) const = default;
+
+    private:
+        SharedList const* list_ = nullptr;
+        std::size_t index_ = 0;
+    };
+    using value_type = T;
+    using const_iterator = Iterator;
+
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    T const& operator[](std::size_t index) const
+    {
+        return (*blocks_[index / kBlock])[index % kBlock];
+    }
+    T const& front() const { return (*this)[0]; }
+    T const& back() const { return (*this)[size_ - 1]; }
+    Iterator begin() const { return { *this, 0 }; }
+    Iterator end() const { return { *this, size_ }; }
+
+    void replace(std::size_t index, T element)
+    {
+        auto block = *blocks_[index / kBlock];
+        block[index % kBlock] = std::move(element);
+        blocks_[index / kBlock] = std::make_shared<Block const>(std::move(block));
+    }
+
+    void push_back(T element)
+    {
+        Block block;
+        block.reserve(kBlock);
+        if (size_ % kBlock > 0) {
+            block.assign(blocks_.back()->begin(), blocks_.back()->end());
+            blocks_.pop_back();
+        }
+        block.push_back(std::move(element));
+        blocks_.push_back(std::make_shared<Block const>(std::move(block)));
+        ++size_;
+    }
+
+    // Those after it move up.
+    void erase(std::size_t index)
+    {
+        auto const first = index / kBlock * kBlock; // Of its block.
+        auto const before = std::exchange(*this, {});
+        blocks_.assign(before.blocks_.begin(),
+                       before.blocks_.begin() + static_cast<std::ptrdiff_t>(first / kBlock));
+        size_ = first;
+        for (auto i = first; i < before.size(); ++i)
+            if (i != index)
+                push_back(before[i]);
+    }
+
+    void clear() { *this = {}; }
+
+    // All of them, in order.
+    std::vector<T> vector() const { return { begin(), end() }; }
+
+private:
+    // Nobody changes one: whoever wants to makes another. All are full but the last. Shared between
+    // the copies of the list.
+    std::vector<std::shared_ptr<Block const>> blocks_;
+    std::size_t size_ = 0;
+};
+
+} // namespace tractus
