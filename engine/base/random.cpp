@@ -1,19 +1,20 @@
 #include "engine/base/random.h"
 
+#include "engine/base/random_blocks.h"
 #include "engine/base/vectors.h"
 
 #include <cmath>
 
 namespace tractus {
 
+// Multipliers and Weyl constants of Philox4x32, from the paper's reference implementation.
+constexpr std::uint64_t kMultiplier0 = 0xD2511F53;
+constexpr std::uint64_t kMultiplier1 = 0xCD9E8D57;
+constexpr std::uint32_t kWeyl0 = 0x9E3779B9;
+constexpr std::uint32_t kWeyl1 = 0xBB67AE85;
+
 std::array<std::uint32_t, 4> random_block(RandomKey const& key, std::uint64_t index)
 {
-    // Multipliers and Weyl constants of Philox4x32, from the paper's reference implementation.
-    constexpr std::uint64_t kMultiplier0 = 0xD2511F53;
-    constexpr std::uint64_t kMultiplier1 = 0xCD9E8D57;
-    constexpr std::uint32_t kWeyl0 = 0x9E3779B9;
-    constexpr std::uint32_t kWeyl1 = 0xBB67AE85;
-
     std::array<std::uint32_t, 4> counter { static_cast<std::uint32_t>(index),
                                            static_cast<std::uint32_t>(index >> 32), key.stream,
                                            key.substream };
@@ -30,6 +31,31 @@ std::array<std::uint32_t, 4> random_block(RandomKey const& key, std::uint64_t in
         key1 += kWeyl1;
     }
     return counter;
+}
+
+RandomBlocks random_blocks(std::uint64_t seed, std::uint32_t stream,
+                           RandomBlocks::Words const& substreams,
+                           RandomBlocks::Words const& indices)
+{
+    RandomBlocks blocks { { indices, {}, {}, substreams } };
+    auto& [counter0, counter1, counter2, counter3] = blocks.words;
+    counter2.fill(stream);
+    auto key0 = static_cast<std::uint32_t>(seed);
+    auto key1 = static_cast<std::uint32_t>(seed >> 32);
+    for (int round = 0; round < 10; ++round) {
+#pragma GCC unroll 1 // Written out eight times, g++ makes no vectors of it.
+        for (std::size_t i = 0; i < RandomBlocks::kCount; ++i) {
+            std::uint64_t const product0 = kMultiplier0 * counter0[i];
+            std::uint64_t const product1 = kMultiplier1 * counter2[i];
+            counter0[i] = static_cast<std::uint32_t>(product1 >> 32) ^ counter1[i] ^ key0;
+            counter1[i] = static_cast<std::uint32_t>(product1);
+            counter2[i] = static_cast<std::uint32_t>(product0 >> 32) ^ counter3[i] ^ key1;
+            counter3[i] = static_cast<std::uint32_t>(product0);
+        }
+        key0 += kWeyl0;
+        key1 += kWeyl1;
+    }
+    return blocks;
 }
 
 std::uint32_t Random::next_u32()

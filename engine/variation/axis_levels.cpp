@@ -30,6 +30,12 @@ AxisLevels find_axis_levels(Plant const& plant)
     auto next = levels.first;
     for (AxisId id = 0; id < plant.axes.size(); ++id)
         levels.axes[next[level_of[id]]++] = id;
+    for (std::size_t number = 0; number < levels.count(); ++number)
+        std::stable_sort(levels.axes.begin() + std::ptrdiff_t { levels.first[number] },
+                         levels.axes.begin() + std::ptrdiff_t { levels.first[number + 1] },
+                         [&](AxisId a, AxisId b) {
+                             return plant.axes[a].segment_count < plant.axes[b].segment_count;
+                         });
     return levels;
 }
 

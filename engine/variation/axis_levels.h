@@ -12,7 +12,9 @@ namespace tractus {
 // The axes of a plant by level: level 0 stands on the ground, level n on axes of level n - 1. What
 // is computed from a bearer to what it bears runs level by level, and within a level in any order.
 struct AxisLevels {
-    std::vector<AxisId> axes;               // Level after level; in a level in the plant's order.
+    // Level after level; in a level the shorter axes first, by their number of segments, so that
+    // neighbours grow side by side; those that are equal in the plant's order.
+    std::vector<AxisId> axes;
     std::vector<std::uint32_t> first;       // Where each level begins in `axes`, and the end.
     std::vector<std::size_t> segment_count; // Of each level.
 

@@ -1,9 +1,9 @@
 #include "engine/variation/growth_noise.h"
 
-#include "engine/base/check.h"
 #include "engine/base/random.h"
 #include "engine/base/vectors.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -30,13 +30,6 @@ inline float log_of(float x)
     return exponent * 0.693147181f + series;
 }
 
-// As many random words, one half of each normal pair's; apart, so that the compiler can work on
-// several pairs at once.
-struct PairWords {
-    std::array<std::uint32_t, 2 * GrowthNoise::kBatch> radius;
-    std::array<std::uint32_t, 2 * GrowthNoise::kBatch> angle;
-};
-
 // Two normal numbers from two random words by Box and Muller's method. The angle is drawn as an
 // eighth of a turn to either side, by 30 bits, and a quarter of the circle, by the other two.
 inline std::array<float, 2> normal_pair(std::uint32_t radius_word, std::uint32_t angle_word)
@@ -57,6 +50,23 @@ inline std::array<float, 2> normal_pair(std::uint32_t radius_word, std::uint32_t
     return { along * (crosswise ? -sine : cosine), along * (crosswise ? cosine : sine) };
 }
 
+StepNoiseLanes normal_numbers(RandomBlocks const& blocks)
+{
+    StepNoiseLanes noise;
+    auto const& words = blocks.words;
+    for (std::size_t i = 0; i < kGrowthLanes; ++i) {
+        auto const pair = normal_pair(words[0][i], words[1][i]);
+        noise.first[0][i] = pair[0];
+        noise.first[1][i] = pair[1];
+    }
+    for (std::size_t i = 0; i < kGrowthLanes; ++i) {
+        auto const pair = normal_pair(words[2][i], words[3][i]);
+        noise.second[0][i] = pair[0];
+        noise.second[1][i] = pair[1];
+    }
+    return noise;
+}
+
 } // namespace
 
 GrowthNoise::GrowthNoise(PlantKey const& key)
@@ -65,23 +75,32 @@ GrowthNoise::GrowthNoise(PlantKey const& key)
     seed_ = std::uint64_t { words[0] } << 32 | words[1];
 }
 
-void GrowthNoise::fill(std::uint32_t axis, std::uint64_t first, std::span<StepNoise> noise) const
+void GrowthNoise::fill(std::uint32_t axis, std::uint32_t first, std::span<StepNoise> noise) const
 {
-    CHECK(noise.size() <= kBatch);
-    PairWords words;
-    RandomKey const key { seed_, kStepStream, axis };
-    for (std::size_t i = 0; i < noise.size(); ++i) {
-        auto const block = random_block(key, first + i);
-        words.radius[2 * i] = block[0];
-        words.angle[2 * i] = block[1];
-        words.radius[2 * i + 1] = block[2];
-        words.angle[2 * i + 1] = block[3];
+    RandomBlocks::Words axes;
+    axes.fill(axis);
+    for (std::size_t begin = 0; begin < noise.size(); begin += kGrowthLanes) {
+        RandomBlocks::Words steps;
+        for (std::uint32_t i = 0; i < kGrowthLanes; ++i)
+            steps[i] = first + static_cast<std::uint32_t>(begin) + i;
+        auto const lanes = normal_numbers(random_blocks(seed_, kStepStream, axes, steps));
+        auto const count = std::min(kGrowthLanes, noise.size() - begin);
+        for (std::size_t i = 0; i < count; ++i)
+            noise[begin + i] = { { lanes.first[0][i], lanes.first[1][i] },
+                                 { lanes.second[0][i], lanes.second[1][i] } };
     }
-    std::array<std::array<float, 2>, 2 * kBatch> pairs;
-    for (std::size_t i = 0; i < 2 * noise.size(); ++i)
-        pairs[i] = normal_pair(words.radius[i], words.angle[i]);
-    for (std::size_t i = 0; i < noise.size(); ++i)
-        noise[i] = { pairs[2 * i], pairs[2 * i + 1] };
+}
+
+void GrowthNoise::fill(std::array<std::uint32_t, kGrowthLanes> const& axes, std::uint32_t first,
+                       std::span<StepNoiseLanes> noise) const
+{
+    RandomBlocks::Words steps;
+    steps.fill(first);
+    for (auto& step : noise) {
+        step = normal_numbers(random_blocks(seed_, kStepStream, axes, steps));
+        for (auto& number : steps)
+            ++number;
+    }
 }
 
 } // namespace tractus

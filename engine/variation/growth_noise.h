@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/base/random_blocks.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,6 +22,14 @@ struct StepNoise {
     std::array<float, 2> second {};
 };
 
+// The same for one step of several axes side by side: component, then axis.
+constexpr std::size_t kGrowthLanes = RandomBlocks::kCount;
+struct StepNoiseLanes {
+    using Component = std::array<float, kGrowthLanes>;
+    std::array<Component, 2> first {};
+    std::array<Component, 2> second {};
+};
+
 // Independent standard normal numbers for the steps of one axis, a pure function of plant, axis and
 // step: neither order, nor threads, nor what happens on other branches changes them. Single
 // precision, at most 5.9 in size; the same bits on any machine with IEEE 754 arithmetic.
@@ -27,9 +37,12 @@ class GrowthNoise {
 public:
     explicit GrowthNoise(PlantKey const& key);
 
-    // At most kBatch steps, beginning with step `first`.
-    static constexpr std::size_t kBatch = 64;
-    void fill(std::uint32_t axis, std::uint64_t first, std::span<StepNoise> noise) const;
+    // The steps from `first` on.
+    void fill(std::uint32_t axis, std::uint32_t first, std::span<StepNoise> noise) const;
+
+    // Any number of steps of these axes.
+    void fill(std::array<std::uint32_t, kGrowthLanes> const& axes, std::uint32_t first,
+              std::span<StepNoiseLanes> noise) const;
 
 private:
     std::uint64_t seed_ = 0;

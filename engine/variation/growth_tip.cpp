@@ -1,6 +1,10 @@
 #include "engine/variation/growth_tip.h"
 
+#include "engine/variation/deviation.h"
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace tractus {
 
@@ -63,14 +67,15 @@ void SteppedTip::grow(GrowthNoise const& noise, AxisId axis, std::size_t steps)
     auto const delay = static_cast<std::size_t>(parameters.delay_steps);
     auto const zone = static_cast<std::size_t>(parameters.growth_zone_steps);
     double const swing = parameters.circumnutation_rad * parameters.strength;
-    std::array<StepNoise, GrowthNoise::kBatch> batch;
+    std::array<StepNoise, 64> batch;
     Vec2 memory = Vec2::Zero();
     deviation_.reserve(steps + 1);
     deviation_.push_back(Vec2::Zero());
     for (std::size_t n = 0; n < steps; ++n) {
-        auto const in_batch = n % GrowthNoise::kBatch;
+        auto const in_batch = n % batch.size();
         if (in_batch == 0)
-            noise.fill(axis, n, std::span(batch).first(std::min(batch.size(), steps - n)));
+            noise.fill(axis, static_cast<std::uint32_t>(n),
+                       std::span(batch).first(std::min(batch.size(), steps - n)));
         Vec2 const felt = n >= delay ? deviation_[n - delay] : Vec2(Vec2::Zero());
         Vec2 const first(batch[in_batch].first[0], batch[in_batch].first[1]);
 

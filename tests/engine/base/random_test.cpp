@@ -1,5 +1,7 @@
 #include "engine/base/random.h"
 
+#include "engine/base/random_blocks.h"
+
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -14,6 +16,19 @@ TEST(Random, GivesTheWordsOfPhilox)
               (std::array<std::uint32_t, 4> { 0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8 }));
     EXPECT_EQ(random_block({ 0xffffffffffffffff, 0xffffffff, 0xffffffff }, 0xffffffffffffffff),
               (std::array<std::uint32_t, 4> { 0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd }));
+}
+
+TEST(Random, GivesSeveralBlocksAsItGivesEach)
+{
+    std::uint64_t const seed = 0x123456789abcdef0;
+    RandomBlocks::Words const substreams { 0, 1, 2, 3, 0xffffffff, 70'000, 6, 0x80000000 };
+    RandomBlocks::Words const indices { 5, 0xffffffff, 0, 1, 2, 3, 0x80000000, 9 };
+    auto const blocks = random_blocks(seed, 77, substreams, indices);
+    for (std::size_t i = 0; i < RandomBlocks::kCount; ++i) {
+        auto const block = random_block({ seed, 77, substreams[i] }, indices[i]);
+        for (std::size_t word = 0; word < block.size(); ++word)
+            EXPECT_EQ(blocks.words[word][i], block[word]);
+    }
 }
 
 TEST(Random, ReadsTheBlocksInOrder)

@@ -9,11 +9,13 @@
 namespace tractus {
 namespace {
 
+constexpr std::size_t kSteps = 64;
+
 std::vector<double> many_numbers(int axes)
 {
     std::vector<double> numbers;
     GrowthNoise const source({ .seed = 3, .plant_index = 1 });
-    std::array<StepNoise, GrowthNoise::kBatch> noise;
+    std::array<StepNoise, kSteps> noise;
     for (int axis = 0; axis < axes; ++axis) {
         source.fill(static_cast<std::uint32_t>(axis), 0, noise);
         for (auto const& step : noise)
@@ -56,13 +58,30 @@ TEST(GrowthNoise, NumbersOfAStepAreIndependent)
 TEST(GrowthNoise, AStepsNumbersDoNotDependOnHowTheyAreAskedFor)
 {
     GrowthNoise const source({ .seed = 9 });
-    std::array<StepNoise, GrowthNoise::kBatch> all;
+    std::array<StepNoise, kSteps> all;
     source.fill(7, 0, all);
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
         StepNoise one;
         source.fill(7, i, std::span(&one, 1));
         EXPECT_EQ(one.first, all[i].first);
         EXPECT_EQ(one.second, all[i].second);
+    }
+}
+
+TEST(GrowthNoise, AxesSideBySideHaveTheNumbersOfEach)
+{
+    GrowthNoise const source({ .seed = 9, .plant_index = 3 });
+    std::array<std::uint32_t, kGrowthLanes> const axes { 4, 9, 9, 1, 70'000, 0, 4'000'000'000, 2 };
+    std::array<StepNoiseLanes, 5> lanes;
+    source.fill(axes, 11, lanes);
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        std::array<StepNoise, 5> alone;
+        source.fill(axes[i], 11, alone);
+        for (std::size_t step = 0; step < alone.size(); ++step)
+            for (std::size_t k = 0; k < 2; ++k) {
+                EXPECT_EQ(lanes[step].first[k][i], alone[step].first[k]);
+                EXPECT_EQ(lanes[step].second[k][i], alone[step].second[k]);
+            }
     }
 }
 

@@ -1,6 +1,7 @@
 #include "engine/variation/growth.h"
 
 #include "engine/stroke/resample.h"
+#include "engine/variation/growth_bundle.h"
 #include "tests/engine/stroke/strokes.h"
 #include "tests/engine/variation/plans.h"
 #include "tests/engine/variation/plants.h"
@@ -202,6 +203,43 @@ TEST(Growth, DoesNotDependOnTheNumberOfThreads)
         else
             EXPECT_TRUE(same_plant(varied, one)) << threads << " threads";
     }
+}
+
+// Axes of 1 to 11 segments, on each other.
+Plant uneven_tree()
+{
+    Plant plant;
+    for (int number = 0; number < 40; ++number) {
+        auto const bearer = number == 0 ? kNone : static_cast<AxisId>((number - 1) / 3);
+        SegmentId segment = kNone;
+        Vec3 base = Vec3::Zero();
+        if (bearer != kNone) {
+            auto const& axis = plant.axes[bearer];
+            segment = axis.first_segment + static_cast<SegmentId>(number) % axis.segment_count;
+            base = plant.node_position_mm[nodes_of(plant, segment).tip];
+        }
+        Vec3 const step(20.0 * (number % 3 - 1), 15.0 * (number % 5 - 2), 60);
+        add_axis(plant, straight(base, base + step, 1 + number * 7 % 11), bearer, segment);
+    }
+    return plant;
+}
+
+TEST(Growth, AxesSideBySideGrowAsTheyWouldAlone)
+{
+    GrowthParameters const wild { .strength = 30, .circumnutation_rad = 0.1 };
+    GrowthParameters const late { .delay_steps = 1, .growth_zone_steps = 3 };
+    for (auto const& parameters : { GrowthParameters {}, wild, late })
+        for (double const age : { 0.4, 1.0 }) {
+            auto const plan = plan_of(uneven_tree(), parameters, { 2, 0, -1 });
+            GrowthNoise const noise({ .seed = 8 });
+            auto alone = plan.base.node_position_mm;
+            std::vector<Quat> frames(plan.bearer_frame.size());
+            GrowthBundle bundle(plan, noise, age, { alone, frames });
+            for (AxisId id = 0; id < plan.base.axes.size(); ++id)
+                bundle.grow(std::span(&id, 1));
+            Grower grower(plan);
+            EXPECT_TRUE(same_bytes(grower.grow({ .seed = 8 }, age).node_position_mm, alone));
+        }
 }
 
 TEST(Growth, WhatGrowsElsewhereChangesNothingOfABranch)

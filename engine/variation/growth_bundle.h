@@ -1,0 +1,97 @@
+#pragma once
+
+#include "engine/plant/plant.h"
+#include "engine/variation/four.h"
+#include "engine/variation/growth_noise.h"
+#include "engine/variation/growth_plan.h"
+#include "engine/variation/growth_tip.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace tractus {
+
+// Grows axes side by side, several at a time, since a processor's vectors do the same for several
+// numbers at once and most axes are too short to fill them alone. Each axis grows as it would by
+// itself, bit for bit.
+//
+// One bundle serves one thread; it is a kilobyte or two, for the stack.
+class GrowthBundle {
+public:
+    // Where nodes and the frames of bearing segments are written, and those below them read.
+    struct Grown {
+        std::span<Vec3> node_position_mm;
+        std::span<Quat> bearer_frame;
+    };
+
+    // Plan and noise must outlive the bundle.
+    GrowthBundle(GrowthPlan const& plan, GrowthNoise const& noise, double age, Grown const& grown);
+
+    // At most kGrowthLanes axes, at least one; what bears them must be grown.
+    void grow(std::span<AxisId const> axes);
+
+private:
+    using Lanes = std::array<double, kGrowthLanes>;
+    struct VectorLanes {
+        Lanes x, y, z;
+    };
+    struct QuatLanes {
+        Lanes w, x, y, z;
+    };
+    struct StepLanes {
+        Lanes deviation_kept, noise_push, noise_1, memory_kept, memory_1, memory_2;
+        Lanes substep_kept, substep_push, substeps;
+    };
+    static constexpr std::uint32_t kStepsAtOnce = 8;
+
+    void seat(std::span<AxisId const> axes);
+    SegmentId segment(std::size_t lane, std::uint32_t number) const;
+    AxisProgress progress_of(AxisId axis) const;
+    void read_frames(std::uint32_t number);
+    void read_steps(std::uint32_t number);
+    void follow_law(std::uint32_t first, std::uint32_t count);
+    void find_influence(std::uint32_t number);
+    void push(std::uint32_t number);
+    void add_noise(StepNoiseLanes const& noise);
+    void hold();
+    void follow_tips(std::span<AxisId const> axes);
+    void place(std::uint32_t first, std::uint32_t count);
+    void place(std::size_t lane, Four const& dx, Four const& dy);
+    void write(std::uint32_t number);
+
+    GrowthPlan const& plan_;
+    GrowthNoise const& noise_;
+    double age_;
+    Grown grown_;
+    bool is_stepped_; // By SteppedTip.
+    bool is_pushed_;
+    bool is_noisy_;
+
+    // The axes. Lanes that are left over repeat the first axis, and write nothing.
+    std::uint32_t longest_ = 0; // In segments.
+    std::array<AxisId, kGrowthLanes> axis_ {};
+    std::array<NodeId, kGrowthLanes> first_node_ {};
+    std::array<SegmentId, kGrowthLanes> first_segment_ {};
+    std::array<std::uint32_t, kGrowthLanes> segment_count_ {}; // 0: left over.
+
+    alignas(64) QuatLanes turn_; // Of the axis as a whole, by what bears it.
+    VectorLanes position_mm_;    // Of the tip.
+    Lanes left_mm_;              // To grow, at this age.
+    VectorLanes everywhere_;     // The influence, in the axis' coordinates.
+    Lanes deviation_x_, deviation_y_;
+    Lanes memory_x_, memory_y_;
+
+    // Of the segment that is being grown.
+    QuatLanes frame_;
+    QuatLanes turned_frame_;
+    VectorLanes influence_; // In the frame.
+    StepLanes step_;
+    Lanes length_mm_;
+
+    std::array<Lanes, kStepsAtOnce> deviations_x_, deviations_y_; // Of the next segments.
+    std::array<StepNoiseLanes, kStepsAtOnce> drawn_;
+};
+
+} // namespace tractus
