@@ -1,9 +1,13 @@
 #include "engine/export/piece_encoder.h"
 
+#include "engine/base/four.h"
 #include "engine/export/gltf_frame.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace tractus {
 namespace {
@@ -59,46 +63,123 @@ std::int32_t rounded(float value)
     return static_cast<std::int32_t>(value + std::copysign(0.5f, value));
 }
 
+// Four vectors in glTF's frame.
+struct TurnedVectors {
+    FourFloats x, y, z;
+};
+
+TurnedVectors turned_vectors(Vec3f const* four)
+{
+    auto const a = load_four(four->data());     // x0 y0 z0 x1
+    auto const b = load_four(four->data() + 4); // y1 z1 x2 y2
+    auto const c = load_four(four->data() + 8); // z2 x3 y3 z3
+    auto const x23 = __builtin_shufflevector(b, c, 2, 2, 5, 5);
+    auto const y01 = __builtin_shufflevector(a, b, 1, 1, 4, 4);
+    auto const y23 = __builtin_shufflevector(b, c, 3, 3, 6, 6);
+    auto const z01 = __builtin_shufflevector(a, b, 2, 2, 5, 5);
+    return { __builtin_shufflevector(a, x23, 0, 3, 4, 6),
+             __builtin_shufflevector(z01, c, 0, 2, 4, 7),
+             -__builtin_shufflevector(y01, y23, 0, 2, 4, 6) };
+}
+
+// Calls use(vectors, first, count) for the vectors, four at a time; the last ones are repeated
+// where fewer than four are left.
+template<typename Use> void for_each_four(std::span<Vec3f const> vectors, Use const& use)
+{
+    std::size_t i = 0;
+    for (; i + 4 <= vectors.size(); i += 4)
+        use(turned_vectors(&vectors[i]), i, 4);
+    if (i == vectors.size())
+        return;
+    std::array<Vec3f, 4> last;
+    for (std::size_t k = 0; k < last.size(); ++k)
+        last[k] = vectors[std::min(i + k, vectors.size() - 1)];
+    use(turned_vectors(last.data()), i, vectors.size() - i);
+}
+
+// Within -most to most, and so for what is no number.
+FourFloats bounded(FourFloats const& values, float most)
+{
+    auto const below = values < most ? values : FourFloats {} + most;
+    return below > -most ? below : FourFloats {} - most;
+}
+
+// Numbers below 2^15 in size rounded to whole ones, those half way to even ones, in the low bits:
+// so large a number has no bits left for what comes after the point.
+FourInts whole_bits(FourFloats const& values)
+{
+    return std::bit_cast<FourInts>(values + 0x1.8p23f);
+}
+
+// One component of positions on its way to 16 bits.
+class ShortComponent {
+public:
+    ShortComponent(float origin_mm, float per_mm)
+        : origin_mm_(origin_mm)
+        , per_mm_(per_mm)
+    {
+    }
+
+    FourInts encode(FourFloats const& positions_mm)
+    {
+        FourFloats const scaled = (positions_mm - origin_mm_) * per_mm_;
+        nothing_ += scaled - scaled;
+        auto const number = bounded(scaled, kMostShort);
+        low_ = number < low_ ? number : low_;
+        high_ = number > high_ ? number : high_;
+        return whole_bits(number) & 0xFFFF;
+    }
+
+    // Of the numbers that were written.
+    float low() const { return std::nearbyint(std::min({ low_[0], low_[1], low_[2], low_[3] })); }
+    float high() const
+    {
+        return std::nearbyint(std::max({ high_[0], high_[1], high_[2], high_[3] }));
+    }
+    bool is_finite() const { return nothing_[0] + nothing_[1] + nothing_[2] + nothing_[3] == 0; }
+
+private:
+    float origin_mm_;
+    float per_mm_;
+    FourFloats low_ = FourFloats {} + kMostShort;
+    FourFloats high_ = FourFloats {} - kMostShort;
+    FourFloats nothing_ {}; // x - x is 0, or no number where x is infinite or none.
+};
+
 void encode_short_positions(std::span<Vec3f const> positions_mm, SurfaceFormat const& format,
                             EncodedPiece& piece)
 {
-    auto* to = room_for<std::int16_t>(piece, 0, 4 * positions_mm.size());
-    Vec3f const origin = format.origin_m.cast<float>();
-    auto const per_metre = static_cast<float>(1 / format.step_m);
-    Vec3f low = piece.low;
-    Vec3f high = piece.high;
-    Vec3f nothing = Vec3f::Zero();
-    for (auto const& position : positions_mm) {
-        Vec3f const scaled = (to_gltf(position) - origin) * per_metre;
-        nothing += scaled - scaled;
-        // The minimum of a number that is none and another is the other: conversions are safe.
-        Vec3f whole;
-        for (int k = 0; k < 3; ++k) {
-            float const bounded = std::max(-kMostShort, std::min(kMostShort, scaled[k]));
-            to[k] = static_cast<std::int16_t>(rounded(bounded));
-            whole[k] = to[k];
-        }
-        to[3] = 0;
-        to += 4;
-        low = low.cwiseMin(whole);
-        high = high.cwiseMax(whole);
-    }
-    piece.low = low;
-    piece.high = high;
-    piece.is_finite = nothing.allFinite();
+    auto* const to = room_for<std::int16_t>(piece, 0, 4 * positions_mm.size());
+    if (positions_mm.empty())
+        return;
+    Vec3f const origin_mm = (1000 * format.origin_m).cast<float>();
+    auto const per_mm = static_cast<float>(0.001 / format.step_m);
+    ShortComponent x(origin_mm.x(), per_mm);
+    ShortComponent y(origin_mm.y(), per_mm);
+    ShortComponent z(origin_mm.z(), per_mm);
+    for_each_four(
+        positions_mm, [&](TurnedVectors const& position_mm, std::size_t first, std::size_t count) {
+            FourInts const xy = x.encode(position_mm.x) | y.encode(position_mm.y) << 16;
+            FourInts const z0 = z.encode(position_mm.z);
+            std::array<FourInts, 2> const four { __builtin_shufflevector(xy, z0, 0, 4, 1, 5),
+                                                 __builtin_shufflevector(xy, z0, 2, 6, 3, 7) };
+            std::memcpy(to + 4 * first, &four, 8 * count);
+        });
+    piece.low = { x.low(), y.low(), z.low() };
+    piece.high = { x.high(), y.high(), z.high() };
+    piece.is_finite = x.is_finite() && y.is_finite() && z.is_finite();
 }
 
 void encode_byte_normals(std::span<Vec3f const> normals, EncodedPiece& piece)
 {
-    auto* to = room_for<std::int8_t>(piece, 1, 4 * normals.size());
-    for (auto const& normal : normals) {
-        Vec3f const turned = turn_to_gltf(normal) * kMostByte;
-        for (int k = 0; k < 3; ++k)
-            to[k] = static_cast<std::int8_t>(
-                rounded(std::max(-kMostByte, std::min(kMostByte, turned[k]))));
-        to[3] = 0;
-        to += 4;
-    }
+    auto* const to = room_for<std::int8_t>(piece, 1, 4 * normals.size());
+    auto const encode = [](FourFloats const& components) -> FourInts {
+        return whole_bits(bounded(components * kMostByte, kMostByte)) & 0xFF;
+    };
+    for_each_four(normals, [&](TurnedVectors const& n, std::size_t first, std::size_t count) {
+        FourInts const four = encode(n.x) | encode(n.y) << 8 | encode(n.z) << 16;
+        std::memcpy(to + 4 * first, &four, 4 * count);
+    });
 }
 
 } // namespace

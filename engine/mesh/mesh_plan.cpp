@@ -13,6 +13,7 @@ namespace tractus {
 namespace {
 
 constexpr std::size_t kAxesPerBlock = 1024;
+constexpr std::size_t kStationsPerSegment = 2; // About, to begin with.
 constexpr std::size_t kPolygonsPerTask = 4096;
 // Of a piece: about half a megabyte, so that it stays in a cache until it is written to a file.
 constexpr std::size_t kPieceVertices = 12 << 10;
@@ -137,13 +138,44 @@ MeshPlan::MeshPlan(Plant const& plant, MeshOptions const& options)
         cut_into_pieces(surface);
 }
 
-void MeshPlan::plan_tubes()
+void MeshPlan::trace_axes()
 {
     auto const& axes = plant_.axes;
+    spines_.resize(axes.size());
+    stations_.resize((axes.size() + kAxesPerBlock - 1) / kAxesPerBlock);
+    auto const segments_between = [&](std::size_t first, std::size_t last) {
+        return (last < axes.size() ? axes[last].first_segment : plant_.segment_count())
+            - axes[first].first_segment;
+    };
+    parallel_for(stations_.size(), 1, [&](std::size_t begin, std::size_t end) {
+        SpineRoom room;
+        for (auto block = begin; block != end; ++block) {
+            auto& stations = stations_[block];
+            auto const last = std::min(axes.size(), (block + 1) * kAxesPerBlock);
+            stations.reserve(kStationsPerSegment * segments_between(block * kAxesPerBlock, last));
+            for (auto i = block * kAxesPerBlock; i != last; ++i) {
+                if (has_contour(plant_, axes[i]))
+                    continue;
+                spines_[i] = trace_spine(plant_, axes[i], options_, thickest_mm_, room);
+                stations.insert(stations.end(), room.stations.begin(), room.stations.end());
+            }
+            std::span<SpineStation const> left = stations;
+            for (auto i = block * kAxesPerBlock; i != last; ++i) {
+                auto& own = spines_[i].stations;
+                own = left.first(own.size());
+                left = left.subspan(own.size());
+            }
+        }
+    });
+}
+
+void MeshPlan::plan_tubes()
+{
+    trace_axes();
+    auto const& axes = plant_.axes;
     double const reach = reach_of(plant_.contours);
-    std::vector<Block> blocks((axes.size() + kAxesPerBlock - 1) / kAxesPerBlock);
+    std::vector<Block> blocks(stations_.size());
     parallel_for(blocks.size(), 1, [&](std::size_t begin, std::size_t end) {
-        Spine spine;
         Extrusion extrusion;
         for (auto block = begin; block != end; ++block) {
             auto& planned = blocks[block].items;
@@ -165,7 +197,7 @@ void MeshPlan::plan_tubes()
                                   });
                     continue;
                 }
-                trace_spine(plant_, axes[i], options_, thickest_mm_, spine);
+                auto const& spine = spines_[i];
                 add_sections(spine.stations, 1, blocks[block].bounds_mm);
                 for_each_part(plant_, axes[i], spine.stations,
                               [&](MaterialId material, TubePart part) {
@@ -210,7 +242,6 @@ void MeshPlan::plan_polygons()
 
 void MeshPlan::make_piece(Surface const& surface, std::size_t piece, TrianglePlace to) const
 {
-    Spine spine;
     std::vector<Section> sections;
     Extrusion extrusion;
     for (auto i = surface.pieces[piece]; i != surface.pieces[piece + 1]; ++i) {
@@ -225,7 +256,7 @@ void MeshPlan::make_piece(Surface const& surface, std::size_t piece, TrianglePla
             write_extrusion(plant_, extrusion, item.part, to);
             continue;
         }
-        trace_spine(plant_, axis, options_, thickest_mm_, spine);
+        auto const& spine = spines_[item.number];
         frame_sections(spine, sections);
         write_tube(spine, sections, item.part, to);
     }
@@ -234,7 +265,6 @@ void MeshPlan::make_piece(Surface const& surface, std::size_t piece, TrianglePla
 void MeshPlan::make_wind(Surface const& surface, std::size_t piece, WindKey const& key,
                          std::span<WindVertex> to) const
 {
-    Spine spine;
     Extrusion extrusion;
     for (auto i = surface.pieces[piece]; i != surface.pieces[piece + 1]; ++i) {
         auto const& item = surface.items[i];
@@ -254,14 +284,12 @@ void MeshPlan::make_wind(Surface const& surface, std::size_t piece, WindKey cons
             bend_extrusion(extrusion, item.part, vertices);
             continue;
         }
-        trace_spine(plant_, axis, options_, thickest_mm_, spine);
-        bend_tube(spine, item.part, vertices);
+        bend_tube(spines_[item.number], item.part, vertices);
     }
 }
 
 void MeshPlan::find_rings(Surface const& surface, std::size_t piece, std::vector<Ring>& rings) const
 {
-    Spine spine;
     Extrusion extrusion;
     auto const end_of_tubes = static_cast<std::uint32_t>(surface.tube_count);
     for (auto i = surface.pieces[piece]; i < std::min(surface.pieces[piece + 1], end_of_tubes);
@@ -284,7 +312,7 @@ void MeshPlan::find_rings(Surface const& surface, std::size_t piece, std::vector
             for_each_ring(extrusion, item.part, end - vertex, add_from(extrusion.stations));
             continue;
         }
-        trace_spine(plant_, axis, options_, thickest_mm_, spine);
+        auto const& spine = spines_[item.number];
         for_each_ring(spine, item.part, end - vertex, add_from(spine.stations));
     }
 }

@@ -19,6 +19,8 @@ public:
     // Looks at every axis and polygon, on all threads. `plant` and `options` as for make_mesh();
     // the plant must outlive the plan.
     explicit MeshPlan(Plant const& plant, MeshOptions const& options = {});
+    MeshPlan(MeshPlan const&) = delete;
+    MeshPlan& operator=(MeshPlan const&) = delete;
 
     // A tube, a part of one, or a polygon.
     struct Item {
@@ -69,6 +71,7 @@ public:
     void find_rings(Surface const& surface, std::size_t piece, std::vector<Ring>& rings) const;
 
 private:
+    void trace_axes();
     void plan_tubes();
     void plan_polygons();
 
@@ -77,6 +80,11 @@ private:
     double thickest_mm_ = 0;
     Bounds bounds_mm_;
     std::vector<Surface> surfaces_;
+
+    // As they are traced once: the stations of consecutive axes together, and of each axis its
+    // spine, which has none where its sections are not round.
+    std::vector<std::vector<SpineStation>> stations_;
+    std::vector<Spine> spines_;
 };
 
 // All pieces of all surfaces at once, on all threads.

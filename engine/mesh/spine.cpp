@@ -21,7 +21,7 @@ struct Bearer {
     bool continued; // The axis goes on where its bearer ends: a sympodial fork.
 };
 
-void collect_nodes(Plant const& plant, Axis const& axis, std::vector<Spine::Node>& nodes)
+void collect_nodes(Plant const& plant, Axis const& axis, std::vector<SpineRoom::Node>& nodes)
 {
     nodes.clear();
     auto const positions = plant.positions(axis);
@@ -46,7 +46,8 @@ void collect_nodes(Plant const& plant, Axis const& axis, std::vector<Spine::Node
     }
 }
 
-int sides_for(std::vector<Spine::Node> const& nodes, MeshOptions const& options, double thickest_mm)
+int sides_for(std::vector<SpineRoom::Node> const& nodes, MeshOptions const& options,
+              double thickest_mm)
 {
     double radius = 0;
     for (auto const& node : nodes)
@@ -83,11 +84,11 @@ std::optional<Bearer> find_bearer(Plant const& plant, Axis const& axis)
 
 class Tracer {
 public:
-    Tracer(MeshOptions const& options, Spine& spine)
+    Tracer(MeshOptions const& options, SpineRoom& room)
         : rounding_(options.subdivision > 1)
         , pieces_(std::max(1, options.subdivision))
-        , nodes_(spine.nodes)
-        , stations_(spine.stations)
+        , nodes_(room.nodes)
+        , stations_(room.stations)
     {
     }
 
@@ -191,7 +192,7 @@ private:
 
     bool rounding_;
     int pieces_;
-    std::vector<Spine::Node> const& nodes_;
+    std::vector<SpineRoom::Node> const& nodes_;
     std::vector<SpineStation>& stations_;
 };
 
@@ -232,7 +233,7 @@ struct Collar {
     }
 };
 
-Collar collar_on(Bearer const& bearer, Spine const& spine, MeshOptions const& options)
+Collar collar_on(Bearer const& bearer, SpineRoom const& spine, MeshOptions const& options)
 {
     double const radius = spine.nodes[0].radius_mm;
     double const length = spine.stations.back().arc_mm;
@@ -245,7 +246,7 @@ Collar collar_on(Bearer const& bearer, Spine const& spine, MeshOptions const& op
              std::min(inside, 0.5 * length), std::min(4.5 * radius, 0.4 * length), false };
 }
 
-void apply_collar(Spine& spine, Collar const& collar)
+void apply_collar(SpineRoom& spine, Collar const& collar)
 {
     auto& stations = spine.stations;
     double const spacing = 0.15 * collar.fall_mm;
@@ -263,34 +264,37 @@ void apply_collar(Spine& spine, Collar const& collar)
 
 } // namespace
 
-void trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& options,
-                 double thickest_mm, Spine& spine)
+Spine trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& options,
+                  double thickest_mm, SpineRoom& room)
 {
-    spine.stations.clear();
-    collect_nodes(plant, axis, spine.nodes);
-    if (spine.nodes.size() < 2)
-        return;
+    room.stations.clear();
+    collect_nodes(plant, axis, room.nodes);
+    if (room.nodes.size() < 2)
+        return {};
     auto const bearer = find_bearer(plant, axis);
-    spine.sides = sides_for(spine.nodes, options, thickest_mm);
+    Spine spine;
+    spine.sides = sides_for(room.nodes, options, thickest_mm);
     spine.closed_base = !bearer && options.ends == MeshOptions::Ends::Closed;
-    Tracer(options, spine).trace(bearer);
+    Tracer(options, room).trace(bearer);
 
     bool const thin = spine.sides <= options.min_sides && options.min_sides < options.max_sides;
     if (bearer && options.collar > 0 && (!thin || bearer->continued))
-        apply_collar(spine, collar_on(*bearer, spine, options));
+        apply_collar(room, collar_on(*bearer, room, options));
     else if (bearer)
-        spine.stations.front().radius_mm
-            = std::min(spine.stations.front().radius_mm, bearer->radius_mm);
+        room.stations.front().radius_mm
+            = std::min(room.stations.front().radius_mm, bearer->radius_mm);
 
     if (options.sections == MeshOptions::Sections::SameArea)
-        for (auto& station : spine.stations)
+        for (auto& station : room.stations)
             station.radius_mm *= same_area_radius(spine.sides);
-    auto& end = spine.stations.back();
+    auto& end = room.stations.back();
     spine.tip = options.ends == MeshOptions::Ends::Closed ? Spine::Tip::Dome : Spine::Tip::Open;
-    if (end.radius_mm > std::max(kLeastRadius_mm, kPointedShare * spine.nodes[0].radius_mm))
-        return;
-    spine.tip = Spine::Tip::Point;
-    end.radius_mm = 0;
+    if (end.radius_mm <= std::max(kLeastRadius_mm, kPointedShare * room.nodes[0].radius_mm)) {
+        spine.tip = Spine::Tip::Point;
+        end.radius_mm = 0;
+    }
+    spine.stations = room.stations;
+    return spine;
 }
 
 } // namespace tractus

@@ -2,6 +2,7 @@
 
 #include "engine/mesh/make_mesh.h"
 
+#include <span>
 #include <vector>
 
 namespace tractus {
@@ -17,13 +18,17 @@ struct SpineStation {
 
 // An axis made ready for sections: bends rounded, collar flared, coinciding nodes joined.
 struct Spine {
-    std::vector<SpineStation> stations; // None, or two and more.
+    std::span<SpineStation const> stations; // None, or two and more. Whoever traced it has them.
     int sides = 0;
     bool closed_base = false; // Stands on nothing: its first section is filled.
     enum class Tip { Dome, Point, Open };
     Tip tip = Tip::Dome;
+};
 
-    // Scratch space of trace_spine(), kept so that it is allocated once.
+// Room for one spine after another, allocated once.
+struct SpineRoom {
+    std::vector<SpineStation> stations {};
+
     struct Node {
         Vec3 position_mm;
         Vec3 direction; // Of the stretch that starts here; the last node repeats the one before.
@@ -31,12 +36,12 @@ struct Spine {
         double radius_mm;
         SegmentId segment; // That ends here.
     };
-    std::vector<Node> nodes;
+    std::vector<Node> nodes {}; // Scratch space.
 };
 
-// Fills `spine` with the stations of `axis`; what was in it is lost. `thickest_mm` is the plant's
-// greatest radius. A pure function of its arguments, so that counting and writing see the same.
-void trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& options,
-                 double thickest_mm, Spine& spine);
+// The spine of `axis`, with its stations in `room`: what was in there is lost. `thickest_mm` is the
+// plant's greatest radius.
+Spine trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& options,
+                  double thickest_mm, SpineRoom& room);
 
 } // namespace tractus

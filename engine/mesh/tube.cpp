@@ -85,7 +85,7 @@ int dome_rings(int sides)
     return sides <= 6 ? 0 : sides <= 12 ? 1 : kMostDomeRings;
 }
 
-double slope_at(std::vector<SpineStation> const& stations, std::size_t i)
+double slope_at(std::span<SpineStation const> stations, std::size_t i)
 {
     auto const& before = stations[i == 0 ? 0 : i - 1];
     auto const& after = stations[std::min(i + 1, stations.size() - 1)];
@@ -95,14 +95,16 @@ double slope_at(std::vector<SpineStation> const& stations, std::size_t i)
     return std::clamp((after.radius_mm - before.radius_mm) / length, -kSteepest, kSteepest);
 }
 
-// The smallest rotation that takes the unit vector `from` to `to`, applied to a normal of `from`.
+// The smallest rotation that takes the unit vector `from` to `to`, applied to a unit normal of
+// `from`.
 Vec3 carry(Vec3 const& normal, Vec3 const& from, Vec3 const& to)
 {
-    double const cosine = from.dot(to);
-    Vec3 const carried = normal - (to.dot(normal) / std::max(1e-9, 1 + cosine)) * (from + to);
+    double const w = 1 + from.dot(to);
+    if (w < 1e-6) [[unlikely]] // Straight back: any way round will do.
+        return to.unitOrthogonal();
+    Vec3 const carried = normal - (to.dot(normal) / w) * (from + to);
     Vec3 const flat = carried - to * to.dot(carried);
-    double const length = flat.norm();
-    return length > 1e-6 ? Vec3(flat / length) : to.unitOrthogonal();
+    return flat * (1.5 - 0.5 * flat.squaredNorm()); // Of unit length but for rounding errors.
 }
 
 // Writes the pieces of a tube one after another.
@@ -246,7 +248,7 @@ void write_dome(Writer& writer, Section const& end, int rings)
 
 void frame_sections(Spine const& spine, std::vector<Section>& sections)
 {
-    auto const& stations = spine.stations;
+    auto const stations = spine.stations;
     sections.resize(stations.size());
     Vec3 normal = carry(Vec3::UnitX(), Vec3::UnitZ(), stations[0].tangent);
     double v = 0;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/base/four.h"
 #include "engine/plant/plant.h"
-#include "engine/variation/four.h"
 #include "engine/variation/growth_noise.h"
 #include "engine/variation/growth_plan.h"
 #include "engine/variation/growth_tip.h"

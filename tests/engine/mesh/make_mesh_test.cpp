@@ -124,9 +124,9 @@ TEST(MakeMesh, NormalsLeanWithTheTaper)
 TEST(MakeMesh, LateralBasesLieInsideTheirBearer)
 {
     auto const plant = sample_tree(4);
-    Spine spine;
+    SpineRoom room;
     for (auto const& axis : std::span(plant.axes).subspan(1)) {
-        trace_spine(plant, axis, {}, 90, spine);
+        auto const spine = trace_spine(plant, axis, {}, 90, room);
         ASSERT_FALSE(spine.stations.empty());
         auto const& base = spine.stations.front();
         auto const bearer_radius = plant.node_radius_mm[nodes_of(plant, axis.parent_segment).tip];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 // How a Four is passed depends on the processor that is compiled for, which matters between
@@ -9,14 +9,23 @@
 
 namespace tractus {
 
-// Four numbers on which a processor does the same at once, or in two halves: a type that g++ and
+// Four numbers on which a processor does the same at once, or in two halves: types that g++ and
 // clang have on every processor. + - * / act on each of the four, and the results are those of
 // plain numbers, bit for bit; a comparison gives a mask for ?:.
 using Four = double __attribute__((vector_size(4 * sizeof(double))));
+using FourFloats = float __attribute__((vector_size(4 * sizeof(float))));
+using FourInts = std::int32_t __attribute__((vector_size(4 * sizeof(std::int32_t))));
 
 inline Four load_four(double const* from)
 {
     Four four;
+    std::memcpy(&four, from, sizeof four);
+    return four;
+}
+
+inline FourFloats load_four(float const* from)
+{
+    FourFloats four;
     std::memcpy(&four, from, sizeof four);
     return four;
 }
