@@ -2,7 +2,6 @@
 
 #include "app/render/contact_sheet.h"
 #include "engine/mesh/make_mesh.h"
-#include "engine/mesh/mesh_measures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,20 +29,17 @@ Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants, Progre
 {
     auto const tile_count = sheet_plant_count(plants.count);
     progress.begin("drawing the plants", 2 * tile_count);
-    Bounds frame; // So that all are shown at one scale.
+    Framing framing({}, kSheetTile.aspect()); // So that all are shown at one scale.
     for (std::size_t tile = 0; tile < tile_count; ++tile) {
-        auto const box
-            = bounds(make_mesh(plants.plant(sheet_plant(tile, plants.count)), kSheetMesh));
-        frame.add(box.min_mm);
-        frame.add(box.max_mm);
+        framing.add(make_mesh(plants.plant(sheet_plant(tile, plants.count)), kSheetMesh));
         progress.step();
     }
     std::vector<SheetTile> tiles;
     for (std::size_t tile = 0; tile < tile_count; ++tile) {
         auto const index = sheet_plant(tile, plants.count);
-        tiles.push_back(
-            { pictures.plant(make_mesh(plants.plant(index), kSheetMesh), kSheetTile, frame),
-              plants.caption(index) });
+        tiles.push_back({ pictures.plant(make_mesh(plants.plant(index), kSheetMesh), kSheetTile,
+                                         framing.camera()),
+                          plants.caption(index) });
         progress.step();
     }
     SheetStyle style;

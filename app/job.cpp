@@ -138,9 +138,12 @@ Result<void> Job::make_collection(Scene const& scene)
     report_.plants = options_.variations;
 
     progress_.begin("growing the collection", options_.variations);
-    Bounds frame; // So that all are shown at one scale.
+    Framing framing({}, kTile.aspect()); // So that all are shown at one scale.
+    Bounds frame;
     for (std::size_t i = 0; i < options_.variations; ++i) {
-        auto const box = bounds(make_mesh(plant(i))); // Leaves and petals stand out.
+        auto const mesh = make_mesh(plant(i)); // Leaves and petals stand out.
+        framing.add(mesh);
+        auto const box = bounds(mesh);
         frame.add(box.min_mm);
         frame.add(box.max_mm);
         progress_.step();
@@ -152,7 +155,7 @@ Result<void> Job::make_collection(Scene const& scene)
         auto const& grown = plant(i);
         if (i == 0)
             TRY(write_picture("varied.png", pictures_->plant(make_mesh(grown), kPicture)));
-        tiles.push_back({ pictures_->plant(make_mesh(grown, kTileMesh), kTile, frame),
+        tiles.push_back({ pictures_->plant(make_mesh(grown, kTileMesh), kTile, framing.camera()),
                           fmt::format("{}", i + 1) });
         progress_.step();
     }

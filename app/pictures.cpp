@@ -17,11 +17,6 @@ namespace {
 
 constexpr float kStrokeWidth_mm = 4;
 
-double aspect(PictureSize const& size)
-{
-    return static_cast<double>(size.width_px) / size.height_px;
-}
-
 // What a plant looks like of which pictures before black and before white are there: where they
 // differ, the ground shows. `ground` is the white one alone, which is darker towards the corners.
 Image without_ground(Image const& on_black, Image const& on_white, Image const& ground)
@@ -73,15 +68,17 @@ Result<PictureMaker> PictureMaker::create()
     return PictureMaker(std::move(context), std::move(renderer));
 }
 
-Image PictureMaker::plant(Mesh const& mesh, PictureSize const& size, Bounds const& frame,
-                          ViewAngles const& angles)
+Image PictureMaker::plant(Mesh const& mesh, PictureSize const& size,
+                          std::optional<Camera> const& camera)
 {
     GpuMesh const gpu_mesh(mesh);
     Stage stage;
     stage.meshes = { { .mesh = &gpu_mesh } };
-    auto const camera
-        = framing_camera(frame.empty() ? gpu_mesh.bounds() : frame, angles, aspect(size));
-    return renderer_.picture(stage, camera, size.width_px, size.height_px);
+    Framing framing({}, size.aspect());
+    if (!camera)
+        framing.add(mesh);
+    return renderer_.picture(stage, camera.value_or(framing.camera()), size.width_px,
+                             size.height_px);
 }
 
 std::vector<Image> PictureMaker::cutouts(Mesh const& mesh, std::span<Cutout const> views)
@@ -124,7 +121,7 @@ Image PictureMaker::strokes(Scene const& scene, std::span<DrawnStroke const> str
     Stage stage;
     stage.curves = { &gpu_curves };
     ViewAngles const angles { .azimuth_rad = radians(25), .elevation_rad = radians(18) };
-    auto const camera = framing_camera(bounds(stage), angles, aspect(size));
+    auto const camera = framing_camera(bounds(stage), angles, size.aspect());
     return renderer_.picture(stage, camera, size.width_px, size.height_px);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/render/camera.h"
 #include "app/render/image.h"
 #include "app/render/offscreen_context.h"
 #include "app/render/renderer.h"
@@ -8,6 +9,7 @@
 #include "engine/mesh/mesh.h"
 #include "engine/scene/scene.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +18,8 @@ namespace tractus {
 struct PictureSize {
     int width_px = 1280;
     int height_px = 960;
+
+    double aspect() const { return static_cast<double>(width_px) / height_px; }
 };
 
 // Makes the pictures that go into files, without a window, on the thread that created it.
@@ -24,10 +28,10 @@ public:
     // Fails where the system has no OpenGL; the message says what to install.
     static Result<PictureMaker> create();
 
-    // A plant, lit, on the ground. `frame` is what has to fit, so that plants of one collection are
-    // shown alike; empty: the plant itself.
-    Image plant(Mesh const& mesh, PictureSize const& size, Bounds const& frame = {},
-                ViewAngles const& angles = {});
+    // A plant, lit, on the ground, all of it in the picture or as `camera` sees it: so plants of
+    // one collection are shown alike.
+    Image plant(Mesh const& mesh, PictureSize const& size,
+                std::optional<Camera> const& camera = {});
 
     // The strokes in the drawing volume with the base plant's skeleton: what a stroke shapes has
     // the stroke's colour.

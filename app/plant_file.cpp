@@ -23,7 +23,8 @@ static Result<std::uint64_t> write_plant_glb(Plant const& plant, std::string con
 }
 
 Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& name,
-                                       std::filesystem::path const& path, Bounds const& frame)
+                                       std::filesystem::path const& path,
+                                       std::optional<Camera> const& camera)
 {
     if (path.extension() == ".glb")
         return write_plant_glb(plant, name, path);
@@ -33,7 +34,7 @@ Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& na
         TRY(write_file(path, [&](std::ostream& out) { return write_obj(out, { &placed, 1 }); }));
     } else {
         auto pictures = TRY(PictureMaker::create());
-        auto const picture = pictures.plant(mesh, {}, frame);
+        auto const picture = pictures.plant(mesh, {}, camera);
         TRY(write_file(path, [&](std::ostream& out) { return write_png(out, picture); }));
     }
     return mesh.triangle_count();

@@ -1,14 +1,18 @@
 #include "app/render/camera.h"
 
 #include "engine/base/check.h"
+#include "engine/mesh/mesh_measures.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tractus {
 
 // The share of the picture that the framed shape may fill: the rest is air.
 static constexpr double kFill = 0.94;
+// From the eye to what is framed, as a share of its radius.
+static constexpr double kLeastClearance = 0.3;
 
 Eigen::Matrix4f T_camera_world(Camera const& camera)
 {
@@ -64,36 +68,101 @@ Bounds not_empty(Bounds box)
     return box;
 }
 
+// The directions of a view, all of length 1.
+struct ViewAxes {
+    explicit ViewAxes(ViewAngles const& angles)
+        : back(std::sin(angles.azimuth_rad) * std::cos(angles.elevation_rad),
+               -std::cos(angles.azimuth_rad) * std::cos(angles.elevation_rad),
+               std::sin(angles.elevation_rad))
+        , right(Vec3::UnitZ().cross(back).normalized())
+        , up(back.cross(right))
+    {
+    }
+
+    Vec3 back;
+    Vec3 right;
+    Vec3 up;
+};
+
+// How steeply the view pyramid opens, but for the air.
+struct Slopes {
+    explicit Slopes(double aspect)
+        : up(std::tan(Camera().field_of_view_rad / 2) * kFill)
+        , right(up * aspect)
+    {
+    }
+
+    double up;
+    double right;
+};
+
+// Normals of the view pyramid's four planes, outwards, and the way to the eye.
+std::array<Vec3, 5> pyramid(ViewAxes const& axes, Slopes const& slopes)
+{
+    return { axes.back * slopes.up + axes.up, axes.back * slopes.up - axes.up,
+             axes.back * slopes.right + axes.right, axes.back * slopes.right - axes.right,
+             axes.back };
+}
+
+// The four planes of the view pyramid are pushed out until each touches what is framed, which
+// reaches so far along their normals: the eye lies in the middle between opposite planes, as far
+// back as the wider pair asks, and before what points at it.
+Camera touching_camera(ViewAngles const& angles, double aspect, std::array<double, 5> const& reach,
+                       Bounds const& box)
+{
+    ViewAxes const axes(angles);
+    Slopes const slopes(aspect);
+    auto const [high, low, rightmost, leftmost, nearest] = reach;
+    double const radius_mm = std::max(1.0, (box.max_mm - box.min_mm).norm() / 2);
+    double const eye_back
+        = std::max({ (high + low) / (2 * slopes.up), (rightmost + leftmost) / (2 * slopes.right),
+                     nearest + kLeastClearance * radius_mm });
+    Camera camera;
+    camera.eye_mm = axes.back * eye_back + axes.up * (high - low) / 2
+        + axes.right * (rightmost - leftmost) / 2;
+    Vec3 const center = (box.min_mm + box.max_mm) / 2;
+    double const distance_mm = std::max(radius_mm, eye_back - center.dot(axes.back));
+    camera.target_mm = camera.eye_mm - axes.back * distance_mm;
+    camera.near_mm = std::max(distance_mm / 50, distance_mm - 3 * radius_mm);
+    camera.far_mm = distance_mm + 20 * radius_mm;
+    return camera;
+}
+
 } // namespace
 
 Camera framing_camera(Bounds const& given_box, ViewAngles const& angles, double aspect)
 {
     auto const box = not_empty(given_box);
-    double const radius_mm = std::max(1.0, (box.max_mm - box.min_mm).norm() / 2);
-    double const flat = std::cos(angles.elevation_rad);
-    Vec3 const back(std::sin(angles.azimuth_rad) * flat, -std::cos(angles.azimuth_rad) * flat,
-                    std::sin(angles.elevation_rad));
-    Vec3 const right = Vec3::UnitZ().cross(back).normalized();
-    Vec3 const up = back.cross(right);
+    std::array<double, 5> reaches {};
+    auto const directions = pyramid(ViewAxes(angles), Slopes(aspect));
+    for (std::size_t i = 0; i < reaches.size(); ++i)
+        reaches[i] = reach(box, directions[i]);
+    return touching_camera(angles, aspect, reaches, box);
+}
 
-    Camera camera;
-    double const slope_up = std::tan(camera.field_of_view_rad / 2) * kFill;
-    double const slope_right = slope_up * aspect;
-    // The four planes of the view pyramid, pushed out until each touches the cylinder: the eye lies
-    // in the middle between opposite planes, as far back as the wider pair asks.
-    double const high = reach(box, back * slope_up + up);
-    double const low = reach(box, back * slope_up - up);
-    double const rightmost = reach(box, back * slope_right + right);
-    double const leftmost = reach(box, back * slope_right - right);
-    double const eye_back
-        = std::max((high + low) / (2 * slope_up), (rightmost + leftmost) / (2 * slope_right));
-    camera.eye_mm = back * eye_back + up * (high - low) / 2 + right * (rightmost - leftmost) / 2;
-    Vec3 const center = (box.min_mm + box.max_mm) / 2;
-    double const distance_mm = std::max(radius_mm, eye_back - center.dot(back));
-    camera.target_mm = camera.eye_mm - back * distance_mm;
-    camera.near_mm = std::max(distance_mm / 50, distance_mm - 3 * radius_mm);
-    camera.far_mm = distance_mm + 20 * radius_mm;
-    return camera;
+Framing::Framing(ViewAngles const& angles, double aspect)
+    : angles_(angles)
+    , aspect_(aspect)
+    , directions_(pyramid(ViewAxes(angles), Slopes(aspect)))
+{
+    reach_.fill(-std::numeric_limits<double>::infinity());
+}
+
+void Framing::add(Mesh const& mesh)
+{
+    auto const box = bounds(mesh);
+    if (box.empty())
+        return;
+    box_.add(box.min_mm);
+    box_.add(box.max_mm);
+    for (std::size_t i = 0; i < directions_.size(); ++i)
+        reach_[i] = std::max(reach_[i], reach(mesh, directions_[i]));
+}
+
+Camera Framing::camera() const
+{
+    return box_.empty() ? framing_camera(box_, angles_, aspect_)
+                        : touching_camera(angles_, aspect_, reach_, box_);
 }
 
 } // namespace tractus

@@ -1,7 +1,10 @@
 #pragma once
 
 #include "engine/base/vectors.h"
+#include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"
+
+#include <array>
 
 namespace tractus {
 
@@ -39,5 +42,24 @@ struct ViewAngles {
 // the middle of the picture with some air around it, and the ground beyond it. An empty box counts
 // as one of 100 mm on the origin.
 Camera framing_camera(Bounds const& box, ViewAngles const& angles, double aspect);
+
+// Frames meshes by what they draw, and not by their boxes: a plant that leans into a corner of its
+// box is not cut, and one that does not fill it is not small.
+class Framing {
+public:
+    Framing(ViewAngles const& angles, double aspect);
+
+    void add(Mesh const& mesh);
+
+    // Sees all that was added, with some air around it. Nothing counts as 100 mm on the origin.
+    Camera camera() const;
+
+private:
+    ViewAngles angles_;
+    double aspect_;
+    std::array<Vec3, 5> directions_; // Out of the view: up, down, right, left, and to the eye.
+    std::array<double, 5> reach_;    // How far the meshes go there.
+    Bounds box_;
+};
 
 } // namespace tractus

@@ -3,6 +3,7 @@
 #include "app/console.h"
 #include "app/error_text.h"
 #include "app/model_file.h"
+#include "app/pictures.h"
 #include "app/plant_file.h"
 #include "app/progress.h"
 #include "app/resources.h"
@@ -14,7 +15,6 @@
 #include "drivers/file.h"
 #include "engine/export/glb_growth.h"
 #include "engine/mesh/make_mesh.h"
-#include "engine/mesh/mesh_measures.h"
 #include "engine/scene/scene.h"
 #include "engine/variation/growth.h"
 #include "engine/variation/growth_preset.h"
@@ -69,14 +69,17 @@ Result<void> write_sequence(GrowArguments const& arguments, Scene const& scene,
     auto const plan = TRY(plan_animation(scene, name));
     Grower grower(plan);
     PlantKey const key { scene.growth.seed, 0 };
-    Bounds frame;
-    if (arguments.output.extension() == ".png")
-        frame = bounds(make_mesh(grower.grow(key)));
+    std::optional<Camera> camera; // One for all ages: it sees the whole plant.
+    if (arguments.output.extension() == ".png") {
+        Framing framing({}, PictureSize().aspect());
+        framing.add(make_mesh(grower.grow(key)));
+        camera = framing.camera();
+    }
     for (std::size_t i = 1; i <= arguments.frames; ++i) {
         double const age = age_of(i, arguments.frames);
         auto const plant = without_unborn(grower.grow(key, age));
         auto const path = frame_path(arguments.output, i, arguments.frames);
-        auto const triangles = TRY(write_plant_file(plant, name, path, frame));
+        auto const triangles = TRY(write_plant_file(plant, name, path, camera));
         TRY(print_out(fmt::format("{}: age {:.3f}, {} segments, {} organs, {} triangles\n",
                                   path.string(), age, plant.segment_count(), plant.organs.size(),
                                   triangles)));

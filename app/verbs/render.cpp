@@ -81,10 +81,10 @@ Result<void> run(RenderArguments const& arguments)
     Stage stage;
     stage.meshes.push_back({ &on_card });
     auto const size = parse_size(arguments.size).value();
-    auto const camera = framing_camera(
-        bounds(stage), { radians(arguments.azimuth_deg), radians(arguments.elevation_deg) },
-        static_cast<double>(size.width) / size.height);
-    auto const picture = renderer.picture(stage, camera, size.width, size.height);
+    Framing framing({ radians(arguments.azimuth_deg), radians(arguments.elevation_deg) },
+                    static_cast<double>(size.width) / size.height);
+    framing.add(mesh);
+    auto const picture = renderer.picture(stage, framing.camera(), size.width, size.height);
     return write_file(arguments.output, [&](std::ostream& out) { return write_png(out, picture); });
 }
 

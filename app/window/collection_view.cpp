@@ -31,7 +31,9 @@ void CollectionView::draw(VariationView const& variation, Picture& picture, Rend
     stage.backdrop = is_light_ ? Backdrop() : dark_backdrop();
     stage.meshes.push_back({ &on_card });
     double const aspect = static_cast<double>(canvas.width()) / canvas.height();
-    renderer.draw(stage, framing_camera(on_card.bounds(), kSheetAngles, aspect), canvas);
+    Framing framing(kSheetAngles, aspect);
+    framing.add(*variation.mesh);
+    renderer.draw(stage, framing.camera(), canvas);
 }
 
 void CollectionView::begin(WindowModel& model)

@@ -1,5 +1,8 @@
 #include "engine/mesh/mesh_measures.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace tractus {
 
 namespace {
@@ -49,12 +52,12 @@ Bounds bounds(TriangleMesh const& mesh)
     return box;
 }
 
-Bounds bounds(Mesh const& mesh)
+// Calls use(point) for all vertices, and for the corners of the boxes around the instances.
+template<typename Use> static void for_each_point(Mesh const& mesh, Use const& use)
 {
-    Bounds box;
     for (auto const& surface : mesh.surfaces)
         for (auto const& position : surface.positions_mm)
-            box.add(position.cast<double>());
+            use(position);
     for (auto const& organ : mesh.organs) {
         auto const prototype = bounds(organ.prototype);
         if (prototype.empty())
@@ -64,10 +67,25 @@ Bounds bounds(Mesh const& mesh)
                 Vec3 const point(corner & 1 ? prototype.max_mm.x() : prototype.min_mm.x(),
                                  corner & 2 ? prototype.max_mm.y() : prototype.min_mm.y(),
                                  corner & 4 ? prototype.max_mm.z() : prototype.min_mm.z());
-                box.add(placed(instance, point.cast<float>()).cast<double>());
+                use(placed(instance, point.cast<float>()));
             }
     }
+}
+
+Bounds bounds(Mesh const& mesh)
+{
+    Bounds box;
+    for_each_point(mesh, [&](Vec3f const& point) { box.add(point.cast<double>()); });
     return box;
+}
+
+double reach(Mesh const& mesh, Vec3 const& direction)
+{
+    double most = -std::numeric_limits<double>::infinity();
+    for_each_point(mesh, [&](Vec3f const& point) {
+        most = std::max(most, direction.dot(point.cast<double>()));
+    });
+    return most;
 }
 
 } // namespace tractus

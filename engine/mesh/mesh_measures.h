@@ -23,4 +23,8 @@ Bounds bounds(TriangleMesh const& mesh);
 // The box around everything that the mesh draws, instances counted by their prototypes' corners.
 Bounds bounds(Mesh const& mesh);
 
+// How far what the mesh draws goes along `direction`, instances by their prototypes' corners: the
+// greatest product of a point with it. Minus infinity where nothing is drawn.
+double reach(Mesh const& mesh, Vec3 const& direction);
+
 } // namespace tractus

@@ -68,6 +68,63 @@ TEST(FramingCamera, SeesAPlantFromEverySideWithAir)
     }
 }
 
+// Poles of 2 m that lean from the middle into the eight corners around it.
+Mesh leaning_poles(std::size_t only)
+{
+    Mesh mesh;
+    auto& surface = mesh.surfaces.emplace_back();
+    for (std::size_t pole = 0; pole < 8; ++pole)
+        if (only == 8 || only == pole) {
+            Vec3f const tip(pole & 1 ? 1000.f : -1000.f, pole & 2 ? 1000.f : -1000.f,
+                            pole & 4 ? 1400.f : 600.f);
+            surface.positions_mm.insert(surface.positions_mm.end(),
+                                        { Vec3f(0, 0, 0), Vec3f(20, 0, 0), tip });
+        }
+    return mesh;
+}
+
+TEST(Framing, CutsNothingThatLeansIntoACornerOfItsBox)
+{
+    for (std::size_t pole = 0; pole <= 8; ++pole)
+        for (double azimuth = 0; azimuth < 6; azimuth += 0.4)
+            for (double const aspect : { 0.6, 1.0, 1.8 }) {
+                auto const mesh = leaning_poles(pole);
+                Framing framing({ azimuth, 0.3 }, aspect);
+                framing.add(mesh);
+                auto const camera = framing.camera();
+                float most = 0;
+                for (auto const& point : mesh.surfaces[0].positions_mm) {
+                    auto const place = on_screen(camera, aspect, point.cast<double>());
+                    most = std::max({ most, std::abs(place.x()), std::abs(place.y()) });
+                    EXPECT_LT(std::abs(place.z()), 1) << "cut by the near or far plane";
+                }
+                EXPECT_LT(most, 0.95f) << "azimuth " << azimuth;
+                if (pole == 8) { // One alone may point at the eye.
+                    EXPECT_GT(most, 0.90f) << "azimuth " << azimuth;
+                }
+            }
+}
+
+TEST(Framing, TakesInstancesAndSeveralMeshes)
+{
+    Mesh mesh;
+    auto& organ = mesh.organs.emplace_back();
+    organ.prototype.positions_mm = { Vec3f(-50, 0, 0), Vec3f(50, 0, 0), Vec3f(0, 0, 100) };
+    organ.instances = { { .translation_mm = { 3000, 0, 0 } } };
+    Framing framing({}, 1);
+    framing.add(leaning_poles(8));
+    framing.add(mesh);
+    auto const place = on_screen(framing.camera(), 1, Vec3(3050, 0, 0));
+    EXPECT_NEAR(place.x(), 0.94, 0.01);
+}
+
+TEST(Framing, OfNothingIsThatOfAnEmptyBox)
+{
+    Framing framing({}, 1);
+    framing.add(Mesh());
+    EXPECT_TRUE(framing.camera().eye_mm.isApprox(framing_camera(Bounds(), {}, 1).eye_mm));
+}
+
 TEST(FramingCamera, TakesAnEmptyBox)
 {
     auto const camera = framing_camera(Bounds(), {}, 1);
