@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <sys/mman.h>
+#include <unistd.h>
 
 namespace tractus {
 
@@ -10,11 +11,14 @@ constexpr std::size_t kLargeBytes = 2 * kHugePageBytes;
 
 void advise_huge_pages(void* memory, std::size_t bytes)
 {
+    // The small pages at both ends, too: where the memory is a mapping of its own, its last huge
+    // page would not lie inside without them.
+    auto const page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
     auto const address = reinterpret_cast<std::uintptr_t>(memory);
-    auto const begin = (address + kHugePageBytes - 1) / kHugePageBytes * kHugePageBytes;
-    auto const end = (address + bytes) / kHugePageBytes * kHugePageBytes;
-    if (begin < end) // Where the advice is not taken nothing is lost.
-        ::madvise(static_cast<char*>(memory) + (begin - address), end - begin, MADV_HUGEPAGE);
+    auto const begin = address / page * page;
+    auto const end = (address + bytes + page - 1) / page * page;
+    if (bytes >= kHugePageBytes) // Where the advice is not taken nothing is lost.
+        ::madvise(static_cast<char*>(memory) - (address - begin), end - begin, MADV_HUGEPAGE);
 }
 
 void* allocate_bulk(std::size_t bytes)

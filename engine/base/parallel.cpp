@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
@@ -102,7 +103,9 @@ void parallel_in_order(std::size_t slots, OrderedWork const& work)
 
 int thread_count()
 {
-    return tbb::this_task_arena::max_concurrency();
+    auto const allowed
+        = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    return std::min(tbb::this_task_arena::max_concurrency(), static_cast<int>(allowed));
 }
 
 } // namespace tractus

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <fmt/core.h>
 #include <optional>
@@ -26,6 +27,12 @@ constexpr std::size_t kPiecesAtATime = 32;
 struct Place {
     std::size_t module = 0;
     std::size_t parameter = 0;
+
+    void operator+=(Place const& other)
+    {
+        module += other.module;
+        parameter += other.parameter;
+    }
 };
 
 class Derivation {
@@ -49,17 +56,23 @@ public:
     Result<ModuleString> run();
 
 private:
+    // Where a piece begins, and what becomes of it.
+    struct PiecePlace {
+        Place from; // In in_.
+        Place to;   // In out_.
+    };
+
     Result<void> start();
     int length();
     Result<void> step(int number);
     Result<void> answer();
+    template<typename Write> Result<void> rewrite_known_sizes(Write const& write);
     Result<void> rewrite_fixed();
+    Result<void> rewrite_to_places();
     Result<void> rewrite();
     Result<void> rewrite_in_pieces();
-    std::vector<Place> find_pieces() const;
-    Place extent_of(std::span<KindId const> modules) const;
-    void write_fixed(Place const& from, Place const& from_end, Place const& to,
-                     Place const& to_end);
+    std::vector<PiecePlace> find_pieces() const;
+    void write_fixed(PiecePlace const& begin, PiecePlace const& end_place);
     StringLimit limit() const;
     Result<void> check_size(std::size_t modules, std::size_t parameters) const;
 
@@ -199,7 +212,7 @@ Result<void> Derivation::rewrite()
     if (subsystems_ ? subsystems_->has_contexts() : rewriter_.has_contexts())
         find_branches(model_, in_, branches_);
     if (in_.size() > 2 * piece_ && plan_.is_divisible() && thread_count() > 1 && !subsystems_)
-        return rewrite_in_pieces();
+        return plan_.has_known_sizes() ? rewrite_to_places() : rewrite_in_pieces();
     out_.kinds.reserve(in_.size());
     out_.parameters.reserve(in_.parameters.size());
     RangeRewriter::Task const task { in_, static_cast<std::uint32_t>(step_), limit(), out_ };
@@ -227,11 +240,12 @@ Result<void> Derivation::rewrite_in_pieces()
             Machine machine = machine_;
             RangeRewriter rewriter(plan_, machine, branches_);
             for (auto i = begin; i < end; ++i) {
-                auto const& place = places[first + i];
+                auto const& place = places[first + i].from;
                 now[i].out.kinds.clear();
                 now[i].out.parameters.clear();
-                rewriter.rewrite({ in_, static_cast<std::uint32_t>(step_), most, now[i].out },
-                                 { place.module, places[first + i + 1].module, place.parameter });
+                rewriter.rewrite(
+                    { in_, static_cast<std::uint32_t>(step_), most, now[i].out },
+                    { place.module, places[first + i + 1].from.module, place.parameter });
                 now[i].stop = machine.stop();
             }
         });
@@ -256,73 +270,107 @@ Result<void> Derivation::rewrite_in_pieces()
     return {};
 }
 
-// Where the pieces of in_ begin, and its end.
-std::vector<Place> Derivation::find_pieces() const
+// How often each kind is among modules.
+std::array<std::size_t, 256> count_kinds(std::span<KindId const> modules)
 {
-    std::vector<Place> places((in_.size() + piece_ - 1) / piece_ + 1);
+    // Kinds are mostly alike: one sum after the other would wait for itself.
+    std::array<std::array<std::uint32_t, 256>, 4> counts {};
+    std::size_t i = 0;
+    for (; i + 4 <= modules.size(); i += 4)
+        for (std::size_t k = 0; k < 4; ++k)
+            ++counts[k][modules[i + k]];
+    for (; i < modules.size(); ++i)
+        ++counts[0][modules[i]];
+    std::array<std::size_t, 256> result {};
+    for (auto const& part : counts)
+        for (std::size_t kind = 0; kind < part.size(); ++kind)
+            result[kind] += part[kind];
+    return result;
+}
+
+// Where the pieces of in_ begin, and its end; and where what becomes of them begins in out_, if
+// sizes are known.
+std::vector<Derivation::PiecePlace> Derivation::find_pieces() const
+{
+    auto const& kinds = model_.alphabet.kinds;
+    std::vector<PiecePlace> places((in_.size() + piece_ - 1) / piece_ + 1);
     parallel_for(places.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
         for (auto i = begin; i < end; ++i) {
             auto const last = std::min((i + 1) * piece_, in_.size());
-            std::size_t parameters = 0;
-            if (!in_.parameters.empty())
-                for (auto k = i * piece_; k < last; ++k)
-                    parameters += model_.alphabet[in_.kinds[k]].parameter_count;
-            places[i + 1] = { last, parameters };
+            auto const counts
+                = count_kinds({ in_.kinds.data() + i * piece_, in_.kinds.data() + last });
+            auto& place = places[i + 1];
+            place.from.module = last - i * piece_;
+            for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+                auto const size = plan_.size(static_cast<KindId>(kind));
+                place.from.parameter += counts[kind] * kinds[kind].parameter_count;
+                place.to.module += counts[kind] * size.modules;
+                place.to.parameter += counts[kind] * size.parameters;
+            }
         }
     });
-    for (std::size_t i = 1; i < places.size(); ++i)
-        places[i].parameter += places[i - 1].parameter;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        places[i].from += places[i - 1].from;
+        places[i].to += places[i - 1].to;
+    }
     return places;
 }
 
-// Every module's successor is known beforehand: counts what comes out, then writes it.
-Result<void> Derivation::rewrite_fixed()
+// What every module becomes has a size that is known beforehand: counts what comes out, then lets
+// pieces be written: write(places) those between the places.
+template<typename Write> Result<void> Derivation::rewrite_known_sizes(Write const& write)
 {
-    auto const from = find_pieces();
-    std::vector<Place> to(from.size()); // Where what becomes of the pieces begins.
-    parallel_for(from.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
-        for (auto i = begin; i < end; ++i)
-            to[i + 1] = extent_of(std::span(in_.kinds.data() + from[i].module,
-                                            in_.kinds.data() + from[i + 1].module));
-    });
-    for (std::size_t i = 1; i < to.size(); ++i)
-        to[i] = { to[i - 1].module + to[i].module, to[i - 1].parameter + to[i].parameter };
-    TRY(check_size(to.back().module, to.back().parameter));
-    out_.grow(to.back().module, to.back().parameter);
-    parallel_for(from.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
-        for (auto i = begin; i < end; ++i)
-            write_fixed(from[i], from[i + 1], to[i], to[i + 1]);
+    auto const places = find_pieces();
+    auto const& end_place = places.back().to;
+    TRY(check_size(end_place.module, end_place.parameter));
+    out_.grow(end_place.module, end_place.parameter);
+    parallel_for(places.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
+        write(std::span(places).subspan(begin, end - begin + 1));
     });
     return {};
 }
 
-// How long what becomes of modules with known successors is.
-Place Derivation::extent_of(std::span<KindId const> modules) const
+Result<void> Derivation::rewrite_fixed()
 {
-    std::array<std::size_t, 256> counts {};
-    for (auto const kind : modules)
-        ++counts[kind];
-    Place result;
-    for (std::size_t kind = 0; kind < model_.alphabet.kinds.size(); ++kind) {
-        auto const& fixed = plan_.fixed(static_cast<KindId>(kind));
-        result.module += counts[kind] * fixed.length;
-        result.parameter += counts[kind] * fixed.parameter_count;
-    }
-    return result;
+    return rewrite_known_sizes([&](std::span<PiecePlace const> places) {
+        for (std::size_t i = 0; i + 1 < places.size(); ++i)
+            write_fixed(places[i], places[i + 1]);
+    });
 }
 
-void Derivation::write_fixed(Place const& from, Place const& from_end, Place const& to,
-                             Place const& to_end)
+// Rules choose by chance and compute parameters, but what becomes of a module has one size.
+Result<void> Derivation::rewrite_to_places()
 {
+    std::atomic<Machine::Stop> stop = Machine::Stop::None;
+    TRY(rewrite_known_sizes([&](std::span<PiecePlace const> places) {
+        Machine machine = machine_;
+        RangeRewriter rewriter(plan_, machine, branches_);
+        for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+            auto const& [from, to] = places[i];
+            rewriter.rewrite_to_place(
+                in_, static_cast<std::uint32_t>(step_),
+                { from.module, places[i + 1].from.module, from.parameter },
+                { out_.kinds.data() + to.module, out_.parameters.data() + to.parameter });
+        }
+        for (auto seen = stop.load();
+             machine.stop() > seen && !stop.compare_exchange_weak(seen, machine.stop());) { }
+    }));
+    machine_.stop_too(stop);
+    return {};
+}
+
+void Derivation::write_fixed(PiecePlace const& begin, PiecePlace const& end_place)
+{
+    auto const& [from, to] = begin;
     // In local variables: kinds are bytes, and the compiler must think that writing them changes
     // whatever else lies in memory.
     auto const* kind = in_.kinds.data() + from.module;
-    auto const* const end = in_.kinds.data() + from_end.module;
+    auto const* const end = in_.kinds.data() + end_place.from.module;
     auto const* parameters = in_.parameters.data() + from.parameter;
     auto const* const successors = &plan_.fixed(0);
     ModuleWriter writer(out_.kinds.data() + to.module, out_.parameters.data() + to.parameter);
     // The next piece begins where this one ends, so the last moves must not be too wide.
-    auto const room = to_end.module - to.module;
+    auto const room = end_place.to.module - to.module;
     auto const* const wide_end
         = writer.kinds + (room >= FixedSuccessor::kShort ? room - FixedSuccessor::kShort + 1 : 0);
     for (; kind != end && writer.kinds < wide_end; ++kind) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/bulk_vector.h"
 #include "engine/lsystem/model.h"
 
 #include <algorithm>
@@ -16,7 +17,8 @@
 namespace tractus {
 
 // A growing array of plain values that, unlike std::vector, leaves new elements unset and grows in
-// place where the system can: strings are written once, in order, and are large.
+// place where the system can: strings are written once, in order, and are large. Large ones lie on
+// huge pages.
 template<typename T> class Column {
     static_assert(std::is_trivially_copyable_v<T>);
 
@@ -59,6 +61,7 @@ public:
         static_cast<void>(data_.release()); // realloc() has freed or kept it.
         data_.reset(static_cast<T*>(grown));
         capacity_ = capacity;
+        advise_huge_pages(grown, capacity * sizeof(T));
     }
     // Room for `count` more.
     void reserve_more(std::size_t count)

@@ -28,6 +28,7 @@ RulePlan::RulePlan(Model const& model, LSystem const& system)
         most_parameters_ = std::max<std::size_t>(most_parameters_, kind.parameter_count);
         ways_[i] = find_way(static_cast<KindId>(i));
         is_fixed_ = is_fixed_ && ways_[i] == Way::Fixed;
+        has_known_sizes_ = find_size(static_cast<KindId>(i)) && has_known_sizes_;
     }
     for (auto const& rule : system.rules.rules) {
         longest_ = std::max(longest_, rule.successor.kinds.size());
@@ -77,6 +78,27 @@ bool RulePlan::find_chances(KindId kind)
         }
     }
     return !candidates.empty();
+}
+
+// Fills sizes_, if the kind has a size.
+bool RulePlan::find_size(KindId kind)
+{
+    if (ways_[kind] == Way::Fixed) {
+        sizes_[kind] = { fixed_[kind].length, fixed_[kind].parameter_count };
+        return true;
+    }
+    if (ways_[kind] == Way::Search)
+        return false;
+    auto const size_of = [](Candidate const& candidate) -> Size {
+        auto const& successor = candidate.rule->successor;
+        return { successor.kinds.size(), successor.parameters.size() };
+    };
+    auto const& candidates = candidates_[kind];
+    auto const size = sizes_[kind] = size_of(candidates.front());
+    return std::all_of(candidates.begin(), candidates.end(), [&](Candidate const& candidate) {
+        auto const other = size_of(candidate);
+        return other.modules == size.modules && other.parameters == size.parameters;
+    });
 }
 
 RangeRewriter::RangeRewriter(RulePlan const& plan, Machine& machine, Branches const& branches)
@@ -141,18 +163,55 @@ void RangeRewriter::rewrite_bounded(Range const& range, std::uint32_t step)
         out_->kinds.reserve_more((end - begin) * plan_.longest() + FixedSuccessor::kShort);
         out_->parameters.reserve_more((end - begin) * plan_.most_parameters());
         ModuleWriter to(*out_);
-        for (auto i = begin; i < end; ++i) {
-            auto const kind = in_->kinds[i];
-            Modules const rest { in_->kinds.data() + i, in_->parameters.data() + parameter,
-                                 in_->size() - i };
-            if (plan_.way(kind) == RulePlan::Way::Fixed)
-                plan_.fixed(kind).write(rest.parameters, to);
-            else
-                rewrite_one_bounded(rest, { in_, &branches_, i, parameter, i + 1, 0 }, step, to);
-            parameter += model_.alphabet[kind].parameter_count;
-        }
+        parameter = write_bounded({ begin, end, parameter }, step, to);
         to.finish(*out_);
     }
+}
+
+// Returns where the parameters behind the range begin.
+std::size_t RangeRewriter::write_bounded(Range const& range, std::uint32_t step, ModuleWriter& to)
+{
+    auto parameter = range.parameter;
+    for (auto i = range.begin; i < range.end; ++i) {
+        auto const kind = in_->kinds[i];
+        Modules const rest { in_->kinds.data() + i, in_->parameters.data() + parameter,
+                             in_->size() - i };
+        if (plan_.way(kind) == RulePlan::Way::Fixed)
+            plan_.fixed(kind).write(rest.parameters, to);
+        else
+            rewrite_one_bounded(rest, { in_, &branches_, i, parameter, i + 1, 0 }, step, to);
+        parameter += model_.alphabet[kind].parameter_count;
+    }
+    return parameter;
+}
+
+void RangeRewriter::rewrite_to_place(ModuleString const& in, std::uint32_t step, Range const& range,
+                                     ModuleWriter to)
+{
+    constexpr std::size_t kBlock = 4096;
+    in_ = &in;
+    // Moves write more than they need, and others write what is behind: so the last modules are
+    // written elsewhere first.
+    RulePlan::Size last;
+    auto tail = range.end;
+    while (tail > range.begin && last.modules < FixedSuccessor::kShort) {
+        auto const size = plan_.size(in.kinds[--tail]);
+        last = { last.modules + size.modules, last.parameters + size.parameters };
+    }
+    auto parameter = range.parameter;
+    for (auto begin = range.begin; begin < tail && !machine_.has_stopped(); begin += kBlock) {
+        auto const end = std::min(begin + kBlock, tail);
+        machine_.spend(end - begin);
+        parameter = write_bounded({ begin, end, parameter }, step, to);
+    }
+    if (machine_.has_stopped())
+        return;
+    successor_.kinds.reserve(last.modules + FixedSuccessor::kShort);
+    successor_.parameters.reserve(last.parameters);
+    ModuleWriter buffer(successor_.kinds.data(), successor_.parameters.data());
+    write_bounded({ tail, range.end, parameter }, step, buffer);
+    std::copy_n(successor_.kinds.data(), last.modules, to.kinds);
+    std::copy_n(successor_.parameters.data(), last.parameters, to.parameters);
 }
 
 void RangeRewriter::rewrite_one_bounded(Modules const& rest, Surroundings const& around,

@@ -41,6 +41,13 @@ public:
 
     // Every kind's way is Fixed.
     bool is_fixed() const { return is_fixed_; }
+    // What modules of every kind become has one size, whatever chance and their parameters are.
+    bool has_known_sizes() const { return has_known_sizes_ && has_bounds_; }
+    struct Size {
+        std::size_t modules = 0;
+        std::size_t parameters = 0;
+    };
+    Size size(KindId kind) const { return sizes_[kind]; }
     // A string may be cut into ranges that are rewritten by different rewriters, in any order: no
     // rule changes a global variable or prints, and none reads more modules than its predecessor.
     bool is_divisible() const { return is_divisible_; }
@@ -53,6 +60,7 @@ public:
 private:
     Way find_way(KindId kind);
     bool find_chances(KindId kind);
+    bool find_size(KindId kind);
 
     Model const& model_;
     LSystem const& system_;
@@ -60,7 +68,9 @@ private:
     std::array<FixedSuccessor, 256> fixed_ {};
     std::array<std::vector<Candidate>, 256> candidates_;
     std::array<double, 256> total_weights_ {};
+    std::array<Size, 256> sizes_ {};
     bool is_fixed_ = true;
+    bool has_known_sizes_ = true;
     bool is_divisible_ = true;
     bool has_bounds_ = true;
     std::size_t longest_ = 1;
@@ -94,6 +104,11 @@ public:
     // the machine stops.
     void rewrite(Task const& task, Range const& range);
 
+    // Writes what the modules of the range become, whose sizes are known, to where there is room
+    // for exactly that. Stops early when the machine stops.
+    void rewrite_to_place(ModuleString const& in, std::uint32_t step, Range const& range,
+                          ModuleWriter to);
+
     // Appends the branches that %(x) has cut off in rewrite() since this was called last, each
     // behind a %(x,i), where i is its turtle's number.
     void rewrite_kept(Task const& task);
@@ -105,6 +120,7 @@ public:
 private:
     void rewrite_bounded(Range const& range, std::uint32_t step);
     void rewrite_any(Range const& range, std::uint32_t step);
+    std::size_t write_bounded(Range const& range, std::uint32_t step, ModuleWriter& to);
     void rewrite_one_bounded(Modules const& rest, Surroundings const& around, std::uint32_t step,
                              ModuleWriter& to);
     Rule const& choose(KindId kind);

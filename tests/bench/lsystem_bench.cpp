@@ -5,6 +5,7 @@
 
 #include <oneapi/tbb/global_control.h>
 #include <string>
+#include <vector>
 
 namespace tractus {
 namespace {
@@ -39,6 +40,13 @@ std::string row_of_signals()
         + "\nB < A --> B\nB --> A\nendlsystem\n";
 }
 
+// As many threads as the benchmark's second argument says.
+tbb::global_control limited_threads(benchmark::State const& state)
+{
+    return { tbb::global_control::max_allowed_parallelism,
+             static_cast<std::size_t>(state.range(1)) };
+}
+
 Model compiled(std::string const& rules)
 {
     ModelSource source;
@@ -49,6 +57,7 @@ Model compiled(std::string const& rules)
 // Bytes are those of the last string, read or written once: steps before it are much shorter.
 void derive_model(benchmark::State& state, std::string const& rules)
 {
+    auto const threads = limited_threads(state);
     auto const model = compiled(rules);
     DeriveOptions options;
     options.steps = static_cast<int>(state.range(0));
@@ -82,6 +91,7 @@ void derive_signals(benchmark::State& state)
 
 void signal_through_a_row(benchmark::State& state)
 {
+    auto const threads = limited_threads(state);
     auto const model = compiled(row_of_signals());
     DeriveOptions options;
     options.steps = static_cast<int>(state.range(0));
@@ -101,11 +111,9 @@ void compile_tree(benchmark::State& state)
            { .items = 1, .item = "models", .bytes = static_cast<double>(source.text.size()) });
 }
 
-// Arguments: steps, threads.
 void interpret_tree(benchmark::State& state)
 {
-    tbb::global_control const threads(tbb::global_control::max_allowed_parallelism,
-                                      static_cast<std::size_t>(state.range(1)));
+    auto const threads = limited_threads(state);
     auto const model = compiled(kMonopodialTree);
     DeriveOptions options;
     options.steps = static_cast<int>(state.range(0));
@@ -126,16 +134,21 @@ void interpret_tree(benchmark::State& state)
              .limit = Limit::Fill });
 }
 
-BENCHMARK(derive_bush)->Arg(9)->Arg(10);
-BENCHMARK(derive_tree)->Arg(17);
-BENCHMARK(derive_signals)->Arg(60);
-BENCHMARK(signal_through_a_row)->Arg(100);
+// On one thread and on two.
+void for_steps(benchmark::internal::Benchmark* bench, std::vector<std::int64_t> const& steps)
+{
+    bench->ArgNames({ "", "threads" })
+        ->ArgsProduct({ steps, { 1, 2 } })
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
+}
+
+BENCHMARK(derive_bush)->Apply([](auto* bench) { for_steps(bench, { 9, 10 }); });
+BENCHMARK(derive_tree)->Apply([](auto* bench) { for_steps(bench, { 17, 20 }); });
+BENCHMARK(derive_signals)->Apply([](auto* bench) { for_steps(bench, { 60 }); });
+BENCHMARK(signal_through_a_row)->Apply([](auto* bench) { for_steps(bench, { 100, 1000 }); });
 BENCHMARK(compile_tree);
-BENCHMARK(interpret_tree)
-    ->ArgNames({ "", "threads" })
-    ->ArgsProduct({ { 17, 20 }, { 1, 2 } })
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(interpret_tree)->Apply([](auto* bench) { for_steps(bench, { 17, 20 }); });
 
 } // namespace
 } // namespace tractus

@@ -93,6 +93,30 @@ RC_GTEST_PROP(LSystemProperty, ParallelAgreesWithSerial, ())
     RC_ASSERT(derived_by(4, model, options) == expected);
 }
 
+// Rules of which each module becomes a known number of others: pieces are written to their places,
+// some of which are smaller than one move of memory.
+RC_GTEST_PROP(LSystemProperty, PiecesOfKnownSizesAreWrittenToTheirPlaces, ())
+{
+    auto const module = rc::gen::element<std::string>("A(2)", "B(1)", "C", "D", "E", "F(1)",
+                                                      "+(10)", "[A(1)]", "C", "C");
+    std::string text = "seed: 3\nAxiom: A(3)B(1)";
+    for (auto const& part : *rc::gen::container<std::vector<std::string>>(module))
+        text += part;
+    for (std::string const line : { "A(x) --> F(x)[+(30)A(x*0.5)]A(x-1)", "C --> *", "C --> E",
+                                    "B(x) --> CB(nran(x,1)) : 0.3\nB(x) --> DA(x+1) : 0.7",
+                                    "D --> DDDDDDDDDDF(1)DDDDDDDDDDDDDD", "F(x) --> F(x/2)E" })
+        if (*rc::gen::arbitrary<bool>())
+            text += '\n' + line;
+    auto const model = compiled(with_header(text, *rc::gen::inRange(1, 5)));
+    auto const serial = derive(model);
+    RC_PRE(serial.has_value());
+    auto const expected = to_string(model, *serial);
+    DeriveOptions options;
+    options.piece = *rc::gen::inRange<std::size_t>(1, 40);
+    RC_ASSERT(derived_by(1, model, options) == expected);
+    RC_ASSERT(derived_by(4, model, options) == expected);
+}
+
 // A rule and another one before it that does the same in some contexts only are as good as the rule
 // alone.
 RC_GTEST_PROP(LSystemProperty, ContextsThatChangeNothingChangeNothing, ())
