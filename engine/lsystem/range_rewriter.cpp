@@ -171,18 +171,31 @@ void RangeRewriter::rewrite_bounded(Range const& range, std::uint32_t step)
 // Returns where the parameters behind the range begin.
 std::size_t RangeRewriter::write_bounded(Range const& range, std::uint32_t step, ModuleWriter& to)
 {
-    auto parameter = range.parameter;
+    // In local variables: kinds are bytes, and the compiler must think that writing them changes
+    // whatever else lies in memory.
+    auto const& plan = plan_;
+    auto const* const kinds = in_->kinds.data();
+    auto const* const all_parameters = in_->parameters.data();
+    auto const* parameters = all_parameters + range.parameter;
+    auto at = to;
     for (auto i = range.begin; i < range.end; ++i) {
-        auto const kind = in_->kinds[i];
-        Modules const rest { in_->kinds.data() + i, in_->parameters.data() + parameter,
-                             in_->size() - i };
-        if (plan_.way(kind) == RulePlan::Way::Fixed)
-            plan_.fixed(kind).write(rest.parameters, to);
-        else
-            rewrite_one_bounded(rest, { in_, &branches_, i, parameter, i + 1, 0 }, step, to);
-        parameter += model_.alphabet[kind].parameter_count;
+        auto const kind = kinds[i];
+        if (plan.way(kind) == RulePlan::Way::Fixed) {
+            auto const& successor = plan.fixed(kind);
+            successor.write(parameters, at);
+            parameters += successor.read_parameter_count;
+            continue;
+        }
+        to = at;
+        rewrite_one_bounded(
+            { kinds + i, parameters, in_->size() - i },
+            { in_, &branches_, i, static_cast<std::size_t>(parameters - all_parameters), i + 1, 0 },
+            step, to);
+        at = to;
+        parameters += model_.alphabet[kind].parameter_count;
     }
-    return parameter;
+    to = at;
+    return static_cast<std::size_t>(parameters - all_parameters);
 }
 
 void RangeRewriter::rewrite_to_place(ModuleString const& in, std::uint32_t step, Range const& range,
