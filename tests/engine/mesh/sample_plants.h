@@ -43,12 +43,8 @@ inline AxisId append_axis(Plant& plant, AxisSketch const& sketch, Random& random
     return static_cast<AxisId>(plant.axes.size() - 1);
 }
 
-// A broadleaf tree of three orders of branches, about 4 m high, leaves at the twigs' nodes; its
-// trunk and limbs end in forks.
-inline Plant sample_tree(std::uint64_t seed)
+inline void add_sample_materials(Plant& plant)
 {
-    Random random({ .seed = seed });
-    Plant plant;
     plant.materials = {
         Material {},
         Material { .name = "leaf",
@@ -59,6 +55,62 @@ inline Plant sample_tree(std::uint64_t seed)
     };
     plant.organ_shapes
         = { OrganShape { .material = 1, .length_mm = 130, .width_mm = 70, .petiole_mm = 25 } };
+}
+
+// Branches on all nodes of an axis but the first; two that part where it ends.
+inline void add_sample_branches(Plant& plant, AxisId id, Random& random)
+{
+    auto const parent = plant.axes[id];
+    for (std::uint32_t i = 1; i < parent.segment_count; ++i) {
+        NodeId const node = parent.first_node + i + 1;
+        bool const end = i + 1 == parent.segment_count;
+        Vec3 const along
+            = (plant.node_position_mm[node] - plant.node_position_mm[node - 1]).normalized();
+        double const turn = 2.4 * (i + 3 * id);
+        Vec3 const side = (std::cos(turn) * along.unitOrthogonal()
+                           + std::sin(turn) * along.cross(along.unitOrthogonal()));
+        double const radius = plant.node_radius_mm[node];
+        for (int twin = 0; twin < (end ? 2 : 1); ++twin) {
+            double const spread = end ? (twin == 0 ? 0.45 : -0.45) : 0.9;
+            double const own = radius * (end ? 0.75 : 0.4);
+            append_axis(plant,
+                        { .base_mm = plant.node_position_mm[node],
+                          .direction = std::cos(spread) * along + std::sin(spread) * side,
+                          .segment_mm = 230.0 / (1 + parent.order),
+                          .segment_count = 6 - parent.order,
+                          .radius_mm = own,
+                          .tip_radius_mm = own * 0.5,
+                          .bend_rad = 0.15,
+                          .parent_segment = parent.first_segment + i,
+                          .parent_axis = id,
+                          .order = parent.order + 1 },
+                        random);
+        }
+    }
+}
+
+// One at each node of the axis but its first.
+inline void add_sample_leaves(Plant& plant, Axis const& axis, Random& random)
+{
+    for (std::uint32_t i = 1; i <= axis.segment_count; ++i) {
+        Quat orientation
+            = Quat::FromTwoVectors(Vec3::UnitY(), Vec3(random.normal(), random.normal(), 0.5));
+        plant.organs.push_back(
+            { .shape = 0,
+              .segment = axis.first_segment + i - 1,
+              .position_mm = plant.node_position_mm[axis.first_node + i],
+              .orientation = orientation,
+              .scale = Vec3f::Constant(static_cast<float>(random.uniform(0.6, 1))) });
+    }
+}
+
+// A broadleaf tree of three orders of branches, about 4 m high, leaves at the twigs' nodes; its
+// trunk and limbs end in forks.
+inline Plant sample_tree(std::uint64_t seed)
+{
+    Random random({ .seed = seed });
+    Plant plant;
+    add_sample_materials(plant);
     append_axis(plant,
                 { .segment_mm = 250,
                   .segment_count = 6,
@@ -66,51 +118,12 @@ inline Plant sample_tree(std::uint64_t seed)
                   .tip_radius_mm = 55,
                   .bend_rad = 0.06 },
                 random);
-    for (AxisId id = 0; id < plant.axes.size(); ++id) {
-        auto const parent = plant.axes[id];
-        if (parent.order == 3)
-            continue;
-        for (std::uint32_t i = 1; i < parent.segment_count; ++i) {
-            NodeId const node = parent.first_node + i + 1;
-            bool const end = i + 1 == parent.segment_count;
-            Vec3 const along
-                = (plant.node_position_mm[node] - plant.node_position_mm[node - 1]).normalized();
-            double const turn = 2.4 * (i + 3 * id);
-            Vec3 const side = (std::cos(turn) * along.unitOrthogonal()
-                               + std::sin(turn) * along.cross(along.unitOrthogonal()));
-            double const radius = plant.node_radius_mm[node];
-            for (int twin = 0; twin < (end ? 2 : 1); ++twin) {
-                double const spread = end ? (twin == 0 ? 0.45 : -0.45) : 0.9;
-                double const own = radius * (end ? 0.75 : 0.4);
-                append_axis(plant,
-                            { .base_mm = plant.node_position_mm[node],
-                              .direction = std::cos(spread) * along + std::sin(spread) * side,
-                              .segment_mm = 230.0 / (1 + parent.order),
-                              .segment_count = 6 - parent.order,
-                              .radius_mm = own,
-                              .tip_radius_mm = own * 0.5,
-                              .bend_rad = 0.15,
-                              .parent_segment = parent.first_segment + i,
-                              .parent_axis = id,
-                              .order = parent.order + 1 },
-                            random);
-            }
-        }
-    }
-    for (auto const& axis : plant.axes) {
-        if (axis.order < 2)
-            continue;
-        for (std::uint32_t i = 1; i <= axis.segment_count; ++i) {
-            Quat orientation
-                = Quat::FromTwoVectors(Vec3::UnitY(), Vec3(random.normal(), random.normal(), 0.5));
-            plant.organs.push_back(
-                { .shape = 0,
-                  .segment = axis.first_segment + i - 1,
-                  .position_mm = plant.node_position_mm[axis.first_node + i],
-                  .orientation = orientation,
-                  .scale = Vec3f::Constant(static_cast<float>(random.uniform(0.6, 1))) });
-        }
-    }
+    for (AxisId id = 0; id < plant.axes.size(); ++id)
+        if (plant.axes[id].order < 3)
+            add_sample_branches(plant, id, random);
+    for (auto const& axis : plant.axes)
+        if (axis.order >= 2)
+            add_sample_leaves(plant, axis, random);
     return plant;
 }
 
