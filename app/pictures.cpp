@@ -83,20 +83,24 @@ Image PictureMaker::plant(Mesh const& mesh, PictureSize const& size,
 
 std::vector<Image> PictureMaker::cutouts(Mesh const& mesh, std::span<Cutout const> views)
 {
-    GpuMesh const gpu_mesh(mesh);
+    GpuMesh const gpu_mesh(mesh, GpuMesh::Sky::Open);
     Stage stage;
     stage.meshes = { { .mesh = &gpu_mesh } };
     stage.backdrop.has_ground = false;
+    stage.lighting = Stage::Lighting::Colours;
     auto empty = stage;
     empty.meshes.clear();
     std::vector<Image> pictures;
+    Image ground; // The same for all views of one size.
     for (auto const& view : views) {
         auto const before = [&](float grey, Stage& seen) {
             seen.backdrop.top = seen.backdrop.bottom = Vec3f::Constant(grey);
             return renderer_.picture(seen, camera_for(view), view.side_px, view.side_px);
         };
+        if (ground.width() != view.side_px)
+            ground = before(1, empty);
         auto const on_black = before(0, stage);
-        pictures.push_back(without_ground(on_black, before(1, stage), before(1, empty)));
+        pictures.push_back(without_ground(on_black, before(1, stage), ground));
     }
     return pictures;
 }

@@ -38,8 +38,9 @@ public:
     Image strokes(Scene const& scene, std::span<DrawnStroke const> strokes,
                   PictureSize const& size);
 
-    // A plant as it is seen from the horizontal direction, without perspective, shadow or ground:
-    // `side_mm` around `center_mm`, as a square of `side_px`. What is no plant is transparent.
+    // A plant's own colours (Stage::Lighting::Colours) as it is seen from the horizontal direction,
+    // without perspective: `side_mm` around `center_mm`, as a square of `side_px`. What is no plant
+    // is transparent.
     struct Cutout {
         Vec3 center_mm = Vec3::Zero();
         double side_mm = 1000;

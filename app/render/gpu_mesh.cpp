@@ -155,10 +155,10 @@ Material const& material_of(Mesh const& mesh, TriangleMesh const& triangles)
 
 } // namespace
 
-GpuMesh::GpuMesh(Mesh const& mesh)
+GpuMesh::GpuMesh(Mesh const& mesh, Sky how)
     : bounds_(tractus::bounds(mesh))
 {
-    SkyVisibility const sky(mesh);
+    auto const sky = how == Sky::Traced ? SkyVisibility(mesh) : SkyVisibility();
     for (auto const& surface : mesh.surfaces)
         if (!surface.indices.empty())
             add_surface(material_of(mesh, surface), surface, sky);

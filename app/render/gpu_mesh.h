@@ -14,7 +14,9 @@ namespace tractus {
 // A mesh on the graphics card: made once, drawn many times. Lives and dies with the context.
 class GpuMesh {
 public:
-    explicit GpuMesh(Mesh const& mesh);
+    // How much sky a place sees takes time to find; without light it does not matter.
+    enum class Sky { Traced, Open };
+    explicit GpuMesh(Mesh const& mesh, Sky sky = Sky::Traced);
 
     // The box around all that is drawn, plant frame. Empty for an empty mesh.
     Bounds const& bounds() const { return bounds_; }

@@ -109,7 +109,8 @@ void Renderer::draw(Stage const& stage, Camera const& camera, Canvas const& canv
     view.pixels_per_mm = projection(1, 1) * static_cast<float>(canvas.height()) / 2;
     view.depth_terms = Vec2f(projection(2, 2), projection(2, 3));
 
-    if (stage.backdrop.has_ground || !stage.meshes.empty())
+    bool const is_lit = stage.lighting == Stage::Lighting::Lit;
+    if (stage.backdrop.has_ground || (is_lit && !stage.meshes.empty()))
         parts_->shadow.draw(stage, view.box, shadow_map_side(canvas));
     canvas.bind();
     glDisable(GL_CULL_FACE);
@@ -218,6 +219,7 @@ void Renderer::Parts::draw_meshes(View const& view) const
         shader->set("T_clip_world", view.T_clip_world);
         shader->set("eye", Vec3f(view.camera.eye_mm.cast<float>()));
         shader->set("sun_strength", view.stage.sun.strength);
+        shader->set("is_lit", view.stage.lighting == Stage::Lighting::Lit ? 1.0f : 0.0f);
     }
     // What a pixel shows at the target; nearer organs are drawn no finer.
     bool const perspective = view.camera.projection == Camera::Projection::Perspective;

@@ -15,6 +15,7 @@ namespace tractus {
 // Pflanzengesellschaften").
 class SkyVisibility {
 public:
+    SkyVisibility() = default; // Open sky everywhere.
     explicit SkyVisibility(Mesh const& mesh);
 
     // 0 dark to 1 open sky. Plant frame; beyond the grid, which has a margin, as at its border.

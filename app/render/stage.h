@@ -37,6 +37,10 @@ struct Stage {
     std::vector<GpuCurves const*> curves; // Owned elsewhere; alive while drawn.
     Sun sun;
     Backdrop backdrop;
+    // Colours: each surface in its own colour, without light, shade and gloss, for pictures that
+    // others will light.
+    enum class Lighting { Lit, Colours };
+    Lighting lighting = Lighting::Lit;
     // Curves are cut off above this height.
     double hidden_above_mm = std::numeric_limits<double>::infinity();
     bool curves_cast_shadows = true;

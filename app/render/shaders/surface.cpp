@@ -59,8 +59,11 @@ uniform vec3 base_color; // Linear.
 uniform float roughness;
 uniform float translucency;
 uniform float veins;
+uniform float is_lit; // 0: the surface's own colour is wanted.
 
 out vec4 pixel;
+
+vec4 own_color(vec3 color) { return vec4(pow(clamp(color, 0.0, 1.0), vec3(1.0 / 2.2)), 1.0); }
 
 // Light that one place gets, before it meets the surface's colour.
 struct Light {
@@ -128,6 +131,10 @@ void main()
 
     vec3 color = base_color * mix(0.95, mix(0.50, 1.40, smoothstep(0.30, 0.95, height)), detail);
     color = mix(color, vec3(dot(color, vec3(0.33))) * vec3(1.05, 1.0, 0.92), 0.25 * height * detail);
+    if (is_lit == 0.0) {
+        pixel = own_color(color);
+        return;
+    }
     Light light = light_at(n, view);
     pixel = vec4(display(color * light.front + light.gloss * 0.6), 1.0);
 }
@@ -158,6 +165,10 @@ void main()
     color = mix(color, color * 1.5 + vec3(0.03, 0.035, 0.012), vein * 0.55);
     if (underside)
         color = mix(color, vec3(dot(color, vec3(0.30, 0.55, 0.15))) * vec3(1.06, 1.1, 0.92), 0.25 * veins) * (1.0 + 0.12 * veins);
+    if (is_lit == 0.0) {
+        pixel = own_color(color);
+        return;
+    }
     vec3 shining = color * mix(vec3(1.25), vec3(1.75, 1.45, 0.42), veins) * (1.0 - vein * 0.45);
     Light light = light_at(n, view);
     vec3 sum = color * light.front * (1.0 - 0.45 * translucency) + shining * light.through * translucency
@@ -172,6 +183,10 @@ void main()
     vec3 n = normalize(world_normal);
     vec3 view = normalize(eye - world);
     vec3 color = base_color * (0.92 + 0.16 * individual.y);
+    if (is_lit == 0.0) {
+        pixel = own_color(color);
+        return;
+    }
     Light light = light_at(n, view);
     pixel = vec4(display(color * light.front + light.gloss), 1.0);
 }

@@ -105,6 +105,20 @@ TEST_F(RendererTest, ShadesLeavesIndividually)
     EXPECT_NE(at(picture, Vec3(-180, 0, 265)), at(picture, Vec3(220, 0, 265)));
 }
 
+TEST_F(RendererTest, ColoursAreTheSameInAnyLight)
+{
+    GpuMesh const mesh(post_with_leaves(), GpuMesh::Sky::Open);
+    Stage stage;
+    stage.meshes.push_back({ &mesh });
+    stage.backdrop.has_ground = false;
+    stage.lighting = Stage::Lighting::Colours;
+    auto const colours = picture(stage);
+    stage.sun = { .direction = Vec3f(1, 0.4f, 1), .strength = 0.2f };
+    EXPECT_EQ(picture(stage), colours);
+    stage.lighting = Stage::Lighting::Lit;
+    EXPECT_NE(picture(stage), colours);
+}
+
 TEST_F(RendererTest, CastsTheShadowAwayFromTheSun)
 {
     auto const picture = post_picture();
