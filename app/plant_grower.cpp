@@ -5,12 +5,19 @@
 
 namespace tractus {
 
-static Result<Mesh> grow_mesh(WantedPlant const& wanted, MeshOptions const& options)
+// What it gives after `stop` has asked it to end is dropped.
+static Result<Mesh> grow_mesh(WantedPlant const& wanted, MeshOptions const& options,
+                              std::stop_token const& stop)
 {
     auto const scene = TRY(apply_edit(*wanted.scene, wanted.growth));
     auto const plan = TRY(plan_growth(scene));
+    if (stop.stop_requested())
+        return Mesh {};
     Grower grower(plan);
-    return make_mesh(grower.grow({ wanted.growth.seed, 0 }, wanted.growth.age), options);
+    auto const& plant = grower.grow({ wanted.growth.seed, 0 }, wanted.growth.age, stop);
+    if (stop.stop_requested())
+        return Mesh {};
+    return make_mesh(plant, options, stop);
 }
 
 // What a picture of a few hundred pixels shows.
@@ -26,14 +33,18 @@ static MeshOptions coarse()
 }
 
 PlantGrower::PlantGrower()
-    : plant_([](WantedPlant const& wanted) { return grow_mesh(wanted, {}); })
+    : plant_([](WantedPlant const& wanted, std::stop_token const& stop) {
+        return grow_mesh(wanted, {}, stop);
+    })
     , variation_(make_variation)
+    , worn_out_([](std::unique_ptr<Mesh const> const&) { return true; })
 {
 }
 
-PlantGrower::MadeVariation PlantGrower::make_variation(WantedVariation const& wanted)
+PlantGrower::MadeVariation PlantGrower::make_variation(WantedVariation const& wanted,
+                                                       std::stop_token const& stop)
 {
-    auto mesh = grow_mesh(wanted.plant, coarse());
+    auto mesh = grow_mesh(wanted.plant, coarse(), stop);
     if (!mesh)
         return { tl::unexpected(std::move(mesh).error()), wanted.wish };
     return { Variation { wanted.plant.growth.seed, *std::move(mesh) }, wanted.wish };

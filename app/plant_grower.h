@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -32,7 +33,8 @@ struct Variation {
     Mesh mesh; // Coarse, to be seen small.
 };
 
-// Grows plants in the background, for a window that goes on meanwhile: see NewestJob.
+// Grows plants in the background, for a window that goes on meanwhile: see NewestJob. One that is
+// not wanted any more, since a newer one is or the window closes, is given up.
 class PlantGrower {
 public:
     PlantGrower();
@@ -47,6 +49,10 @@ public:
 
     // The newest plant, if one has been finished since the last call. Fails like plan_growth().
     std::optional<Result<Mesh>> take() { return plant_.take(); }
+
+    // A plant that nobody looks at any more. A large one takes so long to go that a window would
+    // miss a frame: it goes on a thread.
+    void drop(std::unique_ptr<Mesh const> plant) { worn_out_.want(std::move(plant)); }
 
     // Those that have been finished since the last call, in the order of their seeds. Fails like
     // plan_growth(); then none follow.
@@ -65,12 +71,13 @@ private:
         std::uint64_t wish = 0;
     };
 
-    static MadeVariation make_variation(WantedVariation const& wanted);
+    static MadeVariation make_variation(WantedVariation const& wanted, std::stop_token const& stop);
     void want_next();
     void take_variation();
 
     NewestJob<WantedPlant, Result<Mesh>> plant_;
     NewestJob<WantedVariation, MadeVariation> variation_;
+    NewestJob<std::unique_ptr<Mesh const>, bool> worn_out_;
     WantedVariations variations_; // The next ones, and that which is being made.
     std::uint64_t wish_ = 0;      // Which of the wishes for variations counts.
     Result<std::vector<Variation>> varied_;

@@ -1,6 +1,7 @@
 #include "app/station_desk.h"
 
 #include "app/dated_path.h"
+#include "app/orphans.h"
 #include "app/plant_file.h"
 #include "app/session/describe_edit.h"
 #include "app/session_plant.h"
@@ -93,6 +94,18 @@ void StationDesk::perform(Undo const&, Station& station)
 void StationDesk::perform(Redo const&, Station& station)
 {
     keeper_.redo();
+    show_kept(station, now_);
+}
+
+void StationDesk::perform(TakeOrphansAway const&, Station& station)
+{
+    auto const without = [](Scene const& scene) -> Result<WantedStep::Change> {
+        auto edits = edits_without_orphans(scene);
+        if (edits.empty())
+            return fail(Fault::User, "nothing waits for a branch that the plant has lost");
+        return WantedStep::Change { std::move(edits), "What had lost its branch is gone" };
+    };
+    keeper_.make({ without, WantedStep::Of::Scene });
     show_kept(station, now_);
 }
 

@@ -48,6 +48,7 @@ public:
     void perform(ExportPlant const& command, Station& station);
     void perform(Undo const&, Station& station);
     void perform(Redo const&, Station& station);
+    void perform(TakeOrphansAway const&, Station& station);
     void perform(Restart const&, Station& station); // There must be a session.
 
     // Shows another scene of the station, and what led to it.

@@ -1,5 +1,6 @@
 #include "app/station_view.h"
 
+#include "app/orphans.h"
 #include "app/tools/tool.h"
 #include "engine/variation/growth_preset.h"
 
@@ -96,57 +97,6 @@ std::string describe(DrawnStroke const& drawn)
         break;
     }
     return "The stroke shapes the branch";
-}
-
-// A run of an axis' segments in one state.
-SkeletonLine skeleton_line(Plant const& plant, Axis const& axis, std::uint32_t from,
-                           std::uint32_t to, SkeletonLine::State state)
-{
-    SkeletonLine line;
-    line.state = state;
-    line.width_mm = 2 * plant.node_radius_mm[axis.first_node + from];
-    for (std::uint32_t i = from; i <= to; ++i)
-        line.points_mm.push_back(plant.node_position_mm[axis.first_node + i].cast<float>());
-    return line;
-}
-
-// Twigs of plants with very many would be a blot, and none of them can be chosen: only branches of
-// lower orders than this are shown.
-std::uint32_t shown_orders(Plant const& plant)
-{
-    constexpr std::size_t kMostSegments = 40'000;
-    std::vector<std::size_t> segments;
-    for (auto const& axis : plant.axes) {
-        segments.resize(std::max<std::size_t>(segments.size(), axis.order + 1));
-        segments[axis.order] += axis.segment_count;
-    }
-    auto const chosen = std::min<std::size_t>(fit_selection_view(plant).max_order, segments.size());
-    std::size_t sum = 0;
-    std::size_t order = 0;
-    for (; order < segments.size(); ++order) {
-        sum += segments[order];
-        if (order > chosen && sum > kMostSegments)
-            break;
-    }
-    return static_cast<std::uint32_t>(order);
-}
-
-std::vector<SkeletonLine::State> segment_states(Scene const& scene,
-                                                ShownSkeleton::Touched const& touched)
-{
-    std::vector<SkeletonLine::State> states(scene.base->segment_count(),
-                                            SkeletonLine::State::Unselected);
-    for (auto const& association : scene.associations)
-        for (auto const segment : association.path)
-            states[segment] = SkeletonLine::State::Assigned;
-    for (auto const& path : scene.selection)
-        for (auto const segment : path)
-            states[segment] = SkeletonLine::State::Selected;
-    for (auto const segment : touched.selected)
-        states[segment] = SkeletonLine::State::Selected;
-    for (auto const segment : touched.undetermined)
-        states[segment] = SkeletonLine::State::Undetermined;
-    return states;
 }
 
 } // namespace
@@ -263,7 +213,7 @@ void StationView::show_preview(Station const& station)
     if (inks.empty())
         set_preview({});
     else if (std::exchange(previewed_live_, state_.live_revision) != state_.live_revision)
-        preview_->want({ grown_scene_, station.tool(), inks.front(), shown_orders_,
+        preview_->want({ grown_scene_, station.tool(), inks.front(), skeleton_.orders(),
                          station.counts().strokes });
     is_drawing_ = !inks.empty();
     take_preview();
@@ -294,7 +244,7 @@ void StationView::show_selecting(Station const& station)
     bool const was_selecting = std::exchange(is_selecting_, chooses_path && !inks.empty());
     if (!is_selecting_) {
         if (was_selecting)
-            show_skeleton(*grown_scene_);
+            show_skeleton();
         shown_touched_.reset();
         return;
     }
@@ -306,7 +256,7 @@ void StationView::show_selecting(Station const& station)
     auto touched = shown_skeleton_->touched_by(inks.front());
     if (shown_touched_ == touched)
         return;
-    show_skeleton(*grown_scene_, touched);
+    show_skeleton(touched);
     shown_touched_ = std::move(touched);
 }
 
@@ -325,47 +275,27 @@ void StationView::show_scene(Station const& station)
     for (auto const& indicator : scene.indicators)
         state_.strokes.push_back(indicator_line(indicator));
     ++state_.strokes_revision;
-    if (!grown_scene_ || grown_scene_->base != scene.base)
-        shown_orders_ = shown_orders(*scene.base);
-    show_skeleton(scene);
+    grow_plant(scene);
+    show_skeleton();
     shown_touched_.reset();
-    list_orphans(station.scene());
-    grow_plant(station.scene());
+    list_orphans(scene);
 }
 
 void StationView::list_orphans(Scene const& scene)
 {
     auto const before = state_.orphans.size();
-    state_.orphans.clear();
-    for (std::size_t i = 0; i < scene.associations.size(); ++i)
-        if (scene.associations[i].is_orphaned)
-            state_.orphans.push_back(fmt::format("stroke {}", i + 1));
-    for (std::size_t i = 0; i < scene.indicators.size(); ++i)
-        if (scene.indicators[i].is_orphaned)
-            state_.orphans.push_back(fmt::format("motion indicator {}", i + 1));
+    state_.orphans = orphans_of(scene);
     if (auto const count = state_.orphans.size(); count > before)
         state_.status = fmt::format("The plant has lost {} of the branches that were drawn: what "
                                     "was drawn there waits until they come back",
                                     count);
 }
 
-void StationView::show_skeleton(Scene const& scene, ShownSkeleton::Touched const& touched)
+void StationView::show_skeleton(ShownSkeleton::Touched const& touched)
 {
-    auto const states = segment_states(scene, touched);
-    state_.skeleton_box_mm = bounds(*scene.base);
-    state_.skeleton.clear();
-    for (auto const& axis : scene.base->axes) {
-        if (axis.order >= shown_orders_)
-            continue;
-        std::uint32_t from = 0;
-        for (std::uint32_t i = 1; i <= axis.segment_count; ++i) {
-            auto const state = states[axis.first_segment + from];
-            if (i < axis.segment_count && states[axis.first_segment + i] == state)
-                continue;
-            state_.skeleton.push_back(skeleton_line(*scene.base, axis, from, i, state));
-            from = i;
-        }
-    }
+    auto const& scene = *grown_scene_;
+    state_.skeleton = skeleton_.lines(touched);
+    state_.skeleton_box_mm = skeleton_.box_mm();
     state_.indicators.clear();
     for (auto const& indicator : scene.indicators)
         state_.indicators.push_back(
@@ -377,6 +307,7 @@ void StationView::show_skeleton(Scene const& scene, ShownSkeleton::Touched const
 void StationView::grow_plant(Scene const& scene)
 {
     grown_scene_ = std::make_shared<Scene const>(scene);
+    skeleton_.set_scene(grown_scene_);
     preview(scene.growth);
 }
 
@@ -434,6 +365,8 @@ void StationView::show_grown()
         state_.status = grown->error().message;
         return;
     }
+    if (plant_)
+        grower_->drop(std::move(plant_));
     plant_ = std::make_unique<Mesh const>(**std::move(grown));
     state_.plant = plant_.get();
     ++state_.plant_revision;

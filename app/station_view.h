@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/plant_grower.h"
+#include "app/skeleton_picture.h"
 #include "app/station.h"
 #include "app/stroke_preview.h"
 #include "app/tools/shown_skeleton.h"
@@ -70,7 +71,7 @@ private:
     void set_preview(std::vector<SkeletonLine> lines);
     void list_orphans(Scene const& scene);
     void show_selecting(Station const& station);
-    void show_skeleton(Scene const& scene, ShownSkeleton::Touched const& touched = {});
+    void show_skeleton(ShownSkeleton::Touched const& touched = {});
     void grow_plant(Scene const& scene);
 
     // On the heap, since a thread knows it.
@@ -84,7 +85,7 @@ private:
     std::optional<ShownSkeleton> shown_skeleton_;
     std::shared_ptr<Plant const> shown_plant_; // Shared with the station's scene, which may go on.
     std::optional<ShownSkeleton::Touched> shown_touched_; // As the skeleton shows it.
-    std::uint32_t shown_orders_ = 0;                      // Of branches in the skeleton.
+    SkeletonPicture skeleton_;
     SelectionAngle shown_angle_;
     bool is_selecting_ = false;
     std::unique_ptr<NewestJob<WantedPreview, Preview>> preview_; // On the heap, as the grower.

@@ -198,7 +198,8 @@ std::string describe_fault(HeightFault const& fault)
     double const seconds = to_seconds(fault.end - fault.begin);
     switch (fault.kind) {
     case HeightFaultKind::Silence:
-        return fmt::format("height sensor silent for {:.1f} s: is it plugged in?", seconds);
+        return fmt::format("height sensor silent for {:.0f} s: is it plugged in?",
+                           std::floor(seconds));
     case HeightFaultKind::Rail:
         return fmt::format("height sensor reads {}, the end of its range: wiper or cable open?",
                            fault.counts);

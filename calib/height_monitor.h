@@ -130,8 +130,8 @@ private:
 // to look at. Empty if nothing was. Times in them count from `start`.
 std::vector<std::string> describe_faults(HeightMonitor const& monitor, Timestamp start);
 
-// What is wrong now, in a few words for a line of the screen: "height sensor silent for 3.2 s: is
-// it plugged in?"
+// What is wrong now, in a few words for a line of the screen, which need not be drawn anew more
+// than once a second: "height sensor silent for 3 s: is it plugged in?"
 std::string describe_fault(HeightFault const& fault);
 
 } // namespace tractus

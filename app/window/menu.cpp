@@ -146,7 +146,7 @@ void Menu::show_plant(WindowModel& model, Controls const& controls) const
     ImGui::Spacing();
     ImGui::TextWrapped("Without a branch, and kept until it comes back:");
     for (auto const& orphan : model.state().orphans)
-        ImGui::BulletText("%s", orphan.c_str());
+        ImGui::BulletText("%s: %s", orphan.name.c_str(), orphan.place.c_str());
 }
 
 // True while the slider moves.

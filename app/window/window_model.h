@@ -43,6 +43,15 @@ struct SkeletonLine {
     State state = State::Unselected;
 };
 
+// Something that was drawn on a branch that the plant has lost.
+struct OrphanView {
+    enum class Kind { Stroke, Indicator } kind = Kind::Stroke;
+    std::size_t number = 0; // As edits count them (edit.h).
+    std::string name;       // "stroke 3": as people count them.
+    std::string place;      // Where its branch was: "up to segment 6 of branch 2 at segment 4 of
+                            // stem 1".
+};
+
 // A direction in which the plant is made to lean. Plant frame.
 struct IndicatorArrow {
     Vec3f from_mm = Vec3f::Zero();
@@ -130,9 +139,9 @@ struct WindowState {
     std::uint64_t preview_revision = 0;
     std::vector<SkeletonLine> preview;
 
-    // Strokes and indicators whose branch the plant has lost, a few words each: they do nothing
-    // until it comes back.
-    std::vector<std::string> orphans;
+    // Strokes and indicators that do nothing until their branch comes back. Changes with
+    // skeleton_revision.
+    std::vector<OrphanView> orphans;
 
     std::uint64_t devices_revision = 0;
     DevicesView devices; // Empty unless WatchDevices asks for it.
@@ -208,6 +217,7 @@ struct ChooseTool {
 };
 struct Undo { }; // The last stroke, another one, other growth, or what else was done last.
 struct Redo { }; // What was undone last.
+struct TakeOrphansAway { }; // All of WindowState::orphans; a step that can be undone.
 
 // Where on the surface a touch of the pen presses what the window shows there, and does not draw.
 // World frame, x and y in millimetres.
@@ -239,7 +249,7 @@ using WindowCommand
     = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture, ChooseTool, Undo,
                    Redo, ChangeGrowth, AskForCollection, PickVariation, SetPressingAreas,
                    PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording, WatchDevices,
-                   OpenCalibration, CloseCalibration>;
+                   OpenCalibration, CloseCalibration, TakeOrphansAway>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

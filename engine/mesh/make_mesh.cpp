@@ -17,11 +17,13 @@ InstanceTransform transform_of(Organ const& organ)
              organ.scale };
 }
 
-Mesh make_mesh(Plant const& plant, MeshOptions const& options)
+Mesh make_mesh(Plant const& plant, MeshOptions const& options, std::stop_token const& stop)
 {
     Mesh mesh;
     mesh.materials = plant.materials;
-    mesh.surfaces = make_surfaces(MeshPlan(plant, options));
+    mesh.surfaces = make_surfaces(MeshPlan(plant, options), stop);
+    if (stop.stop_requested())
+        return mesh;
     mesh.organs = make_organs(plant, options);
     return mesh;
 }

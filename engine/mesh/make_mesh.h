@@ -3,6 +3,8 @@
 #include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"
 
+#include <stop_token>
+
 namespace tractus {
 
 // How fine a plant's triangles are.
@@ -49,7 +51,10 @@ struct MeshOptions {
 // material.
 //
 // Runs on all threads that oneTBB may use; the result is the same for any number of them.
-Mesh make_mesh(Plant const& plant, MeshOptions const& options = {});
+//
+// Ends early when `stop` asks for it; what comes out then is good for nothing.
+Mesh make_mesh(Plant const& plant, MeshOptions const& options = {},
+               std::stop_token const& stop = {});
 
 // Where an organ's prototype stands.
 InstanceTransform transform_of(Organ const& organ);

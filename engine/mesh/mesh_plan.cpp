@@ -317,10 +317,12 @@ void MeshPlan::find_rings(Surface const& surface, std::size_t piece, std::vector
     }
 }
 
-std::vector<TriangleMesh> make_surfaces(MeshPlan const& plan)
+std::vector<TriangleMesh> make_surfaces(MeshPlan const& plan, std::stop_token const& stop)
 {
     std::vector<TriangleMesh> made;
     for (auto const& surface : plan.surfaces()) {
+        if (stop.stop_requested())
+            break;
         auto& mesh = made.emplace_back();
         mesh.material = surface.material;
         mesh.positions_mm.resize(surface.extent.vertices);
@@ -328,7 +330,7 @@ std::vector<TriangleMesh> make_surfaces(MeshPlan const& plan)
         mesh.texture_coordinates.resize(surface.extent.vertices);
         mesh.indices.resize(surface.extent.indices);
         parallel_for(surface.piece_count(), 1, [&](std::size_t begin, std::size_t end) {
-            for (auto piece = begin; piece != end; ++piece)
+            for (auto piece = begin; piece != end && !stop.stop_requested(); ++piece)
                 plan.make_piece(surface, piece, place_in(mesh, surface.start_of(piece)));
         });
     }

@@ -6,6 +6,7 @@
 #include "engine/mesh/wind.h"
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace tractus {
@@ -87,7 +88,7 @@ private:
     std::vector<Spine> spines_;
 };
 
-// All pieces of all surfaces at once, on all threads.
-std::vector<TriangleMesh> make_surfaces(MeshPlan const& plan);
+// All pieces of all surfaces at once, on all threads. `stop` as for make_mesh().
+std::vector<TriangleMesh> make_surfaces(MeshPlan const& plan, std::stop_token const& stop = {});
 
 } // namespace tractus

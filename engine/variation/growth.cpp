@@ -71,7 +71,7 @@ Grower::Grower(GrowthPlan const& plan)
 {
 }
 
-Plant const& Grower::grow(PlantKey const& key, double age)
+Plant const& Grower::grow(PlantKey const& key, double age, std::stop_token const& stop)
 {
     CHECK(age >= 0 && age <= 1);
     GrowthNoise const noise(key);
@@ -79,9 +79,12 @@ Plant const& Grower::grow(PlantKey const& key, double age)
         age_plant(age);
     for_each_level(plan_.levels, [&](std::span<AxisId const> axes) {
         GrowthBundle bundle(plan_, noise, age, { plant_.node_position_mm, bearer_frame_ });
-        for (; !axes.empty(); axes = axes.subspan(std::min(axes.size(), kGrowthLanes)))
+        for (; !axes.empty() && !stop.stop_requested();
+             axes = axes.subspan(std::min(axes.size(), kGrowthLanes)))
             bundle.grow(axes.first(std::min(axes.size(), kGrowthLanes)));
     });
+    if (stop.stop_requested())
+        return plant_;
     if (plan_.parameters.sag > 0)
         sagger_.sag(plant_, bearer_frame_);
     carry_organs(plan_, bearer_frame_, plant_);

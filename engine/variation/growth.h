@@ -10,6 +10,7 @@
 #include "engine/variation/young_leaves.h"
 
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace tractus {
@@ -34,7 +35,9 @@ public:
     // that grows (YoungLeaves). The topology is that of the whole plant: what has not grown yet has
     // no length, radius or size, and lies where its apex is. So plants of all ages can be blended,
     // vertex by vertex; without_unborn gives one alone.
-    Plant const& grow(PlantKey const& key, double age = 1);
+    //
+    // Ends early when `stop` asks for it; the plant is good for nothing then.
+    Plant const& grow(PlantKey const& key, double age = 1, std::stop_token const& stop = {});
 
 private:
     void age_plant(double age);

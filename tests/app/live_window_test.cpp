@@ -412,7 +412,7 @@ TEST(LiveWindow, SaysWhatIsWrongWithTheHeightSensor)
     EXPECT_EQ(trouble_after(2000, 100), "");
     EXPECT_EQ(trouble_after(4095, 100),
               "height sensor reads 4095, the end of its range: wiper or cable open?");
-    EXPECT_EQ(trouble_after(2000, 3100), "height sensor silent for 3.0 s: is it plugged in?");
+    EXPECT_EQ(trouble_after(2000, 3100), "height sensor silent for 3 s: is it plugged in?");
 }
 
 TEST(LiveWindow, AsksForACalibration)

@@ -1,7 +1,9 @@
 #include "app/newest_job.h"
 
+#include <atomic>
 #include <gtest/gtest.h>
 #include <memory>
+#include <thread>
 
 namespace tractus {
 namespace {
@@ -46,6 +48,44 @@ TEST(NewestJob, FinishesWhatItMakesBeforeItGoes)
         job.want(shared);
     }
     EXPECT_EQ(shared.use_count(), 1);
+}
+
+// Says that it has begun; for a wish of 0 makes nothing until it is told to stop.
+struct Endless {
+    std::atomic<bool>* has_begun;
+
+    int operator()(int wanted, std::stop_token const& stop) const
+    {
+        *has_begun = true;
+        while (wanted == 0 && !stop.stop_requested())
+            std::this_thread::yield();
+        return wanted;
+    }
+};
+
+TEST(NewestJob, StopsWhatItMakesWhenItGoes)
+{
+    std::atomic<bool> has_begun = false;
+    NewestJob<int, int> job { Endless { &has_begun } };
+    job.want(0);
+    while (!has_begun)
+        std::this_thread::yield();
+}
+
+TEST(NewestJob, StopsLongWorkThatNobodyWantsAnyMore)
+{
+    std::atomic<bool> has_begun = false;
+    NewestJob<int, int> job { Endless { &has_begun } };
+    job.want(0);
+    while (!has_begun)
+        std::this_thread::yield();
+    std::optional<int> made;
+    for (int wish = 1; !made; ++wish) { // Too early at first.
+        job.want(wish);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        made = job.take();
+    }
+    EXPECT_NE(made, 0) << "never what was stopped";
 }
 
 } // namespace

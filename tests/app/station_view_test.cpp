@@ -1,5 +1,6 @@
 #include "app/station_view.h"
 
+#include "app/orphans.h"
 #include "tests/app/simple_rig.h"
 
 #include <gtest/gtest.h>
@@ -123,7 +124,12 @@ TEST(StationView, ListsWhatHasLostItsBranch)
     EXPECT_TRUE(view.state().orphans.empty());
     station.set_scene(apply_edit(station.scene(), bare).value());
     view.begin_again(station);
-    EXPECT_EQ(view.state().orphans, std::vector<std::string> { "stroke 1" });
+    ASSERT_EQ(view.state().orphans.size(), 1u);
+    EXPECT_EQ(view.state().orphans[0].name, "stroke 1");
+    EXPECT_EQ(view.state().orphans[0].place, "up to segment 3 of stem 1");
+    auto const edits_away = edits_without_orphans(station.scene());
+    ASSERT_EQ(edits_away.size(), 1u);
+    EXPECT_TRUE(apply_edit(station.scene(), edits_away[0]).value().associations.empty());
     EXPECT_NE(view.state().status.find("has lost 1 of the branches"), std::string::npos);
     station.set_scene(fold(edits).value());
     view.begin_again(station);

@@ -64,7 +64,7 @@ TEST(HeightMonitor, TellsThatNothingComesAnyMore)
     EXPECT_EQ(monitor.present()->kind, Silence);
     EXPECT_EQ(monitor.present()->begin, at(milliseconds(998)));
     EXPECT_EQ(describe_fault(*monitor.present()),
-              "height sensor silent for 2.2 s: is it plugged in?");
+              "height sensor silent for 2 s: is it plugged in?");
 }
 
 TEST(HeightMonitor, TellsThatNothingEverCame)

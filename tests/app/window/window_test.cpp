@@ -124,7 +124,7 @@ TEST_F(WindowTest, SaysWhatIsWrongInPlaceOfTheStatus)
     constexpr Part kStatus { 0, 1500, 670, 735 };
     StillModel well;
     EXPECT_EQ(colored(last_frame(well), kStatus, theme::palette().indicator), 0);
-    StillModel ill("height sensor silent for 3.0 s: is it plugged in?");
+    StillModel ill("height sensor silent for 3 s: is it plugged in?");
     EXPECT_GT(colored(last_frame(ill), kStatus, theme::palette().indicator), 200);
 }
 
