@@ -17,3 +17,9 @@ read_scenario() {
     memory_mb=512 virtual_time=yes instruction_shift=3 udev=no qemu='' limit_s=120
     for file in $(scenario_files "$1"); do source "$file"; done
 }
+
+# Where a program of the scenario is built: who judges is the same for all.
+#   preset_of PROGRAM
+preset_of() {
+    if [ "$1" = vm_check ]; then echo release; else echo "$preset"; fi
+}

@@ -1,5 +1,6 @@
 #include "engine/export/glb_reader.h"
 #include "engine/export/glb_writer.h"
+#include "tests/engine/export/glb_of.h"
 #include "tests/engine/mesh/random_plants.h"
 
 #include <algorithm>
@@ -14,15 +15,6 @@ namespace {
 // The same cases each time, unless the environment says otherwise.
 [[maybe_unused]] bool const has_parameters
     = setenv("RC_PARAMS", "seed=1 max_success=30", 0) == 0; // NOLINT(concurrency-mt-unsafe)
-
-std::string glb_of(std::span<PlacedMesh const> plants, GlbOptions const& options)
-{
-    std::ostringstream out;
-    auto const summary = write_glb(out, plants, options);
-    RC_ASSERT(summary.has_value());
-    RC_ASSERT(summary->bytes == out.str().size());
-    return out.str();
-}
 
 rc::Gen<GlbOptions> random_glb_options()
 {

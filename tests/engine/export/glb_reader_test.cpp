@@ -3,6 +3,7 @@
 #include "engine/base/random.h"
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/make_mesh.h"
+#include "tests/engine/export/glb_of.h"
 #include "tests/engine/mesh/mesh_checks.h"
 #include "tests/engine/mesh/sample_plants.h"
 
@@ -13,19 +14,6 @@
 
 namespace tractus {
 namespace {
-
-std::string glb_of(std::span<PlacedMesh const> plants, GlbOptions const& options = {})
-{
-    std::ostringstream out;
-    EXPECT_TRUE(write_glb(out, plants, options));
-    return out.str();
-}
-
-std::string glb_of(Mesh const& mesh, GlbOptions const& options = {})
-{
-    PlacedMesh const placed { .mesh = &mesh };
-    return glb_of(std::span(&placed, 1), options);
-}
 
 // A file of a JSON text and no binary part.
 std::string glb_of_json(std::string json)

@@ -1,6 +1,7 @@
 #include "engine/export/glb_writer.h"
 
 #include "engine/mesh/make_mesh.h"
+#include "tests/engine/export/glb_of.h"
 #include "tests/engine/mesh/sample_plants.h"
 
 #include <algorithm>
@@ -11,21 +12,6 @@
 
 namespace tractus {
 namespace {
-
-std::string glb_of(std::span<PlacedMesh const> plants, GlbOptions const& options = {})
-{
-    std::ostringstream out;
-    auto const summary = write_glb(out, plants, options);
-    EXPECT_TRUE(summary) << summary.error().message;
-    EXPECT_EQ(summary->bytes, out.str().size());
-    return out.str();
-}
-
-std::string glb_of(Mesh const& mesh, GlbOptions const& options = {})
-{
-    PlacedMesh const placed { .mesh = &mesh };
-    return glb_of(std::span(&placed, 1), options);
-}
 
 std::uint32_t u32_at(std::string const& bytes, std::size_t offset)
 {

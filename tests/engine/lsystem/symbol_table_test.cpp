@@ -23,14 +23,14 @@ struct Row {
     char const* color = "one"; // The same.
 };
 
-std::string const kView
+std::string const kSymbolsView
     = "initial line width: 1\ninitial color: 1\ncolor increment: 1\nline width increment: 1\n"
       "angle increment: 90\ntropism direction: 1,0,0\nelasticity increment: 0.5\nscale multiplier: "
       "2\n"
       "interpretation past %: off\n"
       "material: 0 zero kind=solid\nmaterial: 1 one kind=solid\nmaterial: 2 two kind=solid\n"
       "organ: l leaf kind=blade material=1 length=1 width=1\n";
-std::string const kTropismView = kView + "tropism: T: 1,0,0 A: 0 I: 1 E: 0 S: 0.5\n";
+std::string const kTropismView = kSymbolsView + "tropism: T: 1,0,0 A: 0 I: 1 E: 0 S: 0.5\n";
 
 double const kHalf = std::sqrt(0.5);
 Vec3 const kBent { std::sin(0.5), 0, std::cos(0.5) }; // Half a radian towards +x.
@@ -153,15 +153,15 @@ TEST(TurtleSymbols, DrawWhatTheTableSays)
         expect_row(row, kTropismView);
         // Without tropisms common symbols take a way of their own.
         if (std::string_view(row.symbols).find("@T") == std::string_view::npos)
-            expect_row(row, kView);
+            expect_row(row, kSymbolsView);
     }
     auto const surface = surface_symbols();
-    expect_row({ surface.c_str(), { 0, 0, 1 }, 0, 1 }, kView);
+    expect_row({ surface.c_str(), { 0, 0, 1 }, 0, 1 }, kSymbolsView);
 }
 
 std::vector<std::string> warnings_about(std::string const& symbols)
 {
-    auto const model = compiled(with_header("Axiom: F" + symbols + "F", 0), kView);
+    auto const model = compiled(with_header("Axiom: F" + symbols + "F", 0), kSymbolsView);
     auto const result = interpret_with_warnings(model, derive(model).value());
     EXPECT_TRUE(result) << result.error().message;
     EXPECT_TRUE(result && result->plant.segment_count() == 2) << symbols; // Drawn on.

@@ -13,7 +13,7 @@ namespace {
 
 using Steps = GrowthParameters::Steps;
 
-Plant grown(Plant const& plant, GrowthParameters const& parameters, Vec3 const& influence)
+Plant matured(Plant const& plant, GrowthParameters const& parameters, Vec3 const& influence)
 {
     auto const plan = plan_of(plant, parameters, influence);
     return Grower(plan).grow({});
@@ -40,7 +40,7 @@ TEST(Maturation, EndsInTheSteadyStateOfTheLaw)
                                .maturation_straightening = 0.02 };
     double const decay_steps = p.maturation_straightening / p.maturation_bending; // 40
     double const start = radians(89);
-    auto const plant = grown(leaning(start, 200), p, { 0, 0, 1 });
+    auto const plant = matured(leaning(start, 200), p, { 0, 0, 1 });
     for (int const segment : { 10, 20, 50, 100, 150 }) {
         double const theory = 2 * std::atan(std::tan(start / 2) * std::exp(-segment / decay_steps));
         double const angle = std::acos(
@@ -75,8 +75,8 @@ TEST(Maturation, WithoutRatesChangesNothing)
     still.growth_zone_steps = 5;
     still.maturation_bending = 0;
     still.maturation_straightening = 0;
-    auto const a = grown(forking_tree(4, 6), p, { 0.4, 0, 0 });
-    auto const b = grown(forking_tree(4, 6), still, { 0.4, 0, 0 });
+    auto const a = matured(forking_tree(4, 6), p, { 0.4, 0, 0 });
+    auto const b = matured(forking_tree(4, 6), still, { 0.4, 0, 0 });
     for (std::size_t i = 0; i < a.node_position_mm.size(); ++i)
         EXPECT_LT((a.node_position_mm[i] - b.node_position_mm[i]).norm(), 1e-6);
 }
@@ -84,8 +84,8 @@ TEST(Maturation, WithoutRatesChangesNothing)
 TEST(Maturation, FinerSegmentsFollowTheSameTip)
 {
     GrowthParameters const p { .growth_zone_steps = 5 };
-    auto const coarse = grown(pole(15), p, { 0.5, 0, 0 });
-    auto const fine = grown(pole(135), p, { 0.5, 0, 0 });
+    auto const coarse = matured(pole(15), p, { 0.5, 0, 0 });
+    auto const fine = matured(pole(135), p, { 0.5, 0, 0 });
     for (SegmentId segment = 0; segment < 15; ++segment)
         EXPECT_LT((direction_of(coarse, segment) - direction_of(fine, 9 * segment + 4)).norm(),
                   1e-9);
@@ -97,7 +97,7 @@ TEST(GrowthPreset, AllAreGrowthAndNoTwoAreAlike)
     std::vector<Vec3> tips;
     for (auto const& preset : growth_presets()) {
         ASSERT_TRUE(check_growth_parameters(preset.parameters)) << preset.name;
-        auto const varied = grown(plant, preset.parameters, { 0.2, 0, 0 });
+        auto const varied = matured(plant, preset.parameters, { 0.2, 0, 0 });
         check_plant(varied);
         for (auto const& tip : tips)
             EXPECT_GT((tip - varied.node_position_mm.back()).norm(), 1) << preset.name;
@@ -108,7 +108,7 @@ TEST(GrowthPreset, AllAreGrowthAndNoTwoAreAlike)
 TEST(GrowthPreset, AsDrawnIsAsDrawnEvenInTheWind)
 {
     auto const plant = forking_tree(5, 6);
-    auto const same = grown(plant, growth_preset("As-Drawn").value(), { 1, 0, 0 });
+    auto const same = matured(plant, growth_preset("As-Drawn").value(), { 1, 0, 0 });
     for (std::size_t i = 0; i < plant.node_position_mm.size(); ++i)
         EXPECT_LT((same.node_position_mm[i] - plant.node_position_mm[i]).norm(), 1e-9);
 }

@@ -12,8 +12,8 @@ namespace {
 
 using Steps = GrowthParameters::Steps;
 
-Plant grown(Plant const& plant, GrowthParameters const& parameters,
-            Vec3 const& influence = Vec3::Zero())
+Plant grown_freely(Plant const& plant, GrowthParameters const& parameters,
+                   Vec3 const& influence = Vec3::Zero())
 {
     auto const plan = plan_of(plant, parameters, influence);
     return Grower(plan).grow({});
@@ -135,12 +135,12 @@ TEST(GrowthIndicators, TiltToTheFixedPoint)
         GrowthParameters const p {
             .steps = Steps::PerSegment, .strength = 0, .gain = tilt.gain, .indicator_gain = 0.05
         };
-        auto const plant = grown(pole(400), p, { 1, 0, 0 });
+        auto const plant = grown_freely(pole(400), p, { 1, 0, 0 });
         EXPECT_NEAR(tilt_deg(plant, 399), tilt.deg, 6e-4);
         EXPECT_NEAR(direction_of(plant, 399).y(), 0, 1e-12);
     }
     GrowthParameters const at_once { .steps = Steps::PerSegment, .strength = 0, .gain = 1 };
-    EXPECT_NEAR(tilt_deg(grown(pole(200), at_once, { 1, 0, 0 }), 199), 2.858, 6e-4);
+    EXPECT_NEAR(tilt_deg(grown_freely(pole(200), at_once, { 1, 0, 0 }), 199), 2.858, 6e-4);
 }
 
 TEST(GrowthIndicators, TiltToTheSameFixedPointPerLength)
@@ -150,7 +150,7 @@ TEST(GrowthIndicators, TiltToTheSameFixedPointPerLength)
             .steps_per_axis = 400, .strength = 0, .gain = tilt.gain, .indicator_gain = 0.05
         };
         for (int const segments : { 100, 400, 1600 }) {
-            auto const plant = grown(pole(segments), p, { 1, 0, 0 });
+            auto const plant = grown_freely(pole(segments), p, { 1, 0, 0 });
             EXPECT_NEAR(tilt_deg(plant, static_cast<SegmentId>(segments - 1)), tilt.deg, 6e-4);
         }
     }
@@ -160,16 +160,16 @@ TEST(GrowthIndicators, TiltAnAxisOfOneSegmentAsTheMiddleOfAFineOne)
 {
     for (double const strength_of_wind : { 0.3, 1.0, 3.0 }) {
         Vec3 const wind(strength_of_wind, 0, 0);
-        double const fine = tilt_deg(grown(pole(101), { .strength = 0 }, wind), 50);
-        double const coarse = tilt_deg(grown(pole(1), { .strength = 0 }, wind), 0);
+        double const fine = tilt_deg(grown_freely(pole(101), { .strength = 0 }, wind), 50);
+        double const coarse = tilt_deg(grown_freely(pole(1), { .strength = 0 }, wind), 0);
         EXPECT_NEAR(coarse, fine, 0.05 * fine);
     }
 }
 
 TEST(GrowthIndicators, ReversedTheyMirrorThePlant)
 {
-    auto const right = grown(pole(20), { .strength = 0 }, { 0.7, 0, 0.2 });
-    auto const left = grown(pole(20), { .strength = 0 }, { -0.7, 0, 0.2 });
+    auto const right = grown_freely(pole(20), { .strength = 0 }, { 0.7, 0, 0.2 });
+    auto const left = grown_freely(pole(20), { .strength = 0 }, { -0.7, 0, 0.2 });
     for (std::size_t i = 0; i < right.node_position_mm.size(); ++i) {
         Vec3 const mirrored = left.node_position_mm[i].cwiseProduct(Vec3(-1, 1, 1));
         EXPECT_LT((right.node_position_mm[i] - mirrored).norm(), 1e-9);
@@ -196,7 +196,7 @@ TEST(GrowthIndicators, OneLongOneIsTwoShortOnes)
 TEST(GrowthIndicators, BranchesFeelThemToo)
 {
     // Wind along y on branches that point along x: all of them turn to +y.
-    auto const plant = grown(hand_made_plant(), { .strength = 0 }, { 0, 1, 0 });
+    auto const plant = grown_freely(hand_made_plant(), { .strength = 0 }, { 0, 1, 0 });
     for (SegmentId segment = 0; segment < plant.segment_count(); ++segment)
         EXPECT_GT(direction_of(plant, segment).y(), 0.05) << segment;
 }
@@ -245,7 +245,7 @@ TEST(Growth, GoesWhereTheReferenceGoes)
     Plant plant;
     add_axis(plant, reference_curve());
     for (auto const& run : kReferenceRuns) {
-        auto const varied = grown(plant, run.parameters, run.influence);
+        auto const varied = grown_freely(plant, run.parameters, run.influence);
         EXPECT_LT((varied.node_position_mm[30] - run.node_30).norm(), 1e-10);
         EXPECT_LT((varied.node_position_mm[60] - run.node_60).norm(), 1e-10);
     }
@@ -254,8 +254,8 @@ TEST(Growth, GoesWhereTheReferenceGoes)
 TEST(Growth, CirclingIsTheSameForFinerSegments)
 {
     GrowthParameters const p { .noise_rad = 0, .circumnutation_rad = 0.05 };
-    auto const coarse = grown(pole(45), p);
-    auto const fine = grown(pole(405), p); // Nine in one: every fifth has the same middle.
+    auto const coarse = grown_freely(pole(45), p);
+    auto const fine = grown_freely(pole(405), p); // Nine in one: every fifth has the same middle.
     for (SegmentId segment = 0; segment < 45; ++segment)
         EXPECT_LT((direction_of(coarse, segment) - direction_of(fine, 9 * segment + 4)).norm(),
                   1e-12);
@@ -265,8 +265,8 @@ TEST(Growth, CirclingIsTheSameForFinerSegments)
 TEST(GrowthDelay, FinerSegmentsFollowTheSameTip)
 {
     GrowthParameters const p { .delay_steps = 2 };
-    auto const coarse = grown(pole(15), p, { 0.5, 0, 0 });
-    auto const fine = grown(pole(135), p, { 0.5, 0, 0 });
+    auto const coarse = grown_freely(pole(15), p, { 0.5, 0, 0 });
+    auto const fine = grown_freely(pole(135), p, { 0.5, 0, 0 });
     for (SegmentId segment = 0; segment < 15; ++segment)
         EXPECT_LT((direction_of(coarse, segment) - direction_of(fine, 9 * segment + 4)).norm(),
                   1e-9);
@@ -282,22 +282,22 @@ TEST(GrowthDelay, OvershootsAndSettles)
             largest = std::max(largest, tilt_deg(plant, segment));
         return largest;
     };
-    auto const plant = grown(pole(200), late, { 1, 0, 0 });
-    EXPECT_GT(largest_deg(plant), 1.1 * largest_deg(grown(pole(200), at_once, { 1, 0, 0 })));
+    auto const plant = grown_freely(pole(200), late, { 1, 0, 0 });
+    EXPECT_GT(largest_deg(plant), 1.1 * largest_deg(grown_freely(pole(200), at_once, { 1, 0, 0 })));
     EXPECT_NEAR(tilt_deg(plant, 199), 13.539, 0.01);
 }
 
 TEST(GrowthDelay, LongAxesAndLongDelaysWork)
 {
     GrowthParameters const p { .gain = 0.01, .delay_steps = 64, .noise_rad = 0.01 };
-    check_plant(grown(pole(500), p, { 1, 0, 0 }));
-    check_plant(grown(pole(1), p, { 1, 0, 0 }));
+    check_plant(grown_freely(pole(500), p, { 1, 0, 0 }));
+    check_plant(grown_freely(pole(1), p, { 1, 0, 0 }));
 }
 
 TEST(Growth, TheWildestPlantIsStillAPlant)
 {
     GrowthParameters const p { .strength = 100, .indicator_gain = 5 };
-    auto const plant = grown(forking_tree(6, 6), p, { 30, -20, 10 });
+    auto const plant = grown_freely(forking_tree(6, 6), p, { 30, -20, 10 });
     check_plant(plant);
     for (SegmentId segment = 0; segment < 6; ++segment)
         EXPECT_NEAR((plant.node_position_mm[segment + 1] - plant.node_position_mm[segment]).norm(),

@@ -21,7 +21,7 @@ TEST(Likeness, IsTheRootMeanSquareOfTheNodesDistances)
     std::vector<Vec3> const other { { 3, 4, 0 }, { 0, 0, 10 } };
     EXPECT_DOUBLE_EQ(distance_mm(one, other), std::sqrt(12.5));
     EXPECT_EQ(distance_mm(one, one), 0);
-    EXPECT_EQ(distance_mm({}, {}), 0);
+    EXPECT_EQ(distance_mm(std::vector<Vec3> {}, {}), 0);
 }
 
 TEST(Likeness, ComparesEveryPlantWithEveryOtherAndWithTheDrawnOne)

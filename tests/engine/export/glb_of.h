@@ -1,0 +1,28 @@
+#pragma once
+
+#include "engine/export/glb_writer.h"
+
+#include <gtest/gtest.h>
+#include <span>
+#include <sstream>
+#include <string>
+
+namespace tractus {
+
+// The bytes of a .glb.
+inline std::string glb_of(std::span<PlacedMesh const> plants, GlbOptions const& options = {})
+{
+    std::ostringstream out;
+    auto const summary = write_glb(out, plants, options);
+    EXPECT_TRUE(summary) << summary.error().message;
+    EXPECT_EQ(summary->bytes, out.str().size());
+    return out.str();
+}
+
+inline std::string glb_of(Mesh const& mesh, GlbOptions const& options = {})
+{
+    PlacedMesh const placed { .mesh = &mesh };
+    return glb_of(std::span(&placed, 1), options);
+}
+
+} // namespace tractus
