@@ -154,7 +154,7 @@ void SessionKeeper::make(WantedStep step)
     want({ std::move(plan), step.of });
 }
 
-void SessionKeeper::want_of_session(Work work, std::string const& status)
+void SessionKeeper::want_of_session(Work const& work, std::string const& status)
 {
     want({ [=, has_session = has_session()](Scene const&) -> Result<Wanted::Plan> {
               if (!has_session)

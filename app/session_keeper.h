@@ -100,7 +100,7 @@ private:
     };
 
     void want(Wanted wanted);
-    void want_of_session(Work work, std::string const& status);
+    void want_of_session(Work const& work, std::string const& status);
     void take_over(Outcome outcome, Station& station, Timestamp now);
     void begin_strokes(Station const& station);
     void begin_wanted(Station& station);

@@ -146,7 +146,9 @@ void Menu::show_plant(WindowModel& model, Controls const& controls) const
     ImGui::Spacing();
     ImGui::TextWrapped("Without a branch, and kept until it comes back:");
     for (auto const& orphan : model.state().orphans)
-        ImGui::BulletText("%s: %s", orphan.name.c_str(), orphan.place.c_str());
+        ImGui::TextWrapped("%s: %s", orphan.name.c_str(), orphan.place.c_str());
+    if (controls.button("Take them away", kMenuItem_px))
+        model.perform(TakeOrphansAway {});
 }
 
 // True while the slider moves.
