@@ -69,7 +69,7 @@ std::string drawn_in_pieces(Model const& model, ModuleString const& string, int 
 
 constexpr std::size_t kWhole = 1'000'000'000;
 
-char const* const kView = R"(angle increment: 25
+char const* const kPiecesView = R"(angle increment: 25
 line width: 0.2 pixels
 tropism: T: 1 0.3 0 A: 0 I: 1 E: 0.1 S: 0.02
 material: 1 green kind=leaf color=0.2,0.6,0.1
@@ -111,7 +111,7 @@ RC_GTEST_PROP(Pieces, DrawTheSamePlant, ())
     auto const model = compiled(
         with_header(
             "Axiom: F" + text + "F\nhomomorphism\nH --> F(ran(1))[+F;~l]\nI --> [F\nJ --> ]F\n", 0),
-        kView);
+        kPiecesView);
     auto const string = derive(model).value();
     auto const expected = drawn_in_pieces(model, string, 1, kWhole);
     auto const length = *rc::gen::inRange<std::size_t>(1, 12);
@@ -139,7 +139,7 @@ RC_GTEST_PROP(Pieces, DrawTheSamePlantWhereSegmentsAreCounted, ())
     auto const text = closed(*rc::gen::container<std::vector<std::string>>(any));
     auto const model = compiled(
         with_header("Axiom: F" + text + "F\nhomomorphism\nH --> +~l@o;\nH(x) --> !(x)H\n", 0),
-        kView);
+        kPiecesView);
     auto const string = derive(model).value();
     auto const expected = drawn_in_pieces(model, string, 1, kWhole);
     auto const length = *rc::gen::inRange<std::size_t>(1, 12);
@@ -157,7 +157,7 @@ Model tree(int steps)
                                 "C(l) --> F(l)[+(45)B(l*0.7)]{.[+F.][-F.]}B(l*0.9)\n"
                                 "homomorphism\nA(l) --> ~l(l)",
                                 steps),
-                    kView);
+                    kPiecesView);
 }
 
 // A parameter that is not finite, wherever it stands, lets every symbol be looked at by itself.
@@ -229,10 +229,10 @@ TEST(Pieces, AreNotCountedWhereSymbolsDoMore)
     for (std::string const symbol : { "@Gs", "@D(2)", "@M(1,2,3)", "@bo", "{(1)", "%", "@", "H" }) {
         auto const model = compiled(
             with_header("Axiom: " + symbol + "[FFFF][FFFF]FFFF\nhomomorphism\nH --> F\n", 0),
-            kView);
+            kPiecesView);
         EXPECT_FALSE(plan(model, derive(model).value(), 2)) << symbol;
     }
-    auto const model = compiled(with_header("Axiom: [FFFF][FFFF]FFFF", 0), kView);
+    auto const model = compiled(with_header("Axiom: [FFFF][FFFF]FFFF", 0), kPiecesView);
     EXPECT_TRUE(plan(model, derive(model).value(), 2));
 }
 
