@@ -11,7 +11,7 @@ namespace tractus {
 
 namespace {
 
-constexpr std::size_t kMaxSamples = 100'000;
+constexpr std::size_t kMaxFunctionSamples = 100'000;
 constexpr double kMaxMultiplicity = 10;
 
 // y at x by bisection, x rising along the curve; as near as cpfg goes, so that numbers agree.
@@ -66,10 +66,11 @@ Result<std::vector<FunctionTable>> parse_functions(std::string const& name, std:
             function_name = after_key(line, "name:");
         } else if (line.substr(0, 8) == "samples:") {
             auto const count = numbers_in(after_key(line, "samples:"));
-            if (count.size() != 1 || count[0] < 2 || count[0] > static_cast<double>(kMaxSamples))
+            if (count.size() != 1 || count[0] < 2
+                || count[0] > static_cast<double>(kMaxFunctionSamples))
                 return fail(Fault::User,
                             fmt::format("{}:{}: expected 2 to {} samples", name, lines.number,
-                                        kMaxSamples));
+                                        kMaxFunctionSamples));
             samples = static_cast<std::size_t>(count[0]);
         } else if (line.substr(0, 7) == "points:") {
             auto const count = numbers_in(after_key(line, "points:"));

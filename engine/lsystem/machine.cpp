@@ -84,8 +84,7 @@ double Machine::uniform()
     auto const high = words_[4 - words_left_];
     auto const low = words_[5 - words_left_];
     words_left_ -= 2;
-    auto const bits = (std::uint64_t { high } << 32 | low) >> 11;
-    return static_cast<double>(bits) * 0x1p-53;
+    return unit_number(high, low);
 }
 
 // Box and Muller's method.

@@ -21,6 +21,13 @@ constexpr std::uint64_t kNoPosition = ~std::uint64_t { 0 };
 // What homomorphism rules draw at random is of this step.
 constexpr std::uint32_t kHomomorphismStep = 0xffffffff;
 
+// [0, 1), in steps of 2^-53, of two random words.
+inline double unit_number(std::uint32_t high, std::uint32_t low)
+{
+    auto const bits = (std::uint64_t { high } << 32 | low) >> 11;
+    return static_cast<double>(bits) * 0x1p-53;
+}
+
 // Runs compiled programs: what one derivation changes, besides its string.
 //
 // Random numbers depend on nothing but the seed, the step, and the module's position in the string,

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "engine/lsystem/block_scan.h"
 #include "engine/lsystem/expander.h"
 #include "engine/lsystem/fixed_successor.h"
 #include "engine/lsystem/machine.h"
 #include "engine/lsystem/model.h"
 #include "engine/lsystem/module_string.h"
 #include "engine/lsystem/rewriter.h"
+#include "engine/lsystem/rule_batch.h"
 
 #include <array>
 #include <cstddef>
@@ -25,21 +27,22 @@ public:
 
     // How modules of a kind are rewritten.
     enum class Way : std::uint8_t {
+        Copy,   // It stays as it is.
         Fixed,  // Always to the same successor.
+        Batch,  // As Chance, and all its rules' programs can run for many modules at once.
         Chance, // Chance alone chooses among rules without contexts and conditions.
         Search, // Rules must be tried one after the other.
     };
     Way way(KindId kind) const { return ways_[kind]; }
     FixedSuccessor const& fixed(KindId kind) const { return fixed_[kind]; }
 
-    struct Candidate {
-        Rule const* rule = nullptr;
-        double weight = 0;
-    };
-    std::vector<Candidate> const& candidates(KindId kind) const { return candidates_[kind]; }
-    double total_weight(KindId kind) const { return total_weights_[kind]; }
+    // Without chance there is one candidate.
+    bool has_chance(KindId kind) const { return candidates_[kind].size() > 1; }
+    // The number, in RuleSet::rules, of the rule that a random number of [0, 1) chooses.
+    std::size_t choose(KindId kind, double number) const;
+    BlockScan::Kinds const& scan_kinds() const { return scan_kinds_; }
 
-    // Every kind's way is Fixed.
+    // Every kind's way is Copy or Fixed.
     bool is_fixed() const { return is_fixed_; }
     // What modules of every kind become has one size, whatever chance and their parameters are.
     bool has_known_sizes() const { return has_known_sizes_ && has_bounds_; }
@@ -54,13 +57,25 @@ public:
     // What one module becomes has at most so many modules and parameters, where the model has
     // neither decomposition rules nor cuts.
     bool has_bounds() const { return has_bounds_; }
+    // Some kind's way is Batch.
+    bool has_batches() const { return has_batches_; }
     std::size_t longest() const { return longest_; }
     std::size_t most_parameters() const { return most_parameters_; }
 
 private:
+    struct Candidate {
+        std::size_t rule = 0;
+        double weight = 0;
+    };
+
+    Rule const& rule(Candidate const& candidate) const
+    {
+        return system_.rules.rules[candidate.rule];
+    }
     Way find_way(KindId kind);
     bool find_chances(KindId kind);
     bool find_size(KindId kind);
+    void find_batches();
 
     Model const& model_;
     LSystem const& system_;
@@ -69,10 +84,12 @@ private:
     std::array<std::vector<Candidate>, 256> candidates_;
     std::array<double, 256> total_weights_ {};
     std::array<Size, 256> sizes_ {};
+    BlockScan::Kinds scan_kinds_ {};
     bool is_fixed_ = true;
     bool has_known_sizes_ = true;
     bool is_divisible_ = true;
     bool has_bounds_ = true;
+    bool has_batches_ = false;
     std::size_t longest_ = 1;
     std::size_t most_parameters_ = 0;
 };
@@ -118,12 +135,14 @@ public:
     std::size_t rewrite_module(Task const& task, std::size_t at, std::size_t parameter);
 
 private:
-    void rewrite_bounded(Range const& range, std::uint32_t step);
-    void rewrite_any(Range const& range, std::uint32_t step);
-    std::size_t write_bounded(Range const& range, std::uint32_t step, ModuleWriter& to);
-    void rewrite_one_bounded(Modules const& rest, Surroundings const& around, std::uint32_t step,
-                             ModuleWriter& to);
-    Rule const& choose(KindId kind);
+    // Whether parameters may be written up to a wide move behind the last of a range.
+    enum class Room : std::uint8_t { Tight, ForWideRuns };
+
+    void rewrite_bounded(Range const& range);
+    void rewrite_any(Range const& range);
+    std::size_t write_block(Range const& range, Room room, ModuleWriter& to);
+    std::size_t write_blocks(Range const& range, Room room, ModuleWriter& to);
+    void rewrite_one_bounded(std::size_t at, std::size_t parameter, ModuleWriter& to);
     std::size_t rewrite_one(Modules const& rest, Surroundings const& around);
     void decompose_successor(Surroundings const& around, std::size_t predecessor_length);
     void append_one(Modules const& modules);
@@ -142,6 +161,9 @@ private:
     Branches const& branches_;
     Rewriter rewriter_;
     Expander decomposition_;
+    BlockScan scan_;
+    std::vector<RuleBatch> batches_; // One for each rule, where there are any.
+    std::uint32_t step_ = 0;
     ModuleString const* in_ = nullptr; // Not owned.
     ModuleString* out_ = nullptr;      // Not owned.
     StringLimit limit_;

@@ -1,6 +1,8 @@
+#include "engine/lsystem/range_rewriter.h"
 #include "tests/engine/lsystem/small_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <rapidcheck/gtest.h>
 #include <tbb/global_control.h>
@@ -117,6 +119,69 @@ RC_GTEST_PROP(LSystemProperty, PiecesOfKnownSizesAreWrittenToTheirPlaces, ())
     RC_ASSERT(derived_by(4, model, options) == expected);
 }
 
+// A module of two parameters that a rule computes from its own.
+rc::Gen<std::string> random_module()
+{
+    auto const value = [] {
+        return rc::gen::element<std::string>(
+            "x", "y", "x*0.5", "y*0.7", "x+y", "x-y*2", "y/x", "x/(y-y)", "sin(x*50)^2", "x<y",
+            "-x", "0.1", "sqrt(y*y)", "floor(x)%2", "atan2(x,y)", "x==y", "(x+y)*0.3-x*y*0.01");
+    };
+    return rc::gen::map(
+        rc::gen::tuple(rc::gen::element<std::string>("A", "B", "C", "F", "[+]"), value(), value()),
+        [](auto const& parts) {
+            auto const& [symbol, first, second] = parts;
+            return symbol == "[+]" ? symbol : symbol + "(" + first + "," + second + ")";
+        });
+}
+
+// The rules of modules A, B and C, of which chance chooses; each has `condition`.
+std::string rules_of_chance(std::vector<std::string> const& successors,
+                            std::string const& condition)
+{
+    static constexpr std::array kWeights { "0.2", "1", "3", "0.6" };
+    std::string text;
+    for (std::size_t i = 0; i < successors.size(); ++i)
+        text += std::string(1, "ABC"[i % 3]) + "(x,y)" + condition + " --> "
+            + (successors[i].empty() ? "*" : successors[i]) + " : " + kWeights[i % kWeights.size()]
+            + "\n";
+    return text;
+}
+
+// Rules with a condition, which always holds, are tried module after module. D's rule draws numbers
+// itself; E's is looked for in either case; F's needs no program.
+RC_GTEST_PROP(LSystemProperty, ModulesRewrittenTogetherAreAsThoseRewrittenAlone, ())
+{
+    std::vector<std::string> successors(*rc::gen::inRange<std::size_t>(3, 9));
+    for (auto& successor : successors)
+        for (auto const& module : *rc::gen::container<std::vector<std::string>>(random_module()))
+            successor += module;
+    successors[0] += "A(x*0.9,y)B(y,x)";
+    successors[1] += "D(x)C(y,1)E(y)";
+    std::string const others = "D(x) --> D(ran(x))B(x,ran(1))\nE(x) : x > 0.5 --> E(x*0.9)F(x,x)\n"
+        + *rc::gen::element<std::string>("", "F(x,y) --> F(y,x)[F(x,1)]\n");
+    auto const axiom = "seed: 5\nAxiom: " + *rc::gen::element<std::string>("", "FF[+]+F(1,2)")
+        + "A(1,2)B(3,0.5)C(0.2,7)E(1)D(2)A(1,1)A(2,2)\n";
+    auto const steps = *rc::gen::inRange(1, 6);
+    auto const together
+        = compiled(with_header(axiom + others + rules_of_chance(successors, ""), steps));
+    auto const alone
+        = compiled(with_header(axiom + others + rules_of_chance(successors, " : 1"), steps));
+    RC_ASSERT(RulePlan(together, together).has_batches());
+    RC_ASSERT(!RulePlan(alone, alone).has_batches());
+    DeriveOptions options;
+    options.limits.max_modules = 3'000;
+    auto const expected = derive(alone, options);
+    auto const string = derive(together, options);
+    RC_ASSERT(string.has_value() == expected.has_value());
+    if (!string)
+        return;
+    RC_ASSERT(to_string(together, *string) == to_string(alone, *expected));
+    options.piece = *rc::gen::inRange<std::size_t>(1, 300);
+    RC_ASSERT(derived_by(1, together, options) == to_string(alone, *expected));
+    RC_ASSERT(derived_by(4, together, options) == to_string(alone, *expected));
+}
+
 // A rule and another one before it that does the same in some contexts only are as good as the rule
 // alone.
 RC_GTEST_PROP(LSystemProperty, ContextsThatChangeNothingChangeNothing, ())
@@ -217,6 +282,20 @@ TEST(LSystemThreads, KnownSuccessorsDoNotDependOnTheirNumber)
     EXPECT_GT(one.size(), 1'000'000u);
     EXPECT_TRUE(derived_by(2, model, {}) == one);
     EXPECT_TRUE(derived_by(4, model, {}) == one);
+}
+
+// What a module's rule does to later modules it does to those whose own rules are plain arithmetic.
+TEST(LSystemThreads, SeedsThatARuleSetsHoldFromThereOn)
+{
+    std::string const start
+        = "Axiom: A(1)A(1)S(3)A(1)A(1)A(1)S(4)A(1)\nS(x) : 1 {srand(x);} --> S(x)\n";
+    auto const with = [&](std::string const& condition) {
+        std::string text = start;
+        for (auto const* const sign : { "+", "-" })
+            text += "A(x)" + condition + " --> A(x" + sign + "0.25)A(x*2) : 1\n";
+        return derived(text, 8);
+    };
+    EXPECT_EQ(with(""), with(" : 1"));
 }
 
 TEST(LSystemThreads, GlobalVariablesKeepTheOrderOfModules)
