@@ -80,7 +80,6 @@ std::size_t Turtle::draw_quick(std::span<KindId const> kinds, float const*& para
                                std::array<bool, 256> const& stops)
 {
     auto state = state_;
-    auto& frame = state.frame;
     auto const* next = parameters;
     bool goes_on = true;
     std::size_t i = 0;
@@ -100,13 +99,13 @@ std::size_t Turtle::draw_quick(std::span<KindId const> kinds, float const*& para
             goes_on = step_quickly(state, value(1) * state.scale * options_.unit_mm, kind->draws);
             break;
         case Quick::Turn:
-            turn(frame.heading, frame.left);
+            turn(state.frame.heading, state.frame.left);
             break;
         case Quick::Pitch:
-            turn(frame.heading, frame.down);
+            turn(state.frame.heading, state.frame.down);
             break;
         case Quick::Roll:
-            turn(frame.left, frame.down);
+            turn(state.frame.left, state.frame.down);
             break;
         case Quick::Push:
             save(state);
@@ -123,7 +122,7 @@ std::size_t Turtle::draw_quick(std::span<KindId const> kinds, float const*& para
                 && kinds_[kinds[i + 1]].symbol == 'v';
             if (goes_on) {
                 kind = &kinds_[kinds[++i]];
-                frame.roll_horizontal();
+                state.frame.roll_horizontal();
             }
             break;
         case Quick::Other:

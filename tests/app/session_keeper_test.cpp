@@ -9,19 +9,6 @@ namespace {
 // A station, and what keeps its strokes in a session.
 class Keeping : public SessionFolder {
 protected:
-    static Station station_on(Scene scene, Tool const& tool = {})
-    {
-        StationOptions options;
-        options.scripted_height = ScriptedHeight {
-            .scenario = { .kind = HeightScenario::Kind::Constant, .constant_mm = 100 },
-            .first_pen = {},
-            .last_pen = {},
-        };
-        options.scene = std::move(scene);
-        options.tool = tool;
-        return Station::create(std::vector { simple_pen() }, options).value();
-    }
-
     static WantedStep seed(std::uint64_t seed)
     {
         auto const change = [=](Scene const& scene) -> Result<WantedStep::Change> {

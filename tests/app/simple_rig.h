@@ -46,6 +46,20 @@ inline std::vector<std::byte> height_report(int counts)
     return report;
 }
 
+// A station with the simple pen, whose surface stays at 100 mm.
+inline Station station_on(Scene scene, Tool const& tool = {})
+{
+    StationOptions options;
+    options.scripted_height = ScriptedHeight {
+        .scenario = { .kind = HeightScenario::Kind::Constant, .constant_mm = 100 },
+        .first_pen = {},
+        .last_pen = {},
+    };
+    options.scene = std::move(scene);
+    options.tool = tool;
+    return Station::create(std::vector { simple_pen() }, options).value();
+}
+
 // A stroke of the simple pen across the middle of the tablet: twenty samples, 5 ms apart, from
 // `start_ms`, and one above the surface after them.
 inline void draw_across(Station& station, std::int64_t start_ms)

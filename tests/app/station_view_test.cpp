@@ -8,19 +8,6 @@
 namespace tractus {
 namespace {
 
-Station station_on(Scene scene, Tool const& tool)
-{
-    StationOptions options;
-    options.scripted_height = ScriptedHeight {
-        .scenario = { .kind = HeightScenario::Kind::Constant, .constant_mm = 100 },
-        .first_pen = {},
-        .last_pen = {},
-    };
-    options.scene = std::move(scene);
-    options.tool = tool;
-    return Station::create(std::vector { simple_pen() }, options).value();
-}
-
 // It bends: a straight one would leave the straight trunk as it is.
 void begin_stroke(Station& station)
 {
