@@ -165,8 +165,6 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
 {
     auto const model = TRY(find_model(arguments.model));
     LiveWindowOptions options;
-    std::filesystem::path unnamed;
-    TRY(keep(arguments, model, options, unnamed));
     options.rig_file
         = arguments.rig.empty() ? user_rig_path() : std::filesystem::path(arguments.rig);
     std::error_code ignored;
@@ -176,6 +174,8 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
         options.rig = TRY(load_rig(options.rig_file));
     if (!arguments.height.empty())
         options.height_mm = TRY(constant_height_mm(arguments.height));
+    std::filesystem::path unnamed;
+    TRY(keep(arguments, model, options, unnamed)); // Last, since it may begin a file.
     options.folder = std::filesystem::current_path();
     options.recording = arguments.recording;
     options.now = clock.now;
