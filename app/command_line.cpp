@@ -1,8 +1,8 @@
 #include "app/command_line.h"
 
-#include "app/console.h"
-#include "app/error_text.h"
 #include "app/help.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
 #include "app/verbs/calibrate.h"
 #include "app/verbs/convert.h"
 #include "app/verbs/decode.h"

@@ -1,5 +1,5 @@
 #include "app/command_line.h"
-#include "app/console.h"
+#include "app/terminal/console.h"
 #include "drivers/file.h"
 
 int main(int argc, char** argv)

@@ -1,13 +1,14 @@
 #include "drivers/packet_link.h"
 
-#include <chrono>
+#include "drivers/clock.h"
+
 #include <thread>
 
 namespace tractus {
 
 Timestamp RealPacketLink::now()
 {
-    return Timestamp(std::chrono::steady_clock::now().time_since_epoch());
+    return monotonic_now();
 }
 
 void RealPacketLink::sleep(Duration duration)

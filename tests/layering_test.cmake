@@ -13,10 +13,13 @@ set(drivers          engine/base)
 set(calib            engine/base engine/stroke drivers)
 set(sim              engine/base engine/stroke drivers calib)
 set(app/session      engine)
+set(app/terminal     engine/base drivers)
+set(app/station      engine drivers calib app/session app/terminal app/window app/render app/diagnosis)
 set(app              engine drivers calib sim)
 
 set(layers engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh
-           engine/scene engine/export drivers calib sim app/session app)
+           engine/scene engine/export drivers calib sim app/session app/terminal
+           app/station app)
 
 foreach(layer IN LISTS layers)
     set(allowed ${layer} ${${layer}})

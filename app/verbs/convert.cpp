@@ -1,7 +1,7 @@
 #include "app/verbs/convert.h"
 
-#include "app/console.h"
-#include "app/error_text.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
 #include "app/verbs/checks.h"
 #include "drivers/file.h"
 #include "drivers/foreign_log.h"

@@ -1,7 +1,7 @@
 #include "app/verbs/decode.h"
 
-#include "app/console.h"
-#include "app/error_text.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
 #include "drivers/device_kind.h"
 #include "drivers/file.h"
 #include "drivers/height_decoder.h"

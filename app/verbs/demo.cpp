@@ -1,9 +1,9 @@
 #include "app/verbs/demo.h"
 
-#include "app/console.h"
-#include "app/job.h"
-#include "app/progress.h"
+#include "app/plants/job.h"
 #include "app/resources.h"
+#include "app/terminal/console.h"
+#include "app/terminal/progress.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/shared_options.h"
 

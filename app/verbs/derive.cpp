@@ -1,9 +1,9 @@
 #include "app/verbs/derive.h"
 
-#include "app/console.h"
-#include "app/error_text.h"
-#include "app/model_file.h"
+#include "app/plants/model_file.h"
 #include "app/resources.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/model_options.h"
 #include "engine/lsystem/derive.h"

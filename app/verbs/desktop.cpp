@@ -1,9 +1,9 @@
 #include "app/verbs/desktop.h"
 
-#include "app/console.h"
 #include "app/desktop/completion.h"
 #include "app/desktop/man_page.h"
 #include "app/resources.h"
+#include "app/terminal/console.h"
 #include "drivers/file.h"
 
 #include <filesystem>

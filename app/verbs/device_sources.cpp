@@ -1,7 +1,7 @@
 #include "app/verbs/device_sources.h"
 
-#include "app/console.h"
-#include "app/error_text.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
 
 #include <csignal>
 #include <fmt/core.h>

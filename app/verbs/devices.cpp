@@ -1,7 +1,7 @@
 #include "app/verbs/devices.h"
 
-#include "app/console.h"
 #include "app/diagnosis/system_facts.h"
+#include "app/terminal/console.h"
 
 #include <cstring>
 #include <fmt/core.h>

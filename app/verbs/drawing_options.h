@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/drawing.h"
+#include "app/plants/drawing.h"
 
 #include <CLI/CLI.hpp>
 #include <optional>

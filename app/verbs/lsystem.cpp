@@ -1,8 +1,8 @@
 #include "app/verbs/lsystem.h"
 
-#include "app/console.h"
-#include "app/model_file.h"
+#include "app/plants/model_file.h"
 #include "app/resources.h"
+#include "app/terminal/console.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/model_options.h"
 #include "engine/lsystem/derive.h"

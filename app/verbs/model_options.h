@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/model_cost.h"
+#include "app/station/model_cost.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdint>

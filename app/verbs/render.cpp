@@ -1,8 +1,8 @@
 #include "app/verbs/render.h"
 
+#include "app/plants/session_plant.h"
 #include "app/render/offscreen_context.h"
 #include "app/render/renderer.h"
-#include "app/session_plant.h"
 #include "app/verbs/checks.h"
 #include "drivers/file.h"
 #include "engine/export/glb_reader.h"

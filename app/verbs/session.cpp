@@ -1,9 +1,9 @@
 #include "app/verbs/session.h"
 
-#include "app/console.h"
+#include "app/plants/session_export.h"
+#include "app/plants/session_plant.h"
 #include "app/session/describe_edit.h"
-#include "app/session_export.h"
-#include "app/session_plant.h"
+#include "app/terminal/console.h"
 
 #include <ctime>
 #include <filesystem>

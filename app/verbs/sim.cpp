@@ -1,6 +1,6 @@
 #include "app/verbs/sim.h"
 
-#include "app/console.h"
+#include "app/terminal/console.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/sim_converters.h"
 #include "app/verbs/sim_gadget.h"

@@ -2,10 +2,10 @@
 
 #include "app/verbs/checks.h"
 #include "app/verbs/sim_play.h"
+#include "drivers/clock.h"
 #include "sim/height_curve.h"
 #include "sim/uhid_converters.h"
 
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,11 +20,6 @@ struct SimConvertersArguments {
     unsigned channel = 0;
     std::optional<double> fail_after_s;
 };
-
-Timestamp clock_now()
-{
-    return Timestamp(std::chrono::steady_clock::now().time_since_epoch());
-}
 
 // The height of a recording, for a converter that is asked for it, from when it is asked first: the
 // kernel's own driver may have the converter open without reading it. And a fault when its time
@@ -44,7 +39,7 @@ public:
 
     double fraction_now()
     {
-        auto const now = clock_now();
+        auto const now = monotonic_now();
         begin_ = begin_.value_or(now);
         return heights_.fraction_at(Timestamp(now - *begin_));
     }

@@ -1,7 +1,7 @@
 #include "app/verbs/sim_gadget.h"
 
-#include "app/console.h"
-#include "app/played_height_sensor.h"
+#include "app/play/played_height_sensor.h"
+#include "app/terminal/console.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/sim_play.h"
 #include "drivers/device_kind.h"

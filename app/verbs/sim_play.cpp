@@ -1,10 +1,10 @@
 #include "app/verbs/sim_play.h"
 
-#include "app/console.h"
-#include "app/model_cost.h"
-#include "app/model_file.h"
+#include "app/plants/model_file.h"
+#include "app/play/simulated_recording.h"
 #include "app/resources.h"
-#include "app/simulated_recording.h"
+#include "app/station/model_cost.h"
+#include "app/terminal/console.h"
 #include "drivers/file.h"
 
 #include <atomic>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/device_parts.h"
+#include "app/play/device_parts.h"
 #include "app/verbs/verb.h"
 #include "drivers/log.h"
 #include "engine/base/result.h"

@@ -1,9 +1,9 @@
 #include "app/verbs/vary.h"
 
-#include "app/collection.h"
-#include "app/console.h"
-#include "app/progress.h"
+#include "app/plants/collection.h"
 #include "app/resources.h"
+#include "app/terminal/console.h"
+#include "app/terminal/progress.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/drawing_options.h"
 #include "app/verbs/growth_options.h"

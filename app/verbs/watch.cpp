@@ -1,14 +1,14 @@
 #include "app/verbs/watch.h"
 
-#include "app/console.h"
 #include "app/diagnosis/device_monitor.h"
 #include "app/diagnosis/diagnose.h"
-#include "app/live_devices.h"
-#include "app/live_recorder.h"
-#include "app/terminal.h"
+#include "app/live/live_devices.h"
+#include "app/live/live_recorder.h"
+#include "app/live/watch_view.h"
+#include "app/terminal/console.h"
+#include "app/terminal/terminal.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/device_sources.h"
-#include "app/watch_view.h"
 
 #include <chrono>
 #include <ctime>

@@ -1,23 +1,24 @@
 #include "app/verbs/window.h"
 
-#include "app/console.h"
-#include "app/error_text.h"
-#include "app/large_blocks.h"
-#include "app/live_devices.h"
-#include "app/live_window.h"
-#include "app/log_replay.h"
-#include "app/model_cost.h"
-#include "app/model_file.h"
-#include "app/replay_window.h"
+#include "app/live/live_devices.h"
+#include "app/live/live_window.h"
+#include "app/live/log_replay.h"
+#include "app/live/replay_window.h"
+#include "app/live/unnamed_session.h"
+#include "app/plants/large_blocks.h"
+#include "app/plants/model_file.h"
+#include "app/plants/session_plant.h"
 #include "app/resources.h"
-#include "app/session_plant.h"
-#include "app/unnamed_session.h"
+#include "app/station/model_cost.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
 #include "app/user_folder.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/device_sources.h"
 #include "app/verbs/shared_options.h"
 #include "app/window/window.h"
 #include "calib/rig_file.h"
+#include "drivers/clock.h"
 #include "drivers/file.h"
 #include "drivers/log.h"
 
@@ -156,7 +157,7 @@ struct Clock {
 Clock clock_for(WindowArguments const& arguments)
 {
     if (arguments.played.empty() || arguments.frames == 0)
-        return { [] { return Timestamp(std::chrono::steady_clock::now().time_since_epoch()); } };
+        return { monotonic_now };
     auto const counted = std::make_shared<Timestamp>();
     return { [counted] { return *counted; }, counted };
 }

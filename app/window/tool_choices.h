@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/tools/tool.h"
+#include "app/station/tools/tool.h"
 
 #include <span>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "app/diagnosis/device_monitor.h"
 #include "app/diagnosis/finding.h"
 #include "app/render/image.h"
-#include "app/tools/tool.h"
+#include "app/station/tools/tool.h"
 #include "app/window/calibration_view.h"
 #include "engine/base/time.h"
 #include "engine/mesh/mesh.h"

@@ -1,5 +1,6 @@
 #include "drivers/usb/usb_reader.h"
 
+#include "drivers/clock.h"
 #include "engine/base/check.h"
 
 #include <algorithm>
@@ -20,11 +21,6 @@ namespace {
 constexpr std::size_t kTransfers = 8;
 constexpr std::size_t kTransferBytes = sizeof(RawReport::storage); // Whole packets at any speed.
 constexpr Duration kCancelLimit = 1s;
-
-Timestamp now()
-{
-    return Timestamp(std::chrono::steady_clock::now().time_since_epoch());
-}
 
 struct FreeTransfer {
     void operator()(libusb_transfer* transfer) const { libusb_free_transfer(transfer); }
@@ -99,7 +95,7 @@ void Reader::finish(Transfer& transfer)
             failure_ = fmt::format("transfer status {}", static_cast<int>(transfer.handle->status));
         return;
     }
-    RawReport report { .received = now(),
+    RawReport report { .received = monotonic_now(),
                        .size = static_cast<std::size_t>(transfer.handle->actual_length) };
     std::memcpy(report.storage.data(), transfer.bytes.data(), report.size);
     if (report.size > 0)
@@ -124,10 +120,10 @@ void Reader::handle_events(Duration timeout)
 
 Result<std::optional<RawReport>> Reader::read(Duration timeout)
 {
-    auto const end = now() + timeout;
+    auto const end = monotonic_now() + timeout;
     handle_events(0ms); // What has ended already is stamped as soon as can be.
     while (ready_.empty() && failure_.empty()) {
-        auto const left = end - now();
+        auto const left = end - monotonic_now();
         if (left <= 0ms)
             return std::optional<RawReport>();
         handle_events(left);
@@ -152,8 +148,8 @@ Reader::~Reader()
     for (auto const& transfer : transfers_)
         if (transfer && transfer->is_under_way)
             libusb_cancel_transfer(transfer->handle.get()); // Of a device that is gone, it fails.
-    auto const end = now() + kCancelLimit;
-    while (is_any_under_way() && now() < end)
+    auto const end = monotonic_now() + kCancelLimit;
+    while (is_any_under_way() && monotonic_now() < end)
         handle_events(50ms);
     // Libusb still has its hands on what did not end: better lost than freed.
     for (auto& transfer : transfers_)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/station.h"
+#include "app/station/station.h"
 #include "tests/app/small_model.h"
 #include "tests/drivers/devices.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/simulated_recording.h"
+#include "app/play/simulated_recording.h"
 #include "drivers/log.h"
 #include "tests/app/small_model.h"
 

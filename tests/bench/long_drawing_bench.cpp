@@ -1,11 +1,11 @@
 // Eight hours of drawing, as fast as they can be replayed: a stroke of a second, three seconds of
 // looking at it, and now and then one taken back. Says after each hour what memory the program has,
 // which should stay the same; what was drawn is kept in a session.
-#include "app/large_blocks.h"
-#include "app/model_file.h"
+#include "app/live/station_desk.h"
+#include "app/plants/large_blocks.h"
+#include "app/plants/model_file.h"
+#include "app/plants/session_plant.h"
 #include "app/resources.h"
-#include "app/session_plant.h"
-#include "app/station_desk.h"
 #include "tests/app/simple_rig.h"
 #include "tests/bench/report.h"
 

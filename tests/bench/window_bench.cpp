@@ -4,7 +4,7 @@
 // (cpu).
 //
 // The times are those of the 99th of a hundred frames (p99) or of the usual one (median).
-#include "app/station_view.h"
+#include "app/station/station_view.h"
 #include "app/window/view_curves.h"
 #include "tests/app/simple_rig.h"
 #include "tests/bench/report.h"

@@ -1,5 +1,5 @@
-#include "app/drawing.h"
-#include "app/session_plant.h"
+#include "app/plants/drawing.h"
+#include "app/plants/session_plant.h"
 #include "tests/app/simulated_drawing.h"
 
 #include <chrono>

@@ -1,5 +1,5 @@
-#include "app/live_window.h"
-#include "app/log_replay.h"
+#include "app/live/live_window.h"
+#include "app/live/log_replay.h"
 #include "app/window/window.h"
 #include "drivers/file.h"
 #include "drivers/log_writer.h"

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "app/calibration/calibration_desk.h"
+#include "app/live/live_devices.h"
+#include "app/window/calibration_view.h"
+#include "engine/base/result.h"
+#include "engine/base/time.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+struct CalibrationBenchOptions {
+    CalibrationDesk::Options desk {};
+    std::vector<double> heights_mm {}; // To propose, in this order; empty: those of the procedure.
+    std::string date {};               // Today's.
+    std::function<Timestamp()> now {};
+
+    // Writes what was found out; what it did, or why it could not.
+    std::function<Result<std::string>(CalibrationOutcome const&)> keep {};
+};
+
+// What the window shows while a person calibrates devices: the reading, the captures and, from the
+// second one on, the fit and its plots. A pen that rests on the tablet captures the proposed
+// height. What one procedure found out is what the next begins with; nothing is written before the
+// person asks for it.
+class CalibrationBench final : public CalibrationModel {
+public:
+    // Fails as CalibrationDesk::create does.
+    static Result<CalibrationBench> create(std::vector<DeviceInfo> devices,
+                                           CalibrationBenchOptions options);
+
+    // What a device has sent; advance() draws conclusions from all that has come.
+    void push(LiveReport const& report);
+    void advance();
+
+    CalibrationView const& view() const override { return view_; }
+    void perform(CalibrationCommand const& command) override;
+
+    // The rig that was kept since the last call.
+    std::optional<Rig> take_kept_rig() { return std::exchange(kept_, std::nullopt); }
+
+private:
+    CalibrationBench(std::vector<DeviceInfo> devices, CalibrationBenchOptions options,
+                     CalibrationDesk desk);
+
+    void perform_kind(ChooseProcedure const& command);
+    void perform_kind(ProposeHeight const& command) { view_.proposed_mm = command.height_mm; }
+    void perform_kind(CaptureAt const& command);
+    void perform_kind(UndoCapture const&);
+    void perform_kind(BeginMovement const&);
+    void perform_kind(EndMovement const&);
+    void perform_kind(KeepRig const&);
+    void perform_kind(PressWithPen const&);
+
+    void capture(Timestamp time, double ruler_mm);
+    bool command(Timestamp time,
+                 std::string const& words); // False if it was refused; the view says why.
+    void fit();
+    void propose();
+    void show_reading();
+    void refuse(std::string const& why);
+
+    std::vector<DeviceInfo> devices_;
+    CalibrationBenchOptions options_;
+    CalibrationDesk desk_;
+    std::optional<CalibrationOutcome> outcome_; // Of everything so far.
+    std::optional<Rig> kept_;
+    bool was_capturing_ = false;
+    bool is_moving_ = false;
+    CalibrationView view_;
+};
+
+} // namespace tractus

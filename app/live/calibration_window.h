@@ -1,0 +1,32 @@
+#pragma once
+
+#include "app/live/calibration_bench.h"
+#include "app/live/live_devices.h"
+#include "app/window/window_model.h"
+#include "engine/base/result.h"
+
+#include <vector>
+
+namespace tractus {
+
+// A window that is there to calibrate, and for nothing else.
+class CalibrationWindow final : public WindowModel {
+public:
+    // Fails as CalibrationBench::create does.
+    static Result<CalibrationWindow> create(LiveDevices devices, CalibrationBenchOptions options);
+
+    void advance(Duration real_step) override;
+    WindowState const& state() const override { return state_; }
+    void perform(WindowCommand const&) override { }
+    CalibrationModel* calibration() override { return &bench_; }
+
+private:
+    CalibrationWindow(LiveDevices devices, CalibrationBench bench);
+
+    LiveDevices devices_;
+    CalibrationBench bench_;
+    std::vector<LiveReport> reports_; // Kept for its memory.
+    WindowState state_;               // Nothing but the calibration is shown.
+};
+
+} // namespace tractus

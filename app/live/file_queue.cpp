@@ -1,0 +1,61 @@
+#include "app/live/file_queue.h"
+
+#include <utility>
+
+namespace tractus {
+
+static Result<std::filesystem::path> write_wanted(WantedFile const& file)
+{
+    TRY(file.write(file.path));
+    return file.path;
+}
+
+FileQueue::FileQueue()
+    : job_(write_wanted)
+{
+}
+
+FileQueue::~FileQueue()
+{
+    settle();
+}
+
+void FileQueue::add(WantedFile file)
+{
+    waiting_.push_back(std::move(file));
+    collect();
+}
+
+// What has been written makes room for the next one.
+void FileQueue::collect()
+{
+    if (auto written = job_.take()) {
+        done_.push_back(*std::move(written));
+        is_writing_ = false;
+    }
+    if (is_writing_ || waiting_.empty())
+        return;
+    job_.want(std::move(waiting_.front()));
+    waiting_.pop_front();
+    is_writing_ = true;
+}
+
+std::optional<Result<std::filesystem::path>> FileQueue::take()
+{
+    collect();
+    if (done_.empty())
+        return std::nullopt;
+    auto written = std::move(done_.front());
+    done_.pop_front();
+    return written;
+}
+
+void FileQueue::settle()
+{
+    while (is_writing_) {
+        job_.settle();
+        collect();
+    }
+}
+
+} // namespace tractus

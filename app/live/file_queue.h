@@ -1,0 +1,49 @@
+#pragma once
+
+#include "app/station/newest_job.h"
+#include "engine/base/result.h"
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+namespace tractus {
+
+// A file that somebody wants to have.
+struct WantedFile {
+    std::filesystem::path path;
+    // Is called on another thread, with that path.
+    std::function<Result<void>(std::filesystem::path const& path)> write;
+};
+
+// Writes files in the background, one after another, for a window that goes on meanwhile. All that
+// were asked for are written, though the window may close before. Belongs to one thread.
+class FileQueue {
+public:
+    FileQueue();
+    FileQueue(FileQueue const&) = delete;
+    FileQueue& operator=(FileQueue const&) = delete;
+    ~FileQueue();
+
+    void add(WantedFile file);
+
+    // Some are not written yet, or their outcome was not taken.
+    bool is_busy() const { return is_writing_ || !done_.empty(); }
+
+    // The name of one that has been written since the last call, or why it could not be.
+    std::optional<Result<std::filesystem::path>> take();
+
+    // Waits until the outcome of all is there to be taken.
+    void settle();
+
+private:
+    void collect();
+
+    std::deque<WantedFile> waiting_;
+    bool is_writing_ = false;
+    std::deque<Result<std::filesystem::path>> done_;
+    NewestJob<WantedFile, Result<std::filesystem::path>> job_;
+};
+
+} // namespace tractus

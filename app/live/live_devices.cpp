@@ -1,0 +1,167 @@
+#include "app/live/live_devices.h"
+
+#include "app/play/paced_log.h"
+#include "app/resources.h"
+#include "drivers/device_kind.h"
+#include "drivers/device_list.h"
+#include "drivers/log.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace tractus {
+
+static constexpr std::string_view kSimulated = "simulated";
+
+std::string_view device_name_help()
+{
+    return "an address that \"tractus devices\" lists (/dev/hidrawN, libusb:BUS-PORTS:INTERFACE, "
+           "usb:BUS-PORTS), gpio:CHIP:CLK,DIN,DOUT,CS:mcp3208:CHANNEL, a log's file name, or "
+           "simulated";
+}
+
+std::vector<DeviceInfo> find_pens_and_height_sensors()
+{
+    auto devices = list_devices();
+    std::erase_if(devices,
+                  [](auto const& info) { return describe_device(info).kind == DeviceKind::Other; });
+    return devices;
+}
+
+Result<LiveDevices> LiveDevices::start(std::vector<std::unique_ptr<ReportSource>> sources)
+{
+    LiveDevices devices;
+    for (auto& source : sources)
+        TRY(devices.add(std::move(source), nullptr));
+    return devices;
+}
+
+LiveDevices LiveDevices::open_usable(std::vector<DeviceInfo> const& infos,
+                                     std::vector<RefusedDevice>& refused)
+{
+    LiveDevices devices;
+    auto const reconnection = system_reconnection();
+    for (auto const& info : infos)
+        if (auto const added = devices.add_real(info, reconnection); !added)
+            refused.push_back({ info, added.error() });
+    return devices;
+}
+
+Result<LiveDevices> LiveDevices::open_named(std::span<std::string const> names)
+{
+    LiveDevices devices;
+    auto const reconnection = system_reconnection();
+    for (auto const& name : names) {
+        std::error_code ignored;
+        if (name == kSimulated || std::filesystem::is_regular_file(name, ignored))
+            TRY(devices.add_log(name));
+        else if (auto info = find_device(name))
+            TRY(devices.add_real(*std::move(info), reconnection));
+        else
+            return tl::unexpected(std::move(info).error());
+    }
+    return devices;
+}
+
+Result<void> LiveDevices::add(std::unique_ptr<ReportSource> source,
+                              ReconnectingSource const* reconnecting)
+{
+    auto threaded = TRY(ThreadedSource::start(std::move(source)));
+    auto const* const observed = threaded.get();
+    infos_.push_back(threaded->info());
+    devices_.push_back({ std::move(threaded), observed, reconnecting });
+    return {};
+}
+
+Result<void> LiveDevices::add_real(DeviceInfo info, Reconnection const& reconnection)
+{
+    auto source = TRY(ReconnectingSource::open(std::move(info), reconnection));
+    auto const* const observed = source.get();
+    return add(std::move(source), observed);
+}
+
+// The simulated rig is a log, too: what its devices sent while its hand drew the demo.
+Result<void> LiveDevices::add_log(std::string const& name)
+{
+    auto const demo = find_resource("demo/broadleaf.tractus-log");
+    if (name == kSimulated && !demo)
+        return tl::unexpected(demo.error());
+    auto read = TRY(read_log(name == kSimulated ? *demo : std::filesystem::path(name)));
+    auto const log = std::make_shared<Log const>(std::move(read));
+    if (rig_text_.empty())
+        rig_text_ = log->rig_text;
+    auto const begin = log->records.empty() ? Timestamp {} : log->records.front().time;
+    auto const pace = pace_from_now(begin);
+    for (std::size_t i = 0; i < log->devices.size(); ++i)
+        TRY(add(open_paced(log, i, pace), nullptr));
+    return {};
+}
+
+Result<LiveDevices> LiveDevices::play_log(std::string const& name,
+                                          std::function<Timestamp()> const& now)
+{
+    auto read = TRY(read_log(name));
+    auto const log = std::make_shared<Log const>(std::move(read));
+    LiveDevices devices;
+    devices.rig_text_ = log->rig_text;
+    Pace const pace {
+        .data_begin = log->records.empty() ? Timestamp {} : log->records.front().time,
+        .real_begin = now(),
+        .now = now,
+        .wait = [](Duration) {}, // Who reads asks for no patience.
+    };
+    for (std::size_t i = 0; i < log->devices.size(); ++i) {
+        auto source = open_paced(log, i, pace);
+        devices.infos_.push_back(source->info());
+        devices.devices_.push_back({ std::move(source), nullptr, nullptr });
+    }
+    return devices;
+}
+
+LiveDevices::State LiveDevices::state(std::size_t device) const
+{
+    auto const& one = devices_.at(device);
+    if (!one.source)
+        return State::Ended;
+    return !one.reconnecting || one.reconnecting->is_connected() ? State::Connected : State::Away;
+}
+
+bool LiveDevices::any_left() const
+{
+    return std::any_of(devices_.begin(), devices_.end(),
+                       [](auto const& device) { return device.source != nullptr; });
+}
+
+void LiveDevices::take(std::vector<LiveReport>& reports)
+{
+    reports.clear();
+    for (std::size_t i = 0; i < devices_.size(); ++i) {
+        auto& [source, threaded, reconnecting] = devices_[i];
+        while (source) {
+            auto const report = source->read(Duration::zero());
+            if (report && !*report)
+                break;
+            if (report) {
+                reports.push_back({ i, **report });
+                continue;
+            }
+            if (threaded)
+                lost_by_ended_ += threaded->lost_count();
+            source.reset();
+        }
+    }
+    std::stable_sort(reports.begin(), reports.end(), [](auto const& a, auto const& b) {
+        return a.report.received < b.report.received;
+    });
+}
+
+std::uint64_t LiveDevices::lost_count() const
+{
+    auto count = lost_by_ended_;
+    for (auto const& device : devices_)
+        count += device.source && device.threaded ? device.threaded->lost_count() : 0;
+    return count;
+}
+
+} // namespace tractus

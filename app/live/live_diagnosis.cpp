@@ -1,0 +1,43 @@
+#include "app/live/live_diagnosis.h"
+
+#include "app/diagnosis/diagnose.h"
+#include "app/diagnosis/system_facts.h"
+
+#include <utility>
+
+namespace tractus {
+
+LiveDiagnosis::LiveDiagnosis(LiveDevices const& devices, Timestamp now)
+    : begin_(now)
+    , now_(now)
+    , of_machine_(diagnose_system(gather_system_facts()))
+{
+    for (auto const& info : devices.infos())
+        monitors_.emplace_back(info);
+}
+
+void LiveDiagnosis::pass_time(Timestamp now)
+{
+    now_ = now;
+    for (auto& monitor : monitors_)
+        monitor.pass_time(now);
+}
+
+std::vector<DeviceReading> LiveDiagnosis::readings() const
+{
+    std::vector<DeviceReading> readings;
+    for (auto const& monitor : monitors_)
+        readings.push_back(monitor.reading());
+    return readings;
+}
+
+std::vector<Finding> LiveDiagnosis::findings() const
+{
+    auto findings = of_machine_;
+    for (auto const& monitor : monitors_)
+        for (auto& finding : diagnose_device(monitor.reading(), now_ - begin_))
+            findings.push_back(std::move(finding));
+    return findings;
+}
+
+} // namespace tractus

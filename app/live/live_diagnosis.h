@@ -1,0 +1,31 @@
+#pragma once
+
+#include "app/diagnosis/device_monitor.h"
+#include "app/diagnosis/finding.h"
+#include "app/live/live_devices.h"
+
+#include <vector>
+
+namespace tractus {
+
+// What a person may want to know of the devices while drawing with them: their newest raw values,
+// how regularly they send, and what is the matter with them or with the machine.
+class LiveDiagnosis {
+public:
+    // Looks at the machine, which takes some milliseconds, and begins to listen.
+    LiveDiagnosis(LiveDevices const& devices, Timestamp now);
+
+    void push(LiveReport const& report) { monitors_[report.device].push(report.report); }
+    void pass_time(Timestamp now);
+
+    std::vector<DeviceReading> readings() const; // One for each device.
+    std::vector<Finding> findings() const;       // Empty if nothing is the matter.
+
+private:
+    Timestamp begin_;
+    Timestamp now_;
+    std::vector<DeviceMonitor> monitors_;
+    std::vector<Finding> of_machine_;
+};
+
+} // namespace tractus

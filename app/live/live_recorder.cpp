@@ -1,0 +1,88 @@
+#include "app/live/live_recorder.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fmt/core.h>
+#include <fstream>
+#include <utility>
+
+namespace tractus {
+
+Result<void> check_new_file(std::filesystem::path const& path)
+{
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored))
+        return fail(Fault::User,
+                    fmt::format("{} is already there: choose another name, a recording "
+                                "is never written over",
+                                path.string()));
+    return {};
+}
+
+Result<LiveRecorder> LiveRecorder::create(std::filesystem::path const& path,
+                                          LogHeader const& header)
+{
+    TRY(check_new_file(path));
+    // Under its final name from the first report on: a log is whole at any length.
+    auto out = std::make_unique<std::ofstream>(path, std::ios::binary);
+    if (!*out)
+        return fail(Fault::User,
+                    fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
+    LiveRecorder recorder(std::move(out), header);
+    TRY(recorder.flush());
+    return recorder;
+}
+
+LiveRecorder::LiveRecorder(std::unique_ptr<std::ostream> out, LogHeader const& header)
+    : out_(std::move(out))
+    , log_(std::make_unique<LogWriter>(*out_, header))
+    , next_flush_(header.start + kFlushEvery)
+{
+    for (auto const& info : header.devices) {
+        auto decoder = make_pen_decoder(info);
+        pens_.push_back({ .decoder = decoder ? *std::move(decoder) : nullptr });
+    }
+}
+
+void LiveRecorder::write(LiveReport const& report)
+{
+    log_->write_report(report.device, report.report.received, report.report.bytes());
+    report_count_ += report.report.size > 0;
+    stroke_ended_ |= ends_stroke(report);
+}
+
+bool LiveRecorder::ends_stroke(LiveReport const& report)
+{
+    auto& [decoder, touching] = pens_[report.device];
+    if (report.report.size == 0)
+        return std::exchange(touching, false);
+    if (!decoder)
+        return false;
+    auto const sample = decoder->decode(report.report);
+    if (!sample || !*sample)
+        return false;
+    return std::exchange(touching, (*sample)->touching) && !(*sample)->touching;
+}
+
+void LiveRecorder::write_tool(Timestamp time, std::string_view tool, std::string_view arguments)
+{
+    log_->write_tool(time, tool, arguments);
+}
+
+Result<void> LiveRecorder::flush_if_due(Timestamp now)
+{
+    if (!stroke_ended_ && now < next_flush_)
+        return {};
+    stroke_ended_ = false;
+    next_flush_ = now + kFlushEvery;
+    return flush();
+}
+
+Result<void> LiveRecorder::flush()
+{
+    TRY(log_->flush());
+    byte_count_ = static_cast<std::uint64_t>(std::streamoff(out_->tellp()));
+    return {};
+}
+
+} // namespace tractus

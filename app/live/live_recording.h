@@ -1,0 +1,36 @@
+#pragma once
+
+#include "app/live/live_devices.h"
+#include "app/live/live_recorder.h"
+#include "engine/base/result.h"
+#include "engine/base/time.h"
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+namespace tractus {
+
+struct LiveRecordingOptions {
+    std::optional<double> seconds {}; // No value: until `stop` is set.
+    std::function<Timestamp()> now;
+    std::function<void(Duration)> rest;
+};
+
+// The monotonic clock, and sleeping.
+LiveRecordingOptions live_recording_by_the_clock(std::optional<double> seconds);
+
+struct LiveRecordingCounts {
+    std::size_t reports = 0;
+    std::uint64_t lost = 0; // Reports that came faster than they were written.
+};
+
+// Records what devices send, as it comes, until the time is over, `stop` is set (by a signal
+// handler, say) or no device is left. A device that goes away or comes back is named on standard
+// error, and the others go on. Fails if the recorder's stream cannot be written.
+Result<LiveRecordingCounts> record_live(LiveDevices& devices, LiveRecorder& recorder,
+                                        LiveRecordingOptions const& options,
+                                        std::atomic<bool> const& stop);
+
+} // namespace tractus

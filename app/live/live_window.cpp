@@ -1,0 +1,414 @@
+#include "app/live/live_window.h"
+
+#include "app/calibration/save_calibration.h"
+#include "calib/rig_file.h"
+#include "drivers/height_decoder.h"
+#include "engine/base/check.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+constexpr double kMousePressure = 0.5; // As of a hand that draws without effort.
+
+bool has_height_sensor(LiveDevices const& devices)
+{
+    return std::any_of(devices.infos().begin(), devices.infos().end(), [](auto const& info) {
+        return !make_pen_decoder(info) && make_height_decoder(info);
+    });
+}
+
+bool has_pen(LiveDevices const& devices)
+{
+    return std::any_of(devices.infos().begin(), devices.infos().end(),
+                       [](auto const& info) { return make_pen_decoder(info).has_value(); });
+}
+
+// What the mouse stands in for.
+struct MouseParts {
+    bool pen = false;
+    bool height = false;
+};
+
+Result<MouseParts> add_mouse(LiveDevices& devices, LiveWindowOptions const& options)
+{
+    constexpr double kFirstSurface_mm = 100; // Some of the plant is below it, and to be seen.
+    if (!options.mouse)
+        return MouseParts {};
+    MouseParts const parts { .pen = !has_pen(devices), .height = !has_height_sensor(devices) };
+    auto mouse = *options.mouse;
+    if (parts.pen)
+        TRY(devices.add_source(mouse.open_tablet()));
+    if (parts.height) {
+        mouse.set_surface(options.height_mm.value_or(kFirstSurface_mm));
+        TRY(devices.add_source(mouse.open_height()));
+    }
+    return parts;
+}
+
+// The size of the first tablet's active area.
+std::optional<Vec2> tablet_size_mm(LiveDevices const& devices)
+{
+    for (auto const& info : devices.infos())
+        if (auto const decoder = make_pen_decoder(info))
+            return (*decoder)->traits().size_mm;
+    return std::nullopt;
+}
+
+// The rig's height sensor has never been calibrated: its readings mean nothing yet.
+bool lacks_calibration(LiveDevices const& devices, LiveWindowOptions const& options)
+{
+    return !options.rig && devices.rig_text().empty() && !options.height_mm
+        && has_height_sensor(devices);
+}
+
+Result<Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions const& options,
+                       MouseParts const& mouse)
+{
+    if (mouse.pen && mouse.height)
+        return MouseRig::rig();
+    if (mouse.height) {
+        auto rig = options.rig.value_or(Rig { .tablet_size_mm = tablet_size_mm(devices).value() });
+        MouseRig::set_height_sensor_in(rig);
+        return rig;
+    }
+    if (options.rig)
+        return *options.rig;
+    if (!devices.rig_text().empty())
+        return parse_rig(devices.rig_text(), "the log's rig");
+    if (lacks_calibration(devices, options) && options.rig_file.empty())
+        return fail(Fault::User,
+                    "there is a height sensor but no calibration of it: give one with --rig, or "
+                    "the surface's height with --height");
+    Rig rig;
+    rig.tablet_size_mm = tablet_size_mm(devices).value_or(rig.tablet_size_mm);
+    return rig;
+}
+
+} // namespace
+
+Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions options)
+{
+    CHECK(options.now);
+    StationOptions station_options;
+    bool const has_sensor = has_height_sensor(devices);
+    bool const lacks_calibration = tractus::lacks_calibration(devices, options);
+    auto const mouse = TRY(add_mouse(devices, options));
+    station_options.rig = TRY(choose_rig(devices, options, mouse));
+    station_options.scene = options.session ? options.session->scene() : options.scene;
+    if (!mouse.height && (options.height_mm || !has_sensor || lacks_calibration))
+        station_options.scripted_height = ScriptedHeight {
+            .scenario = { .kind = HeightScenario::Kind::Constant,
+                          .constant_mm = options.height_mm.value_or(0) },
+            .first_pen = {},
+            .last_pen = {},
+        };
+    auto station = TRY(Station::create(devices.infos(), station_options));
+    LiveWindow window(std::move(devices), std::move(options), std::move(station_options),
+                      std::move(station));
+    window.view().state().mouse_draws = mouse.pen;
+    window.view().state().mouse_moves_surface = mouse.height;
+    window.view().state().may_calibrate = has_sensor && !window.options_.rig_file.empty();
+    if (lacks_calibration)
+        window.perform(OpenCalibration {});
+    if (!window.options_.recording.empty())
+        TRY(window.start_recording(window.options_.recording));
+    return window;
+}
+
+LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
+                       StationOptions station_options, Station station)
+    : devices_(std::move(devices))
+    , options_(std::move(options))
+    , station_options_(std::move(station_options))
+    , station_(std::move(station))
+    , desk_(station_, std::exchange(options_.session, std::nullopt), options_.folder)
+    , states_(devices_.infos().size(), LiveDevices::State::Connected)
+{
+    view().state().is_live = true;
+    view().state().playing = false;
+    view().state().status = "Draw: the station reads the pen";
+}
+
+LiveWindow::~LiveWindow()
+{
+    desk_.finish(station_, options_.now ? options_.now() : Timestamp {});
+}
+
+void LiveWindow::advance(Duration real_step)
+{
+    if (options_.counted_time)
+        *options_.counted_time += real_step;
+    take_reports();
+    desk_.show(station_, options_.now());
+    view().show_pen(station_.take_moments());
+    calibrate();
+    show_devices();
+    tell_device_changes();
+    tell_who_is_away();
+    flush_recording();
+}
+
+void LiveWindow::take_reports()
+{
+    devices_.take(reports_);
+    for (auto const& report : reports_) {
+        station_.push(report.device, report.report.received, report.report.bytes());
+        record_tool_changes(); // Before the report: what it began belongs to the tool.
+        if (recorder_)
+            recorder_->write(report);
+        if (diagnosis_)
+            diagnosis_->push(report);
+        if (calibration_)
+            calibration_->push(report);
+    }
+    station_.pass_time(options_.now());
+}
+
+void LiveWindow::record_tool_changes()
+{
+    for (auto const& [time, tool] : station_.take_tool_changes()) {
+        auto const words = words_for(tool);
+        if (recorder_)
+            recorder_->write_tool(time, words.name, words.arguments);
+    }
+}
+
+void LiveWindow::tell_device_changes()
+{
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        auto const state = devices_.state(i);
+        if (std::exchange(states_[i], state) == state)
+            continue;
+        auto const& name = devices_.infos()[i].name;
+        switch (state) {
+        case LiveDevices::State::Connected:
+            view().state().status = fmt::format("{} is back", name);
+            break;
+        case LiveDevices::State::Away: // See tell_who_is_away().
+            break;
+        case LiveDevices::State::Ended:
+            view().state().status = fmt::format("{} is over", name);
+            break;
+        }
+    }
+}
+
+// More urgent than what else may be wrong.
+void LiveWindow::tell_who_is_away()
+{
+    for (std::size_t i = 0; i < states_.size(); ++i)
+        if (states_[i] == LiveDevices::State::Away)
+            view().state().trouble = fmt::format(
+                "{} has gone: plug it in again, what was drawn is kept", devices_.infos()[i].name);
+}
+
+Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
+{
+    auto const now = options_.now();
+    recorder_ = TRY(LiveRecorder::create(path,
+                                         { .devices = devices_.infos(),
+                                           .rig_text = print_rig(station_options_.rig),
+                                           .start = now }));
+    if (auto const& tool = station_.tool(); !(tool == station_options_.tool)) {
+        auto const words = words_for(tool);
+        recorder_->write_tool(now, words.name, words.arguments);
+    }
+    view().state().recording = { true, path.filename().string(), recorder_->byte_count() };
+    return {};
+}
+
+Result<void> LiveWindow::stop_recording()
+{
+    auto const flushed = recorder_->flush();
+    view().state().recording.bytes = recorder_->byte_count();
+    view().state().recording.is_on = false;
+    recorder_.reset();
+    return flushed;
+}
+
+void LiveWindow::flush_recording()
+{
+    if (!recorder_)
+        return;
+    auto const flushed = recorder_->flush_if_due(options_.now());
+    view().state().recording.bytes = recorder_->byte_count();
+    if (flushed)
+        return;
+    recorder_.reset();
+    view().state().recording.is_on = false;
+    view().state().status = fmt::format("The recording has stopped: {}", flushed.error().message);
+}
+
+void LiveWindow::perform_kind(SetRecording const& command)
+{
+    if (command.is_on == recorder_.has_value())
+        return;
+    auto& status = view().state().status;
+    if (command.is_on) {
+        auto const path = desk_.new_file(".tractus-log");
+        auto const begun = start_recording(path);
+        status = begun ? fmt::format("Recording into {}", path.string()) : begun.error().message;
+        return;
+    }
+    auto const stopped = stop_recording();
+    auto const& [is_on, file, bytes] = view().state().recording;
+    status = stopped ? fmt::format("Recorded {}, {:.1f} kB", file, static_cast<double>(bytes) / 1e3)
+                     : stopped.error().message;
+}
+
+void LiveWindow::perform(WindowCommand const& command)
+{
+    std::visit([this](auto const& kind) { perform_kind(kind); }, command);
+}
+
+void LiveWindow::perform_kind(Restart const&)
+{
+    if (desk_.keeper().has_session())
+        desk_.perform(Restart {}, station_);
+    else
+        restart_without_session();
+}
+
+void LiveWindow::restart_without_session()
+{
+    auto again = Station::create(devices_.infos(), station_options_);
+    if (!again) {
+        view().state().status = again.error().message;
+        return;
+    }
+    go_on_with(*std::move(again));
+    desk_.show_again(station_, "The plant is as its model gives it");
+}
+
+// In the present one's place, with what is in the hand.
+void LiveWindow::go_on_with(Station station)
+{
+    auto const tool = station_.tool();
+    station_ = std::move(station);
+    station_.set_pressing_areas(pressing_areas_);
+    station_.set_tool(options_.now(), tool);
+}
+
+void LiveWindow::perform_kind(ChooseTool const& command)
+{
+    station_.set_tool(options_.now(), command.tool);
+    record_tool_changes();
+    desk_.show(station_, options_.now());
+}
+
+void LiveWindow::perform_kind(SetPressingAreas const& command)
+{
+    pressing_areas_ = command.areas;
+    station_.set_pressing_areas(command.areas);
+}
+
+void LiveWindow::perform_kind(PressInstead const&)
+{
+    station_.press_instead();
+    record_tool_changes();
+}
+
+void LiveWindow::perform_kind(MoveMousePen const& command)
+{
+    if (!options_.mouse)
+        return;
+    Vec2 const middle_mm = station_options_.rig.tablet_size_mm / 2;
+    std::vector<TabletPen> pens;
+    for (auto const& pen : command.path)
+        pens.push_back({ .place_mm = pen.place_mm + middle_mm,
+                         .in_range = pen.in_range,
+                         .touching = pen.touching,
+                         .pressure = pen.touching ? kMousePressure : 0 });
+    options_.mouse->move_pen(pens);
+}
+
+void LiveWindow::perform_kind(MoveSurface const& command)
+{
+    if (options_.mouse)
+        options_.mouse->move_surface(command.by_mm);
+}
+
+void LiveWindow::perform_kind(WatchDevices const& command)
+{
+    diagnosis_.reset();
+    if (command.watched)
+        diagnosis_.emplace(devices_, options_.now());
+    view().state().devices = {};
+    ++view().state().devices_revision;
+    next_look_ = options_.now();
+}
+
+// As often as a person can read it.
+void LiveWindow::show_devices()
+{
+    constexpr Duration kLookEvery = std::chrono::milliseconds(100);
+    auto const now = options_.now();
+    if (!diagnosis_ || now < next_look_)
+        return;
+    next_look_ = now + kLookEvery;
+    diagnosis_->pass_time(now);
+    view().state().devices = { diagnosis_->readings(), diagnosis_->findings() };
+    ++view().state().devices_revision;
+}
+
+void LiveWindow::perform_kind(OpenCalibration const&)
+{
+    if (!view().state().may_calibrate)
+        return;
+    auto bench = CalibrationBench::create(
+        devices_.infos(),
+        { .desk = { .rig = station_options_.rig },
+          .date = today(),
+          .now = options_.now,
+          .keep = [file = options_.rig_file](CalibrationOutcome const& outcome) {
+              std::error_code ignored; // Saving fails, and says why.
+              std::filesystem::create_directories(file.parent_path(), ignored);
+              return save_calibration(outcome, file);
+          } });
+    if (bench)
+        calibration_ = *std::move(bench);
+    else
+        view().state().status = bench.error().message;
+}
+
+void LiveWindow::perform_kind(CloseCalibration const&)
+{
+    calibration_.reset();
+    ++view().state().live_revision; // The views are seen again.
+}
+
+void LiveWindow::calibrate()
+{
+    if (!calibration_)
+        return;
+    calibration_->advance();
+    if (auto const rig = calibration_->take_kept_rig())
+        use_rig(*rig);
+}
+
+// The pen draws by it from now on.
+void LiveWindow::use_rig(Rig const& rig)
+{
+    auto options = station_options_;
+    options.rig = rig;
+    options.scripted_height.reset();
+    auto station = Station::create(devices_.infos(), options);
+    if (!station) {
+        view().state().status = station.error().message;
+        return;
+    }
+    desk_.finish(station_, options_.now());
+    station->set_scene(station_.scene());
+    station_options_ = std::move(options);
+    go_on_with(*std::move(station));
+    desk_.show_again(station_, "The pen draws by the new calibration");
+    if (recorder_) // Its header has the old one.
+        perform_kind(SetRecording { false });
+}
+
+} // namespace tractus

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "app/live/calibration_bench.h"
+#include "app/live/live_devices.h"
+#include "app/live/live_diagnosis.h"
+#include "app/live/live_recorder.h"
+#include "app/live/mouse_rig.h"
+#include "app/live/station_desk.h"
+#include "app/session/session.h"
+#include "app/window/window_model.h"
+#include "calib/rig.h"
+#include "engine/base/result.h"
+#include "engine/scene/scene.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+struct LiveWindowOptions {
+    std::optional<Rig> rig {}; // No value: that of a log among the devices, else see create().
+    // Where calibrating keeps the rig; empty: nowhere, and there is no calibrating.
+    std::filesystem::path rig_file {};
+    // The surface's height in place of a height sensor, above the desk.
+    std::optional<double> height_mm {};
+    Scene scene {}; // What the pen works on; its base plant is loaded.
+    // The folder in which saved pictures, exports, and recordings that nobody named appear.
+    std::filesystem::path folder = ".";
+    std::filesystem::path recording {}; // The new log of all that comes; empty: none at first.
+    // Keeps what is drawn; the pen works on its scene in place of the one above. LiveWindow::create
+    // takes it over.
+    std::optional<Session> session {};
+    std::function<Timestamp()> now {}; // The clock of the reports.
+    // That clock, where it goes on by each advance()'s step and by nothing else: what `now` tells.
+    std::shared_ptr<Timestamp> counted_time {};
+    // Stands in for the pen, the height sensor, or both, where the devices lack them; `height_mm`
+    // is where its surface is at first.
+    std::optional<MouseRig> mouse {};
+};
+
+// What the station's window shows while somebody draws: devices are read on threads of their own,
+// and each advance() takes what they have sent. Devices may go away and come back meanwhile.
+class LiveWindow final : public WindowModel {
+public:
+    // Fails like Station::create and LiveRecorder::create. Without a height sensor and a height the
+    // surface lies on the desk; so it does where there is a height sensor and nothing is known of
+    // what its readings mean, and the window opens with calibrating it. Where that cannot be kept,
+    // it fails, as the user's fault.
+    static Result<LiveWindow> create(LiveDevices devices, LiveWindowOptions options);
+    LiveWindow(LiveWindow&&) = default;
+    LiveWindow& operator=(LiveWindow&&) = delete;
+    ~LiveWindow() override; // Waits until what was drawn is kept.
+
+    void advance(Duration real_step) override;
+    void settle() override { desk_.settle(station_, options_.now()); }
+    WindowState const& state() const override { return desk_.view().state(); }
+    void perform(WindowCommand const& command) override;
+    CalibrationModel* calibration() override { return calibration_ ? &*calibration_ : nullptr; }
+
+    Station const& station() const { return station_; }
+
+private:
+    LiveWindow(LiveDevices devices, LiveWindowOptions options, StationOptions station_options,
+               Station station);
+
+    void perform_kind(SetPlaying const&) { } // A hand has no pause,
+    void perform_kind(SetSpeed const&) { }   // nor another speed.
+    void perform_kind(Restart const&);
+    void perform_kind(ChooseTool const& command);
+    void perform_kind(SetPressingAreas const& command);
+    void perform_kind(PressInstead const&);
+    void perform_kind(MoveMousePen const& command);
+    void perform_kind(MoveSurface const& command);
+    void perform_kind(SetRecording const& command);
+    void perform_kind(WatchDevices const& command);
+    void perform_kind(OpenCalibration const&);
+    void perform_kind(CloseCalibration const&);
+    template<typename Command> void perform_kind(Command const& command)
+    {
+        desk_.perform(command, station_);
+    }
+
+    StationView& view() { return desk_.view(); }
+    void take_reports();
+    void show_devices();
+    void calibrate();
+    void use_rig(Rig const& rig);
+    void go_on_with(Station station);
+    void restart_without_session();
+    void record_tool_changes();
+    void tell_device_changes();
+    void tell_who_is_away();
+    Result<void> start_recording(std::filesystem::path const& path);
+    Result<void> stop_recording();
+    void flush_recording();
+
+    LiveDevices devices_;
+    LiveWindowOptions options_;
+    StationOptions station_options_; // To begin again.
+    Station station_;
+    StationDesk desk_;
+    std::optional<LiveRecorder> recorder_;
+    std::optional<LiveDiagnosis> diagnosis_;      // While the devices are watched.
+    Timestamp next_look_ {};                      // At what it found.
+    std::optional<CalibrationBench> calibration_; // While a person calibrates.
+    std::vector<Eigen::AlignedBox2d> pressing_areas_;
+    std::vector<LiveReport> reports_;        // Kept for its memory.
+    std::vector<LiveDevices::State> states_; // As the person was told.
+};
+
+} // namespace tractus

@@ -1,0 +1,101 @@
+#include "app/live/replay_window.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace tractus {
+
+Result<ReplayWindow> ReplayWindow::create(Log const& log, ReplayOptions options,
+                                          std::filesystem::path pictures,
+                                          std::optional<Session> session)
+{
+    if (session)
+        options.scene = session->scene();
+    auto replay = TRY(LogReplay::create(log, options));
+    StationDesk desk(replay.station(), std::move(session), std::move(pictures));
+    return ReplayWindow(log, std::move(options), std::move(replay), std::move(desk));
+}
+
+ReplayWindow::ReplayWindow(Log const& log, ReplayOptions options, LogReplay replay,
+                           StationDesk desk)
+    : log_(&log)
+    , options_(std::move(options))
+    , replay_(std::move(replay))
+    , now_(replay_.begin())
+    , desk_(std::move(desk))
+{
+    view().state().status = "The hand begins";
+}
+
+ReplayWindow::~ReplayWindow()
+{
+    desk_.finish(replay_.station(), now_);
+}
+
+void ReplayWindow::advance(Duration real_step)
+{
+    auto& state = view().state();
+    if (!state.playing) {
+        desk_.show(replay_.station(), now_);
+        return;
+    }
+    now_ += from_seconds(to_seconds(real_step) * state.speed);
+    bool const goes_on = replay_.advance_to(now_);
+    desk_.show(replay_.station(), now_);
+    if (!goes_on) {
+        desk_.finish(replay_.station(), now_);
+        desk_.show(replay_.station(), now_);
+        state.playing = false;
+        state.status = "The recording has ended: play it again, or take another seed";
+    }
+    double const length_s = to_seconds(replay_.end() - replay_.begin());
+    state.progress
+        = length_s > 0 ? std::clamp(to_seconds(now_ - replay_.begin()) / length_s, 0.0, 1.0) : 1;
+}
+
+void ReplayWindow::perform(WindowCommand const& command)
+{
+    std::visit([this](auto const& kind) { perform_kind(kind); }, command);
+}
+
+void ReplayWindow::perform_kind(SetPlaying const& command)
+{
+    if (command.playing && now_ >= replay_.end())
+        perform_kind(Restart {});
+    view().state().playing = command.playing;
+}
+
+void ReplayWindow::perform_kind(SetSpeed const& command)
+{
+    view().state().speed = std::clamp(command.speed, 0.25, 4.0);
+}
+
+void ReplayWindow::perform_kind(Restart const&)
+{
+    auto& state = view().state();
+    desk_.finish(replay_.station(), now_);
+    if (auto const& why = desk_.keeper().not_kept(); !why.empty()) {
+        state.status = "what was drawn must be kept first: " + why;
+        return;
+    }
+    auto again = LogReplay::create(*log_, options_);
+    if (!again) {
+        state.status = again.error().message;
+        return;
+    }
+    // The growth stays as a person has set it; but a session is as it began.
+    auto& station = again->station();
+    auto scene = station.scene();
+    scene.growth = replay_.station().scene().growth;
+    station.set_scene(std::move(scene));
+    replay_ = *std::move(again);
+    now_ = replay_.begin();
+    state.playing = true;
+    state.progress = 0;
+    if (desk_.keeper().has_session())
+        desk_.perform(Restart {}, replay_.station());
+    else
+        desk_.show_again(replay_.station(), "The hand begins again");
+}
+
+} // namespace tractus

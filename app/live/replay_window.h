@@ -1,0 +1,63 @@
+#pragma once
+
+#include "app/live/log_replay.h"
+#include "app/live/station_desk.h"
+#include "app/window/window_model.h"
+#include "drivers/log.h"
+#include "engine/base/result.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace tractus {
+
+// What the station's window shows while a log is replayed at the pace of the hand that drew it: the
+// hand, its strokes, what is selected, and the plant, which is grown anew after each stroke.
+class ReplayWindow final : public WindowModel {
+public:
+    // The log must outlive the window. `pictures` is the folder in which saved pictures appear. A
+    // session keeps what is drawn, on its scene in place of that of the options. Fails like
+    // LogReplay::create.
+    static Result<ReplayWindow> create(Log const& log, ReplayOptions options,
+                                       std::filesystem::path pictures,
+                                       std::optional<Session> session = {});
+
+    ReplayWindow(ReplayWindow&&) = default;
+    ReplayWindow& operator=(ReplayWindow&&) = delete;
+    ~ReplayWindow() override; // Waits until what was drawn is kept.
+
+    void advance(Duration real_step) override;
+    void settle() override { desk_.settle(replay_.station(), now_); }
+    WindowState const& state() const override { return desk_.view().state(); }
+    void perform(WindowCommand const& command) override;
+
+private:
+    ReplayWindow(Log const& log, ReplayOptions options, LogReplay replay, StationDesk desk);
+
+    void perform_kind(SetPlaying const& command);
+    void perform_kind(SetSpeed const& command);
+    void perform_kind(Restart const&);
+    void perform_kind(ChooseTool const&) { }       // The recording chooses.
+    void perform_kind(SetPressingAreas const&) { } // The hand was elsewhere.
+    void perform_kind(PressInstead const&) { }
+    void perform_kind(MoveMousePen const&) { }
+    void perform_kind(MoveSurface const&) { }
+    void perform_kind(SetRecording const&) { } // It is recorded.
+    void perform_kind(WatchDevices const&) { } // None is read.
+    void perform_kind(OpenCalibration const&) { }
+    void perform_kind(CloseCalibration const&) { }
+    template<typename Command> void perform_kind(Command const& command)
+    {
+        desk_.perform(command, replay_.station());
+    }
+
+    StationView& view() { return desk_.view(); }
+
+    Log const* log_;        // Not owned.
+    ReplayOptions options_; // To begin again.
+    LogReplay replay_;
+    Timestamp now_; // Of the log.
+    StationDesk desk_;
+};
+
+} // namespace tractus

@@ -1,0 +1,195 @@
+#include "app/live/station_desk.h"
+
+#include "app/dated_path.h"
+#include "app/plants/plant_file.h"
+#include "app/plants/session_plant.h"
+#include "app/session/describe_edit.h"
+#include "app/station/orphans.h"
+#include "drivers/file.h"
+
+#include <array>
+#include <fmt/core.h>
+#include <utility>
+
+namespace tractus {
+
+StationDesk::StationDesk(Station const& station, std::optional<Session> session,
+                         std::filesystem::path folder)
+    : keeper_(std::move(session))
+    , view_(station)
+    , folder_(std::move(folder))
+{
+    view_.state().has_session = keeper_.has_session();
+}
+
+void StationDesk::show(Station& station, Timestamp now)
+{
+    show_kept(station, now);
+    show_files();
+}
+
+void StationDesk::show_kept(Station& station, Timestamp now)
+{
+    now_ = now;
+    keeper_.advance(station, now);
+    while (auto const done = keeper_.take_done()) {
+        if (done->of == WantedStep::Of::Growth) {
+            view_.show_growth(station); // Where it was refused, what a slider previewed is gone.
+            view_.state().status = done->status ? *done->status : done->status.error().message;
+        } else if (done->status) {
+            show_again(station, *done->status);
+        } else {
+            view_.state().status = done->status.error().message;
+        }
+    }
+    view_.show(station,
+               keeper_.is_settled() ? StationView::Strokes::Kept : StationView::Strokes::AsInk);
+    keeper_.forget_kept(station);
+    if (auto const& why = keeper_.not_kept(); !why.empty())
+        view_.state().trouble = fmt::format("What is drawn is not kept: {}", why);
+}
+
+void StationDesk::show_files()
+{
+    while (auto const written = files_->take())
+        view_.state().status
+            = *written ? fmt::format("Saved {}", (*written)->string()) : written->error().message;
+    view_.state().is_saving = files_->is_busy();
+}
+
+void StationDesk::finish(Station& station, Timestamp now)
+{
+    if (!keeper_.has_session())
+        return;
+    keeper_.settle(station, now);
+    keeper_.forget_kept(station);
+}
+
+void StationDesk::settle(Station& station, Timestamp now)
+{
+    keeper_.settle(station, now);
+    show_kept(station, now);
+    view_.settle();
+    files_->settle();
+    show_files();
+}
+
+std::filesystem::path StationDesk::new_file(std::string_view ending) const
+{
+    return dated_path(folder_, view_.grown_scene()->model_name, ending);
+}
+
+void StationDesk::show_again(Station const& station, std::string const& status)
+{
+    view_.begin_again(station);
+    view_.state().status = status;
+}
+
+void StationDesk::perform(Undo const&, Station& station)
+{
+    keeper_.undo();
+    show_kept(station, now_);
+}
+
+void StationDesk::perform(Redo const&, Station& station)
+{
+    keeper_.redo();
+    show_kept(station, now_);
+}
+
+void StationDesk::perform(TakeOrphansAway const&, Station& station)
+{
+    auto const without = [](Scene const& scene) -> Result<WantedStep::Change> {
+        auto edits = edits_without_orphans(scene);
+        if (edits.empty())
+            return fail(Fault::User, "nothing waits for a branch that the plant has lost");
+        return WantedStep::Change { std::move(edits), "What had lost its branch is gone" };
+    };
+    keeper_.make({ without, WantedStep::Of::Scene });
+    show_kept(station, now_);
+}
+
+void StationDesk::perform(Restart const&, Station& station)
+{
+    keeper_.begin_again("The session is as it began");
+    show_kept(station, now_);
+}
+
+void StationDesk::perform(NextVariation const&, Station& station)
+{
+    auto const next = [](SetGrowth growth) -> Result<WantedStep::Change> {
+        ++growth.seed;
+        return WantedStep::Change { { growth }, fmt::format("Another one: seed {}", growth.seed) };
+    };
+    set_growth(next, station);
+}
+
+void StationDesk::perform(ChangeGrowth const& command, Station& station)
+{
+    if (command.slider == ChangeGrowth::Slider::Moving) {
+        auto const seen = growth_set_to(command.growth, station.scene().growth);
+        if (seen)
+            view_.preview(*seen);
+        else
+            view_.state().status = seen.error().message;
+        return;
+    }
+    auto const set = [wanted = command.growth](SetGrowth growth) -> Result<WantedStep::Change> {
+        growth = TRY(growth_set_to(wanted, std::move(growth)));
+        auto status = fmt::format("The plant {}", describe_edit(growth));
+        return WantedStep::Change { { growth }, std::move(status) };
+    };
+    set_growth(set, station);
+}
+
+void StationDesk::perform(AskForCollection const& command, Station&)
+{
+    view_.collect(command.count);
+}
+
+void StationDesk::perform(PickVariation const& command, Station& station)
+{
+    auto const pick = [seed = command.seed](SetGrowth growth) -> Result<WantedStep::Change> {
+        growth.seed = seed;
+        return WantedStep::Change { { growth }, fmt::format("This one: seed {}", seed) };
+    };
+    set_growth(pick, station);
+}
+
+// `change` is asked when what was wanted before is done.
+void StationDesk::set_growth(
+    std::function<Result<WantedStep::Change>(SetGrowth growth)> const& change, Station& station)
+{
+    keeper_.make(
+        { [=](Scene const& scene) { return change(scene.growth); }, WantedStep::Of::Growth });
+    show_kept(station, now_);
+}
+
+void StationDesk::perform(SavePicture const& command, Station&)
+{
+    save(".png", [picture = command.picture](std::filesystem::path const& path) {
+        return write_file(path, [&](std::ostream& out) { return write_png(out, picture); });
+    });
+}
+
+void StationDesk::perform(ExportPlant const& command, Station&)
+{
+    constexpr std::array kEndings { ".glb", ".obj", ".png" };
+    save(kEndings.at(static_cast<std::size_t>(command.format)),
+         [scene = view_.grown_scene()](std::filesystem::path const& path) -> Result<void> {
+             auto const plant = TRY(shown_plant(*scene));
+             TRY(write_plant_file(plant, std::filesystem::path(scene->model_name).stem(), path));
+             return {};
+         });
+}
+
+void StationDesk::save(std::string_view ending,
+                       std::function<Result<void>(std::filesystem::path const&)> write)
+{
+    auto path = new_file(fmt::format("-seed-{}{}", view_.grown_scene()->growth.seed, ending));
+    view_.state().status = fmt::format("Writing {}", path.string());
+    view_.state().is_saving = true;
+    files_->add({ std::move(path), std::move(write) });
+}
+
+} // namespace tractus

@@ -1,0 +1,231 @@
+#include "app/plants/drawing.h"
+
+#include "app/live/log_replay.h"
+#include "app/plants/model_file.h"
+#include "app/plants/session_plant.h"
+#include "app/plants/stroke_file.h"
+#include "app/play/paced_log.h"
+#include "app/station/model_cost.h"
+#include "calib/rig_file.h"
+#include "drivers/log.h"
+#include "engine/variation/growth_preset.h"
+
+#include <fmt/core.h>
+#include <set>
+
+namespace tractus {
+
+namespace {
+
+constexpr char const* kUsual = "usual";
+
+// Why samples of the pen were lost, or stand in doubt.
+void note_heights(FuserCounts const& counts, std::vector<std::string>& notes)
+{
+    if (counts.heights_refused > 0)
+        notes.push_back(
+            fmt::format("{} of {} height readings are not of the rig's calibration, and "
+                        "were left out: calibrate again",
+                        counts.heights_refused, counts.heights));
+    if (counts.heights_uncalibrated > 0)
+        notes.push_back(fmt::format("{} of {} height readings lie outside the calibrated range, "
+                                    "where heights are guesses",
+                                    counts.heights_uncalibrated, counts.heights));
+    if (counts.pens_without_height > 0)
+        notes.push_back(fmt::format("{} of {} pen samples had no height reading at their time, and "
+                                    "were left out",
+                                    counts.pens_without_height, counts.pens));
+}
+
+class DrawingReader {
+public:
+    DrawingReader(DrawingOptions const& options, Progress& progress, DrawingReport& report)
+        : options_(options)
+        , progress_(progress)
+        , report_(report)
+    {
+    }
+
+    Result<Drawing> read(Scene scene);
+    void note_drawing(Drawing const& drawing);
+
+private:
+    Result<Drawing> read_strokes(Scene scene);
+    Result<Station> replay(Scene scene);
+    Result<void> play(LogReplay& replay) const;
+    Result<void> tell(DrawnStroke const& drawn) const;
+    void note_replay(Station const& station);
+
+    DrawingOptions const& options_;
+    Progress& progress_;
+    DrawingReport& report_;
+};
+
+Result<Drawing> DrawingReader::read(Scene scene)
+{
+    if (is_stroke_file(options_.log))
+        return read_strokes(std::move(scene));
+    auto const station = TRY(replay(std::move(scene)));
+    note_replay(station);
+    return Drawing { station.scene(), station.strokes() };
+}
+
+// A file of strokes says nothing about branches, so they go to these in drawing order.
+Result<Drawing> DrawingReader::read_strokes(Scene scene)
+{
+    progress_.begin("reading the strokes");
+    Drawing drawing { std::move(scene), {} };
+    for (auto& stroke : TRY(load_strokes(options_.log))) {
+        if (drawing.strokes.size() == drawing.scene.base->axes.size()) {
+            report_.notes.push_back("there are more strokes than branches: the rest is left out");
+            break;
+        }
+        drawing.strokes.push_back(
+            draw(std::move(stroke), { .kind = Tool::Kind::DrawInOrder }, drawing.scene));
+        TRY(tell(drawing.strokes.back()));
+    }
+    report_.log = options_.log.string();
+    report_.strokes = drawing.strokes.size();
+    return drawing;
+}
+
+Result<void> DrawingReader::tell(DrawnStroke const& drawn) const
+{
+    return options_.on_stroke ? options_.on_stroke(drawn) : Result<void>();
+}
+
+// All of it, at a multiple of the hand's pace or at once.
+Result<void> DrawingReader::play(LogReplay& replay) const
+{
+    constexpr Duration kStep = std::chrono::milliseconds(10);
+    auto const pace = pace_from_now(replay.begin(), options_.speed.value_or(1));
+    auto const& strokes = replay.station().strokes();
+    std::size_t told = 0;
+    for (bool goes_on = true; goes_on;) {
+        auto const time = options_.speed ? pace.data_time(pace.now()) : Timestamp::max();
+        bool const is_stroke_end = replay.advance_to_stroke(time);
+        for (; told < strokes.size(); ++told)
+            TRY(tell(strokes[told]));
+        goes_on = !replay.is_over();
+        if (goes_on && !is_stroke_end)
+            pace.wait(kStep);
+    }
+    return {};
+}
+
+Result<Station> DrawingReader::replay(Scene scene)
+{
+    progress_.begin("reading the log");
+    auto const log = TRY(read_log(options_.log));
+    report_.log = options_.log.string();
+    if (auto const warnings = summarize_warnings(log); !warnings.empty())
+        report_.notes.push_back(warnings);
+
+    progress_.begin("replaying the log");
+    ReplayOptions replay_options;
+    replay_options.scene = std::move(scene);
+    if (options_.rig)
+        replay_options.rig = TRY(load_rig(*options_.rig));
+    if (options_.height)
+        replay_options.height = TRY(parse_height_scenario(*options_.height));
+    auto replay = TRY(LogReplay::create(log, std::move(replay_options)));
+    TRY(play(replay));
+    auto const& counts = replay.station().counts();
+    if (counts.pen_samples == 0 && counts.broken_reports > 0)
+        return fail(Fault::Device,
+                    fmt::format("{}: the reports are not what the report descriptors say, the "
+                                "first: {}",
+                                log.name, counts.first_broken));
+    return std::move(replay).take_station();
+}
+
+void DrawingReader::note_replay(Station const& station)
+{
+    auto const& counts = station.counts();
+    report_.reports = counts.reports;
+    report_.broken_reports = counts.broken_reports;
+    report_.pen_samples = counts.pen_samples;
+    report_.height_samples = counts.height_samples;
+    report_.strokes = counts.strokes;
+    note_heights(station.fuser_counts(), report_.notes);
+    for (auto& sentence : describe_faults(station.height_monitor(), {}))
+        report_.notes.push_back(std::move(sentence));
+    if (counts.strokes == 0)
+        report_.notes.push_back(
+            station.fuser_counts().pens_without_height > 0
+                ? "no stroke has heights: the plants vary by chance alone"
+                : "the pen never touched the tablet: the plants vary by chance alone");
+    if (counts.broken_reports > 0)
+        report_.notes.push_back(fmt::format("{} reports could not be decoded, the first: {}",
+                                            counts.broken_reports, counts.first_broken));
+}
+
+void DrawingReader::note_drawing(Drawing const& drawing)
+{
+    report_.indicators = drawing.scene.indicators.size();
+    std::set<std::vector<SegmentId>> paths;
+    for (auto const& association : drawing.scene.associations)
+        paths.insert(association.path);
+    report_.branches_selected = paths.size();
+    for (auto const& drawn : drawing.strokes)
+        if (!drawn.refusal.empty())
+            report_.notes.push_back(fmt::format("a stroke at {:.1f} s changed nothing: {}",
+                                                to_seconds(drawn.stroke.tips.front().time),
+                                                drawn.refusal));
+}
+
+} // namespace
+
+std::string growth_name(std::filesystem::path const& model, GrowthOptions const& growth)
+{
+    return growth.preset.value_or(is_session_file(model) ? "as in the session" : kUsual);
+}
+
+Result<std::vector<Edit>> growing_plant_edits(std::filesystem::path const& model,
+                                              GrowthOptions const& growth, std::uint64_t seed)
+{
+    std::vector<Edit> edits;
+    std::optional<GrowthParameters> own;
+    if (is_session_file(model)) {
+        edits = TRY(session_edits(model));
+        for (auto const& edit : edits)
+            if (auto const* const set = std::get_if<SetGrowth>(&edit))
+                own = TRY(at_liking(set->parameters, set->liking));
+    } else {
+        edits.push_back(TRY(load_plant_edit(model)));
+    }
+    if (!own || growth.preset)
+        own = TRY(growth_preset(growth.preset.value_or(kUsual)));
+    edits.push_back(SetGrowth { *own, seed, growth.liking });
+    return edits;
+}
+
+Result<Scene> growing_plant(std::filesystem::path const& model, std::vector<Edit> const& edits)
+{
+    Scene scene;
+    for (auto const& edit : edits)
+        scene = TRY(apply_edit(std::move(scene), edit, load_options()));
+    if (scene.base->segment_count() == 0)
+        return fail(Fault::User,
+                    fmt::format("{}: the plant has no branch that a stroke could shape: its "
+                                "derivation draws nothing",
+                                model.string()));
+    return scene;
+}
+
+Result<Scene> load_growing_plant(std::filesystem::path const& model, GrowthOptions const& growth,
+                                 std::uint64_t seed)
+{
+    return growing_plant(model, TRY(growing_plant_edits(model, growth, seed)));
+}
+
+Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene, Progress& progress,
+                             DrawingReport& report)
+{
+    DrawingReader reader(options, progress, report);
+    auto drawing = TRY(reader.read(std::move(scene)));
+    reader.note_drawing(drawing);
+    return drawing;
+}
+
+} // namespace tractus

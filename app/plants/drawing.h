@@ -1,0 +1,80 @@
+#pragma once
+
+#include "app/station/station.h"
+#include "app/terminal/progress.h"
+#include "engine/base/result.h"
+#include "engine/scene/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// How plants grow.
+struct GrowthOptions {
+    // See growth_presets(). Without it a session's plants grow as the session says, and others as
+    // "usual".
+    std::optional<std::string> preset {};
+    double liking = 1; // See at_liking().
+};
+
+// How the plants of `model` grow, in words.
+std::string growth_name(std::filesystem::path const& model, GrowthOptions const& growth);
+
+// What loads a plant to be drawn on and says how it grows: a model (load_plant_edit), or a session
+// with all that was drawn in it. Fails, as the user's fault, for what is neither, or a growth that
+// does not exist.
+Result<std::vector<Edit>> growing_plant_edits(std::filesystem::path const& model,
+                                              GrowthOptions const& growth, std::uint64_t seed);
+
+// The scene that such edits give. Fails, as the user's fault, for a plant without branches.
+Result<Scene> growing_plant(std::filesystem::path const& model, std::vector<Edit> const& edits);
+
+// Both.
+Result<Scene> load_growing_plant(std::filesystem::path const& model, GrowthOptions const& growth,
+                                 std::uint64_t seed);
+
+// A recorded drawing.
+struct DrawingOptions {
+    // A log, or a file of strokes (stroke_file.h), of which each shapes the next branch in drawing
+    // order.
+    std::filesystem::path log {};
+    std::optional<std::filesystem::path> rig {}; // A calibration in place of the log's own.
+    std::optional<std::string> height {};        // A height scenario in place of the height sensor.
+    std::optional<double> speed {}; // Times the pace of the hand; no value: as fast as it is read.
+
+    // Is told each stroke as soon as it is drawn; where it fails, reading does. May be empty.
+    std::function<Result<void>(DrawnStroke const&)> on_stroke {};
+};
+
+// What was read of it.
+struct DrawingReport {
+    std::string log;
+    std::size_t reports = 0;
+    std::size_t broken_reports = 0;
+    std::size_t pen_samples = 0;
+    std::size_t height_samples = 0;
+    std::size_t strokes = 0;
+    // Paths that a stroke shapes; a branch chosen twice counts once.
+    std::size_t branches_selected = 0;
+    std::size_t indicators = 0;
+    std::vector<std::string> notes; // Strokes that changed nothing, warnings: a sentence each.
+};
+
+// What was drawn, and the scene that it amounts to.
+struct Drawing {
+    Scene scene;
+    std::vector<DrawnStroke> strokes;
+};
+
+// Draws it on `scene`, whose base plant is loaded. Tells `report` what was read, and adds to its
+// notes. Fails, as the user's or a device's fault, if it cannot be read.
+Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene, Progress& progress,
+                             DrawingReport& report);
+
+} // namespace tractus

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "app/plants/drawing.h"
+#include "app/terminal/progress.h"
+#include "engine/base/result.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// The main job: a recorded drawing and a model become a set of varied plants.
+struct JobOptions {
+    DrawingOptions drawing {};
+    std::filesystem::path model {};
+    std::uint64_t seed = 1;             // Of the variations.
+    std::size_t variations = 12;        // In the collection; at least 1.
+    std::filesystem::path folder = "."; // Made if it is not there.
+    GrowthOptions growth {};
+    double age = 1;                   // Of all plants; see Grower::grow().
+    std::filesystem::path session {}; // The new file that keeps what is drawn; empty: none.
+};
+
+// What was read, and what became of it.
+struct JobReport : DrawingReport {
+    std::string model;
+    std::uint64_t seed = 1;
+    GrowthOptions growth;
+    double age = 1;
+    std::size_t plants = 0;
+    std::size_t segments = 0;  // Of one plant.
+    std::size_t organs = 0;    // Of one plant.
+    std::size_t triangles = 0; // Of one plant.
+    std::uint64_t collection_triangles = 0;
+    std::vector<std::filesystem::path> files;
+    std::vector<Progress::StageTime> times;
+};
+
+// Replays the log onto the model and writes base.png, strokes.png, varied.png, collection.png,
+// collection.glb and report.txt into the folder. Each file appears whole or not at all; a session
+// appears as the plant is loaded and holds each stroke as soon as it is drawn.
+Result<JobReport> run_job(JobOptions const& options, Progress& progress);
+
+// The report as lines for a person to read, as they stand in report.txt.
+std::string print_report(JobReport const& report);
+
+} // namespace tractus

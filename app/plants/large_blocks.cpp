@@ -1,0 +1,15 @@
+#include "app/plants/large_blocks.h"
+
+#include <malloc.h>
+
+namespace tractus {
+
+void return_large_blocks()
+{
+#ifdef M_MMAP_THRESHOLD // Else the system's library has no such choice.
+    constexpr int kLarge = 1 << 20;
+    mallopt(M_MMAP_THRESHOLD, kLarge);
+#endif
+}
+
+} // namespace tractus

@@ -1,0 +1,127 @@
+#include "app/plants/session_export.h"
+
+#include "app/plants/model_file.h"
+#include "app/plants/session_plant.h"
+#include "drivers/file.h"
+#include "engine/scene/scene.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <iterator>
+
+namespace tractus {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Writes files into a folder, and keeps their names.
+class FolderWriter {
+public:
+    explicit FolderWriter(fs::path folder)
+        : folder_(std::move(folder))
+    {
+    }
+
+    Result<void> write(fs::path const& name, std::string const& text)
+    {
+        if (name.empty() || leads_out_of_folder(name))
+            return fail(Fault::User,
+                        fmt::format("the session's model includes {}, which is outside the model's "
+                                    "folder",
+                                    name.string()));
+        auto const path = folder_ / name;
+        TRY(make_folder(path.parent_path()));
+        TRY(write_file(path, text));
+        files.push_back(path);
+        return {};
+    }
+
+    std::vector<fs::path> files;
+
+private:
+    fs::path folder_;
+};
+
+// The end of a name that was a path, with another ending.
+fs::path file_name(std::string const& path, char const* ending)
+{
+    auto const stem = fs::path(path).stem();
+    bool const is_usable = !stem.empty() && stem != "." && stem != "..";
+    return (is_usable ? stem.string() : "model") + ending;
+}
+
+Result<void> write_plant(FolderWriter& out, LoadModel const& edit)
+{
+    TRY(out.write(file_name(edit.source.name, ".l"), edit.source.text));
+    if (!edit.source.view_text.empty())
+        TRY(out.write(file_name(edit.source.name, ".v"), edit.source.view_text));
+    for (auto const& [name, text] : edit.includes)
+        TRY(out.write(name, text));
+    return {};
+}
+
+// As parse_obj_lines() reads it: y up, and metres if the whole is small.
+Result<void> write_plant(FolderWriter& out, LoadSkeleton const& edit)
+{
+    constexpr double kSmall = 100;
+    Bounds box;
+    for (auto const& line : edit.lines) {
+        box.add(line.from_mm);
+        box.add(line.to_mm);
+    }
+    bool const is_small = box.empty() || (box.max_mm - box.min_mm).maxCoeff() < kSmall;
+    double const unit = is_small ? 1e-3 : 1;
+    std::string text = is_small ? "# metres\n" : "# millimetres\n";
+    for (auto const& line : edit.lines)
+        for (Vec3 const& end : { line.from_mm, line.to_mm })
+            fmt::format_to(std::back_inserter(text), "v {} {} {}\n", unit * end.x(), unit * end.z(),
+                           -unit * end.y());
+    for (std::size_t i = 0; i < edit.lines.size(); ++i)
+        fmt::format_to(std::back_inserter(text), "l {} {}\n", 2 * i + 1, 2 * i + 2);
+    return out.write(file_name(edit.name, ".obj"), text);
+}
+
+// Strokes that shape several branches stand there once.
+std::string strokes_text(Scene const& scene)
+{
+    std::string text = "# x y z in mm, pressure, time in ms\n";
+    Stroke const* last = nullptr;
+    for (auto const& [path, stroke, propagation, fit, kept_hand, is_orphaned] :
+         scene.associations) {
+        if (last && last->tips.front().time == stroke.tips.front().time)
+            continue;
+        last = &stroke;
+        for (auto const& tip : stroke.tips)
+            fmt::format_to(std::back_inserter(text), "{} {} {} {} {}\n", tip.position_mm.x(),
+                           tip.position_mm.y(), tip.position_mm.z(), tip.pressure,
+                           1e3 * to_seconds(tip.time));
+        text += "\n";
+    }
+    return text;
+}
+
+} // namespace
+
+Result<std::vector<fs::path>> export_session(fs::path const& session, fs::path const& folder)
+{
+    auto const edits = TRY(session_edits(session));
+    auto const scene = TRY(load_session_scene(session));
+    FolderWriter out(folder);
+    auto const is_plant = [](Edit const& edit) {
+        return std::holds_alternative<LoadModel>(edit)
+            || std::holds_alternative<LoadSkeleton>(edit);
+    };
+    auto const plant = std::find_if(edits.rbegin(), edits.rend(), is_plant);
+    if (plant != edits.rend()) {
+        if (auto const* const model = std::get_if<LoadModel>(&*plant))
+            TRY(write_plant(out, *model));
+        else
+            TRY(write_plant(out, std::get<LoadSkeleton>(*plant)));
+    }
+    if (!scene.associations.empty())
+        TRY(out.write("strokes.txt", strokes_text(scene)));
+    return std::move(out.files);
+}
+
+} // namespace tractus

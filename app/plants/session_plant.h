@@ -1,0 +1,33 @@
+#pragma once
+
+#include "app/session/session.h"
+#include "app/station/model_cost.h"
+#include "engine/base/result.h"
+#include "engine/plant/plant.h"
+#include "engine/scene/scene.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// Sessions where a model may stand, and new ones.
+
+// True for a session's file (.tractus), by its ending alone.
+bool is_session_file(std::filesystem::path const& path);
+
+// The edits of a session that count. Fails like read_session().
+Result<std::vector<Edit>> session_edits(std::filesystem::path const& path);
+
+// What they amount to.
+Result<Scene> load_session_scene(std::filesystem::path const& path, ModelCost const& cost = {});
+
+// The plant as the station's window shows it: as drawn, grown as the scene says, at its age.
+Result<Plant> shown_plant(Scene const& scene);
+
+// Begins a session that this program, at this time, begins with `edits`. Fails like
+// Session::create().
+Result<Session> begin_session(std::filesystem::path const& path, std::vector<Edit> const& edits);
+
+} // namespace tractus

@@ -1,0 +1,170 @@
+#include "app/play/device_parts.h"
+
+#include "drivers/clock.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <fmt/core.h>
+#include <poll.h>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+using Then = DevicePlay::Then;
+
+constexpr Duration kKnockEvery = std::chrono::milliseconds(10);
+constexpr Duration kLongestSleep = std::chrono::milliseconds(50); // Until `stop` is looked at.
+// Programs look at a device before they open it for good.
+constexpr Duration kGreeting = std::chrono::milliseconds(100);
+// And of a USB HID device Linux lets nothing through in the first 50 ms, since it may be old.
+constexpr Duration kUsbGreeting = std::chrono::milliseconds(500);
+constexpr Duration kFarewell = std::chrono::milliseconds(100);
+constexpr Duration kLongestFarewell = std::chrono::seconds(2);
+
+// Sleeps until a device's file is ready, at most `timeout`, and serves the devices.
+Result<void> serve_devices(std::vector<KernelDevice*> const& devices, Duration timeout)
+{
+    std::vector<pollfd> files;
+    for (auto const* const device : devices)
+        device->add_files_to(files);
+    auto const wait_ns = std::clamp(timeout, Duration::zero(), kLongestSleep).count();
+    timespec const wait { .tv_sec = 0, .tv_nsec = wait_ns };
+    if (::ppoll(files.data(), files.size(), &wait, nullptr) < 0 && errno != EINTR)
+        return fail(Fault::Station,
+                    fmt::format("cannot wait for devices: {}", std::strerror(errno)));
+    for (auto* const device : devices)
+        TRY(device->serve());
+    return {};
+}
+
+// Plays what is due, then sleeps until something is, or the kernel asks something.
+Result<void> take_step(DevicePlay const& play)
+{
+    auto next_due = Timestamp::max();
+    for (auto* const part : play.parts) {
+        if (auto const now = monotonic_now(); part->due() <= now)
+            TRY(part->play(now));
+        next_due = std::min(next_due, part->due());
+    }
+    bool const is_never = next_due == Timestamp::max();
+    return serve_devices(play.devices, is_never ? kLongestSleep : next_due - monotonic_now());
+}
+
+bool are_read(DevicePlay const& play)
+{
+    return std::all_of(play.devices.begin(), play.devices.end(),
+                       [](KernelDevice const* device) { return device->is_read(); });
+}
+
+Duration greeting(DevicePlay const& play)
+{
+    bool const is_usb
+        = std::any_of(play.devices.begin(), play.devices.end(), [](KernelDevice const* device) {
+              return device->tells_readers_by_reports();
+          });
+    return is_usb ? kUsbGreeting : kGreeting;
+}
+
+bool are_over(DevicePlay const& play)
+{
+    auto const now = monotonic_now();
+    return std::all_of(play.parts.begin(), play.parts.end(),
+                       [&](DevicePart const* part) { return part->is_over(now); });
+}
+
+bool are_waiting(DevicePlay const& play)
+{
+    return std::any_of(play.devices.begin(), play.devices.end(),
+                       [](KernelDevice const* device) { return device->waiting_count() > 0; });
+}
+
+void begin(DevicePlay const& play)
+{
+    for (auto* const part : play.parts)
+        part->begin(monotonic_now());
+}
+
+Result<void> go_on_for(Duration duration, DevicePlay const& play, std::atomic<bool> const& stop)
+{
+    auto const end = monotonic_now() + duration;
+    while (!stop && monotonic_now() < end)
+        TRY(take_step(play));
+    return {};
+}
+
+// For readers to take what waits, and then what the kernel still holds for them.
+Result<void> say_farewell(DevicePlay const& play, std::atomic<bool> const& stop)
+{
+    auto const latest = monotonic_now() + kLongestFarewell;
+    while (!stop && are_waiting(play) && monotonic_now() < latest)
+        TRY(take_step(play));
+    return go_on_for(kFarewell, play, stop);
+}
+
+} // namespace
+
+ReportPart::ReportPart(KernelDevice& device, std::vector<RawReport> reports)
+    : device_(device)
+    , reports_(std::move(reports))
+{
+}
+
+void ReportPart::begin(Timestamp now)
+{
+    begin_ = now;
+    next_ = 0;
+}
+
+Timestamp ReportPart::due() const
+{
+    if (!begin_)
+        return device_.tells_readers_by_reports() && !reports_.empty() ? next_knock_
+                                                                       : Timestamp::max();
+    return next_ == reports_.size() ? Timestamp::max()
+                                    : *begin_ + reports_[next_].received.time_since_epoch();
+}
+
+Result<void> ReportPart::play(Timestamp now)
+{
+    if (!begin_)
+        return knock(now);
+    for (; due() <= now; ++next_)
+        TRY(device_.send(reports_[next_].bytes()));
+    return {};
+}
+
+// Some devices learn that they are read from a report's being taken: the first one waits for that.
+// Programs rarely see it, see kUsbGreeting, and it is sent again at the begin.
+Result<void> ReportPart::knock(Timestamp now)
+{
+    next_knock_ = now + kKnockEvery;
+    if (device_.waiting_count() > 0 || device_.is_read())
+        return {};
+    return device_.send(reports_[0].bytes());
+}
+
+Result<void> play_parts(DevicePlay const& play, std::atomic<bool> const& stop)
+{
+    while (!stop && !are_read(play)) {
+        while (!stop && !are_read(play))
+            TRY(take_step(play));
+        TRY(go_on_for(greeting(play), play, stop));
+    }
+    if (stop)
+        return {};
+    begin(play);
+    if (play.on_begin)
+        play.on_begin();
+    while (!stop && (play.then != Then::Leave || !are_over(play))) {
+        if (play.then == Then::Repeat && are_over(play))
+            begin(play);
+        TRY(take_step(play));
+    }
+    return say_farewell(play, stop);
+}
+
+} // namespace tractus

@@ -1,0 +1,79 @@
+#include "app/play/paced_log.h"
+
+#include "drivers/clock.h"
+#include "drivers/log_source.h"
+#include "engine/base/check.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <thread>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+class PacedSource final : public ReportSource {
+public:
+    PacedSource(std::shared_ptr<Log const> log, std::size_t device, Pace pace)
+        : log_(std::move(log))
+        , source_(*log_, device)
+        , pace_(std::move(pace))
+    {
+    }
+
+    DeviceInfo const& info() const override { return source_.info(); }
+
+    Result<std::optional<RawReport>> read(Duration timeout) override
+    {
+        if (!next_)
+            next_ = TRY(source_.read(Duration::zero()));
+        if (!next_)
+            return fail(Fault::User, fmt::format("{} is over", info().location));
+        auto const due = pace_.real_time(next_->received);
+        auto const left = due - pace_.now();
+        if (left > Duration::zero())
+            pace_.wait(std::min(left, timeout));
+        if (left > timeout)
+            return std::optional<RawReport>();
+        auto report = std::exchange(next_, std::nullopt);
+        report->received = due;
+        return report;
+    }
+
+private:
+    std::shared_ptr<Log const> log_;
+    LogSource source_; // Of log_.
+    Pace pace_;
+    std::optional<RawReport> next_; // Read, but its time has not come.
+};
+
+} // namespace
+
+Timestamp Pace::real_time(Timestamp data) const
+{
+    return real_begin + from_seconds(to_seconds(data - data_begin) / speed);
+}
+
+Timestamp Pace::data_time(Timestamp real) const
+{
+    return data_begin + from_seconds(to_seconds(real - real_begin) * speed);
+}
+
+Pace pace_from_now(Timestamp data_begin, double speed)
+{
+    return { .data_begin = data_begin,
+             .real_begin = monotonic_now(),
+             .speed = speed,
+             .now = monotonic_now,
+             .wait = [](Duration duration) { std::this_thread::sleep_for(duration); } };
+}
+
+std::unique_ptr<ReportSource> open_paced(std::shared_ptr<Log const> log, std::size_t device,
+                                         Pace pace)
+{
+    CHECK(pace.speed > 0 && pace.now && pace.wait);
+    return std::make_unique<PacedSource>(std::move(log), device, std::move(pace));
+}
+
+} // namespace tractus

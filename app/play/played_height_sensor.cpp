@@ -1,0 +1,97 @@
+#include "app/play/played_height_sensor.h"
+
+#include "drivers/clock.h"
+
+#include <chrono>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+// Readings that were missed for longer, in a computer's sleep, are not made up for.
+constexpr Duration kLongestDelay = std::chrono::seconds(1);
+
+// The sensor's clock has 32 bits.
+std::uint32_t device_us(Timestamp time)
+{
+    auto const since = std::chrono::floor<std::chrono::microseconds>(time.time_since_epoch());
+    return static_cast<std::uint32_t>(since.count());
+}
+
+HeightSensorModel make_model(HeightCurve const& heights)
+{
+    HeightSensorModel::Options options;
+    options.full_scale = static_cast<std::uint16_t>(heights.full_scale());
+    return HeightSensorModel(options);
+}
+
+} // namespace
+
+PlayedHeightSensor::PlayedHeightSensor(HeightCurve heights)
+    : heights_(std::move(heights))
+    , model_(make_model(heights_))
+{
+}
+
+Result<std::unique_ptr<PlayedHeightSensor>> PlayedHeightSensor::add_to(UsbGadget& gadget,
+                                                                       HeightCurve heights)
+{
+    std::unique_ptr<PlayedHeightSensor> sensor(new PlayedHeightSensor(std::move(heights)));
+    auto const& model = sensor->model_;
+    UsbFunctionDescriptors const descriptors {
+        .full_speed = model.interface_descriptors(UsbSpeed::Full, 1),
+        .high_speed = model.interface_descriptors(UsbSpeed::High, 1),
+        .name = model.interface_string(),
+    };
+    sensor->device_ = TRY(FunctionFsDevice::add_to(gadget, descriptors, sensor->answers()));
+    return sensor;
+}
+
+UsbControlAnswers PlayedHeightSensor::answers()
+{
+    return {
+        .get
+        = [this](
+              UsbSetup const& setup) { return model_.answer(setup, device_us(monotonic_now())); },
+        .set =
+            [this](UsbSetup const& setup, std::span<std::byte const> data) {
+                bool const was_streaming = model_.is_streaming();
+                bool const is_accepted = model_.accept(setup, data);
+                if (!was_streaming && model_.is_streaming())
+                    next_reading_ = monotonic_now();
+                return is_accepted;
+            },
+        .reset = [this] { model_ = make_model(heights_); },
+    };
+}
+
+Timestamp PlayedHeightSensor::due() const
+{
+    return model_.is_streaming() ? next_reading_ : Timestamp::max();
+}
+
+Result<void> PlayedHeightSensor::play(Timestamp now)
+{
+    if (now - next_reading_ > kLongestDelay)
+        next_reading_ = now;
+    while (due() <= now)
+        TRY(measure());
+    return {};
+}
+
+Result<void> PlayedHeightSensor::measure()
+{
+    auto const since_begin = begin_ ? next_reading_ - *begin_ : Duration::zero();
+    auto const counts = heights_.counts_at(Timestamp(since_begin), heights_.full_scale());
+    auto const frame = model_.push(device_us(next_reading_), static_cast<std::uint16_t>(counts));
+    next_reading_ += std::chrono::microseconds(model_.period_us());
+    return frame ? device_->send(*frame) : Result<void>();
+}
+
+bool PlayedHeightSensor::is_over(Timestamp now) const
+{
+    return begin_ && now - *begin_ > heights_.end().time_since_epoch();
+}
+
+} // namespace tractus

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "app/play/device_parts.h"
+#include "sim/function_fs_device.h"
+#include "sim/height_curve.h"
+#include "sim/height_sensor_frames.h"
+#include "sim/usb_gadget.h"
+
+#include <memory>
+#include <optional>
+
+namespace tractus {
+
+// The station's own height sensor (firmware-notes/height-sensor-protocol.md) as a function of a USB
+// gadget, which measures the heights of a recording. It answers the host's requests, and sends its
+// frames while the host wants them. Its clock is this computer's.
+class PlayedHeightSensor final : public DevicePart {
+public:
+    // Adds it to `gadget`, which must not be plugged in yet and must outlive it.
+    static Result<std::unique_ptr<PlayedHeightSensor>> add_to(UsbGadget& gadget,
+                                                              HeightCurve heights);
+
+    KernelDevice& device() { return *device_; }
+
+    void begin(Timestamp now) override { begin_ = now; }
+    Timestamp due() const override;
+    Result<void> play(Timestamp now) override;
+    bool is_over(Timestamp now) const override;
+
+private:
+    explicit PlayedHeightSensor(HeightCurve heights);
+
+    UsbControlAnswers answers();
+    Result<void> measure();
+
+    HeightCurve heights_;
+    HeightSensorModel model_;
+    std::unique_ptr<FunctionFsDevice> device_;
+    std::optional<Timestamp> begin_ {};
+    Timestamp next_reading_ {}; // While the host wants frames.
+};
+
+} // namespace tractus

@@ -1,0 +1,85 @@
+#include "app/play/simulated_recording.h"
+
+#include "app/station/tools/tool.h"
+#include "calib/rig_file.h"
+#include "drivers/log_writer.h"
+#include "engine/plant/join_axes.h"
+#include "sim/simulated_rig.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <string>
+
+namespace tractus {
+
+namespace {
+
+// An axis as the selection view shows it. Its ends are left out: at the base the pen would touch
+// the bearer first, and beyond the tip nothing.
+Result<std::vector<Vec2>> shown_axis(Plant const& plant, Vec2 const& tablet_size_mm,
+                                     std::size_t rank)
+{
+    auto const order = axes_in_drawing_order(plant);
+    if (rank >= order.size())
+        return fail(Fault::User,
+                    fmt::format("the plant has no branch {}: it has {}", rank, order.size()));
+    auto const view = fit_selection_view(plant, { .area_mm = tablet_size_mm });
+    auto const nodes = plant.positions(plant.axes[order[rank]]);
+    auto const between = [&](std::size_t from, std::size_t to) {
+        Vec2 const middle
+            = (view.tablet_of_plant(nodes[from]) + view.tablet_of_plant(nodes[to])) / 2;
+        return Vec2(middle + tablet_size_mm / 2);
+    };
+    std::vector<Vec2> points;
+    points.push_back(between(0, 1));
+    for (std::size_t i = 1; i + 1 < nodes.size(); ++i)
+        points.push_back(view.tablet_of_plant(nodes[i]) + tablet_size_mm / 2);
+    if (nodes.size() > 2)
+        points.push_back(between(nodes.size() - 2, nodes.size() - 1));
+    else
+        points.push_back(view.tablet_of_plant(nodes.back()) + tablet_size_mm / 2);
+    return points;
+}
+
+void write_reports(LogWriter& log, SimulatedRun const& run, Hand const& hand,
+                   GestureScript const& script)
+{
+    std::size_t gesture = 0;
+    auto const write_tools_until = [&](Timestamp time) {
+        for (; gesture < script.gestures.size() && hand.strokes()[gesture].chosen <= time;
+             ++gesture) {
+            auto const& words = script.gestures[gesture];
+            log.write_tool(hand.strokes()[gesture].chosen, name_of(words.tool),
+                           words.propagation ? name_of(*words.propagation) : "");
+        }
+    };
+    for (auto const& arrived : run.in_order_of_arrival()) {
+        write_tools_until(arrived.report->received);
+        log.write_report(arrived.device, arrived.report->received, arrived.report->bytes());
+    }
+}
+
+} // namespace
+
+Result<void> write_simulated_recording(std::ostream& out, GestureScript const& script,
+                                       Scene const& scene)
+{
+    SimulatedRigOptions options;
+    options.seed = script.seed;
+    auto const tracer = [&](std::size_t rank) {
+        return shown_axis(*scene.base, options.geometry.tablet_size_mm, rank);
+    };
+    HandOptions hand_options;
+    hand_options.seed = script.seed;
+    Hand const hand(TRY(strokes_of(script, options.geometry, tracer)), hand_options);
+    auto const run = simulate_rig(hand, options);
+
+    LogHeader header;
+    header.devices = { run.tablet.info, run.height.info };
+    header.rig_text = print_rig(run.rig);
+    LogWriter log(out, header);
+    write_reports(log, run, hand, script);
+    return log.flush();
+}
+
+} // namespace tractus

@@ -1,0 +1,64 @@
+#include "app/station/model_cost.h"
+
+#include "app/terminal/console.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/core.h>
+#include <fstream>
+#include <unistd.h>
+
+namespace tractus {
+
+static constexpr std::size_t kMaxPrinted = 100'000;
+
+std::uint64_t machine_memory_mb()
+{
+    auto const pages = static_cast<std::uint64_t>(std::max(0L, ::sysconf(_SC_PHYS_PAGES)));
+    auto const page_bytes = static_cast<std::uint64_t>(std::max(0L, ::sysconf(_SC_PAGESIZE)));
+    auto bytes = pages * page_bytes;
+    std::ifstream container("/sys/fs/cgroup/memory.max");
+    if (std::uint64_t limit = 0; container >> limit) // "max" where there is none.
+        bytes = std::min(bytes, limit);
+    return std::max<std::uint64_t>(bytes >> 20, 2);
+}
+
+// Prints until it has printed enough; then says so, once.
+class ModelPrinter {
+public:
+    void operator()(std::string_view text)
+    {
+        if (is_full_)
+            return;
+        auto const shown = text.substr(0, kMaxPrinted - printed_);
+        print_error(shown);
+        printed_ += shown.size();
+        is_full_ = shown.size() < text.size();
+        if (is_full_)
+            print_error(fmt::format("\nwarning: the model prints more than {} characters; the "
+                                    "rest is left out\n",
+                                    kMaxPrinted));
+    }
+
+private:
+    std::size_t printed_ = 0;
+    bool is_full_ = false;
+};
+
+LoadOptions load_options(ModelCost const& cost)
+{
+    using Clock = std::chrono::steady_clock;
+    LoadOptions options;
+    options.limits.max_modules = cost.max_modules;
+    options.limits.max_memory_bytes = cost.max_memory_mb << 20;
+    if (cost.max_seconds > 0) {
+        auto const end = Clock::now()
+            + std::chrono::duration_cast<Clock::duration>(
+                             std::chrono::duration<double>(cost.max_seconds));
+        options.limits.time = { [end] { return Clock::now() >= end; }, cost.max_seconds };
+    }
+    options.print = ModelPrinter();
+    return options;
+}
+
+} // namespace tractus

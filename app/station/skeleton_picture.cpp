@@ -1,0 +1,92 @@
+#include "app/station/skeleton_picture.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace tractus {
+
+using State = SkeletonLine::State;
+
+static std::uint32_t orders_to_show(Plant const& plant)
+{
+    constexpr std::size_t kMostSegments = 40'000;
+    std::vector<std::size_t> segments;
+    for (auto const& axis : plant.axes) {
+        segments.resize(std::max<std::size_t>(segments.size(), axis.order + 1));
+        segments[axis.order] += axis.segment_count;
+    }
+    auto const chosen = std::min<std::size_t>(fit_selection_view(plant).max_order, segments.size());
+    std::size_t sum = 0;
+    std::size_t order = 0;
+    for (; order < segments.size(); ++order) {
+        sum += segments[order];
+        if (order > chosen && sum > kMostSegments)
+            break;
+    }
+    return static_cast<std::uint32_t>(order);
+}
+
+// A run of an axis' segments in one state.
+static SkeletonLine skeleton_line(Plant const& plant, Axis const& axis, std::uint32_t from,
+                                  std::uint32_t to, State state)
+{
+    SkeletonLine line;
+    line.state = state;
+    line.width_mm = 2 * plant.node_radius_mm[axis.first_node + from];
+    line.points_mm.reserve(to - from + 1);
+    for (std::uint32_t i = from; i <= to; ++i)
+        line.points_mm.push_back(plant.node_position_mm[axis.first_node + i].cast<float>());
+    return line;
+}
+
+void SkeletonPicture::set_scene(std::shared_ptr<Scene const> scene)
+{
+    bool const is_same_plant = scene_ && scene_->base == scene->base;
+    scene_ = std::move(scene);
+    if (is_same_plant)
+        return;
+    auto const& plant = *scene_->base;
+    orders_ = orders_to_show(plant);
+    box_mm_ = bounds(plant);
+    states_.assign(plant.segment_count(), State::Unselected);
+    shown_axes_.clear();
+    for (AxisId id = 0; id < plant.axes.size(); ++id)
+        if (plant.axes[id].order < orders_)
+            shown_axes_.push_back(id);
+}
+
+void SkeletonPicture::mark(std::span<SegmentId const> segments, State state)
+{
+    for (auto const segment : segments)
+        states_[segment] = state;
+    marked_.insert(marked_.end(), segments.begin(), segments.end());
+}
+
+std::vector<SkeletonLine> SkeletonPicture::lines(ShownSkeleton::Touched const& touched)
+{
+    for (auto const number : shaping_numbers(*scene_)) // The others are for the same branches.
+        mark(scene_->associations[number].path, State::Assigned);
+    for (auto const& path : scene_->selection)
+        mark(path, State::Selected);
+    mark(touched.selected, State::Selected);
+    mark(touched.undetermined, State::Undetermined);
+
+    std::vector<SkeletonLine> lines;
+    for (auto const id : shown_axes_) {
+        auto const& axis = scene_->base->axes[id];
+        std::uint32_t from = 0;
+        for (std::uint32_t i = 1; i <= axis.segment_count; ++i) {
+            auto const state = states_[axis.first_segment + from];
+            if (i < axis.segment_count && states_[axis.first_segment + i] == state)
+                continue;
+            lines.push_back(skeleton_line(*scene_->base, axis, from, i, state));
+            from = i;
+        }
+    }
+    for (auto const segment : marked_)
+        states_[segment] = State::Unselected;
+    marked_.clear();
+    return lines;
+}
+
+} // namespace tractus

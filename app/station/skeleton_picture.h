@@ -1,0 +1,44 @@
+#pragma once
+
+#include "app/station/tools/shown_skeleton.h"
+#include "app/window/window_model.h"
+#include "engine/plant/plant.h"
+#include "engine/scene/scene.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+// A scene's skeleton as lines of one state each. What it costs to make it anew depends on the
+// branches that are shown, and not on how many the plant has: for that something is kept between
+// the calls.
+class SkeletonPicture {
+public:
+    // From here on that of this scene.
+    void set_scene(std::shared_ptr<Scene const> scene);
+
+    // Twigs of plants with very many would be a blot, and none of them can be chosen: only branches
+    // of lower orders than this are shown.
+    std::uint32_t orders() const { return orders_; }
+
+    // Of the whole plant.
+    Bounds const& box_mm() const { return box_mm_; }
+
+    // What is selected or shaped in the scene, or touched by the pen, in its own colours.
+    std::vector<SkeletonLine> lines(ShownSkeleton::Touched const& touched);
+
+private:
+    void mark(std::span<SegmentId const> segments, SkeletonLine::State state);
+
+    std::shared_ptr<Scene const> scene_; // Shared with who shows it; nobody changes it.
+    std::uint32_t orders_ = 0;
+    Bounds box_mm_;
+    std::vector<AxisId> shown_axes_;
+    std::vector<SkeletonLine::State> states_; // Of each segment; between calls all unselected.
+    std::vector<SegmentId> marked_;
+};
+
+} // namespace tractus

@@ -1,0 +1,361 @@
+#include "app/station/station.h"
+
+#include "app/station/model_cost.h"
+#include <algorithm>
+#include <fmt/core.h>
+#include <utility>
+
+namespace tractus {
+
+static Result<Scene> scene_after(Scene scene, std::vector<Edit> const& edits)
+{
+    for (auto const& edit : edits)
+        scene = TRY(apply_edit(std::move(scene), edit, load_options()));
+    return scene;
+}
+
+DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene)
+{
+    DrawnStroke drawn { std::move(stroke), tool };
+    auto edits = edits_of(tool, drawn.stroke, scene);
+    if (!edits) {
+        drawn.refusal = edits.error().message;
+        return drawn;
+    }
+    auto next = scene_after(scene, *edits);
+    if (!next) {
+        drawn.refusal = next.error().message;
+        return drawn;
+    }
+    scene = *std::move(next);
+    drawn.edits = *std::move(edits);
+    return drawn;
+}
+
+static Bounds volume_of(StationOptions const& options)
+{
+    Bounds volume_mm;
+    auto const T_world_tablet = tractus::T_world_tablet(options.rig);
+    auto const& size_mm = options.rig.tablet_size_mm;
+    for (double const x : { 0.0, size_mm.x() })
+        for (double const y : { 0.0, size_mm.y() })
+            volume_mm.add(T_world_tablet * Vec3(x, y, 0));
+    auto const heights = calibrated_heights(options.rig);
+    bool const is_known = heights && !options.scripted_height;
+    volume_mm.min_mm.z() = is_known ? heights->low_mm : 0;
+    volume_mm.max_mm.z() = is_known ? heights->high_mm : DrawingVolume().height_mm;
+    return volume_mm;
+}
+
+Station::Station(StationOptions const& options)
+    : height_monitor_(options.rig)
+    , volume_mm_(volume_of(options))
+    , height_model_(options.rig.height_model)
+    , is_height_measured_(!options.scripted_height)
+    , tablet_latency_(options.rig.tablet_latency)
+    , tool_changes_ { { Timestamp::min(), options.tool } }
+    , tool_in_hand_(options.tool)
+{
+}
+
+Result<Station> Station::create(std::span<DeviceInfo const> devices, StationOptions options)
+{
+    Station station(options);
+    TRY(station.add_pens(devices, options));
+    station.scene_ = std::move(options.scene);
+    for (std::size_t i = 0; i < devices.size() && !station.height_decoder_; ++i) {
+        if (station.find_pen(i))
+            continue;
+        if (auto decoder = make_height_decoder(devices[i])) {
+            station.height_decoder_ = *std::move(decoder);
+            station.height_device_ = i;
+        }
+    }
+    if (station.is_height_measured_ && !station.height_decoder_)
+        return fail(Fault::User,
+                    "there is no height sensor beside the pen: give the height with "
+                    "--height, as millimetres or as rise, fall, arch or sway");
+    return station;
+}
+
+Result<void> Station::add_pens(std::span<DeviceInfo const> devices, StationOptions const& options)
+{
+    std::string reasons;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        auto decoder = make_pen_decoder(devices[i]);
+        if (!decoder) {
+            reasons += fmt::format("{}{}", reasons.empty() ? "" : "; ", decoder.error().message);
+            continue;
+        }
+        auto rig = options.rig;
+        if (!pens_.empty())
+            rig.tablet_size_mm = (*decoder)->traits().size_mm;
+        pens_.push_back({ .device = i,
+                          .decoder = *std::move(decoder),
+                          .silence = {},
+                          .fuser = options.scripted_height ? Fuser(rig, *options.scripted_height)
+                                                           : Fuser(rig) });
+    }
+    if (!pens_.empty())
+        return {};
+    return fail(Fault::User,
+                fmt::format("there is no pen to draw with: {}",
+                            reasons.empty() ? "no device at all" : reasons));
+}
+
+Station::Pen* Station::find_pen(std::size_t device)
+{
+    auto const found = std::find_if(pens_.begin(), pens_.end(),
+                                    [&](Pen const& pen) { return pen.device == device; });
+    return found == pens_.end() ? nullptr : &*found;
+}
+
+void Station::push(std::size_t device, Timestamp received, std::span<std::byte const> report)
+{
+    counts_.reports += !report.empty();
+    pass_time(received);
+    if (auto* const pen = find_pen(device))
+        push_pen(*pen, received, report);
+    else if (height_decoder_ && device == height_device_)
+        push_height(received, report);
+    else
+        counts_.ignored_reports += !report.empty();
+}
+
+void Station::push_pen(Pen& pen, Timestamp received, std::span<std::byte const> report)
+{
+    if (report.empty()) {
+        if (auto const gone = pen.decoder->leave(received))
+            use_pen(pen, *gone);
+        return;
+    }
+    auto const sample = pen.decoder->decode(received, report);
+    if (!sample)
+        return count_broken(sample.error());
+    if (!*sample)
+        return;
+    pen.silence.heard(**sample);
+    use_pen(pen, **sample);
+}
+
+void Station::pass_time(Timestamp now)
+{
+    if (is_height_measured_)
+        height_monitor_.advance(now);
+    for (auto& pen : pens_)
+        if (auto const gone = pen.silence.leave_if_over(*pen.decoder, now))
+            use_pen(pen, *gone);
+}
+
+void Station::use_pen(Pen& pen, PenSample const& sample)
+{
+    ++counts_.pen_samples;
+    pen_in_range_ = sample.in_range;
+    if (!is_height_there_)
+        return; // Nobody knows where it is.
+    if (auto const tip = pen.fuser.push(sample)) {
+        follow_touch(pen, sample, *tip);
+        pen.builder.push_live(*tip);
+        newest_tip_ = *tip;
+        keep_moment(sample, *tip);
+    }
+    take_settled(pen);
+}
+
+// What a touch is for is decided where it begins.
+void Station::follow_touch(Pen& pen, PenSample const& sample, TipSample const& tip)
+{
+    if (tip.touching == pen.touches_since.has_value())
+        return;
+    if (!tip.touching) {
+        pen.touches_since.reset();
+        if (is_pressing())
+            change_tool(sample.time, tool_in_hand_);
+        return;
+    }
+    pen.touches_since = sample.time;
+    Vec2 const place_mm = tip.position_mm.head<2>();
+    if (std::any_of(pressing_areas_.begin(), pressing_areas_.end(),
+                    [&](Eigen::AlignedBox2d const& area) { return area.contains(place_mm); }))
+        change_tool(sample.time, { .kind = Tool::Kind::Press });
+}
+
+void Station::press_instead()
+{
+    for (auto const& pen : pens_)
+        if (pen.touches_since && !is_pressing())
+            change_tool(*pen.touches_since, { .kind = Tool::Kind::Press });
+}
+
+void Station::keep_moment(PenSample const& sample, TipSample const& tip)
+{
+    if (moments_.size() == kMostMoments) // Nobody takes them, or not in time.
+        moments_.erase(moments_.begin(), moments_.begin() + kMostMoments / 2);
+    moments_.push_back({ .in_range = sample.in_range,
+                         .touching = tip.touching,
+                         .eraser = tip.eraser,
+                         .pressing = tip.touching && is_pressing(),
+                         .barrel = sample.in_range && (sample.buttons & 1) != 0,
+                         .pressure = tip.pressure,
+                         .position_mm = tip.position_mm });
+}
+
+void Station::push_height(Timestamp received, std::span<std::byte const> report)
+{
+    if (report.empty())
+        return end_with_height();
+    heights_.clear();
+    if (auto const decoded = height_decoder_->decode(received, report, heights_); !decoded)
+        count_broken(decoded.error());
+    counts_.height_samples += heights_.size();
+    is_height_there_ |= !heights_.empty();
+    if (is_height_measured_)
+        for (auto const& height : heights_) {
+            height_monitor_.push(height);
+            if (height_monitor_.is_on_rail(height))
+                continue;
+            if (auto const height_mm = tractus::height_mm(height_model_, height.counts))
+                read_height_mm_ = height_mm;
+            for (auto& pen : pens_)
+                pen.fuser.push(height);
+        }
+    for (auto& pen : pens_)
+        take_settled(pen);
+}
+
+// The height sensor went away. Strokes under way end with what it has measured; what the pens do
+// from now on has no place in space.
+void Station::end_with_height()
+{
+    if (!is_height_measured_)
+        return;
+    is_height_there_ = false;
+    for (auto& pen : pens_)
+        finish(pen);
+}
+
+void Station::take_settled(Pen& pen)
+{
+    for (auto const& tip : pen.fuser.take_settled())
+        if (auto stroke = pen.builder.push(tip))
+            finish_stroke(*std::move(stroke));
+}
+
+void Station::finish(Pen& pen)
+{
+    pen.fuser.flush();
+    take_settled(pen);
+    if (auto stroke = pen.builder.finish())
+        finish_stroke(*std::move(stroke));
+}
+
+void Station::finish()
+{
+    for (auto& pen : pens_)
+        finish(pen);
+}
+
+std::vector<std::vector<TipSample>> Station::inks() const
+{
+    std::vector<std::vector<TipSample>> inks;
+    for (auto const& pen : pens_)
+        if (auto ink = pen.builder.ink(); !ink.empty())
+            inks.push_back(std::move(ink));
+    return inks;
+}
+
+std::optional<double> Station::surface_height_mm() const
+{
+    if (is_height_measured_)
+        return read_height_mm_;
+    return newest_tip_ ? std::optional(newest_tip_->position_mm.z()) : std::nullopt;
+}
+
+FuserCounts Station::fuser_counts() const
+{
+    auto sum = pens_.front().fuser.counts(); // All have seen the same heights.
+    for (std::size_t i = 1; i < pens_.size(); ++i) {
+        auto const& counts = pens_[i].fuser.counts();
+        sum.pens += counts.pens;
+        sum.settled += counts.settled;
+        sum.pens_without_height += counts.pens_without_height;
+    }
+    return sum;
+}
+
+void Station::set_tool(Timestamp time, Tool const& tool)
+{
+    if (tool.at_once) {
+        new_tool_changes_.push_back({ time, tool });
+        mean({}, tool);
+        return;
+    }
+    bool const is_press = tool.kind == Tool::Kind::Press;
+    if (!is_press)
+        tool_in_hand_ = tool;
+    bool const touch_goes_on = std::any_of(
+        pens_.begin(), pens_.end(), [](Pen const& pen) { return pen.touches_since.has_value(); });
+    // A tool that is chosen by pressing is in hand when the press is over.
+    if (is_press || !is_pressing() || !touch_goes_on)
+        change_tool(time, tool);
+}
+
+void Station::change_tool(Timestamp time, Tool const& tool)
+{
+    // Of hours of drawing only the last changes can still matter to a stroke.
+    constexpr Duration kLongestStroke = std::chrono::hours(1);
+    while (tool_changes_.size() > 1 && tool_changes_[1].time < time - kLongestStroke)
+        tool_changes_.erase(tool_changes_.begin());
+    tool_changes_.push_back({ std::max(time, tool_changes_.back().time), tool });
+    new_tool_changes_.push_back(tool_changes_.back());
+}
+
+// A stroke belongs to the tool in hand when it began, though it is known to have ended only later.
+Tool Station::tool_at(Timestamp time) const
+{
+    auto const after = std::upper_bound(
+        tool_changes_.begin() + 1, tool_changes_.end(), time,
+        [](Timestamp value, ToolChange const& change) { return value < change.time; });
+    return std::prev(after)->tool;
+}
+
+void Station::finish_stroke(Stroke stroke)
+{
+    // Tool changes are stamped on arrival, tips with the tablet's latency taken off.
+    auto tool = tool_at(stroke.tips.front().time + tablet_latency_);
+    if (tool.kind == Tool::Kind::Press)
+        return;
+    if (stroke.tips.front().eraser)
+        tool = other_end_of(tool);
+    mean(std::move(stroke), tool);
+}
+
+void Station::mean(Stroke stroke, Tool const& tool)
+{
+    if (hold_ == Hold::On) {
+        waiting_strokes_.push_back(std::move(stroke));
+        waiting_tools_.push_back(tool);
+        return;
+    }
+    ++counts_.strokes;
+    strokes_.push_back(draw(std::move(stroke), tool, scene_));
+}
+
+void Station::hold(Hold hold)
+{
+    hold_ = hold;
+    if (hold == Hold::On)
+        return;
+    auto strokes = std::exchange(waiting_strokes_, {});
+    auto const tools = std::exchange(waiting_tools_, {});
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+        mean(std::move(strokes[i]), tools[i]);
+}
+
+void Station::count_broken(Error const& error)
+{
+    if (counts_.broken_reports++ == 0)
+        counts_.first_broken = error.message;
+}
+
+} // namespace tractus

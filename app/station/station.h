@@ -1,0 +1,210 @@
+#pragma once
+
+#include "app/station/tools/tool.h"
+#include "calib/fuser.h"
+#include "calib/height_monitor.h"
+#include "calib/rig.h"
+#include "drivers/device_info.h"
+#include "drivers/height_decoder.h"
+#include "drivers/pen_decoder.h"
+#include "engine/base/result.h"
+#include "engine/scene/scene.h"
+#include "engine/stroke/stroke_builder.h"
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+struct StationOptions {
+    Rig rig;
+    std::optional<ScriptedHeight> scripted_height; // In place of a height sensor.
+    Scene scene; // What the pen works on; its base plant is loaded.
+    Tool tool;   // What the pen means until a tool line says otherwise.
+};
+
+// What came in and what became of it.
+struct StationCounts {
+    std::size_t reports = 0;
+    std::size_t pen_samples = 0;
+    std::size_t height_samples = 0;
+    std::size_t broken_reports = 0;  // A decoder refused them; the first reason is kept.
+    std::size_t ignored_reports = 0; // Of devices that are neither the pen nor the height sensor.
+    std::size_t strokes = 0;
+    std::string first_broken;
+};
+
+// A finished stroke and what it meant.
+struct DrawnStroke {
+    Stroke stroke;
+    Tool tool;
+    std::string refusal {};     // Why it changed nothing; empty if it did.
+    std::vector<Edit> edits {}; // What it changed; none if it was refused.
+};
+
+// What a stroke in the hand of a tool does to a scene, which is changed by all of its edits, or by
+// none if one is refused.
+DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene);
+
+// The pen at one moment, as a window wants it that the pen works.
+struct PenMoment {
+    bool in_range = false;
+    bool touching = false;
+    bool eraser = false;
+    bool pressing = false; // Touches to press what the window shows: no stroke comes of it.
+    bool barrel = false;   // The first barrel button is held.
+    double pressure = 0;
+    Vec3 position_mm = Vec3::Zero(); // World frame; the last known one when out of range.
+};
+
+// The whole way of the data, from reports to the scene: decode, fuse, stroke, mean. The only class
+// that knows it. Reports and tool changes go in as they come, from devices or from a log, and the
+// scene is what they amount to. Not thread-safe: it lives on the main thread.
+//
+// Several tablets may be drawn on at once, each with its own pen and strokes. The rig is the first
+// one's; others lie with their centre where the first one's is.
+class Station {
+public:
+    // Takes all devices that decode as pens, and the first that decodes as a height sensor. Fails,
+    // as the user's fault, if there is no pen, or neither height sensor nor scripted height.
+    static Result<Station> create(std::span<DeviceInfo const> devices, StationOptions options);
+
+    // One report of one of the devices. A report that its decoder refuses is counted and forgotten.
+    // An empty report says that the device went away: a stroke that it was drawing, or whose height
+    // it measured, ends there and is kept.
+    void push(std::size_t device, Timestamp received, std::span<std::byte const> report);
+
+    // From the pen's samples at `time` on, strokes belong to `tool`, or, where they are drawn with
+    // the pen's other end, to its eraser (other_end_of()). One that is done at once is done now,
+    // and changes nothing in the hand.
+    void set_tool(Timestamp time, Tool const& tool);
+
+    // Where a touch presses what the window shows there, from its beginning to its end, and draws
+    // nothing: x and y of the world frame, millimetres. None at first. Such touches are tool
+    // changes (Tool::Kind::Press), so that a recording of them draws the same.
+    void set_pressing_areas(std::vector<Eigen::AlignedBox2d> areas)
+    {
+        pressing_areas_ = std::move(areas);
+    }
+
+    // The touch under way presses, too, from its beginning on: a long one opens the ring of tools.
+    void press_instead();
+
+    // What the pen did since the last call, in order; of more than kMostMoments the newest.
+    static constexpr std::size_t kMostMoments = 1024;
+    std::vector<PenMoment> take_moments() { return std::exchange(moments_, {}); }
+
+    // A change of what the pen means.
+    struct ToolChange {
+        Timestamp time {};
+        Tool tool;
+    };
+    // Those since the last call, for a recording.
+    std::vector<ToolChange> take_tool_changes() { return std::exchange(new_tool_changes_, {}); }
+
+    // Another scene to go on with, as undo leaves it. Strokes under way will work on it.
+    void set_scene(Scene scene) { scene_ = std::move(scene); }
+
+    // While it is on, strokes that are finished wait, and so does what is done at once; then they
+    // do what they mean.
+    enum class Hold { Off, On };
+    void hold(Hold hold);
+
+    // Those that wait, in order.
+    std::vector<Stroke> const& waiting_strokes() const { return waiting_strokes_; }
+
+    // Time has passed without a report: some pens leave by falling silent. Each report passes time
+    // by itself; live, call this when all that have come are pushed.
+    void pass_time(Timestamp now);
+
+    // No more reports come: settles and finishes what is under way.
+    void finish();
+
+    Scene const& scene() const { return scene_; }
+
+    // The finished strokes since the last forget_strokes(): who draws for hours forgets what has
+    // been dealt with. counts().strokes counts all.
+    std::vector<DrawnStroke> const& strokes() const { return strokes_; }
+    void forget_strokes() { strokes_.clear(); }
+    StationCounts const& counts() const { return counts_; }
+    FuserCounts fuser_counts() const; // Of all pens.
+
+    // What is, and was, wrong with the height sensor; nothing if the height is scripted.
+    HeightMonitor const& height_monitor() const { return height_monitor_; }
+
+    // For the screen: the ink of each pen's stroke under way, none of it empty; the newest tip of
+    // all pens, and what it means.
+    std::vector<std::vector<TipSample>> inks() const;
+    std::optional<TipSample> const& newest_tip() const { return newest_tip_; }
+    // What the pen reaches: the first tablet's area, and the heights of its calibration. World
+    // frame.
+    Bounds const& volume_mm() const { return volume_mm_; }
+
+    // As the last reading has it, or where heights are scripted the last tip. No value before.
+    std::optional<double> surface_height_mm() const;
+    bool pen_in_range() const { return pen_in_range_; }
+    Tool const& tool() const { return tool_in_hand_; }
+    bool is_pressing() const { return tool_changes_.back().tool.kind == Tool::Kind::Press; }
+
+private:
+    // One tablet's pen, from its reports to its strokes.
+    struct Pen {
+        std::size_t device = 0;
+        std::unique_ptr<PenDecoder> decoder;
+        PenSilence silence;
+        Fuser fuser;
+        StrokeBuilder builder {};
+        std::optional<Timestamp> touches_since {}; // On arrival; no value while it does not touch.
+    };
+
+    explicit Station(StationOptions const& options); // Without the scene.
+
+    Result<void> add_pens(std::span<DeviceInfo const> devices, StationOptions const& options);
+    Pen* find_pen(std::size_t device);
+    void use_pen(Pen& pen, PenSample const& sample);
+    void follow_touch(Pen& pen, PenSample const& sample, TipSample const& tip);
+    void keep_moment(PenSample const& sample, TipSample const& tip);
+    void change_tool(Timestamp time, Tool const& tool);
+    void push_pen(Pen& pen, Timestamp received, std::span<std::byte const> report);
+    void push_height(Timestamp received, std::span<std::byte const> report);
+    void end_with_height();
+    void take_settled(Pen& pen);
+    void finish(Pen& pen);
+    void finish_stroke(Stroke stroke);
+    void mean(Stroke stroke, Tool const& tool);
+    Tool tool_at(Timestamp time) const;
+    void count_broken(Error const& error);
+
+    HeightMonitor height_monitor_;
+    Bounds volume_mm_;
+    HeightModel height_model_;
+    std::optional<double> read_height_mm_;
+    bool is_height_measured_;     // Not scripted.
+    bool is_height_there_ = true; // The sensor that measures it has not gone away.
+    Duration tablet_latency_;
+    std::vector<Pen> pens_; // In the order of their devices.
+    std::unique_ptr<HeightDecoder> height_decoder_;
+    std::size_t height_device_ = 0;
+    std::vector<HeightSample> heights_;        // Of one report; kept for its memory.
+    std::vector<ToolChange> tool_changes_;     // In time order; the first is from the beginning.
+    std::vector<ToolChange> new_tool_changes_; // Not taken yet.
+    Tool tool_in_hand_;                        // When it does not press.
+    std::vector<Eigen::AlignedBox2d> pressing_areas_;
+    std::vector<PenMoment> moments_; // Not taken yet.
+    Scene scene_;
+    Hold hold_ = Hold::Off;
+    std::vector<Stroke> waiting_strokes_;
+    std::vector<Tool> waiting_tools_; // One for each.
+    std::vector<DrawnStroke> strokes_;
+    std::optional<TipSample> newest_tip_;
+    bool pen_in_range_ = false;
+    StationCounts counts_;
+};
+
+} // namespace tractus

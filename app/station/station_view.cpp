@@ -1,0 +1,384 @@
+#include "app/station/station_view.h"
+
+#include "app/station/orphans.h"
+#include "app/station/tools/tool.h"
+#include "engine/variation/growth_preset.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+constexpr float kInkWidth_mm = 3.5f;
+
+InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool)
+{
+    InkLine line;
+    line.is_indicator = tool.kind == Tool::Kind::Indicate;
+    for (auto const& tip : tips)
+        line.points.push_back({ tip.position_mm.cast<float>(),
+                                kInkWidth_mm * static_cast<float>(0.35 + 0.65 * tip.pressure) });
+    return line;
+}
+
+InkLine indicator_line(MotionIndicator const& indicator)
+{
+    InkLine line;
+    line.is_indicator = true;
+    line.points = { { indicator.start_mm.cast<float>(), kInkWidth_mm },
+                    { indicator.end_mm.cast<float>(), kInkWidth_mm } };
+    return line;
+}
+
+std::string describe(Tool const& tool)
+{
+    switch (tool.kind) {
+    case Tool::Kind::Select:
+        return "Select";
+    case Tool::Kind::Indicate:
+        return "Motion indicator";
+    case Tool::Kind::DrawInOrder:
+        return "Draw, branch by branch";
+    case Tool::Kind::Oversketch:
+        return "Redraw a part of the branch's stroke";
+    case Tool::Kind::Smooth:
+        return "Smooth the branch's strokes";
+    case Tool::Kind::Delete:
+        return "Take the branch's last stroke away";
+    case Tool::Kind::MoveIndicator:
+        return "Move a motion indicator";
+    case Tool::Kind::DeleteIndicator:
+        return "Take a motion indicator away";
+    case Tool::Kind::Erase:
+        return "Erase";
+    case Tool::Kind::Press:
+        return "Press";
+    case Tool::Kind::Draw:
+        break;
+    }
+    switch (tool.propagation) {
+    case Propagation::Descendants:
+        return "Draw: all that the branch bears";
+    case Propagation::Both:
+        return "Draw: the branch and all that it bears";
+    case Propagation::Selected:
+        break;
+    }
+    return "Draw: the branch";
+}
+
+std::string describe(DrawnStroke const& drawn)
+{
+    if (!drawn.refusal.empty())
+        return drawn.refusal;
+    switch (drawn.tool.kind) {
+    case Tool::Kind::Select:
+        return "A branch is selected";
+    case Tool::Kind::Indicate:
+    case Tool::Kind::MoveIndicator:
+        return "The plant leans with the indicator";
+    case Tool::Kind::Oversketch:
+    case Tool::Kind::Smooth:
+        return "The branch follows its stroke";
+    case Tool::Kind::Delete:
+        return "The stroke is gone";
+    case Tool::Kind::DeleteIndicator:
+        return "The motion indicator is gone";
+    case Tool::Kind::Erase:
+        return "It is erased";
+    case Tool::Kind::Press: // Is no stroke.
+        break;
+    case Tool::Kind::Draw:
+    case Tool::Kind::DrawInOrder:
+        break;
+    }
+    return "The stroke shapes the branch";
+}
+
+} // namespace
+
+StationView::StationView(Station const& station)
+    : preview_(std::make_unique<NewestJob<WantedPreview, Preview>>(
+        // Shared by the copies of the function, of which one is called.
+        [preview = std::make_shared<StrokePreview>()](WantedPreview const& wanted) {
+            return Preview { preview->moved_by(wanted), wanted.stroke };
+        }))
+{
+    state_.volume_mm = station.volume_mm();
+    auto const& scene = station.scene();
+    state_.T_world_plant
+        = Eigen::Affine3f(Eigen::Scaling(static_cast<float>(scene.placement.scale)));
+    show_scene(station);
+}
+
+void StationView::show(Station const& station, Strokes strokes)
+{
+    show_grown();
+    show_live(station, strokes);
+    if (strokes == Strokes::AsInk || station.counts().strokes == shown_strokes_)
+        return;
+    if (!station.strokes().empty())
+        state_.status = describe(station.strokes().back());
+    show_scene(station);
+}
+
+void StationView::begin_again(Station const& station)
+{
+    shown_pen_samples_ = 0;
+    state_.volume_mm = station.volume_mm();
+    ++state_.live_revision;
+    show_live(station, Strokes::Kept);
+    show_scene(station);
+}
+
+void StationView::show_pen(std::vector<PenMoment> const& moments)
+{
+    state_.pen_path.clear();
+    for (auto const& moment : moments)
+        state_.pen_path.push_back({ .in_range = moment.in_range,
+                                    .touching = moment.touching,
+                                    .tip_mm = moment.position_mm.cast<float>(),
+                                    .eraser = moment.eraser,
+                                    .pressing = moment.pressing,
+                                    .barrel = moment.barrel });
+    if (!state_.pen_path.empty())
+        state_.pen = state_.pen_path.back();
+}
+
+// The surface follows its sensor while no pen is there, but not the sensor's noise.
+void StationView::show_surface(Station const& station)
+{
+    constexpr double kSeen_mm = 0.5;
+    auto const& tip = station.newest_tip();
+    bool const follows_pen = station.pen_in_range() && tip.has_value();
+    if (follows_pen)
+        state_.surface_height_mm = tip->position_mm.z();
+    else if (auto const height_mm = station.surface_height_mm())
+        if (std::abs(*height_mm - state_.surface_height_mm) >= kSeen_mm)
+            state_.surface_height_mm = *height_mm;
+    if (tip) {
+        state_.is_outside_calibration = tip->outside_calibration;
+        state_.pen.in_range = station.pen_in_range();
+        state_.pen.touching = tip->touching;
+        state_.pen.tip_mm = tip->position_mm.cast<float>();
+    }
+    if (std::exchange(shown_surface_mm_, state_.surface_height_mm) != state_.surface_height_mm)
+        ++state_.live_revision;
+}
+
+// Under way, and finished but not yet kept.
+void StationView::show_ink(Station const& station, Strokes strokes)
+{
+    state_.live_ink.clear();
+    if (strokes == Strokes::AsInk) {
+        for (auto const& drawn : station.strokes())
+            if (!drawn.edits.empty())
+                state_.live_ink.push_back(ink_line(drawn.stroke.tips, drawn.tool));
+        for (auto const& stroke : station.waiting_strokes())
+            state_.live_ink.push_back(ink_line(stroke.tips, station.tool()));
+    }
+    auto const unkept = state_.live_ink.size();
+    if (std::exchange(shown_unkept_, unkept) != unkept)
+        ++state_.live_revision;
+    if (!station.is_pressing())
+        for (auto const& ink : station.inks())
+            state_.live_ink.push_back(ink_line(ink, station.tool()));
+}
+
+void StationView::show_live(Station const& station, Strokes strokes)
+{
+    // Without a sample of the pen there is nothing new to see: the hand rests, or is away.
+    if (std::exchange(shown_pen_samples_, station.counts().pen_samples)
+        != station.counts().pen_samples)
+        ++state_.live_revision;
+    state_.tool = describe(station.tool());
+    state_.hand = station.tool();
+    auto const fault = station.height_monitor().present();
+    state_.trouble = fault ? describe_fault(*fault) : "";
+    show_ink(station, strokes);
+    show_selecting(station);
+    show_surface(station);
+    show_preview(station);
+}
+
+// The branches follow the ink as fast as they can.
+void StationView::show_preview(Station const& station)
+{
+    auto const inks
+        = station.is_pressing() ? std::vector<std::vector<TipSample>>() : station.inks();
+    if (inks.empty())
+        set_preview({});
+    else if (std::exchange(previewed_live_, state_.live_revision) != state_.live_revision)
+        preview_->want({ grown_scene_, station.tool(), inks.front(), skeleton_.orders(),
+                         station.counts().strokes });
+    is_drawing_ = !inks.empty();
+    take_preview();
+}
+
+void StationView::take_preview()
+{
+    if (auto made = preview_->take(); made && is_drawing_ && made->stroke == shown_strokes_)
+        set_preview(std::move(made->lines));
+}
+
+void StationView::set_preview(std::vector<SkeletonLine> lines)
+{
+    state_.preview_revision += !(lines.empty() && state_.preview.empty());
+    state_.preview = std::move(lines);
+}
+
+// While a pen selects, its path so far, and what is undetermined, are seen in their own colours.
+void StationView::show_selecting(Station const& station)
+{
+    using Selecting = Tool::Selecting;
+    auto const& tool = station.tool();
+    bool const chooses_path = tool.kind == Tool::Kind::Select
+        && (tool.selecting == Selecting::Path || tool.selecting == Selecting::Add
+            || tool.selecting == Selecting::Take);
+    auto const inks
+        = station.is_pressing() ? std::vector<std::vector<TipSample>>() : station.inks();
+    bool const was_selecting = std::exchange(is_selecting_, chooses_path && !inks.empty());
+    if (!is_selecting_) {
+        if (was_selecting)
+            show_skeleton();
+        shown_touched_.reset();
+        return;
+    }
+    if (!shown_skeleton_ || shown_plant_ != station.scene().base || shown_angle_ != tool.angle) {
+        shown_plant_ = station.scene().base;
+        shown_angle_ = tool.angle;
+        shown_skeleton_.emplace(*shown_plant_, shown_angle_);
+    }
+    auto touched = shown_skeleton_->touched_by(inks.front());
+    if (shown_touched_ == touched)
+        return;
+    show_skeleton(touched);
+    shown_touched_ = std::move(touched);
+}
+
+void StationView::show_scene(Station const& station)
+{
+    shown_strokes_ = station.counts().strokes;
+    state_.strokes.clear();
+    auto const& scene = station.scene();
+    auto const associations = shaping_associations(scene);
+    Stroke const* last = nullptr; // One that shapes several branches is shown once.
+    for (auto const& association : associations) {
+        if (!last || last->tips.front().time != association.stroke.tips.front().time)
+            state_.strokes.push_back(ink_line(association.stroke.tips, {}));
+        last = &association.stroke;
+    }
+    for (auto const& indicator : scene.indicators)
+        state_.strokes.push_back(indicator_line(indicator));
+    ++state_.strokes_revision;
+    grow_plant(scene);
+    show_skeleton();
+    shown_touched_.reset();
+    list_orphans(scene);
+}
+
+void StationView::list_orphans(Scene const& scene)
+{
+    auto const before = state_.orphans.size();
+    state_.orphans = orphans_of(scene);
+    if (auto const count = state_.orphans.size(); count > before)
+        state_.status = fmt::format("The plant has lost {} of the branches that were drawn: what "
+                                    "was drawn there waits until they come back",
+                                    count);
+}
+
+void StationView::show_skeleton(ShownSkeleton::Touched const& touched)
+{
+    auto const& scene = *grown_scene_;
+    state_.skeleton = skeleton_.lines(touched);
+    state_.skeleton_box_mm = skeleton_.box_mm();
+    state_.indicators.clear();
+    for (auto const& indicator : scene.indicators)
+        state_.indicators.push_back(
+            { scene.placement.plant_of_world(indicator.start_mm).cast<float>(),
+              scene.placement.plant_of_world(indicator.end_mm).cast<float>() });
+    ++state_.skeleton_revision;
+}
+
+void StationView::grow_plant(Scene const& scene)
+{
+    grown_scene_ = std::make_shared<Scene const>(scene);
+    skeleton_.set_scene(grown_scene_);
+    preview(scene.growth);
+}
+
+void StationView::preview(SetGrowth const& growth)
+{
+    state_.seed = growth.seed;
+    state_.growth = { std::string(growth_preset_of(growth.parameters)), growth.liking, growth.age };
+    grower_->grow({ grown_scene_, growth });
+    state_.is_growing = true;
+}
+
+void StationView::show_growth(Station const& station)
+{
+    grow_plant(station.scene());
+}
+
+void StationView::collect(std::size_t count)
+{
+    constexpr std::size_t kMost = 100;
+    state_.collection.clear();
+    state_.collection_wanted = std::min(count, kMost);
+    ++state_.collection_revision;
+    grower_->vary({ { grown_scene_, grown_scene_->growth }, state_.collection_wanted });
+}
+
+void StationView::show_variations()
+{
+    auto varied = grower_->take_variations();
+    if (!varied) {
+        state_.status = varied.error().message;
+        state_.collection_wanted = state_.collection.size();
+        return;
+    }
+    for (auto& [seed, mesh] : *varied)
+        state_.collection.push_back({ seed, std::make_shared<Mesh const>(std::move(mesh)) });
+    state_.collection_revision += !varied->empty();
+}
+
+void StationView::settle()
+{
+    grower_->settle();
+    show_grown();
+    preview_->settle();
+    take_preview();
+}
+
+void StationView::show_grown()
+{
+    show_variations();
+    auto grown = grower_->take();
+    state_.is_growing = grower_->is_growing();
+    if (!grown)
+        return;
+    if (!*grown) {
+        state_.status = grown->error().message;
+        return;
+    }
+    if (plant_)
+        grower_->drop(std::move(plant_));
+    plant_ = std::make_unique<Mesh const>(**std::move(grown));
+    state_.plant = plant_.get();
+    ++state_.plant_revision;
+}
+
+Result<SetGrowth> growth_set_to(GrowthView const& wanted, SetGrowth growth)
+{
+    if (!wanted.preset.empty())
+        growth.parameters = TRY(growth_preset(wanted.preset));
+    growth.liking = wanted.liking;
+    growth.age = wanted.age;
+    return growth;
+}
+
+} // namespace tractus

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "app/station/plant_grower.h"
+#include "app/station/skeleton_picture.h"
+#include "app/station/station.h"
+#include "app/station/stroke_preview.h"
+#include "app/station/tools/shown_skeleton.h"
+#include "app/window/window_model.h"
+#include "engine/mesh/mesh.h"
+#include "engine/scene/scene.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace tractus {
+
+// A station as the window shows it, wherever its reports come from: the hand, its strokes, what is
+// selected, and the plant, which is grown anew in the background after each stroke. Whoever owns it
+// says in state() what else is to be seen.
+class StationView {
+public:
+    explicit StationView(Station const& station);
+
+    WindowState& state() { return state_; }
+    WindowState const& state() const { return state_; }
+
+    // Whether the station's finished strokes are seen as what they have become, or are not yet.
+    enum class Strokes { Kept, AsInk };
+
+    // What has changed since the last call. A new stroke that is kept is named in the status.
+    void show(Station const& station, Strokes strokes);
+
+    // Waits for the plant as it was wanted last, and for all variations, and shows them.
+    void settle();
+
+    // What the pen did since the last call, for who lets it work the window. After show().
+    void show_pen(std::vector<PenMoment> const& moments);
+
+    // Another station in place of the one before, or one that has begun again.
+    void begin_again(Station const& station);
+
+    // The station's scene grows in another way, and nothing else of it has changed.
+    void show_growth(Station const& station);
+
+    // What other growth would give.
+    void preview(SetGrowth const& growth);
+
+    // Grows so many variations of the plant, from its own seed on.
+    void collect(std::size_t count);
+
+    // What the plant grows from, as of the last change that was not only previewed. Shared with who
+    // grows it in the background; nobody changes it.
+    std::shared_ptr<Scene const> const& grown_scene() const { return grown_scene_; }
+
+private:
+    struct Preview {
+        std::vector<SkeletonLine> lines;
+        std::size_t stroke = 0; // Of which stroke, by its number.
+    };
+
+    void show_grown();
+    void show_live(Station const& station, Strokes strokes);
+    void show_ink(Station const& station, Strokes strokes);
+    void show_surface(Station const& station);
+    void show_scene(Station const& station);
+    void show_variations();
+    void show_preview(Station const& station);
+    void take_preview();
+    void set_preview(std::vector<SkeletonLine> lines);
+    void list_orphans(Scene const& scene);
+    void show_selecting(Station const& station);
+    void show_skeleton(ShownSkeleton::Touched const& touched = {});
+    void grow_plant(Scene const& scene);
+
+    // On the heap, since a thread knows it.
+    std::unique_ptr<PlantGrower> grower_ = std::make_unique<PlantGrower>();
+    std::shared_ptr<Scene const> grown_scene_; // Shared with the grower.
+    std::size_t shown_strokes_ = 0;
+    std::size_t shown_pen_samples_ = 0;
+    double shown_surface_mm_ = 0; // That the last picture of the pad was made for.
+    // What a selecting pen is drawn over, and the plant that it was made of; none before it is
+    // needed.
+    std::optional<ShownSkeleton> shown_skeleton_;
+    std::shared_ptr<Plant const> shown_plant_; // Shared with the station's scene, which may go on.
+    std::optional<ShownSkeleton::Touched> shown_touched_; // As the skeleton shows it.
+    SkeletonPicture skeleton_;
+    SelectionAngle shown_angle_;
+    bool is_selecting_ = false;
+    std::unique_ptr<NewestJob<WantedPreview, Preview>> preview_; // On the heap, as the grower.
+    std::uint64_t previewed_live_ = 0;                           // The ink's revision.
+    bool is_drawing_ = false;
+    std::size_t shown_unkept_ = 0; // Strokes as ink.
+    // On the heap, since the state points to it when this moves.
+    std::unique_ptr<Mesh const> plant_;
+    WindowState state_;
+};
+
+// The growth that a person sets, all else as it is. Fails, as the user's fault, for a preset that
+// there is not.
+Result<SetGrowth> growth_set_to(GrowthView const& wanted, SetGrowth growth);
+
+} // namespace tractus

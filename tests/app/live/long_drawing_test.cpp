@@ -1,0 +1,143 @@
+#include "app/live/station_desk.h"
+#include "app/plants/session_plant.h"
+#include "tests/app/session/same_edit.h"
+#include "tests/app/simple_rig.h"
+
+#include <filesystem>
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <set>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A hand that has drawn for hours, and a session that keeps it.
+class LongDrawing : public testing::Test {
+protected:
+    LongDrawing()
+        : station_(new_station())
+        , desk_(station_, session_at(path_), ".")
+    {
+    }
+    ~LongDrawing() override { fs::remove(path_); }
+
+    // So many strokes, each for the next branch; every one is seen, and most of them end within a
+    // frame of another's beginning.
+    void draw(std::size_t strokes)
+    {
+        for (std::size_t i = 0; i < strokes; ++i, now_ms_ += 1000) {
+            draw_across(station_, now_ms_);
+            desk_.show(station_, at_ms(now_ms_));
+            desk_.settle(station_, at_ms(now_ms_));
+        }
+    }
+
+    fs::path const path_
+        = fs::temp_directory_path() / fmt::format("tractus_long_{}.tractus", ::getpid());
+    std::int64_t now_ms_ = 1000;
+    Station station_;
+    StationDesk desk_;
+
+private:
+    static Session session_at(fs::path const& path)
+    {
+        fs::remove(path);
+        return begin_session(path, { small_model() }).value();
+    }
+
+    static Station new_station()
+    {
+        StationOptions options;
+        options.scripted_height = ScriptedHeight {
+            .scenario = { .kind = HeightScenario::Kind::Constant, .constant_mm = 100 },
+            .first_pen = {},
+            .last_pen = {},
+        };
+        options.scene = small_scene();
+        return Station::create(std::vector { simple_pen() }, options).value();
+    }
+};
+
+// Where tips are in memory.
+void add_places(std::set<void const*>& places, Scene const& scene)
+{
+    for (auto const& association : scene.associations)
+        if (association.stroke.tips.is_in_memory())
+            places.insert(association.stroke.tips.data());
+}
+
+TEST_F(LongDrawing, HasOnlyStrokesInMemoryThatShapeSomething)
+{
+    constexpr std::size_t kStrokes = 150;
+    draw(kStrokes);
+    EXPECT_TRUE(station_.strokes().empty());
+    EXPECT_EQ(station_.counts().strokes, kStrokes);
+    std::set<void const*> places;
+    add_places(places, desk_.keeper().session().scene());
+    add_places(places, station_.scene());
+    EXPECT_EQ(places.size(), 3u) << "one for each of the three branches";
+    EXPECT_EQ(station_.scene().associations.size(), kStrokes);
+    EXPECT_EQ(read_session(path_).value().last_step(), kStrokes) << "no lost edit";
+}
+
+TEST_F(LongDrawing, ReadsStrokesBackThatCountAgain)
+{
+    draw(1);
+    Stroke const first { station_.scene().associations[0].stroke.tips.vector() };
+    draw(6); // Three branches: numbers 3 and 6 are the trunk's, too.
+    EXPECT_FALSE(station_.scene().associations[0].stroke.tips.is_in_memory());
+    desk_.keeper().make({ [](Scene const&) -> Result<WantedStep::Change> {
+        return WantedStep::Change { { DeleteStroke { { 3, 6 } } }, "" };
+    } });
+    desk_.settle(station_, at_ms(now_ms_));
+    ASSERT_EQ(station_.scene().associations.size(), 5u);
+    EXPECT_TRUE(station_.scene().associations[0].stroke.tips.is_in_memory());
+    EXPECT_TRUE(same(station_.scene().associations[0].stroke, first));
+}
+
+TEST_F(LongDrawing, ShowsAStrokeAsDoneOnlyWhenItIsKept)
+{
+    draw_across(station_, now_ms_);
+    desk_.show(station_, at_ms(now_ms_));
+    EXPECT_FALSE(desk_.keeper().is_settled());
+    EXPECT_TRUE(desk_.view().state().strokes.empty());
+    EXPECT_EQ(desk_.view().state().live_ink.size(), 1u) << "the ink stays meanwhile";
+    draw_across(station_, now_ms_ + 1000); // It ends before the first one is kept.
+    EXPECT_EQ(station_.counts().strokes, 1u);
+    desk_.settle(station_, at_ms(now_ms_ + 2000));
+    EXPECT_EQ(read_session(path_).value().last_step(), 2u);
+    EXPECT_EQ(desk_.view().state().strokes.size(), 2u);
+    EXPECT_TRUE(desk_.view().state().live_ink.empty());
+}
+
+TEST_F(LongDrawing, ShowsAndGrowsWhatStillCounts)
+{
+    draw(30);
+    EXPECT_EQ(desk_.view().state().strokes.size(), 3u) << "one for each of the three branches";
+    EXPECT_EQ(shaping_associations(station_.scene()).size(), 3u);
+    desk_.perform(Undo {}, station_);
+    desk_.settle(station_, at_ms(now_ms_));
+    EXPECT_EQ(station_.scene().associations.size(), 29u);
+    EXPECT_EQ(desk_.view().state().strokes.size(), 3u) << "the one before counts again";
+}
+
+TEST_F(LongDrawing, TakesBackEveryStepAndDoesItAgain)
+{
+    constexpr std::size_t kStrokes = 210; // Farther than scenes are kept.
+    draw(kStrokes);
+    for (std::size_t left = kStrokes; left-- > 0;) {
+        desk_.perform(Undo {}, station_);
+        desk_.finish(station_, at_ms(now_ms_));
+        ASSERT_EQ(station_.scene().associations.size(), left);
+    }
+    for (std::size_t i = 0; i < kStrokes; ++i)
+        desk_.perform(Redo {}, station_);
+    desk_.finish(station_, at_ms(now_ms_));
+    EXPECT_EQ(station_.scene().associations.size(), kStrokes);
+}
+
+} // namespace
+} // namespace tractus

@@ -1,0 +1,148 @@
+#include "app/station/station_view.h"
+
+#include "app/station/orphans.h"
+#include "tests/app/simple_rig.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+// It bends: a straight one would leave the straight trunk as it is.
+void begin_stroke(Station& station)
+{
+    for (int i = 0; i < 10; ++i)
+        station.push(kPen, at_ms(5 * i), pen_report(50 + 5 * i, 50 - 0.4 * i * i, true));
+}
+
+void end_stroke(Station& station)
+{
+    station.push(kPen, at_ms(60), pen_report(110, 50, false));
+}
+
+TEST(StationView, LetsTheBranchFollowThePen)
+{
+    auto station = station_on(small_scene(), { Tool::Kind::DrawInOrder });
+    StationView view(station);
+    view.show(station, StationView::Strokes::Kept);
+    EXPECT_TRUE(view.state().preview.empty());
+    begin_stroke(station);
+    view.show(station, StationView::Strokes::Kept);
+    view.settle();
+    // The trunk, and the two branches that it carries along.
+    ASSERT_EQ(view.state().preview.size(), 3u);
+    auto const& trunk = view.state().preview.front();
+    EXPECT_EQ(trunk.state, SkeletonLine::State::Assigned);
+    EXPECT_EQ(trunk.points_mm.size(), 7u);
+    auto const revision = view.state().preview_revision;
+    auto const skeletons = view.state().skeleton_revision;
+    view.show(station, StationView::Strokes::Kept); // Nothing new has come.
+    view.settle();
+    EXPECT_EQ(view.state().preview_revision, revision);
+    end_stroke(station);
+    view.show(station, StationView::Strokes::Kept);
+    view.settle();
+    EXPECT_TRUE(view.state().preview.empty());
+    EXPECT_GT(view.state().preview_revision, revision);
+    EXPECT_EQ(view.state().skeleton_revision, skeletons + 1) << "when the stroke was done";
+}
+
+TEST(StationView, PreviewsWhatTheStrokeWillBe)
+{
+    auto station = station_on(small_scene(), { Tool::Kind::DrawInOrder });
+    StationView view(station);
+    begin_stroke(station);
+    view.show(station, StationView::Strokes::Kept);
+    view.settle();
+    auto const preview = view.state().preview.front().points_mm;
+    station.finish();
+    ASSERT_EQ(station.scene().associations.size(), 1u);
+    auto const lines
+        = StrokePreview().moved_by({ std::make_shared<Scene const>(small_scene()),
+                                     { Tool::Kind::DrawInOrder },
+                                     station.scene().associations[0].stroke.tips.vector(),
+                                     9 });
+    ASSERT_FALSE(lines.empty());
+    for (std::size_t i = 0; i < preview.size(); ++i)
+        EXPECT_TRUE(lines.front().points_mm[i].isApprox(preview[i], 1e-4f)) << i;
+}
+
+TEST(StationView, PreviewsNothingForAPenThatShapesNothing)
+{
+    for (auto const& tool : { Tool { Tool::Kind::Select }, Tool { Tool::Kind::Indicate },
+                              Tool { Tool::Kind::Draw } /* Nothing is selected. */ }) {
+        auto station = station_on(small_scene(), tool);
+        StationView view(station);
+        begin_stroke(station);
+        view.show(station, StationView::Strokes::Kept);
+        EXPECT_FALSE(view.state().live_ink.empty());
+        EXPECT_TRUE(view.state().preview.empty());
+    }
+}
+
+// A trunk of so many segments that bear a branch each, which bears a twig of a hundred.
+Scene bushy_scene(int branches)
+{
+    auto model = small_model();
+    model.source.text = "Lsystem: 1\nderivation length: 100\nAxiom: ";
+    for (int i = 0; i < branches; ++i)
+        model.source.text += "F(10)[+(60)F(8)[+(50)A]F(8)]";
+    model.source.text += "F(10)\nA --> F(1)A\nendlsystem\n"; // The trunk goes on to its own end.
+    return apply_edit({}, model).value();
+}
+
+TEST(StationView, LeavesTheTwigsOfLargePlantsOutOfTheSkeleton)
+{
+    auto const small = station_on(bushy_scene(100), {});
+    EXPECT_EQ(StationView(small).state().skeleton.size(), 1u + 2 * 100);
+    auto const large = station_on(bushy_scene(500), {});
+    EXPECT_EQ(StationView(large).state().skeleton.size(), 1u + 500);
+}
+
+TEST(StationView, ListsWhatHasLostItsBranch)
+{
+    auto bare = small_model();
+    bare.source.text = "Lsystem: 1\nderivation length: 1\nAxiom: F(10)\nA --> A\nendlsystem\n";
+    bare.drawn = Drawn::Keep;
+    std::vector<Edit> edits { small_model(), Select { { { 0, 1, 2 } } },
+                              Associate { stroke_through({ { 0, 0, 0 }, { 10, 5, 100 } }) } };
+    auto station = station_on(fold(edits).value(), {});
+    StationView view(station);
+    EXPECT_TRUE(view.state().orphans.empty());
+    station.set_scene(apply_edit(station.scene(), bare).value());
+    view.begin_again(station);
+    ASSERT_EQ(view.state().orphans.size(), 1u);
+    EXPECT_EQ(view.state().orphans[0].name, "stroke 1");
+    EXPECT_EQ(view.state().orphans[0].place, "up to segment 3 of stem 1");
+    auto const edits_away = edits_without_orphans(station.scene());
+    ASSERT_EQ(edits_away.size(), 1u);
+    EXPECT_TRUE(apply_edit(station.scene(), edits_away[0]).value().associations.empty());
+    EXPECT_NE(view.state().status.find("has lost 1 of the branches"), std::string::npos);
+    station.set_scene(fold(edits).value());
+    view.begin_again(station);
+    EXPECT_TRUE(view.state().orphans.empty());
+}
+
+TEST(StationView, GrowsACollectionOneByOne)
+{
+    auto const station = station_on(small_scene(), {});
+    StationView view(station);
+    view.collect(3);
+    EXPECT_EQ(view.state().collection_wanted, 3u);
+    view.settle();
+    ASSERT_EQ(view.state().collection.size(), 3u);
+    for (std::uint64_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(view.state().collection[i].seed, i + 1);
+        EXPECT_GT(view.state().collection[i].mesh->triangle_count(), 0u);
+        EXPECT_LT(view.state().collection[i].mesh->triangle_count(),
+                  view.state().plant->triangle_count());
+    }
+    auto const revision = view.state().collection_revision;
+    view.collect(0);
+    view.settle();
+    EXPECT_TRUE(view.state().collection.empty());
+    EXPECT_GT(view.state().collection_revision, revision);
+}
+
+} // namespace
+} // namespace tractus

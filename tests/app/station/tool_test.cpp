@@ -1,0 +1,275 @@
+#include "app/station/tools/tool.h"
+
+#include "app/station/station.h"
+#include "engine/plant/join_axes.h"
+#include "tests/app/small_model.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+TEST(Tool, IsReadAndWrittenAsWords)
+{
+    for (auto const& tool :
+         { Tool { Tool::Kind::Select }, Tool { Tool::Kind::Indicate },
+           Tool { Tool::Kind::DrawInOrder }, Tool { Tool::Kind::Draw, Propagation::Selected },
+           Tool { Tool::Kind::Draw, Propagation::Descendants },
+           Tool { Tool::Kind::Draw, Propagation::Both }, Tool { Tool::Kind::Erase },
+           Tool { Tool::Kind::Press }, Tool { .kind = Tool::Kind::Smooth, .at_once = true },
+           Tool { .kind = Tool::Kind::Select,
+                  .selecting = Tool::Selecting::Ends,
+                  .angle = { 30, -12.5, 2, { 10, -4 }, { 152, 95 } } } }) {
+        auto const words = words_for(tool);
+        EXPECT_EQ(parse_tool(words.name, words.arguments).value(), tool) << words.name;
+    }
+}
+
+TEST(Tool, NamesTheToolsThereAre)
+{
+    EXPECT_NE(parse_tool("hammer", "").error().message.find("select, draw, indicate"),
+              std::string::npos);
+    EXPECT_NE(parse_tool("draw", "now").error().message.find("needs a stroke"), std::string::npos);
+    for (auto const* view : { "view=1,2", "view=0,90,1,0,0,254,159", "view=0,0,1,0,0,254,159,3",
+                              "view=0,0,nan,0,0,254,159", "view=0,0,1,0,0,254,15 9" })
+        EXPECT_FALSE(parse_tool("select", view)) << view;
+    EXPECT_NE(parse_tool("draw", "everything").error().message.find("selected, descendants, both"),
+              std::string::npos);
+}
+
+// Where the selection view shows a node, as a pen would have to point there.
+Vec3 shown(Scene const& scene, Vec3 const& plant_mm)
+{
+    auto const view = fit_selection_view(*scene.base);
+    auto const place = view.tablet_of_plant(plant_mm);
+    return { place.x(), place.y(), 40 };
+}
+
+TEST(SelectTool, SelectsTheAxisThatThePenFollows)
+{
+    auto const scene = small_scene();
+    auto const nodes = scene.base->positions(scene.base->axes[0]);
+    auto const stroke = stroke_through({ shown(scene, nodes.front() + Vec3(0, 0, 20)),
+                                         shown(scene, nodes.back() - Vec3(0, 0, 20)) });
+    auto const edits = edits_of({ Tool::Kind::Select }, stroke, scene);
+    ASSERT_TRUE(edits) << edits.error().message;
+    ASSERT_EQ(edits->size(), 1u);
+    EXPECT_EQ(std::get<Select>((*edits)[0]).paths, Selection { segments_of(scene.base->axes[0]) });
+}
+
+TEST(SelectTool, SaysThatAStrokeWentBesideThePlant)
+{
+    auto const scene = small_scene();
+    auto const stroke = stroke_through({ { -120, 70, 0 }, { -120, 40, 0 } });
+    auto const edits = edits_of({ Tool::Kind::Select }, stroke, scene);
+    ASSERT_FALSE(edits);
+    EXPECT_EQ(edits.error().fault, Fault::User);
+}
+
+TEST(DrawTool, ShapesWhatIsSelected)
+{
+    auto scene = small_scene();
+    auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } });
+    EXPECT_FALSE(edits_of({ Tool::Kind::Draw }, stroke, scene));
+    scene.selection = { segments_of(scene.base->axes[1]) };
+    auto const edits = edits_of({ Tool::Kind::Draw, Propagation::Both }, stroke, scene);
+    ASSERT_TRUE(edits);
+    EXPECT_EQ(std::get<Associate>((*edits)[0]).propagation, Propagation::Both);
+}
+
+TEST(IndicateTool, TakesTheEndsOfTheStroke)
+{
+    auto const stroke = stroke_through({ { 0, 0, 100 }, { 30, 50, 100 }, { 80, 0, 120 } });
+    auto const edits = edits_of({ Tool::Kind::Indicate }, stroke, small_scene()).value();
+    EXPECT_EQ(std::get<Indicate>(edits[0]).indicator.start_mm, Vec3(0, 0, 100));
+    EXPECT_EQ(std::get<Indicate>(edits[0]).indicator.end_mm, Vec3(80, 0, 120));
+}
+
+TEST(DrawInOrderTool, ShapesTheTrunkFirstAndThenTheLongestBranch)
+{
+    auto scene = small_scene();
+    auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } });
+    std::vector<AxisId> drawn;
+    for (int turn = 0; turn < 4; ++turn) {
+        auto const edits = edits_of({ Tool::Kind::DrawInOrder }, stroke, scene).value();
+        for (auto const& edit : edits)
+            scene = apply_edit(scene, edit).value();
+        drawn.push_back(axis_of(*scene.base, std::get<Select>(edits[0]).paths[0][0]));
+    }
+    auto const order = axes_in_drawing_order(*scene.base);
+    EXPECT_EQ(drawn, (std::vector<AxisId> { order[0], order[1], order[2], order[0] }));
+    EXPECT_EQ(scene.base->axes[order[1]].segment_count, 4u);
+}
+
+using Selecting = Tool::Selecting;
+
+Selection selection_by(Selecting selecting, Stroke const& stroke, Scene const& scene)
+{
+    auto const edits
+        = edits_of({ .kind = Tool::Kind::Select, .selecting = selecting }, stroke, scene);
+    EXPECT_TRUE(edits) << edits.error().message;
+    return edits ? std::get<Select>((*edits)[0]).paths : Selection {};
+}
+
+TEST(Tool, KnowsAllItsArguments)
+{
+    for (auto const* arguments : { "add", "take", "ends", "order", "alike", "invert", "nothing" }) {
+        auto const tool = parse_tool("select", arguments).value();
+        EXPECT_EQ(words_for(tool).arguments, arguments);
+    }
+    for (auto const* arguments : { "both world", "descendants chord", "chord" }) {
+        auto const tool = parse_tool("draw", arguments).value();
+        EXPECT_EQ(words_for(tool).arguments, arguments);
+    }
+    for (auto const* arguments : { "below", "near", "near light", "light" })
+        EXPECT_EQ(words_for(parse_tool("indicate", arguments).value()).arguments, arguments);
+    EXPECT_EQ(parse_tool("draw", "world both").value(), parse_tool("draw", "both world").value());
+    EXPECT_EQ(parse_tool("smooth", "much").error().message,
+              "the tool smooth takes no \"much\": leave it out");
+}
+
+TEST(SelectTool, ChoosesInAllWays)
+{
+    auto scene = small_scene(); // A trunk of six, a branch of two and one of four.
+    auto const& plant = *scene.base;
+    auto const tip_of = [&](AxisId id) { return plant.positions(plant.axes[id]).back(); };
+    auto const along = [&](Vec3 const& from, Vec3 const& to) {
+        return stroke_through({ shown(scene, from), shown(scene, to) });
+    };
+    auto const trunk = segments_of(plant.axes[0]);
+    auto const first = segments_of(plant.axes[1]);
+    auto const second = segments_of(plant.axes[2]);
+
+    // From the trunk's middle to a branch's tip, straight across the air.
+    auto const base = plant.positions(plant.axes[0])[1] * 0.5;
+    auto const path = selection_by(Selecting::Ends, along(base, tip_of(2)), scene);
+    ASSERT_EQ(path.size(), 1u);
+    EXPECT_EQ(path[0].front(), trunk[0]);
+    EXPECT_EQ(path[0].back(), second.back());
+
+    auto const touch = along(tip_of(1) + Vec3(0, 0, 1), tip_of(1));
+    EXPECT_EQ(selection_by(Selecting::Order, touch, scene), (Selection { first, second }));
+    EXPECT_EQ(selection_by(Selecting::Alike, touch, scene), (Selection { first, second }));
+    scene.selection = { trunk };
+    EXPECT_EQ(selection_by(Selecting::Invert, touch, scene), (Selection { first, second }));
+    EXPECT_EQ(selection_by(Selecting::Nothing, touch, scene), Selection {});
+    EXPECT_EQ(selection_by(Selecting::Add, touch, scene).size(), 2u);
+    scene.selection = { first, second };
+    auto const taken
+        = selection_by(Selecting::Take, along(plant.positions(plant.axes[1])[1], tip_of(1)), scene);
+    EXPECT_EQ(taken.back(), second);
+    EXPECT_NE(taken.front(), first);
+}
+
+TEST(IndicateTool, MayActOnTheSelectedBranchOrNearTheStroke)
+{
+    auto scene = small_scene();
+    auto const stroke = stroke_through({ { 0, 0, 100 }, { 80, 0, 120 } });
+    Tool const below { .kind = Tool::Kind::Indicate, .reach = Tool::Reach::Below };
+    EXPECT_FALSE(edits_of(below, stroke, scene));
+    scene.selection = { segments_of(scene.base->axes[1]) };
+    auto const edits = edits_of(below, stroke, scene).value();
+    EXPECT_EQ(std::get<Indicate>(edits[0]).indicator.below,
+              std::vector<SegmentId> { scene.base->axes[1].first_segment });
+    auto const near = edits_of(parse_tool("indicate", "near light").value(), stroke, scene).value();
+    EXPECT_NEAR(*std::get<Indicate>(near[0]).indicator.reach_mm, std::hypot(80, 20), 1e-9);
+    EXPECT_EQ(std::get<Indicate>(near[0]).indicator.kind, MotionIndicator::Kind::Light);
+}
+
+TEST(IndicatorTools, MoveAndDeleteTheOneWhereTheyBegin)
+{
+    auto scene = small_scene();
+    scene.indicators = { { .start_mm = { 0, 0, 100 }, .end_mm = { 100, 0, 100 } } };
+    scene.indicator_places.resize(1);
+    auto const move = stroke_through({ { 50, 5, 100 }, { 50, 5, 160 } });
+    auto const moved = edits_of({ Tool::Kind::MoveIndicator }, move, scene).value();
+    scene = apply_edit(scene, moved[0]).value();
+    EXPECT_EQ(scene.indicators[0].start_mm, Vec3(0, 0, 160));
+    EXPECT_FALSE(edits_of({ Tool::Kind::DeleteIndicator }, move, scene)); // It begins beside it.
+    auto const there = stroke_through({ { 90, 0, 161 }, { 95, 0, 161 } });
+    scene = apply_edit(scene, edits_of({ Tool::Kind::DeleteIndicator }, there, scene).value()[0])
+                .value();
+    EXPECT_TRUE(scene.indicators.empty());
+}
+
+TEST(StrokeTools, EditTheStrokesOfTheSelectedBranch)
+{
+    auto scene = small_scene();
+    auto const up = stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } });
+    for (auto const kind : { Tool::Kind::Oversketch, Tool::Kind::Smooth, Tool::Kind::Delete })
+        EXPECT_FALSE(edits_of({ kind }, up, scene));
+    scene.selection = { segments_of(scene.base->axes[0]) };
+    EXPECT_TRUE(draw(up, { Tool::Kind::Draw }, scene).refusal.empty());
+    EXPECT_TRUE(
+        draw(stroke_through({ { 0, 0, 50 }, { 60, 0, 90 } }), { Tool::Kind::Oversketch }, scene)
+            .refusal.empty());
+    EXPECT_EQ(scene.associations[0].stroke.tips.back().position_mm, Vec3(60, 0, 90));
+    EXPECT_TRUE(draw(up, { Tool::Kind::Smooth }, scene).refusal.empty());
+    EXPECT_EQ(scene.associations[0].kept_hand, 0);
+    EXPECT_TRUE(draw(up, { Tool::Kind::Delete }, scene).refusal.empty());
+    EXPECT_TRUE(scene.associations.empty());
+    EXPECT_FALSE(draw(up, { Tool::Kind::Delete }, scene).refusal.empty());
+}
+
+Associate association_of(Stroke stroke)
+{
+    return { .stroke = std::move(stroke), .propagation = Propagation::Both };
+}
+
+// Two strokes along x, the second 50 mm above the first, each on one axis, and the second on two.
+Scene scene_with_two_strokes()
+{
+    auto scene = small_scene();
+    scene.selection = { segments_of(scene.base->axes[0]) };
+    scene = apply_edit(std::move(scene),
+                       association_of(stroke_through({ { -50, 0, 20 }, { 50, 0, 20 } })))
+                .value();
+    scene.selection = { segments_of(scene.base->axes[1]), segments_of(scene.base->axes[2]) };
+    return apply_edit(std::move(scene),
+                      association_of(stroke_through({ { -50, 0, 70 }, { 50, 0, 70 } })))
+        .value();
+}
+
+TEST(EraseTool, TakesTheTopmostStrokeAsAWhole)
+{
+    auto const scene = scene_with_two_strokes();
+    ASSERT_EQ(scene.associations.size(), 3u);
+    auto const over = stroke_through({ { 0, -30, 100 }, { 0, -1, 100 }, { 0, 30, 100 } });
+    auto const edits = edits_of({ Tool::Kind::Erase }, over, scene).value();
+    ASSERT_EQ(edits.size(), 1u);
+    EXPECT_EQ(std::get<DeleteStroke>(edits[0]).associations, (std::vector<std::size_t> { 1, 2 }));
+}
+
+TEST(EraseTool, DoesNotReachWhatIsAboveTheSurface)
+{
+    auto const scene = scene_with_two_strokes();
+    auto const over = stroke_through({ { 0, -1, 40 }, { 0, 1, 40 } });
+    auto const edits = edits_of({ Tool::Kind::Erase }, over, scene).value();
+    EXPECT_EQ(std::get<DeleteStroke>(edits[0]).associations, (std::vector<std::size_t> { 0 }));
+    auto const below = stroke_through({ { 0, -1, 10 }, { 0, 1, 10 } });
+    EXPECT_FALSE(edits_of({ Tool::Kind::Erase }, below, scene));
+}
+
+TEST(EraseTool, TakesIndicatorsFromTheLastOneOn)
+{
+    auto scene = small_scene();
+    for (double const x : { -20.0, 0.0, 20.0 })
+        scene = apply_edit(std::move(scene),
+                           Indicate { { .start_mm = { x, -40, 10 }, .end_mm = { x, 40, 10 } } })
+                    .value();
+    auto const over = stroke_through({ { -30, 0, 10 }, { -20, 0, 10 }, { -1, 0, 10 } });
+    auto const edits = edits_of({ Tool::Kind::Erase }, over, scene).value();
+    ASSERT_EQ(edits.size(), 2u);
+    EXPECT_EQ(std::get<DeleteIndicator>(edits[0]).number, 1u);
+    EXPECT_EQ(std::get<DeleteIndicator>(edits[1]).number, 0u);
+}
+
+TEST(EraseTool, IsTheOtherEndOfThePen)
+{
+    EXPECT_EQ(other_end_of({ Tool::Kind::Draw }).kind, Tool::Kind::Erase);
+    EXPECT_EQ(other_end_of({ Tool::Kind::Select }).selecting, Tool::Selecting::Take);
+    EXPECT_EQ(other_end_of({ Tool::Kind::Press }).kind, Tool::Kind::Press);
+}
+
+} // namespace
+} // namespace tractus
