@@ -174,7 +174,7 @@ void StationDesk::perform(SavePicture const& command, Station&)
 
 void StationDesk::perform(ExportPlant const& command, Station&)
 {
-    constexpr std::array kEndings { ".glb", ".obj", ".png" };
+    constexpr std::array kEndings { ".glb", ".obj" };
     save(kEndings.at(static_cast<std::size_t>(command.format)),
          [scene = view_.grown_scene()](std::filesystem::path const& path) -> Result<void> {
              auto const plant = TRY(shown_plant(*scene));

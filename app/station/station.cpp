@@ -214,8 +214,10 @@ void Station::push_height(Timestamp received, std::span<std::byte const> report)
             height_monitor_.push(height);
             if (height_monitor_.is_on_rail(height))
                 continue;
-            if (auto const height_mm = tractus::height_mm(height_model_, height.counts))
+            if (auto const height_mm = tractus::height_mm(height_model_, height.counts)) {
                 read_height_mm_ = height_mm;
+                read_height_time_ = height.time;
+            }
             for (auto& pen : pens_)
                 pen.fuser.push(height);
         }
@@ -269,6 +271,12 @@ std::optional<double> Station::surface_height_mm() const
     if (is_height_measured_)
         return read_height_mm_;
     return newest_tip_ ? std::optional(newest_tip_->position_mm.z()) : std::nullopt;
+}
+
+bool Station::pen_rests() const
+{
+    constexpr Duration kRest = std::chrono::milliseconds(50);
+    return read_height_mm_ && newest_tip_ && read_height_time_ - newest_tip_->time > kRest;
 }
 
 FuserCounts Station::fuser_counts() const

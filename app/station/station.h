@@ -149,6 +149,9 @@ public:
     // As the last reading has it, or where heights are scripted the last tip. No value before.
     std::optional<double> surface_height_mm() const;
     bool pen_in_range() const { return pen_in_range_; }
+    // The pen has sent nothing for a while, in which the surface may have moved: many tablets are
+    // silent about a pen that rests. Never where heights are scripted.
+    bool pen_rests() const;
     Tool const& tool() const { return tool_in_hand_; }
     bool is_pressing() const { return tool_changes_.back().tool.kind == Tool::Kind::Press; }
 
@@ -185,6 +188,7 @@ private:
     Bounds volume_mm_;
     HeightModel height_model_;
     std::optional<double> read_height_mm_;
+    Timestamp read_height_time_ {};
     bool is_height_measured_;     // Not scripted.
     bool is_height_there_ = true; // The sensor that measures it has not gone away.
     Duration tablet_latency_;

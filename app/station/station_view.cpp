@@ -149,12 +149,12 @@ void StationView::show_pen(std::vector<PenMoment> const& moments)
         state_.pen = state_.pen_path.back();
 }
 
-// The surface follows its sensor while no pen is there, but not the sensor's noise.
+// The surface follows its sensor while no pen is there or it rests, but not the sensor's noise.
 void StationView::show_surface(Station const& station)
 {
     constexpr double kSeen_mm = 0.5;
     auto const& tip = station.newest_tip();
-    bool const follows_pen = station.pen_in_range() && tip.has_value();
+    bool const follows_pen = station.pen_in_range() && tip.has_value() && !station.pen_rests();
     if (follows_pen)
         state_.surface_height_mm = tip->position_mm.z();
     else if (auto const height_mm = station.surface_height_mm())
@@ -165,6 +165,8 @@ void StationView::show_surface(Station const& station)
         state_.pen.in_range = station.pen_in_range();
         state_.pen.touching = tip->touching;
         state_.pen.tip_mm = tip->position_mm.cast<float>();
+        if (station.pen_rests() && !tip->touching) // It goes with the surface on which it rests.
+            state_.pen.tip_mm.z() = static_cast<float>(state_.surface_height_mm);
     }
     if (std::exchange(shown_surface_mm_, state_.surface_height_mm) != state_.surface_height_mm)
         ++state_.live_revision;

@@ -43,6 +43,8 @@ struct WindowArguments {
     std::string model = "broadleaf";
     std::string rig;
     std::string height;
+    bool fills_display = false;
+    std::string display; // The one to fill; empty: as `fills_display` says.
     bool is_light = false;
     double scale = 0;
     int frames = 0;
@@ -63,6 +65,8 @@ WindowOptions window_options(WindowArguments const& arguments, std::string const
     WindowOptions options;
     auto const on = arguments.session.empty() ? model : std::filesystem::path(arguments.session);
     options.title = fmt::format("tractus: {} on {}", what, on.stem().string());
+    if (arguments.fills_display || !arguments.display.empty())
+        options.full_screen = arguments.display;
     options.is_light = arguments.is_light;
     options.scale = arguments.scale;
     options.frames = arguments.frames;
@@ -253,7 +257,6 @@ void add_window_verb(CLI::App& root, Action& action)
                      "Read this recording as if its devices were there: its pen draws and presses "
                      "what the window shows; with --frames the same at each run")
         ->type_name("FILE")
-        ->check(CLI::ExistingFile)
         ->excludes("--device");
     verb->add_option("--record", arguments->recording,
                      "Record all that the devices send and every choice of a tool: a new "
@@ -269,6 +272,12 @@ void add_window_verb(CLI::App& root, Action& action)
     add_plant_option(*verb, arguments->model);
     add_rig_option(*verb, arguments->rig);
     add_height_option(*verb, arguments->height);
+    verb->add_flag("--full-screen", arguments->fills_display,
+                   "Fill a display: the tablet's own, if it has one, else that which the window "
+                   "opens on");
+    verb->add_option("--display", arguments->display,
+                     "Fill this display: its number, or a part of its name")
+        ->type_name("DISPLAY");
     verb->add_flag("--light", arguments->is_light, "Light colours, for a bright room");
     verb->add_option("--scale", arguments->scale,
                      "How large letters and buttons are; 0 takes the display's own scale")

@@ -14,6 +14,8 @@ namespace {
 
 constexpr float kProgressHeight_px = 10;
 constexpr float kBarAir_px = 8;
+constexpr float kGroupGap_px = 28;
+constexpr float kMostNarrowed = 0.8f;
 
 using Shown = Workbench::Shown;
 constexpr std::array<std::pair<char const*, Shown>, 5> kViews { { { "All", Shown::All },
@@ -24,21 +26,11 @@ constexpr std::array<std::pair<char const*, Shown>, 5> kViews { { { "All", Shown
 
 } // namespace
 
-float Controls::height_px(WindowState const& state) const
-{
-    auto const& style = ImGui::GetStyle();
-    float const buttons = theme::kButtonHeight_px * scale_;
-    float const above = state.is_live ? buttons + style.ItemSpacing.y
-                                      : kProgressHeight_px * scale_ + style.ItemSpacing.y;
-    return above + buttons + ImGui::GetTextLineHeightWithSpacing() + 2 * kBarAir_px * scale_;
-}
-
 WindowPart Controls::show(WindowModel& model, Workbench& bench, float left_px, float right_px)
 {
     auto const& display = ImGui::GetIO().DisplaySize;
     auto const& state = model.state();
-    float const height = height_px(state);
-    WindowPart const part { left_px, display.y - height, right_px - left_px, height };
+    WindowPart const part { left_px, display.y - height_px_, right_px - left_px, height_px_ };
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { 16 * scale_, kBarAir_px * scale_ });
     ImGui::SetNextWindowPos({ part.left, part.top });
     ImGui::SetNextWindowSize({ part.width, part.height });
@@ -51,27 +43,49 @@ WindowPart Controls::show(WindowModel& model, Workbench& bench, float left_px, f
                            "");
     show_status(state);
     if (state.is_live)
-        show_meanings(model, bench);
-    if (state.is_live)
-        show_tools(model, bench);
-    else
-        show_playing(model);
-    if (state.has_session)
-        show_undo(model);
-    show_views(bench);
-    ImGui::SameLine();
-    if (button("Menu", 96, bench.menu_is_open())) {
-        if (bench.menu_is_open())
-            bench.close_menu();
-        else
-            bench.open_menu(bench.last_menu);
-    }
-    if (!state.is_live) {
-        ImGui::SameLine(0, 28 * scale_);
+        show_rows(bench.turns_views ? view_meanings(bench) : tool_meanings(model, bench));
+    show_rows(main_buttons(model, bench));
+    if (!state.is_live)
         show_speed(model);
-    }
+    float const used_px = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
+    height_px_ = std::min(used_px + kBarAir_px * scale_, display.y / 2);
     ImGui::End();
     return part;
+}
+
+// In one row, narrower if need be; where that would clip letters, a group that does not fit into
+// what is left of a row begins another.
+void Controls::show_rows(std::vector<BarButton> const& buttons) const
+{
+    if (buttons.empty()) // Nothing jumps when a tool is taken in hand.
+        ImGui::Dummy({ 1, theme::kButtonHeight_px * scale_ });
+    float const spacing = ImGui::GetStyle().ItemSpacing.x;
+    auto const gap_before = [&](BarButton const& button) {
+        return button.begins_group ? kGroupGap_px * scale_ : spacing;
+    };
+    auto const width_to = [&](std::size_t from, std::size_t end) {
+        float width = 0;
+        for (auto i = from; i < end; ++i)
+            width += buttons[i].width * scale_ + (i > from ? gap_before(buttons[i]) : 0);
+        return width;
+    };
+    float const room = ImGui::GetContentRegionAvail().x;
+    float const narrowing = std::min(1.0f, room / width_to(0, buttons.size()));
+    bool const is_one_row = narrowing >= kMostNarrowed;
+    float used = 0;
+    for (std::size_t i = 0; i < buttons.size(); ++i) {
+        auto const& button = buttons[i];
+        auto end = i + 1;
+        while (button.begins_group && end < buttons.size() && !buttons[end].begins_group)
+            ++end;
+        float const gap = gap_before(button) * (is_one_row ? narrowing : 1);
+        bool const goes_on = is_one_row ? i > 0 : used > 0 && used + gap + width_to(i, end) <= room;
+        if (goes_on)
+            ImGui::SameLine(0, gap);
+        used = (goes_on ? used + gap : 0) + button.width * scale_;
+        if (this->button(button.text, button.width * (is_one_row ? narrowing : 1), button.is_on))
+            button.press();
+    }
 }
 
 bool Controls::button(char const* text, float width, bool is_on) const
@@ -116,87 +130,79 @@ void Controls::show_recording(RecordingView const& recording)
     ImGui::TextUnformatted(text.c_str());
 }
 
-// What the tool in hand may mean: a row for it alone.
-void Controls::show_meanings(WindowModel& model, Workbench& bench) const
+// What the tool in hand may mean.
+std::vector<BarButton> Controls::tool_meanings(WindowModel& model, Workbench& bench)
 {
-    if (bench.turns_views)
-        return show_view_meanings(bench);
-    auto const hand = model.state().hand;
-    bool is_first = true;
-    for (auto const& meaning : meanings_of(hand)) {
-        if (!std::exchange(is_first, false))
-            ImGui::SameLine(0, meaning.begins_group ? 28 * scale_ : -1);
-        if (button(meaning.text, meaning.width, meaning.is_on))
-            bench.choose(model, meaning.tool);
-    }
-    if (is_first)
-        ImGui::Dummy({ 1, theme::kButtonHeight_px * scale_ });
+    std::vector<BarButton> buttons;
+    for (auto const& meaning : meanings_of(model.state().hand))
+        buttons.push_back({ meaning.text, meaning.width, meaning.is_on,
+                            buttons.empty() || meaning.begins_group,
+                            [&model, &bench, tool = meaning.tool] { bench.choose(model, tool); } });
+    return buttons;
 }
 
-void Controls::show_view_meanings(Workbench& bench) const
+std::vector<BarButton> Controls::view_meanings(Workbench& bench)
 {
     constexpr double kButtonStep = kZoomStep * kZoomStep * kZoomStep;
-    if (button("Turn", 96, bench.drag == ViewDrag::Turn))
-        bench.drag = ViewDrag::Turn;
-    ImGui::SameLine();
-    if (button("Move", 96, bench.drag == ViewDrag::Move))
-        bench.drag = ViewDrag::Move;
-    ImGui::SameLine(0, 28 * scale_);
-    if (button("Nearer", 110))
-        bench.zoom_wished *= kButtonStep;
-    ImGui::SameLine();
-    if (button("Farther", 110))
-        bench.zoom_wished /= kButtonStep;
-    ImGui::SameLine();
-    if (button("Whole plant", 150))
-        bench.whole_is_wished = true;
+    auto const drag = [&](ViewDrag wished) { return [&bench, wished] { bench.drag = wished; }; };
+    auto const zoom
+        = [&](double factor) { return [&bench, factor] { bench.zoom_wished *= factor; }; };
+    return { { "Turn", 96, bench.drag == ViewDrag::Turn, true, drag(ViewDrag::Turn) },
+             { "Move", 96, bench.drag == ViewDrag::Move, false, drag(ViewDrag::Move) },
+             { "Nearer", 110, false, true, zoom(kButtonStep) },
+             { "Farther", 110, false, false, zoom(1 / kButtonStep) },
+             { "Whole plant", 150, false, false, [&bench] { bench.whole_is_wished = true; } } };
 }
 
-void Controls::show_tools(WindowModel& model, Workbench& bench) const
+std::vector<BarButton> Controls::main_buttons(WindowModel& model, Workbench& bench)
 {
-    auto const hand = model.state().hand;
-    for (auto const& choice : tool_choices()) {
-        bool const is_in_hand = !bench.turns_views && is_same_tool(choice.tool, hand);
-        if (button(choice.text, 96, is_in_hand))
-            bench.choose(model, choice.tool);
-        ImGui::SameLine();
+    auto buttons = model.state().is_live ? tool_buttons(model, bench) : play_buttons(model);
+    if (model.state().has_session) {
+        buttons.push_back({ "Undo", 88, false, true, [&model] { model.perform(Undo {}); } });
+        buttons.push_back({ "Redo", 88, false, false, [&model] { model.perform(Redo {}); } });
     }
-    if (button("View", 96, bench.turns_views))
-        bench.choose_view_tool();
+    for (auto const& [name, shown] : kViews)
+        buttons.push_back({ name, shown == Shown::Skeleton ? 124.0f : 80.0f, bench.shown == shown,
+                            shown == kViews[0].second,
+                            [&bench, wished = shown] { bench.shown = wished; } });
+    auto const open_or_close = [&bench] {
+        if (bench.menu_is_open())
+            bench.close_menu();
+        else
+            bench.open_menu(bench.last_menu);
+    };
+    buttons.push_back({ "Menu", 96, bench.menu_is_open(), false, open_or_close });
+    return buttons;
 }
 
-void Controls::show_undo(WindowModel& model) const
+std::vector<BarButton> Controls::tool_buttons(WindowModel& model, Workbench& bench)
 {
-    ImGui::SameLine(0, 28 * scale_);
-    if (button("Undo", 88))
-        model.perform(Undo {});
-    ImGui::SameLine();
-    if (button("Redo", 88))
-        model.perform(Redo {});
+    std::vector<BarButton> buttons;
+    auto const hand = model.state().hand;
+    for (auto const& choice : tool_choices())
+        buttons.push_back({ choice.text, 96, !bench.turns_views && is_same_tool(choice.tool, hand),
+                            buttons.empty(),
+                            [&model, &bench, tool = choice.tool] { bench.choose(model, tool); } });
+    buttons.push_back(
+        { "View", 96, bench.turns_views, false, [&bench] { bench.choose_view_tool(); } });
+    return buttons;
 }
 
-void Controls::show_playing(WindowModel& model) const
+std::vector<BarButton> Controls::play_buttons(WindowModel& model)
 {
     bool const playing = model.state().playing;
-    if (button(playing ? "Pause" : "Play", 150))
-        model.perform(SetPlaying { !playing });
-    ImGui::SameLine();
-    if (button("Restart", 150))
-        model.perform(Restart {});
+    return { { playing ? "Pause" : "Play", 150, false, true,
+               [&model, playing] { model.perform(SetPlaying { !playing }); } },
+             { "Restart", 150, false, false, [&model] { model.perform(Restart {}); } } };
 }
 
-void Controls::show_views(Workbench& bench) const
-{
-    ImGui::SameLine(0, 28 * scale_);
-    for (auto const& [name, shown] : kViews) {
-        if (button(name, shown == Shown::Skeleton ? 124 : 80, bench.shown == shown))
-            bench.shown = shown;
-        ImGui::SameLine();
-    }
-}
-
+// Beside the last button if there is room.
 void Controls::show_speed(WindowModel& model) const
 {
+    constexpr float kLeast_px = 240;
+    ImGui::SameLine(0, kGroupGap_px * scale_);
+    if (ImGui::GetContentRegionAvail().x < kLeast_px * scale_)
+        ImGui::NewLine();
     auto speed = static_cast<float>(model.state().speed);
     float const height = theme::kButtonHeight_px * scale_;
     ImGui::SetNextItemWidth(std::min(420 * scale_, ImGui::GetContentRegionAvail().x));

@@ -2,6 +2,9 @@
 
 #include "app/window/workbench.h"
 
+#include <functional>
+#include <vector>
+
 namespace tractus {
 
 class PlantView;
@@ -15,16 +18,27 @@ struct WindowPart {
     float height = 0;
 };
 
+// A button of the bar.
+struct BarButton {
+    char const* text = "";
+    float width = 0; // At a display's scale of 1.
+    bool is_on = false;
+    bool begins_group = false; // The first of some that stay beside each other, if they can.
+    std::function<void()> press;
+};
+
 // The bar at the window's lower edge, large enough for a pen: what is going on, the tools, what the
 // one in hand may mean, undo, views, and the menu.
 class Controls {
 public:
     explicit Controls(float scale)
         : scale_(scale)
+        , height_px_(kFirstHeight_px * scale)
     {
     }
 
-    float height_px(WindowState const& state) const;
+    // As it was shown last: it has as many rows as its buttons need.
+    float height_px() const { return height_px_; }
 
     // Shows the bar from `left_px` to `right_px`; returns where it is.
     WindowPart show(WindowModel& model, Workbench& bench, float left_px, float right_px);
@@ -32,17 +46,20 @@ public:
     bool button(char const* text, float width, bool is_on = false) const;
 
 private:
+    static constexpr float kFirstHeight_px = 180; // As two rows need.
+
     void show_status(WindowState const& state) const;
     static void show_recording(RecordingView const& recording);
-    void show_meanings(WindowModel& model, Workbench& bench) const;
-    void show_view_meanings(Workbench& bench) const;
-    void show_tools(WindowModel& model, Workbench& bench) const;
-    void show_undo(WindowModel& model) const;
-    void show_playing(WindowModel& model) const;
+    void show_rows(std::vector<BarButton> const& buttons) const;
     void show_speed(WindowModel& model) const;
-    void show_views(Workbench& bench) const;
+    static std::vector<BarButton> tool_meanings(WindowModel& model, Workbench& bench);
+    static std::vector<BarButton> view_meanings(Workbench& bench);
+    static std::vector<BarButton> main_buttons(WindowModel& model, Workbench& bench);
+    static std::vector<BarButton> tool_buttons(WindowModel& model, Workbench& bench);
+    static std::vector<BarButton> play_buttons(WindowModel& model);
 
     float scale_ = 1;
+    float height_px_ = kFirstHeight_px;
 };
 
 } // namespace tractus

@@ -82,17 +82,17 @@ WindowPart Layout::whole_window() const
     return { 0, 0, display.x, display.y };
 }
 
-WindowPart Layout::above_controls(WindowState const& state) const
+WindowPart Layout::above_controls() const
 {
     auto part = whole_window();
-    part.height = std::max(part.height - controls_.height_px(state), 64.0f);
+    part.height = std::max(part.height - controls_.height_px(), 64.0f);
     return part;
 }
 
 // What the menu leaves of that, unless the window is so small that it covers the views.
-WindowPart Layout::beside_menu(WindowState const& state) const
+WindowPart Layout::beside_menu() const
 {
-    auto part = above_controls(state);
+    auto part = above_controls();
     if (bench_.menu_is_open() && part.width > 2 * menu_.width_px())
         part.width -= menu_.width_px();
     return part;
@@ -151,7 +151,7 @@ void Layout::show_calibration(WindowModel& model, PenPointer const& pen)
 void Layout::show_menu(WindowModel& model, Renderer& renderer)
 {
     if (bench_.menu_is_open())
-        covered_.push_back(menu_.show(model, bench_, controls_, room_for_menu(model.state()), [&] {
+        covered_.push_back(menu_.show(model, bench_, controls_, room_for_menu(), [&] {
             return plant_.picture(renderer, kSavedWidth_px, kSavedHeight_px);
         }));
     bool const watches = bench_.menu == Workbench::MenuPage::Devices;
@@ -207,7 +207,10 @@ void Layout::take_keys(WindowModel& model)
         ring_.close();
         bench_.close_menu();
         bench_.keys_are_listed = false;
-        bench_.wants_to_close = !is_anything_open;
+        bool const fills_display = bench_.filled_display.has_value();
+        if (!is_anything_open && fills_display)
+            bench_.turn_full_screen();
+        bench_.wants_to_close = !is_anything_open && !fills_display;
     }
     if (input::is_pressed('Q'))
         bench_.wants_to_close = true;
@@ -224,6 +227,8 @@ void Layout::take_keys(WindowModel& model)
         model.perform(NextVariation {});
     if (input::is_pressed('V'))
         bench_.show_next();
+    if (input::is_pressed('F'))
+        bench_.turn_full_screen();
     if (!model.state().is_live)
         return;
     constexpr std::array<char, 4> kToolKeys { 'D', 'C', 'L', 'E' };
@@ -268,14 +273,14 @@ void Layout::show_views(WindowModel& model, Renderer& renderer, std::span<MouseM
         else if (bench_.shown == Shown::Skeleton)
             show_skeleton(model, renderer, whole, mouse);
         else if (bench_.shown == Shown::Plant)
-            show_plant(state, renderer, beside_menu(state));
+            show_plant(state, renderer, beside_menu());
         else
-            show_collection(model, renderer, beside_menu(state));
+            show_collection(model, renderer, beside_menu());
         if (bench_.shown != Shown::Pad)
             move_surface(model, false);
         return;
     }
-    auto const room = beside_menu(state);
+    auto const room = beside_menu();
     float const gap = ImGui::GetStyle().ItemSpacing.x;
     float const width = std::max(room.width - 2 * gap, 192.0f);
     WindowPart part { 0, 0, width * 0.37f, room.height };
@@ -324,7 +329,7 @@ void Layout::show_pad(WindowModel& model, Renderer& renderer, WindowPart const& 
     float const gauge_px = kGaugeWidth_px * scale_;
     float const gauge_left = fills_window ? std::max(part.left, area.left_px()) : part.left;
     draw_height_gauge(state, { gauge_left, part.top + 40 * scale_ },
-                      { gauge_px, above_controls(state).height - 40 * scale_ });
+                      { gauge_px, above_controls().height - 40 * scale_ });
     show_title(part, "Drawing pad", state.tool.c_str());
 }
 
@@ -362,8 +367,7 @@ void Layout::show_skeleton(WindowModel& model, Renderer& renderer, WindowPart co
     show_title(part, "Skeleton",
                selects_here ? "draw along a branch to select it" : "drag to turn, wheel to zoom");
     float const legend_px = kLegendLines * kLegendSpacing * ImGui::GetFontSize();
-    draw_legend(
-        { part.left + 14 * scale_, above_controls(state).height - legend_px - 12 * scale_ });
+    draw_legend({ part.left + 14 * scale_, above_controls().height - legend_px - 12 * scale_ });
 }
 
 void Layout::show_plant(WindowState const& state, Renderer& renderer, WindowPart const& part)
@@ -387,9 +391,9 @@ void Layout::show_collection(WindowModel& model, Renderer& renderer, WindowPart 
 }
 
 // Where the pen can reach it.
-WindowPart Layout::room_for_menu(WindowState const& state) const
+WindowPart Layout::room_for_menu() const
 {
-    auto room = above_controls(state);
+    auto room = above_controls();
     if (bench_.shown != Shown::All)
         room.width = std::min(room.width, pen_area_.right_px());
     return room;
@@ -401,10 +405,11 @@ void Layout::show_keys()
         char const* key;
         char const* meaning;
     };
-    static constexpr std::array<Key, 12> kKeys {
+    static constexpr std::array<Key, 13> kKeys {
         { { "D  C  L  E", "draw, select, lean, erase" },
           { "T", "turn and zoom views" },
           { "V", "the next view" },
+          { "F", "full screen, or a window again" },
           { "W  S", "surface up, down (without a height sensor)" },
           { "wheel", "the same over the pad; with Shift finely" },
           { "right button", "ring of tools; turns the skeleton" },
@@ -412,7 +417,7 @@ void Layout::show_keys()
           { "Ctrl+Shift+Z", "redo" },
           { "N", "another one: the next seed" },
           { "?", "this list" },
-          { "Esc", "closes what is open, else the window" },
+          { "Esc", "closes what is open, full screen, or the window" },
           { "Q", "closes the window" } }
     };
     ImGui::SetNextWindowPos({ 40 * scale_, 60 * scale_ });

@@ -37,6 +37,8 @@ public:
 
     bool wants_to_close() const { return bench_.wants_to_close; }
 
+    Workbench& bench() { return bench_; }
+
 private:
     void begin_frame(WindowModel& model);
     void show_calibration(WindowModel& model, PenPointer const& pen);
@@ -56,9 +58,9 @@ private:
     void move_surface(WindowModel& model, bool wheel_counts) const;
     void tell_pressing_areas(WindowModel& model);
     void follow_angle(WindowModel& model) const;
-    WindowPart above_controls(WindowState const& state) const;
-    WindowPart beside_menu(WindowState const& state) const;
-    WindowPart room_for_menu(WindowState const& state) const;
+    WindowPart above_controls() const;
+    WindowPart beside_menu() const;
+    WindowPart room_for_menu() const;
     PenArea skeleton_area(WindowState const& state, WindowPart const& part) const;
     WindowPart whole_window() const;
 

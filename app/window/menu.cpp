@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fmt/core.h>
 #include <string>
 #include <utility>
 
@@ -13,10 +14,15 @@ namespace tractus {
 namespace {
 
 constexpr float kMenuWidth_px = 460;
-constexpr float kMenuItem_px = 420;
-constexpr float kMenuHalfItem_px = 204; // Two beside each other.
 
 } // namespace
+
+// What is left of a row, for as many beside each other.
+float Menu::item_px(int count) const
+{
+    auto const gaps = static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x;
+    return (row_px_ - gaps) / static_cast<float>(count) / scale_;
+}
 
 float Menu::width_px() const
 {
@@ -34,6 +40,7 @@ WindowPart Menu::show(WindowModel& model, Workbench& bench, Controls const& cont
     ImGui::Begin("menu", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove
                      | ImGuiWindowFlags_NoSavedSettings);
+    row_px_ = ImGui::GetContentRegionAvail().x;
     show_pages(bench, controls);
     if (bench.menu == Page::Plant)
         show_plant(model, controls);
@@ -42,7 +49,7 @@ WindowPart Menu::show(WindowModel& model, Workbench& bench, Controls const& cont
     else if (bench.menu == Page::Devices)
         show_devices(model, controls);
     else
-        show_window(bench, controls);
+        show_window(model.state(), bench, controls);
     theme::scroll_by_dragging();
     ImGui::End();
     return part;
@@ -55,12 +62,12 @@ void Menu::show_pages(Workbench& bench, Controls const& controls) const
                                                                      { "Keep", Page::Keep },
                                                                      { "Devices", Page::Devices },
                                                                      { "Window", Page::Window } } };
-    constexpr float kPageButton_px = 99;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, { 8 * scale_, ImGui::GetStyle().ItemSpacing.y });
+    float const width = item_px(static_cast<int>(kPages.size()));
     for (auto const& [name, page] : kPages) {
         if (page != Page::Plant)
             ImGui::SameLine();
-        if (controls.button(name, kPageButton_px, bench.menu == page))
+        if (controls.button(name, width, bench.menu == page))
             bench.open_menu(page);
     }
     ImGui::PopStyleVar();
@@ -76,24 +83,24 @@ void Menu::show_keeping(WindowModel& model, Controls const& controls,
     };
     bool const records = model.state().recording.is_on;
     if (model.state().is_live
-        && controls.button(records ? "End recording" : "Record", kMenuItem_px, records))
+        && controls.button(records ? "End recording" : "Record", item_px(), records))
         model.perform(SetRecording { !records });
-    if (controls.button("Save picture", kMenuItem_px))
+    if (controls.button("Save picture", item_px()))
         model.perform(SavePicture { picture() });
     for (auto const& [text, format] : kFormats) {
         if (format != Format::Glb)
             ImGui::SameLine();
-        if (controls.button(text, kMenuHalfItem_px))
+        if (controls.button(text, item_px(2)))
             model.perform(ExportPlant { format });
     }
-    if (model.state().is_live && controls.button("Start again", kMenuItem_px))
+    if (model.state().is_live && controls.button("Start again", item_px()))
         model.perform(Restart {});
 }
 
 void Menu::show_devices(WindowModel& model, Controls const& controls)
 {
     auto const& state = model.state();
-    if (state.may_calibrate && controls.button("Calibrate", kMenuItem_px))
+    if (state.may_calibrate && controls.button("Calibrate", item_px()))
         model.perform(OpenCalibration {});
     if (state.mouse_draws)
         ImGui::TextWrapped("There is no tablet: the mouse is the pen.");
@@ -105,20 +112,40 @@ void Menu::show_devices(WindowModel& model, Controls const& controls)
         devices_.show(state.devices);
 }
 
-void Menu::show_window(Workbench& bench, Controls const& controls) const
+// The tablet's own display is marked: there the ink lies under the pen's tip.
+void Menu::show_displays(WindowState const& state, Workbench& bench, Controls const& controls) const
 {
-    if (controls.button(theme::palette().is_light ? "Dark" : "Light", kMenuHalfItem_px))
+    auto const tablets = state.is_live && !state.mouse_draws
+        ? tablet_display(bench.displays, state.surface_size_mm())
+        : std::nullopt;
+    bool const is_only_one = bench.displays.size() == 1;
+    for (std::size_t i = 0; i < bench.displays.size(); ++i) {
+        auto const& display = bench.displays[i];
+        bool const is_filled = bench.filled_display == i;
+        auto const text
+            = is_only_one ? "Full screen" : fmt::format("Fill {}: {}", i + 1, display.name);
+        if (controls.button(text.c_str(), item_px(), is_filled))
+            bench.full_screen_wished = Workbench::FullScreen { !is_filled, i };
+        if (tablets == i)
+            ImGui::TextWrapped("The tablet's own display: the ink lies under the pen.");
+    }
+}
+
+void Menu::show_window(WindowState const& state, Workbench& bench, Controls const& controls) const
+{
+    show_displays(state, bench, controls);
+    if (controls.button(theme::palette().is_light ? "Dark" : "Light", item_px(2)))
         theme::set_light(!theme::palette().is_light);
     ImGui::SameLine();
-    if (controls.button("Keys", kMenuHalfItem_px, bench.keys_are_listed))
+    if (controls.button("Keys", item_px(2), bench.keys_are_listed))
         bench.keys_are_listed = !bench.keys_are_listed;
-    if (controls.button("Close", kMenuItem_px))
+    if (controls.button("Close", item_px()))
         bench.wants_to_close = true;
 }
 
 void Menu::show_plant(WindowModel& model, Controls const& controls) const
 {
-    if (controls.button("Another one", kMenuItem_px))
+    if (controls.button("Another one", item_px()))
         model.perform(NextVariation {});
     ChangeGrowth change { .growth = model.state().growth };
     auto& growth = change.growth;
@@ -135,7 +162,7 @@ void Menu::show_plant(WindowModel& model, Controls const& controls) const
         std::string const name(preset.name);
         if (!std::exchange(is_left, !is_left))
             ImGui::SameLine();
-        if (!controls.button(name.c_str(), kMenuHalfItem_px, growth.preset == name))
+        if (!controls.button(name.c_str(), item_px(2), growth.preset == name))
             continue;
         growth.preset = name;
         change.slider = ChangeGrowth::Slider::Released;
@@ -147,7 +174,7 @@ void Menu::show_plant(WindowModel& model, Controls const& controls) const
     ImGui::TextWrapped("Without a branch, and kept until it comes back:");
     for (auto const& orphan : model.state().orphans)
         ImGui::TextWrapped("%s: %s", orphan.name.c_str(), orphan.place.c_str());
-    if (controls.button("Take them away", kMenuItem_px))
+    if (controls.button("Take them away", item_px()))
         model.perform(TakeOrphansAway {});
 }
 
@@ -157,7 +184,7 @@ bool Menu::show_slider(char const* name, char const* text, float greatest, doubl
 {
     auto shown = static_cast<float>(value);
     float const air_px = (theme::kButtonHeight_px * scale_ - ImGui::GetFontSize()) / 2;
-    ImGui::SetNextItemWidth(kMenuItem_px * scale_);
+    ImGui::SetNextItemWidth(row_px_);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, { 16 * scale_, air_px });
     bool const moves
         = ImGui::SliderFloat(name, &shown, 0, greatest, text, ImGuiSliderFlags_AlwaysClamp);

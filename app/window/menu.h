@@ -31,11 +31,15 @@ private:
     void show_keeping(WindowModel& model, Controls const& controls,
                       std::function<Image()> const& picture) const;
     void show_devices(WindowModel& model, Controls const& controls);
-    void show_window(Workbench& bench, Controls const& controls) const;
+    void show_window(WindowState const& state, Workbench& bench, Controls const& controls) const;
+    void show_displays(WindowState const& state, Workbench& bench, Controls const& controls) const;
     bool show_slider(char const* name, char const* text, float greatest, double& value,
                      bool& is_released) const;
 
+    float item_px(int count = 1) const;
+
     float scale_ = 1;
+    float row_px_ = 0; // As wide as the panel is inside.
     DevicesPanel devices_;
 };
 

@@ -17,7 +17,7 @@ Palette const kDark {
     .volume = { 0.22f, 0.245f, 0.27f },
     .pad_background = { 0.095f, 0.105f, 0.12f },
     .recording = { 0.93f, 0.28f, 0.22f },
-    .faint = { 0.21f, 0.235f, 0.26f },
+    .faint = { 0.36f, 0.44f, 0.43f },
 };
 
 Palette const kLight {
@@ -33,7 +33,7 @@ Palette const kLight {
     .volume = { 0.85f, 0.85f, 0.84f },
     .pad_background = { 0.972f, 0.97f, 0.965f },
     .recording = { 0.80f, 0.10f, 0.08f },
-    .faint = { 0.80f, 0.80f, 0.79f },
+    .faint = { 0.62f, 0.68f, 0.66f },
 };
 
 Palette const*& present()

@@ -4,6 +4,7 @@
 #include "engine/base/result.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace tractus {
@@ -17,6 +18,10 @@ struct WindowOptions {
     // says. 0: stays until closed, and the model's time is the clock's.
     int frames = 0;
 
+    // Fills a display: the one that is named, as find_display() reads it; without a name the
+    // tablet's own, else the one that the window is on. No value: a window among others.
+    std::optional<std::string> full_screen {};
+
     bool is_light = false; // For a bright room.
     double scale = 0;      // Of letters and buttons; 0: the display's.
 
@@ -27,8 +32,8 @@ struct WindowOptions {
 // Opens the station's window, with the drawing pad, the skeleton and the plant side by side (Streit
 // 2006 section 3), and shows `model` in it until it is closed (its button, Escape or q).
 //
-// Runs on the calling thread. Fails, as the user's fault, where there is no display or no OpenGL
-// 3.3, and in a build without a window (TRACTUS_WINDOW=OFF).
+// Runs on the calling thread. Fails, as the user's fault, where there is no display, or not the one
+// that is to be filled, or no OpenGL 3.3, and in a build without a window (TRACTUS_WINDOW=OFF).
 Result<void> run_window(WindowModel& model, WindowOptions const& options = {});
 
 } // namespace tractus

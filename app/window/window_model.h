@@ -170,6 +170,9 @@ struct WindowState {
     bool playing = true;
     double speed = 1;       // Of the recording, 1 as it was made.
     std::uint64_t seed = 0; // Of the present variation.
+
+    // Width and depth of the area in which the pen is felt. World frame.
+    Vec2 surface_size_mm() const { return (volume_mm.max_mm - volume_mm.min_mm).head<2>(); }
 };
 
 // What a person asks for in the window.
@@ -203,7 +206,6 @@ struct ExportPlant {
     enum class Format {
         Glb,
         Obj,
-        Png, // A picture of the whole plant, wherever the window looks at it from.
     } format
         = Format::Glb;
 };

@@ -27,6 +27,11 @@ void Workbench::show_next()
     shown = shown == Shown::Collection ? Shown::All : Shown(static_cast<int>(shown) + 1);
 }
 
+void Workbench::turn_full_screen()
+{
+    full_screen_wished = FullScreen { !filled_display };
+}
+
 void Workbench::open_menu(MenuPage page)
 {
     menu = page;

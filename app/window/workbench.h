@@ -1,6 +1,11 @@
 #pragma once
 
+#include "app/window/display.h"
 #include "app/window/window_model.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace tractus {
 
@@ -40,13 +45,24 @@ struct Workbench {
     };
     MenuPage menu = MenuPage::None;
     MenuPage last_menu = MenuPage::Plant; // What it opens at.
+    // The displays that the window may fill, and the one that it does fill, as of the last frame.
+    std::vector<Display> displays {};
+    std::optional<std::size_t> filled_display {};
+    // Whether it shall; without a display the tablet's own, else the one that it is on. Done and
+    // taken back before the next frame.
+    struct FullScreen {
+        bool is_on = true;
+        std::optional<std::size_t> display {};
+    };
+    std::optional<FullScreen> full_screen_wished {};
     bool keys_are_listed = false;
     bool wants_to_close = false;
 
     // Takes a tool in hand, and shows the view that it works in if one fills the window.
     void choose(WindowModel& model, Tool tool);
     void choose_view_tool();
-    void show_next(); // The next of Shown.
+    void show_next();        // The next of Shown.
+    void turn_full_screen(); // On if it is off.
     void open_menu(MenuPage page);
     void close_menu() { menu = MenuPage::None; }
     bool menu_is_open() const { return menu != MenuPage::None; }

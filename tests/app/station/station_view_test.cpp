@@ -123,6 +123,32 @@ TEST(StationView, ListsWhatHasLostItsBranch)
     EXPECT_TRUE(view.state().orphans.empty());
 }
 
+TEST(StationView, ShowsTheSurfaceMoveUnderAPenThatRests)
+{
+    StationOptions options;
+    options.scene = small_scene();
+    auto station = Station::create(simple_rig(), options).value();
+    StationView view(station);
+    auto const move_surface = [&](int from_ms, int counts) {
+        for (int i = 0; i < 10; ++i)
+            station.push(kHeight, at_ms(from_ms + 10 * i), height_report(counts));
+        view.show(station, StationView::Strokes::Kept);
+    };
+    move_surface(0, 1000);
+    station.push(kPen, at_ms(100), pen_report(50, 50, false));
+    view.show(station, StationView::Strokes::Kept);
+    auto const before = view.state().live_revision;
+    double const low_mm = view.state().surface_height_mm;
+    EXPECT_NEAR(static_cast<double>(view.state().pen.tip_mm.z()), low_mm, 1e-4);
+
+    move_surface(200, 2000); // Not a word of the pen, which is still there.
+    EXPECT_TRUE(view.state().pen.in_range);
+    EXPECT_GT(view.state().surface_height_mm, low_mm + 10);
+    EXPECT_NEAR(static_cast<double>(view.state().pen.tip_mm.z()), view.state().surface_height_mm,
+                1e-4);
+    EXPECT_GT(view.state().live_revision, before);
+}
+
 TEST(StationView, GrowsACollectionOneByOne)
 {
     auto const station = station_on(small_scene(), {});

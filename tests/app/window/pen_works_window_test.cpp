@@ -3,6 +3,7 @@
 #include "app/window/window.h"
 #include "drivers/file.h"
 #include "drivers/log_writer.h"
+#include "tests/app/render/read_png.h"
 #include "tests/app/simple_rig.h"
 
 #include <cmath>
@@ -255,6 +256,21 @@ TEST_F(PenWorksWindow, PressesAButtonForLongWithoutCapturing)
     ASSERT_NE(window.calibration(), nullptr);
     EXPECT_FALSE(window.calibration()->view().is_capturing);
     EXPECT_EQ(window.calibration()->view().proposed_mm, -10);
+}
+
+// The tests' display is larger than their window.
+TEST_F(PenWorksWindow, FillsTheDisplay)
+{
+    PenScript script;
+    script.tap(950, 524); // Menu,
+    script.tap(920, 42);  // its page Window,
+    script.tap(760, 126); // "Full screen".
+    script.wait(300);
+    auto window = window_of(script);
+    run(window, script);
+    auto const picture = read_png(read_file(folder_ / "window.png").value());
+    EXPECT_GT(picture.width(), kWidth_px);
+    EXPECT_GT(picture.height(), kHeight_px);
 }
 
 } // namespace tractus

@@ -1,0 +1,229 @@
+#include "app/window/host.h"
+
+#include "app/render/gl_objects.h"
+#include "app/window/theme.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <algorithm>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <cstdlib>
+#include <fmt/core.h>
+#include <span>
+
+namespace tractus {
+
+namespace {
+
+tl::unexpected<Error> no_window(char const* what)
+{
+    char const* reason = nullptr;
+    glfwGetError(&reason);
+    return fail(
+        Fault::User,
+        fmt::format(
+            "cannot open a window: {} ({}); start it on a display, or use `tractus demo -o DIR`, "
+            "`tractus replay` or `tractus render`, which need none",
+            what, reason ? reason : "no reason given"));
+}
+
+std::span<GLFWmonitor* const> monitors()
+{
+    int count = 0;
+    auto* const* const first = glfwGetMonitors(&count);
+    return { first, static_cast<std::size_t>(count) };
+}
+
+} // namespace
+
+Host::~Host()
+{
+    if (imgui_) {
+        ImGui_ImplOpenGL3_Shutdown();
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+    }
+    if (window_ != nullptr)
+        glfwDestroyWindow(window_);
+    if (library_)
+        glfwTerminate();
+}
+
+Result<void> Host::open(WindowOptions const& options)
+{
+#ifdef GLFW_PLATFORM
+    // GLFW 3.4 tries Wayland first, whose library says on standard error that it has no folder.
+    if (std::getenv("XDG_RUNTIME_DIR") == nullptr)
+        glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+    if (glfwInit() != GLFW_TRUE)
+        return no_window("there is no display");
+    library_ = true;
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    window_
+        = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+    if (window_ == nullptr)
+        return no_window("the display has no OpenGL 3.3");
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(options.frames > 0 ? 0 : 1);
+    glfwGetWindowContentScale(window_, &scale_, nullptr);
+    watch_mouse(); // Before ImGui, which passes everything on.
+
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr; // Leaves no file behind.
+    if (options.scale > 0)
+        scale_ = static_cast<float>(options.scale);
+    theme::set_light(options.is_light);
+    title_font_ = theme::apply(scale_);
+    ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+    imgui_ = true;
+    return {};
+}
+
+void Host::watch_mouse()
+{
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+        auto& host = *static_cast<Host*>(glfwGetWindowUserPointer(window));
+        bool const is_down = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+        host.mouse_.push_back({ { static_cast<float>(x), static_cast<float>(y) }, is_down });
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+        auto& host = *static_cast<Host*>(glfwGetWindowUserPointer(window));
+        if (button != GLFW_MOUSE_BUTTON_LEFT)
+            return;
+        double x = 0, y = 0;
+        glfwGetCursorPos(window, &x, &y);
+        host.mouse_.push_back(
+            { { static_cast<float>(x), static_cast<float>(y) }, action == GLFW_PRESS });
+    });
+}
+
+bool Host::wants_to_close() const
+{
+    return glfwWindowShouldClose(window_);
+}
+
+void Host::begin_frame(std::optional<float> step_s)
+{
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    if (step_s)
+        ImGui::GetIO().DeltaTime = *step_s;
+}
+
+void Host::end_frame()
+{
+    ImGui::Render();
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, width, height);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+Image Host::back_buffer() const
+{
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    Image upside_down(width, height);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glReadBuffer(GL_BACK);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.pixels().data());
+    auto picture = flipped(upside_down);
+    for (auto& pixel : picture.pixels())
+        pixel.alpha = 255; // A window's own alpha says nothing.
+    return picture;
+}
+
+void Host::show_frame()
+{
+    glfwSwapBuffers(window_);
+}
+
+std::vector<Display> Host::displays() const
+{
+    std::vector<Display> displays;
+    for (auto* const monitor : monitors()) {
+        auto& display = displays.emplace_back();
+        display.name = glfwGetMonitorName(monitor);
+        if (auto const* const mode = glfwGetVideoMode(monitor)) {
+            display.width_px = mode->width;
+            display.height_px = mode->height;
+        }
+        int width_mm = 0, height_mm = 0;
+        glfwGetMonitorPhysicalSize(monitor, &width_mm, &height_mm);
+        display.size_mm = { width_mm, height_mm };
+    }
+    return displays;
+}
+
+Host::Place Host::place() const
+{
+    Place place;
+    glfwGetWindowPos(window_, &place.left, &place.top);
+    glfwGetWindowSize(window_, &place.width, &place.height);
+    return place;
+}
+
+std::size_t Host::own_display() const
+{
+    auto const own = place();
+    std::size_t best = 0;
+    long best_px = 0;
+    auto const all = monitors();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        int left = 0, top = 0;
+        glfwGetMonitorPos(all[i], &left, &top);
+        auto const* const mode = glfwGetVideoMode(all[i]);
+        if (mode == nullptr)
+            continue;
+        long const width
+            = std::min(own.left + own.width, left + mode->width) - std::max(own.left, left);
+        long const height
+            = std::min(own.top + own.height, top + mode->height) - std::max(own.top, top);
+        long const shared_px = std::max(width, 0L) * std::max(height, 0L);
+        if (shared_px > best_px) {
+            best_px = shared_px;
+            best = i;
+        }
+    }
+    return best;
+}
+
+std::optional<std::size_t> Host::filled_display() const
+{
+    auto* const filled = glfwGetWindowMonitor(window_);
+    auto const all = monitors();
+    auto const found = std::find(all.begin(), all.end(), filled);
+    if (filled == nullptr || found == all.end())
+        return std::nullopt;
+    return static_cast<std::size_t>(found - all.begin());
+}
+
+void Host::fill_display(std::optional<std::size_t> display)
+{
+    auto const filled = filled_display();
+    if (display == filled)
+        return;
+    if (!filled)
+        last_place_ = place();
+    auto const all = monitors();
+    auto* const monitor = display && *display < all.size() ? all[*display] : nullptr;
+    auto const* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    if (mode != nullptr)
+        glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    else if (filled)
+        glfwSetWindowMonitor(window_, nullptr, last_place_.left, last_place_.top, last_place_.width,
+                             last_place_.height, GLFW_DONT_CARE);
+}
+
+} // namespace tractus

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "app/render/image.h"
+#include "app/window/display.h"
+#include "app/window/mouse_hand.h"
+#include "app/window/window.h"
+#include "engine/base/result.h"
+
+#include <cstddef>
+#include <imgui.h>
+#include <optional>
+#include <utility>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace tractus {
+
+// GLFW's library, its window with an OpenGL 3.3 core context, and ImGui in it, in the order in
+// which they come and, backwards, go.
+class Host {
+public:
+    Host() = default;
+    Host(Host const&) = delete;
+    Host& operator=(Host const&) = delete;
+    ~Host();
+
+    // Fails like run_window(). Once.
+    Result<void> open(WindowOptions const& options);
+
+    bool wants_to_close() const;
+    // `step_s`: how long after the last one, where that is not the clock's.
+    void begin_frame(std::optional<float> step_s);
+    void end_frame(); // Draws; the picture is in the back buffer.
+    Image back_buffer() const;
+    void show_frame();
+
+    float scale() const { return scale_; }
+    ImFont* title_font() const { return title_font_; }
+
+    // What the mouse did since the last call: more than ImGui tells, which knows where it is at
+    // each frame.
+    std::vector<MouseMoment> take_mouse() { return std::exchange(mouse_, {}); }
+
+    // The displays there are, in the system's order, the first one its main one. They may come and
+    // go while events are taken.
+    std::vector<Display> displays() const;
+
+    // The one that most of the window is on.
+    std::size_t own_display() const;
+
+    // The one that it fills; none while it is a window among others.
+    std::optional<std::size_t> filled_display() const;
+
+    // Fills it, or is a window again where it was before.
+    void fill_display(std::optional<std::size_t> display);
+
+private:
+    struct Place {
+        int left = 0, top = 0, width = 0, height = 0;
+    };
+
+    void watch_mouse();
+    Place place() const;
+
+    std::vector<MouseMoment> mouse_;
+    bool library_ = false;
+    GLFWwindow* window_ = nullptr;
+    Place last_place_; // As a window among others.
+    bool imgui_ = false;
+    float scale_ = 1;
+    ImFont* title_font_ = nullptr;
+};
+
+} // namespace tractus
