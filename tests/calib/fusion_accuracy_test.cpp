@@ -11,14 +11,14 @@
 namespace tractus {
 namespace {
 
-constexpr std::uint64_t kSeeds = 24;
+constexpr std::uint64_t kRigs = 24;
 
 TEST(FusionAccuracy, SettledTipsLieWithinAMillimetreOfTheTruth)
 {
     double worst_rms_mm = 0;
     double worst_max_mm = 0;
     std::string distribution;
-    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    for (std::uint64_t seed = 1; seed <= kRigs; ++seed) {
         auto const hand = fast_hand(seed);
         auto const run = simulate_rig(hand, { .seed = seed });
         auto const fused = fuse(run, run.rig);
@@ -55,7 +55,7 @@ TEST(FusionAccuracy, LiveTipsLieWithinWhatTheFusersHeaderSays)
 {
     double worst_max_mm = 0;
     double worst_rms_mm = 0;
-    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    for (std::uint64_t seed = 1; seed <= kRigs; ++seed) {
         auto const hand = fast_hand(seed);
         auto const run = simulate_rig(hand, { .seed = seed });
         auto const errors = errors_of(fuse(run, run.rig).live, hand);

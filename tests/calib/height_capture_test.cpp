@@ -28,7 +28,7 @@ std::vector<HeightSample> noise_about(double counts, double deviation = 1)
     return a_second_of([&](int) { return counts + deviation * random.normal(); });
 }
 
-std::string refusal_of(std::vector<HeightSample> const& samples)
+std::string capture_refusal(std::vector<HeightSample> const& samples)
 {
     auto const capture = capture_at_rest(samples, 100);
     return capture ? "captured" : capture.error().message;
@@ -66,9 +66,9 @@ TEST(HeightCapture, TakesASensorWithoutAnyNoise)
 TEST(HeightCapture, RefusesASurfaceThatMoves)
 {
     EXPECT_EQ(
-        refusal_of(a_second_of([](int i) { return 1000 + i * 0.02; })),
+        capture_refusal(a_second_of([](int i) { return 1000 + i * 0.02; })),
         "the surface moved during the capture, by 8.8 counts: let it rest, then capture again");
-    EXPECT_NE(refusal_of(a_second_of([](int i) {
+    EXPECT_NE(capture_refusal(a_second_of([](int i) {
                   return 1000 + 6 * std::sin(i * 0.02);
               })).find("the surface moved during the capture"),
               std::string::npos);
@@ -76,29 +76,30 @@ TEST(HeightCapture, RefusesASurfaceThatMoves)
 
 TEST(HeightCapture, RefusesReadingsOnARail)
 {
-    EXPECT_EQ(refusal_of(noise_about(4095)),
+    EXPECT_EQ(capture_refusal(noise_about(4095)),
               "the reading is at the upper end of the converter (4095 of 4095), where it says "
               "nothing: move the surface away from there, or check the wiring if it is so at every "
               "height");
-    EXPECT_NE(refusal_of(noise_about(0)).find("at the lower end of the converter (0 of 4095)"),
+    EXPECT_NE(capture_refusal(noise_about(0)).find("at the lower end of the converter (0 of 4095)"),
               std::string::npos);
 }
 
 TEST(HeightCapture, RefusesReadingsThatJumpAbout)
 {
-    EXPECT_NE(refusal_of(noise_about(2000, 60)).find("check the wiper's wire"), std::string::npos)
-        << refusal_of(noise_about(2000, 60));
+    EXPECT_NE(capture_refusal(noise_about(2000, 60)).find("check the wiper's wire"),
+              std::string::npos)
+        << capture_refusal(noise_about(2000, 60));
 }
 
 TEST(HeightCapture, RefusesASensorThatIsSilent)
 {
-    EXPECT_EQ(refusal_of({}),
+    EXPECT_EQ(capture_refusal({}),
               "only 0 readings came in the time of a capture, expected at least 20: check that the "
               "height sensor is connected and sends");
     auto samples = noise_about(1000);
     for (std::size_t i = 250; i < samples.size(); ++i)
         samples[i].time += std::chrono::milliseconds(300);
-    EXPECT_EQ(refusal_of(samples),
+    EXPECT_EQ(capture_refusal(samples),
               "the height sensor was silent for 0.30 s during the capture: check its cable and "
               "capture again");
 }

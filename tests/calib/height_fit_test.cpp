@@ -21,15 +21,15 @@ std::vector<HeightCapture> captures_of(HeightModel const& model, std::vector<dou
     return captures;
 }
 
-std::vector<double> const kHeights { 0, 20, 60, 120, 200, 300, 400 };
+std::vector<double> const kRulerHeights { 0, 20, 60, 120, 200, 300, 400 };
 
-LinearHeight const kLinear { .mm_per_count = 0.12, .zero_counts = 150 };
-StringHeight const kString {
+LinearHeight const kFittedLinear { .mm_per_count = 0.12, .zero_counts = 150 };
+StringHeight const kFittedString {
     .mm_per_count = 0.1, .zero_length_mm = 124, .offset_mm = 120, .base_mm = 80
 };
 
-std::string refusal_of(std::vector<HeightCapture> const& captures,
-                       HeightFitOptions const& options = {})
+std::string fit_refusal(std::vector<HeightCapture> const& captures,
+                        HeightFitOptions const& options = {})
 {
     auto const fit = fit_height(captures, options);
     if (fit)
@@ -40,7 +40,7 @@ std::string refusal_of(std::vector<HeightCapture> const& captures,
 
 TEST(HeightFit, FindsALinearSensor)
 {
-    auto const fit = fit_height(captures_of(kLinear, kHeights)).value();
+    auto const fit = fit_height(captures_of(kFittedLinear, kRulerHeights)).value();
     auto const& model = std::get<LinearHeight>(fit.model);
     EXPECT_NEAR(model.mm_per_count, 0.12, 1e-9);
     EXPECT_NEAR(model.zero_counts, 150, 1e-6);
@@ -51,7 +51,7 @@ TEST(HeightFit, FindsALinearSensor)
 
 TEST(HeightFit, FindsAString)
 {
-    auto const fit = fit_height(captures_of(kString, kHeights)).value();
+    auto const fit = fit_height(captures_of(kFittedString, kRulerHeights)).value();
     auto const& model = std::get<StringHeight>(fit.model);
     EXPECT_NEAR(model.offset_mm, 120, 0.01);
     EXPECT_NEAR(model.base_mm, 80, 0.01);
@@ -70,8 +70,8 @@ std::vector<HeightCapture> counting_down(std::vector<HeightCapture> captures)
 
 TEST(HeightFit, TakesSensorsThatCountDown)
 {
-    for (auto const& sensor : { HeightModel(kLinear), HeightModel(kString) }) {
-        auto const fit = fit_height(counting_down(captures_of(sensor, kHeights))).value();
+    for (auto const& sensor : { HeightModel(kFittedLinear), HeightModel(kFittedString) }) {
+        auto const fit = fit_height(counting_down(captures_of(sensor, kRulerHeights))).value();
         EXPECT_EQ(fit.model.index(), sensor.index());
         EXPECT_LT(parameters_of(fit.model)[0], 0) << "millimetres per count";
         EXPECT_NEAR(height_mm(fit.model, 4095 - *counts_at_height(sensor, 250)).value(), 250, 1e-3);
@@ -87,7 +87,7 @@ TEST(HeightFit, TakesASpoolAboveTheCarriage)
                                .offset_mm = 120,
                                .base_mm = -480,
                                .spool = StringHeight::Spool::Above };
-    auto const captures = captures_of(above, kHeights);
+    auto const captures = captures_of(above, kRulerHeights);
     EXPECT_GT(captures.front().counts, captures.back().counts);
     auto const fit = fit_height(captures).value();
     auto const& model = std::get<StringHeight>(fit.model);
@@ -115,7 +115,7 @@ TEST(HeightFit, FollowsAWornPotentiometer)
 
 TEST(HeightFit, KeepsToALineWhereOtherModelsGainNothing)
 {
-    auto captures = captures_of(kLinear, kHeights);
+    auto captures = captures_of(kFittedLinear, kRulerHeights);
     double const errors[] { 0.2, -0.3, 0.1, 0.25, -0.15, -0.3, 0.2 };
     for (std::size_t i = 0; i < captures.size(); ++i)
         captures[i].ruler_mm += errors[i];
@@ -129,7 +129,7 @@ TEST(HeightFit, KeepsToALineWhereOtherModelsGainNothing)
 
 TEST(HeightFit, NamesACaptureThatSlipped)
 {
-    auto captures = captures_of(kString, kHeights);
+    auto captures = captures_of(kFittedString, kRulerHeights);
     captures[3].ruler_mm += 20;
     auto const fit = fit_height(captures).value();
     EXPECT_EQ(fit.slipped, std::vector<std::size_t> { 3 });
@@ -155,18 +155,20 @@ TEST(HeightFit, TellsHysteresis)
 TEST(HeightFit, DoesWhatItIsAskedFor)
 {
     auto const fit
-        = fit_height(captures_of(kString, kHeights), { .kind = HeightModelKind::Linear }).value();
+        = fit_height(captures_of(kFittedString, kRulerHeights), { .kind = HeightModelKind::Linear })
+              .value();
     EXPECT_EQ(name_of(fit.model), "linear");
     EXPECT_EQ(fit.reason, "linear: as was asked for");
-    auto const curve
-        = fit_height(captures_of(kString, kHeights), { .kind = HeightModelKind::Monotone }).value();
+    auto const curve = fit_height(captures_of(kFittedString, kRulerHeights),
+                                  { .kind = HeightModelKind::Monotone })
+                           .value();
     EXPECT_EQ(name_of(curve.model), "monotone");
     EXPECT_LT(curve.rms_mm, 0.3);
 }
 
 TEST(HeightFit, TellsErrorsThatShrinkWithTheRulersError)
 {
-    auto const captures = captures_of(kLinear, kHeights);
+    auto const captures = captures_of(kFittedLinear, kRulerHeights);
     auto const coarse = fit_height(captures, { .ruler_error_mm = 1 }).value();
     auto const fine = fit_height(captures, { .ruler_error_mm = 0.1 }).value();
     EXPECT_NEAR(coarse.parameters[0].standard_error, 10 * fine.parameters[0].standard_error, 1e-9);
@@ -175,50 +177,50 @@ TEST(HeightFit, TellsErrorsThatShrinkWithTheRulersError)
 
 TEST(HeightFit, RefusesFewerThanTwoCaptures)
 {
-    EXPECT_EQ(refusal_of({}),
+    EXPECT_EQ(fit_refusal({}),
               "no capture was given, and a height needs at least two (five or more are advised): "
               "capture more heights");
-    EXPECT_EQ(refusal_of({ capture(0, 100) }),
+    EXPECT_EQ(fit_refusal({ capture(0, 100) }),
               "one capture was given, and a height needs at least two (five or more are advised): "
               "capture more heights");
 }
 
 TEST(HeightFit, RefusesFewerCapturesThanParameters)
 {
-    EXPECT_EQ(
-        refusal_of(captures_of(kLinear, { 0, 100, 200 }), { .kind = HeightModelKind::String }),
-        "a string model has 4 parameters and there are only 3 captures: capture at least 1 "
-        "more heights");
+    EXPECT_EQ(fit_refusal(captures_of(kFittedLinear, { 0, 100, 200 }),
+                          { .kind = HeightModelKind::String }),
+              "a string model has 4 parameters and there are only 3 captures: capture at least 1 "
+              "more heights");
 }
 
 TEST(HeightFit, RefusesCapturesAllAtOneHeight)
 {
-    EXPECT_EQ(refusal_of(captures_of(kLinear, { 100, 101, 99, 100 })),
+    EXPECT_EQ(fit_refusal(captures_of(kFittedLinear, { 100, 101, 99, 100 })),
               "all 4 captures are at one height, 99 to 101 mm: move the surface over most of its "
               "travel, at least 20 mm, between captures");
 }
 
 TEST(HeightFit, RefusesASlackString)
 {
-    auto captures = captures_of(kLinear, { 0, 60, 120, 180, 240, 300, 360 });
+    auto captures = captures_of(kFittedLinear, { 0, 60, 120, 180, 240, 300, 360 });
     captures[0].counts = captures[1].counts = 660;
     captures[2].counts = 1160;
     EXPECT_EQ(
-        refusal_of(captures),
+        fit_refusal(captures),
         "the reading stayed at 660 counts while the ruler went from 0 to 60 mm: the string "
         "is slack or the sensor is stuck there; tighten it, then capture these heights again");
     for (auto& one : captures)
         one.counts = 812;
-    EXPECT_EQ(refusal_of(captures).find(
+    EXPECT_EQ(fit_refusal(captures).find(
                   "the reading stayed at 812 counts while the ruler went from 0 to 360 mm: "),
               0u);
 }
 
 TEST(HeightFit, RefusesCapturesOutOfOrder)
 {
-    auto captures = captures_of(kLinear, { 0, 60, 120, 180, 240, 300, 360 });
+    auto captures = captures_of(kFittedLinear, { 0, 60, 120, 180, 240, 300, 360 });
     std::swap(captures[1].ruler_mm, captures[5].ruler_mm);
-    EXPECT_EQ(refusal_of(captures),
+    EXPECT_EQ(fit_refusal(captures),
               "captures 2 (300 mm), 6 (60 mm) are out of order: their readings do not lie between "
               "those of the heights next to them; check what was typed and capture these heights "
               "again");

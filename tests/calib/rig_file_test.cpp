@@ -25,6 +25,13 @@ size_mm = [254, 158.75]
 latency_ms = 8
 )";
 
+// kText and what follows it.
+std::string text_with(std::string_view more)
+{
+    std::string text(kText);
+    return text.append(more);
+}
+
 // kText with its first `from` replaced.
 std::string with(std::string_view from, std::string_view to)
 {
@@ -189,12 +196,11 @@ TEST(RigFile, KeepsHowTheRigWasCalibrated)
 TEST(RigFile, SaysWhatIsWrongInARecord)
 {
     auto const text = [](std::string_view captures) {
-        return std::string(kText)
-            + "[calibration.height]\ndate = \"2026-11-21\"\nsensor = \"\"\nsensor_id = \"\"\n"
-              "sensor_serial = \"\"\nreason = \"\"\nerrors = []\nrms_mm = 0\nmax_mm = 0\n"
-              "heights_mm = [0, 1]\nmm_per_count = [1, 1]\nnoise_counts = 1\nraised_mm = 0\n"
-              "ruler_error_mm = 0.3\n"
-            + std::string(captures);
+        return text_with("[calibration.height]\ndate = \"2026-11-21\"\nsensor = \"\"\n"
+                         "sensor_id = \"\"\nsensor_serial = \"\"\nreason = \"\"\nerrors = []\n"
+                         "rms_mm = 0\nmax_mm = 0\nheights_mm = [0, 1]\nmm_per_count = [1, 1]\n"
+                         "noise_counts = 1\nraised_mm = 0\nruler_error_mm = 0.3\n")
+            .append(captures);
     };
     EXPECT_EQ(
         error_of(text("slipped = []\ncaptures = [{ ruler_mm = 1 }]\n")),
@@ -308,8 +314,7 @@ TEST(RigFile, ShowsTheStartOfALongValue)
 TEST(RigFile, ReadsAPensPressures)
 {
     auto const rig
-        = parse_rig(std::string(kText) + "[pen]\npressure_threshold = 0.02\n", "my.rig.toml")
-              .value();
+        = parse_rig(text_with("[pen]\npressure_threshold = 0.02\n"), "my.rig.toml").value();
     EXPECT_EQ(rig.pressure.threshold, 0.02);
     EXPECT_EQ(rig.pressure.full, 1);
     EXPECT_EQ(rig.pressure.exponent, 1);
@@ -317,9 +322,8 @@ TEST(RigFile, ReadsAPensPressures)
 
 TEST(RigFile, RefusesPressuresWithoutSense)
 {
-    auto const error_of_pen = [](std::string const& keys) {
-        return error_of(std::string(kText) + "[pen]\n" + keys + "\n");
-    };
+    auto const error_of_pen
+        = [](std::string const& keys) { return error_of(text_with("[pen]\n" + keys + "\n")); };
     EXPECT_EQ(error_of_pen("pressure_full = 1.5"),
               "my.rig.toml:15: pen.pressure_full is 1.5, expected at most 1");
     EXPECT_EQ(error_of_pen("pressure_threshold = 1"),
@@ -347,7 +351,7 @@ TEST(RigFile, RefusesANewerVersion)
 
 TEST(RigFile, RefusesAMisspeltKey)
 {
-    auto const message = error_of(std::string(kText) + "rotaton_deg = 3\n");
+    auto const message = error_of(text_with("rotaton_deg = 3\n"));
     EXPECT_EQ(message,
               "my.rig.toml:14: tablet.rotaton_deg is not a key of this place, expected "
               "latency_ms, rotation_deg, size_mm, travel_shear");

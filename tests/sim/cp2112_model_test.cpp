@@ -9,7 +9,7 @@ namespace tractus {
 
 namespace {
 
-std::vector<std::byte> bytes(std::initializer_list<int> values)
+std::vector<std::byte> bytes_of(std::initializer_list<int> values)
 {
     std::vector<std::byte> result;
     for (int const value : values)
@@ -17,49 +17,49 @@ std::vector<std::byte> bytes(std::initializer_list<int> values)
     return result;
 }
 
+} // namespace
+
 // Lines 0 and 1 are outputs, line 2 is wired to a switch that is on.
 struct Cp2112ModelTest : testing::Test {
     std::uint8_t driven = 0xff;
     Cp2112Model model { { .driven = [this](std::uint8_t levels) { driven = levels; },
                           .levels = [] { return std::uint8_t { 0b100 }; } } };
 
-    void SetUp() override { ASSERT_TRUE(model.set_feature(bytes({ 2, 0b011, 0, 0, 0 }))); }
+    void SetUp() override { ASSERT_TRUE(model.set_feature(bytes_of({ 2, 0b011, 0, 0, 0 }))); }
 };
-
-} // namespace
 
 TEST_F(Cp2112ModelTest, SetsTheLinesThatTheMaskNames)
 {
-    ASSERT_TRUE(model.set_feature(bytes({ 4, 0xff, 0b001 })));
+    ASSERT_TRUE(model.set_feature(bytes_of({ 4, 0xff, 0b001 })));
     EXPECT_EQ(driven, 0b001);
-    ASSERT_TRUE(model.set_feature(bytes({ 4, 0x00, 0b010 })));
+    ASSERT_TRUE(model.set_feature(bytes_of({ 4, 0x00, 0b010 })));
     EXPECT_EQ(driven, 0b001);
-    ASSERT_TRUE(model.set_feature(bytes({ 4, 0x00, 0b001 })));
+    ASSERT_TRUE(model.set_feature(bytes_of({ 4, 0x00, 0b001 })));
     EXPECT_EQ(driven, 0);
 }
 
 TEST_F(Cp2112ModelTest, DrivesNoInput)
 {
-    ASSERT_TRUE(model.set_feature(bytes({ 4, 0xff, 0xff })));
+    ASSERT_TRUE(model.set_feature(bytes_of({ 4, 0xff, 0xff })));
     EXPECT_EQ(driven, 0b011);
 }
 
 TEST_F(Cp2112ModelTest, ReadsInputsAndWhatOutputsAreSetTo)
 {
-    ASSERT_TRUE(model.set_feature(bytes({ 4, 0xff, 0b010 })));
-    EXPECT_EQ(model.get_feature(3), bytes({ 3, 0b110 }));
+    ASSERT_TRUE(model.set_feature(bytes_of({ 4, 0xff, 0b010 })));
+    EXPECT_EQ(model.get_feature(3), bytes_of({ 3, 0b110 }));
 }
 
 TEST_F(Cp2112ModelTest, KeepsItsConfigurationForTheHost)
 {
-    EXPECT_EQ(model.get_feature(2), bytes({ 2, 0b011, 0, 0, 0 }));
+    EXPECT_EQ(model.get_feature(2), bytes_of({ 2, 0b011, 0, 0, 0 }));
 }
 
 TEST_F(Cp2112ModelTest, RefusesReportsThatItDoesNotHave)
 {
     EXPECT_FALSE(model.get_feature(0x20));
-    EXPECT_FALSE(model.set_feature(bytes({ 0x20, 0 })));
-    EXPECT_FALSE(model.set_feature(bytes({ 4, 0xff }))) << "too short";
+    EXPECT_FALSE(model.set_feature(bytes_of({ 0x20, 0 })));
+    EXPECT_FALSE(model.set_feature(bytes_of({ 4, 0xff }))) << "too short";
     EXPECT_FALSE(model.set_feature({}));
 }
 

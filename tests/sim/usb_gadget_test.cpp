@@ -10,8 +10,6 @@ namespace tractus {
 
 namespace fs = std::filesystem;
 
-namespace {
-
 struct UsbGadgetTest : testing::Test {
     fs::path const folder
         = fs::temp_directory_path() / ("tractus_gadget_test." + std::to_string(::getpid()));
@@ -28,8 +26,6 @@ struct UsbGadgetTest : testing::Test {
         return gadget ? "" : gadget.error().message;
     }
 };
-
-} // namespace
 
 TEST_F(UsbGadgetTest, SaysHowToMountConfigfs)
 {

@@ -2,7 +2,7 @@
 
 #include "app/play/paced_log.h"
 #include "drivers/log.h"
-#include "tests/drivers/devices.h"
+#include "tests/app/simple_rig.h"
 
 #include <gtest/gtest.h>
 #include <sstream>
@@ -11,13 +11,8 @@
 namespace tractus {
 namespace {
 
-Timestamp ms(std::int64_t milliseconds)
-{
-    return timestamp_ns(milliseconds * 1'000'000);
-}
-
 // A pen that touches (21) or hovers (20).
-RawReport pen_report(Timestamp time, char const* flags)
+RawReport flagged_report(Timestamp time, char const* flags)
 {
     RawReport report { .received = time };
     for (auto const byte : bytes(std::string("02 ") + flags + " 10 27 10 27 00 01 00 00"))
@@ -40,7 +35,7 @@ protected:
 
 class LiveRecorderTest : public testing::Test {
 protected:
-    LogHeader header_ { .devices = { simple_pen(), simple_height_sensor() }, .start = ms(1000) };
+    LogHeader header_ { .devices = { simple_pen(), simple_height_sensor() }, .start = at_ms(1000) };
     CountingBuffer buffer_;
     LiveRecorder recorder_ { std::make_unique<std::ostream>(&buffer_), header_ };
 };
@@ -48,29 +43,29 @@ protected:
 TEST_F(LiveRecorderTest, FlushesFourTimesASecond)
 {
     for (int i = 0; i < 1000; ++i)
-        ASSERT_TRUE(recorder_.flush_if_due(ms(1000 + i)));
+        ASSERT_TRUE(recorder_.flush_if_due(at_ms(1000 + i)));
     EXPECT_EQ(buffer_.flushes, 3);
 }
 
 TEST_F(LiveRecorderTest, FlushesWhenAStrokeEnds)
 {
-    recorder_.write({ 0, pen_report(ms(1001), "20") });
-    recorder_.write({ 0, pen_report(ms(1002), "21") });
-    ASSERT_TRUE(recorder_.flush_if_due(ms(1002)));
+    recorder_.write({ 0, flagged_report(at_ms(1001), "20") });
+    recorder_.write({ 0, flagged_report(at_ms(1002), "21") });
+    ASSERT_TRUE(recorder_.flush_if_due(at_ms(1002)));
     EXPECT_EQ(buffer_.flushes, 0);
-    recorder_.write({ 0, pen_report(ms(1003), "20") });
-    ASSERT_TRUE(recorder_.flush_if_due(ms(1003)));
+    recorder_.write({ 0, flagged_report(at_ms(1003), "20") });
+    ASSERT_TRUE(recorder_.flush_if_due(at_ms(1003)));
     EXPECT_EQ(buffer_.flushes, 1);
 }
 
 TEST_F(LiveRecorderTest, FlushesWhenThePenIsUnpluggedInAStroke)
 {
-    recorder_.write({ 0, pen_report(ms(1002), "21") });
-    recorder_.write({ 1, { .received = ms(1003) } });
-    ASSERT_TRUE(recorder_.flush_if_due(ms(1003)));
+    recorder_.write({ 0, flagged_report(at_ms(1002), "21") });
+    recorder_.write({ 1, { .received = at_ms(1003) } });
+    ASSERT_TRUE(recorder_.flush_if_due(at_ms(1003)));
     EXPECT_EQ(buffer_.flushes, 0);
-    recorder_.write({ 0, { .received = ms(1003) } });
-    ASSERT_TRUE(recorder_.flush_if_due(ms(1003)));
+    recorder_.write({ 0, { .received = at_ms(1003) } });
+    ASSERT_TRUE(recorder_.flush_if_due(at_ms(1003)));
     EXPECT_EQ(buffer_.flushes, 1);
     EXPECT_EQ(recorder_.report_count(), 1u);
 }
@@ -84,7 +79,7 @@ TEST(LiveRecorder, NeverWritesOverAFile)
 
 // A clock that goes only when somebody waits.
 struct TestClock {
-    Timestamp time = ms(5000);
+    Timestamp time = at_ms(5000);
 
     Pace pace(Timestamp data_begin, double speed)
     {
@@ -105,24 +100,24 @@ std::shared_ptr<Log const> two_reports()
 TEST(PacedLog, SendsEachReportWhenItsTimeHasCome)
 {
     TestClock clock;
-    auto const source = open_paced(two_reports(), 0, clock.pace(ms(10'000), 2));
+    auto const source = open_paced(two_reports(), 0, clock.pace(at_ms(10'000), 2));
     EXPECT_EQ(source->info().name, "pen");
     auto const first = source->read(std::chrono::milliseconds(50));
     ASSERT_TRUE(first && *first);
-    EXPECT_EQ((*first)->received, ms(5000));
+    EXPECT_EQ((*first)->received, at_ms(5000));
     for (int i = 0; i < 4; ++i)
         EXPECT_EQ(source->read(std::chrono::milliseconds(60)).value(), std::nullopt);
-    EXPECT_EQ(clock.time, ms(5240));
+    EXPECT_EQ(clock.time, at_ms(5240));
     auto const second = source->read(std::chrono::milliseconds(60));
     ASSERT_TRUE(second && *second);
-    EXPECT_EQ((*second)->received, ms(5250));
-    EXPECT_EQ(clock.time, ms(5250));
+    EXPECT_EQ((*second)->received, at_ms(5250));
+    EXPECT_EQ(clock.time, at_ms(5250));
 }
 
 TEST(PacedLog, SaysThatItIsOver)
 {
     TestClock clock;
-    auto const source = open_paced(two_reports(), 0, clock.pace(ms(10'000), 1000));
+    auto const source = open_paced(two_reports(), 0, clock.pace(at_ms(10'000), 1000));
     ASSERT_TRUE(source->read(std::chrono::seconds(1)));
     ASSERT_TRUE(source->read(std::chrono::seconds(1)));
     auto const end = source->read(std::chrono::seconds(1));
@@ -185,7 +180,7 @@ TEST(LiveRecording, EndsWhenTheTimeIsOver)
                               .now = [&] { return now; },
                               .rest = [&](Duration) { now += std::chrono::seconds(1); } },
                             stop));
-    EXPECT_EQ(now, ms(20'000));
+    EXPECT_EQ(now, at_ms(20'000));
 }
 
 TEST(LiveDevices, GoOnWithoutThoseThatCannotBeOpened)

@@ -9,8 +9,8 @@ namespace tractus {
 
 namespace {
 
-constexpr Color kRed { 200, 10, 20, 255 };
-constexpr Color kBlue { 10, 20, 200, 255 };
+constexpr Color kBrick { 200, 10, 20, 255 };
+constexpr Color kSlate { 10, 20, 200, 255 };
 
 // Every pixel different, as far as the bytes go.
 Image gradient(int width, int height, std::uint8_t alpha)
@@ -73,12 +73,12 @@ TEST(Image, SaysWhenTheStreamIsFull)
 
 TEST(Image, PastesOnlyWhatLiesInside)
 {
-    Image sheet(10, 10, kRed);
-    paste(sheet, Image(4, 4, kBlue), -2, 8);
-    EXPECT_EQ(std::ranges::count(sheet.pixels(), kBlue), 4);
-    EXPECT_EQ(sheet.at(0, 8), kBlue);
-    EXPECT_EQ(sheet.at(1, 9), kBlue);
-    EXPECT_EQ(sheet.at(2, 8), kRed);
+    Image sheet(10, 10, kBrick);
+    paste(sheet, Image(4, 4, kSlate), -2, 8);
+    EXPECT_EQ(std::ranges::count(sheet.pixels(), kSlate), 4);
+    EXPECT_EQ(sheet.at(0, 8), kSlate);
+    EXPECT_EQ(sheet.at(1, 9), kSlate);
+    EXPECT_EQ(sheet.at(2, 8), kBrick);
 }
 
 TEST(Image, ShrinksToTheMeanOfWhatEachPixelCovers)
@@ -107,16 +107,16 @@ TEST(Text, InksItsLineAndNothingElse)
 
 TEST(Text, OutsideThePictureIsLeftOut)
 {
-    Image picture(20, 20, kRed);
+    Image picture(20, 20, kBrick);
     draw_text(picture, Vec2(-500, -500), "far away", {});
-    EXPECT_EQ(std::ranges::count(picture.pixels(), kRed), 400);
+    EXPECT_EQ(std::ranges::count(picture.pixels(), kBrick), 400);
 }
 
 TEST(ContactSheet, PutsTilesInRowsWithCaptionsBelow)
 {
-    std::vector<SheetTile> const tiles { { Image(60, 40, kRed), "one" },
-                                         { Image(60, 40, kBlue), "two" },
-                                         { Image(60, 40, kRed), "three" } };
+    std::vector<SheetTile> const tiles { { Image(60, 40, kBrick), "one" },
+                                         { Image(60, 40, kSlate), "two" },
+                                         { Image(60, 40, kBrick), "three" } };
     SheetStyle style;
     style.columns = 2;
     style.gap_px = 10;
@@ -124,9 +124,9 @@ TEST(ContactSheet, PutsTilesInRowsWithCaptionsBelow)
     auto const sheet = contact_sheet(tiles, style);
     EXPECT_EQ(sheet.width(), 10 + 60 + 10 + 60 + 10);
     EXPECT_EQ(sheet.height(), 10 + 40 + 24 + 10 + 40 + 24 + 10);
-    EXPECT_EQ(sheet.at(10, 10), kRed);
-    EXPECT_EQ(sheet.at(139, 49), kBlue);
-    EXPECT_EQ(sheet.at(10, 84), kRed);
+    EXPECT_EQ(sheet.at(10, 10), kBrick);
+    EXPECT_EQ(sheet.at(139, 49), kSlate);
+    EXPECT_EQ(sheet.at(10, 84), kBrick);
     EXPECT_EQ(sheet.at(5, 5), style.paper);
     EXPECT_EQ(sheet.at(110, 100), style.paper) << "the last row is short";
     EXPECT_GT(inked(sheet, 10, 50, 60, 24, style.paper), 40) << "no caption below the first tile";
@@ -134,7 +134,7 @@ TEST(ContactSheet, PutsTilesInRowsWithCaptionsBelow)
 
 TEST(ContactSheet, LeavesRoomForATitleOnlyWhereThereIsOne)
 {
-    std::vector<SheetTile> const tiles { { Image(200, 40, kRed), "" } };
+    std::vector<SheetTile> const tiles { { Image(200, 40, kBrick), "" } };
     SheetStyle style;
     int const without = contact_sheet(tiles, style).height();
     style.title = "Varied";

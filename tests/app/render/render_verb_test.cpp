@@ -10,8 +10,6 @@
 
 namespace tractus {
 
-namespace {
-
 class RenderVerb : public testing::Test {
 protected:
     void SetUp() override
@@ -33,8 +31,6 @@ protected:
 
     std::filesystem::path folder_;
 };
-
-} // namespace
 
 TEST_F(RenderVerb, DrawsAGlbInTheAskedSize)
 {

@@ -25,6 +25,8 @@ Camera camera()
     return camera;
 }
 
+} // namespace
+
 class RendererTest : public testing::Test {
 protected:
     void SetUp() override
@@ -54,6 +56,8 @@ protected:
     std::optional<OffscreenContext> context_;
     std::optional<Renderer> renderer_;
 };
+
+namespace {
 
 Color at(Image const& picture, Vec3 const& world_mm)
 {

@@ -15,6 +15,8 @@ Bounds tablet_volume()
     return volume;
 }
 
+} // namespace
+
 // ImGui without a window: what it takes for the mouse is to be seen.
 class PenPointerTest : public testing::Test {
 protected:
@@ -45,6 +47,8 @@ protected:
     WindowState state_;
     PenPointer pen_;
 };
+
+namespace {
 
 PenView pen_at(float x_mm, float y_mm, bool touching = false, bool pressing = false)
 {

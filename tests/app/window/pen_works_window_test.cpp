@@ -101,6 +101,8 @@ private:
     std::int64_t now_ms_ = 0;
 };
 
+} // namespace
+
 class PenWorksWindow : public testing::Test {
 protected:
     void SetUp() override
@@ -142,6 +144,8 @@ protected:
 
     std::filesystem::path folder_;
 };
+
+namespace {
 
 constexpr int kSelectChoice = 1; // Of the ring, clockwise from the top.
 constexpr int kLeanChoice = 2;

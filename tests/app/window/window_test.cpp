@@ -63,6 +63,8 @@ int colored(Image const& picture, Part const& part, Vec3f const& srgb)
     return count;
 }
 
+} // namespace
+
 class WindowTest : public testing::Test {
 protected:
     void SetUp() override
@@ -88,6 +90,8 @@ protected:
 
     std::filesystem::path path_;
 };
+
+namespace {
 
 constexpr Part kPad { 110, 550 };
 constexpr Part kSkeleton { 580, 960 };

@@ -41,7 +41,7 @@ public:
     Result<std::string> read_string(int index) override
     {
         if (!has_usb)
-            return fail(Fault::User, "cannot open the USB device at 1-2");
+            return fail(Fault::User, "cannot open the USB plain_device at 1-2");
         told.push_back(fmt::format("string {}", index));
         auto const found = strings.find(index);
         return found == strings.end() ? std::string() : found->second;
@@ -59,7 +59,7 @@ private:
 
 using Told = std::vector<std::string>;
 
-DeviceInfo device(std::uint16_t vendor_id, std::uint16_t product_id)
+DeviceInfo plain_device(std::uint16_t vendor_id, std::uint16_t product_id)
 {
     return { .name = "Tablet", .vendor_id = vendor_id, .product_id = product_id };
 }
@@ -70,7 +70,7 @@ std::string const kHs610Parameters
 TEST(ModeSwitch, SendsAWacomItsFeatureReport)
 {
     FakePort port;
-    auto info = device(0x056a, 0x037a);
+    auto info = plain_device(0x056a, 0x037a);
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
     EXPECT_EQ(port.told, Told { "feature 02 02" });
     EXPECT_TRUE(info.warnings.empty());
@@ -79,12 +79,12 @@ TEST(ModeSwitch, SendsAWacomItsFeatureReport)
 TEST(ModeSwitch, SendsSeveralReportsInTheirOrder)
 {
     FakePort port;
-    auto intuos3 = device(0x056a, 0x00b1);
+    auto intuos3 = plain_device(0x056a, 0x00b1);
     switch_to_full_mode(intuos3, port, SwitchedBy::Nobody);
     EXPECT_EQ(port.told, (Told { "feature 02 02", "feature 04 00" }));
 
     port.told.clear();
-    auto veikk = device(0x2feb, 0x0008);
+    auto veikk = plain_device(0x2feb, 0x0008);
     switch_to_full_mode(veikk, port, SwitchedBy::Nobody);
     EXPECT_EQ(port.told, (Told { "output 09 01 04", "output 09 02 02", "output 09 03 02" }));
 }
@@ -92,13 +92,13 @@ TEST(ModeSwitch, SendsSeveralReportsInTheirOrder)
 TEST(ModeSwitch, LeavesToTheKernelWhatItsDriverDoes)
 {
     FakePort port;
-    auto info = device(0x056a, 0x037a);
+    auto info = plain_device(0x056a, 0x037a);
     switch_to_full_mode(info, port, SwitchedBy::Kernel);
     EXPECT_TRUE(port.told.empty());
 
     port.has_usb = false;
     for (std::uint16_t const product_id : { std::uint16_t { 0x0067 }, std::uint16_t { 0x006d } }) {
-        auto huion = device(0x256c, product_id);
+        auto huion = plain_device(0x256c, product_id);
         switch_to_full_mode(huion, port, SwitchedBy::Kernel);
         EXPECT_TRUE(huion.warnings.empty()) << huion.warnings.front();
     }
@@ -108,7 +108,7 @@ TEST(ModeSwitch, ReadsTheStringsOfAHuion)
 {
     FakePort port;
     port.strings = { { 200, kHs610Parameters }, { 201, "HUION_T194_180726" } };
-    auto info = device(0x256c, 0x006d);
+    auto info = plain_device(0x256c, 0x006d);
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
     EXPECT_EQ(port.told, (Told { "string 2", "string 201", "string 200" }));
     EXPECT_EQ(info.strings.at(201), "HUION_T194_180726");
@@ -125,7 +125,7 @@ TEST(ModeSwitch, ReadsTheStringsOfATabletThatTheKernelHasSwitched)
 {
     FakePort port;
     port.strings = { { 200, kHs610Parameters }, { 201, "HUION_T194_180726" } };
-    auto info = device(0x256c, 0x006d);
+    auto info = plain_device(0x256c, 0x006d);
     switch_to_full_mode(info, port, SwitchedBy::Kernel);
     EXPECT_EQ(port.told, (Told { "string 2", "string 201", "string 200" }));
 }
@@ -134,7 +134,7 @@ TEST(ModeSwitch, SwitchesANewModelLikeItsKin)
 {
     FakePort port;
     port.strings = { { 200, kHs610Parameters }, { 201, "HUION_X999_300101" } };
-    auto info = device(0x256c, 0x006d);
+    auto info = plain_device(0x256c, 0x006d);
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
     EXPECT_EQ(port.told.back(), "string 200");
     EXPECT_EQ(info.strings.at(200), kHs610Parameters);
@@ -144,7 +144,7 @@ TEST(ModeSwitch, ReadsAStringOnlyOnce)
 {
     FakePort port;
     port.strings = { { 201, "F610_M61P-T1234" } };
-    auto info = device(0x5543, 0x0081);
+    auto info = plain_device(0x5543, 0x0081);
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
     EXPECT_EQ(port.told, (Told { "string 4", "string 5", "string 6", "string 201", "string 100" }));
     port.told.clear();
@@ -155,7 +155,7 @@ TEST(ModeSwitch, ReadsAStringOnlyOnce)
 TEST(ModeSwitch, AsksNothingOfADeviceThatIsNotInTheTable)
 {
     FakePort port;
-    auto info = device(0x04d8, 0x00dd); // An MCP2221A.
+    auto info = plain_device(0x04d8, 0x00dd); // An MCP2221A.
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
     EXPECT_TRUE(port.told.empty());
     EXPECT_TRUE(info.warnings.empty());
@@ -165,7 +165,7 @@ TEST(ModeSwitch, WarnsOfARefusedReportAndSendsNoMore)
 {
     FakePort port;
     port.refused_report = "output 09 02 02";
-    auto info = device(0x2feb, 0x0008);
+    auto info = plain_device(0x2feb, 0x0008);
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
     EXPECT_EQ(port.told, Told { "output 09 01 04" });
     EXPECT_EQ(
@@ -178,11 +178,11 @@ TEST(ModeSwitch, WarnsWhereStringsCannotBeRead)
 {
     FakePort port;
     port.has_usb = false;
-    auto info = device(0x256c, 0x0067);
+    auto info = plain_device(0x256c, 0x0067);
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
     EXPECT_EQ(info.warnings,
               Told { "cannot switch Huion H951P to its full mode, so it stays in the one it is in: "
-                     "cannot open the USB device at 1-2" });
+                     "cannot open the USB plain_device at 1-2" });
     EXPECT_TRUE(info.strings.empty());
 }
 
@@ -190,13 +190,13 @@ TEST(ModeSwitch, WarnsWhereItCannotTellTabletsApart)
 {
     FakePort port;
     port.has_usb = false;
-    auto info = device(0x256c, 0x006d);
+    auto info = plain_device(0x256c, 0x006d);
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
     ASSERT_EQ(info.warnings.size(), 1u);
     auto const& warning = info.warnings[0];
     EXPECT_TRUE(warning.starts_with("cannot tell which tablet Tablet is, and takes it for "))
         << warning;
-    EXPECT_TRUE(warning.ends_with("others with its ids): cannot open the USB device at 1-2"))
+    EXPECT_TRUE(warning.ends_with("others with its ids): cannot open the USB plain_device at 1-2"))
         << warning;
 }
 
@@ -207,14 +207,14 @@ DeviceInfo interface_with(std::string_view descriptor)
     return { .report_descriptor = bytes(descriptor) };
 }
 
-constexpr auto kPen = "05 0d 09 02 a1 01 85 07 09 30 15 00 26 ff 7f 75 10 95 01 81 02 c0";
+constexpr auto kPenDescriptor = "05 0d 09 02 a1 01 85 07 09 30 15 00 26 ff 7f 75 10 95 01 81 02 c0";
 constexpr auto kVendor
     = "06 00 ff 09 01 a1 01 85 02 09 01 15 00 26 ff 00 75 08 95 0b 81 02 09 01 95 09 91 02 c0";
 constexpr auto kFeature = "05 0d 09 02 a1 01 85 02 09 3a 15 00 26 ff 00 75 08 95 01 b1 02 c0";
 
 TEST(Receiver, IsTheInterfaceThatHasTheReport)
 {
-    std::vector const interfaces { interface_with(kPen), interface_with(kVendor),
+    std::vector const interfaces { interface_with(kPenDescriptor), interface_with(kVendor),
                                    interface_with(kFeature) };
     EXPECT_EQ(find_receiver(interfaces, 0, HostReportKind::Output, 2), 1u);
     EXPECT_EQ(find_receiver(interfaces, 0, HostReportKind::Feature, 2), 2u);
