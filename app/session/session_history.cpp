@@ -21,27 +21,17 @@ static std::size_t distance(std::size_t one, std::size_t other)
     return one < other ? other - one : one - other;
 }
 
-// Tips are read back for strokes that shape something, and leave memory where they do not.
-static Result<void> settle_tips(Scene& scene)
+// What is in the file leaves memory.
+static void park_tips(Scene& scene)
 {
-    std::vector<bool> is_shaping(scene.associations.size());
-    for (auto const number : shaping_numbers(scene))
-        is_shaping[number] = true;
     for (std::size_t i = 0; i < scene.associations.size(); ++i) {
         auto const& tips = scene.associations[i].stroke.tips;
-        if (!tips.source() || tips.is_in_memory() == is_shaping[i])
+        if (!tips.source() || !tips.is_in_memory())
             continue;
         auto association = scene.associations[i];
-        association.stroke.tips = is_shaping[i]
-            ? SharedVector<TipSample>(tips.source()->read(), tips.source())
-            : tips.parked();
-        if (is_shaping[i] && association.stroke.tips.empty())
-            return fail(
-                Fault::User,
-                fmt::format("stroke {} cannot be read any more from the session's file", i + 1));
+        association.stroke.tips = tips.parked();
         scene.associations.replace(i, std::move(association));
     }
-    return {};
 }
 
 Result<SessionHistory> SessionHistory::create(SessionExtent const& extent, ReadStep const& read,
@@ -80,7 +70,7 @@ Result<Scene> SessionHistory::after(std::span<Edit const> edits) const
     auto scene = scene_;
     for (auto const& edit : edits)
         scene = TRY(apply(std::move(scene), edit));
-    TRY(settle_tips(scene));
+    park_tips(scene);
     return scene;
 }
 
@@ -106,12 +96,11 @@ Result<Scene> SessionHistory::fold(Scene scene, std::size_t first, std::size_t l
             scene = *std::move(applied);
         }
         // Not after each, since it looks at all strokes.
-        if (is_worth_keeping(next) || next % kEvery == 0)
-            TRY(settle_tips(scene));
+        if (is_worth_keeping(next) || next % kEvery == 0 || next == last)
+            park_tips(scene);
         if (is_worth_keeping(next))
             keep(next, scene);
     }
-    TRY(settle_tips(scene));
     return scene;
 }
 

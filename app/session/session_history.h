@@ -26,9 +26,9 @@ struct SessionExtent {
 
 // The scene that the steps of a session amount to. The steps themselves are read when they are
 // needed; so that undo and redo need not begin at the first, some scenes on the way are kept, the
-// newest ones and a few of old. In memory are the tips of strokes that shape something, in one of
-// those scenes; others are left to their source, if they have one (SharedVector). So memory stays
-// bounded however long the session is, but for some 200 bytes for each stroke that still counts.
+// newest ones and a few of old. The tips of strokes are left to their source, if they have one
+// (SharedVector), and read again by who needs them. So memory stays bounded however long the
+// session is, but for some 200 bytes for each stroke that still counts.
 class SessionHistory {
 public:
     // Of a session that has a beginning. Fails where an edit does, saying which, and where reading

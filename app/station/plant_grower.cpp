@@ -1,16 +1,17 @@
 #include "app/station/plant_grower.h"
 
 #include "engine/mesh/make_mesh.h"
+#include "engine/scene/scene_shaper.h"
 #include "engine/variation/growth.h"
 
 namespace tractus {
 
 // What it gives after `stop` has asked it to end is dropped.
-static Result<Mesh> grow_mesh(WantedPlant const& wanted, MeshOptions const& options,
-                              std::stop_token const& stop)
+static Result<Mesh> grow_mesh(WantedPlant const& wanted, SceneShaper& shaper,
+                              MeshOptions const& options, std::stop_token const& stop)
 {
     auto const scene = TRY(apply_edit(*wanted.scene, wanted.growth));
-    auto const plan = TRY(plan_growth(scene));
+    auto const plan = TRY(plan_growth(scene, shaper));
     if (stop.stop_requested())
         return Mesh {};
     Grower grower(plan);
@@ -33,8 +34,10 @@ static MeshOptions coarse()
 }
 
 PlantGrower::PlantGrower()
-    : plant_([](WantedPlant const& wanted, std::stop_token const& stop) {
-        return grow_mesh(wanted, {}, stop);
+    // Shared by the copies of the function, of which one is called.
+    : plant_([shaper = std::make_shared<SceneShaper>()](WantedPlant const& wanted,
+                                                        std::stop_token const& stop) {
+        return grow_mesh(wanted, *shaper, {}, stop);
     })
     , variation_(make_variation)
     , worn_out_([](std::unique_ptr<Mesh const> const&) { return true; })
@@ -44,7 +47,8 @@ PlantGrower::PlantGrower()
 PlantGrower::MadeVariation PlantGrower::make_variation(WantedVariation const& wanted,
                                                        std::stop_token const& stop)
 {
-    auto mesh = grow_mesh(wanted.plant, coarse(), stop);
+    SceneShaper shaper;
+    auto mesh = grow_mesh(wanted.plant, shaper, coarse(), stop);
     if (!mesh)
         return { tl::unexpected(std::move(mesh).error()), wanted.wish };
     return { Variation { wanted.plant.growth.seed, *std::move(mesh) }, wanted.wish };
@@ -93,6 +97,7 @@ void PlantGrower::settle()
         variation_.settle();
         take_variation();
     }
+    worn_out_.settle();
 }
 
 } // namespace tractus

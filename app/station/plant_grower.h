@@ -58,7 +58,8 @@ public:
     // plan_growth(); then none follow.
     Result<std::vector<Variation>> take_variations();
 
-    // Waits until the newest plant and all variations are there to be taken.
+    // Waits until the newest plant and all variations are there to be taken, and what was dropped
+    // is gone.
     void settle();
 
 private:

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <unordered_map>
 #include <utility>
 
 namespace tractus {
@@ -19,6 +20,7 @@ InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool)
 {
     InkLine line;
     line.is_indicator = tool.kind == Tool::Kind::Indicate;
+    line.points.reserve(tips.size());
     for (auto const& tip : tips)
         line.points.push_back({ tip.position_mm.cast<float>(),
                                 kInkWidth_mm * static_cast<float>(0.35 + 0.65 * tip.pressure) });
@@ -265,22 +267,36 @@ void StationView::show_selecting(Station const& station)
 void StationView::show_scene(Station const& station)
 {
     shown_strokes_ = station.counts().strokes;
-    state_.strokes.clear();
     auto const& scene = station.scene();
-    auto const associations = shaping_associations(scene);
-    Stroke const* last = nullptr; // One that shapes several branches is shown once.
-    for (auto const& association : associations) {
-        if (!last || last->tips.front().time != association.stroke.tips.front().time)
-            state_.strokes.push_back(ink_line(association.stroke.tips, {}));
-        last = &association.stroke;
-    }
-    for (auto const& indicator : scene.indicators)
-        state_.strokes.push_back(indicator_line(indicator));
-    ++state_.strokes_revision;
+    show_strokes(scene);
     grow_plant(scene);
     show_skeleton();
     shown_touched_.reset();
     list_orphans(scene);
+}
+
+// Those that were shown before keep their ink: their tips need not be read again.
+void StationView::show_strokes(Scene const& scene)
+{
+    std::unordered_map<void const*, std::size_t> before;
+    for (std::size_t i = 0; i < inked_.size(); ++i)
+        before.emplace(inked_[i].id(), i);
+    std::vector<SharedVector<TipSample>> inked;
+    std::vector<InkLine> lines;
+    for (auto const number : shaping_numbers(scene)) {
+        auto const& tips = scene.associations[number].stroke.tips;
+        if (!inked.empty() && inked.back().id() == tips.id())
+            continue; // One that shapes several branches is shown once.
+        auto const found = before.find(tips.id());
+        lines.push_back(found == before.end() ? ink_line(tips.in_memory(), {})
+                                              : std::move(state_.strokes[found->second]));
+        inked.push_back(tips);
+    }
+    for (auto const& indicator : scene.indicators)
+        lines.push_back(indicator_line(indicator));
+    inked_ = std::move(inked);
+    state_.strokes = std::move(lines);
+    ++state_.strokes_revision;
 }
 
 void StationView::list_orphans(Scene const& scene)

@@ -65,6 +65,7 @@ private:
     void show_ink(Station const& station, Strokes strokes);
     void show_surface(Station const& station);
     void show_scene(Station const& station);
+    void show_strokes(Scene const& scene);
     void show_variations();
     void show_preview(Station const& station);
     void take_preview();
@@ -77,6 +78,8 @@ private:
     // On the heap, since a thread knows it.
     std::unique_ptr<PlantGrower> grower_ = std::make_unique<PlantGrower>();
     std::shared_ptr<Scene const> grown_scene_; // Shared with the grower.
+    // The strokes that state_.strokes begins with, in its order: they need not be in memory.
+    std::vector<SharedVector<TipSample>> inked_;
     std::size_t shown_strokes_ = 0;
     std::size_t shown_pen_samples_ = 0;
     double shown_surface_mm_ = 0; // That the last picture of the pad was made for.

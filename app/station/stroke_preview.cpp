@@ -30,9 +30,8 @@ static bool shapes_branches(Tool const& tool)
 void StrokePreview::lay(std::shared_ptr<Scene const> scene)
 {
     scene_ = std::move(scene);
-    shaper_.emplace(*scene_->base, *scene_->rest);
-    (void)shaper_->set(shaping_associations(*scene_)); // Each was checked when it was made.
-    place_nodes(*scene_->base, *scene_->rest, shaper_->shape(), before_mm_);
+    (void)shaper_.set_scene(*scene_); // Each stroke was checked when it was made.
+    place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), before_mm_);
 }
 
 std::vector<SkeletonLine> StrokePreview::moved_by(WantedPreview const& wanted)
@@ -43,9 +42,9 @@ std::vector<SkeletonLine> StrokePreview::moved_by(WantedPreview const& wanted)
         lay(wanted.scene);
     auto scene = *scene_;
     if (!draw(Stroke { wanted.ink }, wanted.tool, scene).refusal.empty()
-        || !shaper_->set(shaping_associations(scene)))
+        || !shaper_.set_scene(scene))
         return {};
-    place_nodes(*scene_->base, *scene_->rest, shaper_->shape(), after_mm_);
+    place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), after_mm_);
     return moved_lines(wanted.orders);
 }
 

@@ -3,13 +3,12 @@
 #include "app/station/tools/tool.h"
 #include "app/window/window_model.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/scene_shaper.h"
 #include "engine/stroke/tip_sample.h"
-#include "engine/variation/stroke_shaper.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace tractus {
@@ -37,7 +36,7 @@ private:
     std::vector<SkeletonLine> moved_lines(std::uint32_t orders) const;
 
     std::shared_ptr<Scene const> scene_; // That is laid; as above.
-    std::optional<StrokeShaper> shaper_;
+    SceneShaper shaper_;
     std::vector<Vec3> before_mm_;
     std::vector<Vec3> after_mm_; // Kept for its memory.
 };

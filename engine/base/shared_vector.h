@@ -24,7 +24,8 @@ public:
 // to another thread; one copy belongs to one thread at a time, as any value does.
 //
 // Elements that have a source need not be in memory: those of a parked() copy are read when
-// somebody looks at them.
+// somebody looks at them, and stay from then on. Who looks at many in turn takes in_memory() copies
+// instead, whose elements go with them.
 template<typename T> class SharedVector {
 public:
     using value_type = T;
@@ -55,9 +56,24 @@ public:
     // The same elements, left to their source, which they must have.
     SharedVector parked() const
     {
+        if (!is_in_memory())
+            return *this;
         SharedVector parked;
         parked.shared_ = std::make_shared<Shared>(shared_->source);
         return parked;
+    }
+
+    // The same elements in memory, which those of this need not be afterwards.
+    SharedVector in_memory() const
+    {
+        return is_in_memory() ? *this : SharedVector(shared_->source->read(), shared_->source);
+    }
+
+    // Two with the same id have the same elements, as long as one of them is there; nobody needs to
+    // look at them to know.
+    void const* id() const
+    {
+        return source() ? static_cast<void const*>(source().get()) : shared_.get();
     }
 
     std::vector<T> const& vector() const { return shared_ ? shared_->look() : nothing(); }
@@ -89,7 +105,7 @@ public:
 
     bool operator==(SharedVector const& other) const
     {
-        return shared_ == other.shared_ || vector() == other.vector();
+        return id() == other.id() || vector() == other.vector();
     }
 
 private:

@@ -157,7 +157,7 @@ Result<Scene> applied(Scene scene, Oversketch const& edit)
     TRY(check_numbers(scene, edit.associations));
     for (auto const number : edit.associations) {
         auto association = scene.associations[number];
-        association.stroke = TRY(oversketch(association.stroke, edit.over));
+        association.stroke = TRY(oversketch({ association.stroke.tips.in_memory() }, edit.over));
         TRY(check_association(*scene.base, association));
         scene.associations.replace(number, std::move(association));
     }
@@ -311,18 +311,6 @@ Result<Scene> fold(std::span<Edit const> edits)
     for (auto const& edit : edits)
         scene = TRY(apply_edit(std::move(scene), edit));
     return scene;
-}
-
-Result<GrowthPlan> plan_growth(Scene const& scene)
-{
-    auto const shape
-        = TRY(resolve_associations(*scene.base, *scene.rest, shaping_associations(scene)));
-    std::vector<Vec3> nodes_mm;
-    place_nodes(*scene.base, *scene.rest, shape, nodes_mm);
-    auto influence = TRY(influence_of(*scene.base, nodes_mm, scene.indicators,
-                                      { scene.placement.shown_height_mm, scene.placement.scale }));
-    auto const growth = TRY(at_liking(scene.growth.parameters, scene.growth.liking));
-    return plan_growth(*scene.base, *scene.rest, shape, growth, std::move(influence));
 }
 
 } // namespace tractus

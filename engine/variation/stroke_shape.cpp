@@ -72,7 +72,7 @@ Result<ArcLength> curve_of(Association const& association)
         return fail(Fault::User,
                     fmt::format("{} of the hand cannot be kept: give a share from 0 to 1",
                                 association.kept_hand));
-    auto const points = TRY(stroke_points(association.stroke));
+    auto const points = TRY(stroke_points({ association.stroke.tips.in_memory() }));
     ArcLength curve(smooth_hand(points, association.kept_hand));
     if (association.fit == StrokeFit::Chord
         && chord_of(curve).norm() <= kNoChord * curve.length_mm())
@@ -109,9 +109,9 @@ std::vector<Vec3> directions_along(std::span<SegmentId const> path, RestShape co
 }
 
 std::vector<Joint> joints_along(std::span<SegmentId const> path, RestShape const& rest,
-                                StrokeShape const& stroke)
+                                StrokeShape const& stroke, ArcLength const& curve)
 {
-    auto const directions = directions_along(path, rest, stroke.curve, stroke.to_path);
+    auto const directions = directions_along(path, rest, curve, stroke.to_path);
     std::vector<Joint> joints(path.size());
     Vec3 base_before = tangent_of(rest.frame[path.front()]);
     Vec3 bent_before = base_before;
@@ -160,16 +160,18 @@ Result<StrokeShape> shape_of(Plant const& plant, RestShape const& rest,
         return stroke;
     auto const& path = association.path;
     TRY(check_path(plant, path));
-    stroke.curve = TRY(curve_of(association));
+    auto curve = TRY(curve_of(association));
 
     Quat const& base = rest.frame[path.front()];
     Vec3 to = tangent_of(base);
     if (stroke.fit == StrokeFit::Chord)
         to = chord_direction(plant, path.front(), path.back(), to);
-    stroke.to_path = laid(stroke.fit, direction_of(stroke.curve, stroke.fit), to);
+    stroke.to_path = laid(stroke.fit, direction_of(curve, stroke.fit), to);
     stroke.from_path = base.conjugate() * stroke.to_path;
     if (association.propagation != Propagation::Descendants)
-        stroke.joints = joints_along(path, rest, stroke);
+        stroke.joints = joints_along(path, rest, stroke, curve);
+    if (association.propagation != Propagation::Selected)
+        stroke.curve = std::make_shared<ArcLength const>(std::move(curve));
     return stroke;
 }
 
@@ -187,7 +189,7 @@ Quat curve_to_axis(Plant const& plant, RestShape const& rest, StrokeShape const&
     double const length = chord.norm();
     if (!(length > 0))
         return along_start;
-    Vec3 const drawn = along_start * chord_of(stroke.curve).normalized();
+    Vec3 const drawn = along_start * chord_of(*stroke.curve).normalized();
     return least_rotation(drawn, chord / length) * along_start;
 }
 

@@ -4,6 +4,7 @@
 #include "engine/stroke/resample.h"
 #include "engine/variation/association.h"
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct Joint {
 
 // A stroke made ready to be laid along branches of one plant.
 struct StrokeShape {
-    ArcLength curve { std::vector<Vec3> { Vec3::Zero() } };
+    // Null where only the path follows it, since it is large. Shared between copies.
+    std::shared_ptr<ArcLength const> curve;
     StrokeFit fit = StrokeFit::Start;
     Quat to_path = Quat::Identity();   // Takes the curve to where the path lies in the base plant.
     Quat from_path = Quat::Identity(); // Takes the curve to the coordinates of an axis' base frame.

@@ -5,6 +5,7 @@
 #include "engine/variation/borne.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 namespace tractus {
@@ -15,11 +16,14 @@ static bool same(Association const& a, Association const& b)
     auto const same_place = [](TipSample const& tip, TipSample const& other) {
         return tip.position_mm == other.position_mm;
     };
-    return a.path == b.path && a.propagation == b.propagation && a.fit == b.fit
-        && a.kept_hand == b.kept_hand && a.is_orphaned == b.is_orphaned
-        && (a.stroke.tips.data() == b.stroke.tips.data()
-            || std::equal(a.stroke.tips.begin(), a.stroke.tips.end(), b.stroke.tips.begin(),
-                          b.stroke.tips.end(), same_place));
+    if (a.path != b.path || a.propagation != b.propagation || a.fit != b.fit
+        || a.kept_hand != b.kept_hand || a.is_orphaned != b.is_orphaned)
+        return false;
+    if (a.stroke.tips.id() == b.stroke.tips.id())
+        return true;
+    auto const tips = a.stroke.tips.in_memory();
+    auto const others = b.stroke.tips.in_memory();
+    return std::equal(tips.begin(), tips.end(), others.begin(), others.end(), same_place);
 }
 
 StrokeShaper::StrokeShaper(Plant const& plant, RestShape const& rest)
@@ -36,13 +40,10 @@ Result<void> StrokeShaper::set(std::span<Association const> associations)
     auto const differ = std::mismatch(associations_.begin(), associations_.end(),
                                       associations.begin(), associations.end(), same);
     auto const unchanged = static_cast<std::size_t>(differ.first - associations_.begin());
-    std::vector<StrokeShape> fresh;
-    for (auto const& association : associations.subspan(unchanged))
-        fresh.push_back(TRY(shape_of(plant_, rest_, association)));
-
+    auto changed = TRY(shapes_of(associations, unchanged));
     associations_.assign(associations.begin(), associations.end());
     strokes_.resize(unchanged);
-    std::move(fresh.begin(), fresh.end(), std::back_inserter(strokes_));
+    std::move(changed.begin(), changed.end(), std::back_inserter(strokes_));
 
     auto const before = std::exchange(sources_, std::vector<Source>(plant_.axes.size()));
     joints_.clear();
@@ -56,6 +57,26 @@ Result<void> StrokeShaper::set(std::span<Association const> associations)
                 lay(id);
     });
     return {};
+}
+
+// The shapes of the associations from number `first` on. One that has only another number than
+// before keeps its shape: its tips need not be read again.
+Result<std::vector<StrokeShape>> StrokeShaper::shapes_of(std::span<Association const> associations,
+                                                         std::size_t first) const
+{
+    std::unordered_multimap<void const*, std::size_t> before;
+    for (auto number = first; number < associations_.size(); ++number)
+        before.emplace(associations_[number].stroke.tips.id(), number);
+    std::vector<StrokeShape> shapes;
+    for (auto const& association : associations.subspan(first)) {
+        auto const [begin, end] = before.equal_range(association.stroke.tips.id());
+        auto const found = std::find_if(begin, end, [&](auto const& entry) {
+            return same(associations_[entry.second], association);
+        });
+        shapes.push_back(found != end ? strokes_[found->second]
+                                      : TRY(shape_of(plant_, rest_, association)));
+    }
+    return shapes;
 }
 
 void StrokeShaper::assign(std::uint32_t number)
@@ -157,11 +178,12 @@ void StrokeShaper::lay_propagated(AxisId id, StrokeShape const& stroke, Quat con
 
     Quat frame = renormalised(turn * rest_.frame[axis.first_segment]);
     Vec3 before = tangent_of(frame);
-    Vec3 from = stroke.curve.at(0);
+    auto const& curve = *stroke.curve;
+    Vec3 from = curve.at(0);
     double sum_mm = 0;
     for (std::size_t i = 0; i < frames.size(); ++i) {
         sum_mm += length_mm[i];
-        Vec3 const to = stroke.curve.at(sum_mm * per_mm);
+        Vec3 const to = curve.at(sum_mm * per_mm);
         Vec3 const chord = rotation * (to - from);
         // Where the hand turned back on itself the chord has no direction: go straight on.
         if (double const length = chord.norm(); length > 0) {

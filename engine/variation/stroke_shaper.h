@@ -40,6 +40,8 @@ private:
         std::uint32_t changed = 0;            // 1 + the highest number of what has touched it.
     };
 
+    Result<std::vector<StrokeShape>> shapes_of(std::span<Association const> associations,
+                                               std::size_t first) const;
     void assign(std::uint32_t number);
     void assign_path(std::uint32_t number);
     void assign_descendants(std::uint32_t number);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace tractus {
 
@@ -43,11 +44,11 @@ private:
     std::optional<double> height_mm_;
 };
 
-std::optional<double> height_under(Vec3 const& eraser_mm, Stroke const& stroke)
+std::optional<double> height_under(Vec3 const& eraser_mm, std::vector<TipSample> const& tips)
 {
     UnderEraser under(eraser_mm);
-    for (std::size_t i = 1; i < stroke.tips.size(); ++i)
-        under.look_at(stroke.tips[i - 1].position_mm, stroke.tips[i].position_mm);
+    for (std::size_t i = 1; i < tips.size(); ++i)
+        under.look_at(tips[i - 1].position_mm, tips[i].position_mm);
     return under.height_mm();
 }
 
@@ -57,6 +58,12 @@ std::optional<double> height_under(Vec3 const& eraser_mm, MotionIndicator const&
     under.look_at(indicator.start_mm, indicator.end_mm);
     return under.height_mm();
 }
+
+// A stroke that can be erased: its association, and its tips for as long as that takes.
+struct SeenStroke {
+    std::size_t number = 0;
+    SharedVector<TipSample> tips;
+};
 
 // What the eraser has touched: numbers of associations and of indicators.
 struct Touched {
@@ -74,7 +81,7 @@ void add(std::vector<std::size_t>& numbers, std::vector<std::size_t> const& more
 // Of what lies above each other only the topmost goes, as with ink on paper, however long the
 // eraser stays. A stroke that shapes several branches is in the scene once for each, and goes as a
 // whole.
-void touch(Vec3 const& eraser_mm, Scene const& scene, std::span<std::size_t const> shaping,
+void touch(Vec3 const& eraser_mm, Scene const& scene, std::span<SeenStroke const> strokes,
            Touched& touched)
 {
     std::optional<double> top_mm;
@@ -88,8 +95,8 @@ void touch(Vec3 const& eraser_mm, Scene const& scene, std::span<std::size_t cons
         top_mm = height_mm;
         numbers.push_back(number);
     };
-    for (auto const i : shaping)
-        take(height_under(eraser_mm, scene.associations[i].stroke), here.associations, i);
+    for (auto const& stroke : strokes)
+        take(height_under(eraser_mm, stroke.tips), here.associations, stroke.number);
     for (std::size_t i = 0; i < scene.indicators.size(); ++i)
         take(height_under(eraser_mm, scene.indicators[i]), here.indicators, i);
     add(touched.associations, here.associations);
@@ -101,9 +108,11 @@ void touch(Vec3 const& eraser_mm, Scene const& scene, std::span<std::size_t cons
 Result<std::vector<Edit>> erase_edits(Stroke const& stroke, Scene const& scene)
 {
     Touched touched;
-    auto const shaping = shaping_numbers(scene); // The pad shows no others.
+    std::vector<SeenStroke> seen;
+    for (auto const number : shaping_numbers(scene)) // The pad shows no others.
+        seen.push_back({ number, scene.associations[number].stroke.tips.in_memory() });
     for (auto const& tip : stroke.tips)
-        touch(tip.position_mm, scene, shaping, touched);
+        touch(tip.position_mm, scene, seen, touched);
     std::vector<Edit> edits;
     if (!touched.associations.empty())
         edits.push_back(DeleteStroke { touched.associations });

@@ -60,6 +60,19 @@ TEST(SharedVector, IsReadFromItsSourceWhenSomebodyLooksAtIt)
     EXPECT_EQ(numbers->reads, 1);
 }
 
+TEST(SharedVector, IsInMemoryOnlyAsLongAsACopyThatIsLookedAt)
+{
+    auto const numbers = std::make_shared<Numbers>();
+    auto const parked = SharedVector<int>(std::vector { 1, 2, 3 }, numbers).parked();
+    EXPECT_EQ(parked.in_memory().vector(), (std::vector { 1, 2, 3 }));
+    EXPECT_FALSE(parked.is_in_memory());
+    auto const copy = parked.in_memory();
+    EXPECT_EQ(copy.in_memory().data(), copy.data());
+    EXPECT_EQ(numbers->reads, 2);
+    EXPECT_EQ(copy.id(), parked.id());
+    EXPECT_NE(copy.id(), SharedVector<int>({ 1, 2, 3 }).id());
+}
+
 TEST(SharedVector, IsNoMoreItsSourcesOnceItIsChanged)
 {
     auto parked = SharedVector<int>({}, std::make_shared<Numbers>()).parked();

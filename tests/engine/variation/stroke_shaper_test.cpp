@@ -7,7 +7,9 @@
 #include "tests/engine/variation/plans.h"
 #include "tests/engine/variation/plants.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <memory>
 
 namespace tractus {
 namespace {
@@ -75,6 +77,37 @@ TEST(StrokeShaper, ComesAnyWayToTheSameShape)
         expect_like_fresh(all);
     }
     expect_like_fresh({});
+}
+
+// A stroke that is elsewhere, and counts how often it is read.
+struct StoredHook : ElementSource<TipSample> {
+    std::vector<TipSample> read() const override
+    {
+        ++reads;
+        return hook(2).tips;
+    }
+    mutable int reads = 0;
+};
+
+TEST(StrokeShaper, ReadsAStrokeAgainOnlyWhereItIsLaidOnAnotherPath)
+{
+    auto const plant = forking_tree(6, 6);
+    auto const rest = find_rest_shape(plant);
+    auto const stored = std::make_shared<StoredHook>();
+    auto all = some_associations(plant);
+    for (std::size_t i = 1; i < 4; ++i)
+        all[i].stroke.tips = SharedVector<TipSample>({}, stored).parked();
+    StrokeShaper shaper(plant, rest);
+    ASSERT_TRUE(shaper.set(all));
+    EXPECT_EQ(stored->reads, 3);
+    std::rotate(all.begin(), all.begin() + 1, all.end());
+    ASSERT_TRUE(shaper.set(all));
+    EXPECT_EQ(stored->reads, 3);
+    all[0].path = segments_of(plant.axes[5]);
+    ASSERT_TRUE(shaper.set(all));
+    EXPECT_EQ(stored->reads, 4);
+    EXPECT_FALSE(all[0].stroke.tips.is_in_memory());
+    EXPECT_TRUE(same_frames(shaper.shape(), resolve_associations(plant, rest, all).value()));
 }
 
 TEST(StrokeShaper, TakingAStrokeAwayBringsTheEarlierBack)

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/scene/scene.h"
+#include "engine/variation/growth_plan.h"
+#include "engine/variation/stroke_shaper.h"
+
+#include <memory>
+#include <optional>
+
+namespace tractus {
+
+// Keeps the shape that strokes give to a scene's plant, for scenes that follow each other: of the
+// next one only the strokes that are new are looked at and laid. Serves one caller at a time.
+class SceneShaper {
+public:
+    // From here on that of this scene. If one of its strokes is refused the shape stays as it was,
+    // or is that without strokes for another plant than before.
+    Result<void> set_scene(Scene const& scene);
+
+    // After set_scene().
+    PredefinedShape const& shape() const { return shaper_->shape(); }
+
+private:
+    std::shared_ptr<Plant const> base_; // Shared with the scenes; nobody changes it.
+    std::shared_ptr<RestShape const> rest_;
+    std::optional<StrokeShaper> shaper_;
+};
+
+// The same plan as plan_growth(scene), sooner where the shaper had a scene much like it.
+Result<GrowthPlan> plan_growth(Scene const& scene, SceneShaper& shaper);
+
+} // namespace tractus
