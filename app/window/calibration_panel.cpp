@@ -129,10 +129,17 @@ private:
     void draw_labels()
     {
         auto const dim = ImGui::GetColorU32(ImGuiCol_TextDisabled);
-        draw_.AddText({ low_.x, low_.y - 1.5f * letter_ }, ImGui::GetColorU32(ImGuiCol_Text),
-                      plot_.title.c_str());
-        auto const label = fmt::format("{} over {}", plot_.y_label, plot_.x_label);
-        draw_.AddText({ low_.x, high_.y + 1.15f * letter_ }, dim, label.c_str());
+        draw_line(low_.y - 1.5f * letter_, ImGui::GetColorU32(ImGuiCol_Text), plot_.title);
+        draw_line(high_.y + 1.15f * letter_, dim,
+                  fmt::format("{} over {}", plot_.y_label, plot_.x_label));
+    }
+
+    // Under or over the frame; what is longer than it, in smaller letters.
+    void draw_line(float y, ImU32 color, std::string const& text)
+    {
+        float const longer = ImGui::CalcTextSize(text.c_str()).x / (high_.x - low_.x);
+        draw_.AddText(ImGui::GetFont(), letter_ / std::max(1.0f, longer), { low_.x, y }, color,
+                      text.c_str());
     }
 
     Plot const& plot_;
