@@ -11,7 +11,7 @@ static Result<Mesh> grow_mesh(WantedPlant const& wanted, SceneShaper& shaper,
                               MeshOptions const& options, std::stop_token const& stop)
 {
     auto const scene = TRY(apply_edit(*wanted.scene, wanted.growth));
-    auto const plan = TRY(plan_growth(scene, shaper));
+    auto const plan = TRY(plan_growth(scene, shaper, stop));
     if (stop.stop_requested())
         return Mesh {};
     Grower grower(plan);

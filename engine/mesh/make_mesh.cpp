@@ -21,7 +21,7 @@ Mesh make_mesh(Plant const& plant, MeshOptions const& options, std::stop_token c
 {
     Mesh mesh;
     mesh.materials = plant.materials;
-    mesh.surfaces = make_surfaces(MeshPlan(plant, options), stop);
+    mesh.surfaces = make_surfaces(MeshPlan(plant, options, stop), stop);
     if (stop.stop_requested())
         return mesh;
     mesh.organs = make_organs(plant, options);

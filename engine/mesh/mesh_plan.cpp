@@ -117,7 +117,7 @@ MeshExtent MeshPlan::Surface::extent_of(std::size_t piece) const
     return { end.vertices - start.vertices, end.indices - start.indices };
 }
 
-MeshPlan::MeshPlan(Plant const& plant, MeshOptions const& options)
+MeshPlan::MeshPlan(Plant const& plant, MeshOptions const& options, std::stop_token const& stop)
     : plant_(plant)
     , options_(options)
     , surfaces_(plant.materials.size())
@@ -129,6 +129,11 @@ MeshPlan::MeshPlan(Plant const& plant, MeshOptions const& options)
         thickest_mm_ = *std::max_element(plant.node_radius_mm.begin(), plant.node_radius_mm.end());
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
         surfaces_[i].material = static_cast<MaterialId>(i);
+    trace_axes(stop);
+    if (stop.stop_requested()) {
+        surfaces_.clear();
+        return;
+    }
     plan_tubes();
     for (auto& surface : surfaces_)
         surface.tube_count = surface.items.size();
@@ -138,7 +143,7 @@ MeshPlan::MeshPlan(Plant const& plant, MeshOptions const& options)
         cut_into_pieces(surface);
 }
 
-void MeshPlan::trace_axes()
+void MeshPlan::trace_axes(std::stop_token const& stop)
 {
     auto const& axes = plant_.axes;
     spines_.resize(axes.size());
@@ -149,7 +154,7 @@ void MeshPlan::trace_axes()
     };
     parallel_for(stations_.size(), 1, [&](std::size_t begin, std::size_t end) {
         SpineRoom room;
-        for (auto block = begin; block != end; ++block) {
+        for (auto block = begin; block != end && !stop.stop_requested(); ++block) {
             auto& stations = stations_[block];
             auto const last = std::min(axes.size(), (block + 1) * kAxesPerBlock);
             stations.reserve(kStationsPerSegment * segments_between(block * kAxesPerBlock, last));
@@ -171,7 +176,6 @@ void MeshPlan::trace_axes()
 
 void MeshPlan::plan_tubes()
 {
-    trace_axes();
     auto const& axes = plant_.axes;
     double const reach = reach_of(plant_.contours);
     std::vector<Block> blocks(stations_.size());

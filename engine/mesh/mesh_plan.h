@@ -18,8 +18,10 @@ namespace tractus {
 class MeshPlan {
 public:
     // Looks at every axis and polygon, on all threads. `plant` and `options` as for make_mesh();
-    // the plant must outlive the plan.
-    explicit MeshPlan(Plant const& plant, MeshOptions const& options = {});
+    // the plant must outlive the plan. Ends early when `stop` asks for it; then there are no
+    // surfaces.
+    explicit MeshPlan(Plant const& plant, MeshOptions const& options = {},
+                      std::stop_token const& stop = {});
     MeshPlan(MeshPlan const&) = delete;
     MeshPlan& operator=(MeshPlan const&) = delete;
 
@@ -72,7 +74,7 @@ public:
     void find_rings(Surface const& surface, std::size_t piece, std::vector<Ring>& rings) const;
 
 private:
-    void trace_axes();
+    void trace_axes(std::stop_token const& stop);
     void plan_tubes();
     void plan_polygons();
 

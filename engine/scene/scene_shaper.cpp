@@ -17,16 +17,20 @@ Result<void> SceneShaper::set_scene(Scene const& scene)
     return shaper_->set(shaping_associations(scene));
 }
 
-Result<GrowthPlan> plan_growth(Scene const& scene, SceneShaper& shaper)
+Result<GrowthPlan> plan_growth(Scene const& scene, SceneShaper& shaper, std::stop_token const& stop)
 {
     TRY(shaper.set_scene(scene));
+    if (stop.stop_requested())
+        return GrowthPlan {};
     auto const& shape = shaper.shape();
     std::vector<Vec3> nodes_mm;
     place_nodes(*scene.base, *scene.rest, shape, nodes_mm);
     auto influence = TRY(influence_of(*scene.base, nodes_mm, scene.indicators,
                                       { scene.placement.shown_height_mm, scene.placement.scale }));
     auto const growth = TRY(at_liking(scene.growth.parameters, scene.growth.liking));
-    return plan_growth(*scene.base, *scene.rest, shape, growth, std::move(influence));
+    if (stop.stop_requested())
+        return GrowthPlan {};
+    return plan_growth(*scene.base, *scene.rest, shape, growth, std::move(influence), stop);
 }
 
 Result<GrowthPlan> plan_growth(Scene const& scene)

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 namespace tractus {
 
@@ -27,7 +28,9 @@ private:
     std::optional<StrokeShaper> shaper_;
 };
 
-// The same plan as plan_growth(scene), sooner where the shaper had a scene much like it.
-Result<GrowthPlan> plan_growth(Scene const& scene, SceneShaper& shaper);
+// The same plan as plan_growth(scene), sooner where the shaper had a scene much like it. Ends early
+// when `stop` asks for it; the plan is then without segments.
+Result<GrowthPlan> plan_growth(Scene const& scene, SceneShaper& shaper,
+                               std::stop_token const& stop = {});
 
 } // namespace tractus

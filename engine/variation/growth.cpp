@@ -86,7 +86,9 @@ Plant const& Grower::grow(PlantKey const& key, double age, std::stop_token const
     if (stop.stop_requested())
         return plant_;
     if (plan_.parameters.sag > 0)
-        sagger_.sag(plant_, bearer_frame_);
+        sagger_.sag(plant_, bearer_frame_, stop);
+    if (stop.stop_requested())
+        return plant_;
     carry_organs(plan_, bearer_frame_, plant_);
     if (age < 1)
         young_leaves_->place(plant_, age);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <utility>
 
 namespace tractus {
@@ -206,7 +207,8 @@ void find_steps(GrowthPlan& plan)
 } // namespace
 
 Result<GrowthPlan> plan_growth(Plant base, RestShape const& rest, PredefinedShape const& shape,
-                               GrowthParameters const& parameters, Influence influence)
+                               GrowthParameters const& parameters, Influence influence,
+                               std::stop_token const& stop)
 {
     CHECK(shape.frame.size() == base.segment_count());
     CHECK(rest.frame.size() == base.segment_count());
@@ -229,10 +231,17 @@ Result<GrowthPlan> plan_growth(Plant base, RestShape const& rest, PredefinedShap
         plan.segments[i].length_mm = rest.length_mm[i];
     }
     Bearers bearers(plan, rest);
-    seat_axes(plan, rest, bearers);
-    seat_riders(plan, bearers);
-    seat_sections(plan, rest, bearers);
-    find_steps(plan);
+    std::function<void()> const parts[] {
+        [&] { seat_axes(plan, rest, bearers); },
+        [&] { seat_riders(plan, bearers); },
+        [&] { seat_sections(plan, rest, bearers); },
+        [&] { find_steps(plan); },
+    };
+    for (auto const& part : parts) {
+        if (stop.stop_requested())
+            return GrowthPlan {};
+        part();
+    }
     return plan;
 }
 

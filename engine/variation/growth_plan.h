@@ -9,6 +9,7 @@
 #include "engine/variation/rest_shape.h"
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace tractus {
@@ -72,8 +73,10 @@ struct GrowthPlan {
 };
 
 // `rest` and `shape` must be of `base`. Refuses, in a sentence, parameters out of range and an
-// influence that is not finite.
+// influence that is not finite. Ends early when `stop` asks for it; the plan is then without
+// segments.
 Result<GrowthPlan> plan_growth(Plant base, RestShape const& rest, PredefinedShape const& shape,
-                               GrowthParameters const& parameters, Influence influence);
+                               GrowthParameters const& parameters, Influence influence,
+                               std::stop_token const& stop = {});
 
 } // namespace tractus

@@ -120,14 +120,17 @@ void Sagger::bend(Plant& plant)
     });
 }
 
-void Sagger::sag(Plant& plant, std::span<Quat> bearer_frame)
+void Sagger::sag(Plant& plant, std::span<Quat> bearer_frame, std::stop_token const& stop)
 {
     grown_mm_ = plant.node_position_mm;
     turn_.assign(plant.segment_count(), Quat::Identity());
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kRounds && !stop.stop_requested(); ++round) {
         find_loads(plant);
-        bend(plant);
+        if (!stop.stop_requested())
+            bend(plant);
     }
+    if (stop.stop_requested())
+        return;
     for (SegmentId segment = 0; segment < plant.segment_count(); ++segment)
         if (auto const bearer = plan_.segments[segment].bearer; bearer != kNone)
             bearer_frame[bearer] = renormalised(turn_[segment] * bearer_frame[bearer]);

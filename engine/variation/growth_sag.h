@@ -4,6 +4,7 @@
 #include "engine/variation/growth_plan.h"
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace tractus {
@@ -24,8 +25,9 @@ public:
     }
 
     // Moves the nodes of a plant that was grown by the plan, and turns the frames of its bearing
-    // segments (GrowthPlan::bearer_frame) along.
-    void sag(Plant& plant, std::span<Quat> bearer_frame);
+    // segments (GrowthPlan::bearer_frame) along. Ends early when `stop` asks for it; the plant is
+    // good for nothing then.
+    void sag(Plant& plant, std::span<Quat> bearer_frame, std::stop_token const& stop = {});
 
 private:
     struct Load {

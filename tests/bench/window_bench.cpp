@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <memory>
 #include <thread>
 
 namespace tractus {
@@ -175,6 +176,31 @@ void frame_cpu_p99(benchmark::State& state)
 {
     frames_while_drawing(state, &Drawing::Took::cpu_s, 0.99);
 }
+
+// Closing the window while a plant grows and is made ready to be seen: at many moments of that, the
+// one that took longest.
+void close_while_growing(benchmark::State& state)
+{
+    auto scene = scene_of(static_cast<std::size_t>(state.range(0)));
+    scene.growth.parameters.sag = 1;
+    auto const closed_after_s = [&](Clock::duration moment) {
+        auto drawing = std::make_unique<Drawing>(scene);
+        std::this_thread::sleep_for(moment);
+        auto const begin = Clock::now();
+        drawing.reset();
+        return std::chrono::duration<double>(Clock::now() - begin).count();
+    };
+    constexpr auto kEvery = std::chrono::milliseconds(100);
+    constexpr int kMoments = 40;
+    for (auto _ : state) {
+        double longest_s = 0;
+        for (int i = 0; i < kMoments; ++i)
+            longest_s = std::max(longest_s, closed_after_s(i * kEvery));
+        state.SetIterationTime(longest_s);
+    }
+    report(state, { .items = 1, .item = "closings" });
+}
+BENCHMARK(close_while_growing)->Arg(1'300'000)->Iterations(1)->UseManualTime();
 BENCHMARK(ink_p99)->Arg(50'000)->Arg(1'300'000)->Iterations(1)->UseManualTime();
 BENCHMARK(frame_cpu_median)->Arg(50'000)->Arg(1'300'000)->Iterations(1)->UseManualTime();
 BENCHMARK(frame_cpu_p99)->Arg(50'000)->Arg(1'300'000)->Iterations(1)->UseManualTime();

@@ -1,5 +1,6 @@
 #include "engine/mesh/make_mesh.h"
 
+#include "engine/mesh/mesh_plan.h"
 #include "engine/mesh/spine.h"
 #include "tests/engine/mesh/mesh_checks.h"
 #include "tests/engine/mesh/sample_plants.h"
@@ -30,6 +31,17 @@ double distance_to_axis(Plant const& plant, Axis const& axis, Vec3 const& point)
 TEST(MakeMesh, MakesNothingOfAnEmptyPlant)
 {
     EXPECT_EQ(make_mesh({}).triangle_count(), 0u);
+}
+
+TEST(MakeMesh, MakesNothingWhenItIsGivenUp)
+{
+    auto const plant = sample_tree(1);
+    std::stop_source asked;
+    EXPECT_EQ(make_mesh(plant, {}, asked.get_token()).triangle_count(),
+              make_mesh(plant).triangle_count());
+    asked.request_stop();
+    EXPECT_TRUE(MeshPlan(plant, {}, asked.get_token()).surfaces().empty());
+    EXPECT_EQ(make_mesh(plant, {}, asked.get_token()).triangle_count(), 0u);
 }
 
 TEST(MakeMesh, ClosesATubeAtBothEnds)

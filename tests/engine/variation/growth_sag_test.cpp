@@ -67,6 +67,21 @@ TEST(Sag, LeavesAnUprightPoleAndAHangingOneAlone)
     }
 }
 
+TEST(Sag, IsGivenUpWhenAskedTo)
+{
+    auto const plant = rod({ 1000, 0, 0 }, 10, 10);
+    auto const plan = plan_of(plant, { .strength = 0, .sag = 1 });
+    auto frames = plan.bearer_frame;
+    auto hanging = plant;
+    Sagger sagger(plan);
+    std::stop_source asked;
+    asked.request_stop();
+    sagger.sag(hanging, frames, asked.get_token());
+    EXPECT_EQ(hanging.node_position_mm, plant.node_position_mm);
+    sagger.sag(hanging, frames);
+    EXPECT_EQ(hanging.node_position_mm, sagged(plant, 1).node_position_mm);
+}
+
 TEST(Sag, BranchesWeighOnWhatBearsThem)
 {
     auto const drop_mm = [](bool with_twig) {

@@ -19,6 +19,19 @@ GrowthParameters quiet()
     return { .strength = 0 };
 }
 
+TEST(GrowthPlan, IsWithoutSegmentsWhenItIsGivenUp)
+{
+    auto const plant = forking_tree(3, 4);
+    auto const rest = find_rest_shape(plant);
+    PredefinedShape const shape { rest.frame };
+    std::stop_source asked;
+    EXPECT_EQ(plan_growth(plant, rest, shape, {}, {}, asked.get_token()).value().segments.size(),
+              plant.segment_count());
+    asked.request_stop();
+    EXPECT_TRUE(
+        plan_growth(plant, rest, shape, {}, {}, asked.get_token()).value().segments.empty());
+}
+
 // True where two vectors of plain numbers hold the same bytes.
 template<typename T> bool same_bytes(std::vector<T> const& a, std::vector<T> const& b)
 {
