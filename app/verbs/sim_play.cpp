@@ -16,11 +16,11 @@ namespace tractus {
 
 namespace {
 
-std::atomic<bool> stop_asked = false;
+std::atomic<bool> unplug_asked = false;
 
-void ask_to_stop(int)
+void ask_to_unplug(int)
 {
-    stop_asked = true;
+    unplug_asked = true;
 }
 
 Result<Log> simulate(SimPlayArguments const& arguments)
@@ -100,10 +100,10 @@ Result<void> run_sim_play(DevicePlay play, SimPlayArguments const& arguments)
     play.then = what_then(arguments);
     play.on_begin = [] { print_error("somebody reads: playing; Ctrl-C unplugs\n"); };
     print_error("plugged in, waiting for a program to read; Ctrl-C unplugs\n");
-    std::signal(SIGINT, ask_to_stop);
-    std::signal(SIGTERM, ask_to_stop);
-    std::signal(SIGHUP, ask_to_stop);
-    TRY(play_parts(play, stop_asked));
+    std::signal(SIGINT, ask_to_unplug);
+    std::signal(SIGTERM, ask_to_unplug);
+    std::signal(SIGHUP, ask_to_unplug);
+    TRY(play_parts(play, unplug_asked));
     std::uint64_t lost = 0;
     for (auto const* const device : play.devices)
         lost += device->lost_count();

@@ -1,6 +1,11 @@
-# The scenario whole_station with the thread sanitizer. Its processor is
-# faster, for what they add would leave it behind the devices.
+# The scenario whole_station with the thread sanitizer, and with what it calls of the program. Its
+# processor is faster, for what they add would leave it behind the devices.
 like=whole_station
 preset=tsan
+programs='device_verbs vm_check'
 memory_mb=1024
 instruction_shift=1
+
+tractus() {
+    exec device_verbs "$@" # What is called in the background is to be the program itself.
+}

@@ -1,0 +1,27 @@
+// `tractus record` and `tractus sim` without the rest of the program, for scenarios that have to be
+// built again for them alone.
+
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
+#include "app/verbs/record.h"
+#include "app/verbs/sim.h"
+#include "app/verbs/verb.h"
+#include "drivers/file.h"
+
+int main(int argc, char** argv)
+{
+    tractus::prepare_console();
+    tractus::remove_unfinished_file_on_signals();
+    CLI::App root;
+    root.require_subcommand(1);
+    tractus::Action action;
+    tractus::add_record_verb(root, action);
+    tractus::add_sim_verb(root, action);
+    CLI11_PARSE(root, argc, argv);
+
+    auto const result = action();
+    if (result)
+        return 0;
+    tractus::print_error(tractus::error_text(result.error(), tractus::error_style()));
+    return 1;
+}
