@@ -63,27 +63,32 @@ struct Endless {
     }
 };
 
-TEST(NewestJob, StopsWhatItMakesWhenItGoes)
-{
+// One that is at work on a wish of 0.
+struct EndlessJob {
+    EndlessJob()
+    {
+        job.want(0);
+        while (!has_begun)
+            std::this_thread::yield();
+    }
+
     std::atomic<bool> has_begun = false;
     NewestJob<int, int> job { Endless { &has_begun } };
-    job.want(0);
-    while (!has_begun)
-        std::this_thread::yield();
+};
+
+TEST(NewestJob, StopsWhatItMakesWhenItGoes)
+{
+    EndlessJob const goes_at_once;
 }
 
 TEST(NewestJob, StopsLongWorkThatNobodyWantsAnyMore)
 {
-    std::atomic<bool> has_begun = false;
-    NewestJob<int, int> job { Endless { &has_begun } };
-    job.want(0);
-    while (!has_begun)
-        std::this_thread::yield();
+    EndlessJob endless;
     std::optional<int> made;
     for (int wish = 1; !made; ++wish) { // Too early at first.
-        job.want(wish);
+        endless.job.want(wish);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        made = job.take();
+        made = endless.job.take();
     }
     EXPECT_NE(made, 0) << "never what was stopped";
 }
