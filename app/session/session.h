@@ -40,7 +40,7 @@ public:
 
     std::filesystem::path const& path() const { return store_.path(); }
 
-    // Of strokes that shape nothing any more the tips are not in memory: see SessionStore.
+    // The tips of its strokes are not in memory: see SessionStore.
     Scene const& scene() const { return history_.scene(); }
 
     // What it began with: step 0. Fails where the file was damaged since it was opened.
