@@ -122,6 +122,15 @@ std::string described(DeleteStroke const& edit)
     return fmt::format("takes stroke {} away", list_numbers(edit.associations));
 }
 
+std::string described(EraseTips const& edit)
+{
+    std::size_t count = 0;
+    for (auto const& [first, last] : edit.ranges)
+        count += last + 1 - first;
+    return fmt::format("erases {} of stroke {}", counted(count, "tip"),
+                       list_numbers(edit.associations));
+}
+
 std::string described(Indicate const& edit)
 {
     return fmt::format("leans the plant by {}", describe_indicator(edit.indicator));

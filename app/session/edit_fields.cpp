@@ -163,6 +163,11 @@ Json written(Vec3 const& value)
     return Json::array({ written(value.x()), written(value.y()), written(value.z()) });
 }
 
+Json written(TipRange const& value)
+{
+    return Json::array({ written(value.first), written(value.last) });
+}
+
 Json written(std::map<std::string, std::string> const& texts)
 {
     auto list = Json::array(); // Not an object: names may be no UTF-8.
@@ -229,6 +234,13 @@ bool read(Json const& json, Vec3& value)
     if (!json.is_array() || json.size() != 3)
         return false;
     return read(json[0], value.x()) && read(json[1], value.y()) && read(json[2], value.z());
+}
+
+bool read(Json const& json, TipRange& value)
+{
+    if (!json.is_array() || json.size() != 2)
+        return false;
+    return read(json[0], value.first) && read(json[1], value.last);
 }
 
 bool read(Json const& json, std::map<std::string, std::string>& texts)

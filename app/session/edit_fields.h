@@ -27,6 +27,7 @@ Json written(std::uint64_t value);
 Json written(double value);
 Json written(std::string const& value);
 Json written(Vec3 const& value);
+Json written(TipRange const& value);
 Json written(std::map<std::string, std::string> const& texts);
 
 template<typename T> Json written(std::optional<T> const& value)
@@ -50,6 +51,7 @@ bool read(Json const& json, std::uint64_t& value);
 bool read(Json const& json, double& value);
 bool read(Json const& json, std::string& value);
 bool read(Json const& json, Vec3& value);
+bool read(Json const& json, TipRange& value);
 bool read(Json const& json, std::map<std::string, std::string>& texts);
 
 template<typename T> bool read(Json const& json, std::optional<T>& value)

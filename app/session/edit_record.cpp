@@ -13,9 +13,9 @@ namespace {
 
 // In the order of Edit's alternatives.
 constexpr std::array<char const*, std::variant_size_v<Edit>> kKinds {
-    "load_model",    "select",           "associate",       "indicate",
-    "set_growth",    "load_skeleton",    "oversketch",      "smooth_stroke",
-    "delete_stroke", "change_indicator", "delete_indicator"
+    "load_model",    "select",           "associate",        "indicate",
+    "set_growth",    "load_skeleton",    "oversketch",       "smooth_stroke",
+    "delete_stroke", "change_indicator", "delete_indicator", "erase_tips"
 };
 
 // Enumerations by words, in the order of their values.
@@ -74,6 +74,12 @@ template<typename Fields> void list(Fields& fields, SmoothStroke& edit)
 template<typename Fields> void list(Fields& fields, DeleteStroke& edit)
 {
     fields.field("associations", edit.associations);
+}
+
+template<typename Fields> void list(Fields& fields, EraseTips& edit)
+{
+    fields.field("associations", edit.associations);
+    fields.field("ranges", edit.ranges);
 }
 
 template<typename Fields> void list(Fields& fields, MotionIndicator& indicator)

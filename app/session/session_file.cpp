@@ -276,20 +276,28 @@ Result<Edit> read_edit(Database const& database, EditPlace const& place)
     return checked_edit(row);
 }
 
-Result<void> migrate(Database const& database, std::filesystem::path const& path)
+// What the first format lacked.
+static Result<void> add_checksums(Database const& database)
 {
-    if (TRY(read_format(database, path.string())) == kSessionFormat)
-        return {};
-    // By another connection, since one that may write cannot be copied from.
-    auto const as_it_was = TRY(Database::open(path, Database::Access::Read));
-    TRY(as_it_was.back_up(path.string() + ".bak"));
     TRY(database.execute("ALTER TABLE edits ADD COLUMN made INTEGER NOT NULL DEFAULT 0;"
                          "ALTER TABLE edits ADD COLUMN checksum INTEGER NOT NULL DEFAULT 0;"));
     auto update = TRY(database.prepare("UPDATE edits SET checksum = ? WHERE number = ?"));
     auto const add_checksum = [&](EditRow&& row) {
         return update.bind(0, row.place.checksum).bind(1, row.place.number).run();
     };
-    TRY(for_each_row(database, 1, add_checksum));
+    return for_each_row(database, 1, add_checksum);
+}
+
+Result<void> migrate(Database const& database, std::filesystem::path const& path)
+{
+    auto const format = TRY(read_format(database, path.string()));
+    if (format == kSessionFormat)
+        return {};
+    // By another connection, since one that may write cannot be copied from.
+    auto const as_it_was = TRY(Database::open(path, Database::Access::Read));
+    TRY(as_it_was.back_up(path.string() + ".bak"));
+    if (format == 1)
+        TRY(add_checksums(database));
     return database.execute(fmt::format("PRAGMA user_version = {}", kSessionFormat));
 }
 

@@ -26,8 +26,8 @@ namespace tractus {
 //          counts: later ones are undone.
 //
 // The file's application_id is "TRAC", its user_version the format's version: 1 had neither made
-// nor checksum.
-constexpr std::int64_t kSessionFormat = 2;
+// nor checksum, 2 no edit of the kind "erase_tips".
+constexpr std::int64_t kSessionFormat = 3;
 
 // Where a session comes from.
 struct SessionOrigin {

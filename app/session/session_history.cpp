@@ -48,21 +48,29 @@ SessionHistory::SessionHistory(SessionExtent const& extent, MakeLoadOptions load
 {
 }
 
-// What has been redrawn has a source, too, if both parts have.
+// What has been redrawn or erased in part has a source, too, if what it was made of has.
 Result<Scene> SessionHistory::apply(Scene scene, Edit const& edit) const
 {
     auto const* const over = std::get_if<Oversketch>(&edit);
-    if (!over)
+    auto const* const erased = std::get_if<EraseTips>(&edit);
+    if (!over && !erased)
         return apply_edit(std::move(scene), edit, load_options_());
-    auto redrawn = TRY(apply_edit(scene, edit, load_options_()));
-    for (auto const number : over->associations) {
-        auto association = redrawn.associations[number];
-        association.stroke.tips = { association.stroke.tips.vector(),
-                                    redrawn_source(scene.associations[number].stroke.tips.source(),
-                                                   over->over.tips.source()) };
-        redrawn.associations.replace(number, std::move(association));
+    auto changed = TRY(apply_edit(scene, edit, load_options_()));
+    Stroke made; // The one before without source and with it: several branches may share it.
+    Stroke sourced;
+    for (auto const number : over ? over->associations : erased->associations) {
+        auto association = changed.associations[number];
+        if (made.tips.empty() || association.stroke.tips.data() != made.tips.data()) {
+            auto const& source = scene.associations[number].stroke.tips.source();
+            made = association.stroke;
+            sourced.tips = { made.tips.vector(),
+                             over ? redrawn_source(source, over->over.tips.source())
+                                  : erased_source(source, erased->ranges) };
+        }
+        association.stroke = sourced;
+        changed.associations.replace(number, std::move(association));
     }
-    return redrawn;
+    return changed;
 }
 
 Result<Scene> SessionHistory::after(std::span<Edit const> edits) const

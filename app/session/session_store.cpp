@@ -111,6 +111,25 @@ private:
     Tips::Source over_;
 };
 
+class ErasedStroke final : public ElementSource<TipSample> {
+public:
+    ErasedStroke(Tips::Source drawn, std::vector<TipRange> ranges)
+        : drawn_(std::move(drawn))
+        , ranges_(std::move(ranges))
+    {
+    }
+
+    std::vector<TipSample> read() const override
+    {
+        auto const rest = erase_tips({ drawn_->read() }, ranges_);
+        return rest ? rest->tips.vector() : std::vector<TipSample> {};
+    }
+
+private:
+    Tips::Source drawn_;
+    std::vector<TipRange> ranges_;
+};
+
 } // namespace
 
 Tips::Source redrawn_source(Tips::Source drawn, Tips::Source over)
@@ -118,6 +137,13 @@ Tips::Source redrawn_source(Tips::Source drawn, Tips::Source over)
     if (!drawn || !over)
         return nullptr;
     return std::make_shared<RedrawnStroke>(std::move(drawn), std::move(over));
+}
+
+Tips::Source erased_source(Tips::Source drawn, std::vector<TipRange> ranges)
+{
+    if (!drawn)
+        return nullptr;
+    return std::make_shared<ErasedStroke>(std::move(drawn), std::move(ranges));
 }
 
 SessionStore::SessionStore(std::filesystem::path path, Database database)

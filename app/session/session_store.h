@@ -58,4 +58,8 @@ private:
 SharedVector<TipSample>::Source redrawn_source(SharedVector<TipSample>::Source drawn,
                                                SharedVector<TipSample>::Source over);
 
+// Where a stroke can be read again that was erased in part. Null if what was drawn has no source.
+SharedVector<TipSample>::Source erased_source(SharedVector<TipSample>::Source drawn,
+                                              std::vector<TipRange> ranges);
+
 } // namespace tractus

@@ -2,6 +2,7 @@
 
 #include "engine/lsystem/model.h"
 #include "engine/plant/skeleton_lines.h"
+#include "engine/stroke/erase_tips.h"
 #include "engine/stroke/stroke.h"
 #include "engine/variation/association.h"
 #include "engine/variation/growth.h"
@@ -79,6 +80,13 @@ struct DeleteStroke {
     std::vector<std::size_t> associations;
 };
 
+// Takes these tips of each of them away (erase_tips.h); where none would be left that shape
+// anything, DeleteStroke takes the whole.
+struct EraseTips {
+    std::vector<std::size_t> associations;
+    std::vector<TipRange> ranges; // Of its tips as they are now, in order.
+};
+
 // Adds one motion indicator (Streit 2006, section 4.4).
 struct Indicate {
     MotionIndicator indicator;
@@ -102,7 +110,8 @@ struct SetGrowth {
     double age = 1;         // See Grower::grow().
 };
 
-using Edit = std::variant<LoadModel, Select, Associate, Indicate, SetGrowth, LoadSkeleton,
-                          Oversketch, SmoothStroke, DeleteStroke, ChangeIndicator, DeleteIndicator>;
+using Edit
+    = std::variant<LoadModel, Select, Associate, Indicate, SetGrowth, LoadSkeleton, Oversketch,
+                   SmoothStroke, DeleteStroke, ChangeIndicator, DeleteIndicator, EraseTips>;
 
 } // namespace tractus

@@ -176,13 +176,37 @@ Result<Scene> applied(Scene scene, SmoothStroke const& edit)
     return scene;
 }
 
+// Each once, the last first: the others keep their numbers when it goes.
+std::vector<std::size_t> each_once(std::vector<std::size_t> numbers)
+{
+    std::sort(numbers.begin(), numbers.end(), std::greater<> {});
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
+}
+
+// One stroke for several branches stays one: its tips are held once.
+Result<Scene> applied(Scene scene, EraseTips const& edit)
+{
+    TRY(check_numbers(scene, edit.associations));
+    Stroke drawn;
+    Stroke rest;
+    for (auto const number : each_once(edit.associations)) {
+        auto association = scene.associations[number];
+        if (drawn.tips.empty() || association.stroke.tips.data() != drawn.tips.data()) {
+            drawn = association.stroke;
+            rest = TRY(erase_tips(drawn, edit.ranges));
+        }
+        association.stroke = rest;
+        TRY(check_association(*scene.base, association));
+        scene.associations.replace(number, std::move(association));
+    }
+    return scene;
+}
+
 Result<Scene> applied(Scene scene, DeleteStroke const& edit)
 {
     TRY(check_numbers(scene, edit.associations));
-    auto numbers = edit.associations;
-    std::sort(numbers.begin(), numbers.end(), std::greater<> {});
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    for (auto const number : numbers) {
+    for (auto const number : each_once(edit.associations)) {
         scene.associations.erase(number);
         scene.places.erase(number);
     }

@@ -99,6 +99,27 @@ TEST_F(LongDrawing, ReadsStrokesBackThatCountAgain)
     EXPECT_TRUE(same(station_.scene().associations[0].stroke, first));
 }
 
+TEST_F(LongDrawing, ReadsAStrokeBackThatWasErasedInPart)
+{
+    auto const make = [&](Edit const& edit) {
+        desk_.keeper().make({ [=](Scene const&) -> Result<WantedStep::Change> {
+            return WantedStep::Change { { edit }, "" };
+        } });
+        desk_.settle(station_, at_ms(now_ms_));
+    };
+    draw(1);
+    auto const count = station_.scene().associations[0].stroke.tips.size();
+    make(EraseTips { { 0 }, { { 3, 5 } } });
+    make(EraseTips { { 0 }, { { 0, 0 } } });
+    Stroke const rest { station_.scene().associations[0].stroke.tips.vector() };
+    EXPECT_EQ(rest.tips.size(), count - 4);
+    draw(6); // Three branches: numbers 3 and 6 are the trunk's, too.
+    EXPECT_FALSE(station_.scene().associations[0].stroke.tips.is_in_memory());
+    make(DeleteStroke { { 3, 6 } });
+    ASSERT_TRUE(station_.scene().associations[0].stroke.tips.is_in_memory());
+    EXPECT_TRUE(same(station_.scene().associations[0].stroke, rest));
+}
+
 TEST_F(LongDrawing, ShowsAStrokeAsDoneOnlyWhenItIsKept)
 {
     draw_across(station_, now_ms_);

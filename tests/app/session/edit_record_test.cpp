@@ -47,6 +47,8 @@ TEST(EditRecord, IsReadableByEyeAndStaysAsItIs)
         record_of(Indicate { { .start_mm = { 0, 0.1, -0.0 }, .end_mm = { 1, 2, 3 } } }).fields,
         R"({"start_mm":[0.0,0.1,-0.0],"end_mm":[1.0,2.0,3.0],"kind":"push","below":[],)"
         R"("reach_mm":null,"is_orphaned":false})");
+    EXPECT_EQ(record_of(EraseTips { { 4, 5 }, { { 0, 2 }, { 9, 9 } } }).fields,
+              R"({"associations":[4,5],"ranges":[[0,2],[9,9]]})");
     auto const drawn = record_of(
         Associate { { { { .time = timestamp_ns(258), .touching = true } } }, Propagation::Both });
     EXPECT_EQ(drawn.fields, R"({"propagation":"both","fit":"start","kept_hand":1.0})");
@@ -89,6 +91,9 @@ TEST(EditRecord, RefusesWhatHasAnotherForm)
            R"({"name":{"bytes":3}})", R"({"name":{"bytes":"Ā"}})",
            R"({"includes":[{"name":"a"}]})" })
         EXPECT_NE(refusal({ "load_model", fields, "" }), "") << fields;
+    for (char const* const fields : { R"({"ranges":[3]})", R"({"ranges":[[3]]})",
+                                      R"({"ranges":[[3,4,5]]})", R"({"ranges":[[3,-1]]})" })
+        EXPECT_NE(refusal({ "erase_tips", fields, "" }), "") << fields;
     EXPECT_NE(refusal({ "associate", "{}", std::string(40, '\0') }), "");
     EXPECT_NE(refusal({ "associate", "{}", std::string(40, '\0') + '\x10' }), "");
     EXPECT_EQ(refusal({ "select", "{}", "x" }), "it has numbers, and should have none");

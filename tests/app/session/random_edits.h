@@ -130,6 +130,12 @@ inline Edit random_edit()
         return ChangeIndicator { *rc::gen::arbitrary<std::size_t>(), random_indicator() };
     case 9:
         return DeleteIndicator { *rc::gen::arbitrary<std::size_t>() };
+    case 10: {
+        EraseTips edit { numbers(), {} };
+        for (auto const number : numbers())
+            edit.ranges.push_back({ number, *rc::gen::arbitrary<std::size_t>() });
+        return edit;
+    }
     default:
         return SetGrowth { random_growth(), *rc::gen::arbitrary<std::uint64_t>(), random_double(),
                            random_double() };

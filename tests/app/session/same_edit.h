@@ -110,6 +110,11 @@ inline bool same(DeleteStroke const& one, DeleteStroke const& other)
     return one.associations == other.associations;
 }
 
+inline bool same(EraseTips const& one, EraseTips const& other)
+{
+    return one.associations == other.associations && one.ranges == other.ranges;
+}
+
 inline bool same(Indicate const& one, Indicate const& other)
 {
     return same(one.indicator, other.indicator);

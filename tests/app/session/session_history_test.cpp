@@ -45,10 +45,24 @@ private:
     std::vector<std::vector<Edit>> steps_;
 };
 
-// A step that any scene of the small model takes.
-std::vector<Edit> random_step()
+// Erases tips of a stroke; draws one if there is none with enough.
+std::vector<Edit> erasing_step(Scene const& scene)
 {
-    switch (*rc::gen::inRange(0, 6)) {
+    if (scene.associations.empty())
+        return drawing_step(1);
+    auto const number = *rc::gen::inRange<std::size_t>(0, scene.associations.size());
+    auto const count = scene.associations[number].stroke.tips.size();
+    if (count < 3)
+        return drawing_step(2);
+    auto const erased = *rc::gen::inRange<std::size_t>(1, count - 1);
+    auto const first = *rc::gen::inRange<std::size_t>(0, count - erased + 1);
+    return { EraseTips { { number }, { { first, first + erased - 1 } } } };
+}
+
+// A step that the scene, of the small model, takes.
+std::vector<Edit> random_step(Scene const& scene)
+{
+    switch (*rc::gen::inRange(0, 8)) {
     case 0:
         return { Select { { { *rc::gen::inRange<SegmentId>(0, 12) } } } };
     case 1:
@@ -60,6 +74,9 @@ std::vector<Edit> random_step()
         again.drawn = *rc::gen::arbitrary<bool>() ? Drawn::Keep : Drawn::Forget;
         return { again };
     }
+    case 4:
+    case 5:
+        return erasing_step(scene);
     default:
         return drawing_step(*rc::gen::inRange(-9, 9));
     }
@@ -84,7 +101,7 @@ void do_anything(SessionHistory& history, Steps& steps, ModelOfHistory& model)
 {
     switch (*rc::gen::weightedElement<int>({ { 5, 0 }, { 4, 1 }, { 2, 2 } })) {
     case 0: {
-        auto const edits = random_step();
+        auto const edits = random_step(history.scene());
         history.push(history.after(edits).value());
         steps.push(history.step(), edits);
         model.steps.resize(model.count++);

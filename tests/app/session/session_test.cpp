@@ -117,31 +117,71 @@ TEST_F(SessionTest, ThatTheProgramLeftOpenIsReadAsItWas)
 
 TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
 {
+    struct Older {
+        int format;
+        char const* statements; // That make it so old.
+        std::int64_t made;      // When its edits were made: the first format did not know.
+    };
+    for (auto const& [older, statements, made] :
+         { Older { 1, kToFormat1, 0 }, Older { 2, kToFormat2, 1'800'000'000 } }) {
+        auto const name = "format" + std::to_string(older);
+        auto const count_before = file_count();
+        {
+            auto session = create(name).value();
+            for (int i = 0; i < 3; ++i)
+                ASSERT_TRUE(session.append(drawing_step(i)));
+        }
+        ASSERT_TRUE(
+            Database::open(path(name), Database::Access::Write).value().execute(statements));
+        EXPECT_EQ(read_session(path(name)).value().edits.size(), 8u); // Reading needs no change.
+        EXPECT_EQ(file_count(), count_before + 1);
+        {
+            auto session = open(name).value();
+            EXPECT_EQ(session.scene().associations.size(), 3u);
+            EXPECT_EQ(read_session(path(name)).value().edits.back().made.time_since_epoch().count(),
+                      made);
+            ASSERT_TRUE(session.append(std::vector<Edit> { EraseTips { { 2 }, { { 0, 3 } } } }));
+        }
+        EXPECT_EQ(file_count(), count_before + 2);
+        auto const format = [&](std::string const& file) {
+            return Database::open(path(file), Database::Access::Read)
+                .value()
+                .whole("PRAGMA user_version")
+                .value();
+        };
+        EXPECT_EQ(format(name), kSessionFormat);
+        EXPECT_EQ(format(name + ".bak"), older);
+        EXPECT_EQ(read_session(path(name)).value().edits.size(), 9u);
+        EXPECT_EQ(read_session(path(name + ".bak")).value().edits.size(), 8u);
+    }
+}
+
+TEST_F(SessionTest, KeepsAStrokeThatIsErasedInPart)
+{
+    auto const tips
+        = [](Session const& session) { return session.scene().associations[0].stroke.tips.size(); };
+    std::vector<Edit> const middle { EraseTips { { 0 }, { { 3, 5 } } } };
+    std::vector<Edit> const end { EraseTips { { 0 }, { { 6, 7 } } } };
     {
         auto session = create().value();
-        for (int i = 0; i < 3; ++i)
-            ASSERT_TRUE(session.append(drawing_step(i)));
+        ASSERT_TRUE(session.append(drawing_step(1)));
+        ASSERT_EQ(tips(session), 11u);
+        ASSERT_TRUE(session.append(middle));
+        ASSERT_TRUE(session.append(end));
+        EXPECT_FALSE(session.append(end)) << "it has no such tips any more";
+        ASSERT_TRUE(session.undo());
     }
-    ASSERT_TRUE(Database::open(path(), Database::Access::Write).value().execute(kToFormat1));
-    EXPECT_EQ(read_session(path()).value().edits.size(), 8u); // Reading needs no change.
-    EXPECT_EQ(file_count(), 1u);
-    {
-        auto session = open().value();
-        EXPECT_EQ(session.scene().associations.size(), 3u);
-        EXPECT_EQ(read_session(path()).value().edits.back().made.time_since_epoch().count(), 0);
-        ASSERT_TRUE(session.append(drawing_step(3)));
-    }
-    EXPECT_EQ(file_count(), 2u);
-    auto const format = [&](char const* name) {
-        return Database::open(path(name), Database::Access::Read)
-            .value()
-            .whole("PRAGMA user_version")
-            .value();
-    };
-    EXPECT_EQ(format("a.tractus"), kSessionFormat);
-    EXPECT_EQ(format("a.tractus.bak"), 1);
-    EXPECT_EQ(read_session(path("a.tractus")).value().edits.size(), 10u);
-    EXPECT_EQ(read_session(path("a.tractus.bak")).value().edits.size(), 8u);
+    auto session = open().value();
+    EXPECT_EQ(tips(session), 8u);
+    ASSERT_TRUE(session.redo());
+    EXPECT_EQ(tips(session), 6u);
+    auto edits = beginning();
+    for (auto const& step : { drawing_step(1), middle, end })
+        edits.insert(edits.end(), step.begin(), step.end());
+    EXPECT_TRUE(same_scene(session.scene(), fold(edits).value()));
+    for (int i = 0; i < 2; ++i)
+        ASSERT_TRUE(session.undo());
+    EXPECT_EQ(tips(session), 11u);
 }
 
 TEST_F(SessionTest, CannotBeBegunWhereNothingCanBeWritten)

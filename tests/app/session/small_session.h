@@ -26,6 +26,9 @@ constexpr char const* kToFormat1 = "ALTER TABLE edits DROP COLUMN made;"
                                    "ALTER TABLE edits DROP COLUMN checksum;"
                                    "PRAGMA user_version = 1;";
 
+// The second differed from today's only in what edits there were.
+constexpr char const* kToFormat2 = "PRAGMA user_version = 2;";
+
 inline std::vector<Edit> const& beginning()
 {
     static std::vector<Edit> const edits { small_model(), SetGrowth {} };

@@ -4,6 +4,7 @@
 #include "engine/plant/skeleton_lines.h"
 #include "engine/variation/growth.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace tractus {
@@ -139,6 +140,56 @@ TEST(DrawnEdits, SmoothingTakesTheHandOut)
     auto const scene = after({ SmoothStroke { { 0 }, 0.25 } }, drawn_branch());
     EXPECT_EQ(scene.associations[0].kept_hand, 0.25);
     EXPECT_FALSE(apply_edit(scene, SmoothStroke { { 0 }, 7 }));
+}
+
+TEST(DrawnEdits, ErasingTheEndLaysTheBranchAlongWhatIsLeft)
+{
+    auto const scene = drawn_branch();
+    auto const erased = after({ EraseTips { { 0 }, { { 21, 40 } } } }, scene);
+    ASSERT_EQ(erased.associations.size(), 1u);
+    ASSERT_EQ(erased.associations[0].stroke.tips.size(), 21u);
+    auto short_stroke = stroke_to({ 60, 40, 0 });
+    short_stroke.tips.own().resize(21);
+    auto const drawn_short = after(
+        { model(true), Select { { scene.associations[0].path } }, Associate { short_stroke } });
+    EXPECT_EQ(plant_of(erased).node_position_mm, plant_of(drawn_short).node_position_mm);
+    EXPECT_NE(plant_of(erased).node_position_mm, plant_of(scene).node_position_mm);
+}
+
+TEST(DrawnEdits, AllBranchesOfAStrokeLoseTheSameTipsAndShareWhatIsLeft)
+{
+    auto scene = after({ model(true, true) });
+    scene
+        = after({ Select { { segments_of(scene.base->axes[1]), segments_of(scene.base->axes[2]) } },
+                  Associate { stroke_to({ 60, 40, 0 }) }, SmoothStroke { { 0, 1 }, 0.5 } },
+                scene);
+    auto const erased = after({ EraseTips { { 1, 0, 1 }, { { 0, 4 }, { 10, 12 } } } }, scene);
+    ASSERT_EQ(erased.associations.size(), 2u);
+    for (auto const& association : erased.associations) {
+        EXPECT_EQ(association.stroke.tips.size(), 33u);
+        EXPECT_EQ(association.kept_hand, 0.5);
+    }
+    EXPECT_EQ(erased.associations[0].stroke.tips.data(), erased.associations[1].stroke.tips.data());
+    EXPECT_EQ(scene.associations[0].stroke.tips.size(), 41u) << "an earlier scene stays";
+}
+
+TEST(DrawnEdits, ErasingRefusesToLeaveWhatShapesNothing)
+{
+    auto const scene = drawn_branch();
+    EXPECT_FALSE(apply_edit(scene, EraseTips { { 0 }, { { 0, 40 } } }));
+    EXPECT_FALSE(apply_edit(scene, EraseTips { { 0 }, { { 1, 40 } } }));
+    EXPECT_FALSE(apply_edit(scene, EraseTips { { 0 }, { { 30, 41 } } }));
+    EXPECT_FALSE(apply_edit(scene, EraseTips { { 0 }, {} }));
+    EXPECT_FALSE(apply_edit(scene, EraseTips { { 1 }, { { 0, 1 } } }));
+    EXPECT_FALSE(apply_edit(scene, EraseTips { {}, { { 0, 1 } } }));
+    // A stroke that comes back to where it began, but for its last tips, has no chord without them.
+    Stroke loop;
+    for (double const x : { 0.0, 10.0, 20.0, 10.0, 0.0, -10.0 })
+        loop.tips.push_back({ .position_mm = { x, std::abs(x - 5), 0 }, .touching = true });
+    loop.tips.own()[4].position_mm = loop.tips[0].position_mm;
+    auto const by_chord = after({ Associate { .stroke = loop, .fit = StrokeFit::Chord } }, scene);
+    EXPECT_FALSE(apply_edit(by_chord, EraseTips { { 1 }, { { 5, 5 } } }));
+    EXPECT_TRUE(apply_edit(by_chord, EraseTips { { 1 }, { { 4, 5 } } }));
 }
 
 TEST(DrawnEdits, IndicatorsAreMovedAndDeleted)
