@@ -214,10 +214,12 @@ Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
                                          { .devices = devices_.infos(),
                                            .rig_text = print_rig(station_options_.rig),
                                            .start = now }));
-    if (auto const& tool = station_.tool(); !(tool == station_options_.tool)) {
-        auto const words = words_for(tool);
-        recorder_->write_tool(now, words.name, words.arguments);
-    }
+    auto const tools = station_.tools_to_go_on_with();
+    if (tools != std::vector { station_options_.tool })
+        for (auto const& tool : tools) {
+            auto const words = words_for(tool);
+            recorder_->write_tool(now, words.name, words.arguments);
+        }
     view().state().recording = { true, path.filename().string(), recorder_->byte_count() };
     return {};
 }
@@ -288,10 +290,11 @@ void LiveWindow::restart_without_session()
 // In the present one's place, with what is in the hand.
 void LiveWindow::go_on_with(Station station)
 {
-    auto const tool = station_.tool();
+    auto const tools = station_.tools_to_go_on_with();
     station_ = std::move(station);
     station_.set_pressing_areas(pressing_areas_);
-    station_.set_tool(options_.now(), tool);
+    for (auto const& tool : tools)
+        station_.set_tool(options_.now(), tool);
 }
 
 void LiveWindow::perform_kind(ChooseTool const& command)

@@ -60,7 +60,7 @@ Result<Scene> SessionHistory::apply(Scene scene, Edit const& edit) const
     Stroke sourced;
     for (auto const number : over ? over->associations : erased->associations) {
         auto association = changed.associations[number];
-        if (made.tips.empty() || association.stroke.tips.data() != made.tips.data()) {
+        if (association.stroke.tips.id() != made.tips.id()) {
             auto const& source = scene.associations[number].stroke.tips.source();
             made = association.stroke;
             sourced.tips = { made.tips.vector(),

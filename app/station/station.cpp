@@ -312,30 +312,49 @@ void Station::change_tool(Timestamp time, Tool const& tool)
 {
     // Of hours of drawing only the last changes can still matter to a stroke.
     constexpr Duration kLongestStroke = std::chrono::hours(1);
-    while (tool_changes_.size() > 1 && tool_changes_[1].time < time - kLongestStroke)
+    while (tool_changes_.size() > 1 && tool_changes_[1].time < time - kLongestStroke) {
+        forgotten_erasing_ = erasing_before(tool_changes_.begin() + 1);
         tool_changes_.erase(tool_changes_.begin());
+    }
     tool_changes_.push_back({ std::max(time, tool_changes_.back().time), tool });
     new_tool_changes_.push_back(tool_changes_.back());
 }
 
-// A stroke belongs to the tool in hand when it began, though it is known to have ended only later.
-Tool Station::tool_at(Timestamp time) const
+Tool::Erasing Station::erasing_before(ToolChanges::const_iterator end) const
 {
+    while (end != tool_changes_.begin())
+        if (auto const& tool = (--end)->tool; tool.kind == Tool::Kind::Erase)
+            return tool.erasing;
+    return forgotten_erasing_;
+}
+
+std::vector<Tool> Station::tools_to_go_on_with() const
+{
+    std::vector<Tool> tools;
+    if (erasing() != Tool {}.erasing && tool_in_hand_.kind != Tool::Kind::Erase)
+        tools.push_back({ .kind = Tool::Kind::Erase, .erasing = erasing() });
+    tools.push_back(tool_in_hand_);
+    return tools;
+}
+
+// A stroke belongs to the tool in hand when it began, though it is known to have ended only later.
+Tool Station::meaning_of(std::vector<TipSample> const& tips) const
+{
+    if (tips.empty())
+        return tool_in_hand_;
+    // Tool changes are stamped on arrival, tips with the tablet's latency taken off.
     auto const after = std::upper_bound(
-        tool_changes_.begin() + 1, tool_changes_.end(), time,
+        tool_changes_.begin() + 1, tool_changes_.end(), tips.front().time + tablet_latency_,
         [](Timestamp value, ToolChange const& change) { return value < change.time; });
-    return std::prev(after)->tool;
+    auto const& tool = std::prev(after)->tool;
+    return tips.front().eraser ? other_end_of(tool, erasing_before(after)) : tool;
 }
 
 void Station::finish_stroke(Stroke stroke)
 {
-    // Tool changes are stamped on arrival, tips with the tablet's latency taken off.
-    auto tool = tool_at(stroke.tips.front().time + tablet_latency_);
-    if (tool.kind == Tool::Kind::Press)
-        return;
-    if (stroke.tips.front().eraser)
-        tool = other_end_of(tool);
-    mean(std::move(stroke), tool);
+    auto const tool = meaning_of(stroke.tips);
+    if (tool.kind != Tool::Kind::Press)
+        mean(std::move(stroke), tool);
 }
 
 void Station::mean(Stroke stroke, Tool const& tool)

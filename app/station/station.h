@@ -81,8 +81,8 @@ public:
     void push(std::size_t device, Timestamp received, std::span<std::byte const> report);
 
     // From the pen's samples at `time` on, strokes belong to `tool`, or, where they are drawn with
-    // the pen's other end, to its eraser (other_end_of()). One that is done at once is done now,
-    // and changes nothing in the hand.
+    // the pen's other end, to its eraser (other_end_of()), which erases as the last tool that did.
+    // One that is done at once is done now, and changes nothing in the hand.
     void set_tool(Timestamp time, Tool const& tool);
 
     // Where a touch presses what the window shows there, from its beginning to its end, and draws
@@ -153,6 +153,13 @@ public:
     // silent about a pen that rests. Never where heights are scripted.
     bool pen_rests() const;
     Tool const& tool() const { return tool_in_hand_; }
+    // How the pen's other end erases.
+    Tool::Erasing erasing() const { return erasing_before(tool_changes_.end()); }
+    // What another station has to be given, in order, for both ends of the pen to mean the same.
+    std::vector<Tool> tools_to_go_on_with() const;
+    // What these tips of a stroke mean, whether it is finished or under way; without any, what the
+    // hand holds.
+    Tool meaning_of(std::vector<TipSample> const& tips) const;
     bool is_pressing() const { return tool_changes_.back().tool.kind == Tool::Kind::Press; }
 
 private:
@@ -181,7 +188,8 @@ private:
     void finish(Pen& pen);
     void finish_stroke(Stroke stroke);
     void mean(Stroke stroke, Tool const& tool);
-    Tool tool_at(Timestamp time) const;
+    using ToolChanges = std::vector<ToolChange>;
+    Tool::Erasing erasing_before(ToolChanges::const_iterator end) const;
     void count_broken(Error const& error);
 
     HeightMonitor height_monitor_;
@@ -195,10 +203,11 @@ private:
     std::vector<Pen> pens_; // In the order of their devices.
     std::unique_ptr<HeightDecoder> height_decoder_;
     std::size_t height_device_ = 0;
-    std::vector<HeightSample> heights_;        // Of one report; kept for its memory.
-    std::vector<ToolChange> tool_changes_;     // In time order; the first is from the beginning.
-    std::vector<ToolChange> new_tool_changes_; // Not taken yet.
-    Tool tool_in_hand_;                        // When it does not press.
+    std::vector<HeightSample> heights_; // Of one report; kept for its memory.
+    ToolChanges tool_changes_;          // In time order; the first is from the beginning.
+    ToolChanges new_tool_changes_;      // Not taken yet.
+    Tool::Erasing forgotten_erasing_ = Tool::Erasing::Whole; // Before the first of tool_changes_.
+    Tool tool_in_hand_;                                      // When it does not press.
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
     std::vector<PenMoment> moments_; // Not taken yet.
     Scene scene_;

@@ -14,25 +14,32 @@ namespace tractus {
 
 namespace {
 
-constexpr float kInkWidth_mm = 3.5f;
+constexpr double kInkWidth_mm = 3.5;
 
 InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool)
 {
     InkLine line;
-    line.is_indicator = tool.kind == Tool::Kind::Indicate;
+    bool const erases = tool.kind == Tool::Kind::Erase;
+    if (erases)
+        line.kind = InkLine::Kind::Eraser;
+    else if (tool.kind == Tool::Kind::Indicate)
+        line.kind = InkLine::Kind::Indicator;
     line.points.reserve(tips.size());
-    for (auto const& tip : tips)
-        line.points.push_back({ tip.position_mm.cast<float>(),
-                                kInkWidth_mm * static_cast<float>(0.35 + 0.65 * tip.pressure) });
+    for (auto const& tip : tips) {
+        double const share = 0.35 + 0.65 * tip.pressure;
+        line.points.push_back(
+            { tip.position_mm.cast<float>(),
+              static_cast<float>(erases ? 2 * kEraserRadius_mm : kInkWidth_mm * share) });
+    }
     return line;
 }
 
 InkLine indicator_line(MotionIndicator const& indicator)
 {
     InkLine line;
-    line.is_indicator = true;
-    line.points = { { indicator.start_mm.cast<float>(), kInkWidth_mm },
-                    { indicator.end_mm.cast<float>(), kInkWidth_mm } };
+    line.kind = InkLine::Kind::Indicator;
+    for (auto const& place_mm : { indicator.start_mm, indicator.end_mm })
+        line.points.push_back({ place_mm.cast<float>(), static_cast<float>(kInkWidth_mm) });
     return line;
 }
 
@@ -56,7 +63,8 @@ std::string describe(Tool const& tool)
     case Tool::Kind::DeleteIndicator:
         return "Take a motion indicator away";
     case Tool::Kind::Erase:
-        return "Erase";
+        return tool.erasing == Tool::Erasing::Part ? "Erase what the pen touches"
+                                                   : "Erase whole strokes";
     case Tool::Kind::Press:
         return "Press";
     case Tool::Kind::Draw:
@@ -183,14 +191,14 @@ void StationView::show_ink(Station const& station, Strokes strokes)
             if (!drawn.edits.empty())
                 state_.live_ink.push_back(ink_line(drawn.stroke.tips, drawn.tool));
         for (auto const& stroke : station.waiting_strokes())
-            state_.live_ink.push_back(ink_line(stroke.tips, station.tool()));
+            state_.live_ink.push_back(ink_line(stroke.tips, station.meaning_of(stroke.tips)));
     }
     auto const unkept = state_.live_ink.size();
     if (std::exchange(shown_unkept_, unkept) != unkept)
         ++state_.live_revision;
     if (!station.is_pressing())
         for (auto const& ink : station.inks())
-            state_.live_ink.push_back(ink_line(ink, station.tool()));
+            state_.live_ink.push_back(ink_line(ink, station.meaning_of(ink)));
 }
 
 void StationView::show_live(Station const& station, Strokes strokes)
@@ -201,6 +209,7 @@ void StationView::show_live(Station const& station, Strokes strokes)
         ++state_.live_revision;
     state_.tool = describe(station.tool());
     state_.hand = station.tool();
+    state_.erasing = station.erasing();
     auto const fault = station.height_monitor().present();
     state_.trouble = fault ? describe_fault(*fault) : "";
     show_ink(station, strokes);
@@ -217,8 +226,8 @@ void StationView::show_preview(Station const& station)
     if (inks.empty())
         set_preview({});
     else if (std::exchange(previewed_live_, state_.live_revision) != state_.live_revision)
-        preview_->want({ grown_scene_, station.tool(), inks.front(), skeleton_.orders(),
-                         station.counts().strokes });
+        preview_->want({ grown_scene_, station.meaning_of(inks.front()), inks.front(),
+                         skeleton_.orders(), station.counts().strokes });
     is_drawing_ = !inks.empty();
     take_preview();
 }

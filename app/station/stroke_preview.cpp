@@ -13,6 +13,7 @@ static bool shapes_branches(Tool const& tool)
     case Tool::Kind::Draw:
     case Tool::Kind::DrawInOrder:
     case Tool::Kind::Oversketch:
+    case Tool::Kind::Erase:
         return true;
     case Tool::Kind::Select:
     case Tool::Kind::Indicate:
@@ -20,7 +21,6 @@ static bool shapes_branches(Tool const& tool)
     case Tool::Kind::Delete:
     case Tool::Kind::MoveIndicator:
     case Tool::Kind::DeleteIndicator:
-    case Tool::Kind::Erase:
     case Tool::Kind::Press:
         break;
     }
@@ -30,6 +30,7 @@ static bool shapes_branches(Tool const& tool)
 void StrokePreview::lay(std::shared_ptr<Scene const> scene)
 {
     scene_ = std::move(scene);
+    readable_.reset();
     (void)shaper_.set_scene(*scene_); // Each stroke was checked when it was made.
     place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), before_mm_);
 }
@@ -40,12 +41,30 @@ std::vector<SkeletonLine> StrokePreview::moved_by(WantedPreview const& wanted)
         return {};
     if (scene_ != wanted.scene)
         lay(wanted.scene);
-    auto scene = *scene_;
+    auto scene = readable_scene(wanted.tool);
     if (!draw(Stroke { wanted.ink }, wanted.tool, scene).refusal.empty()
         || !shaper_.set_scene(scene))
         return {};
     place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), after_mm_);
     return moved_lines(wanted.orders);
+}
+
+// The eraser looks at all strokes that shape something, each time: they are read once.
+Scene const& StrokePreview::readable_scene(Tool const& tool)
+{
+    if (tool.kind != Tool::Kind::Erase) {
+        readable_.reset();
+        return *scene_;
+    }
+    if (!readable_) {
+        readable_ = *scene_;
+        for (auto const number : shaping_numbers(*scene_)) {
+            auto association = scene_->associations[number];
+            association.stroke.tips = association.stroke.tips.in_memory();
+            readable_->associations.replace(number, std::move(association));
+        }
+    }
+    return *readable_;
 }
 
 std::vector<SkeletonLine> StrokePreview::moved_lines(std::uint32_t orders) const

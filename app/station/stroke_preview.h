@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace tractus {
@@ -33,9 +34,11 @@ public:
 
 private:
     void lay(std::shared_ptr<Scene const> scene);
+    Scene const& readable_scene(Tool const& tool);
     std::vector<SkeletonLine> moved_lines(std::uint32_t orders) const;
 
     std::shared_ptr<Scene const> scene_; // That is laid; as above.
+    std::optional<Scene> readable_;      // The same with the tips of strokes that shape in memory.
     SceneShaper shaper_;
     std::vector<Vec3> before_mm_;
     std::vector<Vec3> after_mm_; // Kept for its memory.

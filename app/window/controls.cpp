@@ -179,7 +179,7 @@ std::vector<BarButton> Controls::tool_buttons(WindowModel& model, Workbench& ben
 {
     std::vector<BarButton> buttons;
     auto const hand = model.state().hand;
-    for (auto const& choice : tool_choices())
+    for (auto const& choice : tool_choices(model.state().erasing))
         buttons.push_back({ choice.text, 96, !bench.turns_views && is_same_tool(choice.tool, hand),
                             buttons.empty(),
                             [&model, &bench, tool = choice.tool] { bench.choose(model, tool); } });

@@ -234,7 +234,7 @@ void Layout::take_keys(WindowModel& model)
     constexpr std::array<char, 4> kToolKeys { 'D', 'C', 'L', 'E' };
     for (std::size_t i = 0; i < kToolKeys.size(); ++i)
         if (input::is_pressed(kToolKeys[i]))
-            bench_.choose(model, tool_choices()[i].tool);
+            bench_.choose(model, tool_choices(model.state().erasing)[i].tool);
     if (input::is_pressed('T'))
         bench_.choose_view_tool();
 }
@@ -461,7 +461,8 @@ void Layout::show_ring(WindowModel& model, PenPointer const& pen)
     case RingChoice::NextView:
         return bench_.show_next();
     default:
-        bench_.choose(model, tool_choices()[static_cast<std::size_t>(*chosen)].tool);
+        bench_.choose(model,
+                      tool_choices(model.state().erasing)[static_cast<std::size_t>(*chosen)].tool);
     }
 }
 

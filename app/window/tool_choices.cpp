@@ -1,6 +1,5 @@
 #include "app/window/tool_choices.h"
 
-#include <array>
 #include <cstddef>
 #include <cstring>
 
@@ -120,15 +119,21 @@ void add_leaning(Tool const& hand, Meanings& meanings)
     meanings.add("Remove", { .kind = Kind::DeleteIndicator });
 }
 
+void add_erasing(Meanings& meanings)
+{
+    using Erasing = Tool::Erasing;
+    meanings.add("Whole strokes", { .kind = Kind::Erase, .erasing = Erasing::Whole });
+    meanings.add("What it touches", { .kind = Kind::Erase, .erasing = Erasing::Part });
+}
+
 } // namespace
 
-std::span<ToolChoice const> tool_choices()
+std::array<ToolChoice, 4> tool_choices(Tool::Erasing erasing)
 {
-    static std::array<ToolChoice, 4> const choices { { { "Draw", { .kind = Kind::DrawInOrder } },
-                                                       { "Select", { .kind = Kind::Select } },
-                                                       { "Lean", { .kind = Kind::Indicate } },
-                                                       { "Erase", { .kind = Kind::Erase } } } };
-    return choices;
+    return { { { "Draw", { .kind = Kind::DrawInOrder } },
+               { "Select", { .kind = Kind::Select } },
+               { "Lean", { .kind = Kind::Indicate } },
+               { "Erase", { .kind = Kind::Erase, .erasing = erasing } } } };
 }
 
 bool is_same_tool(Tool const& one, Tool const& other)
@@ -148,6 +153,9 @@ std::vector<Meaning> meanings_of(Tool const& hand)
         break;
     case Kind::Indicate:
         add_leaning(hand, meanings);
+        break;
+    case Kind::Erase:
+        add_erasing(meanings);
         break;
     default:
         break;

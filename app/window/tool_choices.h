@@ -2,7 +2,7 @@
 
 #include "app/station/tools/tool.h"
 
-#include <span>
+#include <array>
 #include <vector>
 
 namespace tractus {
@@ -13,8 +13,8 @@ struct ToolChoice {
     Tool tool;
 };
 
-// Those among which a person chooses first.
-std::span<ToolChoice const> tool_choices();
+// Those among which a person chooses first; to erase means what it meant last.
+std::array<ToolChoice, 4> tool_choices(Tool::Erasing erasing);
 
 // Both belong to the same one of them: to draw a branch and to redraw a part of it is to draw.
 bool is_same_tool(Tool const& one, Tool const& other);

@@ -65,6 +65,20 @@ void add_volume(WindowState const& state, std::vector<Curve>& curves)
     }
 }
 
+// The eraser leaves nothing behind but that one sees where it was.
+Vec3f ink_color(InkLine::Kind kind, Vec3f const& color)
+{
+    switch (kind) {
+    case InkLine::Kind::Indicator:
+        return theme::palette().indicator;
+    case InkLine::Kind::Eraser:
+        return 0.2f * theme::palette().unselected + 0.8f * theme::palette().pad_background;
+    case InkLine::Kind::Shape:
+        break;
+    }
+    return color;
+}
+
 void add_ink(std::vector<InkLine> const& lines, Vec3f const& color, std::vector<Curve>& curves)
 {
     for (auto const& ink : lines) {
@@ -72,12 +86,11 @@ void add_ink(std::vector<InkLine> const& lines, Vec3f const& color, std::vector<
         curve.width_unit = Curve::WidthUnit::Millimetres;
         curve.look = Curve::Look::Flat;
         curve.fades = true;
-        if (ink.is_indicator)
+        if (ink.kind == InkLine::Kind::Indicator)
             curve.end = Curve::End::Arrow;
         for (auto const& point : ink.points)
-            curve.points.push_back({ point.position_mm,
-                                     ink.is_indicator ? theme::palette().indicator : color,
-                                     point.width_mm });
+            curve.points.push_back(
+                { point.position_mm, ink_color(ink.kind, color), point.width_mm });
     }
 }
 

@@ -26,7 +26,12 @@ struct InkLine {
         float width_mm = 1; // As wide as the pressure says.
     };
     std::vector<Point> points;
-    bool is_indicator = false; // Drawn to lean the plant, not to shape a branch.
+    enum class Kind {
+        Shape,     // It shapes a branch, or chooses one.
+        Indicator, // It leans the plant.
+        Eraser,    // As wide as what it takes away.
+    } kind
+        = Kind::Shape;
 };
 
 // A piece of the plant's skeleton that has one state: an axis, or a part of one. Plant frame.
@@ -146,9 +151,10 @@ struct WindowState {
     std::uint64_t devices_revision = 0;
     DevicesView devices; // Empty unless WatchDevices asks for it.
 
-    Tool hand;          // What the pen means now.
-    std::string tool;   // The same for people, for example "Draw".
-    std::string status; // One line: what is going on, or what was done.
+    Tool hand;                                    // What the pen means now.
+    Tool::Erasing erasing = Tool::Erasing::Whole; // What erasing means, as it was chosen last.
+    std::string tool;                             // The same for people, for example "Draw".
+    std::string status;                           // One line: what is going on, or what was done.
     // One line: what is wrong with a device at this moment and what to do about it. Shown in place
     // of the status. Empty if nothing is.
     std::string trouble;

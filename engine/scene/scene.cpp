@@ -192,9 +192,9 @@ Result<Scene> applied(Scene scene, EraseTips const& edit)
     Stroke rest;
     for (auto const number : each_once(edit.associations)) {
         auto association = scene.associations[number];
-        if (drawn.tips.empty() || association.stroke.tips.data() != drawn.tips.data()) {
+        if (association.stroke.tips.id() != drawn.tips.id()) {
             drawn = association.stroke;
-            rest = TRY(erase_tips(drawn, edit.ranges));
+            rest = TRY(erase_tips({ drawn.tips.in_memory() }, edit.ranges));
         }
         association.stroke = rest;
         TRY(check_association(*scene.base, association));

@@ -1,19 +1,25 @@
 #include "app/station/tools/tool.h"
+#include "engine/stroke/erase_tips.h"
+#include "engine/stroke/polyline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tractus {
 
 namespace {
 
-// How far beside a line the eraser may be and still touch it, and how far above the surface a line
-// may lie that is still seen. Millimetres.
-constexpr double kEraserRadius_mm = 4;
+// How far above the surface a line may lie that is still seen, and how far below the highest tip
+// under the eraser it takes others of the same stroke: about as far as it is wide, so that of a
+// stroke that was drawn straight up not all goes below the surface.
 constexpr double kSeenAbove_mm = 1;
+constexpr double kEraserDepth_mm = 2 * kEraserRadius_mm;
 
 // The height of a polyline where it passes under the eraser, the highest that is not above the
 // surface; no value if it passes beside it.
@@ -65,57 +71,144 @@ struct SeenStroke {
     SharedVector<TipSample> tips;
 };
 
-// What the eraser has touched: numbers of associations and of indicators.
+// What the eraser has touched: associations by their numbers, and which of their tips if only these
+// go, and numbers of indicators.
 struct Touched {
-    std::vector<std::size_t> associations;
+    std::map<std::size_t, std::vector<bool>> associations;
     std::vector<std::size_t> indicators;
 };
 
-void add(std::vector<std::size_t>& numbers, std::vector<std::size_t> const& more)
+// Where the eraser has been, close enough together that nothing slips through between two places
+// of a fast hand.
+std::vector<Vec3> way_of(Stroke const& eraser)
 {
-    for (auto const number : more)
-        if (std::find(numbers.begin(), numbers.end(), number) == numbers.end())
-            numbers.push_back(number);
+    std::vector<Vec3> way_mm;
+    for (auto const& tip : eraser.tips) {
+        Vec3 const from_mm = way_mm.empty() ? tip.position_mm : way_mm.back();
+        Vec3 const step_mm = tip.position_mm - from_mm;
+        constexpr double kMostSteps = 1000; // Whatever a broken device says.
+        int const steps = static_cast<int>(
+            std::clamp(std::ceil(step_mm.norm() / kEraserRadius_mm), 1.0, kMostSteps));
+        for (int i = 1; i <= steps; ++i)
+            way_mm.push_back(from_mm + step_mm * i / steps);
+    }
+    return way_mm;
+}
+
+// Adds the stroke's tips under the eraser, where the highest place of its line is at `top_mm`.
+void touch_tips(Vec3 const& eraser_mm, double top_mm, std::vector<TipSample> const& tips,
+                std::vector<bool>& touched)
+{
+    touched.resize(tips.size());
+    for (std::size_t i = 0; i < touched.size(); ++i) {
+        auto const& tip_mm = tips[i].position_mm;
+        bool const is_seen = tip_mm.z() <= eraser_mm.z() + kSeenAbove_mm;
+        bool const is_on_top = tip_mm.z() >= top_mm - kEraserDepth_mm;
+        bool const is_near = (tip_mm - eraser_mm).head<2>().norm() <= kEraserRadius_mm;
+        if (is_seen && is_on_top && is_near)
+            touched[i] = true;
+    }
 }
 
 // Of what lies above each other only the topmost goes, as with ink on paper, however long the
-// eraser stays. A stroke that shapes several branches is in the scene once for each, and goes as a
-// whole.
+// eraser stays. A stroke that shapes several branches is in the scene once for each, and all of
+// them lose the same.
 void touch(Vec3 const& eraser_mm, Scene const& scene, std::span<SeenStroke const> strokes,
            Touched& touched)
 {
     std::optional<double> top_mm;
-    Touched here;
+    std::vector<std::size_t> seen; // Of `strokes`.
+    std::vector<std::size_t> indicators;
     auto const take = [&](std::optional<double> height_mm, std::vector<std::size_t>& numbers,
                           std::size_t number) {
         if (!height_mm || (top_mm && *height_mm < *top_mm))
             return;
-        if (!top_mm || *height_mm > *top_mm)
-            here = {};
+        if (!top_mm || *height_mm > *top_mm) {
+            seen.clear();
+            indicators.clear();
+        }
         top_mm = height_mm;
         numbers.push_back(number);
     };
-    for (auto const& stroke : strokes)
-        take(height_under(eraser_mm, stroke.tips), here.associations, stroke.number);
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+        take(height_under(eraser_mm, strokes[i].tips), seen, i);
     for (std::size_t i = 0; i < scene.indicators.size(); ++i)
-        take(height_under(eraser_mm, scene.indicators[i]), here.indicators, i);
-    add(touched.associations, here.associations);
-    add(touched.indicators, here.indicators);
+        take(height_under(eraser_mm, scene.indicators[i]), indicators, i);
+    for (auto const i : seen)
+        touch_tips(eraser_mm, *top_mm, strokes[i].tips, touched.associations[strokes[i].number]);
+    for (auto const number : indicators)
+        if (std::find(touched.indicators.begin(), touched.indicators.end(), number)
+            == touched.indicators.end())
+            touched.indicators.push_back(number);
+}
+
+std::vector<TipRange> ranges_of(std::vector<bool> const& touched)
+{
+    std::vector<TipRange> ranges;
+    for (std::size_t i = 0; i < touched.size(); ++i)
+        if (touched[i] && i > 0 && touched[i - 1])
+            ranges.back().last = i;
+        else if (touched[i])
+            ranges.push_back({ i, i });
+    return ranges;
+}
+
+// Whether what is left of an association's stroke still shapes its branches. A crumb smaller than
+// the eraser was not left on purpose, and its direction is chance.
+bool shapes_without(Scene const& scene, Association association, std::span<TipRange const> ranges)
+{
+    auto rest = erase_tips({ association.stroke.tips.in_memory() }, ranges);
+    if (!rest)
+        return false;
+    auto const points = stroke_points(*rest);
+    if (!points || polyline_length_mm(*points) < kEraserRadius_mm)
+        return false;
+    association.stroke = *std::move(rest);
+    return check_association(*scene.base, association).has_value();
+}
+
+// Those that lose the same tips together, then those that go whole: so all keep their numbers as
+// long as these are needed.
+std::vector<Edit> stroke_edits_of(Touched const& touched, Tool::Erasing erasing, Scene const& scene)
+{
+    std::vector<EraseTips> parts;
+    DeleteStroke whole;
+    for (auto const& [number, tips] : touched.associations) {
+        auto ranges = ranges_of(tips);
+        if (erasing == Tool::Erasing::Whole) {
+            whole.associations.push_back(number);
+        } else if (ranges.empty()) { // Between two of its tips, where it goes straight anyway.
+            continue;
+        } else if (!shapes_without(scene, scene.associations[number], ranges)) {
+            whole.associations.push_back(number);
+        } else {
+            auto const same = std::find_if(parts.begin(), parts.end(), [&](EraseTips const& part) {
+                return part.ranges == ranges;
+            });
+            if (same != parts.end())
+                same->associations.push_back(number);
+            else
+                parts.push_back({ { number }, std::move(ranges) });
+        }
+    }
+    std::vector<Edit> edits(parts.begin(), parts.end());
+    if (!whole.associations.empty())
+        edits.push_back(std::move(whole));
+    return edits;
 }
 
 } // namespace
 
-Result<std::vector<Edit>> erase_edits(Stroke const& stroke, Scene const& scene)
+Result<std::vector<Edit>> erase_edits(Tool::Erasing erasing, Stroke const& stroke,
+                                      Scene const& scene)
 {
     Touched touched;
-    std::vector<SeenStroke> seen;
+    std::vector<SeenStroke> strokes;
     for (auto const number : shaping_numbers(scene)) // The pad shows no others.
-        seen.push_back({ number, scene.associations[number].stroke.tips.in_memory() });
-    for (auto const& tip : stroke.tips)
-        touch(tip.position_mm, scene, seen, touched);
-    std::vector<Edit> edits;
-    if (!touched.associations.empty())
-        edits.push_back(DeleteStroke { touched.associations });
+        strokes.push_back({ number, scene.associations[number].stroke.tips.in_memory() });
+    for (auto const& place_mm : way_of(stroke))
+        touch(place_mm, scene, strokes, touched);
+    auto edits = stroke_edits_of(touched, erasing, scene);
     // The last first: the others keep their numbers.
     std::sort(touched.indicators.begin(), touched.indicators.end(), std::greater<>());
     for (auto const number : touched.indicators)

@@ -37,9 +37,10 @@ struct Argument {
 
 using Reach = Tool::Reach;
 using Selecting = Tool::Selecting;
+using Erasing = Tool::Erasing;
 using IndicatorKind = MotionIndicator::Kind;
 
-constexpr std::array<Argument, 19> kArguments { {
+constexpr std::array<Argument, 21> kArguments { {
     { Tool::Kind::Select, "path", [](Tool& tool) { tool.selecting = Selecting::Path; } },
     { Tool::Kind::Select, "add", [](Tool& tool) { tool.selecting = Selecting::Add; } },
     { Tool::Kind::Select, "take", [](Tool& tool) { tool.selecting = Selecting::Take; } },
@@ -60,6 +61,8 @@ constexpr std::array<Argument, 19> kArguments { {
     { Tool::Kind::Indicate, "near", [](Tool& tool) { tool.reach = Reach::Near; } },
     { Tool::Kind::Indicate, "push", [](Tool& tool) { tool.indicator = IndicatorKind::Push; } },
     { Tool::Kind::Indicate, "light", [](Tool& tool) { tool.indicator = IndicatorKind::Light; } },
+    { Tool::Kind::Erase, "whole", [](Tool& tool) { tool.erasing = Erasing::Whole; } },
+    { Tool::Kind::Erase, "part", [](Tool& tool) { tool.erasing = Erasing::Part; } },
 } };
 
 constexpr std::string_view kNow = "now";
@@ -141,13 +144,13 @@ Result<void> take_argument(Tool& tool, std::string_view name, std::string_view w
 
 } // namespace
 
-Tool other_end_of(Tool const& tool)
+Tool other_end_of(Tool const& tool, Tool::Erasing erasing)
 {
     if (tool.kind == Tool::Kind::Press)
         return tool;
     if (tool.kind == Tool::Kind::Select)
         return { .kind = Tool::Kind::Select, .selecting = Selecting::Take };
-    return { .kind = Tool::Kind::Erase };
+    return { .kind = Tool::Kind::Erase, .erasing = erasing };
 }
 
 Result<Tool> parse_tool(std::string_view name, std::string_view arguments)
@@ -217,7 +220,7 @@ Result<std::vector<Edit>> edits_of(Tool const& tool, Stroke const& stroke, Scene
     case Tool::Kind::DeleteIndicator:
         return indicator_edits(tool.kind, stroke, scene);
     case Tool::Kind::Erase:
-        return erase_edits(stroke, scene);
+        return erase_edits(tool.erasing, stroke, scene);
     case Tool::Kind::Press:
         return std::vector<Edit> {};
     }

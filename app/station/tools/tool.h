@@ -24,7 +24,7 @@ struct Tool {
                        // it.
         DeleteIndicator, // "delete_indicator": that where the stroke begins goes.
         Erase, // "erase": strokes and indicators go that the stroke runs over, as the pad shows
-               // them. What the pen's other end does.
+               // them, or parts of strokes. What the pen's other end does.
         Press, // "press": the touch pressed what the window showed; it means nothing to the plant.
     };
     Kind kind = Kind::DrawInOrder;
@@ -59,6 +59,13 @@ struct Tool {
     Reach reach = Reach::Everywhere;
     MotionIndicator::Kind indicator = MotionIndicator::Kind::Push;
 
+    // For Erase, its argument: what goes of a stroke. Indicators have no parts, and go whole.
+    enum class Erasing {
+        Whole, // "whole" (if none): all of it.
+        Part,  // "part": the tips under the eraser; all where those that are left shape nothing.
+    };
+    Erasing erasing = Erasing::Whole;
+
     // "now": it is done at once, without a stroke, and the tool in hand stays in hand. For Smooth,
     // Delete, and Select's Invert and Nothing.
     bool at_once = false;
@@ -66,9 +73,12 @@ struct Tool {
     bool operator==(Tool const&) const = default;
 };
 
-// What the eraser's end of the pen means while its tip is `tool`: to erase; when selecting, to take
-// branches from what is selected.
-Tool other_end_of(Tool const& tool);
+// How far beside a line the eraser may be and still touch it.
+constexpr double kEraserRadius_mm = 4;
+
+// What the eraser's end of the pen means while its tip is `tool`: to erase, as was chosen last;
+// when selecting, to take branches from what is selected.
+Tool other_end_of(Tool const& tool, Tool::Erasing erasing);
 
 // A tool from the words of a log or a script. Fails, as the user's fault, naming the tools or
 // arguments there are.
@@ -95,6 +105,7 @@ Result<std::vector<Edit>> indicate_edits(Tool const& tool, Stroke const& stroke,
                                          Scene const& scene);
 Result<std::vector<Edit>> indicator_edits(Tool::Kind kind, Stroke const& stroke,
                                           Scene const& scene);
-Result<std::vector<Edit>> erase_edits(Stroke const& stroke, Scene const& scene);
+Result<std::vector<Edit>> erase_edits(Tool::Erasing erasing, Stroke const& stroke,
+                                      Scene const& scene);
 
 } // namespace tractus

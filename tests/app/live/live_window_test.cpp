@@ -180,6 +180,22 @@ TEST_F(LiveWindowWithFolder, RecordsWhenItIsAskedTo)
     EXPECT_EQ(log.tools[0].tool, "indicate");
 }
 
+TEST_F(LiveWindowWithFolder, RecordsHowThePensOtherEndErasesFromTheBeginning)
+{
+    auto window = this->window();
+    window.perform(ChooseTool { { .kind = Tool::Kind::Erase, .erasing = Tool::Erasing::Part } });
+    window.perform(ChooseTool { { Tool::Kind::DrawInOrder } });
+    window.perform(Restart {});
+    EXPECT_EQ(window.state().erasing, Tool::Erasing::Part);
+    window.perform(SetRecording { true });
+    window.perform(SetRecording { false });
+    auto const log = read_log(files(".tractus-log").at(0)).value();
+    ASSERT_EQ(log.tools.size(), 2u);
+    EXPECT_EQ(log.tools[0].tool, "erase");
+    EXPECT_EQ(log.tools[0].arguments, "part");
+    EXPECT_EQ(log.tools[1].tool, "draw_in_order");
+}
+
 TEST_F(LiveWindowWithFolder, NeverRecordsOverARecording)
 {
     auto window = this->window();

@@ -438,25 +438,93 @@ TEST(Station, DoesAtOnceWhatNeedsNoStroke)
     EXPECT_EQ(words_for(station.take_tool_changes().at(0).tool).arguments, "invert now");
 }
 
+// Ten samples of the pen's other end across a line, 1 mm and 5 ms apart.
+void erase_across(Station& station, std::int64_t start_ms, double x_mm, double y_mm)
+{
+    for (int i = 0; i < 10; ++i) {
+        auto report = pen_report(x_mm, y_mm + i, true);
+        report[1] = std::byte { 0x38 }; // In range, eraser, invert.
+        station.push(kPen, at_ms(start_ms + 5 * i), report);
+    }
+    station.push(kPen, at_ms(start_ms + 60), pen_report(x_mm, y_mm, false));
+}
+
+// Strokes and what the pen's other end erases of them, before and after that is chosen.
+Station drawn_and_erased(std::vector<Station::ToolChange> const& changes)
+{
+    auto station = flat_station();
+    for (std::int64_t second = 0; second < 6; ++second) {
+        for (auto const& [time, tool] : changes)
+            if (time >= at_ms(1000 * second) && time < at_ms(1000 * (second + 1)))
+                station.set_tool(time, tool);
+        if (second % 2 == 0)
+            draw_across(station, 1000 * second + 100);
+        else
+            erase_across(station, 1000 * second + 100, 140, 45);
+    }
+    station.finish();
+    return station;
+}
+
+TEST(Station, ErasesWithThePensOtherEndAsItDidLast)
+{
+    Tool const part { .kind = Tool::Kind::Erase, .erasing = Tool::Erasing::Part };
+    auto live = drawn_and_erased({ { at_ms(2000), part },
+                                   { at_ms(2050), { Tool::Kind::DrawInOrder } },
+                                   { at_ms(5000), { Tool::Kind::Erase } } });
+    ASSERT_EQ(live.strokes().size(), 6u);
+    for (auto const& drawn : live.strokes())
+        EXPECT_EQ(drawn.refusal, "");
+    EXPECT_TRUE(std::holds_alternative<DeleteStroke>(live.strokes()[1].edits[0]));
+    EXPECT_EQ(live.strokes()[3].tool, part);
+    EXPECT_TRUE(std::holds_alternative<EraseTips>(live.strokes()[3].edits[0]));
+    EXPECT_TRUE(std::holds_alternative<DeleteStroke>(live.strokes()[5].edits[0]));
+
+    // The same again from the tool lines of a recording, to the last bit.
+    std::vector<Station::ToolChange> recorded;
+    for (auto const& [time, tool] : live.take_tool_changes()) {
+        auto const words = words_for(tool);
+        recorded.push_back({ time, parse_tool(words.name, words.arguments).value() });
+    }
+    ASSERT_EQ(recorded.size(), 3u);
+    auto const replayed = drawn_and_erased(recorded);
+    ASSERT_EQ(replayed.scene().associations.size(), live.scene().associations.size());
+    for (std::size_t i = 0; i < live.scene().associations.size(); ++i) {
+        auto const& one = live.scene().associations[i].stroke.tips;
+        auto const& other = replayed.scene().associations[i].stroke.tips;
+        ASSERT_EQ(one.size(), other.size());
+        for (std::size_t tip = 0; tip < one.size(); ++tip)
+            EXPECT_EQ(one[tip].position_mm, other[tip].position_mm);
+    }
+}
+
+TEST(Station, RemembersForHoursHowThePensOtherEndErases)
+{
+    auto station = flat_station();
+    Tool const part { .kind = Tool::Kind::Erase, .erasing = Tool::Erasing::Part };
+    station.set_tool(at_ms(0), part);
+    constexpr std::int64_t kHour_ms = 3'600'000;
+    for (int i = 0; i < 4; ++i)
+        station.set_tool(at_ms((i + 1) * kHour_ms),
+                         { i % 2 == 0 ? Tool::Kind::DrawInOrder : Tool::Kind::Indicate });
+    EXPECT_EQ(station.erasing(), Tool::Erasing::Part);
+    EXPECT_EQ(station.tools_to_go_on_with(),
+              (std::vector<Tool> { part, { Tool::Kind::Indicate } }));
+    station.set_tool(at_ms(5 * kHour_ms), part);
+    EXPECT_EQ(station.tools_to_go_on_with(), std::vector<Tool> { part });
+}
+
 TEST(Station, ErasesWithThePensOtherEnd)
 {
     auto station = flat_station({ .kind = Tool::Kind::Indicate });
     touch_along(station, 0, { 50, 50 }, { 150, 50 });
     ASSERT_EQ(station.strokes().size(), 1u);
     EXPECT_EQ(station.scene().indicators.size(), 1u);
-    auto const erase_at = [&](std::int64_t start_ms, double y_mm) {
-        for (int i = 0; i < 10; ++i) {
-            auto report = pen_report(100, y_mm + i, true);
-            report[1] = std::byte { 0x38 }; // In range, eraser, invert.
-            station.push(kPen, at_ms(start_ms + 5 * i), report);
-        }
-        station.push(kPen, at_ms(start_ms + 60), pen_report(100, y_mm, false));
-    };
-    erase_at(300, 70); // Beside it.
+    erase_across(station, 300, 100, 70); // Beside it.
     ASSERT_EQ(station.strokes().size(), 2u);
     EXPECT_NE(station.strokes()[1].refusal, "");
     EXPECT_EQ(station.scene().indicators.size(), 1u);
-    erase_at(600, 45);
+    erase_across(station, 600, 100, 45);
     ASSERT_EQ(station.strokes().size(), 3u);
     EXPECT_EQ(station.strokes()[2].tool.kind, Tool::Kind::Erase);
     EXPECT_EQ(station.strokes()[2].refusal, "");

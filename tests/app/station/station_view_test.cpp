@@ -1,6 +1,7 @@
 #include "app/station/station_view.h"
 
 #include "app/station/orphans.h"
+#include "engine/plant/join_axes.h"
 #include "tests/app/simple_rig.h"
 
 #include <gtest/gtest.h>
@@ -78,6 +79,46 @@ TEST(StationView, PreviewsNothingForAPenThatShapesNothing)
         EXPECT_FALSE(view.state().live_ink.empty());
         EXPECT_TRUE(view.state().preview.empty());
     }
+}
+
+// Also with the pen's other end, while its tip would draw.
+TEST(StationView, LetsTheBranchGoBackWhileItsStrokeIsErased)
+{
+    auto station = station_on(small_scene(), { Tool::Kind::DrawInOrder });
+    StationView view(station);
+    begin_stroke(station);
+    end_stroke(station);
+    view.show(station, StationView::Strokes::Kept);
+    auto const erase = [&](int number) {
+        auto report = pen_report(80 + number, 40, true);
+        report[1] = std::byte { 0x38 }; // In range, eraser, invert.
+        station.push(kPen, at_ms(300 + 5 * number), report);
+    };
+    for (int i = 0; i < 15; ++i)
+        erase(i);
+    view.show(station, StationView::Strokes::Kept);
+    view.settle();
+    ASSERT_EQ(view.state().live_ink.size(), 1u);
+    EXPECT_EQ(view.state().live_ink[0].kind, InkLine::Kind::Eraser);
+    EXPECT_EQ(view.state().live_ink[0].points[0].width_mm, 2 * kEraserRadius_mm);
+    ASSERT_FALSE(view.state().preview.empty());
+    for (auto const& point : view.state().preview.front().points_mm)
+        EXPECT_LT(point.head<2>().norm(), 1e-3) << "the trunk is straight as the model has it";
+}
+
+TEST(StationView, ShowsAStrokeOfSeveralBranchesTwiceOnlyWhereTheyDiffer)
+{
+    auto scene = small_scene();
+    scene.selection = { segments_of(scene.base->axes[1]), segments_of(scene.base->axes[2]) };
+    scene
+        = apply_edit(std::move(scene), Associate { stroke_through({ { 0, 0, 0 }, { 0, 40, 60 } }) })
+              .value();
+    auto const shown = [](Scene const& shown_scene) {
+        return StationView(station_on(shown_scene)).state().strokes.size();
+    };
+    EXPECT_EQ(shown(scene), 1u);
+    EXPECT_EQ(shown(apply_edit(scene, EraseTips { { 0, 1 }, { { 9, 10 } } }).value()), 1u);
+    EXPECT_EQ(shown(apply_edit(scene, EraseTips { { 1 }, { { 9, 10 } } }).value()), 2u);
 }
 
 // A trunk of so many segments that bear a branch each, which bears a twig of a hundred.

@@ -4,6 +4,7 @@
 #include "engine/plant/join_axes.h"
 #include "tests/app/small_model.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace tractus {
@@ -16,6 +17,7 @@ TEST(Tool, IsReadAndWrittenAsWords)
            Tool { Tool::Kind::DrawInOrder }, Tool { Tool::Kind::Draw, Propagation::Selected },
            Tool { Tool::Kind::Draw, Propagation::Descendants },
            Tool { Tool::Kind::Draw, Propagation::Both }, Tool { Tool::Kind::Erase },
+           Tool { .kind = Tool::Kind::Erase, .erasing = Tool::Erasing::Part },
            Tool { Tool::Kind::Press }, Tool { .kind = Tool::Kind::Smooth, .at_once = true },
            Tool { .kind = Tool::Kind::Select,
                   .selecting = Tool::Selecting::Ends,
@@ -266,9 +268,160 @@ TEST(EraseTool, TakesIndicatorsFromTheLastOneOn)
 
 TEST(EraseTool, IsTheOtherEndOfThePen)
 {
-    EXPECT_EQ(other_end_of({ Tool::Kind::Draw }).kind, Tool::Kind::Erase);
-    EXPECT_EQ(other_end_of({ Tool::Kind::Select }).selecting, Tool::Selecting::Take);
-    EXPECT_EQ(other_end_of({ Tool::Kind::Press }).kind, Tool::Kind::Press);
+    using Erasing = Tool::Erasing;
+    for (auto const erasing : { Erasing::Whole, Erasing::Part }) {
+        auto const other = other_end_of({ Tool::Kind::Draw }, erasing);
+        EXPECT_EQ(other.kind, Tool::Kind::Erase);
+        EXPECT_EQ(other.erasing, erasing);
+        EXPECT_EQ(other_end_of({ Tool::Kind::Select }, erasing).selecting, Tool::Selecting::Take);
+        EXPECT_EQ(other_end_of({ Tool::Kind::Press }, erasing).kind, Tool::Kind::Press);
+    }
+}
+
+Tool const kErasePart { .kind = Tool::Kind::Erase, .erasing = Tool::Erasing::Part };
+
+// Along x at a height of 20 mm, a tip every millimetre, tip 0 at -50.
+Stroke level_stroke(double height_mm = 20)
+{
+    Stroke stroke;
+    for (int i = 0; i <= 100; ++i)
+        stroke.tips.push_back({ .time = timestamp_ns(i * 5'000'000),
+                                .position_mm = { i - 50.0, 0.02 * i * i / 100, height_mm },
+                                .pressure = 0.5,
+                                .touching = true });
+    return stroke;
+}
+
+Scene scene_with(Stroke const& stroke, StrokeFit fit = StrokeFit::Start)
+{
+    auto scene = small_scene();
+    scene.selection = { segments_of(scene.base->axes[0]) };
+    return apply_edit(std::move(scene), Associate { .stroke = stroke, .fit = fit }).value();
+}
+
+// The tips that are erased of the only stroke there is, by one edit.
+std::vector<TipRange> erased(Scene const& scene, std::vector<Vec3> const& way_mm)
+{
+    auto const edits = edits_of(kErasePart, stroke_through(way_mm), scene);
+    if (!edits || edits->size() != 1 || !std::holds_alternative<EraseTips>(edits->front())) {
+        ADD_FAILURE() << "it is not one edit that erases tips";
+        return {};
+    }
+    EXPECT_EQ(std::get<EraseTips>(edits->front()).associations, (std::vector<std::size_t> { 0 }));
+    return std::get<EraseTips>(edits->front()).ranges;
+}
+
+TEST(ErasePartTool, TakesWhatItTouchesOfEndMiddleAndBegin)
+{
+    auto const scene = scene_with(level_stroke());
+    auto const across = [](double x_mm) {
+        return std::vector<Vec3> { { x_mm, -20, 30 }, { x_mm, 20, 30 } };
+    };
+    EXPECT_EQ(erased(scene, across(0.5)), (std::vector<TipRange> { { 47, 54 } }));
+    EXPECT_EQ(erased(scene, across(50.5)), (std::vector<TipRange> { { 97, 100 } }));
+    EXPECT_EQ(erased(scene, across(-50.5)), (std::vector<TipRange> { { 0, 3 } }));
+    EXPECT_EQ(
+        erased(scene,
+               { { 20.5, -20, 30 }, { 20.5, 20, 30 }, { -19.5, 20, 30 }, { -19.5, -20, 30 } }),
+        (std::vector<TipRange> { { 27, 34 }, { 67, 74 } }));
+}
+
+TEST(ErasePartTool, ShapesTheBranchByWhatIsLeft)
+{
+    auto scene = scene_with(level_stroke());
+    auto const drawn = draw(stroke_through({ { 0.5, 0, 30 }, { 60, 0, 30 } }), kErasePart, scene);
+    ASSERT_EQ(drawn.refusal, "");
+    auto const& tips = scene.associations[0].stroke.tips;
+    EXPECT_EQ(tips.size(), 47u);
+    EXPECT_NEAR(tips.back().position_mm.x(), -4, 1e-9);
+    // What the person sees now is what is erased next.
+    EXPECT_EQ(erased(scene, { { -30.5, -20, 30 }, { -30.5, 20, 30 } }),
+              (std::vector<TipRange> { { 16, 23 } }));
+}
+
+TEST(ErasePartTool, TakesAStrokeWholeOfWhichNothingIsLeftThatShapes)
+{
+    auto const scene = scene_with(level_stroke());
+    for (double const end_mm : { 60.0, 44.0 }) { // All of it, and all but a crumb.
+        auto const over = stroke_through({ { -60, 0, 30 }, { end_mm, 0, 30 } });
+        auto const edits = edits_of(kErasePart, over, scene).value();
+        ASSERT_EQ(edits.size(), 1u);
+        EXPECT_EQ(std::get<DeleteStroke>(edits[0]).associations, (std::vector<std::size_t> { 0 }));
+    }
+    // Without its end the loop has no chord, by which it is fitted.
+    Stroke loop;
+    for (int i = 0; i <= 72; ++i)
+        loop.tips.push_back(
+            { .time = timestamp_ns(i * 5'000'000),
+              .position_mm = { 40 * std::cos(i * kPi / 36), 40 * std::sin(i * kPi / 36), 20 },
+              .touching = true });
+    loop.tips.own().back().position_mm = loop.tips.front().position_mm;
+    loop.tips.push_back({ .time = timestamp_ns(400'000'000), .position_mm = { 70, 0, 20 } });
+    auto const by_chord = scene_with(loop, StrokeFit::Chord);
+    auto const over = stroke_through({ { 69, -10, 30 }, { 69, 10, 30 } });
+    auto const edits = edits_of(kErasePart, over, by_chord).value();
+    EXPECT_TRUE(std::holds_alternative<DeleteStroke>(edits.at(0)));
+    EXPECT_EQ(erased(scene_with(loop), { { 69, -10, 30 }, { 69, 10, 30 } }),
+              (std::vector<TipRange> { { 73, 73 } }));
+}
+
+TEST(ErasePartTool, TakesTheSameOfAllBranchesOfTheTopmostStroke)
+{
+    auto scene = scene_with_two_strokes(); // Its strokes have a tip every 10 mm.
+    auto const drawn
+        = draw(stroke_through({ { -20, -30, 100 }, { -20, 30, 100 } }), kErasePart, scene);
+    ASSERT_EQ(drawn.edits.size(), 1u);
+    auto const& edit = std::get<EraseTips>(drawn.edits[0]);
+    EXPECT_EQ(edit.associations, (std::vector<std::size_t> { 1, 2 }));
+    EXPECT_EQ(edit.ranges, (std::vector<TipRange> { { 3, 3 } }));
+    ASSERT_EQ(scene.associations.size(), 3u);
+    EXPECT_EQ(scene.associations[0].stroke.tips.size(), 11u) << "it lies below";
+    EXPECT_EQ(scene.associations[1].stroke.tips.size(), 10u);
+    EXPECT_EQ(scene.associations[2].stroke.tips.size(), 10u);
+}
+
+TEST(ErasePartTool, DoesNotDigBelowItselfIntoAStrokeThatWasDrawnUpwards)
+{
+    Stroke trunk;
+    for (int i = 0; i <= 100; ++i)
+        trunk.tips.push_back({ .time = timestamp_ns(i * 5'000'000),
+                               .position_mm = { 0.001 * i, 0, 1.5 * i },
+                               .touching = true });
+    auto const scene = scene_with(trunk);
+    // The surface is at 90 mm: what is above is not seen.
+    EXPECT_EQ(erased(scene, { { -2, 0, 90 }, { 2, 0, 90 } }),
+              (std::vector<TipRange> { { 55, 60 } }));
+    // It goes down with the eraser on it, from the top.
+    EXPECT_EQ(erased(scene, { { 1, 0, 160 }, { -1, 0, 100 } }),
+              (std::vector<TipRange> { { 62, 100 } }));
+}
+
+TEST(ErasePartTool, TakesIndicatorsWhole)
+{
+    auto scene = scene_with(level_stroke());
+    scene = apply_edit(std::move(scene),
+                       Indicate { { .start_mm = { 30, -40, 25 }, .end_mm = { 30, 40, 25 } } })
+                .value();
+    auto const over
+        = stroke_through({ { -50, 0, 30 }, { -40, 0, 30 }, { 31, 60, 30 }, { 31, -5, 30 } });
+    auto const edits = edits_of(kErasePart, over, scene).value();
+    ASSERT_EQ(edits.size(), 2u);
+    EXPECT_EQ(std::get<EraseTips>(edits[0]).ranges, (std::vector<TipRange> { { 0, 15 } }))
+        << "not below the indicator";
+    EXPECT_EQ(std::get<DeleteIndicator>(edits[1]).number, 0u);
+    auto const beside = stroke_through({ { -50, 30, 30 }, { 0, 30, 30 } });
+    EXPECT_FALSE(edits_of(kErasePart, beside, scene));
+}
+
+// Reports that come far apart leave nothing standing between them.
+TEST(EraseTool, MissesNothingOnItsWay)
+{
+    auto const scene = scene_with(level_stroke());
+    Stroke fast;
+    for (double const y_mm : { -40.0, 40.0 })
+        fast.tips.push_back({ .position_mm = { 10.5, y_mm, 30 }, .touching = true });
+    for (auto const erasing : { Tool::Erasing::Whole, Tool::Erasing::Part })
+        EXPECT_TRUE(edits_of({ .kind = Tool::Kind::Erase, .erasing = erasing }, fast, scene));
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "drivers/file.h"
 #include "drivers/log_writer.h"
 #include "tests/app/render/read_png.h"
+#include "tests/app/session/same_edit.h"
 #include "tests/app/simple_rig.h"
 
 #include <cmath>
@@ -35,25 +36,35 @@ public:
         wait(300); // The window is there.
     }
 
-    void hover(double x_px, double y_px, bool barrel = false) { send(x_px, y_px, false, barrel); }
+    void hover(double x_px, double y_px, bool barrel = false)
+    {
+        send(x_px, y_px, barrel ? kInRange | kBarrel : kInRange);
+    }
 
     void tap(double x_px, double y_px)
     {
         hover(x_px, y_px);
         wait(100);
         for (int i = 0; i < 5; ++i)
-            send(x_px, y_px, true, false);
+            send(x_px, y_px, kInRange | kTouching);
         hover(x_px, y_px);
         wait(100);
     }
 
-    void draw(double from_x_px, double from_y_px, double to_x_px, double to_y_px)
+    void draw(double from_x_px, double from_y_px, double to_x_px, double to_y_px,
+              int flags = kInRange | kTouching)
     {
         for (int i = 0; i <= 20; ++i)
             send(from_x_px + (to_x_px - from_x_px) * i / 20,
-                 from_y_px + (to_y_px - from_y_px) * i / 20, true, false);
+                 from_y_px + (to_y_px - from_y_px) * i / 20, flags);
         hover(to_x_px, to_y_px);
         wait(100);
+    }
+
+    // With the pen's other end.
+    void erase(double from_x_px, double from_y_px, double to_x_px, double to_y_px)
+    {
+        draw(from_x_px, from_y_px, to_x_px, to_y_px, kInRange | kErasing);
     }
 
     // Opens the ring there, and taps the choice, which are counted clockwise from the top.
@@ -72,7 +83,7 @@ public:
     void rest(double x_px, double y_px, int milliseconds)
     {
         for (int i = 0; i < milliseconds / 5; ++i)
-            send(x_px, y_px, true, false);
+            send(x_px, y_px, kInRange | kTouching);
     }
 
     void wait(int milliseconds) { now_ms_ += milliseconds; }
@@ -85,13 +96,18 @@ public:
     }
 
 private:
-    void send(double x_px, double y_px, bool touching, bool barrel)
+    // The simple pen's.
+    static constexpr int kTouching = 0x01;
+    static constexpr int kBarrel = 0x02;
+    static constexpr int kErasing = 0x18; // The other end touches.
+    static constexpr int kInRange = 0x20;
+
+    void send(double x_px, double y_px, int flags)
     {
         double const x_mm = kTabletWidth_mm / 2 + (x_px - kWidth_px / 2.0) / kPxPerMm;
         double const y_mm = kTabletDepth_mm / 2 + (y_px - kHeight_px / 2.0) / kPxPerMm;
-        auto report = pen_report(x_mm, y_mm, touching);
-        if (barrel)
-            report[1] |= std::byte { 2 };
+        auto report = pen_report(x_mm, y_mm, flags != kInRange && (flags & kBarrel) == 0);
+        report[1] = static_cast<std::byte>(flags);
         now_ms_ += 5;
         log_.write_report(0, at_ms(now_ms_), report);
     }
@@ -147,7 +163,8 @@ protected:
 
 namespace {
 
-constexpr int kSelectChoice = 1; // Of the ring, clockwise from the top.
+constexpr int kDrawChoice = 0; // Of the ring, clockwise from the top.
+constexpr int kSelectChoice = 1;
 constexpr int kLeanChoice = 2;
 constexpr int kEraseChoice = 3;
 
@@ -218,6 +235,38 @@ TEST_F(PenWorksWindow, RecordsWhatReplaysTheSame)
     EXPECT_LT((again[0].start_mm - window.station().scene().indicators.at(0).start_mm).norm(),
               1e-9);
     EXPECT_EQ(replay->station().strokes().size(), 1u);
+}
+
+// By a button, and from then on with the pen's other end, also when the recording is replayed.
+TEST_F(PenWorksWindow, ErasesWhatItTouches)
+{
+    PenScript script;
+    script.draw(300, 195, 700, 215); // The first branch.
+    script.choose(500, 195, kEraseChoice);
+    script.tap(306, 470); // "What it touches".
+    script.draw(700, 150, 700, 250);
+    script.choose(500, 300, kDrawChoice);
+    script.erase(300, 150, 300, 250);
+    auto window = window_of(script, true);
+    run(window, script);
+    EXPECT_EQ(window.state().hand.kind, Tool::Kind::DrawInOrder);
+    EXPECT_EQ(window.state().erasing, Tool::Erasing::Part);
+    ASSERT_EQ(window.station().counts().strokes, 3u);
+    ASSERT_EQ(window.station().scene().associations.size(), 1u);
+    auto const& tips = window.station().scene().associations[0].stroke.tips;
+    EXPECT_NEAR(tips.front().position_mm.x(), -36,
+                0.1); // A tip every 4 mm.
+    EXPECT_NEAR(tips.back().position_mm.x(), 36, 0.1);
+
+    auto const log = read_log(folder_ / "again.tractus-log").value();
+    ReplayOptions options;
+    options.scene = small_scene();
+    options.height = parse_height_scenario("100").value();
+    auto replay = LogReplay::create(log, options).value();
+    replay.advance_to(Timestamp::max());
+    ASSERT_EQ(replay.station().scene().associations.size(), 1u);
+    EXPECT_TRUE(same(replay.station().scene().associations[0].stroke,
+                     window.station().scene().associations[0].stroke));
 }
 
 // A table whose height sensor nobody has calibrated yet, and a person without keyboard and mouse.

@@ -49,6 +49,18 @@ TEST(PadCurves, FadeStrokesWithTheDepthBelowTheSurface)
     EXPECT_EQ(fade.range_mm, 300);
 }
 
+TEST(PadCurves, ShowWhereTheEraserWasButNotAsInk)
+{
+    auto state = small_state();
+    auto const places = [&] {
+        return find(pad_live_curves(state), { 0, 30, 150 }, Curve::WidthUnit::Millimetres).points;
+    };
+    EXPECT_EQ(places()[0].color, theme::palette().ink);
+    state.live_ink[0].kind = InkLine::Kind::Eraser;
+    EXPECT_NE(places()[0].color, theme::palette().ink);
+    EXPECT_NE(places()[0].color, theme::palette().pad_background) << "it is seen";
+}
+
 TEST(PadCurves, ShowTheBranchesThatTheInkWouldMove)
 {
     auto state = small_state();
