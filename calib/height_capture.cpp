@@ -10,7 +10,7 @@ namespace tractus {
 namespace {
 
 constexpr std::size_t kLeastReadings = 20;
-constexpr Duration kLongestGap = std::chrono::milliseconds(250);
+constexpr Duration kLongestCaptureGap = std::chrono::milliseconds(250);
 constexpr std::size_t kBlocks = 8;
 constexpr int kScatterReach = 12; // Bins to either side of the middle one.
 
@@ -108,7 +108,7 @@ Result<void> check_flow(std::span<HeightSample const> samples)
                     fmt::format("only {} readings came in the time of a capture, expected at least "
                                 "{}: check that the height sensor is connected and sends",
                                 samples.size(), kLeastReadings));
-    if (auto const gap = longest_gap(samples); gap > kLongestGap)
+    if (auto const gap = longest_gap(samples); gap > kLongestCaptureGap)
         return fail(Fault::Device,
                     fmt::format("the height sensor was silent for {:.2f} s during the capture: "
                                 "check its cable and capture again",

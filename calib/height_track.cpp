@@ -24,9 +24,9 @@ public:
     {
         // The weighted variance of the times: nothing to fit a slope to where it is tiny.
         constexpr double kLeastSpread_s = 1e-3;
-        constexpr int kLeastReadings = 4;
+        constexpr int kFewestReadings = 4;
         double const determinant = weights_ * squares_ - times_ * times_;
-        if (count_ < kLeastReadings
+        if (count_ < kFewestReadings
             || !(determinant > weights_ * weights_ * kLeastSpread_s * kLeastSpread_s))
             return std::nullopt;
         return (squares_ * values_ - times_ * products_) / determinant;

@@ -17,7 +17,7 @@ namespace tractus {
 
 namespace {
 
-constexpr std::size_t kMaxReportBytes = sizeof(RawReport::storage);
+constexpr std::size_t kMaxForeignBytes = sizeof(RawReport::storage);
 
 void warn(Log& log, std::size_t line, std::string message)
 {
@@ -28,10 +28,10 @@ void warn(Log& log, std::size_t line, std::string message)
 void append_report(Log& log, std::size_t line, std::size_t device, Timestamp time,
                    std::span<std::byte const> bytes)
 {
-    if (bytes.empty() || bytes.size() > kMaxReportBytes)
+    if (bytes.empty() || bytes.size() > kMaxForeignBytes)
         return warn(log, line,
                     fmt::format("a report of {} bytes, which is not in 1 to {}: skipped",
-                                bytes.size(), kMaxReportBytes));
+                                bytes.size(), kMaxForeignBytes));
     log.records.push_back({ .time = time,
                             .offset = static_cast<std::uint32_t>(log.bytes.size()),
                             .size = static_cast<std::uint16_t>(bytes.size()),

@@ -168,10 +168,10 @@ Result<void> Job::make_collection(Scene const& scene)
 Result<void> Job::write_collection(Bounds const& frame,
                                    std::function<Mesh(std::size_t)> const& mesh)
 {
-    constexpr double kSpacing = 1.15; // Of a plant's width, so that neighbours do not touch.
+    constexpr double kPlantSpacing = 1.15; // Of a plant's width, so that neighbours do not touch.
     progress_.begin("writing the collection");
     double const spacing_mm
-        = kSpacing * std::max((frame.max_mm - frame.min_mm).head<2>().maxCoeff(), 1.0);
+        = kPlantSpacing * std::max((frame.max_mm - frame.min_mm).head<2>().maxCoeff(), 1.0);
     auto const row = static_cast<std::size_t>(columns(options_.variations));
     std::vector<PlacedMesh> plants;
     for (std::size_t i = 0; i < options_.variations; ++i)

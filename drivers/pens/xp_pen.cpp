@@ -14,7 +14,7 @@ constexpr std::size_t kXpPenFlags = 1;
 constexpr std::int32_t kGone = 0xC0;
 
 // Flags, then X, Y and pressure; from 10 bytes on the tilt, from 12 on the upper bytes of X and Y.
-PenFields base_fields(Report report)
+PenFields xp_pen_fields(Report report)
 {
     PenFields fields {
         .x = u16_le(report, 2),
@@ -38,7 +38,7 @@ std::optional<PenFields> decode_xp_pen(Report report, FamilyState&)
 {
     if (report.size() < 8 || has_bit(report, kXpPenFlags, 4))
         return std::nullopt;
-    auto fields = base_fields(report);
+    auto fields = xp_pen_fields(report);
     fields.in_range = has_bit(report, kXpPenFlags, 5);
     fields.invert = has_bit(report, kXpPenFlags, 3);
     return fields;
@@ -69,7 +69,7 @@ std::optional<PenFields> decode_offset_keys(Report report, FamilyState&)
 {
     if (report.size() < 8 || has_bit(report, kXpPenFlags, 5))
         return std::nullopt;
-    auto fields = base_fields(report);
+    auto fields = xp_pen_fields(report);
     fields.in_range = u8(report, kXpPenFlags) != kGone;
     return fields;
 }
@@ -78,7 +78,7 @@ std::optional<PenFields> decode_xencelabs(Report report, FamilyState&)
 {
     if (report.size() < 10 || (u8(report, kXpPenFlags) & 0xF0) == 0xF0) // Keys.
         return std::nullopt;
-    auto fields = base_fields(report);
+    auto fields = xp_pen_fields(report);
     fields.in_range = has_bit(report, kXpPenFlags, 5);
     fields.invert = *fields.in_range && has_bit(report, kXpPenFlags, 6);
     fields.buttons = static_cast<std::uint32_t>(u8(report, kXpPenFlags) >> 1 & 7);
@@ -90,7 +90,7 @@ std::optional<PenFields> decode_xenx(Report report, FamilyState&)
 {
     if (report.size() < 8 || u8(report, 0) != 0x01)
         return std::nullopt;
-    auto fields = base_fields(report.first(8)); // The rest of its 64 bytes says nothing of the pen.
+    auto fields = xp_pen_fields(report.first(8)); // The rest of 64 bytes says nothing of the pen.
     fields.in_range = u8(report, kXpPenFlags) != 0;
     fields.tip = *fields.in_range && *fields.pressure > 0;
     fields.invert = has_bit(report, kXpPenFlags, 6);

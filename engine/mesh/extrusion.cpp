@@ -9,7 +9,7 @@
 namespace tractus {
 namespace {
 
-constexpr std::uint32_t kMaxSides = 256;
+constexpr std::uint32_t kMaxExtrudedSides = 256;
 
 // A point of a contour, `share` of the way along it.
 Vec3 outline_at(Plant const& plant, ContourId id, double share)
@@ -208,7 +208,7 @@ void trace_extrusion(Plant const& plant, Axis const& axis, MeshOptions const& op
     }
     double const fineness = options.max_sides / 16.0;
     extrusion.sides = std::clamp<std::uint32_t>(
-        static_cast<std::uint32_t>(std::lround(sides * fineness)), 3, kMaxSides);
+        static_cast<std::uint32_t>(std::lround(sides * fineness)), 3, kMaxExtrudedSides);
     add_stations(plant, axis, extrusion.stations);
     if (extrusion.stations.size() < 2)
         extrusion.stations.clear();
