@@ -14,7 +14,7 @@ set(calib            engine/base engine/stroke drivers)
 set(sim              engine/base engine/stroke drivers calib)
 set(app/session      engine)
 set(app/terminal     engine/base drivers)
-set(app/station      engine drivers calib app/session app/terminal app/window app/render app/diagnosis)
+set(app/station      engine drivers calib app/session app/terminal app/render app/diagnosis app/calibration)
 set(app              engine drivers calib sim)
 
 set(layers engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh

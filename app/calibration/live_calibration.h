@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/calibration/calibration_desk.h"
-#include "app/live/live_devices.h"
-#include "app/live/live_recorder.h"
+#include "app/devices/live_devices.h"
+#include "app/devices/live_recorder.h"
 #include "engine/base/result.h"
 #include "engine/base/time.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "app/devices/live_devices.h"
 #include "app/live/calibration_bench.h"
-#include "app/live/live_devices.h"
-#include "app/window/window_model.h"
+#include "app/station/window_model.h"
 #include "engine/base/result.h"
 
 #include <vector>

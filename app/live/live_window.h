@@ -1,13 +1,13 @@
 #pragma once
 
+#include "app/devices/live_devices.h"
+#include "app/devices/live_diagnosis.h"
+#include "app/devices/live_recorder.h"
 #include "app/live/calibration_bench.h"
-#include "app/live/live_devices.h"
-#include "app/live/live_diagnosis.h"
-#include "app/live/live_recorder.h"
 #include "app/live/mouse_rig.h"
 #include "app/live/station_desk.h"
 #include "app/session/session.h"
-#include "app/window/window_model.h"
+#include "app/station/window_model.h"
 #include "calib/rig.h"
 #include "engine/base/result.h"
 #include "engine/scene/scene.h"

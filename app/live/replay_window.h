@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/live/log_replay.h"
 #include "app/live/station_desk.h"
-#include "app/window/window_model.h"
+#include "app/station/log_replay.h"
+#include "app/station/window_model.h"
 #include "drivers/log.h"
 #include "engine/base/result.h"
 

@@ -4,7 +4,7 @@
 #include "app/station/session_keeper.h"
 #include "app/station/station.h"
 #include "app/station/station_view.h"
-#include "app/window/window_model.h"
+#include "app/station/window_model.h"
 
 #include <filesystem>
 #include <memory>

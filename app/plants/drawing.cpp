@@ -1,10 +1,10 @@
 #include "app/plants/drawing.h"
 
-#include "app/live/log_replay.h"
 #include "app/plants/model_file.h"
 #include "app/plants/session_plant.h"
 #include "app/plants/stroke_file.h"
 #include "app/play/paced_log.h"
+#include "app/station/log_replay.h"
 #include "app/station/model_cost.h"
 #include "calib/rig_file.h"
 #include "drivers/log.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/window_model.h"
+#include "app/station/window_model.h"
 #include "engine/scene/scene.h"
 
 #include <vector>

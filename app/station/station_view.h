@@ -5,7 +5,7 @@
 #include "app/station/station.h"
 #include "app/station/stroke_preview.h"
 #include "app/station/tools/shown_skeleton.h"
-#include "app/window/window_model.h"
+#include "app/station/window_model.h"
 #include "engine/mesh/mesh.h"
 #include "engine/scene/scene.h"
 

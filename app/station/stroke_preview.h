@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/station/tools/tool.h"
-#include "app/window/window_model.h"
+#include "app/station/window_model.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/scene_shaper.h"
 #include "engine/stroke/tip_sample.h"

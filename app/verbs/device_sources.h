@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/live/live_devices.h"
+#include "app/devices/live_devices.h"
 #include "engine/base/result.h"
 
 #include <atomic>

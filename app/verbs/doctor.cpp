@@ -1,8 +1,8 @@
 #include "app/verbs/doctor.h"
 
+#include "app/devices/live_devices.h"
 #include "app/diagnosis/diagnose.h"
 #include "app/diagnosis/udev_rules.h"
-#include "app/live/live_devices.h"
 #include "app/terminal/console.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/device_sources.h"

@@ -1,8 +1,8 @@
 #include "app/verbs/record.h"
 
-#include "app/live/live_devices.h"
-#include "app/live/live_recorder.h"
-#include "app/live/live_recording.h"
+#include "app/devices/live_devices.h"
+#include "app/devices/live_recorder.h"
+#include "app/devices/live_recording.h"
 #include "app/plants/model_file.h"
 #include "app/play/simulated_recording.h"
 #include "app/resources.h"

@@ -1,10 +1,10 @@
 #include "app/verbs/watch.h"
 
+#include "app/devices/live_devices.h"
+#include "app/devices/live_recorder.h"
+#include "app/devices/watch_view.h"
 #include "app/diagnosis/device_monitor.h"
 #include "app/diagnosis/diagnose.h"
-#include "app/live/live_devices.h"
-#include "app/live/live_recorder.h"
-#include "app/live/watch_view.h"
 #include "app/terminal/console.h"
 #include "app/terminal/terminal.h"
 #include "app/verbs/checks.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/calibration_view.h"
+#include "app/calibration/calibration_view.h"
 
 #include <imgui.h>
 

@@ -1,6 +1,6 @@
 #include "app/window/devices_panel.h"
 
-#include "app/live/watch_view.h"
+#include "app/devices/watch_view.h"
 #include "app/window/theme.h"
 
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/station/window_model.h"
 #include "app/window/pen_area.h"
-#include "app/window/window_model.h"
 
 #include <deque>
 

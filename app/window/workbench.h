@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/station/window_model.h"
 #include "app/window/display.h"
-#include "app/window/window_model.h"
 
 #include <cstddef>
 #include <optional>

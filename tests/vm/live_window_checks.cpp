@@ -1,4 +1,4 @@
-#include "app/live/live_devices.h"
+#include "app/devices/live_devices.h"
 #include "app/live/live_window.h"
 #include "app/plants/model_file.h"
 #include "app/verbs/device_sources.h"

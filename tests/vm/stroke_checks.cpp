@@ -1,5 +1,5 @@
-#include "app/live/log_replay.h"
 #include "app/plants/model_file.h"
+#include "app/station/log_replay.h"
 #include "drivers/file.h"
 #include "engine/scene/scene.h"
 #include "sim/gesture_script.h"

@@ -1,4 +1,4 @@
-#include "app/live/watch_view.h"
+#include "app/devices/watch_view.h"
 
 #include "tests/app/diagnosis/reports.h"
 #include "tests/drivers/devices.h"

@@ -1,7 +1,7 @@
-#include "app/live/log_replay.h"
 #include "app/plants/model_file.h"
 #include "app/play/simulated_recording.h"
 #include "app/resources.h"
+#include "app/station/log_replay.h"
 #include "drivers/file.h"
 #include "engine/plant/join_axes.h"
 

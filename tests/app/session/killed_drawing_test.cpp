@@ -1,7 +1,7 @@
-#include "app/live/log_replay.h"
 #include "app/live/station_desk.h"
 #include "app/plants/drawing.h"
 #include "app/plants/session_plant.h"
+#include "app/station/log_replay.h"
 #include "tests/app/session/same_edit.h"
 #include "tests/app/simulated_drawing.h"
 

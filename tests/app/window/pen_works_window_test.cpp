@@ -1,5 +1,5 @@
 #include "app/live/live_window.h"
-#include "app/live/log_replay.h"
+#include "app/station/log_replay.h"
 #include "app/window/window.h"
 #include "drivers/file.h"
 #include "drivers/log_writer.h"

@@ -1,4 +1,4 @@
-#include "app/live/watch_view.h"
+#include "app/devices/watch_view.h"
 
 #include <algorithm>
 #include <fmt/core.h>

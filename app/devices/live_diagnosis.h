@@ -1,8 +1,8 @@
 #pragma once
 
+#include "app/devices/live_devices.h"
 #include "app/diagnosis/device_monitor.h"
 #include "app/diagnosis/finding.h"
-#include "app/live/live_devices.h"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "app/live/live_recorder.h"
+#include "app/devices/live_recorder.h"
 
 #include <cerrno>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "app/live/log_replay.h"
+#include "app/station/log_replay.h"
 
 #include "calib/rig_file.h"
 #include "engine/plant/join_axes.h"

@@ -1,4 +1,4 @@
-#include "app/live/live_devices.h"
+#include "app/devices/live_devices.h"
 
 #include "app/play/paced_log.h"
 #include "app/resources.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/live/live_devices.h"
-#include "app/live/live_recorder.h"
+#include "app/devices/live_devices.h"
+#include "app/devices/live_recorder.h"
 #include "engine/base/result.h"
 #include "engine/base/time.h"
 

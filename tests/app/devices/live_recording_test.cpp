@@ -1,4 +1,4 @@
-#include "app/live/live_recording.h"
+#include "app/devices/live_recording.h"
 
 #include "app/play/paced_log.h"
 #include "drivers/log.h"

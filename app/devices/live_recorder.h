@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/live/live_devices.h"
+#include "app/devices/live_devices.h"
 #include "drivers/log_writer.h"
 #include "drivers/pen_decoder.h"
 #include "engine/base/result.h"

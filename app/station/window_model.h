@@ -1,10 +1,10 @@
 #pragma once
 
+#include "app/calibration/calibration_view.h"
 #include "app/diagnosis/device_monitor.h"
 #include "app/diagnosis/finding.h"
 #include "app/render/image.h"
 #include "app/station/tools/tool.h"
-#include "app/window/calibration_view.h"
 #include "engine/base/time.h"
 #include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"

@@ -1,4 +1,4 @@
-#include "app/live/live_diagnosis.h"
+#include "app/devices/live_diagnosis.h"
 
 #include "app/diagnosis/diagnose.h"
 #include "app/diagnosis/system_facts.h"
