@@ -1,0 +1,219 @@
+#include "app/station/station.h"
+#include "tests/app/simple_rig.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+Station station_in_hand(Tool const& tool = {})
+{
+    return station_on(small_scene(), tool);
+}
+
+// The pen from one place to another, down all the way, then up; x and y of the tablet.
+void touch_along(Station& station, std::int64_t start_ms, Vec2 const& from_mm, Vec2 const& to_mm)
+{
+    for (int i = 0; i < 20; ++i) {
+        Vec2 const at_mm = from_mm + (to_mm - from_mm) * i / 19;
+        station.push(kPen, at_ms(start_ms + 5 * i), pen_report(at_mm.x(), at_mm.y(), true));
+    }
+    station.push(kPen, at_ms(start_ms + 100), pen_report(to_mm.x(), to_mm.y(), false));
+}
+
+Eigen::AlignedBox2d left_part()
+{
+    return { Vec2(-100, -50), Vec2(-60, 50) }; // x of the tablet below 40 mm.
+}
+
+TEST(StationTools, PressesWhereATouchBeginsInAnAreaForIt)
+{
+    auto station = station_in_hand({ .kind = Tool::Kind::Indicate });
+    station.set_pressing_areas({ left_part() });
+    touch_along(station, 0, { 30, 50 }, { 100, 50 }); // Out of the area: still a press.
+    EXPECT_FALSE(station.is_pressing());
+    touch_along(station, 200, { 100, 50 }, { 30, 50 }); // Into it: still a stroke.
+    station.finish();
+    ASSERT_EQ(station.strokes().size(), 1u);
+    EXPECT_EQ(station.counts().strokes, 1u);
+    EXPECT_EQ(station.strokes()[0].tool.kind, Tool::Kind::Indicate);
+    EXPECT_EQ(station.scene().indicators.size(), 1u);
+
+    auto const moments = station.take_moments();
+    ASSERT_EQ(moments.size(), 42u);
+    EXPECT_TRUE(moments[0].touching && moments[0].pressing);
+    EXPECT_TRUE(moments[19].pressing);
+    EXPECT_FALSE(moments[20].touching || moments[20].pressing);
+    EXPECT_TRUE(moments[21].touching && !moments[21].pressing);
+    EXPECT_TRUE(station.take_moments().empty());
+}
+
+TEST(StationTools, TakesAToolThatWasChosenByPressing)
+{
+    auto station = station_in_hand({ .kind = Tool::Kind::Select });
+    station.set_pressing_areas({ left_part() });
+    station.push(kPen, at_ms(0), pen_report(30, 50, true));
+    EXPECT_TRUE(station.is_pressing());
+    station.set_tool(at_ms(3), { .kind = Tool::Kind::Indicate });
+    EXPECT_TRUE(station.is_pressing()) << "the press goes on";
+    EXPECT_EQ(station.tool().kind, Tool::Kind::Indicate);
+    station.push(kPen, at_ms(5), pen_report(40, 50, true));
+    station.push(kPen, at_ms(10), pen_report(40, 50, false));
+    touch_along(station, 20, { 100, 50 }, { 150, 50 });
+    station.finish();
+    ASSERT_EQ(station.strokes().size(), 1u);
+    EXPECT_EQ(station.strokes()[0].tool.kind, Tool::Kind::Indicate);
+
+    auto const changes = station.take_tool_changes();
+    ASSERT_EQ(changes.size(), 2u);
+    EXPECT_EQ(changes[0].tool.kind, Tool::Kind::Press);
+    EXPECT_EQ(changes[0].time, at_ms(0));
+    EXPECT_EQ(changes[1].tool.kind, Tool::Kind::Indicate);
+    EXPECT_EQ(changes[1].time, at_ms(10));
+}
+
+TEST(StationTools, TakesBackAStrokeThatTurnsOutToBeAPress)
+{
+    auto station = station_in_hand();
+    for (int i = 0; i < 10; ++i)
+        station.push(kPen, at_ms(5 * i), pen_report(50 + i, 50, true));
+    station.press_instead();
+    EXPECT_TRUE(station.is_pressing());
+    station.push(kPen, at_ms(50), pen_report(60, 50, false));
+    EXPECT_FALSE(station.is_pressing());
+    station.press_instead(); // Nothing touches: nothing happens.
+    draw_across(station, 100);
+    station.finish();
+    ASSERT_EQ(station.strokes().size(), 1u);
+    EXPECT_EQ(station.strokes()[0].stroke.tips.size(), 20u);
+}
+
+TEST(StationTools, ReplaysPressesFromTheToolLinesOfARecording)
+{
+    auto live = station_in_hand({ .kind = Tool::Kind::Indicate });
+    live.set_pressing_areas({ left_part() });
+    touch_along(live, 0, { 30, 50 }, { 100, 50 });
+    touch_along(live, 200, { 100, 50 }, { 150, 60 });
+    auto const changes = live.take_tool_changes();
+    ASSERT_EQ(changes.size(), 2u);
+
+    auto replayed = station_in_hand({ .kind = Tool::Kind::Indicate });
+    replayed.set_tool(changes[0].time, changes[0].tool);
+    touch_along(replayed, 0, { 30, 50 }, { 100, 50 });
+    replayed.set_tool(changes[1].time, changes[1].tool);
+    touch_along(replayed, 200, { 100, 50 }, { 150, 60 });
+    live.finish();
+    replayed.finish();
+    ASSERT_EQ(live.strokes().size(), 1u);
+    ASSERT_EQ(replayed.strokes().size(), 1u);
+    EXPECT_EQ(replayed.strokes()[0].stroke.tips.front().position_mm,
+              live.strokes()[0].stroke.tips.front().position_mm);
+}
+
+TEST(StationTools, DoesAtOnceWhatNeedsNoStroke)
+{
+    auto station = station_in_hand({ .kind = Tool::Kind::Indicate });
+    station.set_tool(
+        at_ms(0),
+        { .kind = Tool::Kind::Select, .selecting = Tool::Selecting::Invert, .at_once = true });
+    EXPECT_FALSE(station.scene().selection.empty());
+    EXPECT_EQ(station.tool().kind, Tool::Kind::Indicate);
+    EXPECT_EQ(station.strokes().size(), 1u) << "it is kept like a stroke";
+    EXPECT_EQ(words_for(station.take_tool_changes().at(0).tool).arguments, "invert now");
+}
+
+// Ten samples of the pen's other end across a line, 1 mm and 5 ms apart.
+void erase_across(Station& station, std::int64_t start_ms, double x_mm, double y_mm)
+{
+    for (int i = 0; i < 10; ++i) {
+        auto report = pen_report(x_mm, y_mm + i, true);
+        report[1] = std::byte { 0x38 }; // In range, eraser, invert.
+        station.push(kPen, at_ms(start_ms + 5 * i), report);
+    }
+    station.push(kPen, at_ms(start_ms + 60), pen_report(x_mm, y_mm, false));
+}
+
+// Strokes and what the pen's other end erases of them, before and after that is chosen.
+Station drawn_and_erased(std::vector<Station::ToolChange> const& changes)
+{
+    auto station = station_in_hand();
+    for (std::int64_t second = 0; second < 6; ++second) {
+        for (auto const& [time, tool] : changes)
+            if (time >= at_ms(1000 * second) && time < at_ms(1000 * (second + 1)))
+                station.set_tool(time, tool);
+        if (second % 2 == 0)
+            draw_across(station, 1000 * second + 100);
+        else
+            erase_across(station, 1000 * second + 100, 140, 45);
+    }
+    station.finish();
+    return station;
+}
+
+TEST(StationTools, ErasesWithThePensOtherEndAsItDidLast)
+{
+    Tool const part { .kind = Tool::Kind::Erase, .erasing = Tool::Erasing::Part };
+    auto live = drawn_and_erased({ { at_ms(2000), part },
+                                   { at_ms(2050), { Tool::Kind::DrawInOrder } },
+                                   { at_ms(5000), { Tool::Kind::Erase } } });
+    ASSERT_EQ(live.strokes().size(), 6u);
+    for (auto const& drawn : live.strokes())
+        EXPECT_EQ(drawn.refusal, "");
+    EXPECT_TRUE(std::holds_alternative<DeleteStroke>(live.strokes()[1].edits[0]));
+    EXPECT_EQ(live.strokes()[3].tool, part);
+    EXPECT_TRUE(std::holds_alternative<EraseTips>(live.strokes()[3].edits[0]));
+    EXPECT_TRUE(std::holds_alternative<DeleteStroke>(live.strokes()[5].edits[0]));
+
+    // The same again from the tool lines of a recording, to the last bit.
+    std::vector<Station::ToolChange> recorded;
+    for (auto const& [time, tool] : live.take_tool_changes()) {
+        auto const words = words_for(tool);
+        recorded.push_back({ time, parse_tool(words.name, words.arguments).value() });
+    }
+    ASSERT_EQ(recorded.size(), 3u);
+    auto const replayed = drawn_and_erased(recorded);
+    ASSERT_EQ(replayed.scene().associations.size(), live.scene().associations.size());
+    for (std::size_t i = 0; i < live.scene().associations.size(); ++i) {
+        auto const& one = live.scene().associations[i].stroke.tips;
+        auto const& other = replayed.scene().associations[i].stroke.tips;
+        ASSERT_EQ(one.size(), other.size());
+        for (std::size_t tip = 0; tip < one.size(); ++tip)
+            EXPECT_EQ(one[tip].position_mm, other[tip].position_mm);
+    }
+}
+
+TEST(StationTools, RemembersForHoursHowThePensOtherEndErases)
+{
+    auto station = station_in_hand();
+    Tool const part { .kind = Tool::Kind::Erase, .erasing = Tool::Erasing::Part };
+    station.set_tool(at_ms(0), part);
+    constexpr std::int64_t kHour_ms = 3'600'000;
+    for (int i = 0; i < 4; ++i)
+        station.set_tool(at_ms((i + 1) * kHour_ms),
+                         { i % 2 == 0 ? Tool::Kind::DrawInOrder : Tool::Kind::Indicate });
+    EXPECT_EQ(station.erasing(), Tool::Erasing::Part);
+    EXPECT_EQ(station.tools_to_go_on_with(),
+              (std::vector<Tool> { part, { Tool::Kind::Indicate } }));
+    station.set_tool(at_ms(5 * kHour_ms), part);
+    EXPECT_EQ(station.tools_to_go_on_with(), std::vector<Tool> { part });
+}
+
+TEST(StationTools, ErasesWithThePensOtherEnd)
+{
+    auto station = station_in_hand({ .kind = Tool::Kind::Indicate });
+    touch_along(station, 0, { 50, 50 }, { 150, 50 });
+    ASSERT_EQ(station.strokes().size(), 1u);
+    EXPECT_EQ(station.scene().indicators.size(), 1u);
+    erase_across(station, 300, 100, 70); // Beside it.
+    ASSERT_EQ(station.strokes().size(), 2u);
+    EXPECT_NE(station.strokes()[1].refusal, "");
+    EXPECT_EQ(station.scene().indicators.size(), 1u);
+    erase_across(station, 600, 100, 45);
+    ASSERT_EQ(station.strokes().size(), 3u);
+    EXPECT_EQ(station.strokes()[2].tool.kind, Tool::Kind::Erase);
+    EXPECT_EQ(station.strokes()[2].refusal, "");
+    EXPECT_TRUE(station.scene().indicators.empty());
+}
+
+} // namespace
+} // namespace tractus
