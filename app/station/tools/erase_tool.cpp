@@ -2,6 +2,7 @@
 #include "engine/stroke/erase_tips.h"
 #include "engine/stroke/polyline.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -65,11 +66,29 @@ std::optional<double> height_under(Vec3 const& eraser_mm, MotionIndicator const&
     return under.height_mm();
 }
 
-// A stroke that can be erased: its association, and its tips for as long as that takes.
+// A stroke that can be erased: its association, its tips for as long as that takes, and where the
+// eraser can touch it.
 struct SeenStroke {
     std::size_t number = 0;
     SharedVector<TipSample> tips;
+    Eigen::AlignedBox2d reach_mm;
 };
+
+std::vector<SeenStroke> strokes_on_pad(Scene const& scene)
+{
+    std::vector<SeenStroke> strokes;
+    for (auto const number : shaping_numbers(scene)) { // The pad shows no others.
+        auto& stroke = strokes.emplace_back();
+        stroke.number = number;
+        stroke.tips = scene.associations[number].stroke.tips.in_memory();
+        for (auto const& tip : stroke.tips) {
+            Vec2 const place_mm = tip.position_mm.head<2>();
+            stroke.reach_mm.extend(place_mm + Vec2::Constant(kEraserRadius_mm));
+            stroke.reach_mm.extend(place_mm - Vec2::Constant(kEraserRadius_mm));
+        }
+    }
+    return strokes;
+}
 
 // What the eraser has touched: associations by their numbers, and which of their tips if only these
 // go, and numbers of indicators.
@@ -130,8 +149,10 @@ void touch(Vec3 const& eraser_mm, Scene const& scene, std::span<SeenStroke const
         top_mm = height_mm;
         numbers.push_back(number);
     };
+    Vec2 const place_mm = eraser_mm.head<2>();
     for (std::size_t i = 0; i < strokes.size(); ++i)
-        take(height_under(eraser_mm, strokes[i].tips), seen, i);
+        if (strokes[i].reach_mm.contains(place_mm))
+            take(height_under(eraser_mm, strokes[i].tips), seen, i);
     for (std::size_t i = 0; i < scene.indicators.size(); ++i)
         take(height_under(eraser_mm, scene.indicators[i]), indicators, i);
     for (auto const i : seen)
@@ -203,9 +224,7 @@ Result<std::vector<Edit>> erase_edits(Tool::Erasing erasing, Stroke const& strok
                                       Scene const& scene)
 {
     Touched touched;
-    std::vector<SeenStroke> strokes;
-    for (auto const number : shaping_numbers(scene)) // The pad shows no others.
-        strokes.push_back({ number, scene.associations[number].stroke.tips.in_memory() });
+    auto const strokes = strokes_on_pad(scene);
     for (auto const& place_mm : way_of(stroke))
         touch(place_mm, scene, strokes, touched);
     auto edits = stroke_edits_of(touched, erasing, scene);
