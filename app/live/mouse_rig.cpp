@@ -65,7 +65,7 @@ private:
     DeviceInfo info_;
 };
 
-// Sends the present height again and again, as a sensor does.
+// Sends the present height again and again, with a little noise, as a sensor does.
 class MouseSurface final : public ReportSource {
 public:
     explicit MouseSurface(std::shared_ptr<MouseRig::Shared> shared)
@@ -90,10 +90,19 @@ public:
         auto const received = shared_->now();
         next_ = received + MouseRig::kHeightPeriod;
         auto const counts = std::lround(glide_to(received) * kCountsPerSurfaceMm);
-        return simulated_slider_report(kSurfaceLow + static_cast<std::int32_t>(counts), received);
+        return simulated_slider_report(with_noise(kSurfaceLow + static_cast<std::int32_t>(counts)),
+                                       received);
     }
 
 private:
+    // One count up and down, inwards: a sensor that rests without any noise is taken for torn.
+    std::int32_t with_noise(std::int32_t counts)
+    {
+        flickers_ = !flickers_;
+        std::int32_t const inwards = counts < (kSurfaceLow + kSurfaceHigh) / 2 ? 1 : -1;
+        return counts + (flickers_ ? inwards : 0);
+    }
+
     // The surface at `now`: the nearer, the slower.
     double glide_to(Timestamp now)
     {
@@ -111,6 +120,7 @@ private:
     DeviceInfo info_;
     Timestamp next_ {};
     std::optional<Timestamp> last_; // When the height was last sent.
+    bool flickers_ = false;
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "app/live/live_window.h"
 #include "calib/height_model.h"
+#include "calib/height_monitor.h"
 #include "drivers/height_decoder.h"
 #include "drivers/pen_decoder.h"
 #include "tests/app/simple_rig.h"
@@ -76,6 +77,30 @@ TEST(MouseRig, GlidesToWhereItsSurfaceShallBe)
     EXPECT_NEAR(read_later_mm(), 0, 0.01);
     mouse.set_surface(50);
     EXPECT_NEAR(read_mm(), 50, 0.01) << "was put there";
+}
+
+TEST(MouseRig, MayRestWithoutBeingTakenForBroken)
+{
+    auto now = at_ms(100);
+    MouseRig mouse([&] { return now; });
+    auto const surface = mouse.open_height();
+    auto const decoder = make_height_decoder(surface->info()).value();
+    for (double const height_mm : { 0.0, 120.0, MouseRig::kTop_mm }) {
+        mouse.set_surface(height_mm);
+        HeightMonitor monitor(MouseRig::rig());
+        std::vector<HeightSample> samples;
+        for (auto const until = now + std::chrono::minutes(2); now < until;) {
+            now += MouseRig::kHeightPeriod;
+            auto const report = surface->read(Duration::zero()).value().value();
+            samples.clear();
+            ASSERT_TRUE(decoder->decode(report, samples));
+            monitor.push(samples.at(0));
+            ASSERT_FALSE(monitor.present()) << describe_fault(*monitor.present());
+            auto const counts = samples.at(0).counts;
+            ASSERT_GE(counts, MouseRig::rig().calibrated_min_counts);
+            ASSERT_LE(counts, MouseRig::rig().calibrated_max_counts);
+        }
+    }
 }
 
 Timestamp clock_now()
