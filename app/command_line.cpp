@@ -35,9 +35,11 @@ static constexpr int kExitUsage = 2;
 
 static int fail_usage(CLI::App const& root, std::string const& message)
 {
-    auto const chosen = root.get_subcommands();
-    auto const verb = chosen.empty() ? std::string() : " " + chosen.front()->get_name();
-    print_error(fmt::format("error: {}; see \"tractus{} --help\"\n", message, verb));
+    std::string command = root.get_name();
+    for (auto chosen = root.get_subcommands(); !chosen.empty();
+         chosen = chosen.front()->get_subcommands())
+        command += " " + chosen.front()->get_name();
+    print_error(fmt::format("error: {}; see \"{} --help\"\n", message, command));
     return kExitUsage;
 }
 

@@ -125,13 +125,13 @@ void add_cp2112_verb(CLI::App& sim, Action& action)
                      "The lines that CLK, DIN, DOUT and CS of the MCP3208 are wired to")
         ->type_name("CLK DIN DOUT CS")
         ->expected(4)
-        ->check(CLI::Range(0, 7))
+        ->check(whole_number(0, 7))
         ->capture_default_str();
     verb->add_option("--channel", arguments->channel,
                      "The channel that has the height; each other one, C, has (C + 1) / 10 of "
                      "full scale")
         ->type_name("C")
-        ->check(CLI::Range(0, 7))
+        ->check(whole_number(0, 7))
         ->capture_default_str();
     verb->add_option("--fail-after", arguments->fail_after_s,
                      "From then on the lines cannot be read, as if the cable were bad")

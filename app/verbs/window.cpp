@@ -282,7 +282,7 @@ void add_window_verb(CLI::App& root, Action& action)
     verb->add_option("--scale", arguments->scale,
                      "How large letters and buttons are; 0 takes the display's own scale")
         ->type_name("X")
-        ->check(CLI::Range(0.0, 8.0));
+        ->check(number(0, 8));
     verb->add_option("--frames", arguments->frames,
                      "Close after so many frames of 1/60 s; 0 stays open")
         ->type_name("N")

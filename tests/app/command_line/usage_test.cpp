@@ -66,6 +66,9 @@ TEST_F(Usage, WrongUsageSaysWhereToReadOn)
     expect_error(run("tractus sow"), 2, "sow");
     expect_error(run("tractus replay"), 2, "LOG is required; see \"tractus replay --help\"");
     expect_error(run("tractus replay hand.tractus-log"), 2, "--plant is required");
+    expect_error(run("tractus sim cp2112 --channel 8"), 2,
+                 "'8' is not a whole number from 0 to 7; see \"tractus sim cp2112 --help\"");
+    expect_error(run("tractus window --scale 9"), 2, "'9' is not a number from 0 to 8");
     expect_error(run("tractus demo here"), 2, "here; see \"tractus demo --help\"");
     expect_error(run("tractus grow small.l"), 2, "--output is required");
     expect_error(run("tractus derive small.l"), 2, "--count or --string");
