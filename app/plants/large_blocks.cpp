@@ -7,7 +7,8 @@ namespace tractus {
 void return_large_blocks()
 {
 #ifdef M_MMAP_THRESHOLD // Else the system's library has no such choice.
-    constexpr int kLarge = 1 << 20;
+    // What the library begins with, too; once set it no longer grows with what is freed.
+    constexpr int kLarge = 1 << 17;
     mallopt(M_MMAP_THRESHOLD, kLarge);
 #endif
 }

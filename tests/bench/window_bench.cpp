@@ -4,6 +4,7 @@
 // (cpu).
 //
 // The times are those of the 99th of a hundred frames (p99) or of the usual one (median).
+#include "app/plants/large_blocks.h"
 #include "app/station/station_view.h"
 #include "app/window/view_curves.h"
 #include "tests/app/simple_rig.h"
@@ -71,6 +72,7 @@ public:
         : station_(station_on(std::move(scene)))
         , view_(station_)
     {
+        return_large_blocks(); // As the window does.
     }
 
     struct Took {
