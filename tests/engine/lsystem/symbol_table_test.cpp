@@ -35,91 +35,87 @@ std::string const kTropismView = kSymbolsView + "tropism: T: 1,0,0 A: 0 I: 1 E: 
 double const kHalf = std::sqrt(0.5);
 Vec3 const kBent { std::sin(0.5), 0, std::cos(0.5) }; // Half a radian towards +x.
 
-std::vector<Row> const& rows()
-{
-    static std::vector<Row> const table {
-        // Steps, without and with a segment.
-        { "F", { 0, 0, 2 }, 1 },
-        { "F(3)", { 0, 0, 4 }, 1 },
-        { "f", { 0, 0, 2 } },
-        { "f(3)", { 0, 0, 4 } },
-        { "G(3)", { 0, 0, 4 }, 1 },
-        { "g(3)", { 0, 0, 4 } },
-        // Turns.
-        { "+", { -1, 0, 0 } },
-        { "+(45)", { -kHalf, 0, kHalf } },
-        { "-", { 1, 0, 0 } },
-        { "-(45)", { kHalf, 0, kHalf } },
-        { "&", { 0, 1, 0 } },
-        { "&(45)", { 0, kHalf, kHalf } },
-        { "^", { 0, -1, 0 } },
-        { "^(45)", { 0, -kHalf, kHalf } },
-        { "/+", { 0, 1, 0 } },
-        { "/(45)+", { -kHalf, kHalf, 0 } },
-        { "\\+", { 0, -1, 0 } },
-        { "\\(45)+", { -kHalf, -kHalf, 0 } },
-        { "|", { 0, 0, -1 } },
-        // Branches and cuts.
-        { "[+F]", { 0, 0, 1 }, 1 },
-        { "[F%FF]", { 0, 0, 1 }, 1 },
-        { "[F@mc(1)FF]", { 0, 0, 1 }, 1 },
-        { "[F@mc(0)FF]", { 0, 0, 1 }, 3 },
-        // Widths and colours.
-        { "#(4)", { 0, 0, 1 }, 0, 0, 0, 2 },
-        { "!(4)", { 0, 0, 1 }, 0, 0, 0, 2 },
-        { "##!", { 0, 0, 1 }, 0, 0, 0, 1 },
-        { ";", { 0, 0, 1 }, 0, 0, 0, 0.5f, "two" },
-        { ",", { 0, 0, 1 }, 0, 0, 0, 0.5f, "zero" },
-        { ";(2)", { 0, 0, 1 }, 0, 0, 0, 0.5f, "two" },
-        { ",(0)", { 0, 0, 1 }, 0, 0, 0, 0.5f, "zero" },
-        // Polygons and cylinders: four segments between two control points, unless the symbol says.
-        { "{F+F+F}", { -1, 0, -1 }, 0, 0, 1 },
-        { "{.f.+f.+f.}", { -1, 0, -1 }, 0, 0, 1 },
-        { "{G.+F.+F.}", { -1, 0, -1 }, 0, 0, 1 },
-        { "{(1)FF}(1)", { 0, 0, 3 }, 4 },
-        { "{(2)F+F+F}(1)", { -1, 0, -1 }, 12 },
-        { "{(3)FFFFF}(1)", { 0, 0, 6 }, 8 },
-        { "{(4)F+F+F+F}(1)", { 1, 0, 0 }, 16 },
-        { "@Gsf@Gc(2)f@Ge(3)", { 0, 0, 3 }, 5 },
-        { "@Gt(1,2)@Gr(10,1)@Gr(1)@#@!(5)@Gsf@Ge(4)", { 0, 0, 2 }, 4 },
-        // Organs.
-        { "~l", { 0, 0, 1 }, 0, 1 },
-        { "~l(2)", { 0, 0, 1 }, 0, 1 },
-        { "~l(2,3,4)", { 0, 0, 1 }, 0, 1 },
-        { "@o", { 0, 0, 1 }, 0, 1 },
-        { "@o(2)", { 0, 0, 1 }, 0, 1 },
-        { "@O(2)", { 0, 0, 1 }, 0, 1 },
-        { "@c(2)", { 0, 0, 1 }, 0, 1 },
-        { "@bo(2)", { 0, 0, 1 }, 32 },
-        { "@bc(2)", { 0, 0, 1 }, 32 },
-        // Place and frame, in the model's space: y is up, z comes to the viewer.
-        { "@M(1,2,3)", { 1, -3, 3 } },
-        { "@M(1,2)", { 1, 0, 3 } },
-        { "@R(0,0,2)", { 0, -1, 0 } },
-        { "@R(2,0)", { 1, 0, 0 } },
-        { "@R(2,0)@R(0,0)", { 0, 0, 1 } },
-        { "@R(0,1,0,1,0,0)&", { -1, 0, 0 } },
-        { "-(45)/(30)@v+", { 0, 1, 0 } },
-        { "@D(3)", { 0, 0, 3 } },
-        { "@Di", { 0, 0, 2 } },
-        { "@Di(3)@Di(2)", { 0, 0, 6 } },
-        { "@D(6)@Dd(4)@Dd", { 0, 0, 0.75 } },
-        // Tropisms.
-        { "@Ts(1,0.5)", kBent },
-        { "@Ts(1,9)@Ts(1)", { 0, 0, 1 } },
-        { "@Ti(1,0.5)", kBent },
-        { "@Ti(1)", kBent },
-        { "@T(1,0.5)", kBent },
-        { "@Ti(1,0.8)@Td(1,0.3)", kBent },
-        { "@Ti(1,1)@Td(1)", kBent },
-        { "_(0.5)f_(0)", { std::sin(kPi / 6), 0, 1 + std::cos(kPi / 6) } },
-        { "/@Tf@Tp+", { 0, 1, 0 } },
-        // Questions, and what is no symbol of the turtle's.
-        { "?P(9,9,9)?H(9,9,9)?L(9,9,9)?U(9,9,9)?E(9)" },
-        { "ABC(1,2,3)$" },
-    };
-    return table;
-}
+std::vector<Row> const kRows {
+    // Steps, without and with a segment.
+    { "F", { 0, 0, 2 }, 1 },
+    { "F(3)", { 0, 0, 4 }, 1 },
+    { "f", { 0, 0, 2 } },
+    { "f(3)", { 0, 0, 4 } },
+    { "G(3)", { 0, 0, 4 }, 1 },
+    { "g(3)", { 0, 0, 4 } },
+    // Turns.
+    { "+", { -1, 0, 0 } },
+    { "+(45)", { -kHalf, 0, kHalf } },
+    { "-", { 1, 0, 0 } },
+    { "-(45)", { kHalf, 0, kHalf } },
+    { "&", { 0, 1, 0 } },
+    { "&(45)", { 0, kHalf, kHalf } },
+    { "^", { 0, -1, 0 } },
+    { "^(45)", { 0, -kHalf, kHalf } },
+    { "/+", { 0, 1, 0 } },
+    { "/(45)+", { -kHalf, kHalf, 0 } },
+    { "\\+", { 0, -1, 0 } },
+    { "\\(45)+", { -kHalf, -kHalf, 0 } },
+    { "|", { 0, 0, -1 } },
+    // Branches and cuts.
+    { "[+F]", { 0, 0, 1 }, 1 },
+    { "[F%FF]", { 0, 0, 1 }, 1 },
+    { "[F@mc(1)FF]", { 0, 0, 1 }, 1 },
+    { "[F@mc(0)FF]", { 0, 0, 1 }, 3 },
+    // Widths and colours.
+    { "#(4)", { 0, 0, 1 }, 0, 0, 0, 2 },
+    { "!(4)", { 0, 0, 1 }, 0, 0, 0, 2 },
+    { "##!", { 0, 0, 1 }, 0, 0, 0, 1 },
+    { ";", { 0, 0, 1 }, 0, 0, 0, 0.5f, "two" },
+    { ",", { 0, 0, 1 }, 0, 0, 0, 0.5f, "zero" },
+    { ";(2)", { 0, 0, 1 }, 0, 0, 0, 0.5f, "two" },
+    { ",(0)", { 0, 0, 1 }, 0, 0, 0, 0.5f, "zero" },
+    // Polygons and cylinders: four segments between two control points, unless the symbol says.
+    { "{F+F+F}", { -1, 0, -1 }, 0, 0, 1 },
+    { "{.f.+f.+f.}", { -1, 0, -1 }, 0, 0, 1 },
+    { "{G.+F.+F.}", { -1, 0, -1 }, 0, 0, 1 },
+    { "{(1)FF}(1)", { 0, 0, 3 }, 4 },
+    { "{(2)F+F+F}(1)", { -1, 0, -1 }, 12 },
+    { "{(3)FFFFF}(1)", { 0, 0, 6 }, 8 },
+    { "{(4)F+F+F+F}(1)", { 1, 0, 0 }, 16 },
+    { "@Gsf@Gc(2)f@Ge(3)", { 0, 0, 3 }, 5 },
+    { "@Gt(1,2)@Gr(10,1)@Gr(1)@#@!(5)@Gsf@Ge(4)", { 0, 0, 2 }, 4 },
+    // Organs.
+    { "~l", { 0, 0, 1 }, 0, 1 },
+    { "~l(2)", { 0, 0, 1 }, 0, 1 },
+    { "~l(2,3,4)", { 0, 0, 1 }, 0, 1 },
+    { "@o", { 0, 0, 1 }, 0, 1 },
+    { "@o(2)", { 0, 0, 1 }, 0, 1 },
+    { "@O(2)", { 0, 0, 1 }, 0, 1 },
+    { "@c(2)", { 0, 0, 1 }, 0, 1 },
+    { "@bo(2)", { 0, 0, 1 }, 32 },
+    { "@bc(2)", { 0, 0, 1 }, 32 },
+    // Place and frame, in the model's space: y is up, z comes to the viewer.
+    { "@M(1,2,3)", { 1, -3, 3 } },
+    { "@M(1,2)", { 1, 0, 3 } },
+    { "@R(0,0,2)", { 0, -1, 0 } },
+    { "@R(2,0)", { 1, 0, 0 } },
+    { "@R(2,0)@R(0,0)", { 0, 0, 1 } },
+    { "@R(0,1,0,1,0,0)&", { -1, 0, 0 } },
+    { "-(45)/(30)@v+", { 0, 1, 0 } },
+    { "@D(3)", { 0, 0, 3 } },
+    { "@Di", { 0, 0, 2 } },
+    { "@Di(3)@Di(2)", { 0, 0, 6 } },
+    { "@D(6)@Dd(4)@Dd", { 0, 0, 0.75 } },
+    // Tropisms.
+    { "@Ts(1,0.5)", kBent },
+    { "@Ts(1,9)@Ts(1)", { 0, 0, 1 } },
+    { "@Ti(1,0.5)", kBent },
+    { "@Ti(1)", kBent },
+    { "@T(1,0.5)", kBent },
+    { "@Ti(1,0.8)@Td(1,0.3)", kBent },
+    { "@Ti(1,1)@Td(1)", kBent },
+    { "_(0.5)f_(0)", { std::sin(kPi / 6), 0, 1 + std::cos(kPi / 6) } },
+    { "/@Tf@Tp+", { 0, 1, 0 } },
+    // Questions, and what is no symbol of the turtle's.
+    { "?P(9,9,9)?H(9,9,9)?L(9,9,9)?U(9,9,9)?E(9)" },
+    { "ABC(1,2,3)$" },
+};
 
 // Surfaces of the turtle's need sixteen points.
 std::string surface_symbols()
@@ -149,7 +145,7 @@ void expect_row(Row const& row, std::string const& view)
 
 TEST(TurtleSymbols, DrawWhatTheTableSays)
 {
-    for (auto const& row : rows()) {
+    for (auto const& row : kRows) {
         expect_row(row, kTropismView);
         // Without tropisms common symbols take a way of their own.
         if (std::string_view(row.symbols).find("@T") == std::string_view::npos)
@@ -187,7 +183,7 @@ TEST(TurtleSymbols, AreLeftOutWithOneSentence)
         EXPECT_EQ(warnings_about(symbols), std::vector<std::string> { warning });
     // They are about cpfg's ray tracer, or other programs.
     EXPECT_TRUE(warnings_about("@mo(1,2,3)@I(\"a\",2)@J(1,2,3)@Z@Y").empty());
-    for (auto const& row : rows()) {
+    for (auto const& row : kRows) {
         auto const model
             = compiled(with_header("Axiom: " + std::string(row.symbols), 0), kTropismView);
         auto const result = interpret_with_warnings(model, derive(model).value());
