@@ -2,11 +2,11 @@
 
 #include "app/window/height_gauge.h"
 #include "app/window/input.h"
-#include "app/window/theme.h"
+#include "app/window/shortcuts.h"
+#include "app/window/skeleton_notes.h"
 #include "app/window/tool_choices.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/core.h>
 #include <utility>
@@ -19,57 +19,8 @@ constexpr int kSavedWidth_px = 1600; // Of "Save picture".
 constexpr int kSavedHeight_px = 1200;
 constexpr float kGaugeWidth_px = 88;
 constexpr double kAirAroundPad = 1.06;
-constexpr double kWheelStep_mm = 10;
-constexpr double kFineWheelStep_mm = 1; // With Shift.
-constexpr double kKeySpeed_mm_s = 80;
 
 using Shown = Workbench::Shown;
-
-constexpr int kLegendLines = 4;
-constexpr float kLegendSpacing = 1.25f; // In letters' heights.
-
-struct LegendEntry {
-    Vec3f color;
-    char const* text;
-};
-
-void draw_legend(ImVec2 const& corner)
-{
-    static std::array<LegendEntry, kLegendLines> const entries {
-        { { theme::palette().selected, "selected" },
-          { theme::palette().undetermined, "undetermined" },
-          { theme::palette().assigned, "shaped by a stroke" },
-          { theme::palette().indicator, "leaning" } }
-    };
-    auto* const draw = ImGui::GetWindowDrawList();
-    float const line = ImGui::GetFontSize() * kLegendSpacing;
-    float y = corner.y;
-    for (auto const& entry : entries) {
-        float const middle = y + ImGui::GetFontSize() / 2;
-        draw->AddLine({ corner.x, middle }, { corner.x + line, middle }, theme::packed(entry.color),
-                      5);
-        draw->AddText({ corner.x + line * 1.3f, y }, ImGui::GetColorU32(ImGuiCol_TextDisabled),
-                      entry.text);
-        y += line;
-    }
-}
-
-// What a pen that selects has drawn over the skeleton.
-void draw_selecting_ink(WindowState const& state, PenArea const& area)
-{
-    auto* const draw = ImGui::GetWindowDrawList();
-    std::vector<ImVec2> places;
-    for (auto const& ink : state.live_ink) {
-        places.clear();
-        for (auto const& point : ink.points)
-            places.push_back(area.to_px(point.position_mm.head<2>().cast<double>()));
-        draw->AddPolyline(places.data(), static_cast<int>(places.size()),
-                          theme::packed(theme::palette().ink, 0.6f), ImDrawFlags_None, 3);
-    }
-    if (state.pen.in_range)
-        draw->AddCircleFilled(area.to_px(state.pen.tip_mm.head<2>().cast<double>()), 6,
-                              theme::packed(theme::palette().ink, 0.8f));
-}
 
 constexpr ImGuiWindowFlags kPanelFlags
     = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
@@ -123,7 +74,7 @@ void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
     covered_.push_back(controls_.show(model, bench_, left, right));
     show_menu(model, renderer);
     if (bench_.keys_are_listed)
-        show_keys();
+        covered_.push_back(show_shortcuts(kPanelFlags, scale_));
     show_ring(model, pen);
     fulfil_view_wishes();
     follow_angle(model);
@@ -186,7 +137,7 @@ void Layout::begin_frame(WindowModel& model)
     covered_.clear();
     pad_is_pointed_at_ = false;
     if (model.calibration() == nullptr)
-        return take_keys(model);
+        return take_shortcuts(model, bench_, ring_);
     bench_.wants_to_close = input::is_pressed('Q');
     if (!input::is_escape_pressed())
         return;
@@ -194,68 +145,6 @@ void Layout::begin_frame(WindowModel& model)
         model.perform(CloseCalibration {});
     else
         bench_.wants_to_close = true;
-}
-
-void Layout::take_keys(WindowModel& model)
-{
-    auto const& io = ImGui::GetIO();
-    if (input::is_question_mark_typed())
-        bench_.keys_are_listed = !bench_.keys_are_listed;
-    if (input::is_escape_pressed()) {
-        bool const is_anything_open
-            = ring_.is_open() || bench_.menu_is_open() || bench_.keys_are_listed;
-        ring_.close();
-        bench_.close_menu();
-        bench_.keys_are_listed = false;
-        bool const fills_display = bench_.filled_display.has_value();
-        if (!is_anything_open && fills_display)
-            bench_.turn_full_screen();
-        bench_.wants_to_close = !is_anything_open && !fills_display;
-    }
-    if (input::is_pressed('Q'))
-        bench_.wants_to_close = true;
-    if (io.KeyCtrl) {
-        if (input::is_pressed('Z') && model.state().has_session) {
-            if (io.KeyShift)
-                model.perform(Redo {});
-            else
-                model.perform(Undo {});
-        }
-        return;
-    }
-    if (input::is_pressed('N'))
-        model.perform(NextVariation {});
-    if (input::is_pressed('V'))
-        bench_.show_next();
-    if (input::is_pressed('F'))
-        bench_.turn_full_screen();
-    if (!model.state().is_live)
-        return;
-    constexpr std::array<char, 4> kToolKeys { 'D', 'C', 'L', 'E' };
-    for (std::size_t i = 0; i < kToolKeys.size(); ++i)
-        if (input::is_pressed(kToolKeys[i]))
-            bench_.choose(model, tool_choices(model.state().erasing)[i].tool);
-    if (input::is_pressed('T'))
-        bench_.choose_view_tool();
-}
-
-// By the wheel over the pad, and by keys wherever the mouse is.
-void Layout::move_surface(WindowModel& model, bool wheel_counts) const
-{
-    if (!model.state().mouse_moves_surface)
-        return;
-    auto const& io = ImGui::GetIO();
-    double by_mm = 0;
-    if (wheel_counts)
-        by_mm += static_cast<double>(io.MouseWheel)
-            * (io.KeyShift ? kFineWheelStep_mm : kWheelStep_mm);
-    double const step_s = std::min(0.1, static_cast<double>(io.DeltaTime));
-    if (input::is_held('W'))
-        by_mm += kKeySpeed_mm_s * step_s;
-    if (input::is_held('S'))
-        by_mm -= kKeySpeed_mm_s * step_s;
-    if (by_mm != 0)
-        model.perform(MoveSurface { by_mm });
 }
 
 void Layout::show_views(WindowModel& model, Renderer& renderer, std::span<MouseMoment const> mouse)
@@ -277,7 +166,7 @@ void Layout::show_views(WindowModel& model, Renderer& renderer, std::span<MouseM
         else
             show_collection(model, renderer, beside_menu());
         if (bench_.shown != Shown::Pad)
-            move_surface(model, false);
+            move_surface_as_wished(model, false);
         return;
     }
     auto const room = beside_menu();
@@ -325,7 +214,7 @@ void Layout::show_pad(WindowModel& model, Renderer& renderer, WindowPart const& 
             mouse_.hold(model, area, mouse);
     }
     pad_is_pointed_at_ = ImGui::IsItemHovered();
-    move_surface(model, pad_is_pointed_at_);
+    move_surface_as_wished(model, pad_is_pointed_at_);
     float const gauge_px = kGaugeWidth_px * scale_;
     float const gauge_left = fills_window ? std::max(part.left, area.left_px()) : part.left;
     draw_height_gauge(state, { gauge_left, part.top + 40 * scale_ },
@@ -366,8 +255,8 @@ void Layout::show_skeleton(WindowModel& model, Renderer& renderer, WindowPart co
     }
     show_title(part, "Skeleton",
                selects_here ? "draw along a branch to select it" : "drag to turn, wheel to zoom");
-    float const legend_px = kLegendLines * kLegendSpacing * ImGui::GetFontSize();
-    draw_legend({ part.left + 14 * scale_, above_controls().height - legend_px - 12 * scale_ });
+    draw_skeleton_legend(skeleton_.states(),
+                         { part.left + 14 * scale_, above_controls().height - 12 * scale_ });
 }
 
 void Layout::show_plant(WindowState const& state, Renderer& renderer, WindowPart const& part)
@@ -397,40 +286,6 @@ WindowPart Layout::room_for_menu() const
     if (bench_.shown != Shown::All)
         room.width = std::min(room.width, pen_area_.right_px());
     return room;
-}
-
-void Layout::show_keys()
-{
-    struct Key {
-        char const* key;
-        char const* meaning;
-    };
-    static constexpr std::array<Key, 13> kKeys {
-        { { "D  C  L  E", "draw, select, lean, erase" },
-          { "T", "turn and zoom views" },
-          { "V", "the next view" },
-          { "F", "full screen, or a window again" },
-          { "W  S", "surface up, down (without a height sensor)" },
-          { "wheel", "the same over the pad; with Shift finely" },
-          { "right button", "ring of tools; turns the skeleton" },
-          { "Ctrl+Z", "undo" },
-          { "Ctrl+Shift+Z", "redo" },
-          { "N", "another one: the next seed" },
-          { "?", "this list" },
-          { "Esc", "closes what is open, full screen, or the window" },
-          { "Q", "closes the window" } }
-    };
-    ImGui::SetNextWindowPos({ 40 * scale_, 60 * scale_ });
-    ImGui::Begin("keys", nullptr, kPanelFlags | ImGuiWindowFlags_AlwaysAutoResize);
-    for (auto const& [key, meaning] : kKeys) {
-        ImGui::TextUnformatted(key);
-        ImGui::SameLine(190 * scale_);
-        ImGui::TextDisabled("%s", meaning);
-    }
-    auto const corner = ImGui::GetWindowPos();
-    auto const size = ImGui::GetWindowSize();
-    covered_.push_back({ corner.x, corner.y, size.x, size.y });
-    ImGui::End();
 }
 
 void Layout::show_ring(WindowModel& model, PenPointer const& pen)

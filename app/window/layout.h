@@ -51,11 +51,8 @@ private:
     void show_plant(WindowState const& state, Renderer& renderer, WindowPart const& part);
     void show_collection(WindowModel& model, Renderer& renderer, WindowPart const& part);
     void show_title(WindowPart const& part, char const* title, char const* detail) const;
-    void show_keys();
     void fulfil_view_wishes();
     void show_ring(WindowModel& model, PenPointer const& pen);
-    void take_keys(WindowModel& model);
-    void move_surface(WindowModel& model, bool wheel_counts) const;
     void tell_pressing_areas(WindowModel& model);
     void follow_angle(WindowModel& model) const;
     WindowPart above_controls() const;

@@ -219,6 +219,18 @@ Stage::Fade pad_fade(WindowState const& state)
              .range_mm = std::max(range, 1.0f) };
 }
 
+SkeletonStates skeleton_states(WindowState const& state)
+{
+    SkeletonStates states;
+    for (auto const& line : state.skeleton) {
+        states.selected |= line.state == SkeletonLine::State::Selected;
+        states.undetermined |= line.state == SkeletonLine::State::Undetermined;
+        states.assigned |= line.state == SkeletonLine::State::Assigned;
+    }
+    states.leaning = !state.indicators.empty();
+    return states;
+}
+
 std::vector<Curve> preview_curves(WindowState const& state)
 {
     float const widest = widest_mm(state.skeleton);

@@ -24,6 +24,15 @@ Stage::Fade pad_fade(WindowState const& state);
 // The skeleton with its states, the indicators, and a ring on the ground.
 std::vector<Curve> skeleton_curves(WindowState const& state);
 
+// Which of its colours the skeleton has.
+struct SkeletonStates {
+    bool selected = false;
+    bool undetermined = false;
+    bool assigned = false;
+    bool leaning = false; // There are indicators.
+};
+SkeletonStates skeleton_states(WindowState const& state);
+
 // The branches that the ink would move, as the skeleton shows them.
 std::vector<Curve> preview_curves(WindowState const& state);
 

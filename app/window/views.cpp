@@ -1,7 +1,6 @@
 #include "app/window/views.h"
 
 #include "app/window/theme.h"
-#include "app/window/view_curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -135,7 +134,10 @@ void turn_skeleton(SelectionAngle& angle, PenArea const& area, bool left_turns, 
 void SkeletonView::show(WindowState const& state, Renderer& renderer, SelectionAngle const& angle,
                         PenArea const& area, ImVec2 const& size_px)
 {
-    bool changed = curves_.follow(state.skeleton_revision, [&] { return skeleton_curves(state); });
+    bool changed = curves_.follow(state.skeleton_revision, [&] {
+        states_ = skeleton_states(state);
+        return skeleton_curves(state);
+    });
     changed |= preview_.follow(state.preview_revision, [&] { return preview_curves(state); });
     changed |= std::exchange(angle_, angle) != angle;
     changed |= std::exchange(px_per_mm_, area.px_per_mm) != area.px_per_mm;

@@ -4,6 +4,7 @@
 #include "app/window/orbit.h"
 #include "app/window/palette.h"
 #include "app/window/pen_area.h"
+#include "app/window/view_curves.h"
 #include "app/window/workbench.h"
 
 #include <imgui.h>
@@ -82,9 +83,13 @@ public:
     void show(WindowState const& state, Renderer& renderer, SelectionAngle const& angle,
               PenArea const& area, ImVec2 const& size_px);
 
+    // What it showed.
+    SkeletonStates const& states() const { return states_; }
+
 private:
     ViewCanvas canvas_;
     FollowedCurves curves_;
+    SkeletonStates states_;
     FollowedCurves preview_;
     SelectionAngle angle_;
     double px_per_mm_ = 0;

@@ -27,6 +27,9 @@ inline WindowState small_state()
           .width_mm = 15,
           .state = SkeletonLine::State::Assigned },
     };
+    for (auto const& line : state.skeleton)
+        for (auto const& point : line.points_mm)
+            state.skeleton_box_mm.add(point.cast<double>());
     state.indicators = { { { -150, 0, 60 }, { -60, 0, 120 } } };
     state.T_world_plant.linear() *= 0.4f;
     state.tool = "Draw";

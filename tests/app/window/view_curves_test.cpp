@@ -107,6 +107,12 @@ TEST(SkeletonCurves, ShowEachStateInItsColour)
     EXPECT_EQ(colored(theme::palette().selected), 1);
     EXPECT_EQ(colored(theme::palette().assigned), 1);
     EXPECT_EQ(colored(theme::palette().undetermined), 0);
+
+    auto const states = skeleton_states(small_state());
+    EXPECT_TRUE(states.selected && states.assigned && states.leaning);
+    EXPECT_FALSE(states.undetermined);
+    auto const bare = skeleton_states({});
+    EXPECT_FALSE(bare.selected || bare.assigned || bare.leaning);
 }
 
 TEST(SkeletonCurves, DrawIndicatorsAsArrows)

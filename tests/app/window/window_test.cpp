@@ -94,7 +94,8 @@ protected:
 namespace {
 
 constexpr Part kPad { 110, 550 };
-constexpr Part kSkeleton { 580, 960 };
+constexpr Part kSkeleton { 620, 960, 60, 580 };
+constexpr Part kLegend { 560, 620, 580, 660 }; // Its lines; the words are beside them.
 constexpr Part kPlant { 990, 1480 };
 
 } // namespace
@@ -112,8 +113,20 @@ TEST_F(WindowTest, ShowsPadSkeletonAndPlantSideBySide)
     EXPECT_GT(colored(picture, kPad, theme::palette().ink), 100);
     EXPECT_EQ(colored(picture, kSkeleton, theme::palette().ink), 0);
     EXPECT_GT(colored(picture, kSkeleton, theme::palette().unselected), 80);
-    EXPECT_GT(colored(picture, kSkeleton, theme::palette().selected), 80);
-    EXPECT_GT(colored(picture, kSkeleton, theme::palette().assigned), 80);
+    // Branches are shaded, so that only their hue can be told.
+    int blue = 0, green = 0;
+    for (int y = kSkeleton.top; y < kSkeleton.bottom; ++y)
+        for (int x = kSkeleton.left; x < kSkeleton.right; ++x) {
+            auto const& pixel = picture.at(x, y);
+            blue += pixel.blue > pixel.red + 40 && pixel.blue > pixel.green + 20;
+            green += pixel.green > pixel.red + 40 && pixel.green > pixel.blue + 20;
+        }
+    EXPECT_GT(blue, 80) << "selected";
+    EXPECT_GT(green, 80) << "shaped by a stroke";
+    EXPECT_GT(colored(picture, kLegend, theme::palette().selected), 40);
+    EXPECT_GT(colored(picture, kLegend, theme::palette().assigned), 40);
+    EXPECT_GT(colored(picture, kLegend, theme::palette().indicator), 40);
+    EXPECT_EQ(colored(picture, kLegend, theme::palette().undetermined), 0) << "none is";
     int leaf = 0;
     for (int y = 60; y < 660; ++y)
         for (int x = kPlant.left; x < kPlant.right; ++x) {

@@ -1,0 +1,52 @@
+#include "app/window/skeleton_notes.h"
+
+#include "app/window/palette.h"
+#include "app/window/theme.h"
+
+namespace tractus {
+
+namespace {
+
+constexpr float kLegendSpacing = 1.25f; // In letters' heights.
+
+} // namespace
+
+void draw_skeleton_legend(SkeletonStates const& states, ImVec2 const& corner_px)
+{
+    auto* const draw = ImGui::GetWindowDrawList();
+    float const line = ImGui::GetFontSize() * kLegendSpacing;
+    float y = corner_px.y;
+    auto const add = [&](bool is_there, Vec3f const& color, char const* text) {
+        if (!is_there)
+            return;
+        y -= line; // From below.
+        float const middle = y + ImGui::GetFontSize() / 2;
+        draw->AddLine({ corner_px.x, middle }, { corner_px.x + line, middle }, theme::packed(color),
+                      5);
+        draw->AddText({ corner_px.x + line * 1.3f, y }, ImGui::GetColorU32(ImGuiCol_TextDisabled),
+                      text);
+    };
+    auto const& palette = theme::palette();
+    add(states.leaning, palette.indicator, "leaning");
+    add(states.assigned, palette.assigned, "shaped by a stroke");
+    add(states.undetermined, palette.undetermined, "undetermined");
+    add(states.selected, palette.selected, "selected");
+}
+
+void draw_selecting_ink(WindowState const& state, PenArea const& area)
+{
+    auto* const draw = ImGui::GetWindowDrawList();
+    std::vector<ImVec2> places;
+    for (auto const& ink : state.live_ink) {
+        places.clear();
+        for (auto const& point : ink.points)
+            places.push_back(area.to_px(point.position_mm.head<2>().cast<double>()));
+        draw->AddPolyline(places.data(), static_cast<int>(places.size()),
+                          theme::packed(theme::palette().ink, 0.6f), ImDrawFlags_None, 3);
+    }
+    if (state.pen.in_range)
+        draw->AddCircleFilled(area.to_px(state.pen.tip_mm.head<2>().cast<double>()), 6,
+                              theme::packed(theme::palette().ink, 0.8f));
+}
+
+} // namespace tractus

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/station/window_model.h"
+#include "app/window/pen_area.h"
+#include "app/window/view_curves.h"
+
+#include <imgui.h>
+
+namespace tractus {
+
+// What is written and drawn over the skeleton's view, into the current ImGui window.
+
+// What the colours mean that are in it; `corner_px` is the lower left one.
+void draw_skeleton_legend(SkeletonStates const& states, ImVec2 const& corner_px);
+
+// What a pen that selects has drawn, and where it is.
+void draw_selecting_ink(WindowState const& state, PenArea const& area);
+
+} // namespace tractus
