@@ -217,13 +217,24 @@ void Host::fill_display(std::optional<std::size_t> display)
     if (!filled)
         last_place_ = place();
     auto const all = monitors();
-    auto* const monitor = display && *display < all.size() ? all[*display] : nullptr;
-    auto const* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
-    if (mode != nullptr)
-        glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
-    else if (filled)
+    if (display && *display < all.size())
+        return fill_monitor(all[*display]);
+    if (filled)
         glfwSetWindowMonitor(window_, nullptr, last_place_.left, last_place_.top, last_place_.width,
                              last_place_.height, GLFW_DONT_CARE);
+}
+
+// Some window managers (Openbox) fill the monitor that the window is on, whichever is asked for.
+void Host::fill_monitor(GLFWmonitor* monitor)
+{
+    auto const* const mode = glfwGetVideoMode(monitor);
+    if (mode == nullptr)
+        return;
+    int left = 0, top = 0;
+    glfwGetMonitorPos(monitor, &left, &top);
+    glfwSetWindowMonitor(window_, nullptr, left, top, last_place_.width, last_place_.height,
+                         GLFW_DONT_CARE);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 } // namespace tractus

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+struct GLFWmonitor;
 struct GLFWwindow;
 
 namespace tractus {
@@ -61,6 +62,7 @@ private:
     };
 
     void watch_mouse();
+    void fill_monitor(GLFWmonitor* monitor);
     Place place() const;
 
     std::vector<MouseMoment> mouse_;
