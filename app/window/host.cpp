@@ -1,6 +1,7 @@
 #include "app/window/host.h"
 
 #include "app/render/gl_objects.h"
+#include "app/window/imgui_mouse.h"
 #include "app/window/theme.h"
 
 #define GLFW_INCLUDE_NONE
@@ -8,9 +9,11 @@
 #include <algorithm>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <cctype>
 #include <cstdlib>
 #include <fmt/core.h>
 #include <span>
+#include <utility>
 
 namespace tractus {
 
@@ -26,6 +29,18 @@ tl::unexpected<Error> no_window(char const* what)
             "cannot open a window: {} ({}); start it on a display, or use `tractus demo -o DIR`, "
             "`tractus replay` or `tractus render`, which need none",
             what, reason ? reason : "no reason given"));
+}
+
+// The letter that a key bears on this keyboard, or where that has others than Latin ones, on an
+// American one; 0 if none.
+char letter_of(int key, int scancode)
+{
+    auto const* const name = glfwGetKeyName(key, scancode);
+    auto const first = static_cast<unsigned char>(name != nullptr ? name[0] : 0);
+    bool const is_other_script = first == 0 || first >= 0x80;
+    if (is_other_script)
+        return key >= GLFW_KEY_A && key <= GLFW_KEY_Z ? static_cast<char>(key) : char { 0 };
+    return std::isalpha(first) ? static_cast<char>(std::toupper(first)) : char { 0 };
 }
 
 std::span<GLFWmonitor* const> monitors()
@@ -73,6 +88,8 @@ Result<void> Host::open(WindowOptions const& options)
     glfwSwapInterval(options.frames > 0 ? 0 : 1);
     glfwGetWindowContentScale(window_, &scale_, nullptr);
     watch_mouse(); // Before ImGui, which passes everything on.
+    watch_keyboard();
+    watch_window();
 
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // Leaves no file behind.
@@ -86,23 +103,83 @@ Result<void> Host::open(WindowOptions const& options)
     return {};
 }
 
+Host& Host::stirred(GLFWwindow* window)
+{
+    auto& host = *static_cast<Host*>(glfwGetWindowUserPointer(window));
+    host.has_stirred_ = true;
+    return host;
+}
+
 void Host::watch_mouse()
 {
     glfwSetWindowUserPointer(window_, this);
+    // By the events alone, in their order: GLFW itself knows where the mouse is by now.
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
-        auto& host = *static_cast<Host*>(glfwGetWindowUserPointer(window));
-        bool const is_down = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
-        host.mouse_.push_back({ { static_cast<float>(x), static_cast<float>(y) }, is_down });
+        auto& host = stirred(window);
+        host.last_mouse_.place_px = { static_cast<float>(x), static_cast<float>(y) };
+        host.mouse_.push(host.last_mouse_);
     });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
-        auto& host = *static_cast<Host*>(glfwGetWindowUserPointer(window));
+        auto& host = stirred(window);
         if (button != GLFW_MOUSE_BUTTON_LEFT)
             return;
-        double x = 0, y = 0;
-        glfwGetCursorPos(window, &x, &y);
-        host.mouse_.push_back(
-            { { static_cast<float>(x), static_cast<float>(y) }, action == GLFW_PRESS });
+        host.last_mouse_.is_down = action == GLFW_PRESS;
+        host.mouse_.push(host.last_mouse_);
     });
+}
+
+void Host::watch_keyboard()
+{
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int code, int action, int mods) {
+        auto& host = stirred(window);
+        if (action != GLFW_REPEAT)
+            host.take_key(key, code, action == GLFW_PRESS, mods);
+    });
+    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned int letter) {
+        auto& host = stirred(window);
+        if (letter == '?') // By which key depends on the keyboard.
+            host.presses_.push_back({ '?' });
+    });
+}
+
+void Host::watch_window()
+{
+    glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { stirred(window); });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { stirred(window); });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { stirred(window); });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { stirred(window); });
+    glfwSetWindowPosCallback(window_, [](GLFWwindow* window, int, int) { stirred(window); });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { stirred(window); });
+    glfwSetWindowCloseCallback(window_, [](GLFWwindow* window) { stirred(window); });
+}
+
+bool Host::take_events()
+{
+    glfwPollEvents();
+    return std::exchange(has_stirred_, false) || !mouse_.is_empty();
+}
+
+bool Host::wait_for_events(double wait_s)
+{
+    if (!mouse_.is_empty())
+        return true;
+    glfwWaitEventsTimeout(wait_s);
+    return std::exchange(has_stirred_, false);
+}
+
+void Host::take_key(int key, int scancode, bool is_pressed, int modifiers)
+{
+    auto const letter = key == GLFW_KEY_ESCAPE ? KeyPress::kEscape : letter_of(key, scancode);
+    if (letter == 0)
+        return;
+    held_.erase(std::remove(held_.begin(), held_.end(), letter), held_.end());
+    if (!is_pressed
+        || (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0) // These are the desktop's.
+        return;
+    held_.push_back(letter);
+    lately_held_.push_back(letter);
+    presses_.push_back(
+        { letter, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0 });
 }
 
 bool Host::wants_to_close() const
@@ -110,12 +187,17 @@ bool Host::wants_to_close() const
     return glfwWindowShouldClose(window_);
 }
 
-void Host::begin_frame(std::optional<float> step_s)
+HandInput Host::begin_frame(std::optional<float> step_s)
 {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     if (step_s)
         ImGui::GetIO().DeltaTime = *step_s;
+    auto mouse = mouse_.take_part();
+    if (mouse.change)
+        show_imgui_press(*mouse.change);
+    return { std::move(mouse.path), std::exchange(presses_, {}),
+             std::exchange(lately_held_, held_) };
 }
 
 void Host::end_frame()

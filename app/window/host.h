@@ -2,14 +2,15 @@
 
 #include "app/render/image.h"
 #include "app/window/display.h"
-#include "app/window/mouse_hand.h"
+#include "app/window/hand_input.h"
+#include "app/window/mouse_queue.h"
 #include "app/window/window.h"
 #include "engine/base/result.h"
 
 #include <cstddef>
 #include <imgui.h>
 #include <optional>
-#include <utility>
+#include <string>
 #include <vector>
 
 struct GLFWmonitor;
@@ -30,8 +31,9 @@ public:
     Result<void> open(WindowOptions const& options);
 
     bool wants_to_close() const;
-    // `step_s`: how long after the last one, where that is not the clock's.
-    void begin_frame(std::optional<float> step_s);
+    // `step_s`: how long after the last one, where that is not the clock's. Returns what mouse and
+    // keyboard did up to this frame.
+    HandInput begin_frame(std::optional<float> step_s);
     void end_frame(); // Draws; the picture is in the back buffer.
     Image back_buffer() const;
     void show_frame();
@@ -39,9 +41,10 @@ public:
     float scale() const { return scale_; }
     ImFont* title_font() const { return title_font_; }
 
-    // What the mouse did since the last call: more than ImGui tells, which knows where it is at
-    // each frame.
-    std::vector<MouseMoment> take_mouse() { return std::exchange(mouse_, {}); }
+    // Lets events come in, those that are there already or, for `wait_s` at most, the next ones
+    // too. True if any of them concerned the window, or still waits for a frame.
+    bool take_events();
+    bool wait_for_events(double wait_s);
 
     // The displays there are, in the system's order, the first one its main one. They may come and
     // go while events are taken.
@@ -61,11 +64,20 @@ private:
         int left = 0, top = 0, width = 0, height = 0;
     };
 
+    static Host& stirred(GLFWwindow* window); // The one whose window an event concerns.
     void watch_mouse();
+    void watch_window();
+    void watch_keyboard();
+    void take_key(int key, int scancode, bool is_pressed, int modifiers);
     void fill_monitor(GLFWmonitor* monitor);
     Place place() const;
 
-    std::vector<MouseMoment> mouse_;
+    MouseQueue mouse_;
+    MouseMoment last_mouse_; // Pushed into it.
+    std::vector<KeyPress> presses_;
+    bool has_stirred_ = false; // Since events were last taken.
+    std::string lately_held_;  // Since the last frame.
+    std::string held_;         // The letters of the keys that are down now.
     bool library_ = false;
     GLFWwindow* window_ = nullptr;
     Place last_place_; // As a window among others.

@@ -1,7 +1,6 @@
 #include "app/window/layout.h"
 
 #include "app/window/height_gauge.h"
-#include "app/window/input.h"
 #include "app/window/shortcuts.h"
 #include "app/window/skeleton_notes.h"
 #include "app/window/tool_choices.h"
@@ -50,9 +49,9 @@ WindowPart Layout::beside_menu() const
 }
 
 void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
-                  std::span<MouseMoment const> mouse)
+                  HandInput const& input)
 {
-    begin_frame(model);
+    begin_frame(model, input);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                         model.calibration() ? ImGui::GetStyle().WindowPadding : ImVec2(0, 0));
     ImGui::SetNextWindowPos({ 0, 0 });
@@ -64,7 +63,7 @@ void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
         ImGui::End();
         return;
     }
-    show_views(model, renderer, mouse);
+    show_views(model, renderer, input);
     ImGui::End();
     bool const is_beside_pen
         = model.state().is_live && !model.state().mouse_draws && bench_.shown != Shown::All;
@@ -128,7 +127,7 @@ void Layout::fulfil_view_wishes()
 }
 
 // A person with a tablet begins where it draws.
-void Layout::begin_frame(WindowModel& model)
+void Layout::begin_frame(WindowModel& model, HandInput const& input)
 {
     auto const& state = model.state();
     if (!std::exchange(has_begun_, true) && state.is_live && !state.mouse_draws)
@@ -136,18 +135,16 @@ void Layout::begin_frame(WindowModel& model)
     bench_.angle.area_mm = (state.volume_mm.max_mm - state.volume_mm.min_mm).head<2>().cwiseMax(1);
     covered_.clear();
     pad_is_pointed_at_ = false;
-    if (model.calibration() == nullptr)
-        return take_shortcuts(model, bench_, ring_);
-    bench_.wants_to_close = input::is_pressed('Q');
-    if (!input::is_escape_pressed())
+    if (ImGui::GetIO().WantTextInput)
         return;
-    if (state.is_live)
-        model.perform(CloseCalibration {});
-    else
-        bench_.wants_to_close = true;
+    for (auto const& press : input.presses)
+        if (model.calibration() != nullptr)
+            take_calibration_shortcut(press, model, bench_);
+        else
+            take_shortcut(press, model, bench_, ring_);
 }
 
-void Layout::show_views(WindowModel& model, Renderer& renderer, std::span<MouseMoment const> mouse)
+void Layout::show_views(WindowModel& model, Renderer& renderer, HandInput const& input)
 {
     auto const& state = model.state();
     if (!state.mouse_draws || !bench_.draws(state))
@@ -158,15 +155,15 @@ void Layout::show_views(WindowModel& model, Renderer& renderer, std::span<MouseM
         auto const whole = whole_window();
         pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
         if (bench_.shown == Shown::Pad)
-            show_pad(model, renderer, whole, mouse);
+            show_pad(model, renderer, whole, input);
         else if (bench_.shown == Shown::Skeleton)
-            show_skeleton(model, renderer, whole, mouse);
+            show_skeleton(model, renderer, whole, input);
         else if (bench_.shown == Shown::Plant)
             show_plant(state, renderer, beside_menu());
         else
             show_collection(model, renderer, beside_menu());
         if (bench_.shown != Shown::Pad)
-            move_surface_as_wished(model, false);
+            move_surface_as_wished(model, input, false);
         return;
     }
     auto const room = beside_menu();
@@ -175,9 +172,9 @@ void Layout::show_views(WindowModel& model, Renderer& renderer, std::span<MouseM
     WindowPart part { 0, 0, width * 0.37f, room.height };
     auto const whole = whole_window(); // What the pen points at unless it draws.
     pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
-    show_pad(model, renderer, part, mouse);
+    show_pad(model, renderer, part, input);
     part = { part.left + part.width + gap, 0, width * 0.28f, room.height };
-    show_skeleton(model, renderer, part, mouse);
+    show_skeleton(model, renderer, part, input);
     part = { part.left + part.width + gap, 0, width * 0.35f, room.height };
     show_plant(state, renderer, part);
 }
@@ -197,7 +194,7 @@ void Layout::show_title(WindowPart const& part, char const* title, char const* d
 }
 
 void Layout::show_pad(WindowModel& model, Renderer& renderer, WindowPart const& part,
-                      std::span<MouseMoment const> mouse)
+                      HandInput const& input)
 {
     auto const& state = model.state();
     bool const fills_window = bench_.shown == Shown::Pad;
@@ -211,10 +208,10 @@ void Layout::show_pad(WindowModel& model, Renderer& renderer, WindowPart const& 
     if (draws_here) {
         pen_area_ = area;
         if (state.mouse_draws && !ring_.is_open())
-            mouse_.hold(model, area, mouse);
+            mouse_.hold(model, area, input.mouse);
     }
     pad_is_pointed_at_ = ImGui::IsItemHovered();
-    move_surface_as_wished(model, pad_is_pointed_at_);
+    move_surface_as_wished(model, input, pad_is_pointed_at_);
     float const gauge_px = kGaugeWidth_px * scale_;
     float const gauge_left = fills_window ? std::max(part.left, area.left_px()) : part.left;
     draw_height_gauge(state, { gauge_left, part.top + 40 * scale_ },
@@ -237,7 +234,7 @@ PenArea Layout::skeleton_area(WindowState const& state, WindowPart const& part) 
 }
 
 void Layout::show_skeleton(WindowModel& model, Renderer& renderer, WindowPart const& part,
-                           std::span<MouseMoment const> mouse)
+                           HandInput const& input)
 {
     auto const& state = model.state();
     auto const area = skeleton_area(state, part);
@@ -251,7 +248,7 @@ void Layout::show_skeleton(WindowModel& model, Renderer& renderer, WindowPart co
         pen_area_ = area;
         draw_selecting_ink(state, area);
         if (state.mouse_draws && !ring_.is_open())
-            mouse_.hold(model, area, mouse);
+            mouse_.hold(model, area, input.mouse);
     }
     show_title(part, "Skeleton",
                selects_here ? "draw along a branch to select it" : "drag to turn, wheel to zoom");

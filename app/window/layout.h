@@ -9,8 +9,6 @@
 #include "app/window/tool_ring.h"
 #include "app/window/views.h"
 
-#include <span>
-
 namespace tractus {
 
 // The window's contents: the views, side by side or one of them over all of it, and above them the
@@ -31,23 +29,23 @@ public:
     // The area that the pen points into, as last shown.
     PenArea const& pen_area() const { return pen_area_; }
 
-    // `mouse`: what the window system's mouse did since the last frame.
+    // `input`: since the last frame.
     void show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
-              std::span<MouseMoment const> mouse);
+              HandInput const& input);
 
     bool wants_to_close() const { return bench_.wants_to_close; }
 
     Workbench& bench() { return bench_; }
 
 private:
-    void begin_frame(WindowModel& model);
+    void begin_frame(WindowModel& model, HandInput const& input);
     void show_calibration(WindowModel& model, PenPointer const& pen);
     void show_menu(WindowModel& model, Renderer& renderer);
-    void show_views(WindowModel& model, Renderer& renderer, std::span<MouseMoment const> mouse);
+    void show_views(WindowModel& model, Renderer& renderer, HandInput const& input);
     void show_pad(WindowModel& model, Renderer& renderer, WindowPart const& part,
-                  std::span<MouseMoment const> mouse);
+                  HandInput const& input);
     void show_skeleton(WindowModel& model, Renderer& renderer, WindowPart const& part,
-                       std::span<MouseMoment const> mouse);
+                       HandInput const& input);
     void show_plant(WindowState const& state, Renderer& renderer, WindowPart const& part);
     void show_collection(WindowModel& model, Renderer& renderer, WindowPart const& part);
     void show_title(WindowPart const& part, char const* title, char const* detail) const;

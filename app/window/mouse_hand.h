@@ -1,18 +1,12 @@
 #pragma once
 
 #include "app/station/window_model.h"
+#include "app/window/hand_input.h"
 #include "app/window/pen_area.h"
 
-#include <imgui.h>
 #include <span>
 
 namespace tractus {
-
-// The window system's mouse at one moment.
-struct MouseMoment {
-    ImVec2 place_px { 0, 0 };
-    bool is_down = false; // Its left button.
-};
 
 // Holds the mouse as a pen over a part of the window, where there is no tablet.
 class MouseHand {

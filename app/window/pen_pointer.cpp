@@ -1,6 +1,6 @@
 #include "app/window/pen_pointer.h"
 
-#include "app/window/input.h"
+#include "app/window/imgui_mouse.h"
 
 #include <cfloat>
 
@@ -24,8 +24,8 @@ void PenPointer::feed(WindowState const& state, PenArea const& area, float step_
     place_px_ = area.to_px(pen_.tip_mm.head<2>().cast<double>());
     // A pen that draws points at nothing of the window.
     bool const points = leads_ && (!pen_.touching || pen_.pressing);
-    input::put_mouse(points ? place_px_ : ImVec2(-FLT_MAX, -FLT_MAX),
-                     leads_ && pen_.touching && pen_.pressing);
+    put_imgui_mouse(points ? place_px_ : ImVec2(-FLT_MAX, -FLT_MAX),
+                    leads_ && pen_.touching && pen_.pressing);
 }
 
 // Up to the next change that ImGui must see for a frame at least.

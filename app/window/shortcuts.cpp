@@ -1,10 +1,10 @@
 #include "app/window/shortcuts.h"
 
-#include "app/window/input.h"
 #include "app/window/tool_choices.h"
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace tractus {
 
@@ -21,53 +21,73 @@ void take_escape(Workbench& bench, ToolRing& ring)
     ring.close();
     bench.close_menu();
     bench.keys_are_listed = false;
-    bool const fills_display = bench.filled_display.has_value();
-    if (!is_anything_open && fills_display)
+    if (is_anything_open)
+        return;
+    if (bench.will_fill_display())
         bench.turn_full_screen();
-    bench.wants_to_close = !is_anything_open && !fills_display;
+    else
+        bench.wants_to_close = true;
 }
 
-void take_tool_keys(WindowModel& model, Workbench& bench)
+void take_undo_key(WindowModel& model, bool is_redo)
 {
-    constexpr std::array<char, 4> kToolKeys { 'D', 'C', 'L', 'E' };
-    for (std::size_t i = 0; i < kToolKeys.size(); ++i)
-        if (input::is_pressed(kToolKeys[i]))
-            bench.choose(model, tool_choices(model.state().erasing)[i].tool);
-    if (input::is_pressed('T'))
+    if (!model.state().has_session)
+        return;
+    if (is_redo)
+        model.perform(Redo {});
+    else
+        model.perform(Undo {});
+}
+
+void take_tool_key(char key, WindowModel& model, Workbench& bench)
+{
+    static constexpr std::string_view kToolKeys = "DCLE";
+    if (!model.state().is_live)
+        return;
+    if (key == 'T')
         bench.choose_view_tool();
+    else if (auto const i = kToolKeys.find(key); i != std::string_view::npos)
+        bench.choose(model, tool_choices(model.state().erasing)[i].tool);
 }
 
 } // namespace
 
-void take_shortcuts(WindowModel& model, Workbench& bench, ToolRing& ring)
+void take_shortcut(KeyPress const& press, WindowModel& model, Workbench& bench, ToolRing& ring)
 {
-    auto const& io = ImGui::GetIO();
-    if (input::is_question_mark_typed())
-        bench.keys_are_listed = !bench.keys_are_listed;
-    if (input::is_escape_pressed())
-        take_escape(bench, ring);
-    if (input::is_pressed('Q'))
-        bench.wants_to_close = true;
-    if (io.KeyCtrl) {
-        if (input::is_pressed('Z') && model.state().has_session) {
-            if (io.KeyShift)
-                model.perform(Redo {});
-            else
-                model.perform(Undo {});
-        }
+    if (press.has_control && press.key == 'Z')
+        return take_undo_key(model, press.has_shift);
+    if (press.has_control && press.key != 'Q')
         return;
+    switch (press.key) {
+    case '?':
+        bench.keys_are_listed = !bench.keys_are_listed;
+        return;
+    case KeyPress::kEscape:
+        return take_escape(bench, ring);
+    case 'Q':
+        bench.wants_to_close = true;
+        return;
+    case 'N':
+        return model.perform(NextVariation {});
+    case 'V':
+        return bench.show_next();
+    case 'F':
+        return bench.turn_full_screen();
+    default:
+        return take_tool_key(press.key, model, bench);
     }
-    if (input::is_pressed('N'))
-        model.perform(NextVariation {});
-    if (input::is_pressed('V'))
-        bench.show_next();
-    if (input::is_pressed('F'))
-        bench.turn_full_screen();
-    if (model.state().is_live)
-        take_tool_keys(model, bench);
 }
 
-void move_surface_as_wished(WindowModel& model, bool wheel_counts)
+void take_calibration_shortcut(KeyPress const& press, WindowModel& model, Workbench& bench)
+{
+    bool const is_beside_drawing = model.state().is_live;
+    if (press.key == KeyPress::kEscape && is_beside_drawing)
+        model.perform(CloseCalibration {});
+    else if (press.key == KeyPress::kEscape || press.key == 'Q')
+        bench.wants_to_close = true;
+}
+
+void move_surface_as_wished(WindowModel& model, HandInput const& input, bool wheel_counts)
 {
     if (!model.state().mouse_moves_surface)
         return;
@@ -77,9 +97,9 @@ void move_surface_as_wished(WindowModel& model, bool wheel_counts)
         by_mm += static_cast<double>(io.MouseWheel)
             * (io.KeyShift ? kFineWheelStep_mm : kWheelStep_mm);
     double const step_s = std::min(0.1, static_cast<double>(io.DeltaTime));
-    if (input::is_held('W'))
+    if (input.holds('W'))
         by_mm += kKeySpeed_mm_s * step_s;
-    if (input::is_held('S'))
+    if (input.holds('S'))
         by_mm -= kKeySpeed_mm_s * step_s;
     if (by_mm != 0)
         model.perform(MoveSurface { by_mm });

@@ -42,19 +42,15 @@ bool mouse_is_used()
 class Events {
 public:
     // True if the window may look different now, whatever its model says.
-    bool take(WindowModel const& model, WindowOptions const& options)
+    bool take(Host& host, WindowModel const& model, WindowOptions const& options)
     {
         bool const stirs = options.frames > 0 || model.state().playing || mouse_is_used();
         if (stirs || still_frames_ < kSettlingFrames) {
-            glfwPollEvents();
-            still_frames_ = stirs ? 0 : still_frames_ + 1;
+            still_frames_ = host.take_events() || stirs ? 0 : still_frames_ + 1;
             return true;
         }
         bool const may_change = model.state().is_live || model.state().is_growing;
-        double const wait_s = may_change ? kLiveWait_s : kIdleWait_s;
-        double const begin_s = glfwGetTime();
-        glfwWaitEventsTimeout(wait_s);
-        if (glfwGetTime() - begin_s < wait_s)
+        if (host.wait_for_events(may_change ? kLiveWait_s : kIdleWait_s))
             still_frames_ = 0;
         return still_frames_ == 0 || !may_change;
     }
@@ -134,10 +130,10 @@ Result<void> run_window(WindowModel& model, WindowOptions const& options)
             ? std::optional(static_cast<float>(to_seconds(kTestStep)))
             : std::nullopt;
         fill_as_wished(host, model.state(), layout.bench());
-        host.begin_frame(step_s);
+        auto const input = host.begin_frame(step_s);
         pen.feed(model.state(), layout.pen_area(), ImGui::GetIO().DeltaTime);
         ImGui::NewFrame();
-        layout.show(model, renderer, pen, host.take_mouse());
+        layout.show(model, renderer, pen, input);
         host.end_frame();
     };
     Events events;
@@ -146,7 +142,7 @@ Result<void> run_window(WindowModel& model, WindowOptions const& options)
     for (int frame = 0; !host.wants_to_close() && !layout.wants_to_close()
          && (options.frames == 0 || frame < options.frames);
          ++frame) {
-        bool const may_differ = events.take(model, options);
+        bool const may_differ = events.take(host, model, options);
         model.advance(step_since(last_s, options.frames));
         if (options.frames > 0)
             model.settle();

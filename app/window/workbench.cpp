@@ -29,7 +29,12 @@ void Workbench::show_next()
 
 void Workbench::turn_full_screen()
 {
-    full_screen_wished = FullScreen { !filled_display };
+    full_screen_wished = FullScreen { !will_fill_display() };
+}
+
+bool Workbench::will_fill_display() const
+{
+    return full_screen_wished ? full_screen_wished->is_on : filled_display.has_value();
 }
 
 void Workbench::open_menu(MenuPage page)

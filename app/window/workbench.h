@@ -63,6 +63,7 @@ struct Workbench {
     void choose_view_tool();
     void show_next();        // The next of Shown.
     void turn_full_screen(); // On if it is off.
+    bool will_fill_display() const;
     void open_menu(MenuPage page);
     void close_menu() { menu = MenuPage::None; }
     bool menu_is_open() const { return menu != MenuPage::None; }

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <imgui.h>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// The window system's mouse at one moment.
+struct MouseMoment {
+    ImVec2 place_px { 0, 0 };
+    bool is_down = false; // Its left button.
+};
+
+struct KeyPress {
+    static constexpr char kEscape = '\x1b';
+
+    char key = 0; // The letter that the key bears, as a capital; what is typed by it, '?'; kEscape.
+    bool has_control = false;
+    bool has_shift = false;
+};
+
+// What the window system's mouse and keyboard did since the last frame, in its order: more than
+// ImGui tells, which knows where they are at each frame. However long a frame takes, nothing that
+// was done in it is lost.
+struct HandInput {
+    std::vector<MouseMoment> mouse;
+    std::vector<KeyPress> presses;
+    std::string held; // The letters of keys that were down at any time.
+
+    bool holds(char letter) const { return held.find(letter) != std::string::npos; }
+};
+
+} // namespace tractus

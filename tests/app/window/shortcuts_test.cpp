@@ -1,0 +1,108 @@
+#include "app/window/shortcuts.h"
+#include "tests/app/window/small_state.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus {
+
+namespace {
+
+// Notes what is asked for.
+class AskedModel : public WindowModel {
+public:
+    AskedModel() { state_.is_live = state_.has_session = true; }
+
+    void advance(Duration) override { }
+    WindowState const& state() const override { return state_; }
+    void perform(WindowCommand const& command) override { asked.push_back(command); }
+
+    template<typename Command> bool was_last_asked_for() const
+    {
+        return !asked.empty() && std::holds_alternative<Command>(asked.back());
+    }
+
+    std::vector<WindowCommand> asked;
+
+private:
+    WindowState state_ = small_state();
+};
+
+class Shortcuts : public testing::Test {
+protected:
+    void press(char key, bool with_control = false, bool with_shift = false)
+    {
+        take_shortcut({ key, with_control, with_shift }, model, bench, ring);
+    }
+
+    AskedModel model;
+    Workbench bench;
+    ToolRing ring;
+};
+
+TEST_F(Shortcuts, UndoAndRedoNeedControl)
+{
+    press('Z');
+    EXPECT_TRUE(model.asked.empty());
+    press('Z', true);
+    EXPECT_TRUE(model.was_last_asked_for<Undo>());
+    press('Z', true, true);
+    EXPECT_TRUE(model.was_last_asked_for<Redo>());
+}
+
+TEST_F(Shortcuts, ToolsAreForAKeyAlone)
+{
+    press('E', true);
+    EXPECT_TRUE(model.asked.empty());
+    press('E');
+    ASSERT_TRUE(model.was_last_asked_for<ChooseTool>());
+    EXPECT_EQ(std::get<ChooseTool>(model.asked.back()).tool.kind, Tool::Kind::Erase);
+    press('C');
+    EXPECT_EQ(std::get<ChooseTool>(model.asked.back()).tool.kind, Tool::Kind::Select);
+}
+
+TEST_F(Shortcuts, PressedTwiceInAFrameTheFullScreenStaysOff)
+{
+    press('F');
+    ASSERT_TRUE(bench.full_screen_wished);
+    EXPECT_TRUE(bench.full_screen_wished->is_on);
+    press('F');
+    EXPECT_FALSE(bench.full_screen_wished->is_on);
+}
+
+TEST_F(Shortcuts, EscapeClosesOneThingAfterTheOther)
+{
+    bench.filled_display = 0;
+    press('?');
+    ASSERT_TRUE(bench.keys_are_listed);
+    press(KeyPress::kEscape);
+    EXPECT_FALSE(bench.keys_are_listed);
+    EXPECT_FALSE(bench.full_screen_wished);
+    press(KeyPress::kEscape);
+    ASSERT_TRUE(bench.full_screen_wished);
+    EXPECT_FALSE(bench.full_screen_wished->is_on);
+    EXPECT_FALSE(bench.wants_to_close);
+    press(KeyPress::kEscape);
+    EXPECT_TRUE(bench.wants_to_close);
+}
+
+TEST_F(Shortcuts, NothingThatIsPressedAfterwardsKeepsTheWindowOpen)
+{
+    press('Q');
+    press('V');
+    EXPECT_TRUE(bench.wants_to_close);
+}
+
+TEST_F(Shortcuts, InTheCalibrationEscapeLeadsBack)
+{
+    take_calibration_shortcut({ KeyPress::kEscape }, model, bench);
+    EXPECT_TRUE(model.was_last_asked_for<CloseCalibration>());
+    EXPECT_FALSE(bench.wants_to_close);
+    take_calibration_shortcut({ 'N' }, model, bench);
+    EXPECT_EQ(model.asked.size(), 1u);
+    take_calibration_shortcut({ 'Q' }, model, bench);
+    EXPECT_TRUE(bench.wants_to_close);
+}
+
+} // namespace
+
+} // namespace tractus
