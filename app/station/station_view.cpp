@@ -1,5 +1,6 @@
 #include "app/station/station_view.h"
 
+#include "app/station/ink_line.h"
 #include "app/station/orphans.h"
 #include "app/station/tools/tool.h"
 #include "engine/variation/growth_preset.h"
@@ -13,35 +14,6 @@
 namespace tractus {
 
 namespace {
-
-constexpr double kInkWidth_mm = 3.5;
-
-InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool)
-{
-    InkLine line;
-    bool const erases = tool.kind == Tool::Kind::Erase;
-    if (erases)
-        line.kind = InkLine::Kind::Eraser;
-    else if (tool.kind == Tool::Kind::Indicate)
-        line.kind = InkLine::Kind::Indicator;
-    line.points.reserve(tips.size());
-    for (auto const& tip : tips) {
-        double const share = 0.35 + 0.65 * tip.pressure;
-        line.points.push_back(
-            { tip.position_mm.cast<float>(),
-              static_cast<float>(erases ? 2 * kEraserRadius_mm : kInkWidth_mm * share) });
-    }
-    return line;
-}
-
-InkLine indicator_line(MotionIndicator const& indicator)
-{
-    InkLine line;
-    line.kind = InkLine::Kind::Indicator;
-    for (auto const& place_mm : { indicator.start_mm, indicator.end_mm })
-        line.points.push_back({ place_mm.cast<float>(), static_cast<float>(kInkWidth_mm) });
-    return line;
-}
 
 std::string describe(Tool const& tool)
 {
@@ -297,7 +269,7 @@ void StationView::show_strokes(Scene const& scene)
         if (!inked.empty() && inked.back().id() == tips.id())
             continue; // One that shapes several branches is shown once.
         auto const found = before.find(tips.id());
-        lines.push_back(found == before.end() ? ink_line(tips.in_memory(), {})
+        lines.push_back(found == before.end() ? thinned(ink_line(tips.in_memory(), {}))
                                               : std::move(state_.strokes[found->second]));
         inked.push_back(tips);
     }

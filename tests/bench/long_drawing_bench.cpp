@@ -15,6 +15,7 @@
 #include <fmt/core.h>
 #include <fstream>
 #include <malloc.h>
+#include <thread>
 #include <unistd.h>
 
 namespace tractus {
@@ -63,7 +64,12 @@ public:
         desk_.settle(station_, at_ms(now_ms_)); // Growing keeps up with a hand, but not with this.
     }
 
-    void settle() { desk_.settle(station_, at_ms(now_ms_)); }
+    void settle()
+    {
+        desk_.settle(station_, at_ms(now_ms_));
+        // A plant that nobody wanted any more is freed on its thread, for which nobody waits.
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
 
     std::size_t kept() const { return station_.scene().associations.size(); }
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "app/station/tools/tool.h"
+#include "app/station/window_model.h"
+#include "engine/stroke/tip_sample.h"
+
+#include <vector>
+
+namespace tractus {
+
+// The ink of a tool's stroke, a point for each tip: as wide as the pressure says, or as what it
+// erases.
+InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool);
+
+// How far thinned() moves a line or changes its width, at most: a small part of a pixel.
+inline constexpr double kThinned_mm = 0.05;
+
+// The same line with as few of its points as that allows, of which the first and the last are two.
+InkLine thinned(InkLine const& line);
+
+InkLine indicator_line(MotionIndicator const& indicator);
+
+} // namespace tractus
