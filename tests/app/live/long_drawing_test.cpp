@@ -1,5 +1,6 @@
 #include "app/live/station_desk.h"
 #include "app/plants/session_plant.h"
+#include "app/station/ink_line.h"
 #include "tests/app/session/same_edit.h"
 #include "tests/app/simple_rig.h"
 
@@ -69,6 +70,15 @@ std::ptrdiff_t strokes_in_memory(Scene const& scene)
         [](Association const& association) { return association.stroke.tips.is_in_memory(); });
 }
 
+bool is_ink_of(Stroke const& stroke, InkLine const& shown)
+{
+    auto const ink = thinned(ink_line(stroke.tips.in_memory(), {}));
+    return std::equal(ink.points.begin(), ink.points.end(), shown.points.begin(),
+                      shown.points.end(), [](InkLine::Point const& a, InkLine::Point const& b) {
+                          return a.position_mm == b.position_mm && a.width_mm == b.width_mm;
+                      });
+}
+
 TEST_F(LongDrawing, LeavesWhatIsKeptToTheFile)
 {
     constexpr std::size_t kStrokes = 150;
@@ -94,8 +104,7 @@ TEST_F(LongDrawing, ReadsStrokesBackThatCountAgain)
     ASSERT_EQ(station_.scene().associations.size(), 5u);
     auto const& shown = desk_.view().state().strokes;
     ASSERT_EQ(shown.size(), 3u);
-    EXPECT_EQ(shown[0].points.size(), first.tips.size());
-    EXPECT_EQ(shown[0].points[5].position_mm, first.tips[5].position_mm.cast<float>());
+    EXPECT_TRUE(is_ink_of(first, shown[0]));
     EXPECT_TRUE(same(station_.scene().associations[0].stroke, first));
 }
 
@@ -117,7 +126,7 @@ TEST_F(LongDrawing, ReadsAStrokeBackThatWasErasedInPart)
     EXPECT_FALSE(station_.scene().associations[0].stroke.tips.is_in_memory());
     make(DeleteStroke { { 3, 6 } });
     ASSERT_EQ(desk_.view().state().strokes.size(), 3u);
-    EXPECT_EQ(desk_.view().state().strokes[0].points.size(), rest.tips.size());
+    EXPECT_TRUE(is_ink_of(rest, desk_.view().state().strokes[0]));
     EXPECT_TRUE(same(station_.scene().associations[0].stroke, rest));
 }
 
