@@ -120,12 +120,15 @@ void Renderer::draw(Stage const& stage, Camera const& camera, Canvas const& canv
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
     parts_->draw_backdrop(view);
+    // What follows says by its alpha how much of a pixel it covers; the picture itself is opaque.
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     if (stage.backdrop.has_ground) {
         parts_->draw_ground(view);
         parts_->draw_ground_shade(view);
     }
     parts_->draw_meshes(view);
     parts_->draw_curves(view);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     canvas.resolve();
 }
 

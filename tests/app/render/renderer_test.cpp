@@ -191,6 +191,27 @@ TEST_F(RendererTest, DrawsCurvesInTheirColourAndWidth)
     EXPECT_NE(at(drawn, Vec3(230, 0, 150)), kRed);
 }
 
+// Edges and the ground's rim are mixed with what is behind them, not with what the picture is laid
+// over.
+TEST_F(RendererTest, DrawsNothingThatOneSeesThrough)
+{
+    GpuMesh const mesh(post_with_leaves());
+    Curve curve;
+    curve.points
+        = { { Vec3f(-100, 0, 50), Vec3f(1, 0, 0), 10 }, { Vec3f(100, 0, 250), Vec3f(1, 0, 0), 3 } };
+    GpuCurves const curves(std::span(&curve, 1));
+    Stage stage;
+    stage.meshes.push_back({ &mesh });
+    stage.curves.push_back(&curves);
+    for (bool const has_ground : { false, true }) {
+        stage.backdrop.has_ground = has_ground;
+        auto const drawn = picture(stage);
+        EXPECT_TRUE(std::all_of(drawn.pixels().begin(), drawn.pixels().end(),
+                                [](Color const& pixel) { return pixel.alpha == 255; }))
+            << "with ground: " << has_ground;
+    }
+}
+
 TEST_F(RendererTest, HidesCurvesAboveTheSurface)
 {
     Curve curve;
