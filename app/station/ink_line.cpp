@@ -1,7 +1,7 @@
 #include "app/station/ink_line.h"
 
 #include <algorithm>
-#include <utility>
+#include <cstddef>
 
 namespace tractus {
 
@@ -15,27 +15,36 @@ Eigen::Vector4f dot(InkLine::Point const& point)
     return { point.position_mm.x(), point.position_mm.y(), point.position_mm.z(), point.width_mm };
 }
 
-struct Farthest {
-    std::size_t index = 0;
-    float distance_mm = 0;
-};
-
-// The point between two others that is farthest from the straight line between them.
-Farthest farthest_between(std::vector<InkLine::Point> const& points, std::size_t first,
-                          std::size_t last)
+// Whether the straight line between two points leaves those between them where they are.
+bool is_straight(std::vector<InkLine::Point> const& points, std::size_t first, std::size_t last)
 {
     auto const start = dot(points[first]);
     Eigen::Vector4f const way = dot(points[last]) - start;
     float const length2 = std::max(way.squaredNorm(), 1e-12f);
-    Farthest farthest;
     for (auto i = first + 1; i < last; ++i) {
         Eigen::Vector4f const to_point = dot(points[i]) - start;
         float const share = std::clamp(to_point.dot(way) / length2, 0.0f, 1.0f);
-        float const distance_mm = (to_point - share * way).norm();
-        if (distance_mm > farthest.distance_mm)
-            farthest = { i, distance_mm };
+        if ((to_point - share * way).norm() > static_cast<float>(kThinned_mm))
+            return false;
     }
-    return farthest;
+    return true;
+}
+
+// How far a straight line may go from a point that is not the last. In strides that double and then
+// halve, so that a long stroke is not looked at once for each of its points.
+std::size_t straight_until(std::vector<InkLine::Point> const& points, std::size_t first)
+{
+    auto last = first + 1;
+    auto const can_go = [&](std::size_t stride) {
+        return last + stride < points.size() && is_straight(points, first, last + stride);
+    };
+    std::size_t stride = 1;
+    for (; can_go(stride); stride *= 2)
+        last += stride;
+    for (; stride > 0; stride /= 2)
+        if (can_go(stride))
+            last += stride;
+    return last;
 }
 
 } // namespace
@@ -67,30 +76,16 @@ InkLine indicator_line(MotionIndicator const& indicator)
     return line;
 }
 
-// Douglas and Peucker's way: a point stays if the line between those that stay leaves it.
 InkLine thinned(InkLine const& line)
 {
-    auto const& points = line.points;
-    if (points.size() < 3)
+    if (line.points.empty())
         return line;
-    std::vector<bool> stays(points.size());
-    stays.front() = stays.back() = true;
-    std::vector<std::pair<std::size_t, std::size_t>> parts { { 0, points.size() - 1 } };
-    while (!parts.empty()) {
-        auto const [first, last] = parts.back();
-        parts.pop_back();
-        auto const [index, distance_mm] = farthest_between(points, first, last);
-        if (distance_mm <= static_cast<float>(kThinned_mm))
-            continue;
-        stays[index] = true;
-        parts.push_back({ first, index });
-        parts.push_back({ index, last });
+    InkLine thin { { line.points.front() }, line.kind };
+    for (std::size_t i = 0; i + 1 < line.points.size();) {
+        i = straight_until(line.points, i);
+        thin.points.push_back(line.points[i]);
     }
-    InkLine thin { {}, line.kind };
-    thin.points.reserve(static_cast<std::size_t>(std::count(stays.begin(), stays.end(), true)));
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (stays[i])
-            thin.points.push_back(points[i]);
+    thin.points.shrink_to_fit(); // Kept for hours.
     return thin;
 }
 

@@ -56,7 +56,7 @@ TEST(InkLine, ThinnedItIsWhereItWasWithFewerPoints)
     }
     auto const thin = thinned(curl);
     EXPECT_EQ(thin.kind, curl.kind);
-    EXPECT_LT(thin.points.size(), curl.points.size() / 3);
+    EXPECT_LT(thin.points.size(), curl.points.size() / 4);
     for (auto const& left_out : curl.points)
         EXPECT_LE(distance_mm(left_out, thin), kThinned_mm + 1e-4);
 }
