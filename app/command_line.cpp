@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 
 #include "app/help.h"
+#include "app/methods/sketch_lsystem/sketch_command.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "app/verbs/calibrate.h"
@@ -72,6 +73,7 @@ static void add_verbs(CLI::App& root, Action& action)
     add_session_verb(root, action);
     add_vary_verb(root, action);
     add_grow_verb(root, action);
+    add_sketch_command(root, action);
     add_render_verb(root, action);
     add_derive_verb(root, action);
     add_lsystem_verb(root, action);

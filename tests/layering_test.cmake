@@ -9,6 +9,7 @@ set(engine/mesh      engine/base engine/plant)
 set(engine/scene     engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh)
 set(engine/export    engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh
                      engine/scene)
+set(engine/methods/sketch_lsystem engine/base engine/lsystem)
 set(drivers          engine/base)
 set(calib            engine/base engine/stroke drivers)
 set(sim              engine/base engine/stroke drivers calib)
@@ -18,7 +19,7 @@ set(app/station      engine drivers calib app/session app/terminal app/render ap
 set(app              engine drivers calib sim)
 
 set(layers engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh
-           engine/scene engine/export drivers calib sim app/session app/terminal
+           engine/scene engine/export engine/methods/sketch_lsystem drivers calib sim app/session app/terminal
            app/station app)
 
 foreach(layer IN LISTS layers)

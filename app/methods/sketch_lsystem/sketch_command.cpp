@@ -1,0 +1,204 @@
+#include "app/methods/sketch_lsystem/sketch_command.h"
+
+#include "app/methods/sketch_lsystem/rule_file.h"
+#include "app/methods/sketch_lsystem/sketch_report.h"
+#include "app/methods/sketch_lsystem/upright_sheet.h"
+#include "app/plants/drawing.h"
+#include "app/plants/plant_file.h"
+#include "app/plants/session_plant.h"
+#include "app/plants/stroke_file.h"
+#include "app/station/model_cost.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
+#include "app/verbs/checks.h"
+#include "app/verbs/shared_options.h"
+#include "drivers/file.h"
+#include "engine/methods/sketch_lsystem/drawn_axis.h"
+#include "engine/methods/sketch_lsystem/stroke_resampler.h"
+#include "engine/scene/scene.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace tractus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SketchArguments {
+    fs::path stroke;
+    fs::path rule;
+    fs::path folder;
+    std::size_t number = 1; // Of the stroke in its file.
+    std::string surface;    // Empty: as surface_for() has it.
+    std::string height;     // Of a log without a height sensor.
+    bool bare = false;
+    bool report = false;
+    bool session = false;
+};
+
+Result<std::vector<Stroke>> read_strokes(SketchArguments const& arguments)
+{
+    if (is_stroke_file(arguments.stroke))
+        return load_strokes(arguments.stroke);
+    DrawingOptions options { .log = arguments.stroke };
+    if (!arguments.height.empty())
+        options.height = arguments.height;
+    Progress progress;
+    DrawingReport report;
+    auto const drawing = TRY(read_drawing(options, Scene {}, progress, report));
+    progress.finish();
+    std::vector<Stroke> strokes;
+    for (auto const& drawn : drawing.strokes)
+        strokes.push_back(drawn.stroke);
+    return strokes;
+}
+
+Result<Stroke> choose_stroke(SketchArguments const& arguments)
+{
+    auto const strokes = TRY(read_strokes(arguments));
+    if (arguments.number <= strokes.size())
+        return strokes[arguments.number - 1];
+    return fail(Fault::User,
+                fmt::format("{}: it has no stroke {}, its last is {}", arguments.stroke.string(),
+                            arguments.number, strokes.size()));
+}
+
+// A file of strokes says where they are in space; of a log the pen's way decides.
+sketch::Surface surface_for(SketchArguments const& arguments)
+{
+    static std::map<std::string, sketch::Surface> const kSurfaces {
+        { "space", sketch::Surface::Space },
+        { "paper", sketch::Surface::Paper },
+        { "",
+          is_stroke_file(arguments.stroke) ? sketch::Surface::Space : sketch::Surface::Decided },
+    };
+    return kSurfaces.at(arguments.surface);
+}
+
+Result<sketch::DrawnAxis> draw_axis(SketchArguments const& arguments, sketch::Rule const& rule)
+{
+    auto const stroke = TRY(choose_stroke(arguments));
+    auto const& tips = stroke.tips.vector();
+    auto const surface = sketch::decide_surface(tips, surface_for(arguments));
+    auto const nodes_mm = sketch::resample_stroke(rule, sketch::plant_tips(tips, surface));
+    if (nodes_mm.size() < 2)
+        return fail(
+            Fault::User,
+            fmt::format("{}: the stroke never gets {:g} mm away from where it begins, so the "
+                        "rule is not applied once: draw a longer one, or give a rule with a "
+                        "shorter first internode, l",
+                        arguments.stroke.string(), rule.first_length_mm));
+    return sketch::draw_axis(rule, nodes_mm);
+}
+
+Result<void> write_model_files(fs::path const& base, ModelSource const& model)
+{
+    TRY(write_file(fs::path(base).concat(".l"), model.text));
+    return write_file(fs::path(base).concat(".v"), model.view_text);
+}
+
+void warn_of_cut(sketch::Rule const& rule, sketch::DrawnAxis const& axis)
+{
+    if (axis.depth < sketch::kUncutDepth)
+        print_warning(
+            fmt::format("laterals fork at most {} times, so that the plant stays within {:g} "
+                        "internodes; \"limit\" in the rule allows more",
+                        axis.depth, rule.most_internodes));
+}
+
+Result<void> sketch_plant(SketchArguments const& arguments)
+{
+    auto const rule = TRY(arguments.rule.empty() ? sketch::parse_rule("", "the usual rule")
+                                                 : sketch::load_rule(arguments.rule));
+    auto const axis = TRY(draw_axis(arguments, rule));
+    auto const name = arguments.stroke.stem().string();
+    auto const base = arguments.folder / name;
+    TRY(make_folder(arguments.folder));
+    auto const leaves = arguments.bare ? sketch::Leaves::Bare : sketch::Leaves::Leafy;
+    auto const source = sketch::write_model(rule, axis, leaves, name);
+    TRY(write_model_files(base, source));
+    if (arguments.report) {
+        auto const model = TRY(compile_model(source));
+        auto const report = TRY(sketch::print_report(rule, axis, model));
+        return print_out(report);
+    }
+    warn_of_cut(rule, axis);
+    LoadModel const load { .source = source };
+    auto const scene = TRY(apply_edit({}, load, load_options()));
+    for (auto const* const ending : { ".png", ".glb" })
+        TRY(write_plant_file(*scene.base, name, fs::path(base).concat(ending)));
+    if (arguments.session)
+        TRY(begin_session(fs::path(base).concat(".tractus"), { load }));
+    return print_out(
+        fmt::format("{0}.l, .v, .png, .glb{1}: {2} segments drawn, {3} internodes, {4} "
+                    "leaves\n",
+                    base.string(), arguments.session ? ", .tractus" : "", axis.segments(),
+                    scene.base->segment_count(), scene.base->organs.size()));
+}
+
+void add_options(CLI::App& verb, SketchArguments& arguments)
+{
+    verb.add_option("STROKE", arguments.stroke,
+                    "A file of strokes (.txt with x y z in mm on each line, .tilt), or a recording")
+        ->type_name("STROKE")
+        ->required();
+    verb.add_option("--rule", arguments.rule,
+                    "The rule, a small TOML file; without it the usual one")
+        ->type_name("RULE");
+    verb.add_option("-o,--output", arguments.folder,
+                    "The folder for the plant's files; made if it is not there")
+        ->type_name("FOLDER")
+        ->required();
+    verb.add_option("--stroke", arguments.number, "Which of the strokes in the file")
+        ->type_name("N")
+        ->check(whole_number(1, 1'000'000))
+        ->capture_default_str();
+    verb.add_option(
+            "--surface", arguments.surface,
+            "Whether the stroke was drawn in \"space\", or on \"paper\" that stands upright; "
+            "without it a recording is on paper if its surface hardly moved")
+        ->type_name("SURFACE")
+        ->check(one_of({ "space", "paper" }));
+    add_height_option(verb, arguments.height);
+    verb.add_flag("--bare", arguments.bare, "Without leaves");
+    verb.add_flag("--session", arguments.session, "Also begin a session with the plant");
+    verb.add_flag(
+        "--report", arguments.report,
+        "Write the model alone, and print as JSON what the stroke and the rule amount to");
+}
+
+} // namespace
+
+void add_sketch_command(CLI::App& root, Action& action)
+{
+    auto arguments = std::make_shared<SketchArguments>();
+    auto* const verb = root.add_subcommand("sketch", "Grow a rule along a drawn stroke");
+    add_options(*verb, *arguments);
+    verb->footer(
+        "A Sketch L-system (Ijiri, Owada, Igarashi 2006): the stroke becomes the main axis, and "
+        "each\n"
+        "time it gets an internode longer the rule is applied, so a longer stroke is an older "
+        "plant.\n"
+        "A rule file has, each on a line, what differs from the usual: k laterals at a node (2), l "
+        "mm\n"
+        "the first internode's length (30), r and q each internode's length and width by the one\n"
+        "before it (0.9, 0.85), w mm the first one's diameter (0.15 l), a degrees between a "
+        "lateral\n"
+        "and its parent (45), s and v its length and width by its parent's (0.62, 0.55), T and t\n"
+        "degrees of twist from node to node along the stroke and along laterals (180/k), l_min mm "
+        "the\n"
+        "shortest internode (1), n_max the most segments of the stroke (64), limit the most "
+        "internodes\n"
+        "of the plant (200000).");
+    verb->callback(
+        [arguments, &action] { action = [arguments] { return sketch_plant(*arguments); }; });
+}
+
+} // namespace tractus

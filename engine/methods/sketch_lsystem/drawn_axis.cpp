@@ -1,0 +1,197 @@
+#include "engine/methods/sketch_lsystem/drawn_axis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <string_view>
+
+namespace tractus::sketch {
+
+namespace {
+
+// cpfg's turtle, as far as an axis needs it.
+class AxisTurtle {
+public:
+    explicit AxisTurtle(Vec3 const& position_mm)
+        : position_mm_(position_mm)
+    {
+    }
+
+    // The turn after which it heads along `way`.
+    Turn turn_towards(Vec3 const& way) const
+    {
+        constexpr double kStraight_deg = 1e-6; // The plane of a smaller bend would be noise.
+        double const left = left_.dot(way);
+        double const down = down_.dot(way);
+        double const bend_deg = degrees(std::atan2(std::hypot(left, down), heading_.dot(way)));
+        if (bend_deg < kStraight_deg)
+            return {};
+        return { degrees(std::atan2(down, left)), bend_deg };
+    }
+
+    void turn(Turn const& turn)
+    {
+        rotate(left_, down_, turn.plane_deg);
+        rotate(heading_, left_, turn.bend_deg);
+        rotate(left_, down_, -turn.plane_deg);
+    }
+
+    Vec3 const& go(double length_mm)
+    {
+        position_mm_ += length_mm * heading_;
+        return position_mm_;
+    }
+
+private:
+    static void rotate(Vec3& from, Vec3& to, double angle_deg)
+    {
+        double const sine = std::sin(radians(angle_deg));
+        double const cosine = std::cos(radians(angle_deg));
+        Vec3 const old_from = from;
+        from = cosine * old_from + sine * to;
+        to = cosine * to - sine * old_from;
+    }
+
+    Vec3 position_mm_;
+    Vec3 heading_ = Vec3::UnitZ();
+    Vec3 left_ = -Vec3::UnitX();
+    Vec3 down_ = Vec3::UnitY();
+};
+
+} // namespace
+
+DrawnAxis draw_axis(Rule const& rule, std::span<Vec3 const> nodes_mm)
+{
+    DrawnAxis axis;
+    if (nodes_mm.empty())
+        return axis;
+    axis.base_mm = nodes_mm.front();
+    AxisTurtle turtle(axis.base_mm);
+    for (std::size_t i = 1; i < nodes_mm.size(); ++i) {
+        auto const turn = turtle.turn_towards(nodes_mm[i] - nodes_mm[i - 1]);
+        turtle.turn(turn);
+        axis.turns.push_back({ as_written(turn.plane_deg), as_written(turn.bend_deg) });
+    }
+    axis.depth = depth_within_limit(rule, axis.segments());
+    return axis;
+}
+
+std::vector<Vec3> nodes_of(DrawnAxis const& axis, Rule const& rule)
+{
+    std::vector<Vec3> nodes_mm { axis.base_mm };
+    AxisTurtle turtle(axis.base_mm);
+    double length_mm = rule.first_length_mm;
+    for (auto const& turn : axis.turns) {
+        turtle.turn(turn);
+        nodes_mm.push_back(turtle.go(length_mm));
+        length_mm *= rule.length_ratio;
+    }
+    return nodes_mm;
+}
+
+static std::string array_of(std::vector<Turn> const& turns, double Turn::*angle_deg)
+{
+    std::string text;
+    for (auto const& turn : turns)
+        text += fmt::format("{}{:g}", text.empty() ? "" : ", ", turn.*angle_deg);
+    return fmt::format("{{{}}}", text);
+}
+
+// A node's laterals: `twist` is how far their ring has turned, an expression.
+static std::string ring_of(Rule const& rule, std::string_view twist, std::string_view depth)
+{
+    std::string text;
+    for (int i = 0; i < rule.laterals; ++i)
+        text += fmt::format("\n        [/({} + {:g})+(ANGLE)L(l * LATERAL, w * LATERAL_WIDTH, {})]",
+                            twist, 360.0 * i / rule.laterals, depth);
+    return text;
+}
+
+static std::string definitions(Rule const& rule, DrawnAxis const& axis)
+{
+    return fmt::format(
+        "#define SEGMENTS      {}    /* of the stroke; fewer steps: the plant of its beginning */\n"
+        "#define LENGTH        {:g}    /* of the first internode, cm, 5 to 100 */\n"
+        "#define TOP           {:g}    /* an internode's length by the one before it, 0.5 to 1.2 "
+        "*/\n"
+        "#define WIDTH         {:g}    /* of the first internode, cm */\n"
+        "#define TOP_WIDTH     {:g}    /* an internode's width by the one before it, 0.3 to 1 */\n"
+        "#define ANGLE         {:g}    /* between a lateral and its parent, 0 to 150 */\n"
+        "#define LATERAL       {:g}    /* a lateral's length by its parent's, 0.2 to 1 */\n"
+        "#define LATERAL_WIDTH {:g}    /* a lateral's width by its parent's, 0.2 to 1 */\n"
+        "#define TWIST         {:g}    /* from node to node of the stroke, -180 to 180 */\n"
+        "#define LATERAL_TWIST {:g}    /* from node to node of laterals, -180 to 180 */\n"
+        "#define SHORTEST      {:g}    /* a lateral that would be shorter rests, cm */\n"
+        "#define DEPTH         {}    /* how often laterals may fork */\n",
+        axis.segments(), rule.first_length_mm, rule.length_ratio, rule.first_width_mm,
+        rule.width_ratio, rule.angle_deg, rule.lateral_length, rule.lateral_width,
+        rule.axis_twist_deg, rule.lateral_twist_deg, rule.shortest_mm, axis.depth);
+}
+
+// cpfg allows no array without values.
+static std::string arrays_of(DrawnAxis const& axis)
+{
+    if (axis.turns.empty())
+        return "define: { array plane[1] = {0}; array bend[1] = {0}; }\n";
+    return fmt::format("define: {{ array plane[SEGMENTS] = {};\n"
+                       "          array bend[SEGMENTS] = {}; }}\n",
+                       array_of(axis.turns, &Turn::plane_deg),
+                       array_of(axis.turns, &Turn::bend_deg));
+}
+
+static std::string rules_of(Rule const& rule)
+{
+    return fmt::format(
+        "/* The top apex: segment i of the stroke, its laterals, and the next top apex. */\n"
+        "T(i, l, w) : i < SEGMENTS\n"
+        "    --> /(plane[i])+(bend[i])\\(plane[i])!(w)F(l){}\n"
+        "        T(i + 1, l * TOP, w * TOP_WIDTH)\n"
+        "T(i, l, w) : * --> T(i, l, w)\n"
+        "\n"
+        "/* A lateral apex: an internode and laterals of its own. */\n"
+        "L(l, w, d) : l >= SHORTEST && d > 0\n"
+        "    --> !(w)F(l){}\n"
+        "L(l, w, d) : * --> L(l, w, d)\n",
+        ring_of(rule, "TWIST * (i + 1)", "DEPTH"), ring_of(rule, "LATERAL_TWIST", "d - 1"));
+}
+
+// Leaves of a plant are about alike, wherever they grow.
+static std::string leaves_of(Rule const& rule)
+{
+    return fmt::format("\nhomomorphism\n"
+                       "L(l, w, d) --> ~l({0:g})\n"
+                       "T(i, l, w) --> ~l({0:g})\n",
+                       as_written(std::clamp(rule.first_length_mm / 5, 2.0, 12.0)));
+}
+
+static constexpr std::string_view kView
+    = "angle increment: 45\n"
+      "initial line width: 1\n"
+      "initial color: 1\n"
+      "material: 1 bark kind=bark color=0.42,0.34,0.26 roughness=0.9\n"
+      "material: 2 leaf kind=leaf color=0.30,0.48,0.18 roughness=0.5 translucency=0.4\n"
+      "organ: l leaf kind=blade material=2 length=1 width=0.5 petiole=0 widest=0.45 tip=0.7 "
+      "base=0.5 fold=14 curl=20\n";
+
+ModelSource write_model(Rule const& rule, DrawnAxis const& axis, Leaves leaves,
+                        std::string const& name)
+{
+    auto const text
+        = fmt::format("/* A plant that grew along a stroke: the axis is as it was drawn. */\n"
+                      "{}\n"
+                      "Lsystem: 1\n"
+                      "derivation length: SEGMENTS\n"
+                      "{}"
+                      "Axiom: T(0, LENGTH, WIDTH)\n"
+                      "\n"
+                      "{}"
+                      "{}"
+                      "endlsystem\n",
+                      definitions(rule, axis), arrays_of(axis), rules_of(rule),
+                      leaves == Leaves::Leafy ? leaves_of(rule) : "");
+    return {
+        .name = name + ".l", .text = text, .view_name = name + ".v", .view_text = std::string(kView)
+    };
+}
+
+} // namespace tractus::sketch

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "engine/base/vectors.h"
+#include "engine/lsystem/model.h"
+#include "engine/methods/sketch_lsystem/rule.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tractus::sketch {
+
+// By how much an axis turns before one of its segments, against the frame of the segment before it,
+// which is carried along by the least rotation and does not roll: `/(plane)+(bend)\(plane)` in
+// turtle commands. Degrees; plane -180 to 180, bend 0 to 180. Where the axis goes straight on both
+// are 0.
+struct Turn {
+    double plane_deg = 0;
+    double bend_deg = 0;
+
+    bool operator==(Turn const&) const = default;
+};
+
+// What a stroke gives a model to grow along: as many turns as the stroke has segments, and how
+// often laterals may fork. All numbers are as the model's text gives them, six significant digits.
+struct DrawnAxis {
+    Vec3 base_mm = Vec3::Zero(); // Where the pen came down; the plant's own origin.
+    std::vector<Turn> turns;
+    int depth = kUncutDepth;
+
+    int segments() const { return static_cast<int>(turns.size()); }
+};
+
+// The axis through the nodes of a resampled stroke (stroke_resampler.h), with the depth that the
+// rule's limit allows. z is up, and the turtle starts upwards, its left at -x.
+DrawnAxis draw_axis(Rule const& rule, std::span<Vec3 const> nodes_mm);
+
+// Where the turtle has the axis's nodes, its base first: the stroke's nodes, but for what rounding
+// to six digits costs.
+std::vector<Vec3> nodes_of(DrawnAxis const& axis, Rule const& rule);
+
+// What stands at the live lateral apices and at the top.
+enum class Leaves { Bare, Leafy };
+
+// The plant as a model in cpfg's language, and what it looks like. A turtle's unit is a millimetre
+// on the desk and a centimetre of the plant, as in all our models: 200 mm drawn are a plant of 2 m.
+// The string does not depend on the leaves. Deriving fewer steps than the axis has segments gives
+// the plant of the stroke's first segments, at the same depth.
+ModelSource write_model(Rule const& rule, DrawnAxis const& axis, Leaves leaves,
+                        std::string const& name);
+
+} // namespace tractus::sketch

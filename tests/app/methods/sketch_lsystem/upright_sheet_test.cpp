@@ -1,0 +1,36 @@
+#include "app/methods/sketch_lsystem/upright_sheet.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus::sketch {
+namespace {
+
+std::vector<TipSample> tips_of(std::vector<Vec3> const& positions_mm)
+{
+    std::vector<TipSample> tips;
+    for (auto const& position_mm : positions_mm)
+        tips.push_back({ .position_mm = position_mm });
+    return tips;
+}
+
+TEST(UprightSheet, IsPaperWhereTheSurfaceHardlyMoved)
+{
+    auto const still = tips_of({ { 0, 0, 80 }, { 0, 100, 84 } });
+    auto const moved = tips_of({ { 0, 0, 80 }, { 0, 100, 86 } });
+    EXPECT_EQ(decide_surface(still, Surface::Decided), Surface::Paper);
+    EXPECT_EQ(decide_surface(moved, Surface::Decided), Surface::Space);
+    EXPECT_EQ(decide_surface(moved, Surface::Paper), Surface::Paper);
+    EXPECT_EQ(decide_surface(still, Surface::Space), Surface::Space);
+}
+
+TEST(UprightSheet, StandsWithTheUsersAwayAsUp)
+{
+    auto const tips = tips_of({ { 3, -20, 80 }, { 5, 30, 82 } });
+    auto const plant = plant_tips(tips, Surface::Paper);
+    EXPECT_EQ(plant[0], Vec3(3, 0, -20));
+    EXPECT_EQ(plant[1], Vec3(5, -2, 30)); // Raised: towards the user.
+    EXPECT_EQ(plant_tips(tips, Surface::Space)[1], Vec3(5, 30, 82));
+}
+
+} // namespace
+} // namespace tractus::sketch

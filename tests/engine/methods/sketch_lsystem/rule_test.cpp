@@ -1,0 +1,76 @@
+#include "engine/methods/sketch_lsystem/rule.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+#include <vector>
+
+namespace tractus::sketch {
+namespace {
+
+TEST(SketchRule, AcceptsItsDefaults)
+{
+    EXPECT_TRUE(check_rule({}));
+}
+
+TEST(SketchRule, RefusesWhatIsOutOfRangeByItsLetter)
+{
+    auto const refused = check_rule({ .length_ratio = 1.4 });
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::User);
+    EXPECT_EQ(refused.error().message,
+              "r, each internode's length by the one before it, is 1.4: give 0.5 to 1.2");
+    EXPECT_FALSE(check_rule({ .laterals = 9 }));
+    EXPECT_FALSE(check_rule({ .angle_deg = std::numeric_limits<double>::quiet_NaN() }));
+    EXPECT_FALSE(check_rule({ .shortest_mm = 0 }));
+    EXPECT_FALSE(check_rule({ .most_segments = 0 }));
+}
+
+// F_n = n + the sum over j < n of L_j, L_n = k (k^n - 1)/(k - 1); for k = 1 L_n = n.
+TEST(SketchRule, CountsInternodesAsTheClosedFormsDo)
+{
+    Rule rule { .shortest_mm = 1e-3 };
+    auto const counts = [&](int laterals) {
+        rule.laterals = laterals;
+        std::vector<double> result;
+        for (int n = 1; n <= 6; ++n)
+            result.push_back(count_internodes(rule, n, kUncutDepth));
+        return result;
+    };
+    EXPECT_EQ(counts(0), (std::vector<double> { 1, 2, 3, 4, 5, 6 }));
+    EXPECT_EQ(counts(1), (std::vector<double> { 1, 3, 6, 10, 15, 21 }));
+    EXPECT_EQ(counts(2), (std::vector<double> { 1, 4, 11, 26, 57, 120 }));
+    EXPECT_EQ(counts(3), (std::vector<double> { 1, 5, 18, 58, 179, 543 }));
+}
+
+TEST(SketchRule, CutsTheDepthToStayWithinItsLimit)
+{
+    Rule const rule { .laterals = 3, .shortest_mm = 0.01, .most_internodes = 20'000 };
+    EXPECT_EQ(depth_within_limit(rule, 9), kUncutDepth);
+    EXPECT_EQ(count_internodes(rule, 9, kUncutDepth), 14'757);
+    EXPECT_EQ(depth_within_limit(rule, 10), 7);
+    EXPECT_EQ(count_internodes(rule, 10, 7), 11'476);
+    EXPECT_EQ(depth_within_limit(rule, 12), 7);
+    EXPECT_EQ(count_internodes(rule, 12, 7), 18'036);
+}
+
+TEST(SketchRule, TheShortestInternodeKeepsPlantsSmall)
+{
+    Rule const rule { .laterals = 3, .most_internodes = 20'000 };
+    EXPECT_EQ(count_internodes(rule, 12, kUncutDepth), 9'288);
+}
+
+TEST(SketchRule, TheDepthOnlyFallsWhileAStrokeGrows)
+{
+    Rule const rule { .laterals = 8, .lateral_length = 1, .most_internodes = 5'000 };
+    int depth = kUncutDepth;
+    for (int segments = 1; segments <= 64; ++segments) {
+        int const next = depth_within_limit(rule, segments);
+        EXPECT_LE(next, depth);
+        EXPECT_LE(count_internodes(rule, segments, next), rule.most_internodes);
+        depth = next;
+    }
+    EXPECT_EQ(depth, 2);
+}
+
+} // namespace
+} // namespace tractus::sketch
