@@ -136,7 +136,19 @@ LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
 
 LiveWindow::~LiveWindow()
 {
-    desk_.finish(station_, options_.now ? options_.now() : Timestamp {});
+    static_cast<void>(close());
+}
+
+// The stroke under the pen ends with what it has sent.
+Result<void> LiveWindow::close()
+{
+    if (!options_.now) // Moved from.
+        return {};
+    take_reports();
+    station_.finish();
+    record_tool_changes();
+    flush_recording();
+    return desk_.finish(station_, options_.now());
 }
 
 void LiveWindow::advance(Duration real_step)
@@ -405,11 +417,13 @@ void LiveWindow::use_rig(Rig const& rig)
         view().state().status = station.error().message;
         return;
     }
-    desk_.finish(station_, options_.now());
-    station->set_scene(station_.scene());
+    station_.finish();
+    auto const kept = desk_.finish(station_, options_.now());
+    station->take_drawing_from(station_); // With what could not be kept, which is tried again.
     station_options_ = std::move(options);
     go_on_with(*std::move(station));
-    desk_.show_again(station_, "The pen draws by the new calibration");
+    desk_.show_again(station_,
+                     kept ? "The pen draws by the new calibration" : kept.error().message);
     if (recorder_) // Its header has the old one.
         perform_kind(SetRecording { false });
 }

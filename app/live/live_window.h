@@ -54,10 +54,11 @@ public:
     static Result<LiveWindow> create(LiveDevices devices, LiveWindowOptions options);
     LiveWindow(LiveWindow&&) = default;
     LiveWindow& operator=(LiveWindow&&) = delete;
-    ~LiveWindow() override; // Waits until what was drawn is kept.
+    ~LiveWindow() override; // Closes, if that was not done.
 
     void advance(Duration real_step) override;
     void settle() override { desk_.settle(station_, options_.now()); }
+    Result<void> close() override;
     WindowState const& state() const override { return desk_.view().state(); }
     void perform(WindowCommand const& command) override;
     CalibrationModel* calibration() override { return calibration_ ? &*calibration_ : nullptr; }

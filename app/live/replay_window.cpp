@@ -29,7 +29,13 @@ ReplayWindow::ReplayWindow(Log const& log, ReplayOptions options, LogReplay repl
 
 ReplayWindow::~ReplayWindow()
 {
-    desk_.finish(replay_.station(), now_);
+    static_cast<void>(close());
+}
+
+// A stroke of which the hand has drawn only a part is whole in the recording: it is left out.
+Result<void> ReplayWindow::close()
+{
+    return desk_.finish(replay_.station(), now_);
 }
 
 void ReplayWindow::advance(Duration real_step)
@@ -43,10 +49,11 @@ void ReplayWindow::advance(Duration real_step)
     bool const goes_on = replay_.advance_to(now_);
     desk_.show(replay_.station(), now_);
     if (!goes_on) {
-        desk_.finish(replay_.station(), now_);
+        auto const kept = close();
         desk_.show(replay_.station(), now_);
         state.playing = false;
-        state.status = "The recording has ended: play it again, or take another seed";
+        state.status = kept ? "The recording has ended: play it again, or take another seed"
+                            : kept.error().message;
     }
     double const length_s = to_seconds(replay_.end() - replay_.begin());
     state.progress
@@ -73,9 +80,8 @@ void ReplayWindow::perform_kind(SetSpeed const& command)
 void ReplayWindow::perform_kind(Restart const&)
 {
     auto& state = view().state();
-    desk_.finish(replay_.station(), now_);
-    if (auto const& why = desk_.keeper().not_kept(); !why.empty()) {
-        state.status = "what was drawn must be kept first: " + why;
+    if (auto const kept = close(); !kept) {
+        state.status = kept.error().message;
         return;
     }
     auto again = LogReplay::create(*log_, options_);

@@ -24,10 +24,11 @@ public:
 
     ReplayWindow(ReplayWindow&&) = default;
     ReplayWindow& operator=(ReplayWindow&&) = delete;
-    ~ReplayWindow() override; // Waits until what was drawn is kept.
+    ~ReplayWindow() override; // Closes, if that was not done.
 
     void advance(Duration real_step) override;
     void settle() override { desk_.settle(replay_.station(), now_); }
+    Result<void> close() override;
     WindowState const& state() const override { return desk_.view().state(); }
     void perform(WindowCommand const& command) override;
 

@@ -57,12 +57,18 @@ void StationDesk::show_files()
     view_.state().is_saving = files_->is_busy();
 }
 
-void StationDesk::finish(Station& station, Timestamp now)
+Result<void> StationDesk::finish(Station& station, Timestamp now)
 {
     if (!keeper_.has_session())
-        return;
+        return {};
+    keeper_.try_again();
     keeper_.settle(station, now);
     keeper_.forget_kept(station);
+    if (keeper_.not_kept().empty())
+        return {};
+    return fail(Fault::User,
+                fmt::format("what was drawn last is not kept ({} strokes): {}",
+                            keeper_.unkept_strokes(), keeper_.not_kept()));
 }
 
 void StationDesk::settle(Station& station, Timestamp now)

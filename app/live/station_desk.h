@@ -34,8 +34,8 @@ public:
     // The same when all that is under way is done, or cannot be done for now.
     void settle(Station& station, Timestamp now);
 
-    // Waits until what was drawn is kept, if it can be, before all is over.
-    void finish(Station& station, Timestamp now);
+    // Waits until what was drawn is kept. Fails, as the user's fault, if it cannot be.
+    Result<void> finish(Station& station, Timestamp now);
 
     // A new file's name in the folder.
     std::filesystem::path new_file(std::string_view ending) const;

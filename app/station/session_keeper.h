@@ -61,8 +61,12 @@ public:
     // Those that are kept, or for which there is no session, need not be in memory any more.
     void forget_kept(Station& station);
 
-    // Why the newest strokes are not kept; empty if they are.
+    // Why the newest strokes are not kept, and how many; empty and 0 if they are.
     std::string const& not_kept() const { return not_kept_; }
+    std::size_t unkept_strokes() const { return unkept_strokes_; }
+
+    // The next advance() tries to keep them without waiting any longer.
+    void try_again() { next_try_ = {}; }
 
     // These wait for their turn. Refused while a stroke cannot be kept, since it would be lost, and
     // where the session does.

@@ -368,6 +368,16 @@ void Station::mean(Stroke stroke, Tool const& tool)
     strokes_.push_back(draw(std::move(stroke), tool, scene_));
 }
 
+void Station::take_drawing_from(Station& earlier)
+{
+    scene_ = earlier.scene_;
+    hold_ = earlier.hold_;
+    strokes_ = std::exchange(earlier.strokes_, {});
+    waiting_strokes_ = std::exchange(earlier.waiting_strokes_, {});
+    waiting_tools_ = std::exchange(earlier.waiting_tools_, {});
+    counts_.strokes = earlier.counts_.strokes;
+}
+
 void Station::hold(Hold hold)
 {
     hold_ = hold;

@@ -111,6 +111,10 @@ public:
     // Another scene to go on with, as undo leaves it. Strokes under way will work on it.
     void set_scene(Scene scene) { scene_ = std::move(scene); }
 
+    // Goes on with what another station has drawn, strokes that nobody has dealt with among it; the
+    // other is left without them.
+    void take_drawing_from(Station& earlier);
+
     // While it is on, strokes that are finished wait, and so does what is done at once; then they
     // do what they mean.
     enum class Hold { Off, On };

@@ -271,6 +271,10 @@ public:
     // what came before, and not on how fast this machine is. For tests and pictures.
     virtual void settle() { }
 
+    // The window closes: finishes what is drawn and keeps it. Nothing comes after this. Fails if it
+    // cannot be kept.
+    virtual Result<void> close() { return {}; }
+
     // As of the last advance(), settle() or perform(); valid until the next.
     virtual WindowState const& state() const = 0;
 

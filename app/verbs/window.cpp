@@ -19,6 +19,7 @@
 #include "app/window/window.h"
 #include "calib/rig_file.h"
 #include "drivers/clock.h"
+#include "drivers/closing_signals.h"
 #include "drivers/file.h"
 #include "drivers/log.h"
 
@@ -70,6 +71,7 @@ WindowOptions window_options(WindowArguments const& arguments, std::string const
     options.is_light = arguments.is_light;
     options.scale = arguments.scale;
     options.frames = arguments.frames;
+    options.should_close = ClosingSignals::have_come;
     options.screenshot = arguments.screenshot;
     return options;
 }
@@ -149,6 +151,8 @@ Result<double> constant_height_mm(std::string const& text)
 Result<void> draw_in_window(LiveDevices devices, LiveWindowOptions options,
                             WindowOptions const& how)
 {
+    // Until the window is closed and all is kept.
+    ClosingSignals const signals;
     auto window = TRY(LiveWindow::create(std::move(devices), std::move(options)));
     return run_window(window, how);
 }

@@ -2,6 +2,7 @@
 
 #include "app/window/host.h"
 #include "app/window/layout.h"
+#include "app/window/lost_display.h"
 #include "drivers/file.h"
 
 #define GLFW_INCLUDE_NONE
@@ -117,9 +118,9 @@ void fill_as_wished(Host& host, WindowState const& state, Workbench& bench)
 
 } // namespace
 
-Result<void> run_window(WindowModel& model, WindowOptions const& options)
+// Shows the model until the window closes, and writes the picture that was asked for.
+static Result<void> show_window(Host& host, WindowModel& model, WindowOptions const& options)
 {
-    Host host;
     TRY(host.open(options));
     auto renderer = TRY(Renderer::create());
     TRY(fill_at_first(host, model.state(), options));
@@ -139,9 +140,11 @@ Result<void> run_window(WindowModel& model, WindowOptions const& options)
     Events events;
     Changes changes;
     double last_s = glfwGetTime();
-    for (int frame = 0; !host.wants_to_close() && !layout.wants_to_close()
-         && (options.frames == 0 || frame < options.frames);
-         ++frame) {
+    auto const closes = [&] {
+        return host.wants_to_close() || layout.wants_to_close()
+            || (options.should_close && options.should_close());
+    };
+    for (int frame = 0; !closes() && (options.frames == 0 || frame < options.frames); ++frame) {
         bool const may_differ = events.take(host, model, options);
         model.advance(step_since(last_s, options.frames));
         if (options.frames > 0)
@@ -157,6 +160,19 @@ Result<void> run_window(WindowModel& model, WindowOptions const& options)
     auto const picture = host.back_buffer();
     return write_file(options.screenshot,
                       [&](std::ostream& out) { return write_png(out, picture); });
+}
+
+Result<void> run_window(WindowModel& model, WindowOptions const& options)
+{
+    on_lost_display([&model] { return model.close(); });
+    Result<void> shown;
+    {
+        Host host;
+        shown = show_window(host, model, options);
+    }
+    on_lost_display(nullptr);
+    auto closed = model.close();
+    return shown ? closed : shown; // Where both fail, the first is the cause.
 }
 
 } // namespace tractus

@@ -4,6 +4,7 @@
 #include "engine/base/result.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -25,12 +26,17 @@ struct WindowOptions {
     bool is_light = false; // For a bright room.
     double scale = 0;      // Of letters and buttons; 0: the display's.
 
+    // Asked before each frame: true closes the window.
+    std::function<bool()> should_close {};
+
     // Where a PNG of the last frame is written; empty: nowhere.
     std::filesystem::path screenshot {};
 };
 
 // Opens the station's window, with the drawing pad, the skeleton and the plant side by side (Streit
-// 2006 section 3), and shows `model` in it until it is closed (its button, Escape or q).
+// 2006 section 3), and shows `model` in it until it is closed (its button, Escape or q, or
+// as the options say), and closes the model. Where the display goes away meanwhile, the model is
+// closed and the program ends with exit code 1: there is no way back out of the X library.
 //
 // Runs on the calling thread. Fails, as the user's fault, where there is no display, or not the one
 // that is to be filled, or no OpenGL 3.3, and in a build without a window (TRACTUS_WINDOW=OFF).

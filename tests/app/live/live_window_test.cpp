@@ -4,6 +4,7 @@
 #include "app/plants/session_plant.h"
 #include "app/play/paced_log.h"
 #include "calib/rig_file.h"
+#include "tests/app/full_disk.h"
 #include "tests/app/simple_rig.h"
 
 #include <algorithm>
@@ -123,6 +124,63 @@ TEST(LiveWindow, RecordsWhatReplaysToTheSame)
     EXPECT_EQ(log.tools[0].tool, "indicate");
     EXPECT_TRUE(parse_rig(log.rig_text, "log"));
     fs::remove(path);
+}
+
+// A window that keeps what is drawn in a session of its own, and devices that stop sending in the
+// middle of a stroke, with the pen down.
+class LiveWindowClosing : public testing::Test {
+protected:
+    LiveWindowClosing() { fs::remove(path_); }
+    ~LiveWindowClosing() override { fs::remove(path_); }
+
+    LiveWindow drawing() const
+    {
+        std::vector<RawReport> reports;
+        for (int i = 0; i < 20; ++i)
+            reports.push_back(arrived(5 * i, pen_report(50 + 5 * i, 50, true)));
+        std::vector<std::unique_ptr<ReportSource>> sources;
+        sources.push_back(std::make_unique<Script>(simple_pen(), std::move(reports)));
+        auto options = options_for_tests();
+        options.session = begin_session(path_, { small_model() }).value();
+        auto window
+            = LiveWindow::create(LiveDevices::start(std::move(sources)).value(), std::move(options))
+                  .value();
+        advance_to_end(window);
+        EXPECT_FALSE(window.state().live_ink.empty());
+        EXPECT_EQ(window.station().counts().strokes, 0u);
+        return window;
+    }
+    std::size_t kept_steps() const { return read_session(path_).value().last_step(); }
+
+    fs::path path_
+        = fs::temp_directory_path() / fmt::format("tractus_closing_{}.tractus", ::getpid());
+};
+
+TEST_F(LiveWindowClosing, KeepsTheStrokeUnderWay)
+{
+    {
+        auto window = drawing();
+        EXPECT_EQ(kept_steps(), 0u);
+        EXPECT_TRUE(window.close());
+        EXPECT_EQ(kept_steps(), 1u);
+    }
+    EXPECT_EQ(kept_steps(), 1u) << "it closes once";
+}
+
+TEST_F(LiveWindowClosing, KeepsTheStrokeUnderWayWhenNobodyCloses)
+{
+    drawing();
+    EXPECT_EQ(kept_steps(), 1u);
+}
+
+TEST_F(LiveWindowClosing, SaysWhatCannotBeKept)
+{
+    auto window = drawing();
+    FullDisk const disk(1);
+    auto const closed = window.close();
+    ASSERT_FALSE(closed);
+    EXPECT_NE(closed.error().message.find("what was drawn last is not kept"), std::string::npos)
+        << closed.error().message;
 }
 
 // A window that writes its files into a new folder, which goes away with it.

@@ -162,12 +162,12 @@ TEST_F(LongDrawing, TakesBackEveryStepAndDoesItAgain)
     draw(kStrokes);
     for (std::size_t left = kStrokes; left-- > 0;) {
         desk_.perform(Undo {}, station_);
-        desk_.finish(station_, at_ms(now_ms_));
+        ASSERT_TRUE(desk_.finish(station_, at_ms(now_ms_)));
         ASSERT_EQ(station_.scene().associations.size(), left);
     }
     for (std::size_t i = 0; i < kStrokes; ++i)
         desk_.perform(Redo {}, station_);
-    desk_.finish(station_, at_ms(now_ms_));
+    ASSERT_TRUE(desk_.finish(station_, at_ms(now_ms_)));
     EXPECT_EQ(station_.scene().associations.size(), kStrokes);
 }
 

@@ -119,7 +119,7 @@ protected:
             if (!desk.keeper().is_settled()) // A frame takes longer.
                 std::this_thread::sleep_for(std::chrono::microseconds(100));
         }
-        desk.finish(station, now);
+        static_cast<void>(desk.finish(station, now)); // Is killed somewhere in here.
         say_done();
     }
 

@@ -1,5 +1,6 @@
 #include "app/station/session_keeper.h"
 
+#include "tests/app/full_disk.h"
 #include "tests/app/session/small_session.h"
 #include "tests/app/simple_rig.h"
 
@@ -76,6 +77,28 @@ TEST_F(Keeping, BeginsAgainAsAStepLikeAnother)
     keeper.undo();
     settle(keeper, station);
     EXPECT_EQ(station.scene().associations.size(), 1u);
+}
+
+TEST_F(Keeping, LosesNothingWhenTheStationChangesWhileTheDiskIsFull)
+{
+    SessionKeeper keeper(create().value());
+    auto station = station_on(keeper.session().scene());
+    draw_across(station, 1000);
+    settle(keeper, station);
+    draw_across(station, 2000);
+    {
+        FullDisk const disk(1);
+        settle(keeper, station);
+    }
+    ASSERT_FALSE(keeper.not_kept().empty());
+    ASSERT_EQ(keeper.unkept_strokes(), 1u);
+    auto next = station_on(small_scene());
+    next.take_drawing_from(station);
+    keeper.try_again();
+    settle(keeper, next);
+    EXPECT_EQ(keeper.not_kept(), "");
+    EXPECT_EQ(read_session(path()).value().last_step(), 2u);
+    EXPECT_TRUE(same_scene(next.scene(), keeper.session().scene()));
 }
 
 TEST_F(Keeping, TellsWhatCannotBeKeptAndTriesAgain)

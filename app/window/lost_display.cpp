@@ -1,0 +1,36 @@
+#include "app/window/lost_display.h"
+
+#include "app/terminal/console.h"
+
+#include <X11/Xlib.h> // Last, and compiled alone: its macros are short common words.
+#include <cstdlib>
+#include <fmt/core.h>
+#include <utility>
+
+namespace tractus {
+
+static std::function<Result<void>()>& lost_display_action()
+{
+    static std::function<Result<void>()> action;
+    return action;
+}
+
+// Called by Xlib in the thread that has found the connection broken, which is the window's: in the
+// middle of what that does with the window, but of nothing that its model does.
+static int end_without_display(::Display* /*display*/)
+{
+    if (auto const action = std::exchange(lost_display_action(), nullptr)) {
+        auto const done = action();
+        print_error(done ? std::string("error: the display has gone; what was drawn is kept\n")
+                         : fmt::format("error: the display has gone; {}\n", done.error().message));
+    }
+    std::_Exit(1); // Destructors would ask the display that has gone to take the window away.
+}
+
+void on_lost_display(std::function<Result<void>()> action)
+{
+    lost_display_action() = std::move(action);
+    XSetIOErrorHandler(end_without_display);
+}
+
+} // namespace tractus
