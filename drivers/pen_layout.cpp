@@ -304,6 +304,11 @@ bool PenLayout::has_second_barrel_switch() const
     return buttons[1] && standard_usage(buttons[1]->usage) == kSecondaryBarrelSwitch;
 }
 
+bool PenLayout::has_secondary_tip_switch() const
+{
+    return buttons[1] && standard_usage(buttons[1]->usage) == kSecondaryTipSwitch;
+}
+
 std::vector<PenLayout> find_pen_layouts(HidReportDescriptor const& descriptor)
 {
     std::vector<PenLayout> layouts;

@@ -54,6 +54,9 @@ struct PenLayout {
 
     // By its proper name, and not by one of those that some makers use in its place.
     bool has_second_barrel_switch() const;
+
+    // The second button is called a secondary tip switch, for want of a better one.
+    bool has_secondary_tip_switch() const;
 };
 
 // The layouts of all pen reports, in the descriptor's order; empty if it describes no pen.

@@ -125,6 +125,7 @@ PenButtons buttons_of(std::vector<PenLayout> const& layouts)
             continue;
         buttons.has_second |= layout.buttons[1].has_value();
         buttons.has_second_by_name |= layout.has_second_barrel_switch();
+        buttons.has_second_as_tip |= layout.has_secondary_tip_switch();
         buttons.has_eraser |= layout.eraser.has_value();
         buttons.has_invert |= layout.invert.has_value();
     }

@@ -47,8 +47,9 @@ PenHabits known_habits(std::uint16_t vendor_id, std::uint16_t product_id, PenBut
         if (known.vendor_id == vendor_id && known.product_id == product_id)
             habits = known.habits;
     bool const cannot_turn = buttons.has_eraser && !buttons.has_invert;
-    habits.second_button_is_eraser
-        = !buttons.has_second && (habits.second_button_is_eraser || cannot_turn);
+    habits.second_button_is_eraser = habits.second_button_is_eraser
+        ? !buttons.has_second || buttons.has_second_as_tip
+        : !buttons.has_second && cannot_turn;
     return habits;
 }
 

@@ -156,6 +156,22 @@ TEST(KnownHabits, HuionsSecondButtonIsTheEraser)
     EXPECT_EQ(pen.buttons, 2u);
 }
 
+TEST(KnownHabits, HuionsSecondButtonIsTheEraserBesideATipSwitchThatNeverComes)
+{
+    // A Q11K, a K26 or a W58 in the mode of its start: tip, barrel, eraser, invert, secondary tip,
+    // in range. The upper button is pressed while the pen hovers, and then while it draws.
+    Device device(pen_with_bits(0x256c, 0x006e, "09 42 09 44 09 45 09 3c 09 43 09 32"));
+    EXPECT_EQ(device.decoder().traits().button_count, 2u);
+    EXPECT_EQ(device.sample("07 20 10 27 c4 09 00 00").buttons, 0u);
+    auto const hovering = device.sample("07 24 10 27 c4 09 00 00");
+    EXPECT_FALSE(hovering.touching || hovering.eraser);
+    EXPECT_EQ(hovering.buttons, 2u);
+    auto const drawing = device.sample("07 25 10 27 c4 09 ff 0f");
+    EXPECT_TRUE(drawing.touching);
+    EXPECT_FALSE(drawing.eraser);
+    EXPECT_EQ(drawing.buttons, 2u);
+}
+
 TEST(KnownHabits, OtherPensErasersAreErasers)
 {
     Device device(pen_with_bits(0x1b96, 0x1000, kTipBarrelEraserInvertRange));
