@@ -18,6 +18,11 @@ struct FamilyState {
     bool is_eraser = false;
     bool is_pen = true;     // Not a mouse on the tablet.
     bool is_inside = false; // The pen is in range.
+
+    std::int32_t x_maximum = 0; // The tablet's, which does not change; 0: not known.
+
+    // The tool has left, and the next may be another.
+    void forget_tool() { *this = { .x_maximum = x_maximum }; }
 };
 
 // One report format of a maker's own, which no report descriptor tells; many tablets share each.

@@ -44,6 +44,7 @@ public:
         : family_(family)
         , traits_(traits_of(family, shape))
         , scale_(scale_of(family, shape))
+        , format_({ .x_maximum = shape.x_maximum })
         , pen_({ .reports_leaving = family.reports_leaving })
     {
     }

@@ -37,6 +37,28 @@ Fields decode_graphire(Report report, FamilyState&)
     };
 }
 
+// Graphire over Bluetooth (CTE-630BT): as Graphire, but for the report's id and the pressure's
+// ninth bit, which stands among the flags (wacom_graphire_irq in Linux).
+Fields decode_graphire_bluetooth(Report report, FamilyState&)
+{
+    constexpr std::uint8_t kBluetoothPenReport = 0x03;
+    if (report.size() < 8 || u8(report, 0) != kBluetoothPenReport)
+        return std::nullopt;
+    bool const is_mouse = has_bit(report, 1, 6);
+    if (!has_bit(report, 1, 7) || is_mouse)
+        return kAway;
+    bool const touches = has_bit(report, 1, 0);
+    return PenFields {
+        .x = u16_le(report, 2),
+        .y = u16_le(report, 4),
+        .pressure = touches ? u8(report, 6) | int { has_bit(report, 1, 3) } << 8 : 0,
+        .in_range = true,
+        .tip = touches,
+        .invert = has_bit(report, 1, 5),
+        .buttons = bits(report, 1, 1, 2),
+    };
+}
+
 // The Bamboo Pad: report 10, whose byte 1 tells the pen from its touch pad and its keys.
 Fields decode_bamboo_pad(Report report, FamilyState&)
 {
@@ -134,6 +156,17 @@ PenFields intuos_pro_fields(Report report, FamilyState& state)
     return fields;
 }
 
+// At their right edge Intuos5 and Pro say that the pen is too high while it draws.
+bool presses_at_right_edge(Report report, FamilyState const& state)
+{
+    constexpr int kSurely = 10; // Above what the sensor reports of itself.
+    auto const x = u16_be(report, 2) << 1 | int { has_bit(report, 9, 1) };
+    auto const pressure
+        = u8(report, 6) << 3 | (u8(report, 7) & 0xC0) >> 5 | int { has_bit(report, 1, 0) };
+    return kind_of(report) == IntuosProKind::Pen && pressure > kSurely && state.x_maximum > 0
+        && x >= state.x_maximum;
+}
+
 // Intuos 1 to 5 and Pro, the Cintiqs of their time, CTL-490 and its kin: 10 bytes. A report for the
 // tool that comes, then what it does; its pressure tells whether it touches. Longer reports with
 // the same ids are of fingers.
@@ -147,9 +180,9 @@ Fields decode_intuos_pro(Report report, FamilyState& state)
         return std::nullopt;
     }
     bool const is_near = has_bit(report, 1, 6); // Else it is too high for its place to count.
-    if (!has_bit(report, 1, 7) || !is_near) {
+    if (!has_bit(report, 1, 7) || !(is_near || presses_at_right_edge(report, state))) {
         if ((flags & 0xFE) == 0x80)
-            state = {};
+            state.forget_tool();
         return kAway;
     }
     auto const kind = kind_of(report);
@@ -262,6 +295,30 @@ Fields decode_dtu(Report report, FamilyState&)
     };
 }
 
+// DTU-1031: report 11, whose axes and pressure begin with their highest byte; the tool's kind is a
+// number of two bits. Its keys come in report 15 (wacom_dtus_irq in Linux).
+Fields decode_dtus(Report report, FamilyState& state)
+{
+    constexpr std::uint8_t kDtusPenReport = 0x11;
+    if (report.size() < 7 || u8(report, 0) != kDtusPenReport)
+        return std::nullopt;
+    if (!has_bit(report, 1, 7)) {
+        state.forget_tool();
+        return kAway;
+    }
+    auto const tool = bits(report, 1, 3, 2);
+    if (tool == 1 || tool == 2)
+        state.is_eraser = tool == 1;
+    return PenFields {
+        .x = u16_be(report, 3),
+        .y = u16_be(report, 5),
+        .pressure = (u8(report, 1) & 3) << 8 | u8(report, 2),
+        .in_range = true,
+        .invert = state.is_eraser,
+        .buttons = bits(report, 1, 5, 2),
+    };
+}
+
 // The PL displays: 8 bytes, of which each has seven bits. The eraser's bit is the second button's,
 // too: a pen that comes with it is turned round.
 Fields decode_pl(Report report, FamilyState& state)
@@ -269,7 +326,7 @@ Fields decode_pl(Report report, FamilyState& state)
     if (report.size() < 8 || u8(report, 0) != kPenReport)
         return std::nullopt;
     if (!has_bit(report, 1, 6)) {
-        state = {};
+        state.forget_tool();
         return kAway;
     }
     bool const eraser_or_second = has_bit(report, 4, 5);
@@ -357,11 +414,12 @@ template<auto decode> Fields after_one_byte(Report report, FamilyState& state)
     return report.empty() ? std::nullopt : decode(report.subspan(1), state);
 }
 
-// Intuos reports their pressure's lowest bit even where nothing presses.
+// Some report a little pressure even where nothing presses.
 constexpr std::int32_t kIntuosProTouchAbove = 10;
 
 constexpr PenFamily kWacomFamilies[] = {
     { .name = "wacom-graphire", .decode = decode_graphire, .has_eraser = true },
+    { .name = "wacom-graphire-bluetooth", .decode = decode_graphire_bluetooth, .has_eraser = true },
     { .name = "wacom-bamboo-pad",
       .decode = decode_bamboo_pad,
       .has_eraser = true,
@@ -384,6 +442,10 @@ constexpr PenFamily kWacomFamilies[] = {
       .has_eraser = true },
     { .name = "wacom-intuos-bluetooth", .decode = decode_intuos_bluetooth, .has_eraser = true },
     { .name = "wacom-dtu", .decode = decode_dtu, .has_eraser = true },
+    { .name = "wacom-dtus",
+      .decode = decode_dtus,
+      .has_eraser = true,
+      .touch_above = kIntuosProTouchAbove },
     { .name = "wacom-pl", .decode = decode_pl, .has_eraser = true },
     { .name = "wacom-driver-intuos", .decode = after_one_byte<decode_intuos>, .has_eraser = true },
     { .name = "wacom-driver-intuos-pro",

@@ -133,7 +133,8 @@ TabletShape tablet_shape(DeviceInfo const& info, TabletMatch const& match)
 {
     auto const& tablet = *match.tablet;
     TabletShape shape { .size_mm = tablet.size_mm,
-                        .is_size_assumed = tablet.is_size_in_doubt || match.alternatives > 0,
+                        .is_size_assumed = tablet.is_size_in_doubt || match.alternatives > 0
+                            || match.identifier->is_any_product,
                         .x_maximum = tablet.x_maximum,
                         .y_maximum = tablet.y_maximum,
                         .pressure_maximum = tablet.pressure_maximum,

@@ -40,7 +40,8 @@ bool matches(std::string const& text, std::string const& pattern)
 std::optional<Candidate> weigh(Tablet const& tablet, TabletIdentifier const& identifier,
                                DeviceInfo const& info)
 {
-    if (identifier.vendor_id != info.vendor_id || identifier.product_id != info.product_id)
+    if (identifier.vendor_id != info.vendor_id
+        || (identifier.product_id != info.product_id && !identifier.is_any_product))
         return std::nullopt;
     if (identifier.interface_number && info.interface_number >= 0
         && *identifier.interface_number != info.interface_number)
@@ -123,6 +124,16 @@ void tell_pads_from_pens(Candidates& candidates, LongestReports const& longest)
     prefer(candidates, is_pad);
 }
 
+// A line for any product stands in for a model that is not known, and only if its reports fit.
+void tell_unknown_products(Candidates& candidates, LongestReports const& longest)
+{
+    std::erase_if(candidates, [&](auto const& candidate) {
+        auto const& identifier = *candidate.identifier;
+        return identifier.is_any_product && identifier.input_size != longest.input;
+    });
+    prefer(candidates, [](auto const& candidate) { return !candidate.identifier->is_any_product; });
+}
+
 void prefer_report_sizes(Candidates& candidates, LongestReports const& longest)
 {
     prefer(candidates, [&](auto const& candidate) {
@@ -189,6 +200,7 @@ std::optional<TabletMatch> find_tablet(std::span<Tablet const> tablets, DeviceIn
             if (auto const candidate = weigh(tablet, identifier, info))
                 candidates.push_back(*candidate);
     auto const longest = longest_reports(info);
+    tell_unknown_products(candidates, longest);
     tell_pads_from_pens(candidates, longest);
     if (candidates.empty())
         return std::nullopt;

@@ -102,6 +102,12 @@ bool read_clause(std::string_view clause, TabletIdentifier& identifier)
     return false;
 }
 
+bool read_product(std::string_view text, TabletIdentifier& identifier)
+{
+    identifier.is_any_product = text == "*";
+    return identifier.is_any_product || read_number(text, identifier.product_id, 16);
+}
+
 bool read_identifier(std::string_view line, TabletIdentifier& identifier)
 {
     auto head = take(line, ";");
@@ -109,7 +115,7 @@ bool read_identifier(std::string_view line, TabletIdentifier& identifier)
     auto const sizes = take(head, " ");
     identifier.family = trimmed(head);
     bool is_right = read_number(take(ids, ":"), identifier.vendor_id, 16)
-        && read_number(ids, identifier.product_id, 16) && read_sizes(sizes, identifier)
+        && read_product(ids, identifier) && read_sizes(sizes, identifier)
         && !identifier.family.empty();
     while (is_right && !line.empty())
         is_right = read_clause(take(line, ";"), identifier);

@@ -37,6 +37,8 @@ struct StringCondition {
 struct TabletIdentifier {
     std::uint16_t vendor_id = 0;
     std::uint16_t product_id = 0;
+    // Any product that is not known otherwise, if its longest input report is of `input_size`.
+    bool is_any_product = false;
     // The longest of the interface's reports in bytes, the report id's included, which a device
     // that uses no ids counts as well; 0: it has none. No value: not known.
     std::optional<std::size_t> input_size {};

@@ -208,6 +208,26 @@ TEST(Wacom, IntuosProIsAwayWhileItsPenIsTooHigh)
     EXPECT_TRUE(tablet.sample("02 e0 13 88 04 e2 00 2b 64 00").in_range);
 }
 
+TEST(Wacom, IntuosProDrawsToItsRightEdge)
+{
+    // X at its maximum of 20,000 (27 10, doubled) with a pressure of 226 * 8: the near bit, 40, is
+    // clear, and the pen draws on.
+    Tablet tablet("wacom-intuos-pro");
+    EXPECT_TRUE(tablet.sample("02 e0 26 ac 04 e2 e2 2b 64 00").touching);
+    auto const at_edge = tablet.sample("02 a0 27 10 04 e2 e2 2b 64 00");
+    EXPECT_TRUE(at_edge.touching);
+    EXPECT_EQ(at_edge.raw_x, 20'000);
+    EXPECT_EQ(at_edge.raw_pressure, 226 * 8);
+    EXPECT_FALSE(tablet.sample("02 a0 27 10 04 e2 01 00 64 00").in_range); // 8 is no pressure.
+}
+
+TEST(Wacom, IntuosProIsAwayWherePressureAloneSpeaksForIt)
+{
+    Tablet tablet("wacom-intuos-pro");
+    tablet.sample("02 e0 26 ac 04 e2 e2 2b 64 00");
+    EXPECT_FALSE(tablet.sample("02 a0 27 0f 04 e2 e2 2b 64 00").in_range); // Not at the edge.
+}
+
 TEST(Wacom, IntuosProTakesNoMouseForAPen)
 {
     Tablet tablet("wacom-intuos-pro");
@@ -283,6 +303,40 @@ TEST(Wacom, DtuReadsItsPen)
     EXPECT_FALSE(tablet.sample("02 00 10 27 c4 09 00 00").in_range);
     auto const eraser = tablet.sample("02 24 10 27 c4 09 40 00");
     EXPECT_TRUE(eraser.eraser && eraser.touching);
+}
+
+TEST(Wacom, GraphireReadsItsPenOverBluetooth)
+{
+    // X 2,000 (07d0) and Y 1,000 (03e8), lowest byte first; pressure 256 (bit 3 of the flags) + 4.
+    Tablet tablet("wacom-graphire-bluetooth", 511);
+    auto const pen = tablet.sample("03 8b d0 07 e8 03 04 00");
+    EXPECT_EQ(pen.raw_x, 2000);
+    EXPECT_EQ(pen.raw_y, 1000);
+    EXPECT_EQ(pen.raw_pressure, 260);
+    EXPECT_TRUE(pen.touching);
+    EXPECT_EQ(pen.buttons, 1u);
+    EXPECT_FALSE(tablet.sample("03 00 00 00 00 00 00 00").in_range);
+    EXPECT_TRUE(tablet.sample("03 a0 d0 07 e8 03 00 00").eraser);
+    EXPECT_FALSE(tablet.sample("03 c0 d0 07 e8 03 00 00").in_range); // A mouse.
+    EXPECT_EQ(tablet.report("02 81 d0 07 e8 03 04 00"), std::nullopt);
+}
+
+TEST(Wacom, DtusReadsItsPen)
+{
+    // 80 in range, 10 a pen, 20 the first button, 01 the pressure's highest bits: 256 + 44. X 2,000
+    // and Y 1,000, highest byte first.
+    Tablet tablet("wacom-dtus", 511);
+    auto const pen = tablet.sample("11 b1 2c 07 d0 03 e8 00");
+    EXPECT_EQ(pen.raw_x, 2000);
+    EXPECT_EQ(pen.raw_y, 1000);
+    EXPECT_EQ(pen.raw_pressure, 300);
+    EXPECT_TRUE(pen.touching);
+    EXPECT_FALSE(pen.eraser);
+    EXPECT_EQ(pen.buttons, 1u);
+    EXPECT_FALSE(tablet.sample("11 90 0a 07 d0 03 e8 00").touching); // 10 is no pressure.
+    EXPECT_FALSE(tablet.sample("11 00 00 00 00 00 00 00").in_range);
+    EXPECT_TRUE(tablet.sample("11 88 40 07 d0 03 e8 00").eraser);
+    EXPECT_EQ(tablet.report("15 01 00 00 00 00 00 00"), std::nullopt); // Its keys.
 }
 
 TEST(Wacom, PlReadsItsSevenBitBytes)

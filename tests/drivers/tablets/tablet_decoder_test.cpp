@@ -50,6 +50,45 @@ std::optional<PenSample> decode(PenDecoder& decoder, std::string_view report)
     return sample ? *sample : std::nullopt;
 }
 
+TEST(TabletDecoder, AssumesTheSizeOfAWacomThatItDoesNotKnow)
+{
+    auto decoder = make_pen_decoder(
+        { .name = "Tablet",
+          .vendor_id = 0x056a,
+          .product_id = 0xeeee,
+          .report_descriptor = bytes("06 00 ff 09 01 a1 01 85 02 75 08 95 09 09 01 81 02 c0") });
+    ASSERT_TRUE(decoder) << decoder.error().message;
+    EXPECT_TRUE((*decoder)->traits().is_size_assumed);
+    auto const pen = decode(**decoder, "02 e0 13 88 04 e2 e2 2b 64 00");
+    ASSERT_TRUE(pen);
+    EXPECT_EQ(pen->raw_x, 10'000);
+    EXPECT_TRUE(pen->touching);
+}
+
+// What a Cintiq Pro 22 or 27 says of its report 1e, all of it in Wacom's own page: switches in byte
+// 2, of which bit 5 is Invert and bit 6 In Range; axes of 24 bits; tilts of 16 bits at 11 and 13.
+TEST(TabletDecoder, ReadsACintiqPro27)
+{
+    auto decoder = make_pen_decoder(
+        { .name = "Wacom Cintiq Pro 27",
+          .vendor_id = 0x056a,
+          .product_id = 0x03c0,
+          .report_descriptor = bytes("06 0d ff 09 02 a1 01 85 1e 09 20 75 08 95 0e 81 02 c0") });
+    ASSERT_TRUE(decoder) << decoder.error().message;
+    auto const pen = decode(**decoder, "1e 01 43 10 27 00 c4 09 00 ff 1f 1e 00 e2 ff");
+    ASSERT_TRUE(pen);
+    EXPECT_EQ(pen->raw_x, 10'000);
+    EXPECT_EQ(pen->raw_y, 2500);
+    EXPECT_EQ(pen->pressure, 1.0);
+    EXPECT_TRUE(pen->touching);
+    EXPECT_FALSE(pen->eraser);
+    EXPECT_EQ(pen->buttons, 1u);
+    EXPECT_NEAR(pen->tilt_rad.value().x(), radians(30.0), 1e-12);
+    EXPECT_NEAR(pen->tilt_rad.value().y(), radians(30.0), 1e-12); // -30 towards the user.
+    EXPECT_FALSE(decode(**decoder, "1e 01 00 00 00 00 00 00 00 00 00 00 00 00 00")->in_range);
+    EXPECT_TRUE(decode(**decoder, "1e 01 60 10 27 00 c4 09 00 00 00 00 00 00 00")->eraser);
+}
+
 TEST(TabletDecoder, ReadsAMakersOwnFormatByTheTable)
 {
     auto decoder = make_pen_decoder(hs610());

@@ -36,6 +36,43 @@ TEST(TabletLookup, FindsATabletWithIdsOfItsOwn)
     EXPECT_EQ(match->alternatives, 0u);
 }
 
+TEST(TabletLookup, KnowsTheFormatOfEachWacom)
+{
+    struct {
+        std::uint16_t product_id;
+        std::string_view family;
+        Vec2 size_mm;
+    } const expected[] = {
+        { 0x03c0, "wacom-intuos-v3", { 600.16, 339.34 } }, // Cintiq Pro 27.
+        { 0x03d0, "wacom-intuos-v3", { 480.06, 271.78 } }, // Cintiq Pro 22.
+        { 0x00f4, "wacom-intuos-pro", { 522.4, 328 } },    // Cintiq 24HD.
+        { 0x0057, "wacom-intuos-pro", { 478.2, 270.3 } },  // DTK-2241.
+        { 0x00fb, "wacom-dtus", { 220.96, 139.6 } },       // DTU-1031.
+        { 0x0081, "wacom-graphire-bluetooth", { 208.8, 150.8 } },
+    };
+    for (auto const& [product_id, family, size_mm] : expected) {
+        auto const match = find_tablet(device(0x056a, product_id));
+        ASSERT_TRUE(match) << product_id;
+        EXPECT_EQ(match->identifier->family, family) << product_id;
+        EXPECT_EQ(match->tablet->size_mm, size_mm) << product_id;
+        EXPECT_EQ(match->alternatives, 0u) << product_id;
+    }
+}
+
+TEST(TabletLookup, ReadsAWacomThatItDoesNotKnowAsAnIntuosIfItsReportsAreAsLong)
+{
+    auto info = device(0x056a, 0xeeee);
+    EXPECT_FALSE(find_tablet(info));
+    // Report 2 of nine bytes after its id.
+    info.report_descriptor = bytes("06 00 ff 09 01 a1 01 85 02 75 08 95 09 09 01 81 02 c0");
+    EXPECT_EQ(found_name(info), "Wacom (model not known, read as an Intuos)");
+    info.product_id = 0x037a; // A CTL-472 is one, whatever its reports.
+    EXPECT_EQ(found_name(info), "Wacom CTL-472");
+    info.product_id = 0xeeee;
+    info.report_descriptor = bytes("06 00 ff 09 01 a1 01 85 02 75 08 95 08 09 01 81 02 c0");
+    EXPECT_EQ(found_name(info), "none");
+}
+
 TEST(TabletLookup, KnowsNotEveryDevice)
 {
     EXPECT_FALSE(find_tablet(device(0x1234, 0x5678)));

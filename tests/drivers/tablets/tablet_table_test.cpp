@@ -111,8 +111,8 @@ TEST(KnownTablets, AreAll)
         EXPECT_TRUE(names.insert(tablet.name).second) << tablet.name << " is there twice";
         EXPECT_FALSE(tablet.identifiers.empty()) << tablet.name;
     }
-    EXPECT_EQ(known_tablets().size(), 322u);
-    EXPECT_EQ(identifiers, 496u);
+    EXPECT_EQ(known_tablets().size(), 327u);
+    EXPECT_EQ(identifiers, 502u);
     EXPECT_EQ(pads, 35u);
 }
 
