@@ -48,18 +48,32 @@ bool is_tablet(std::uint16_t vendor_id, std::uint16_t product_id)
         || find_tablet({ .vendor_id = vendor_id, .product_id = product_id }).has_value();
 }
 
+// What works for this device comes first: the rules that we bring, if they name it or its usage.
+std::vector<std::string> how_to_permit(DeviceInfo const& info)
+{
+    constexpr auto kReload = "sudo udevadm control --reload-rules && sudo udevadm trigger";
+    auto const own_rule = udev_rule_for(info);
+    auto const write_rule
+        = fmt::format("echo '{}' | sudo tee /etc/udev/rules.d/71-tractus-{:04x}-{:04x}.rules",
+                      own_rule, info.vendor_id, info.product_id);
+    if (!do_rules_permit(info))
+        return { write_rule, kReload,
+                 "tractus's own rules do not name this device. Over ssh nobody sits at the screen: "
+                 "write GROUP=\"plugdev\", MODE=\"0660\" in place of TAG+=\"uaccess\", and sudo "
+                 "adduser $USER plugdev, then log in again." };
+    return { "sudo tractus doctor --install-rules", kReload,
+             "Or permit this device alone, with its own rule:", write_rule,
+             "Over ssh nobody sits at the screen: install them with --for-group, and sudo adduser "
+             "$USER plugdev, then log in again." };
+}
+
 Finding not_permitted(DeviceFacts const& device)
 {
     return { .kind = FindingKind::NotPermitted,
              .subject = who(device.info),
              .what = fmt::format("The device is there, but you may not read and write it ({}).",
                                  std::strerror(device.open_error)),
-             .remedy = { "sudo tractus doctor --install-rules",
-                         "sudo udevadm control --reload-rules && sudo udevadm trigger",
-                         "or write this rule to /etc/udev/rules.d/70-tractus.rules yourself:",
-                         udev_rule_for(device.info),
-                         "Over ssh nobody sits at the screen: install them with --for-group, and "
-                         "sudo adduser $USER plugdev, then log in again." } };
+             .remedy = how_to_permit(device.info) };
 }
 
 // What a tablet that nobody knows should be asked for.

@@ -19,7 +19,10 @@ enum class RuleHolder {
 // The rules file for one of both.
 std::string udev_rules(RuleHolder holder);
 
-// The one rule, in one line, that permits this device.
+// Whether the rules permit this device, if they are installed.
+bool do_rules_permit(DeviceInfo const& info);
+
+// The one rule, in one line, that permits this device and no other model.
 std::string udev_rule_for(DeviceInfo const& info);
 
 } // namespace tractus

@@ -15,14 +15,14 @@ DeviceFacts facts_of(DeviceInfo info, std::string location = "/dev/hidraw3")
     return { .info = info, .description = describe_device(info), .poll_hz = {} };
 }
 
-// A Wacom whose reports are its maker's own.
+// A Wacom whose reports are its maker's own, and longer than an Intuos's.
 DeviceInfo secretive_tablet()
 {
     return { .name = "New Tablet",
              .vendor_id = 0x056a,
              .product_id = 0xfffe,
              .report_descriptor
-             = bytes("06 00 ff 09 01 a1 01 85 10 09 02 15 00 26 ff 00 75 08 95 09 81 02 c0") };
+             = bytes("06 00 ff 09 01 a1 01 85 10 09 02 15 00 26 ff 00 75 08 95 0b 81 02 c0") };
 }
 
 std::vector<std::string> kinds(std::vector<Finding> const& findings)
@@ -56,9 +56,24 @@ TEST(DiagnoseSystem, PrintsTheRuleThatPermitsADevice)
     ASSERT_EQ(kinds(findings), Names { "not-permitted" });
     EXPECT_EQ(findings[0].subject, "Simple Pen (1209:0002) at /dev/hidraw3");
     EXPECT_TRUE(mentions(findings[0], "Permission denied"));
-    EXPECT_TRUE(
-        mentions(findings[0], "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"1209\", TAG+=\"uaccess\""));
-    EXPECT_TRUE(mentions(findings[0], "--install-rules"));
+    EXPECT_TRUE(mentions(findings[0],
+                         "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"1209\", "
+                         "ATTRS{idProduct}==\"0002\", TAG+=\"uaccess\""));
+    EXPECT_EQ(findings[0].remedy.front(), "sudo tractus doctor --install-rules");
+}
+
+TEST(DiagnoseSystem, AdvisesFirstTheRuleThatWorksWhereOurRulesDoNotNameTheDevice)
+{
+    // A mouse with a tip's pressure, of somebody unknown.
+    auto device = facts_of(simple_pen());
+    device.open_error = EACCES;
+    device.info.vendor_id = 0x2179;
+    device.info.report_descriptor.clear();
+    auto const findings = diagnose_system({ .devices = { device } });
+    ASSERT_EQ(kinds(findings), Names { "not-permitted" });
+    EXPECT_EQ(findings[0].remedy.front(),
+              "echo 'KERNEL==\"hidraw*\", ATTRS{idVendor}==\"2179\", ATTRS{idProduct}==\"0002\", "
+              "TAG+=\"uaccess\"' | sudo tee /etc/udev/rules.d/71-tractus-2179-0002.rules");
 }
 
 TEST(DiagnoseSystem, SaysWhatToDoAboutTheKernelsDriverOfAConverter)
@@ -165,9 +180,9 @@ TEST(DiagnoseDevice, TellsMouseModeFromUnknownReports)
     tablet.report_descriptor.insert(tablet.report_descriptor.end(), mouse.begin(), mouse.end());
     EXPECT_EQ(kinds(diagnose_device(reading_after(tablet, "01 00 05 05", 50), {})),
               Names { "mouse-mode" });
-    EXPECT_EQ(
-        kinds(diagnose_device(reading_after(tablet, "10 00 05 05 00 00 00 00 00 00", 50), {})),
-        Names { "unknown-tablet" });
+    EXPECT_EQ(kinds(diagnose_device(
+                  reading_after(tablet, "10 00 05 05 00 00 00 00 00 00 00 00", 50), {})),
+              Names { "unknown-tablet" });
     EXPECT_EQ(kinds(diagnose_device(reading_after(tablet, "01 00 05 05", 5), {})), Names {});
 }
 

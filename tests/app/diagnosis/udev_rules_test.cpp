@@ -1,6 +1,9 @@
 #include "app/diagnosis/udev_rules.h"
 
+#include "tests/drivers/bytes.h"
+
 #include <gtest/gtest.h>
+#include <string_view>
 
 namespace tractus {
 namespace {
@@ -17,15 +20,41 @@ TEST(UdevRules, AreThoseOfTheSeatOrOfAGroup)
 
 TEST(UdevRules, PermitOneDevice)
 {
-    EXPECT_EQ(udev_rule_for({ .location = "/dev/hidraw0", .vendor_id = 0x056a }),
-              "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"056a\", TAG+=\"uaccess\"");
-    EXPECT_EQ(udev_rule_for({ .location = "/dev/hidraw0", .bus = 0x18, .vendor_id = 0x04f3 }),
-              "KERNEL==\"hidraw*\", KERNELS==\"0018:04F3:*\", TAG+=\"uaccess\"");
+    EXPECT_EQ(
+        udev_rule_for({ .location = "/dev/hidraw0", .vendor_id = 0x056a, .product_id = 0x37a }),
+        "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"056a\", ATTRS{idProduct}==\"037a\", "
+        "TAG+=\"uaccess\"");
+    EXPECT_EQ(
+        udev_rule_for(
+            { .location = "/dev/hidraw0", .bus = 0x18, .vendor_id = 0x04f3, .product_id = 0x2a1c }),
+        "KERNEL==\"hidraw*\", KERNELS==\"0018:04F3:2A1C.*\", TAG+=\"uaccess\"");
     EXPECT_EQ(udev_rule_for({ .location = "usb:1-2", .vendor_id = 0x1209, .product_id = 1 }),
               "SUBSYSTEM==\"usb\", ATTR{idVendor}==\"1209\", ATTR{idProduct}==\"0001\", "
               "TAG+=\"uaccess\"");
     EXPECT_EQ(udev_rule_for({ .location = "gpio:gpiochip0:1,2,3,4:mcp3208:0" }),
               "SUBSYSTEM==\"gpio\", KERNEL==\"gpiochip*\", TAG+=\"uaccess\"");
+}
+
+TEST(UdevRules, PermitPensByUsageAndTabletsByMaker)
+{
+    auto const permits = [](std::uint16_t bus, std::uint16_t vendor_id, std::uint16_t product_id,
+                            std::string_view descriptor) {
+        return do_rules_permit({ .location = "/dev/hidraw0",
+                                 .bus = bus,
+                                 .vendor_id = vendor_id,
+                                 .product_id = product_id,
+                                 .report_descriptor = bytes(descriptor) });
+    };
+    constexpr auto kPen = "05 0d 09 02 a1 01 09 20 a1 00 c0 c0", kMouse = "05 01 09 02 a1 01 c0";
+    EXPECT_TRUE(permits(0x18, 0x2d1f, 0x0001, kPen)); // Pens of makers that no rule names.
+    EXPECT_TRUE(permits(0x03, 0x2179, 0x0053, kPen));
+    EXPECT_TRUE(permits(0x18, 0x2d1f, 0x0001, "06 0d ff 09 01 a1 01 c0")); // Wacom's page.
+    EXPECT_FALSE(permits(0x03, 0x045e, 0x0001, kMouse));
+    EXPECT_FALSE(permits(0x03, 0x2179, 0x0053, "05 0d 09 04 a1 01 c0")); // A touch screen.
+    EXPECT_TRUE(permits(0x03, 0x256c, 0x006d, "06 00 ff 09 01 a1 01 c0"));
+    EXPECT_TRUE(permits(0x05, 0x256c, 0x006d, "06 00 ff 09 01 a1 01 c0"));
+    EXPECT_TRUE(permits(0x03, 0x0483, 0xa640, kMouse)); // One of a maker of chips.
+    EXPECT_FALSE(permits(0x03, 0x0483, 0x5740, kMouse));
 }
 
 } // namespace

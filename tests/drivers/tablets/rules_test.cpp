@@ -2,8 +2,10 @@
 
 #include "drivers/file.h"
 #include "drivers/tablets/tablet_table.h"
+#include "tests/corpus.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -67,6 +69,44 @@ TEST(Rules, PermitEveryKnownTablet)
             EXPECT_TRUE(permits(rules, true, identifier))
                 << "usb: " << tablet.name << ' ' << identifier.vendor_id;
         }
+}
+
+// What the program of a rule says of a device with this descriptor.
+bool is_permitted_by_usage(std::string const& descriptor_path)
+{
+    auto const text
+        = read_file(std::filesystem::path(TRACTUS_SOURCE_FOLDER) / "drivers" / "70-tractus.rules");
+    std::smatch found;
+    EXPECT_TRUE(text && std::regex_search(*text, found, std::regex("\nPROGRAM==\"([^\"]*)\"")));
+    auto command = found[1].str();
+    std::string const place = "/sys%p/device/report_descriptor";
+    auto const at = command.find(place);
+    EXPECT_NE(at, std::string::npos) << command;
+    command.replace(at, place.size(), "'" + descriptor_path + "'");
+    return std::system(command.c_str()) == 0;
+}
+
+TEST(Rules, PermitEveryPenOfTheCorpusByItsUsage)
+{
+    REQUIRE_CORPUS();
+    int pens = 0;
+    for (auto const& entry :
+         std::filesystem::directory_iterator(corpus() / "descriptors" / "pen")) {
+        EXPECT_TRUE(is_permitted_by_usage(entry.path())) << entry.path();
+        ++pens;
+    }
+    EXPECT_EQ(pens, 133);
+}
+
+TEST(Rules, PermitByUsageNoDeviceOfTheCorpusThatIsNoPen)
+{
+    REQUIRE_CORPUS();
+    for (auto const& entry :
+         std::filesystem::directory_iterator(corpus() / "descriptors" / "other")) {
+        // Wacom's there are pens in its own format.
+        bool const is_wacom = entry.path().filename().string().find("_056A_") != std::string::npos;
+        EXPECT_TRUE(is_wacom || !is_permitted_by_usage(entry.path())) << entry.path();
+    }
 }
 
 // These makers of chips have ids on very many devices that are no tablets.
