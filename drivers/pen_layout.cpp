@@ -41,6 +41,8 @@ constexpr double kMinSide_mm = 20;
 constexpr double kMaxSide_mm = 800;
 constexpr double kMaxCountsPerMm = 1000;
 
+constexpr double kUsualProportions = 16.0 / 10;
+
 enum class Tool { None, Pen, Mouse };
 
 // Wacom's page 0xFF0D numbers what the digitizers' page has as there, and what Generic Desktop has
@@ -234,8 +236,11 @@ void find_size(PenLayout& layout)
         }
     }
     Vec2 const size_counts(counts(layout.x), counts(layout.y));
-    set_size(layout, size_counts / assumed_counts_per_mm(size_counts.maxCoeff()),
-             PenLayout::Size::Assumed);
+    Vec2 const size_mm = size_counts / assumed_counts_per_mm(size_counts.maxCoeff());
+    set_size(layout, size_mm, PenLayout::Size::Assumed);
+    // No tablet is square: axes of the same range say nothing of its proportions.
+    if (layout.has_square_counts())
+        layout.take_proportions(kUsualProportions);
 }
 
 double tilt_scale(HidField const& field)
@@ -293,9 +298,29 @@ std::optional<PenLayout> finish(Draft draft, HidReportDescriptor const& descript
 
 } // namespace
 
-void PenLayout::take_known_size(Vec2 const& known_size_mm)
+bool PenLayout::has_square_counts() const
+{
+    return counts(x) == counts(y);
+}
+
+void PenLayout::take_proportions(double width_to_height)
 {
     if (size_source == Size::Assumed)
+        set_size(*this, { size_mm.x(), size_mm.x() / width_to_height }, Size::Assumed);
+}
+
+// Whether one is the other with its sides changed over, and not just about square.
+static bool is_turned(Vec2 const& a, Vec2 const& b)
+{
+    auto const is_near = [](double first, double second) {
+        return std::abs(first - second) <= 0.03 * std::max(first, second);
+    };
+    return is_near(a.x(), b.y()) && is_near(a.y(), b.x()) && !is_near(a.x(), a.y());
+}
+
+void PenLayout::take_known_size(Vec2 const& known_size_mm)
+{
+    if (size_source == Size::Assumed || is_turned(size_mm, known_size_mm))
         set_size(*this, known_size_mm, Size::Known);
 }
 

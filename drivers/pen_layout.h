@@ -46,11 +46,19 @@ struct PenLayout {
     // outside 20 to 800 mm, or more than 1000 counts per mm). The guess: for a mouse, what the same
     // device's pen reports say; for a range without a unit, thousandths of an inch; else 5080
     // counts per inch, as most tablets have, or 2540, whichever gives a longer side of 80 to 500
-    // mm; else a longer side of 250 mm.
+    // mm; else a longer side of 250 mm. Where both axes have one range, which no tablet's surface
+    // has, its sides are as 16 to 10, as most tablets' are.
     enum class Size { Declared, Known, Assumed } size_source = Size::Declared;
 
-    // Believes `known_size_mm`, from elsewhere, if the descriptor declares no size.
+    // Believes `known_size_mm`, from elsewhere, if the descriptor declares no size, or has X's and
+    // Y's changed over.
     void take_known_size(Vec2 const& known_size_mm);
+
+    // Believes the proportions, from elsewhere, of a size that is a guess.
+    void take_proportions(double width_to_height);
+
+    // Both axes have one range, so that it says nothing of the proportions.
+    bool has_square_counts() const;
 
     // By its proper name, and not by one of those that some makers use in its place.
     bool has_second_barrel_switch() const;

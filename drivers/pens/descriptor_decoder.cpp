@@ -210,7 +210,8 @@ std::string explain_no_pen(DeviceInfo const& info, HidReportDescriptor const& de
 } // namespace
 
 Result<std::unique_ptr<PenDecoder>> make_descriptor_decoder(DeviceInfo const& info,
-                                                            std::optional<Vec2> const& size_mm)
+                                                            std::optional<Vec2> const& size_mm,
+                                                            std::optional<double> width_to_height)
 {
     auto descriptor = parse_report_descriptor(info.report_descriptor);
     if (!descriptor)
@@ -221,9 +222,12 @@ Result<std::unique_ptr<PenDecoder>> make_descriptor_decoder(DeviceInfo const& in
     auto layouts = find_pen_layouts(*descriptor);
     if (layouts.empty())
         return fail(Fault::User, explain_no_pen(info, *descriptor));
-    if (size_mm)
-        for (auto& layout : layouts)
+    for (auto& layout : layouts) {
+        if (width_to_height && layout.has_square_counts())
+            layout.take_proportions(*width_to_height);
+        if (size_mm)
             layout.take_known_size(*size_mm);
+    }
     auto const habits = known_habits(info.vendor_id, info.product_id, buttons_of(layouts));
     return std::make_unique<HidPenDecoder>(*descriptor, layouts, habits);
 }

@@ -11,11 +11,13 @@
 namespace tractus {
 
 // Decodes what the device's report descriptor describes (PenLayout). `size_mm` is the active area
-// as it is known from elsewhere, and is believed where the descriptor tells none that makes sense.
+// as it is known from elsewhere, and is believed where the descriptor tells none that makes sense;
+// `width_to_height` are its proportions where no more is known.
 //
 // Fails, as the user's fault, with the reason if the device is no pen or sends reports of its
 // maker's own making, and as the device's fault if its descriptor is broken.
 Result<std::unique_ptr<PenDecoder>>
-make_descriptor_decoder(DeviceInfo const& info, std::optional<Vec2> const& size_mm = std::nullopt);
+make_descriptor_decoder(DeviceInfo const& info, std::optional<Vec2> const& size_mm = std::nullopt,
+                        std::optional<double> width_to_height = std::nullopt);
 
 } // namespace tractus

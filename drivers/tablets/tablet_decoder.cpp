@@ -155,7 +155,8 @@ Result<std::unique_ptr<PenDecoder>> make_tablet_decoder(DeviceInfo const& info,
 {
     auto const shape = tablet_shape(info, match);
     auto described = make_descriptor_decoder(
-        info, shape.is_size_assumed ? std::nullopt : std::optional(shape.size_mm));
+        info, shape.is_size_assumed ? std::nullopt : std::optional(shape.size_mm),
+        match.width_to_height);
     NodeReports reports;
     if (auto const descriptor = parse_report_descriptor(info.report_descriptor))
         reports = reports_of(*descriptor);

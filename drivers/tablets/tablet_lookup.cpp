@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fmt/core.h>
+#include <limits>
 #include <map>
 #include <regex>
 #include <set>
@@ -173,6 +174,20 @@ void prefer_own_name(Candidates& candidates, DeviceInfo const& info)
     });
 }
 
+std::optional<double> common_proportions(Candidates const& candidates)
+{
+    constexpr double kAgree = 0.02; // Makers round the sides that they tell.
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = 0;
+    for (auto const& candidate : candidates) {
+        auto const& size_mm = candidate.tablet->size_mm;
+        least = std::min(least, size_mm.x() / size_mm.y());
+        greatest = std::max(greatest, size_mm.x() / size_mm.y());
+    }
+    return greatest - least <= kAgree * greatest ? std::optional((least + greatest) / 2)
+                                                 : std::nullopt;
+}
+
 TabletMatch choose(Candidates const& candidates)
 {
     std::map<decltype(candidates.front().shape()), std::size_t> votes;
@@ -187,7 +202,8 @@ TabletMatch choose(Candidates const& candidates)
         if (candidate.shape() != chosen->shape() && candidate.tablet != chosen->tablet)
             others.insert(candidate.tablet->name);
     std::size_t const least = chosen->is_refuted ? 1 : 0;
-    return { chosen->tablet, chosen->identifier, std::max(others.size(), least) };
+    return { chosen->tablet, chosen->identifier, std::max(others.size(), least),
+             common_proportions(candidates) };
 }
 
 } // namespace

@@ -18,6 +18,9 @@ struct TabletMatch {
     // How many other models, of another size or format, would fit what is known of the device as
     // well. 0: it is this one, or one that cannot be told from it by its reports.
     std::size_t alternatives = 0;
+
+    // The proportions of the active area, where all models that would fit agree on them.
+    std::optional<double> width_to_height {};
 };
 
 // Looks a device up by its ids, its strings and the lengths of its reports; it may also be found to

@@ -89,6 +89,46 @@ TEST(TabletDecoder, ReadsACintiqPro27)
     EXPECT_TRUE(decode(**decoder, "1e 01 60 10 27 00 c4 09 00 00 00 00 00 00 00")->eraser);
 }
 
+// A pen whose axes both run to 32767; `x_size` and `y_size` are items that tell how far they reach.
+DeviceInfo square_pen(std::uint16_t vendor_id, std::uint16_t product_id, std::string const& x_size,
+                      std::string const& y_size)
+{
+    return { .name = "Tablet",
+             .vendor_id = vendor_id,
+             .product_id = product_id,
+             .report_descriptor
+             = bytes("05 0d 09 02 a1 01 85 07 09 20 a1 00 09 42 09 44 09 45 15 00 25 01 75 01 95 "
+                     "03 81 02 95 02 81 03 09 32 95 01 81 02 95 02 81 03 75 10 95 01 35 00 a4 05 "
+                     "01 09 30 "
+                     + x_size + " 26 ff 7f 81 02 09 31 " + y_size
+                     + " 26 ff 7f 81 02 b4 09 30 26 ff 1f 81 02 09 3d 15 81 25 7f 75 08 81 02 09 "
+                       "3e 81 02 c0 c0") };
+}
+
+TEST(TabletDecoder, PutsTheSidesRightThatADescriptorChangesOver)
+{
+    // A Deco Pro M: 6.181 inches along X and 10.984 along Y, which the table knows as 279 x 157 mm.
+    auto decoder = make_pen_decoder(square_pen(0x28bd, 0x0904, "65 13 55 0d 46 25 18", "46 e8 2a"));
+    ASSERT_TRUE(decoder) << decoder.error().message;
+    EXPECT_EQ((*decoder)->traits().size_mm, Vec2(278.99, 156.995));
+    auto const pen = decode(**decoder, "07 21 ff 7f ff 3f ff 0f 00 00");
+    ASSERT_TRUE(pen);
+    EXPECT_NEAR(pen->position_mm.x(), 278.99, 0.01);
+    EXPECT_NEAR(pen->position_mm.y(), 78.5, 0.01);
+}
+
+TEST(TabletDecoder, TakesNoTabletForSquare)
+{
+    auto const size_of = [](DeviceInfo const& info) {
+        auto const decoder = make_pen_decoder(info);
+        EXPECT_TRUE(decoder && (*decoder)->traits().is_size_assumed);
+        return decoder ? (*decoder)->traits().size_mm : Vec2(0, 0);
+    };
+    // Of a tablet that nobody knows: 16 to 10.
+    auto const unknown = size_of(square_pen(0x1234, 0x5678, "", ""));
+    EXPECT_NEAR(unknown.x() / unknown.y(), 1.6, 1e-9);
+}
+
 TEST(TabletDecoder, ReadsAMakersOwnFormatByTheTable)
 {
     auto decoder = make_pen_decoder(hs610());

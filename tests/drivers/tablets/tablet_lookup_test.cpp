@@ -73,6 +73,24 @@ TEST(TabletLookup, ReadsAWacomThatItDoesNotKnowAsAnIntuosIfItsReportsAreAsLong)
     EXPECT_EQ(found_name(info), "none");
 }
 
+TEST(TabletLookup, TellsTheProportionsThatAllModelsShare)
+{
+    constexpr auto kSmallAndLarge = "A small one | 101.6 x 76.2 | 20320 x 15240 | 8191 | 2 | 0\n"
+                                    "    1234:0001 10 generic\n"
+                                    "A large one | 203.2 x 152.4 | 40640 x 30480 | 8191 | 2 | 0\n"
+                                    "    1234:0001 10 generic\n"
+                                    "    1234:0002 10 generic\n"
+                                    "A wide one | 254 x 142.9 | 50800 x 28580 | 8191 | 2 | 0\n"
+                                    "    1234:0002 10 generic\n";
+    auto const tablets = parse_tablets(kSmallAndLarge).value();
+    auto const alike = find_tablet(tablets, device(0x1234, 0x0001));
+    ASSERT_TRUE(alike && alike->width_to_height);
+    EXPECT_NEAR(*alike->width_to_height, 4.0 / 3, 1e-9);
+    auto const others = find_tablet(tablets, device(0x1234, 0x0002));
+    ASSERT_TRUE(others);
+    EXPECT_FALSE(others->width_to_height);
+}
+
 TEST(TabletLookup, KnowsNotEveryDevice)
 {
     EXPECT_FALSE(find_tablet(device(0x1234, 0x5678)));
