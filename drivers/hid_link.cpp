@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <fcntl.h>
 #include <fmt/core.h>
 #include <hidapi.h>
 #include <limits>
@@ -45,6 +46,7 @@ public:
 
     Result<void> write(std::span<std::byte const> packet) override;
     Result<std::optional<RawReport>> read(Duration timeout) override;
+    std::uint64_t too_long_count() const override { return too_long_count_; }
 
 private:
     tl::unexpected<Error> lost() const
@@ -57,6 +59,7 @@ private:
     HidBackEnd const& back_end_;
     DeviceInfo info_;
     HidHandle handle_;
+    std::uint64_t too_long_count_ = 0;
     std::array<unsigned char, sizeof(RawReport::storage) + 1>
         buffer_ {}; // One more shows what is too long, or is a report's number.
 };
@@ -79,38 +82,54 @@ Result<std::optional<RawReport>> HidLink::read(Duration timeout)
     if (size < 0)
         return lost();
     RawReport report { .received = arrival, .size = static_cast<std::size_t>(size) };
-    if (size == 0 || report.size > report.storage.size())
+    bool const is_too_long = report.size > report.storage.size();
+    too_long_count_ += is_too_long;
+    if (size == 0 || is_too_long)
         return std::optional<RawReport>();
     std::memcpy(report.storage.data(), buffer_.data(), report.size);
     return std::optional(report);
 }
 
-tl::unexpected<Error> cannot_open(DeviceInfo const& info, std::string const& why)
+std::string why(int error)
 {
-    return fail(Fault::User,
-                fmt::format("cannot open {} at {}: {}", info.name, info.location, why));
+    switch (error) {
+    case EACCES:
+    case EPERM:
+        return "permission denied (is drivers/70-tractus.rules in /etc/udev/rules.d?)";
+    case ENOENT:
+    case ENODEV:
+    case ENXIO:
+        return "there is no such device (was it unplugged?)";
+    case EBUSY:
+        return "it is busy (another program keeps it for itself: close that, and try again)";
+    default:
+        return std::strerror(error);
+    }
 }
 
 } // namespace
 
+std::string cannot_open_hidraw(DeviceInfo const& info, int error)
+{
+    return fmt::format("cannot open {} at {}: {}", info.name, info.location, why(error));
+}
+
 Result<std::unique_ptr<PacketLink>> open_hid_link(DeviceInfo info)
 {
-    // hidapi does not tell these apart.
-    if (::access(info.location.c_str(), R_OK | W_OK) != 0) {
-        if (errno == EACCES)
-            return cannot_open(
-                info, "permission denied (is drivers/70-tractus.rules in /etc/udev/rules.d?)");
-        if (errno == ENOENT)
-            return cannot_open(info, "there is no such device (was it unplugged?)");
-        return cannot_open(info, std::strerror(errno));
-    }
+    // hidapi does not tell why it cannot.
+    int const node = ::open(info.location.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+    if (node < 0)
+        return fail(Fault::User, cannot_open_hidraw(info, errno));
+    ::close(node);
     static constexpr HidBackEnd kHidraw {
         .write = hid_write, .read_timeout = hid_read_timeout, .close = hid_close, .error = hid_error
     };
     hid_init();
     HidHandle handle(hid_open_path(info.location.c_str()), kHidraw.close);
     if (!handle)
-        return cannot_open(info, narrow(hid_error(nullptr)));
+        return fail(Fault::User,
+                    fmt::format("cannot open {} at {}: {}", info.name, info.location,
+                                narrow(hid_error(nullptr))));
     return make_hid_link(kHidraw, std::move(handle), std::move(info));
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <fmt/core.h>
 #include <string>
 #include <string_view>
@@ -31,6 +32,7 @@ public:
     {
         return link_->read(timeout);
     }
+    std::uint64_t too_long_count() const override { return link_->too_long_count(); }
 
 private:
     DeviceInfo info_;

@@ -19,7 +19,7 @@ std::vector<DeviceInfo> enumerate_hid(std::filesystem::path const& class_folder
 
 // Opens the hidraw device at `info.location`, through hidapi. Other readers, the kernel's own
 // driver among them, go on as before. Times are of the monotonic clock, taken when a report has
-// come; reports longer than a RawReport holds are left out.
+// come; reports longer than a RawReport holds are left out and counted.
 //
 // Fails, as the user's fault, if the device is not there or may not be read and written, which the
 // rules in drivers/70-tractus.rules permit. A read fails, as the device's fault, when it was

@@ -5,6 +5,7 @@
 #include "engine/base/time.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -23,6 +24,9 @@ public:
     // The next packet, stamped when it came. No value if none comes within `timeout`. Fails, as the
     // device's fault, when the device is gone.
     virtual Result<std::optional<RawReport>> read(Duration timeout) = 0;
+
+    // How many packets were left out since they are longer than a RawReport holds.
+    virtual std::uint64_t too_long_count() const { return 0; }
 
     virtual Timestamp now() = 0;
     virtual void sleep(Duration duration) = 0;

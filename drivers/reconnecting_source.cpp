@@ -99,9 +99,37 @@ ReconnectingSource::~ReconnectingSource()
         reconnection_.open_locations->release(location_);
 }
 
+std::uint64_t ReconnectingSource::too_long_count() const
+{
+    return too_long_before_ + (source_ ? source_->too_long_count() : 0);
+}
+
+std::string ReconnectingSource::refusal() const
+{
+    std::lock_guard const lock(refusal_mutex_);
+    return refusal_;
+}
+
+// Empty: nothing is in the way.
+void ReconnectingSource::refuse(std::string reason)
+{
+    if (reason.empty()) {
+        refused_since_.reset();
+    } else {
+        auto const now = reconnection_.now();
+        refused_since_ = refused_since_.value_or(now);
+        if (now - *refused_since_ < kPatience)
+            return;
+    }
+    std::lock_guard const lock(refusal_mutex_);
+    refusal_ = std::move(reason);
+}
+
 RawReport ReconnectingSource::lose()
 {
+    too_long_before_ += source_->too_long_count();
     source_.reset();
+    refuse({});
     reconnection_.open_locations->release(location_);
     is_connected_.store(false, std::memory_order_relaxed);
     next_try_ = reconnection_.now();
@@ -139,6 +167,7 @@ void ReconnectingSource::look_for_it()
         try_to_open(found[*index]);
         return;
     }
+    refuse({}); // It is not there.
     // A converter on GPIO lines, which no list names, stands where it stood, if anywhere.
     auto const address = parse_device_address(listed_.location);
     if (address && std::holds_alternative<GpioAddress>(*address))
@@ -153,10 +182,11 @@ void ReconnectingSource::try_to_open(DeviceInfo const& info)
     wanted.settings = info_.settings;
     auto opened = reconnection_.open(std::move(wanted));
     if (!opened) {
-        // Often not yet permitted: udev is still at work.
         reconnection_.open_locations->release(info.location);
+        refuse(opened.error().message);
         return;
     }
+    refuse({});
     source_ = *std::move(opened);
     location_ = info.location;
     slept_ = reconnection_.slept();

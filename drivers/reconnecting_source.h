@@ -6,6 +6,7 @@
 #include "engine/base/time.h"
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -70,13 +71,22 @@ public:
 
     Result<std::optional<RawReport>> read(Duration timeout) override;
 
+    // Those of the device before it went away, too.
+    std::uint64_t too_long_count() const override;
+
     bool is_connected() const { return is_connected_.load(std::memory_order_relaxed); }
+
+    // Why the device, which is there again, cannot be opened; empty while it is away or in use.
+    // Said only after kPatience: at first udev is still at work. From any thread.
+    std::string refusal() const;
+    static constexpr Duration kPatience = std::chrono::seconds(2);
 
 private:
     ReconnectingSource(DeviceInfo listed, Reconnection reconnection,
                        std::unique_ptr<ReportSource> source);
 
     RawReport lose();
+    void refuse(std::string reason);
     void look_for_it();
     void try_to_open(DeviceInfo const& info);
 
@@ -87,7 +97,11 @@ private:
     std::string location_; // Where it is open.
     Timestamp next_try_ {};
     Duration slept_ {};
+    std::uint64_t too_long_before_ = 0;
+    std::optional<Timestamp> refused_since_;
     std::atomic<bool> is_connected_ = true; // Reading thread to any.
+    mutable std::mutex refusal_mutex_;
+    std::string refusal_; // Reading thread to any, under its mutex.
 };
 
 } // namespace tractus

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -35,6 +36,10 @@ public:
     // Waits for the next report, at most `timeout`. No value means that nothing came in time.
     // After an error the source is dead: destroy it. Called from one thread only.
     [[nodiscard]] virtual Result<std::optional<RawReport>> read(Duration timeout) = 0;
+
+    // How many reports came, since the start, that are longer than a RawReport holds and were left
+    // out. Called from the thread that reads.
+    virtual std::uint64_t too_long_count() const { return 0; }
 };
 
 } // namespace tractus

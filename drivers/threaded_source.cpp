@@ -30,8 +30,9 @@ struct ThreadedSource::Shared {
     std::atomic<bool> stop = false; // Reader to thread.
     // Thread to reader: `error` is written, and no report will come.
     std::atomic<bool> ended = false;
-    std::atomic<std::uint64_t> lost = 0; // Thread to reader.
-    Error error;                         // Written by the thread before `ended`, read after it.
+    std::atomic<std::uint64_t> lost = 0;     // Thread to reader.
+    std::atomic<std::uint64_t> too_long = 0; // Thread to reader.
+    Error error;                             // Written by the thread before `ended`, read after it.
     std::thread thread;
 };
 
@@ -39,6 +40,7 @@ void ThreadedSource::Shared::run()
 {
     while (!stop.load(std::memory_order_relaxed)) {
         auto const report = source->read(kReadTimeout);
+        too_long.store(source->too_long_count(), std::memory_order_relaxed);
         if (!report) {
             error = report.error();
             break;
@@ -96,7 +98,8 @@ Result<std::optional<RawReport>> ThreadedSource::read(Duration timeout)
 
 std::uint64_t ThreadedSource::lost_count() const
 {
-    return shared_->lost.load(std::memory_order_relaxed);
+    return shared_->lost.load(std::memory_order_relaxed)
+        + shared_->too_long.load(std::memory_order_relaxed);
 }
 
 } // namespace tractus

@@ -28,7 +28,8 @@ public:
     // report.
     Result<std::optional<RawReport>> read(Duration timeout) override;
 
-    // How many reports were dropped, since the start, because the ring was full.
+    // How many reports were dropped, since the start, because the ring was full or they were longer
+    // than a RawReport holds.
     std::uint64_t lost_count() const;
 
 private:

@@ -127,6 +127,12 @@ LiveDevices::State LiveDevices::state(std::size_t device) const
     return !one.reconnecting || one.reconnecting->is_connected() ? State::Connected : State::Away;
 }
 
+std::string LiveDevices::refusal(std::size_t device) const
+{
+    auto const& one = devices_.at(device);
+    return one.source && one.reconnecting ? one.reconnecting->refusal() : std::string();
+}
+
 bool LiveDevices::any_left() const
 {
     return std::any_of(devices_.begin(), devices_.end(),

@@ -60,6 +60,9 @@ public:
     State state(std::size_t device) const;
     bool any_left() const; // Not all have ended.
 
+    // Why a device that is away though it is plugged in cannot be opened; else empty.
+    std::string refusal(std::size_t device) const;
+
     // A log as if its devices were there, played by another clock than this machine's; its
     // calibration is rig_text(). The same at each run: no thread reads it. Its tool lines count for
     // nothing: who plays the pen chooses the tools with it.
@@ -69,7 +72,7 @@ public:
     // What has come since the last call, in the order of its times, into `reports`.
     void take(std::vector<LiveReport>& reports);
 
-    // Reports that came faster than they were taken.
+    // Reports that came faster than they were taken, or are longer than a RawReport holds.
     std::uint64_t lost_count() const;
 
     // The calibration in the first log that was named and has one; empty if there is none.

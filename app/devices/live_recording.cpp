@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <fmt/core.h>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -26,14 +27,23 @@ static char const* describe(LiveDevices::State state)
     return "";
 }
 
+// What has been said of a device.
+struct Told {
+    LiveDevices::State state = LiveDevices::State::Connected;
+    std::string refusal {};
+};
+
 // Says on standard error what has changed.
-static void tell_changes(LiveDevices const& devices, std::vector<LiveDevices::State>& told)
+static void tell_changes(LiveDevices const& devices, std::vector<Told>& told)
 {
     for (std::size_t i = 0; i < told.size(); ++i) {
         auto const state = devices.state(i);
-        if (std::exchange(told[i], state) != state)
+        auto const refusal = devices.refusal(i);
+        if (std::exchange(told[i].state, state) != state)
             print_error(fmt::format("{} at {} {}\n", devices.infos()[i].name,
                                     devices.infos()[i].location, describe(state)));
+        if (std::exchange(told[i].refusal, refusal) != refusal && !refusal.empty())
+            print_error(fmt::format("it is plugged in again, but {}\n", refusal));
     }
 }
 
@@ -52,7 +62,7 @@ Result<LiveRecordingCounts> record_live(LiveDevices& devices, LiveRecorder& reco
 {
     auto const start = options.now();
     std::vector<LiveReport> reports;
-    std::vector told(devices.infos().size(), LiveDevices::State::Connected);
+    std::vector<Told> told(devices.infos().size());
     for (bool goes_on = true; goes_on;) {
         goes_on = !stop && devices.any_left()
             && (!options.seconds || to_seconds(options.now() - start) < *options.seconds);

@@ -213,10 +213,15 @@ void LiveWindow::tell_device_changes()
 // More urgent than what else may be wrong.
 void LiveWindow::tell_who_is_away()
 {
-    for (std::size_t i = 0; i < states_.size(); ++i)
-        if (states_[i] == LiveDevices::State::Away)
-            view().state().trouble = fmt::format(
-                "{} has gone: plug it in again, what was drawn is kept", devices_.infos()[i].name);
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        if (states_[i] != LiveDevices::State::Away)
+            continue;
+        auto const refusal = devices_.refusal(i);
+        view().state().trouble = refusal.empty()
+            ? fmt::format("{} has gone: plug it in again, what was drawn is kept",
+                          devices_.infos()[i].name)
+            : refusal + "; what was drawn is kept";
+    }
 }
 
 Result<void> LiveWindow::start_recording(std::filesystem::path const& path)

@@ -1,5 +1,6 @@
 #include "drivers/tablets/hidraw_port.h"
 
+#include "drivers/hid_link.h"
 #include "drivers/hid_sysfs.h"
 #include "drivers/report_descriptor.h"
 #include "drivers/tablets/tablet_interfaces.h"
@@ -24,6 +25,7 @@ class FileDescriptor {
 public:
     explicit FileDescriptor(std::string const& path)
         : number_(::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC))
+        , error_(number_ < 0 ? errno : 0)
     {
     }
     FileDescriptor(FileDescriptor const&) = delete;
@@ -34,9 +36,11 @@ public:
             ::close(number_);
     }
     int number() const { return number_; }
+    int error() const { return error_; } // Why it is not open; 0 if it is.
 
 private:
     int number_;
+    int error_;
 };
 
 bool has_report(DeviceInfo const& info, HostReportKind kind, std::uint8_t report_id)
@@ -103,8 +107,11 @@ bool HidrawPort::is_open() const
 Result<void> HidrawPort::send(HostReportKind kind, std::span<std::byte const> report)
 {
     auto const report_id = std::to_integer<std::uint8_t>(report.front());
-    auto const& node = interfaces_[find_receiver(interfaces_, own_, kind, report_id)].location;
+    auto const& receiver = interfaces_[find_receiver(interfaces_, own_, kind, report_id)];
+    auto const& node = receiver.location;
     FileDescriptor const file(node);
+    if (file.number() < 0)
+        return fail(Fault::User, cannot_open_hidraw(receiver, file.error()));
     std::vector<std::byte> buffer(report.begin(), report.end()); // The ioctl writes to it.
     auto const sent = kind == HostReportKind::Feature
         ? ::ioctl(file.number(), HIDIOCSFEATURE(buffer.size()), buffer.data())

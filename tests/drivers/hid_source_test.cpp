@@ -2,8 +2,11 @@
 
 #include "drivers/device_kind.h"
 #include "drivers/file.h"
+#include "drivers/hid_back_end.h"
+#include "drivers/hid_link.h"
 #include "tests/drivers/devices.h"
 
+#include <cerrno>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -89,6 +92,43 @@ TEST(HidSource, NamesTheRuleThatPermits)
     EXPECT_EQ(source.error().message,
               "cannot open Simple Pen at /etc/shadow: permission denied (is "
               "drivers/70-tractus.rules in /etc/udev/rules.d?)");
+}
+
+TEST(HidSource, NamesTheReasonForWhichANodeCannotBeOpened)
+{
+    DeviceInfo const info { .name = "Simple Pen", .location = "/dev/hidraw3" };
+    EXPECT_EQ(cannot_open_hidraw(info, EACCES),
+              "cannot open Simple Pen at /dev/hidraw3: permission denied (is "
+              "drivers/70-tractus.rules in /etc/udev/rules.d?)");
+    EXPECT_EQ(cannot_open_hidraw(info, EBUSY),
+              "cannot open Simple Pen at /dev/hidraw3: it is busy (another program keeps it for "
+              "itself: close that, and try again)");
+    EXPECT_EQ(
+        cannot_open_hidraw(info, ENODEV),
+        "cannot open Simple Pen at /dev/hidraw3: there is no such device (was it unplugged?)");
+}
+
+TEST(HidSource, CountsReportsThatAreTooLong)
+{
+    // Each report fills what the reader has room for: one byte more than a report may have.
+    static constexpr HidBackEnd kLongReports {
+        .write = nullptr,
+        .read_timeout = [](hid_device_*, unsigned char*, std::size_t size,
+                           int) { return static_cast<int>(size); },
+        .close = [](hid_device_*) {},
+        .error = nullptr,
+    };
+    char device = 0;
+    HidHandle handle(reinterpret_cast<hid_device_*>(&device), kLongReports.close);
+    auto const source = make_hid_source(
+        simple_pen(), make_hid_link(kLongReports, std::move(handle), simple_pen()));
+    EXPECT_EQ(source->too_long_count(), 0u);
+    for (int i = 0; i < 2; ++i) {
+        auto const report = source->read(Duration(0));
+        ASSERT_TRUE(report);
+        EXPECT_FALSE(*report);
+    }
+    EXPECT_EQ(source->too_long_count(), 2u);
 }
 
 TEST(DeviceKind, TellsPensFromSensorsFromOthers)

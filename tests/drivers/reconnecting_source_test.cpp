@@ -159,6 +159,25 @@ TEST(ReconnectingSource, WaitsUntilItMayOpenIt)
     EXPECT_EQ(reads(*source, 2), "-r");
 }
 
+TEST(ReconnectingSource, SaysWhyTheDeviceThatIsBackCannotBeOpened)
+{
+    Bus bus { .plugged = { pen_at("/dev/hidraw0") } };
+    auto const source = ReconnectingSource::open(bus.plugged[0], reconnection(bus)).value();
+    bus.plugged.clear();
+    EXPECT_EQ(reads(*source, 2), "g-");
+    EXPECT_EQ(source->refusal(), "");
+    bus.plugged = { pen_at("/dev/hidraw1") };
+    bus.may_open = false;
+    EXPECT_EQ(reads(*source, 1), "-");
+    EXPECT_EQ(source->refusal(), ""); // Udev may be at work still.
+    bus.now += ReconnectingSource::kPatience;
+    EXPECT_EQ(reads(*source, 1), "-");
+    EXPECT_EQ(source->refusal(), "permission denied");
+    bus.may_open = true;
+    EXPECT_EQ(reads(*source, 2), "-r");
+    EXPECT_EQ(source->refusal(), "");
+}
+
 TEST(ReconnectingSource, LooksForItNoOftenerThanAsked)
 {
     Bus bus { .plugged = { pen_at("/dev/hidraw0") } };

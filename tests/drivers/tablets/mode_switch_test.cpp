@@ -228,5 +228,15 @@ TEST(Receiver, IsTheOpenInterfaceIfItHasTheReportOrNoneHas)
     EXPECT_EQ(find_receiver(interfaces, 2, HostReportKind::Output, 9), 2u);
 }
 
+TEST(HidrawPort, SaysWhyItsNodeDoesNotTakeAReport)
+{
+    HidrawPort port({ .name = "Tablet", .location = "/dev/hidraw-nowhere" }, {}, "/nowhere");
+    auto const sent = port.send_feature(bytes("02 02"));
+    ASSERT_FALSE(sent);
+    EXPECT_EQ(sent.error().message,
+              "cannot open Tablet at /dev/hidraw-nowhere: there is no such device (was it "
+              "unplugged?)");
+}
+
 } // namespace
 } // namespace tractus
