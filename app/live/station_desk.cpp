@@ -1,10 +1,12 @@
 #include "app/live/station_desk.h"
 
 #include "app/dated_path.h"
+#include "app/plants/glb_size.h"
 #include "app/plants/plant_file.h"
 #include "app/plants/session_plant.h"
 #include "app/session/describe_edit.h"
 #include "app/station/orphans.h"
+#include "app/terminal/error_text.h"
 #include "drivers/file.h"
 
 #include <array>
@@ -182,9 +184,16 @@ void StationDesk::perform(ExportPlant const& command, Station&)
 {
     constexpr std::array kEndings { ".glb", ".obj" };
     save(kEndings.at(static_cast<std::size_t>(command.format)),
-         [scene = view_.grown_scene()](std::filesystem::path const& path) -> Result<void> {
+         [scene = view_.grown_scene(),
+          organs = command.organs](std::filesystem::path const& path) -> Result<void> {
+             PlantFileOptions options { .glb = { .organs = organs } };
+             options.glb.before_writing = [organs](GlbSummary const& expected) {
+                 if (auto const note = large_glb_note(expected, organs))
+                     print_warning(*note);
+             };
              auto const plant = TRY(shown_plant(*scene));
-             TRY(write_plant_file(plant, std::filesystem::path(scene->model_name).stem(), path));
+             TRY(write_plant_file(plant, std::filesystem::path(scene->model_name).stem(), path,
+                                  options));
              return {};
          });
 }

@@ -182,7 +182,7 @@ Result<void> Job::write_collection(Bounds const& frame,
               .mesh = std::function<Mesh()>([&mesh, i] { return mesh(i); }) });
     auto const path = options_.folder / "collection.glb";
     auto const write = [&](std::ostream& out) -> Result<void> {
-        auto const summary = TRY(write_glb(out, plants));
+        auto const summary = TRY(write_glb(out, plants, options_.glb));
         report_.collection_triangles = summary.triangles;
         return {};
     };

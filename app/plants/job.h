@@ -3,6 +3,7 @@
 #include "app/plants/drawing.h"
 #include "app/terminal/progress.h"
 #include "engine/base/result.h"
+#include "engine/export/glb_writer.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +22,7 @@ struct JobOptions {
     std::filesystem::path folder = "."; // Made if it is not there.
     GrowthOptions growth {};
     double age = 1;                   // Of all plants; see Grower::grow().
+    GlbOptions glb {};                // Of the collection's file.
     std::filesystem::path session {}; // The new file that keeps what is drawn; empty: none.
 };
 

@@ -2,6 +2,7 @@
 
 #include "app/render/camera.h"
 #include "engine/base/result.h"
+#include "engine/export/glb_writer.h"
 #include "engine/plant/plant.h"
 
 #include <cstdint>
@@ -11,12 +12,16 @@
 
 namespace tractus {
 
+struct PlantFileOptions {
+    std::optional<Camera> camera {}; // For a picture; without it, all of the plant is seen.
+    GlbOptions glb {};
+};
+
 // Writes a plant as the ending of `path` says: glTF (.glb), Wavefront OBJ (.obj), or else a picture
-// (.png), of PictureSize's size, as `camera` sees it or of all of the plant. `name` is what the
-// plant is called in the file. Answers the number of triangles. Fails like write_file(), and for a
-// picture where the system has no OpenGL.
+// (.png), of PictureSize's size. `name` is what the plant is called in the file. Answers the number
+// of triangles. Fails like write_file(), and for a picture where the system has no OpenGL.
 Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& name,
                                        std::filesystem::path const& path,
-                                       std::optional<Camera> const& camera = {});
+                                       PlantFileOptions const& options = {});
 
 } // namespace tractus

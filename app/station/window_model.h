@@ -6,6 +6,7 @@
 #include "app/render/image.h"
 #include "app/station/tools/tool.h"
 #include "engine/base/time.h"
+#include "engine/export/glb_writer.h"
 #include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"
 
@@ -214,6 +215,7 @@ struct ExportPlant {
         Obj,
     } format
         = Format::Glb;
+    GlbOptions::Organs organs = GlbOptions::Organs::Merged;
 };
 // Begins a new log of all that the devices send and of every choice of a tool, named after plant
 // and date; or ends it. See WindowState::recording. Only if WindowState::is_live.

@@ -5,6 +5,7 @@
 #include "app/terminal/console.h"
 #include "app/terminal/progress.h"
 #include "app/verbs/checks.h"
+#include "app/verbs/organs_option.h"
 #include "app/verbs/shared_options.h"
 
 #include <fmt/core.h>
@@ -24,6 +25,7 @@ void add_demo_verb(CLI::App& root, Action& action)
         "demo",
         "See what the station is for: a drawing recorded on the simulated rig varies a plant");
     add_folder_option(*verb, arguments->job.folder);
+    add_organs_option(*verb, arguments->job.glb);
     verb->footer(job_footer());
     verb->add_option("--plant", arguments->plant,
                      "Which of our plants: broadleaf, conifer, daisy or shrub")

@@ -12,6 +12,7 @@
 #include "app/verbs/drawing_options.h"
 #include "app/verbs/growth_options.h"
 #include "app/verbs/model_options.h"
+#include "app/verbs/organs_option.h"
 #include "drivers/file.h"
 #include "engine/export/glb_growth.h"
 #include "engine/mesh/make_mesh.h"
@@ -33,6 +34,7 @@ struct GrowArguments {
     GrowthOptions growth;
     DrawingArguments drawing;
     std::filesystem::path output;
+    PlantFileOptions file;
     std::size_t ages = 0;   // Of an animation in one file; 0 for none.
     std::size_t frames = 0; // Of one in a file for each; 0 for none.
     double seconds = 10;
@@ -69,17 +71,17 @@ Result<void> write_sequence(GrowArguments const& arguments, Scene const& scene,
     auto const plan = TRY(plan_animation(scene, name));
     Grower grower(plan);
     PlantKey const key { scene.growth.seed, 0 };
-    std::optional<Camera> camera; // One for all ages: it sees the whole plant.
+    auto file = arguments.file;
     if (arguments.output.extension() == ".png") {
         Framing framing({}, PictureSize().aspect());
         framing.add(make_mesh(grower.grow(key)));
-        camera = framing.camera();
+        file.camera = framing.camera(); // One for all ages: it sees the whole plant.
     }
     for (std::size_t i = 1; i <= arguments.frames; ++i) {
         double const age = age_of(i, arguments.frames);
         auto const plant = without_unborn(grower.grow(key, age));
         auto const path = frame_path(arguments.output, i, arguments.frames);
-        auto const triangles = TRY(write_plant_file(plant, name, path, camera));
+        auto const triangles = TRY(write_plant_file(plant, name, path, file));
         TRY(print_out(fmt::format("{}: age {:.3f}, {} segments, {} organs, {} triangles\n",
                                   path.string(), age, plant.segment_count(), plant.organs.size(),
                                   triangles)));
@@ -120,7 +122,7 @@ Result<void> write_animation(GrowArguments const& arguments, Scene const& scene,
 
 Result<void> write_one(GrowArguments const& arguments, Plant const& plant, std::string const& name)
 {
-    auto const triangles = TRY(write_plant_file(plant, name, arguments.output));
+    auto const triangles = TRY(write_plant_file(plant, name, arguments.output, arguments.file));
     return print_out(fmt::format("{}: {} segments, {} organs, {} triangles\n",
                                  arguments.output.string(), plant.segment_count(),
                                  plant.organs.size(), triangles));
@@ -232,6 +234,7 @@ void add_grow_verb(CLI::App& root, Action& action)
         ->type_name("FILE")
         ->check(name_ending_in({ ".glb", ".obj", ".png" }))
         ->required();
+    add_organs_option(*verb, arguments->file.glb);
     add_growth_options(*verb, arguments->growth, "as drawn, or as in a session");
     add_drawing_options(*verb, arguments->drawing, "the plant is as its model gives it");
     add_animation_options(*verb, *arguments);

@@ -6,6 +6,7 @@
 #include "app/terminal/progress.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/growth_options.h"
+#include "app/verbs/organs_option.h"
 #include "app/verbs/shared_options.h"
 
 #include <memory>
@@ -44,6 +45,7 @@ void add_replay_verb(CLI::App& root, Action& action)
     add_growth_options(*verb, arguments->job.growth, "usual, or as in a session");
     add_age_option(*verb, arguments->job.age);
     add_folder_option(*verb, arguments->job.folder);
+    add_organs_option(*verb, arguments->job.glb);
     verb->add_option("--session", arguments->job.session,
                      "Keep what is drawn in a new session, each stroke as soon as it ends")
         ->type_name("FILE.tractus")

@@ -7,6 +7,7 @@
 #include "app/verbs/checks.h"
 #include "app/verbs/drawing_options.h"
 #include "app/verbs/growth_options.h"
+#include "app/verbs/organs_option.h"
 #include "app/verbs/shared_options.h"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ Result<void> vary(VaryArguments const& arguments)
     if (arguments.wind == "colour")
         options.glb.wind = GlbOptions::Wind::Colours;
     if (arguments.nodes)
-        options.glb.instancing = GlbOptions::Instancing::Nodes;
+        options.glb.organs = GlbOptions::Organs::Nodes;
     Progress progress;
     return print_out(print_report(TRY(make_collection(options, progress))));
 }
@@ -88,8 +89,8 @@ void add_output_options(CLI::App& verb, VaryArguments& arguments)
         ->capture_default_str();
     verb.add_flag("--quantized", arguments.quantized,
                   "Write smaller vertices, for readers that know KHR_mesh_quantization");
-    verb.add_flag("--nodes", arguments.nodes,
-                  "Write a node per leaf, for readers that do not know EXT_mesh_gpu_instancing");
+    auto* const organs = add_organs_option(verb, arguments.collection.glb);
+    verb.add_flag("--nodes", arguments.nodes, "Means --organs nodes")->excludes(organs);
 }
 
 } // namespace

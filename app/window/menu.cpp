@@ -75,7 +75,7 @@ void Menu::show_pages(Workbench& bench, Controls const& controls) const
 }
 
 void Menu::show_keeping(WindowModel& model, Controls const& controls,
-                        std::function<Image()> const& picture) const
+                        std::function<Image()> const& picture)
 {
     using Format = ExportPlant::Format;
     constexpr std::array<std::pair<char const*, Format>, 2> kFormats {
@@ -91,10 +91,37 @@ void Menu::show_keeping(WindowModel& model, Controls const& controls,
         if (format != Format::Glb)
             ImGui::SameLine();
         if (controls.button(text, item_px(2)))
-            model.perform(ExportPlant { format });
+            model.perform(ExportPlant { format, organs_ });
     }
+    show_organs(controls);
     if (model.state().is_live && controls.button("Start again", item_px()))
         model.perform(Restart {});
+}
+
+// How the leaves of a .glb are written, and for whom that is.
+void Menu::show_organs(Controls const& controls)
+{
+    struct Choice {
+        char const* text;
+        GlbOptions::Organs organs;
+        char const* reason;
+    };
+    using Organs = GlbOptions::Organs;
+    constexpr std::array<Choice, 3> kChoices { {
+        { "Merged", Organs::Merged, ".glb: leaves in one mesh, which every program opens." },
+        { "Instanced", Organs::Instanced,
+          ".glb: leaves as instances, small: for three.js, Babylon.js, Blender from 3.6 on." },
+        { "Nodes", Organs::Nodes, ".glb: an object for each leaf, to edit single ones; slow." },
+    } };
+    for (auto const& [text, organs, reason] : kChoices) {
+        if (organs != Organs::Merged)
+            ImGui::SameLine();
+        if (controls.button(text, item_px(static_cast<int>(kChoices.size())), organs_ == organs))
+            organs_ = organs;
+    }
+    for (auto const& choice : kChoices)
+        if (choice.organs == organs_)
+            ImGui::TextWrapped("%s", choice.reason);
 }
 
 void Menu::show_devices(WindowModel& model, Controls const& controls)

@@ -2,6 +2,7 @@
 
 #include "app/window/controls.h"
 #include "app/window/devices_panel.h"
+#include "engine/export/glb_writer.h"
 
 #include <functional>
 
@@ -29,7 +30,8 @@ private:
     void show_pages(Workbench& bench, Controls const& controls) const;
     void show_plant(WindowModel& model, Controls const& controls) const;
     void show_keeping(WindowModel& model, Controls const& controls,
-                      std::function<Image()> const& picture) const;
+                      std::function<Image()> const& picture);
+    void show_organs(Controls const& controls);
     void show_devices(WindowModel& model, Controls const& controls);
     void show_window(WindowState const& state, Workbench& bench, Controls const& controls) const;
     void show_displays(WindowState const& state, Workbench& bench, Controls const& controls) const;
@@ -41,6 +43,7 @@ private:
     float scale_ = 1;
     float row_px_ = 0; // As wide as the panel is inside.
     DevicesPanel devices_;
+    GlbOptions::Organs organs_ = GlbOptions::Organs::Merged; // Of the next .glb.
 };
 
 } // namespace tractus

@@ -255,7 +255,7 @@ Result<void> GlbFile::add_instances(std::size_t index, bool is_last, EncodedPiec
         return fail_infinite("an organ's place");
     if (!open_) {
         open_index_ = TRY(prototype_index(organ.prototype));
-        if (options_.instancing == GlbOptions::Instancing::Nodes) {
+        if (options_.organs == GlbOptions::Organs::Nodes) {
             add_organ_nodes(open_index_, organ.instances, plant_->organ_wind(index));
             return stream_.check();
         }

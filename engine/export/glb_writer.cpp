@@ -16,6 +16,12 @@ constexpr std::size_t kInstancesAtOnce = 16 << 10;
 // A plant is likely to take what the first one takes, more or less.
 constexpr double kLikelyShare = 0.8;
 
+MeshPieces::Organs pieces_organs(GlbOptions const& options)
+{
+    return options.organs == GlbOptions::Organs::Merged ? MeshPieces::Organs::Merged
+                                                        : MeshPieces::Organs::Apart;
+}
+
 // A level of a plant on its way into the file. The pieces of it that are under way share it: the
 // last of them ends its life, so that plants which have been written take no memory.
 struct PlantOnItsWay {
@@ -83,7 +89,9 @@ private:
             ++taken_;
             level_ = 0;
         }
-        plant->pieces = first_ ? std::move(first_) : std::make_unique<MeshPieces>(level.source());
+        plant->pieces = first_
+            ? std::move(first_)
+            : std::make_unique<MeshPieces>(level.source(), pieces_organs(options_));
         plant->format = plant_format(*plant->pieces, options_);
         plant_ = std::move(plant);
         kind_ = Unit::Kind::Surface;
@@ -104,7 +112,7 @@ private:
             auto const& organ = pieces.organs()[index_];
             if (organ.instances.empty() || organ.prototype.indices.empty())
                 return 0;
-            return options_.instancing == GlbOptions::Instancing::Nodes
+            return options_.organs == GlbOptions::Organs::Nodes
                 ? 1
                 : (organ.instances.size() + kInstancesAtOnce - 1) / kInstancesAtOnce;
         }
@@ -203,7 +211,7 @@ void measure(MeshPieces const& pieces, GlbOptions const& options, FirstPlant& fi
     auto const accessors = pieces.has_wind() ? 9u : 4u;
     first.json_bytes += 600 + 350 * accessors * pieces.surfaces().size()
         + 250 * accessors * pieces.organs().size();
-    if (options.instancing == GlbOptions::Instancing::Nodes)
+    if (options.organs == GlbOptions::Organs::Nodes)
         for (auto const& organ : pieces.organs())
             first.json_bytes += (pieces.has_wind() ? 420 : 220) * organ.instances.size();
     if (!pieces.picture_png().empty())
@@ -214,10 +222,10 @@ void measure(MeshPieces const& pieces, GlbOptions const& options, FirstPlant& fi
 FirstPlant measure_first(PlacedMesh const& placed, GlbOptions const& options)
 {
     FirstPlant first;
-    first.pieces = std::make_unique<MeshPieces>(placed.mesh);
+    first.pieces = std::make_unique<MeshPieces>(placed.mesh, pieces_organs(options));
     measure(*first.pieces, options, first);
     for (auto const& detail : placed.details)
-        measure(MeshPieces(detail.mesh), options, first);
+        measure(MeshPieces(detail.mesh, pieces_organs(options)), options, first);
     return first;
 }
 
@@ -246,7 +254,8 @@ Result<void> check_size(std::span<PlacedMesh const> plants, FirstPlant const& fi
     double likely = 0;
     for (auto const& placed : plants)
         if (std::holds_alternative<Mesh const*>(placed.mesh))
-            certain += static_cast<double>(glb_bytes(MeshPieces(placed.mesh), options));
+            certain += static_cast<double>(
+                glb_bytes(MeshPieces(placed.mesh, pieces_organs(options)), options));
         else
             likely += static_cast<double>(first.bytes);
     if (certain > static_cast<double>(kMaxGlbBytes))
@@ -260,7 +269,7 @@ Result<void> check_size(std::span<PlacedMesh const> plants, FirstPlant const& fi
 
 std::uint64_t glb_bytes(Mesh const& mesh, GlbOptions const& options)
 {
-    return glb_bytes(MeshPieces(&mesh), options);
+    return glb_bytes(MeshPieces(&mesh, pieces_organs(options)), options);
 }
 
 Result<GlbSummary> write_glb(std::ostream& out, std::span<PlacedMesh const> plants,
@@ -276,6 +285,9 @@ Result<GlbSummary> write_glb(std::ostream& out, std::span<PlacedMesh const> plan
         first = measure_first(plants[0], options);
         TRY(check_size(plants, first, options));
         room = guess_json_bytes(plants, first);
+        if (options.before_writing)
+            options.before_writing(
+                { first.bytes * plants.size(), first.pieces->triangle_count() * plants.size() });
     }
     while (true) {
         out.seekp(start);

@@ -4,6 +4,7 @@
 #include "engine/export/placed_mesh.h"
 
 #include <cstdint>
+#include <functional>
 #include <ostream>
 #include <span>
 
@@ -12,11 +13,17 @@ namespace tractus {
 // What a file can hold: its length is a number of 32 bits (glTF 2.0 section 4.4.2).
 constexpr std::uint64_t kMaxGlbBytes = 0xFFFFFFFF;
 
+struct GlbSummary {
+    std::uint64_t bytes = 0;     // Of the whole file.
+    std::uint64_t triangles = 0; // As drawn: every instance counted, the finest level only.
+};
+
 struct GlbOptions {
-    // How the copies of an organ are written.
-    enum class Instancing {
-        Extension, // EXT_mesh_gpu_instancing, which a reader must then know: small and fast.
-        Nodes,     // A node per organ: larger, and every reader knows it.
+    // How the copies of an organ, such as leaves, are written.
+    enum class Organs {
+        Merged,    // In the plant's mesh, one primitive per material: every program opens it.
+        Instanced, // EXT_mesh_gpu_instancing, which a reader must then know: small and fast.
+        Nodes,     // A node per organ: every reader knows it, many are slow with so many.
     };
     // Whether pictures of bark and of a leaf's veins are put into the file.
     enum class Textures {
@@ -32,8 +39,9 @@ struct GlbOptions {
                    // of organs to 16.
     };
 
-    // Where vertices keep what the wind needs, of plants that have it. Organs that are instanced
-    // always have it as attributes; those that are nodes, under the same names in their extras.
+    // Where vertices keep what the wind needs, of plants that have it; those of merged organs, too.
+    // Organs that are instanced always have it as attributes; those that are nodes, under the same
+    // names in their extras.
     //
     // Attributes:         _PIVOT and _AXIS (x, y, z), _LEVEL, _PHASE and _BEND.
     // TextureCoordinates: TEXCOORD_1 (pivot x, y), _2 (pivot z, bend), _3 (axis x, y), _4 (axis z,
@@ -45,19 +53,18 @@ struct GlbOptions {
     enum class Wind { Attributes, TextureCoordinates, Colours };
     Wind wind = Wind::Attributes;
 
-    Instancing instancing = Instancing::Extension;
+    Organs organs = Organs::Merged;
     Textures textures = Textures::Embedded;
     Vertices vertices = Vertices::Float;
+
+    // Is told, before anything is written, what the file will hold about: as if the first plant
+    // were like the others, and JSON and textures not counted.
+    std::function<void(GlbSummary const& expected)> before_writing {};
 };
 
-struct GlbSummary {
-    std::uint64_t bytes = 0;     // Of the whole file.
-    std::uint64_t triangles = 0; // As drawn: every instance counted, the finest level only.
-};
-
-// Writes plants as one binary glTF 2.0 file: metres, +y up, a node per plant with its tubes and
-// polygons, and the organs as instances of shared prototypes. Materials, prototypes and textures
-// that are equal are there once. Levels of detail are MSFT_lod's: nodes of their own, with the
+// Writes plants as one binary glTF 2.0 file: metres, +y up, a node and a mesh per plant, which has
+// a primitive for each material, organs as the options say. Materials, prototypes and textures that
+// are equal are there once. Levels of detail are MSFT_lod's: nodes of their own, with the
 // least shares of the screen's area in the plant's extras (MSFT_screencoverage). Same input, same
 // bytes.
 //

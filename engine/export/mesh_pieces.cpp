@@ -2,6 +2,7 @@
 
 #include "engine/base/check.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace tractus {
@@ -9,11 +10,76 @@ namespace {
 
 constexpr std::size_t kPieceVertices = 12 << 10;
 
-// What lies before a piece if all are of one size.
-MeshExtent start_of(MeshPieces::Surface const& surface, std::size_t piece)
+// Some of an organ's copies.
+struct Copies {
+    std::size_t first = 0;
+    std::size_t end = 0;
+};
+
+Copies copies_in(std::size_t count, std::size_t piece, std::size_t piece_count)
 {
-    return { surface.extent.vertices * piece / surface.piece_count,
-             surface.extent.indices * piece / surface.piece_count };
+    return { count * piece / piece_count, count * (piece + 1) / piece_count };
+}
+
+// Takes an organ's directions to the plant's.
+struct NormalTurn {
+    // Of the scale's cofactors, which unlike its inverse are there when a scale is zero.
+    explicit NormalTurn(InstanceTransform const& instance)
+        : rotation(instance.rotation.toRotationMatrix())
+        , is_mirrored(instance.scale.prod() < 0)
+    {
+        auto const& s = instance.scale;
+        Vec3f const cofactors(s.y() * s.z(), s.x() * s.z(), s.x() * s.y());
+        factors = is_mirrored ? Vec3f(-cofactors) : cofactors;
+    }
+
+    Vec3f operator()(Vec3f const& normal) const
+    {
+        Vec3f const scaled = factors.cwiseProduct(normal);
+        float const length = scaled.norm();
+        return rotation * (length > 0 ? Vec3f(scaled / length) : normal);
+    }
+
+    Eigen::Matrix3f rotation;
+    bool is_mirrored; // Then triangles are turned, too.
+    Vec3f factors;
+};
+
+void append_copy(TriangleMesh const& prototype, InstanceTransform const& instance,
+                 TrianglePlace& to)
+{
+    NormalTurn const turn(instance);
+    auto const count = prototype.positions_mm.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        Vec3f const scaled = instance.scale.cwiseProduct(prototype.positions_mm[i]);
+        *to.position_mm++ = turn.rotation * scaled + instance.translation_mm;
+        *to.normal++ = turn(prototype.normals[i]);
+        *to.texture++ = prototype.texture_coordinates[i];
+    }
+    auto const& indices = prototype.indices;
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+        *to.index++ = to.vertex + indices[i];
+        *to.index++ = to.vertex + indices[turn.is_mirrored ? i + 2 : i + 1];
+        *to.index++ = to.vertex + indices[turn.is_mirrored ? i + 1 : i + 2];
+    }
+    to.vertex += static_cast<std::uint32_t>(count);
+}
+
+// A box around copies of an organ: of the corners of the organ's own box.
+void add_copies(InstancedMesh const& organ, Bounds& bounds)
+{
+    Eigen::AlignedBox3f box;
+    for (auto const& position : organ.prototype.positions_mm)
+        box.extend(position);
+    for (auto const& instance : organ.instances) {
+        Eigen::Matrix3f const rotation = instance.rotation.toRotationMatrix();
+        Vec3f const center = instance.scale.cwiseProduct(box.center());
+        Vec3f const half = 0.5f * instance.scale.cwiseAbs().cwiseProduct(box.sizes());
+        Vec3f const middle = rotation * center + instance.translation_mm;
+        Vec3f const reach = rotation.cwiseAbs() * half;
+        bounds.add((middle - reach).cast<double>());
+        bounds.add((middle + reach).cast<double>());
+    }
 }
 
 } // namespace
@@ -23,7 +89,8 @@ TriangleView view_of(TriangleMesh const& mesh)
     return { mesh.positions_mm, mesh.normals, mesh.texture_coordinates, mesh.indices };
 }
 
-MeshPieces::MeshPieces(MeshSource const& source)
+MeshPieces::MeshPieces(MeshSource const& source, Organs organs)
+    : is_merged_(organs == Organs::Merged)
 {
     auto const* const to_mesh = std::get_if<PlantToMesh>(&source);
     if (auto const* const draw = std::get_if<std::function<Billboard()>>(&source)) {
@@ -39,16 +106,16 @@ MeshPieces::MeshPieces(MeshSource const& source)
         CHECK(plant);
         use_plant(*plant, *to_mesh);
     }
+    if (is_merged_)
+        merge_organs();
 }
 
 void MeshPieces::use_mesh(Mesh const& mesh)
 {
     mesh_ = &mesh;
     for (auto const& surface : mesh.surfaces)
-        surfaces_.push_back(
-            { surface.material,
-              { surface.positions_mm.size(), surface.indices.size() },
-              (surface.positions_mm.size() + kPieceVertices - 1) / kPieceVertices });
+        add_surface(surface.material, { surface.positions_mm.size(), surface.indices.size() },
+                    (surface.positions_mm.size() + kPieceVertices - 1) / kPieceVertices);
 }
 
 void MeshPieces::use_plant(Plant const& plant, PlantToMesh const& source)
@@ -62,12 +129,58 @@ void MeshPieces::use_plant(Plant const& plant, PlantToMesh const& source)
         for (auto const& organ : plant.organs)
             organ_wind_[organ.shape].push_back(wind_at(plant, organ.segment, *wind_));
     for (auto const& surface : plan_->surfaces())
-        surfaces_.push_back({ surface.material, surface.extent, surface.piece_count() });
+        add_surface(surface.material, surface.extent, surface.piece_count());
+}
+
+void MeshPieces::add_surface(MaterialId material, MeshExtent const& extent, std::size_t piece_count)
+{
+    runs_.push_back({ { Run::Of::Surface, surfaces_.size(), 0, piece_count, {} } });
+    surfaces_.push_back({ material, extent, piece_count });
+}
+
+// What has no surface of its material yet begins one.
+void MeshPieces::merge_organs()
+{
+    auto const organs = all_organs();
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        auto const& [prototype, instances, shape] = organs[i];
+        if (instances.empty() || prototype.indices.empty())
+            continue;
+        auto const known
+            = std::find_if(surfaces_.begin(), surfaces_.end(), [&](Surface const& surface) {
+                  return surface.material == prototype.material;
+              });
+        auto const at = static_cast<std::size_t>(known - surfaces_.begin());
+        if (known == surfaces_.end()) {
+            surfaces_.push_back({ prototype.material, {}, 0 });
+            runs_.emplace_back();
+        }
+        auto& [material, extent, piece_count] = surfaces_[at];
+        MeshExtent const added { prototype.positions_mm.size() * instances.size(),
+                                 prototype.indices.size() * instances.size() };
+        auto const pieces
+            = std::min((added.vertices + kPieceVertices - 1) / kPieceVertices, instances.size());
+        runs_[at].push_back({ Run::Of::Organ, i, piece_count, pieces, extent });
+        extent.vertices += added.vertices;
+        extent.indices += added.indices;
+        piece_count += pieces;
+    }
 }
 
 std::span<InstancedMesh const> MeshPieces::organs() const
 {
-    return mesh_ ? mesh_->organs : organs_;
+    return is_merged_ ? std::span<InstancedMesh const>() : all_organs();
+}
+
+// The last one that begins there or before: a run may be empty.
+MeshPieces::Run const& MeshPieces::run_of(std::size_t surface, std::size_t piece) const
+{
+    auto const& runs = runs_[surface];
+    auto const after
+        = std::upper_bound(runs.begin(), runs.end(), piece, [](std::size_t wanted, Run const& run) {
+              return wanted < run.first_piece;
+          });
+    return *std::prev(after);
 }
 
 Material const& MeshPieces::material(MaterialId id) const
@@ -87,12 +200,17 @@ std::uint64_t MeshPieces::triangle_count() const
 
 Bounds MeshPieces::bounds_mm() const
 {
-    if (plan_)
-        return plan_->bounds_mm();
     Bounds bounds;
-    for (auto const& surface : mesh_->surfaces)
-        for (auto const& position : surface.positions_mm)
-            bounds.add(position.cast<double>());
+    if (plan_)
+        bounds = plan_->bounds_mm();
+    else
+        for (auto const& surface : mesh_->surfaces)
+            for (auto const& position : surface.positions_mm)
+                bounds.add(position.cast<double>());
+    if (is_merged_)
+        for (auto const& organ : all_organs())
+            if (!organ.prototype.positions_mm.empty())
+                add_copies(organ, bounds);
     return bounds;
 }
 
@@ -101,9 +219,22 @@ void MeshPieces::wind(std::size_t surface, std::size_t piece, std::vector<WindVe
     buffer.clear();
     if (!wind_)
         return;
-    auto const& planned = plan_->surfaces()[surface];
+    auto const& run = run_of(surface, piece);
+    if (run.of == Run::Of::Organ)
+        return organ_piece_wind(run, piece - run.first_piece, buffer);
+    auto const& planned = plan_->surfaces()[run.index];
     buffer.resize(planned.extent_of(piece).vertices);
     plan_->make_wind(planned, piece, *wind_, buffer);
+}
+
+void MeshPieces::organ_piece_wind(Run const& run, std::size_t piece,
+                                  std::vector<WindVertex>& buffer) const
+{
+    auto const& organ = organs_[run.index];
+    auto const copies = copies_in(organ.instances.size(), piece, run.piece_count);
+    for (auto i = copies.first; i < copies.end; ++i)
+        buffer.insert(buffer.end(), organ.prototype.positions_mm.size(),
+                      organ_wind_[organ.shape][i]);
 }
 
 std::span<WindVertex const> MeshPieces::organ_wind(std::size_t organ) const
@@ -115,25 +246,54 @@ std::span<WindVertex const> MeshPieces::organ_wind(std::size_t organ) const
 
 TriangleView MeshPieces::piece(std::size_t surface, std::size_t piece, TriangleMesh& buffer) const
 {
-    if (mesh_) {
-        auto const start = start_of(surfaces_[surface], piece);
-        auto const end = start_of(surfaces_[surface], piece + 1);
-        auto const whole = view_of(mesh_->surfaces[surface]);
-        auto const vertices = end.vertices - start.vertices;
-        return { whole.positions_mm.subspan(start.vertices, vertices),
-                 whole.normals.subspan(start.vertices, vertices),
-                 whole.texture_coordinates.subspan(start.vertices, vertices),
-                 whole.indices.subspan(start.indices, end.indices - start.indices) };
-    }
-    auto const& planned = plan_->surfaces()[surface];
-    auto const extent = planned.extent_of(piece);
-    buffer.positions_mm.resize(extent.vertices);
-    buffer.normals.resize(extent.vertices);
-    buffer.texture_coordinates.resize(extent.vertices);
-    buffer.indices.resize(extent.indices);
+    auto const& run = run_of(surface, piece);
+    auto const in_run = piece - run.first_piece;
+    if (run.of == Run::Of::Organ)
+        return organ_piece(run, in_run, buffer);
+    return mesh_ ? mesh_piece(run, in_run) : plan_piece(run, in_run, buffer);
+}
+
+TriangleView MeshPieces::mesh_piece(Run const& run, std::size_t piece) const
+{
+    auto const whole = view_of(mesh_->surfaces[run.index]);
+    auto const vertex = whole.positions_mm.size() * piece / run.piece_count;
+    auto const vertices = whole.positions_mm.size() * (piece + 1) / run.piece_count - vertex;
+    auto const index = whole.indices.size() * piece / run.piece_count;
+    auto const indices = whole.indices.size() * (piece + 1) / run.piece_count - index;
+    return { whole.positions_mm.subspan(vertex, vertices), whole.normals.subspan(vertex, vertices),
+             whole.texture_coordinates.subspan(vertex, vertices),
+             whole.indices.subspan(index, indices) };
+}
+
+static void resize(TriangleMesh& mesh, MeshExtent const& extent)
+{
+    mesh.positions_mm.resize(extent.vertices);
+    mesh.normals.resize(extent.vertices);
+    mesh.texture_coordinates.resize(extent.vertices);
+    mesh.indices.resize(extent.indices);
+}
+
+TriangleView MeshPieces::plan_piece(Run const& run, std::size_t piece, TriangleMesh& buffer) const
+{
+    auto const& planned = plan_->surfaces()[run.index];
+    resize(buffer, planned.extent_of(piece));
     auto place = place_in(buffer, {});
     place.vertex = static_cast<std::uint32_t>(planned.start_of(piece).vertices);
     plan_->make_piece(planned, piece, place);
+    return view_of(buffer);
+}
+
+TriangleView MeshPieces::organ_piece(Run const& run, std::size_t piece, TriangleMesh& buffer) const
+{
+    auto const& [prototype, instances, shape] = all_organs()[run.index];
+    auto const copies = copies_in(instances.size(), piece, run.piece_count);
+    auto const vertices = prototype.positions_mm.size();
+    auto const count = copies.end - copies.first;
+    resize(buffer, { vertices * count, prototype.indices.size() * count });
+    auto place = place_in(buffer, {});
+    place.vertex = static_cast<std::uint32_t>(run.start.vertices + copies.first * vertices);
+    for (auto i = copies.first; i < copies.end; ++i)
+        append_copy(prototype, instances[i], place);
     return view_of(buffer);
 }
 

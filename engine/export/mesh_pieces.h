@@ -24,8 +24,12 @@ TriangleView view_of(TriangleMesh const& mesh);
 // are made as they are asked for. Pieces may be asked for on any threads.
 class MeshPieces {
 public:
+    // Whether the copies of an organ are triangles of the surface that has their material, after
+    // what else is in it, or are left to who asks.
+    enum class Organs { Merged, Apart };
+
     // Grows, meshes or draws what `source` gives as a function; `source` must outlive this.
-    explicit MeshPieces(MeshSource const& source);
+    MeshPieces(MeshSource const& source, Organs organs);
     MeshPieces(MeshPieces const&) = delete;
     MeshPieces& operator=(MeshPieces const&) = delete;
 
@@ -35,7 +39,7 @@ public:
         std::size_t piece_count = 0;
     };
     std::span<Surface const> surfaces() const { return surfaces_; }
-    std::span<InstancedMesh const> organs() const;
+    std::span<InstancedMesh const> organs() const; // None if they are merged.
     Material const& material(MaterialId id) const;
     std::uint64_t triangle_count() const; // As drawn: every instance counted.
     // What a piece's vertices need for the wind, into `buffer`; nothing for what has no wind.
@@ -46,14 +50,32 @@ public:
 
     // A billboard's picture, in PNG, on all of its surfaces; empty for what is none.
     std::string const& picture_png() const { return picture_png_; }
-    Bounds bounds_mm() const; // A box around all surfaces. Reads a mesh through.
+    // A box around all surfaces, found without making what is not there yet.
+    Bounds bounds_mm() const;
 
     // One piece; pieces follow each other without a gap. `buffer` holds what has to be made.
     TriangleView piece(std::size_t surface, std::size_t piece, TriangleMesh& buffer) const;
 
 private:
+    // Pieces of a surface that follow each other and have one origin.
+    struct Run {
+        enum class Of { Surface, Organ } of = Of::Surface;
+        std::size_t index = 0; // Of the plan's or mesh's surface, or of the organ.
+        std::size_t first_piece = 0;
+        std::size_t piece_count = 0;
+        MeshExtent start {}; // What lies before it in the surface.
+    };
+
     void use_mesh(Mesh const& mesh);
     void use_plant(Plant const& plant, PlantToMesh const& source);
+    void add_surface(MaterialId material, MeshExtent const& extent, std::size_t piece_count);
+    void merge_organs();
+    std::span<InstancedMesh const> all_organs() const { return mesh_ ? mesh_->organs : organs_; }
+    Run const& run_of(std::size_t surface, std::size_t piece) const;
+    TriangleView mesh_piece(Run const& run, std::size_t piece) const;
+    TriangleView plan_piece(Run const& run, std::size_t piece, TriangleMesh& buffer) const;
+    TriangleView organ_piece(Run const& run, std::size_t piece, TriangleMesh& buffer) const;
+    void organ_piece_wind(Run const& run, std::size_t piece, std::vector<WindVertex>& buffer) const;
 
     std::optional<Mesh> made_;
     std::string picture_png_;
@@ -65,6 +87,8 @@ private:
     std::optional<WindKey> wind_;
     std::vector<std::vector<WindVertex>> organ_wind_; // Per organ shape of the plant.
     std::vector<Surface> surfaces_;
+    std::vector<std::vector<Run>> runs_; // Per surface, in order.
+    bool is_merged_ = false;
 };
 
 } // namespace tractus

@@ -1,9 +1,13 @@
 #include "app/live/live_window.h"
 
 #include "app/calibration/simulated_calibration.h"
+#include "app/plants/model_file.h"
 #include "app/plants/session_plant.h"
 #include "app/play/paced_log.h"
+#include "app/resources.h"
 #include "calib/rig_file.h"
+#include "drivers/file.h"
+#include "engine/export/glb_reader.h"
 #include "tests/app/full_disk.h"
 #include "tests/app/simple_rig.h"
 
@@ -189,10 +193,11 @@ protected:
     LiveWindowWithFolder() { fs::create_directory(folder_); }
     ~LiveWindowWithFolder() override { fs::remove_all(folder_); }
 
-    LiveWindow window(bool goes_away = false) const
+    LiveWindow window(bool goes_away = false, Scene scene = small_scene()) const
     {
         auto options = options_for_tests();
         options.folder = folder_;
+        options.scene = std::move(scene);
         return LiveWindow::create(drawing_devices(goes_away), std::move(options)).value();
     }
 
@@ -288,6 +293,26 @@ TEST_F(LiveWindowWithFolder, ExportsThePlantInTheBackground)
     for (auto const* const ending : { "-seed-1.glb", "-seed-1.obj", "-seed-1.png" }) {
         ASSERT_EQ(files(ending).size(), 1u) << ending;
         EXPECT_GT(fs::file_size(files(ending)[0]), 0u) << ending;
+    }
+}
+
+TEST_F(LiveWindowWithFolder, ExportsLeavesInTheMeshOrAsItIsAsked)
+{
+    using Organs = GlbOptions::Organs;
+    auto const edit = load_plant_edit(find_model("leaf").value());
+    ASSERT_TRUE(edit) << edit.error().message;
+    auto const scene = apply_edit({}, *edit).value();
+    for (auto const organs : { Organs::Merged, Organs::Instanced }) {
+        auto window = this->window(false, scene);
+        advance_to_end(window);
+        window.perform(ExportPlant { ExportPlant::Format::Glb, organs });
+        window.settle();
+        auto const written = files("-seed-1.glb");
+        ASSERT_EQ(written.size(), 1u);
+        auto const mesh = read_glb(read_file(written[0]).value());
+        ASSERT_TRUE(mesh) << mesh.error().message;
+        EXPECT_EQ(mesh->organs.empty(), organs == Organs::Merged);
+        fs::remove(written[0]);
     }
 }
 

@@ -9,6 +9,8 @@
 
 namespace tractus {
 
+inline GlbOptions const kInstanced { .organs = GlbOptions::Organs::Instanced };
+
 // The bytes of a .glb.
 inline std::string glb_of(std::span<PlacedMesh const> plants, GlbOptions const& options = {})
 {

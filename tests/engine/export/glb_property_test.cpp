@@ -20,14 +20,15 @@ rc::Gen<GlbOptions> random_glb_options()
 {
     using Options = GlbOptions;
     return rc::gen::apply(
-        [](bool nodes, bool quantized) {
-            return Options {
-                .instancing = nodes ? Options::Instancing::Nodes : Options::Instancing::Extension,
-                .textures = Options::Textures::None,
-                .vertices = quantized ? Options::Vertices::Quantized : Options::Vertices::Float
-            };
+        [](Options::Organs organs, bool quantized) {
+            return Options { .organs = organs,
+                             .textures = Options::Textures::None,
+                             .vertices = quantized ? Options::Vertices::Quantized
+                                                   : Options::Vertices::Float };
         },
-        rc::gen::arbitrary<bool>(), rc::gen::arbitrary<bool>());
+        rc::gen::element(Options::Organs::Merged, Options::Organs::Instanced,
+                         Options::Organs::Nodes),
+        rc::gen::arbitrary<bool>());
 }
 
 // How plants may be given to the writer.

@@ -47,7 +47,7 @@ void expect_near(std::span<Vec3f const> a, std::span<Vec3f const> b, float toler
 TEST(GlbReader, ReadsBackWhatWasWritten)
 {
     auto const mesh = make_mesh(sample_tree(1));
-    auto const read = read_glb(glb_of(mesh));
+    auto const read = read_glb(glb_of(mesh, kInstanced));
     ASSERT_TRUE(read) << read.error().message;
     ASSERT_EQ(read->surfaces.size(), 1u);
     EXPECT_EQ(read->surfaces[0].indices, mesh.surfaces[0].indices);
@@ -64,8 +64,8 @@ TEST(GlbReader, ReadsBackWhatWasWritten)
 TEST(GlbReader, ReadsInstancesBackInEitherForm)
 {
     auto const mesh = make_mesh(sample_tree(1));
-    for (auto const form : { GlbOptions::Instancing::Extension, GlbOptions::Instancing::Nodes }) {
-        auto const read = read_glb(glb_of(mesh, { .instancing = form }));
+    for (auto const form : { GlbOptions::Organs::Instanced, GlbOptions::Organs::Nodes }) {
+        auto const read = read_glb(glb_of(mesh, { .organs = form }));
         ASSERT_TRUE(read) << read.error().message;
         ASSERT_EQ(read->organs.size(), 1u);
         ASSERT_EQ(read->organs[0].instances.size(), mesh.organs[0].instances.size());
@@ -82,10 +82,29 @@ TEST(GlbReader, ReadsInstancesBackInEitherForm)
     }
 }
 
-TEST(GlbReader, ReadsMaterialsBack)
+TEST(GlbReader, ReadsMergedOrgansAsTrianglesOfTheirMaterial)
 {
     auto const mesh = make_mesh(sample_tree(1));
     auto const read = read_glb(glb_of(mesh));
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_TRUE(read->organs.empty());
+    ASSERT_EQ(read->surfaces.size(), 2u);
+    EXPECT_EQ(read->triangle_count(), mesh.triangle_count());
+    auto const& leaves = read->surfaces[1];
+    EXPECT_EQ(read->materials[leaves.material].kind, Material::Kind::Leaf);
+    auto const& [prototype, instances, shape] = mesh.organs[0];
+    std::vector<Vec3f> expected;
+    for (auto const& instance : instances)
+        for (auto const& position : prototype.positions_mm)
+            expected.push_back(instance.translation_mm
+                               + instance.rotation * instance.scale.cwiseProduct(position));
+    expect_near(leaves.positions_mm, expected, 2e-3f);
+}
+
+TEST(GlbReader, ReadsMaterialsBack)
+{
+    auto const mesh = make_mesh(sample_tree(1));
+    auto const read = read_glb(glb_of(mesh, kInstanced));
     ASSERT_TRUE(read);
     ASSERT_EQ(read->materials.size(), 2u);
     auto const& leaf = read->materials[read->organs[0].prototype.material];

@@ -1,6 +1,8 @@
 #include "engine/export/glb_writer.h"
 
+#include "engine/export/glb_reader.h"
 #include "engine/mesh/make_mesh.h"
+#include "engine/mesh/mesh_measures.h"
 #include "tests/engine/export/glb_of.h"
 #include "tests/engine/mesh/sample_plants.h"
 
@@ -75,6 +77,127 @@ TEST(GlbWriter, WritesTheSameBytesAgain)
     EXPECT_EQ(glb_of(make_mesh(plant)), glb_of(make_mesh(plant)));
 }
 
+// The numbers of an accessor whose components are floats.
+std::vector<float> floats_of(std::string const& glb, std::size_t accessor, std::size_t components)
+{
+    auto const json = json_of(glb);
+    auto const& numbers = json["accessors"][accessor];
+    auto const& view = json["bufferViews"][numbers["bufferView"].get<std::size_t>()];
+    std::vector<float> values(numbers["count"].get<std::size_t>() * components);
+    std::memcpy(values.data(),
+                glb.data() + 28 + u32_at(glb, 12) + view["byteOffset"].get<std::size_t>(),
+                values.size() * sizeof(float));
+    return values;
+}
+
+TEST(GlbWriter, EveryPlantIsOneMeshThatAnyReaderKnows)
+{
+    auto const plant = sample_tree(1);
+    auto const mesh = make_mesh(plant);
+    PlacedMesh const plants[] = { { .mesh = &mesh }, { .mesh = PlantToMesh { .plant = &plant } } };
+    auto const glb = glb_of(plants);
+    auto const json = json_of(glb);
+    EXPECT_FALSE(json.contains("extensionsRequired"));
+    EXPECT_FALSE(json.contains("extensionsUsed"));
+    EXPECT_EQ(json["nodes"].size(), 2u);
+    EXPECT_EQ(json["meshes"].size(), 2u);
+    EXPECT_EQ(json["materials"].size(), 2u);
+    for (auto const& made : json["meshes"]) {
+        ASSERT_EQ(made["primitives"].size(), 2u); // Of bark and of leaves.
+        std::size_t indices = 0;
+        for (auto const& primitive : made["primitives"])
+            indices += json["accessors"][primitive["indices"].get<std::size_t>()]["count"]
+                           .get<std::size_t>();
+        EXPECT_EQ(indices / 3, mesh.triangle_count());
+    }
+}
+
+TEST(GlbWriter, MergedOrgansThatAreMirroredOrFlatFaceOutwards)
+{
+    auto plant = single_axis(1, 10, 2);
+    plant.materials.push_back({ .name = "fruit", .kind = Material::Kind::Solid });
+    plant.organ_shapes = { { .name = "ball",
+                             .kind = OrganShape::Kind::Ball,
+                             .material = static_cast<MaterialId>(plant.materials.size() - 1),
+                             .length_mm = 10,
+                             .width_mm = 10 } };
+    plant.organs
+        = { { .scale = { 2, 1, 1 } }, { .scale = { -2, 1, 3 } }, { .scale = { 1, 0, 1 } } };
+    auto const read = read_glb(glb_of(make_mesh(plant)));
+    ASSERT_TRUE(read) << read.error().message;
+    auto const& fruit = read->surfaces.back();
+    auto const third = fruit.triangle_count() / 3;
+    for (std::size_t t = 0; t < fruit.triangle_count(); ++t) {
+        Vec3f corners[3];
+        Vec3f normal = Vec3f::Zero();
+        for (std::size_t k = 0; k < 3; ++k) {
+            auto const i = fruit.indices[3 * t + k];
+            corners[k] = fruit.positions_mm[i];
+            normal += fruit.normals[i];
+            EXPECT_NEAR(fruit.normals[i].norm(), 1, 1e-4);
+        }
+        Vec3f const facing = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        if (t < 2 * third) {
+            EXPECT_GT(facing.dot(normal), 0) << t;
+        }
+    }
+}
+
+TEST(GlbWriter, MergedOrgansMoveInTheWindWithTheirBranch)
+{
+    auto const plant = sample_tree(1);
+    PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant, .wind = WindKey { 5, 6 } } };
+    auto const glb = glb_of(std::span(&placed, 1));
+    auto const json = json_of(glb);
+    auto const& attributes = json["meshes"][0]["primitives"][1]["attributes"];
+    auto const pivots = floats_of(glb, attributes["_PIVOT"], 3);
+    auto const levels = floats_of(glb, attributes["_LEVEL"], 1);
+    auto const of_one = make_prototype(plant, 0).positions_mm.size();
+    ASSERT_EQ(levels.size(), of_one * plant.organs.size());
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        auto const& axis = plant.axes[axis_of(plant, plant.organs[i / of_one].segment)];
+        EXPECT_EQ(levels[i], static_cast<float>(axis.order));
+        EXPECT_NEAR(pivots[3 * i + 1], 0.001 * plant.positions(axis)[0].z(), 1e-5);
+    }
+}
+
+TEST(GlbWriter, QuantizedMergedOrgansAreNearTheRealOnes)
+{
+    auto const plant = sample_tree(1);
+    PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant } };
+    auto const exact = read_glb(glb_of(std::span(&placed, 1)));
+    auto const bytes
+        = glb_of(std::span(&placed, 1), { .vertices = GlbOptions::Vertices::Quantized });
+    EXPECT_EQ(json_of(bytes)["extensionsRequired"], nlohmann::json({ "KHR_mesh_quantization" }));
+    auto const rounded = read_glb(bytes);
+    ASSERT_TRUE(exact && rounded);
+    auto const size_mm = (bounds(*exact).max_mm - bounds(*exact).min_mm).maxCoeff();
+    auto const& a = exact->surfaces[1].positions_mm;
+    auto const& b = rounded->surfaces[1].positions_mm;
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+        EXPECT_LT((a[i] - b[i]).norm(), 2 * size_mm / 65532);
+}
+
+TEST(GlbWriter, SaysBeforeItWritesWhatItWillTake)
+{
+    auto const plant = sample_tree(1);
+    PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant } };
+    std::vector<PlacedMesh> const plants { placed, placed };
+    std::ostringstream out;
+    GlbSummary expected;
+    GlbOptions options { .textures = GlbOptions::Textures::None };
+    options.before_writing = [&](GlbSummary const& told) {
+        EXPECT_TRUE(out.str().empty());
+        expected = told;
+    };
+    auto const summary = write_glb(out, plants, options);
+    ASSERT_TRUE(summary);
+    EXPECT_EQ(expected.triangles, summary->triangles);
+    EXPECT_NEAR(static_cast<double>(expected.bytes), static_cast<double>(summary->bytes),
+                0.05 * static_cast<double>(summary->bytes));
+}
+
 TEST(GlbWriter, SharesWhatPlantsHaveInCommon)
 {
     Mesh const meshes[]
@@ -83,7 +206,7 @@ TEST(GlbWriter, SharesWhatPlantsHaveInCommon)
         = { { .name = "a", .mesh = &meshes[0] },
             { .name = "b", .position_mm = { 3000, 0, 0 }, .rotation_rad = 1, .mesh = &meshes[1] },
             { .name = "c", .position_mm = { 0, 2000, 0 }, .mesh = &meshes[2] } };
-    auto const json = json_of(glb_of(plants));
+    auto const json = json_of(glb_of(plants, kInstanced));
     EXPECT_EQ(json["materials"].size(), 2u);
     EXPECT_EQ(json["images"].size(), 2u);
     EXPECT_EQ(json["meshes"].size(), 4u); // Three plants and the leaf.
@@ -116,7 +239,7 @@ TEST(GlbWriter, TriesAgainWhenLaterPlantsNeedMoreJsonThanTheFirst)
         large.organs.back().prototype.positions_mm[0].x() += static_cast<float>(i + 1);
     }
     PlacedMesh const plants[] = { { .mesh = &small }, { .mesh = &large } };
-    auto const json = json_of(glb_of(plants));
+    auto const json = json_of(glb_of(plants, kInstanced));
     EXPECT_EQ(json["meshes"].size(), 1 + 1 + 21u);
 }
 
@@ -134,7 +257,7 @@ TEST(GlbWriter, CoarserLevelsStandBesideTheScene)
                                        0 } },
                         .least_coverage = 0.2 };
     std::vector<PlacedMesh> const plants { placed, placed };
-    auto const json = json_of(glb_of(plants));
+    auto const json = json_of(glb_of(plants, kInstanced));
     auto const& roots = json["scenes"][0]["nodes"];
     ASSERT_EQ(roots.size(), 2u);
     for (auto const& root : roots) {
@@ -159,24 +282,13 @@ TEST(GlbWriter, CoarserLevelsStandBesideTheScene)
     EXPECT_EQ(json["extensionsRequired"].size(), 1u); // Leaves are instanced.
 }
 
-// The numbers of an accessor whose components are floats.
-std::vector<float> floats_of(std::string const& glb, std::size_t accessor, std::size_t components)
-{
-    auto const json = json_of(glb);
-    auto const& numbers = json["accessors"][accessor];
-    auto const& view = json["bufferViews"][numbers["bufferView"].get<std::size_t>()];
-    std::vector<float> values(numbers["count"].get<std::size_t>() * components);
-    std::memcpy(values.data(),
-                glb.data() + 28 + u32_at(glb, 12) + view["byteOffset"].get<std::size_t>(),
-                values.size() * sizeof(float));
-    return values;
-}
-
 TEST(GlbWriter, WritesWhatTheWindNeeds)
 {
     auto const plant = sample_tree(1);
     PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant, .wind = WindKey { 5, 6 } } };
-    auto const glb = glb_of(std::span(&placed, 1), { .vertices = GlbOptions::Vertices::Quantized });
+    auto const glb = glb_of(
+        std::span(&placed, 1),
+        { .organs = GlbOptions::Organs::Instanced, .vertices = GlbOptions::Vertices::Quantized });
     auto const json = json_of(glb);
     nlohmann::json attributes; // Of the tubes, and of the leaves.
     nlohmann::json of_leaves;
@@ -231,9 +343,9 @@ TEST(GlbWriter, OrgansThatAreNodesHaveTheWindInTheirExtras)
 {
     auto const plant = sample_tree(1);
     PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant, .wind = WindKey { 5, 6 } } };
-    auto const glb = glb_of(std::span(&placed, 1));
+    auto const glb = glb_of(std::span(&placed, 1), kInstanced);
     auto const nodes
-        = json_of(glb_of(std::span(&placed, 1), { .instancing = GlbOptions::Instancing::Nodes }));
+        = json_of(glb_of(std::span(&placed, 1), { .organs = GlbOptions::Organs::Nodes }));
     auto const json = json_of(glb);
     nlohmann::json attributes; // Of the same leaves where they are instanced.
     for (auto const& node : json["nodes"])
@@ -259,8 +371,7 @@ TEST(GlbWriter, OrgansThatAreNodesHaveTheWindInTheirExtras)
 TEST(GlbWriter, WritesANodePerOrganWhenAsked)
 {
     auto const plant = sample_tree(1);
-    auto const json
-        = json_of(glb_of(make_mesh(plant), { .instancing = GlbOptions::Instancing::Nodes }));
+    auto const json = json_of(glb_of(make_mesh(plant), { .organs = GlbOptions::Organs::Nodes }));
     EXPECT_EQ(json["nodes"].size(), plant.organs.size() + 1);
     EXPECT_FALSE(json.contains("extensionsUsed"));
 }
@@ -333,10 +444,11 @@ TEST(GlbWriter, RefusesMorePlantsThanAreLikelyToFitBeforeItStarts)
 TEST(GlbWriter, QuantizedFilesAreSmallerAndSayWhatTheyNeed)
 {
     Mesh const mesh = make_mesh(sample_tree(1));
-    GlbOptions const quantized { .textures = GlbOptions::Textures::None,
+    GlbOptions const quantized { .organs = GlbOptions::Organs::Instanced,
+                                 .textures = GlbOptions::Textures::None,
                                  .vertices = GlbOptions::Vertices::Quantized };
     auto const glb = glb_of(mesh, quantized);
-    EXPECT_LT(glb.size(), 0.8 * static_cast<double>(glb_of(mesh).size()));
+    EXPECT_LT(glb.size(), 0.8 * static_cast<double>(glb_of(mesh, kInstanced).size()));
     auto const json = json_of(glb);
     EXPECT_EQ(json["extensionsRequired"],
               nlohmann::json::parse(R"(["EXT_mesh_gpu_instancing","KHR_mesh_quantization"])"));

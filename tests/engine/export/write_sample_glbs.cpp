@@ -79,8 +79,14 @@ PlacedMesh with_details(Plant const& plant)
     return placed;
 }
 
+// "FILE PLANTS TRIANGLES", as the writer says it, for who imports the file.
+std::string counts_line(std::string_view file, std::size_t plants, std::uint64_t triangles)
+{
+    return fmt::format("{} {} {}\n", file, plants, triangles);
+}
+
 // A tree as it grows, in wind and with weight.
-Result<void> write_growth(std::filesystem::path const& path)
+Result<void> write_growth(std::filesystem::path const& path, std::string& counts)
 {
     auto const plan = plan_of(sample_tree(4), { .sag = 2 }, { 0.5, 0, 0 });
     Grower grower(plan);
@@ -89,7 +95,7 @@ Result<void> write_growth(std::filesystem::path const& path)
     GrowthFilm film { .name = "grows", .mesh = &mesh, .ages = { 0.25, 0.5, 0.75, 1 } };
     film.plant_at = [&](double age) -> Plant const& { return grower.grow({ 1, 0 }, age); };
     return write_file(path, [&](std::ostream& out) -> Result<void> {
-        TRY(write_glb(out, film));
+        counts += counts_line(path.filename().string(), 1, TRY(write_glb(out, film)).triangles);
         return {};
     });
 }
@@ -115,17 +121,22 @@ Result<void> write_samples(std::filesystem::path const& folder)
     } };
 
     using Options = GlbOptions;
+    std::string counts;
     auto const write
         = [&](char const* name, std::span<PlacedMesh const> plants, Options const& options) {
               return write_file(folder / name, [&](std::ostream& out) -> Result<void> {
-                  TRY(write_glb(out, plants, options));
+                  auto const summary = TRY(write_glb(out, plants, options));
+                  counts += counts_line(name, plants.size(), summary.triangles);
                   return {};
               });
           };
     TRY(write("collection.glb", collection, {}));
     TRY(write("quantized.glb", collection, { .vertices = Options::Vertices::Quantized }));
+    TRY(write("instanced.glb", collection, { .organs = Options::Organs::Instanced }));
+    TRY(write("instanced_quantized.glb", collection,
+              { .organs = Options::Organs::Instanced, .vertices = Options::Vertices::Quantized }));
     TRY(write("nodes.glb", collection,
-              { .instancing = Options::Instancing::Nodes, .textures = Options::Textures::None }));
+              { .organs = Options::Organs::Nodes, .textures = Options::Textures::None }));
     TRY(write("fine.glb", std::span(&fine, 1), {}));
     auto const tree = sample_tree(5);
     std::vector<PlacedMesh> const far { with_details(tree), with_details(odd) };
@@ -135,10 +146,12 @@ Result<void> write_samples(std::filesystem::path const& folder)
         if (auto* const meshed = std::get_if<PlantToMesh>(&plant.mesh))
             meshed->wind = WindKey {};
     TRY(write("wind.glb", collection, { .vertices = Options::Vertices::Quantized }));
+    TRY(write("wind_instanced.glb", collection, { .organs = Options::Organs::Instanced }));
     TRY(write("wind_uv.glb", collection, { .wind = Options::Wind::TextureCoordinates }));
     TRY(write("wind_colour.glb", collection, { .wind = Options::Wind::Colours }));
     TRY(write("empty.glb", {}, {}));
-    return write_growth(folder / "growth.glb");
+    TRY(write_growth(folder / "growth.glb", counts));
+    return write_file(folder / "counts.txt", counts);
 }
 
 } // namespace

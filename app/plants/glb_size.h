@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/export/glb_writer.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace tractus {
+
+// More than these, as drawn, and many programs take long to open a file.
+constexpr std::uint64_t kManyTriangles = 5'000'000;
+
+// What to say before such a file is written: how large it will be, and what makes it smaller.
+// Nothing for smaller ones.
+std::optional<std::string> large_glb_note(GlbSummary const& expected, GlbOptions::Organs organs);
+
+} // namespace tractus

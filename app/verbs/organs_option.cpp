@@ -1,0 +1,38 @@
+#include "app/verbs/organs_option.h"
+
+#include "app/plants/glb_size.h"
+#include "app/terminal/error_text.h"
+#include "app/verbs/checks.h"
+
+#include <string>
+
+namespace tractus {
+
+CLI::Option* add_organs_option(CLI::App& verb, GlbOptions& options)
+{
+    using Organs = GlbOptions::Organs;
+    options.before_writing = [&options, said = false](GlbSummary const& expected) mutable {
+        auto const note = large_glb_note(expected, options.organs);
+        if (note && !said)
+            print_warning(*note);
+        said |= note.has_value(); // Once for all files.
+    };
+    auto const choose = [&options](std::string const& word) {
+        options.organs = word == "instanced" ? Organs::Instanced
+            : word == "nodes"                ? Organs::Nodes
+                                             : Organs::Merged;
+    };
+    return verb
+        .add_option_function<std::string>(
+            "--organs", choose,
+            "How a .glb holds leaves and other organs. merged: in each plant's mesh, one part for "
+            "each material; every program opens it, and Blender, Unity, Unreal and Godot want it. "
+            "instanced: a mesh and many places (EXT_mesh_gpu_instancing); small, for three.js, "
+            "Babylon.js and Blender from 3.6 on. nodes: an object for each, for editing single "
+            "leaves; slow to open where there are thousands")
+        ->type_name("HOW")
+        ->check(one_of({ "merged", "instanced", "nodes" }))
+        ->default_str("merged");
+}
+
+} // namespace tractus

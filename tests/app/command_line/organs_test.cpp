@@ -1,0 +1,78 @@
+#include "tests/app/command_line/workshop.h"
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+namespace tractus {
+namespace {
+
+class Organs : public Workshop {
+protected:
+    // Of a file, without the counts of bytes.
+    nlohmann::json json_of(std::string const& name) const
+    {
+        auto const glb = read(name);
+        std::uint32_t size = 0;
+        std::memcpy(&size, &glb.at(12), 4);
+        return nlohmann::json::parse(glb.substr(20, size));
+    }
+};
+
+TEST_F(Organs, AreTrianglesOfThePlantsMeshUnlessAskedOtherwise)
+{
+    EXPECT_EQ(run("tractus grow leaf -o plain.glb").exit_code, 0);
+    auto const plain = json_of("plain.glb");
+    EXPECT_EQ(plain["nodes"].size(), 1u);
+    EXPECT_FALSE(plain.contains("extensionsUsed"));
+    EXPECT_EQ(run("tractus grow leaf --organs merged -o merged.glb").exit_code, 0);
+    EXPECT_EQ(read("merged.glb"), read("plain.glb"));
+}
+
+TEST_F(Organs, AreInstancedOrNodesInEveryVerbThatIsAskedForIt)
+{
+    record();
+    auto const verbs = {
+        std::pair<std::string, std::string> { "grow broadleaf -n 9 -o ", "" },
+        { "vary broadleaf --count 2 -o ", "" },
+        { "replay hand.tractus-log --plant broadleaf --count 2 -o folder --organs ", "folder" },
+        { "demo --plant daisy -o demo --organs ", "demo" },
+    };
+    for (auto const& [verb, folder] : verbs)
+        for (std::string const how : { "instanced", "nodes", "merged" }) {
+            auto const file = folder.empty() ? how + ".glb" : folder + "/collection.glb";
+            auto const rest = folder.empty() ? file + " --organs " + how : how;
+            auto const outcome = run("tractus " + verb + rest);
+            ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+            auto const json = json_of(file);
+            std::size_t const plants = json["scenes"][0]["nodes"].size();
+            EXPECT_EQ(json.contains("extensionsRequired"), how == "instanced") << verb << how;
+            if (how == "nodes") {
+                EXPECT_GT(json["nodes"].size(), 2 * plants) << verb;
+            } else if (how == "merged") {
+                EXPECT_EQ(json["nodes"].size(), plants) << verb;
+            }
+        }
+}
+
+TEST_F(Organs, OldSpellingMeansTheSame)
+{
+    EXPECT_EQ(run("tractus vary leaf --count 1 --nodes -o old.glb").exit_code, 0);
+    EXPECT_EQ(run("tractus vary leaf --count 1 --organs nodes -o new.glb").exit_code, 0);
+    EXPECT_EQ(read("old.glb"), read("new.glb"));
+    EXPECT_EQ(run("tractus vary leaf --nodes --organs merged -o x.glb").exit_code, 2);
+    EXPECT_EQ(run("tractus grow leaf --organs many -o x.glb").exit_code, 2);
+}
+
+TEST_F(Organs, AFileThatManyProgramsOpenSlowlySaysSoBeforeItIsWritten)
+{
+    // No file may be so large: the note stands before that is found out.
+    auto const outcome
+        = run("ulimit -f 64; tractus vary daisy --count 5000 --sides 64 -o large.glb");
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("million triangles and"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("--organs instanced"), std::string::npos) << outcome.err;
+    EXPECT_EQ(run("tractus grow daisy -o small.glb").err, "");
+}
+
+} // namespace
+} // namespace tractus

@@ -1,0 +1,37 @@
+# Imports files into Blender and compares what it has of each with what is expected. Run:
+#   blender -b --factory-startup --python-exit-code 1 -P import.py -- [FILE OBJECTS MATERIALS TRIANGLES]...
+import sys
+
+import bpy
+import numpy
+
+# Debian 12's Blender 3.4 asks for what its numpy 1.24 has no longer.
+numpy.bool = bool
+
+
+def read(path):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    if path.endswith(".obj"):
+        bpy.ops.wm.obj_import(filepath=path)
+    else:
+        bpy.ops.import_scene.gltf(filepath=path)
+
+
+def count():
+    objects = [thing for thing in bpy.data.objects if thing.type == "MESH"]
+    triangles = sum(len(face.vertices) - 2 for thing in objects for face in thing.data.polygons)
+    materials = {slot.material.name for thing in objects for slot in thing.material_slots}
+    return len(objects), len(materials), triangles
+
+
+arguments = sys.argv[sys.argv.index("--") + 1 :]
+failed = not arguments
+for i in range(0, len(arguments), 4):
+    path = arguments[i]
+    expected = tuple(int(number) for number in arguments[i + 1 : i + 4])
+    read(path)
+    found = count()
+    print(f"{path}: objects, materials, triangles: {found}, expected {expected}", flush=True)
+    failed = failed or found != expected
+if failed:
+    raise SystemExit(1)
