@@ -27,7 +27,11 @@ struct Rig {
     // The tablet. It is turned counterclockwise, seen from above, on its carriage. (In degrees
     // since the file is, and its round trip is exact.)
     Vec2 tablet_size_mm = Vec2(254, 159); // Its active area.
-    Duration tablet_latency {};           // From the pen's being there to its report's arrival.
+
+    // The active area as somebody measured it, for a tablet that does not tell its size: what such
+    // a tablet's pen is scaled to. Then tablet_size_mm is that, too.
+    std::optional<Vec2> surface_mm {};
+    Duration tablet_latency {}; // From the pen's being there to its report's arrival.
     double rotation_deg = 0;
 
     // How far the carriage drifts to +x and +y per millimetre that it rises.
@@ -50,6 +54,14 @@ struct HeightRange {
     double high_mm = 0;
 };
 std::optional<HeightRange> calibrated_heights(Rig const& rig);
+
+// The sides that a tablet's active area may have.
+inline constexpr double kMinSurfaceSide_mm = 20;
+inline constexpr double kMaxSurfaceSide_mm = 2000;
+inline bool is_tablets_surface(Vec2 const& sides_mm)
+{
+    return sides_mm.minCoeff() >= kMinSurfaceSide_mm && sides_mm.maxCoeff() <= kMaxSurfaceSide_mm;
+}
 
 // Takes (x, y, height) to the world frame: x and y in the tablet frame, height over the carriage's
 // zero, all in millimetres. The tablet turns about its centre, which is over the world's origin at

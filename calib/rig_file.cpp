@@ -63,9 +63,22 @@ static Result<void> parse_height(TomlTable& table, Rig& rig)
     return table.refuse_unknown_keys();
 }
 
+static Result<Vec2> surface_mm(TomlTable& table)
+{
+    constexpr std::string_view kKey = "surface_mm";
+    Vec2 const sides_mm = TRY(table.vec2(kKey, NumberRange::Positive));
+    if (!is_tablets_surface(sides_mm))
+        return table.wrong(kKey,
+                           fmt::format("is [{}, {}], expected sides of {} to {}", sides_mm.x(),
+                                       sides_mm.y(), kMinSurfaceSide_mm, kMaxSurfaceSide_mm));
+    return sides_mm;
+}
+
 static Result<void> parse_tablet(TomlTable& table, Rig& rig)
 {
     rig.tablet_size_mm = TRY(table.vec2("size_mm", NumberRange::Positive));
+    if (table.has("surface_mm"))
+        rig.tablet_size_mm = rig.surface_mm.emplace(TRY(surface_mm(table)));
     rig.tablet_latency = TRY(duration_ms(table, "latency_ms", NumberRange::NotNegative));
     rig.rotation_deg = TRY(table.number_or("rotation_deg", 0));
     rig.travel_shear = TRY(table.vec2_or("travel_shear", Vec2::Zero()));
@@ -120,6 +133,15 @@ pressure_exponent = {}        # Between the two: above 1 the ink stays thin for 
         pressure.threshold, pressure.full, pressure.exponent);
 }
 
+static std::string print_surface(Rig const& rig)
+{
+    if (!rig.surface_mm)
+        return {};
+    return fmt::format(
+        "surface_mm = [{}, {}]         # As measured: the tablet does not tell it.\n",
+        rig.surface_mm->x(), rig.surface_mm->y());
+}
+
 std::string print_rig(Rig const& rig)
 {
     return fmt::format(
@@ -135,15 +157,16 @@ max_age_ms = {}               # How long a reading stands for the height.
 
 [tablet]
 size_mm = [{}, {}]            # The active area: width, depth.
-latency_ms = {}               # From the pen's being there to its report's arrival.
+{}latency_ms = {}               # From the pen's being there to its report's arrival.
 rotation_deg = {}             # Of the tablet on its carriage, counterclockwise seen from above.
 travel_shear = [{}, {}]       # Drift to the right and away from the user per millimetre of rise.
 )",
                kVersion, print_height_model(rig.height_model), rig.full_scale_counts,
                rig.calibrated_min_counts, rig.calibrated_max_counts,
                to_milliseconds(rig.height_latency), to_milliseconds(rig.max_height_age),
-               rig.tablet_size_mm.x(), rig.tablet_size_mm.y(), to_milliseconds(rig.tablet_latency),
-               rig.rotation_deg, rig.travel_shear.x(), rig.travel_shear.y())
+               rig.tablet_size_mm.x(), rig.tablet_size_mm.y(), print_surface(rig),
+               to_milliseconds(rig.tablet_latency), rig.rotation_deg, rig.travel_shear.x(),
+               rig.travel_shear.y())
         + print_pen(rig.pressure) + print_calibration_record(rig.calibration);
 }
 

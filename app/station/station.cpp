@@ -88,11 +88,16 @@ Result<void> Station::add_pens(std::span<DeviceInfo const> devices, StationOptio
             continue;
         }
         auto rig = options.rig;
+        auto const& traits = (*decoder)->traits();
+        Vec2 scale = Vec2::Ones();
         if (!pens_.empty())
-            rig.tablet_size_mm = (*decoder)->traits().size_mm;
+            rig.tablet_size_mm = traits.size_mm;
+        else if (rig.surface_mm && traits.is_size_assumed)
+            scale = rig.surface_mm->cwiseQuotient(traits.size_mm);
         pens_.push_back({ .device = i,
                           .decoder = *std::move(decoder),
                           .silence = {},
+                          .scale = scale,
                           .fuser = options.scripted_height ? Fuser(rig, *options.scripted_height)
                                                            : Fuser(rig) });
     }
@@ -147,8 +152,10 @@ void Station::pass_time(Timestamp now)
             use_pen(pen, *gone);
 }
 
-void Station::use_pen(Pen& pen, PenSample const& sample)
+void Station::use_pen(Pen& pen, PenSample const& decoded)
 {
+    auto sample = decoded;
+    sample.position_mm = sample.position_mm.cwiseProduct(pen.scale);
     ++counts_.pen_samples;
     pen_in_range_ = sample.in_range;
     if (!is_height_there_)

@@ -172,6 +172,7 @@ private:
         std::size_t device = 0;
         std::unique_ptr<PenDecoder> decoder;
         PenSilence silence;
+        Vec2 scale; // From the decoder's millimetres to those of the surface as it was measured.
         Fuser fuser;
         StrokeBuilder builder {};
         std::optional<Timestamp> touches_since {}; // On arrival; no value while it does not touch.
@@ -181,7 +182,7 @@ private:
 
     Result<void> add_pens(std::span<DeviceInfo const> devices, StationOptions const& options);
     Pen* find_pen(std::size_t device);
-    void use_pen(Pen& pen, PenSample const& sample);
+    void use_pen(Pen& pen, PenSample const& decoded);
     void follow_touch(Pen& pen, PenSample const& sample, TipSample const& tip);
     void keep_moment(PenSample const& sample, TipSample const& tip);
     void change_tool(Timestamp time, Tool const& tool);

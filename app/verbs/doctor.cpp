@@ -6,14 +6,20 @@
 #include "app/terminal/console.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/device_sources.h"
+#include "calib/rig_file.h"
 #include "drivers/file.h"
 #include "drivers/foreign_log.h"
+#include "drivers/pen_decoder.h"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <fmt/core.h>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -30,6 +36,8 @@ struct DoctorArguments {
     bool as_json = false;
     bool install_rules = false;
     bool for_group = false;
+    std::string surface; // "254x159"
+    std::string rig_file;
     std::string rules_file = "/etc/udev/rules.d/70-tractus.rules";
 };
 
@@ -39,12 +47,22 @@ void append(std::vector<Finding>& all, std::vector<Finding> some)
         all.push_back(std::move(finding));
 }
 
+std::vector<std::string> how_to_tell_the_size(DeviceInfo const& info)
+{
+    auto const pen = make_pen_decoder(info);
+    if (!pen || !(*pen)->traits().is_size_assumed)
+        return {};
+    return { "Its size is a guess: measure the two sides of its active area, and tell them with",
+             "tractus doctor --surface WIDTHxDEPTH --rig FILE" };
+}
+
 Finding all_is_well(DeviceReading const& reading)
 {
     return { .kind = FindingKind::Fine,
              .subject = fmt::format("{} at {}", reading.info.name, reading.info.location),
              .what = fmt::format("{}; {} reports, {:.0f} per second.", reading.description.text,
-                                 reading.reports, reading.pace.rate_hz) };
+                                 reading.reports, reading.pace.rate_hz),
+             .remedy = how_to_tell_the_size(reading.info) };
 }
 
 // Whether it is some node of a tablet, for keys or fingers, of which another node carries the pen.
@@ -158,8 +176,39 @@ Result<void> install_rules(DoctorArguments const& arguments)
                                      : ""));
 }
 
+// "254x158.75"
+std::optional<Vec2> parse_sides(std::string_view text)
+{
+    Vec2 sides_mm;
+    auto const* const end = text.data() + text.size();
+    auto const [x, error] = std::from_chars(text.data(), end, sides_mm.x());
+    if (error != std::errc() || x == end || *x != 'x')
+        return std::nullopt;
+    auto const [rest, y_error] = std::from_chars(x + 1, end, sides_mm.y());
+    bool const is_whole = y_error == std::errc() && rest == end;
+    return is_whole && is_tablets_surface(sides_mm) ? std::optional(sides_mm) : std::nullopt;
+}
+
+// Writes the active area, as somebody measured it, into the rig.
+Result<void> measure_surface(DoctorArguments const& arguments)
+{
+    auto const sides_mm = parse_sides(arguments.surface);
+    if (!sides_mm)
+        return fail(Fault::User,
+                    fmt::format("--surface \"{}\": expected the two sides of the tablet's active "
+                                "area in millimetres, such as 254x158.8, each {} to {}",
+                                arguments.surface, kMinSurfaceSide_mm, kMaxSurfaceSide_mm));
+    auto rig = TRY(load_rig(arguments.rig_file));
+    rig.tablet_size_mm = rig.surface_mm.emplace(*sides_mm);
+    TRY(save_rig(rig, arguments.rig_file));
+    return print_out(fmt::format("{}: the tablet's surface is {:g} x {:g} mm\n", arguments.rig_file,
+                                 sides_mm->x(), sides_mm->y()));
+}
+
 Result<void> run(DoctorArguments const& arguments)
 {
+    if (!arguments.surface.empty())
+        return measure_surface(arguments);
     if (arguments.install_rules)
         return install_rules(arguments);
     std::vector<Finding> findings;
@@ -206,6 +255,17 @@ void add_doctor_verb(CLI::App& root, Action& action)
         ->type_name("FILE")
         ->capture_default_str()
         ->needs(install);
+    auto* const surface
+        = verb->add_option("--surface", arguments->surface,
+                           "Write the two sides of the tablet's active area, in millimetres, into "
+                           "the rig: for tablets that do not tell them")
+              ->type_name("WIDTHxDEPTH")
+              ->excludes(log, device, install);
+    auto* const rig
+        = verb->add_option("--rig", arguments->rig_file, "The rig that --surface changes")
+              ->type_name("FILE")
+              ->needs(surface);
+    surface->needs(rig);
     verb->footer(
         "Looks at nodes and permissions, at the kernel's drivers and at libraries; then\n"
         "listens for tablets in mouse mode or with unknown reports, for a sensor on a rail,\n"

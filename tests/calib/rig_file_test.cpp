@@ -150,6 +150,25 @@ TEST(RigFile, GivesTheSameCurveAndSpoolBack)
     EXPECT_EQ(std::get<StringHeight>(back.height_model).spool, StringHeight::Spool::Above);
 }
 
+TEST(RigFile, KeepsAMeasuredSurface)
+{
+    Rig rig;
+    EXPECT_FALSE(parse_rig(print_rig(rig), "x").value().surface_mm);
+    rig.tablet_size_mm = rig.surface_mm.emplace(203.2, 127);
+    auto const text = print_rig(rig);
+    auto const back = parse_rig(text, "x");
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_EQ(back->surface_mm, Vec2(203.2, 127));
+    EXPECT_EQ(back->tablet_size_mm, Vec2(203.2, 127));
+    auto absurd = text;
+    absurd.replace(absurd.find("surface_mm = [203.2"), 19, "surface_mm = [2.032");
+    auto const refused = parse_rig(absurd, "x");
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("surface_mm is [2.032, 127], expected sides of 20 to"),
+              std::string::npos)
+        << refused.error().message;
+}
+
 TEST(RigFile, RefusesACurveThatTurns)
 {
     auto const text = with("model = \"string\"\nmm_per_count = 0.1\nzero_length_mm = 120\n"
@@ -354,7 +373,7 @@ TEST(RigFile, RefusesAMisspeltKey)
     auto const message = error_of(text_with("rotaton_deg = 3\n"));
     EXPECT_EQ(message,
               "my.rig.toml:14: tablet.rotaton_deg is not a key of this place, expected "
-              "latency_ms, rotation_deg, size_mm, travel_shear");
+              "latency_ms, rotation_deg, size_mm, surface_mm, travel_shear");
 }
 
 TEST(RigFile, RefusesARangeOrTimeWithoutSense)

@@ -53,6 +53,35 @@ TEST(Station, MakesAStrokeOfWhatThePenTouches)
     EXPECT_EQ(station.counts().pen_samples, 21u);
 }
 
+TEST(Station, ScalesAPenThatDoesNotTellItsSizeToTheMeasuredSurface)
+{
+    // Both axes run to 32767, and nothing tells how far that is.
+    DeviceInfo const pen {
+        .name = "Tablet",
+        .vendor_id = 0x1234,
+        .product_id = 0x5678,
+        .report_descriptor = bytes("05 0d 09 02 a1 01 09 20 a1 00 09 42 15 00 25 01 75 01 95 01 81 "
+                                   "02 95 07 81 03 05 01 09 30 09 31 26 ff 7f 75 10 95 02 81 02 c0 "
+                                   "c0"),
+    };
+    StationOptions options;
+    options.rig.tablet_size_mm = { 200, 100 };
+    options.rig.surface_mm = Vec2(200, 100);
+    options.scripted_height = ScriptedHeight {
+        .scenario = { .kind = HeightScenario::Kind::Constant, .constant_mm = 100 },
+        .first_pen = {},
+        .last_pen = {},
+    };
+    options.scene = small_scene();
+    std::vector const devices { pen };
+    auto station = Station::create(devices, std::move(options)).value();
+    station.push(0, at_ms(0), bytes("01 ff 7f 00 00")); // The right edge, the far one.
+    auto const moments = station.take_moments();
+    ASSERT_FALSE(moments.empty());
+    EXPECT_LT((moments.back().position_mm - Vec3(100, 50, 100)).norm(), 1e-6)
+        << moments.back().position_mm.transpose();
+}
+
 TEST(Station, FinishesTheStrokeUnderWay)
 {
     auto station = flat_station();
