@@ -6,6 +6,8 @@
 #include "engine/export/obj_writer.h"
 #include "engine/mesh/make_mesh.h"
 
+#include <sstream>
+
 namespace tractus {
 
 static Result<std::uint64_t> write_plant_glb(Plant const& plant, std::string const& name,
@@ -23,6 +25,21 @@ static Result<std::uint64_t> write_plant_glb(Plant const& plant, std::string con
     return triangles;
 }
 
+// The .obj comes last: what it names is there.
+static Result<void> write_plant_obj(PlacedMesh const& placed, std::filesystem::path const& path)
+{
+    auto library = path;
+    library.replace_extension(".mtl");
+    std::ostringstream materials;
+    auto const pictures = TRY(write_mtl(materials, { &placed, 1 }, path.stem().string()));
+    for (auto const& [name, png] : pictures)
+        TRY(write_file(path.parent_path() / name, png));
+    TRY(write_file(library, materials.str()));
+    return write_file(path, [&](std::ostream& out) {
+        return write_obj(out, { &placed, 1 }, library.filename().string());
+    });
+}
+
 Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& name,
                                        std::filesystem::path const& path,
                                        PlantFileOptions const& options)
@@ -31,8 +48,7 @@ Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& na
         return write_plant_glb(plant, name, path, options.glb);
     auto const mesh = make_mesh(plant);
     if (path.extension() == ".obj") {
-        PlacedMesh const placed { .name = name, .mesh = &mesh };
-        TRY(write_file(path, [&](std::ostream& out) { return write_obj(out, { &placed, 1 }); }));
+        TRY(write_plant_obj({ .name = name, .mesh = &mesh }, path));
     } else {
         auto pictures = TRY(PictureMaker::create());
         auto const picture = pictures.plant(mesh, {}, options.camera);

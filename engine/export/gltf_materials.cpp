@@ -1,9 +1,13 @@
 #include "engine/export/gltf_materials.h"
 
 #include "engine/export/gltf_material.h"
+#include "engine/export/texture.h"
 
 #include <algorithm>
+#include <charconv>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <string>
 
 namespace tractus {
 namespace {
@@ -17,6 +21,15 @@ bool is_thin(Material::Kind kind)
     return kind == Material::Kind::Leaf || kind == Material::Kind::Petal;
 }
 
+// Six digits, so that floats are as people wrote them.
+double six_digits(double value)
+{
+    auto const text = fmt::format("{:.6g}", value);
+    double read = 0;
+    std::from_chars(text.data(), text.data() + text.size(), read);
+    return read;
+}
+
 } // namespace
 
 GltfMaterials::GltfMaterials(GltfJson& json, GlbStream& stream, bool has_textures)
@@ -28,28 +41,62 @@ GltfMaterials::GltfMaterials(GltfJson& json, GlbStream& stream, bool has_texture
 
 std::size_t GltfMaterials::index_of(Material const& material)
 {
-    std::string texture;
-    if (has_textures_ && material.kind == Material::Kind::Bark)
-        texture = texture_reference(bark_texture_, bark_picture, kRepeat);
-    else if (has_textures_ && material.kind == Material::Kind::Leaf)
-        texture = texture_reference(leaf_texture_, leaf_picture, kClampToEdge);
+    MaterialTextures textures;
+    if (has_textures_)
+        textures = textures_of(material);
     auto const color = material.base_color.cwiseMax(0.0f).cwiseMin(1.0f).cast<double>().eval();
-    auto const text = fmt::format(
-        "{{\"name\":{},\"pbrMetallicRoughness\":{{\"baseColorFactor\":[{:.6g},{:.6g},{:.6g},1],"
-        "\"metallicFactor\":0,\"roughnessFactor\":{}{}}}{},\"extras\":{{\"kind\":\"{}\","
-        "\"translucency\":{}}}}}",
-        quoted(material.name), linear_from_srgb(color.x()), linear_from_srgb(color.y()),
-        linear_from_srgb(color.z()), std::clamp(material.roughness, 0.0f, 1.0f), texture,
-        is_thin(material.kind) ? ",\"doubleSided\":true" : "", kind_word(material.kind),
-        std::clamp(material.translucency, 0.0f, 1.0f));
+    nlohmann::ordered_json made {
+        { "name", material.name },
+        { "pbrMetallicRoughness",
+          { { "baseColorFactor",
+              { six_digits(linear_from_srgb(color.x())), six_digits(linear_from_srgb(color.y())),
+                six_digits(linear_from_srgb(color.z())), 1 } },
+            { "metallicFactor", 0 },
+            { "roughnessFactor", six_digits(std::clamp(material.roughness, 0.0f, 1.0f)) } } },
+    };
+    auto& pbr = made["pbrMetallicRoughness"];
+    refer(pbr, "baseColorTexture", textures.base_color);
+    refer(pbr, "metallicRoughnessTexture", textures.occlusion_roughness);
+    // Bark's own normals wait for tangents: without them its look is each reader's guess, of which
+    // the validator warns.
+    if (has_textures_)
+        refer(made, "normalTexture", material.textures.normal);
+    refer(made, "occlusionTexture", textures.occlusion_roughness);
+    if (textures.alpha == MaterialTextures::Alpha::Mask)
+        made["alphaMode"] = "MASK";
+    if (is_thin(material.kind))
+        made["doubleSided"] = true;
+    if (textures.translucency) {
+        json_.optional_extensions.insert("KHR_materials_diffuse_transmission");
+        auto& passes = made["extensions"]["KHR_materials_diffuse_transmission"];
+        passes["diffuseTransmissionFactor"] = six_digits(material.translucency);
+        refer(passes, "diffuseTransmissionTexture", textures.translucency);
+    }
+    made["extras"]
+        = { { "kind", kind_word(material.kind) },
+            { "translucency", six_digits(std::clamp(material.translucency, 0.0f, 1.0f)) } };
+    auto const text = made.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     auto const [place, is_new] = indices_.emplace(text, json_.materials.count());
     if (is_new)
         json_.materials.add(text);
     return place->second;
 }
 
-std::size_t GltfMaterials::add_texture(std::string_view png, int wrap)
+// Puts a picture into the file when it is first asked for.
+void GltfMaterials::refer(nlohmann::ordered_json& to, char const* name, TextureSlot const& slot)
 {
+    if (!slot)
+        return;
+    auto const known = textures_.find(slot->png);
+    auto const index
+        = known != textures_.end() ? known->second : add_texture(slot->png, slot->edges);
+    textures_.emplace(slot->png, index);
+    to[name] = { { "index", index } };
+}
+
+std::size_t GltfMaterials::add_texture(std::string_view png, TexturePicture::Edges edges)
+{
+    int const wrap = edges == TexturePicture::Edges::Repeat ? kRepeat : kClampToEdge;
     auto block = stream_.open_block(png.size());
     stream_.write(block, std::as_bytes(std::span(png)));
     auto const view = json_.buffer_views.add(fmt::format(
@@ -68,16 +115,7 @@ std::size_t GltfMaterials::add_picture(std::string_view png)
         "{{\"name\":\"billboard\",\"pbrMetallicRoughness\":{{\"baseColorTexture\":{{\"index\":{}}},"
         "\"metallicFactor\":0,\"roughnessFactor\":1}},\"alphaMode\":\"MASK\","
         "\"extensions\":{{\"KHR_materials_unlit\":{{}}}}}}",
-        add_texture(png, kClampToEdge)));
-}
-
-// Puts the picture into the file when it is first asked for.
-std::string GltfMaterials::texture_reference(std::optional<std::size_t>& index,
-                                             GreyPicture (*picture)(), int wrap)
-{
-    if (!index)
-        index = add_texture(png_bytes(picture()), wrap);
-    return fmt::format(",\"baseColorTexture\":{{\"index\":{}}}", *index);
+        add_texture(png, TexturePicture::Edges::Clamp)));
 }
 
 } // namespace tractus

@@ -2,11 +2,10 @@
 
 #include "engine/export/glb_stream.h"
 #include "engine/export/gltf_json.h"
-#include "engine/export/texture.h"
 #include "engine/plant/material.h"
 
 #include <map>
-#include <optional>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -27,16 +26,14 @@ public:
     std::size_t add_picture(std::string_view png);
 
 private:
-    std::size_t add_texture(std::string_view png, int wrap);
-    std::string texture_reference(std::optional<std::size_t>& index, GreyPicture (*picture)(),
-                                  int wrap);
+    std::size_t add_texture(std::string_view png, TexturePicture::Edges edges);
+    void refer(nlohmann::ordered_json& to, char const* name, TextureSlot const& slot);
 
     GltfJson& json_;
     GlbStream& stream_;
     bool has_textures_;
-    std::optional<std::size_t> bark_texture_;
-    std::optional<std::size_t> leaf_texture_;
-    std::map<std::string, std::size_t> indices_; // By their JSON.
+    std::map<std::string, std::size_t> textures_; // By their bytes: few, and each is there once.
+    std::map<std::string, std::size_t> indices_;  // By their JSON.
 };
 
 } // namespace tractus

@@ -1,12 +1,15 @@
 #include "engine/export/obj_writer.h"
 
 #include "engine/export/gltf_frame.h"
+#include "engine/export/texture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace tractus {
@@ -33,7 +36,13 @@ public:
     Named name_of(Material const& material)
     {
         auto const& color = material.base_color;
-        Key const key { material.name, color.x(), color.y(), color.z(), material.roughness };
+        Key const key { material.name,
+                        color.x(),
+                        color.y(),
+                        color.z(),
+                        material.roughness,
+                        material.kind,
+                        material.textures.base_color.get() };
         if (auto const known = names_.find(key); known != names_.end())
             return { known->second, false };
         auto name = name_word(material.name);
@@ -44,7 +53,8 @@ public:
     }
 
 private:
-    using Key = std::tuple<std::string, float, float, float, float>;
+    using Key = std::tuple<std::string, float, float, float, float, Material::Kind,
+                           TexturePicture const*>;
     std::map<Key, std::string> names_;
     std::map<std::string, int> uses_;
 };
@@ -144,25 +154,87 @@ Result<void> write_obj(std::ostream& out, std::span<PlacedMesh const> plants,
     return check(out);
 }
 
-Result<void> write_mtl(std::ostream& out, std::span<PlacedMesh const> plants)
+namespace {
+
+// One .mtl file and the pictures that it names.
+class MtlText {
+public:
+    MtlText(std::ostream& out, std::string_view stem)
+        : out_(out)
+        , stem_(stem)
+    {
+    }
+
+    void add(std::string const& name, Material const& material)
+    {
+        auto const& color = material.base_color;
+        // Blinn-Phong's exponent for a roughness, as is usual: 2 / roughness^4 - 2.
+        double const alpha = std::max(0.05, double { material.roughness } * material.roughness);
+        out_ << fmt::format("newmtl {}\nKd {:.4f} {:.4f} {:.4f}\nKs 0.04 0.04 0.04\nNs {:.2f}\n"
+                            "Pr {:.4f}\nPm 0\nillum 2\n",
+                            name, color.x(), color.y(), color.z(),
+                            std::max(0.0, 2 / (alpha * alpha) - 2), double { material.roughness });
+        if (stem_.empty())
+            return;
+        auto const textures = textures_of(material);
+        if (auto const png = colored_picture(material); !png.empty()) {
+            auto const picture = add_picture(name + "-color", png);
+            out_ << "map_Kd " << picture << '\n';
+            if (textures.alpha == MaterialTextures::Alpha::Mask)
+                out_ << "map_d " << picture << '\n';
+        }
+        if (textures.normal) {
+            auto const picture = add_picture(name + "-normal", textures.normal->png);
+            out_ << "norm " << picture << "\nmap_Bump " << picture << '\n'; // Blender's name.
+        }
+    }
+
+    std::vector<MtlPicture> take_pictures() { return std::move(pictures_); }
+
+private:
+    std::string add_picture(std::string const& name, std::string const& png)
+    {
+        pictures_.push_back({ fmt::format("{}-{}.png", stem_, file_word(name)), png });
+        return pictures_.back().name;
+    }
+
+    static std::string file_word(std::string name)
+    {
+        for (auto& c : name)
+            if (c == '/')
+                c = '_';
+        return name;
+    }
+
+    std::ostream& out_;
+    std::string stem_;
+    std::vector<MtlPicture> pictures_;
+};
+
+} // namespace
+
+Result<std::vector<MtlPicture>> write_mtl(std::ostream& out, std::span<PlacedMesh const> plants,
+                                          std::string_view stem)
 {
     MaterialNames names;
+    MtlText text(out, stem);
     out << "# tractus\n";
     for (auto const& placed : plants) {
         std::optional<Mesh> made;
-        for (auto const& material : mesh_of(placed.mesh, made).materials) {
-            auto const [name, is_new] = names.name_of(material);
-            if (!is_new)
-                continue;
-            auto const& color = material.base_color;
-            // Blinn-Phong's exponent for a roughness, as is usual: 2 / roughness^4 - 2.
-            double const alpha = std::max(0.05, double { material.roughness } * material.roughness);
-            out << fmt::format(
-                "newmtl {}\nKd {:.4f} {:.4f} {:.4f}\nKs 0.04 0.04 0.04\nNs {:.2f}\nillum 2\n", name,
-                color.x(), color.y(), color.z(), std::max(0.0, 2 / (alpha * alpha) - 2));
-        }
+        auto const& mesh = mesh_of(placed.mesh, made);
+        // Those that are used, in write_obj()'s order, so that names agree.
+        auto const add = [&](TriangleMesh const& part) {
+            auto const& material = mesh.materials[part.material];
+            if (auto const [name, is_new] = names.name_of(material); is_new)
+                text.add(name, material);
+        };
+        for (auto const& surface : mesh.surfaces)
+            add(surface);
+        for (auto const& organ : mesh.organs)
+            add(organ.prototype);
     }
-    return check(out);
+    TRY(check(out));
+    return text.take_pictures();
 }
 
 } // namespace tractus

@@ -5,7 +5,9 @@
 
 #include <ostream>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace tractus {
 
@@ -17,8 +19,19 @@ namespace tractus {
 Result<void> write_obj(std::ostream& out, std::span<PlacedMesh const> plants,
                        std::string_view library = {});
 
-// The materials of the same plants as a .mtl file. Makes the meshes once more where they are given
-// as functions.
-Result<void> write_mtl(std::ostream& out, std::span<PlacedMesh const> plants);
+// A picture that a .mtl file names, which belongs beside it.
+struct MtlPicture {
+    std::string name;
+    std::string png;
+};
+
+// The materials of the same plants as a .mtl file: colours, roughness (Pr, Pm and Ns) and pictures,
+// which are answered; their names begin with `stem`, and without one there are none. Makes the
+// meshes once more where they are given as functions.
+//
+// MTL has no word for translucency, nor for what is hidden from the sky, so these are left out. A
+// colour's picture holds the material's own colour, since not every reader multiplies the two.
+Result<std::vector<MtlPicture>> write_mtl(std::ostream& out, std::span<PlacedMesh const> plants,
+                                          std::string_view stem = {});
 
 } // namespace tractus

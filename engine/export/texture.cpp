@@ -1,7 +1,8 @@
 #include "engine/export/texture.h"
 
-#include "engine/base/random.h"
 #include "engine/base/vectors.h"
+#include "engine/export/bark_relief.h"
+#include "engine/export/gltf_material.h"
 #include "engine/export/png.h"
 
 #include <algorithm>
@@ -13,58 +14,22 @@ namespace {
 
 constexpr int kSize = 256;
 
-// What the random numbers here are for.
-constexpr std::uint32_t kBarkStream = 0x6261726b;
-
-double smooth_step(double low, double high, double x)
+double eased(double low, double high, double x)
 {
     double const t = std::clamp((x - low) / (high - low), 0.0, 1.0);
     return t * t * (3 - 2 * t);
 }
 
-// Value noise on a grid of `columns` by `rows` cells that repeats at the picture's edges.
-// `u` and `v` are 0 to 1; the answer is too.
-double tiling_noise(std::uint32_t layer, int columns, int rows, double u, double v)
-{
-    auto const value = [&](int column, int row) {
-        auto const cell = static_cast<std::uint64_t>((row % rows) * columns + column % columns);
-        return random_block({ .seed = 0, .stream = kBarkStream, .substream = layer }, cell)[0]
-            * 0x1p-32;
-    };
-    double const x = u * columns;
-    double const y = v * rows;
-    auto const column = static_cast<int>(x);
-    auto const row = static_cast<int>(y);
-    double const a = smooth_step(0, 1, x - column);
-    double const b = smooth_step(0, 1, y - row);
-    return (1 - b) * ((1 - a) * value(column, row) + a * value(column + 1, row))
-        + b * ((1 - a) * value(column, row + 1) + a * value(column + 1, row + 1));
-}
-
-double bark_level(double u, double v)
-{
-    // Furrows wander sideways, so the ridges between them join and part.
-    double const wander
-        = 0.05 * (tiling_noise(0, 6, 5, u, v) - 0.5) + 0.02 * (tiling_noise(1, 16, 12, u, v) - 0.5);
-    double const across = u + wander + 1;
-    double const place = across - std::floor(across);
-    double const coarse = tiling_noise(2, 22, 5, place, v);
-    double const fine = tiling_noise(3, 64, 20, place, v);
-    double const grain = tiling_noise(4, 128, 96, u, v);
-    double const ridge = smooth_step(0.15, 0.7, 0.6 * coarse + 0.4 * fine);
-    return 0.5 + 0.43 * ridge + 0.07 * grain;
-}
-
 double leaf_level(double u, double v)
 {
     double const side = std::abs(u - 0.5) * 2; // 0 at the midrib, 1 at the margin.
-    double const midrib = 1 - smooth_step(0.02, 0.05 + 0.02 * (1 - v), side);
+    double const midrib = 1 - eased(0.02, 0.05 + 0.02 * (1 - v), side);
     // Veins leave the midrib at equal distances and climb towards the margin.
     constexpr double kVeins = 9;
     double const along = kVeins * (v - 0.32 * side + 0.06 * side * side) + 0.5;
     double const from_vein = std::abs(along - std::floor(along) - 0.5);
-    double const vein = (1 - smooth_step(0.04, 0.12, from_vein)) * (1 - 0.6 * side);
-    double const between = 0.05 * smooth_step(0.1, 0.5, from_vein);
+    double const vein = (1 - eased(0.04, 0.12, from_vein)) * (1 - 0.6 * side);
+    double const between = 0.05 * eased(0.1, 0.5, from_vein);
     return 0.82 + 0.16 * std::max(midrib, 0.8 * vein) - between;
 }
 
@@ -85,12 +50,60 @@ template<typename Level> GreyPicture paint(Level const& level)
 
 GreyPicture bark_picture()
 {
-    return paint(bark_level);
+    return bark_color_picture();
 }
 
 GreyPicture leaf_picture()
 {
     return paint(leaf_level);
+}
+
+static TextureSlot slot_of(GreyPicture const& picture, TexturePicture::Edges edges)
+{
+    return std::make_shared<TexturePicture const>(TexturePicture { png_bytes(picture), edges });
+}
+
+MaterialTextures textures_of(Material const& material)
+{
+    static auto const bark = slot_of(bark_picture(), TexturePicture::Edges::Repeat);
+    static auto const leaf = slot_of(leaf_picture(), TexturePicture::Edges::Clamp);
+    auto textures = material.textures;
+    if (material.kind == Material::Kind::Leaf && !textures.base_color)
+        textures.base_color = leaf;
+    if (material.kind != Material::Kind::Bark)
+        return textures;
+    if (!textures.base_color)
+        textures.base_color = bark;
+    if (!textures.normal)
+        textures.normal = bark_textures().normal;
+    if (!textures.occlusion_roughness)
+        textures.occlusion_roughness = bark_textures().occlusion_roughness;
+    return textures;
+}
+
+std::string colored_picture(Material const& material)
+{
+    if (material.textures.base_color)
+        return material.textures.base_color->png;
+    bool const is_bark = material.kind == Material::Kind::Bark;
+    if (!is_bark && material.kind != Material::Kind::Leaf)
+        return {};
+    auto const grey = is_bark ? bark_picture() : leaf_picture();
+    // Light multiplies light: sRGB numbers would give other colours than a .glb has.
+    std::array<std::array<std::uint8_t, 3>, 256> shades {};
+    for (std::size_t level = 0; level < shades.size(); ++level)
+        for (int k = 0; k < 3; ++k) {
+            double const own = std::clamp(double { material.base_color[k] }, 0.0, 1.0);
+            double const light
+                = linear_from_srgb(own) * linear_from_srgb(static_cast<double>(level) / 255);
+            shades[level][static_cast<std::size_t>(k)]
+                = static_cast<std::uint8_t>(std::lround(255 * srgb_from_linear(light)));
+        }
+    std::vector<std::uint8_t> pixels;
+    pixels.reserve(3 * grey.pixels.size());
+    for (auto const level : grey.pixels)
+        pixels.insert(pixels.end(), shades[level].begin(), shades[level].end());
+    return png_bytes({ grey.width, grey.height, 3, pixels });
 }
 
 std::string png_bytes(GreyPicture const& picture)

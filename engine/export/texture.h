@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/plant/material.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -20,6 +22,13 @@ GreyPicture bark_picture();
 // A midrib at u = 0.5 and veins that leave it towards the tip; base in the first row, tip in the
 // last (engine/mesh/mesh.h says so of blades).
 GreyPicture leaf_picture();
+
+// What an exporter writes: a material's own pictures, and for those that it has not, what its kind
+// looks like.
+MaterialTextures textures_of(Material const& material);
+
+// As a PNG file, the picture of the material's colour with that colour in it; empty if it has none.
+std::string colored_picture(Material const& material);
 
 // The picture as a PNG file (ISO/IEC 15948), greyscale of 8 bits. Same picture, same bytes.
 std::string png_bytes(GreyPicture const& picture);

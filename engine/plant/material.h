@@ -3,12 +3,34 @@
 #include "engine/base/vectors.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace tractus {
 
 // Index into Plant::materials.
 using MaterialId = std::uint16_t;
+
+// A picture on a surface, as the bytes of a PNG file, and what is beyond its edges.
+struct TexturePicture {
+    std::string png;
+    enum class Edges { Repeat, Clamp } edges = Edges::Repeat;
+};
+
+// Shared by all copies of a material, since plants are copied often; none where it is null.
+using TextureSlot = std::shared_ptr<TexturePicture const>;
+
+// Pictures that say more of a surface than its numbers do, and multiply them. In the texture
+// coordinates of meshes (engine/mesh/mesh.h), rows along v, the first at v = 0.
+struct MaterialTextures {
+    TextureSlot base_color {};          // sRGB, and alpha if the picture has it.
+    TextureSlot normal {};              // In tangent space; green points against v.
+    TextureSlot occlusion_roughness {}; // Red: sky that is seen; green: roughness; blue: metal.
+    TextureSlot translucency {};        // Alpha: how much light passes.
+
+    // Whether what is less than half there by base_color's alpha is not there at all.
+    enum class Alpha { Opaque, Mask } alpha = Alpha::Opaque;
+};
 
 // How a surface looks: enough for the renderer and for glTF's metallic-roughness model, in which
 // plants are not metallic.
@@ -26,6 +48,7 @@ struct Material {
     Vec3f base_color { 0.31f, 0.23f, 0.16f }; // sRGB as people write it, 0 to 1.
     float roughness = 0.9f;                   // 0 to 1, as in glTF 2.0 section 3.9.2.
     float translucency = 0; // Share of light that passes through, 0 to 1; Leaf and Petal only.
+    MaterialTextures textures {}; // Those that are missing are the exporter's own for the kind.
 };
 
 } // namespace tractus

@@ -24,6 +24,16 @@ def count():
     return len(objects), len(materials), triangles
 
 
+# Bark has its colour, and from an .obj its normals, from pictures that are there.
+def has_bark(path):
+    tree = bpy.data.materials["bark"].node_tree
+    shader = tree.nodes["Principled BSDF"]
+    pictures = [node.image for node in tree.nodes if node.type == "TEX_IMAGE"]
+    names = ("Base Color", "Normal") if path.endswith(".obj") else ("Base Color",)
+    linked = all(shader.inputs[name].is_linked for name in names)
+    return linked and len(pictures) >= len(names) and all(picture.size[0] > 0 for picture in pictures)
+
+
 arguments = sys.argv[sys.argv.index("--") + 1 :]
 failed = not arguments
 for i in range(0, len(arguments), 4):
@@ -33,5 +43,8 @@ for i in range(0, len(arguments), 4):
     found = count()
     print(f"{path}: objects, materials, triangles: {found}, expected {expected}", flush=True)
     failed = failed or found != expected
+    if "bark" in bpy.data.materials and not has_bark(path):
+        print(f"{path}: bark has not its pictures", flush=True)
+        failed = True
 if failed:
     raise SystemExit(1)

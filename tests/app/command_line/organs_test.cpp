@@ -74,5 +74,19 @@ TEST_F(Organs, AFileThatManyProgramsOpenSlowlySaysSoBeforeItIsWritten)
     EXPECT_EQ(run("tractus grow daisy -o small.glb").err, "");
 }
 
+TEST_F(Organs, AnObjHasItsMaterialsAndPicturesBesideIt)
+{
+    EXPECT_EQ(run("mkdir out && tractus grow broadleaf -o out/tree.obj").exit_code, 0);
+    auto const obj = read("out/tree.obj");
+    EXPECT_NE(obj.substr(0, 200).find("mtllib tree.mtl\n"), std::string::npos);
+    auto const materials = read("out/tree.mtl");
+    for (auto const* const picture : { "bark-color", "bark-normal", "leaf-color" }) {
+        auto const name = std::string("tree-") + picture + ".png";
+        EXPECT_NE(materials.find(name), std::string::npos) << materials;
+        EXPECT_EQ(read("out/" + name).substr(1, 3), "PNG");
+    }
+    EXPECT_EQ(count_files("out"), 5u);
+}
+
 } // namespace
 } // namespace tractus

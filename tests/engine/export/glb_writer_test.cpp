@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <cstring>
 #include <gtest/gtest.h>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 namespace tractus {
@@ -208,7 +210,7 @@ TEST(GlbWriter, SharesWhatPlantsHaveInCommon)
             { .name = "c", .position_mm = { 0, 2000, 0 }, .mesh = &meshes[2] } };
     auto const json = json_of(glb_of(plants, kInstanced));
     EXPECT_EQ(json["materials"].size(), 2u);
-    EXPECT_EQ(json["images"].size(), 2u);
+    EXPECT_EQ(json["images"].size(), 3u);
     EXPECT_EQ(json["meshes"].size(), 4u); // Three plants and the leaf.
     EXPECT_EQ(json["scenes"][0]["nodes"].size(), 3u);
     auto const& last = json["nodes"][json["scenes"][0]["nodes"][2].get<std::size_t>()];
@@ -374,6 +376,45 @@ TEST(GlbWriter, WritesANodePerOrganWhenAsked)
     auto const json = json_of(glb_of(make_mesh(plant), { .organs = GlbOptions::Organs::Nodes }));
     EXPECT_EQ(json["nodes"].size(), plant.organs.size() + 1);
     EXPECT_FALSE(json.contains("extensionsUsed"));
+}
+
+TEST(GlbWriter, BarkHasItsFurrowsColourAndOcclusion)
+{
+    auto const json = json_of(glb_of(make_mesh(sample_tree(1))));
+    auto const& bark = json["materials"][0];
+    ASSERT_TRUE(bark.contains("occlusionTexture"));
+    EXPECT_EQ(bark["occlusionTexture"], bark["pbrMetallicRoughness"]["metallicRoughnessTexture"]);
+    EXPECT_EQ(json["images"].size(), 3u); // Of bark, and the leaf's veins.
+    EXPECT_FALSE(json["materials"][1].contains("normalTexture"));
+}
+
+TEST(GlbWriter, WritesTheTexturesOfAMaterial)
+{
+    auto mesh = make_mesh(sample_tree(1));
+    auto const picture = [](char const* png) {
+        return std::make_shared<TexturePicture const>(
+            TexturePicture { png, TexturePicture::Edges::Clamp });
+    };
+    auto& leaf = mesh.materials[1];
+    leaf.textures = { .base_color = picture("colour"),
+                      .normal = picture("normal"),
+                      .occlusion_roughness = picture("roughness"),
+                      .translucency = picture("translucency"),
+                      .alpha = MaterialTextures::Alpha::Mask };
+    auto const json = json_of(glb_of(mesh));
+    auto const& written = json["materials"][1];
+    EXPECT_EQ(written["alphaMode"], "MASK");
+    EXPECT_EQ(written["doubleSided"], true);
+    std::set<int> const indices {
+        written["pbrMetallicRoughness"]["baseColorTexture"]["index"].get<int>(),
+        written["pbrMetallicRoughness"]["metallicRoughnessTexture"]["index"].get<int>(),
+        written["normalTexture"]["index"].get<int>(),
+        written["extensions"]["KHR_materials_diffuse_transmission"]["diffuseTransmissionTexture"]
+               ["index"]
+                   .get<int>()
+    };
+    EXPECT_EQ(indices.size(), 4u);
+    EXPECT_FALSE(json.contains("extensionsRequired"));
 }
 
 TEST(GlbWriter, LeavesAreDoubleSidedAndColoursLinear)

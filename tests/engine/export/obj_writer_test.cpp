@@ -82,6 +82,38 @@ TEST(ObjWriter, TellsMaterialsOfOneNameApart)
     EXPECT_NE(out.str().find("usemtl bark.2\n"), std::string::npos);
 }
 
+TEST(ObjWriter, MaterialsNameTheirRoughnessAndPictures)
+{
+    Mesh const mesh = make_mesh(sample_tree(1));
+    PlacedMesh const placed { .mesh = &mesh };
+    std::ostringstream materials;
+    auto const pictures = write_mtl(materials, std::span(&placed, 1), "tree");
+    ASSERT_TRUE(pictures);
+    auto const text = materials.str();
+    EXPECT_NE(text.find("\nPr 0.9000\nPm 0\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\nmap_Kd tree-bark-color.png\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\nmap_Bump tree-bark-normal.png\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\nmap_Kd tree-leaf-color.png\n"), std::string::npos) << text;
+    ASSERT_EQ(pictures->size(), 3u);
+    for (auto const& [name, png] : *pictures) {
+        EXPECT_NE(text.find(name), std::string::npos);
+        EXPECT_EQ(png.substr(1, 3), "PNG");
+    }
+}
+
+TEST(ObjWriter, AMaterialThatIsNotUsedTakesNoName)
+{
+    Mesh mesh = make_mesh(single_axis(1, 1, 1));
+    mesh.materials.push_back(mesh.materials[0]);
+    mesh.materials[0].base_color = { 0, 0, 1 };
+    mesh.surfaces[0].material = 1;
+    PlacedMesh const placed { .mesh = &mesh };
+    std::ostringstream materials;
+    ASSERT_TRUE(write_mtl(materials, std::span(&placed, 1)));
+    EXPECT_NE(materials.str().find("newmtl bark\nKd 0.3100"), std::string::npos);
+    EXPECT_EQ(materials.str().find("newmtl bark.2"), std::string::npos);
+}
+
 TEST(ObjWriter, SaysThatTheStreamFailed)
 {
     Mesh const mesh = make_mesh(single_axis(1, 1, 1));

@@ -1,0 +1,189 @@
+#include "engine/export/bark_relief.h"
+
+#include "engine/base/random.h"
+#include "engine/base/vectors.h"
+#include "engine/export/png.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace tractus {
+namespace {
+
+constexpr int kSize = 512;
+constexpr std::uint32_t kReliefStream = 0x72656c69;
+
+double eased_between(double low, double high, double x)
+{
+    double const t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+// Value noise in a box around a cylinder of radius 1 that repeats along the axis.
+class CylinderNoise {
+public:
+    // Cells to the radius, and to the repeated length.
+    CylinderNoise(std::uint32_t layer, double across, int along)
+        : across_(across)
+        , along_(along)
+        , side_(2 * static_cast<int>(std::ceil(across)) + 3)
+    {
+        auto const count
+            = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_ * along);
+        values_.reserve(count);
+        for (std::size_t i = 0; i < count; ++i)
+            values_.push_back(
+                random_block({ .seed = 0, .stream = kReliefStream, .substream = layer }, i)[0]
+                * 0x1p-32);
+    }
+
+    // `x` and `y` -1 to 1, `v` in repeated lengths; `shift` moves along, in cells. 0 to 1.
+    double at(double x, double y, double v, double shift = 0) const
+    {
+        double const middle = 0.5 * side_;
+        double const place[3] = { middle + x * across_, middle + y * across_, v * along_ + shift };
+        int cell[3];
+        double part[3];
+        for (int k = 0; k < 3; ++k) {
+            cell[k] = static_cast<int>(std::floor(place[k]));
+            part[k] = eased_between(0, 1, place[k] - cell[k]);
+        }
+        double sum = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+            double weight = 1;
+            for (int k = 0; k < 3; ++k)
+                weight *= (corner >> k & 1) ? part[k] : 1 - part[k];
+            sum += weight
+                * value(cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1),
+                        cell[2] + (corner >> 2));
+        }
+        return sum;
+    }
+
+private:
+    double value(int x, int y, int z) const
+    {
+        z = (z % along_ + along_) % along_;
+        return values_[static_cast<std::size_t>(
+            std::clamp(x, 0, side_ - 1) + side_ * (std::clamp(y, 0, side_ - 1) + side_ * z))];
+    }
+
+    double across_;
+    int along_;
+    int side_;
+    std::vector<double> values_;
+};
+
+// Heights, 0 to 1: ridges between furrows, as the window's shader has them (surface.cpp), with
+// whole numbers of cells along the axis.
+class Relief {
+public:
+    Relief()
+    {
+        CylinderNoise const wander(0, 2, 7);
+        CylinderNoise const coarse(1, 3.4, 5);
+        CylinderNoise const fine(2, 8, 15);
+        for (int row = 0; row < kSize; ++row)
+            for (int column = 0; column < kSize; ++column) {
+                double const angle = 2 * kPi * (column + 0.5) / kSize;
+                double const v = (row + 0.5) / kSize;
+                double const x = std::cos(angle);
+                double const y = std::sin(angle);
+                double const bent = wander.at(x, y, v);
+                double const large = 1 - std::abs(2 * coarse.at(x, y, v, 0.8 * bent) - 1);
+                double const small = 1 - std::abs(2 * fine.at(x, y, v, bent) - 1);
+                heights_.push_back(0.68 * large + 0.32 * small);
+            }
+    }
+
+    // Beyond the edges it repeats.
+    double at(int column, int row) const
+    {
+        auto const wrapped = [](int i) { return static_cast<std::size_t>((i + kSize) % kSize); };
+        return heights_[wrapped(row) * kSize + wrapped(column)];
+    }
+
+    // The mean of a square.
+    double around(int column, int row) const
+    {
+        constexpr int kReach = 12;
+        constexpr int kStep = 4;
+        double sum = 0;
+        int count = 0;
+        for (int y = -kReach; y <= kReach; y += kStep)
+            for (int x = -kReach; x <= kReach; x += kStep, ++count)
+                sum += at(column + x, row + y);
+        return sum / count;
+    }
+
+private:
+    std::vector<double> heights_;
+};
+
+Relief const& relief()
+{
+    static Relief const relief;
+    return relief;
+}
+
+std::uint8_t byte_of(double value)
+{
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
+}
+
+// `color(column, row)` is red, green, blue, 0 to 1.
+template<typename Color> TextureSlot paint_colors(Color const& color)
+{
+    std::vector<std::uint8_t> pixels;
+    pixels.reserve(std::size_t { 3 } * kSize * kSize);
+    for (int row = 0; row < kSize; ++row)
+        for (int column = 0; column < kSize; ++column)
+            for (double const value : Vec3(color(column, row)))
+                pixels.push_back(byte_of(value));
+    return std::make_shared<TexturePicture const>(
+        TexturePicture { png_bytes({ kSize, kSize, 3, pixels, PngPicture::Packing::Fast }),
+                         TexturePicture::Edges::Repeat });
+}
+
+Vec3 normal_color(int column, int row)
+{
+    constexpr double kBump = 0.055; // As the window's.
+    auto const& heights = relief();
+    double const per_step = 0.5 * kSize * kBump;
+    double const slope_u = per_step * (heights.at(column + 1, row) - heights.at(column - 1, row));
+    double const slope_v = per_step * (heights.at(column, row + 1) - heights.at(column, row - 1));
+    Vec3 const normal = Vec3(-slope_u, slope_v, 1).normalized();
+    return 0.5 * (normal + Vec3::Ones());
+}
+
+Vec3 occlusion_color(int column, int row)
+{
+    auto const& heights = relief();
+    double const depth = heights.around(column, row) - heights.at(column, row);
+    return { std::clamp(1 - 2 * std::max(depth, 0.0), 0.3, 1.0), 1, 0 };
+}
+
+} // namespace
+
+GreyPicture bark_color_picture()
+{
+    GreyPicture picture { kSize, kSize, {} };
+    for (int row = 0; row < kSize; ++row)
+        for (int column = 0; column < kSize; ++column)
+            picture.pixels.push_back(
+                byte_of(0.45 + 0.55 * eased_between(0.30, 0.95, relief().at(column, row))));
+    return picture;
+}
+
+MaterialTextures const& bark_textures()
+{
+    static MaterialTextures const textures {
+        .normal = paint_colors(normal_color),
+        .occlusion_roughness = paint_colors(occlusion_color),
+    };
+    return textures;
+}
+
+} // namespace tractus

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/export/texture.h"
+#include "engine/plant/material.h"
+
+namespace tractus {
+
+// Bark's relief as the renderer shows it, baked into pictures that tile: once around the branch
+// along u, and as far along the axis along v. Made when they are first asked for; always the same.
+
+// How light the bark is: multiplies its colour.
+GreyPicture bark_color_picture();
+
+// Normals, which .obj files have (glTF 2.0 section 3.9.3: green points against v) and, red, what
+// the furrows hide of the sky, with roughness in green as it is and no metal in blue.
+MaterialTextures const& bark_textures();
+
+} // namespace tractus
