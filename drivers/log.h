@@ -41,6 +41,8 @@ struct LogRecord {
     std::uint32_t offset = 0; // In Log::bytes.
     std::uint16_t size = 0;   // 0: not a report, the device went away.
     std::uint16_t device = 0; // Index in Log::devices.
+
+    bool operator==(LogRecord const&) const = default;
 };
 
 // "From now on the pen means this."
@@ -82,10 +84,12 @@ constexpr std::size_t kMaxLogWarnings = 20;
 // Skips with a warning: reports that do not have the bytes they announce or more than 512, a last
 // line without its line break that is not whole, a second, different descriptor of the same device.
 // Fails, as the user's fault, with file and line: a text without any R line, an R line whose length
-// is not the number of its bytes, a report of a device without R line.
+// is not the number of its bytes, a report of a device without R line, a line of more than 1 MiB,
+// text in UTF-16.
 Result<Log> parse_log(std::string_view text, std::string_view name);
 
-// The same from a file of at most 1 GiB.
+// Reads the log in a file of at most 1 GiB, piece by piece: of the text, no more than a line is
+// kept.
 Result<Log> read_log(std::filesystem::path const& path);
 
 // The warnings in one line for a person: "FILE: 2 odd lines, the first is line 7: …", or empty.

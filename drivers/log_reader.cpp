@@ -15,6 +15,8 @@ namespace tractus {
 namespace {
 
 constexpr std::size_t kMaxReportBytes = sizeof(RawReport::storage);
+constexpr std::size_t kMaxLineBytes = std::size_t { 1 } << 20;
+constexpr std::size_t kMaxLogBytes = std::size_t { 1 } << 30;
 constexpr std::size_t kMaxDevices = 1024;
 constexpr std::size_t kNanosecondDigits = 9;
 
@@ -118,7 +120,8 @@ public:
     // and nothing else. False, and nothing appended, if it is not.
     bool plain_bytes(std::size_t size, std::vector<std::byte>& bytes)
     {
-        if (static_cast<std::size_t>(end_ - at_) != 3 * size)
+        auto const left = static_cast<std::size_t>(end_ - at_);
+        if (left % 3 != 0 || left / 3 != size) // A product could wrap around.
             return false;
         auto const old_size = bytes.size();
         bytes.resize(old_size + size);
@@ -185,16 +188,16 @@ private:
 
 class Reader {
 public:
-    Reader(std::string_view text, std::string_view name)
-        : text_(text)
-    {
-        log_.name = name;
-        constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-        if (text_.starts_with(kByteOrderMark))
-            text_.remove_prefix(kByteOrderMark.size());
-    }
+    explicit Reader(std::string_view name) { log_.name = name; }
 
-    Result<Log> read();
+    // So many bytes will come, or fewer.
+    void expect(std::size_t bytes);
+
+    // The next piece of the text, cut anywhere.
+    Result<void> feed(std::string_view piece);
+
+    // When all of it has come. Once.
+    Result<Log> finish();
 
 private:
     // What is known of one device number.
@@ -203,6 +206,7 @@ private:
         bool has_descriptor = false;
     };
 
+    Result<void> take_line(std::string_view line);
     Result<void> read_line(std::string_view line);
     Result<void> read_report(std::string_view content);
     Result<void> read_departure(std::string_view content);
@@ -216,8 +220,8 @@ private:
     void warn(std::string message);
     tl::unexpected<Error> broken(std::string const& what) const;
 
-    std::string_view text_;
     Log log_;
+    std::string begun_line_;            // What the last piece had of a line that it did not end.
     std::vector<Numbered> numbered_;    // Beside log_.devices.
     std::size_t number_ = 0;            // As the last D line says.
     std::optional<std::size_t> device_; // Index of number_; none until something is said of it.
@@ -236,21 +240,53 @@ void Reader::warn(std::string message)
         log_.warnings.push_back({ line_, std::move(message) });
 }
 
-Result<Log> Reader::read()
+void Reader::expect(std::size_t bytes)
 {
     // A report of ten bytes takes some fifty characters: one allocation for most logs.
-    log_.records.reserve(text_.size() / 48);
-    log_.bytes.reserve(text_.size() / 4);
-    for (auto left = text_; !left.empty();) {
-        auto const end = left.find('\n');
-        is_whole_ = end != std::string_view::npos;
-        auto line = left.substr(0, end);
-        left.remove_prefix(is_whole_ ? end + 1 : left.size());
-        ++line_;
-        while (line.ends_with('\r'))
-            line.remove_suffix(1);
-        TRY(read_line(line));
+    log_.records.reserve(bytes / 48);
+    log_.bytes.reserve(bytes / 4);
+}
+
+Result<void> Reader::feed(std::string_view piece)
+{
+    if (line_ == 0 && begun_line_.empty())
+        TRY(refuse_wide_text(piece, log_.name));
+    for (;;) {
+        auto const end = piece.find('\n');
+        if (begun_line_.size() + std::min(end, piece.size()) > kMaxLineBytes)
+            return fail(Fault::User,
+                        fmt::format("{}:{}: a line of more than {} bytes: this is no log",
+                                    log_.name, line_ + 1, kMaxLineBytes));
+        if (end == std::string_view::npos)
+            break;
+        if (begun_line_.empty()) {
+            TRY(take_line(piece.substr(0, end)));
+        } else {
+            begun_line_.append(piece.substr(0, end));
+            TRY(take_line(begun_line_));
+            begun_line_.clear();
+        }
+        piece.remove_prefix(end + 1);
     }
+    begun_line_.append(piece);
+    return {};
+}
+
+Result<void> Reader::take_line(std::string_view line)
+{
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (++line_ == 1 && line.starts_with(kByteOrderMark))
+        line.remove_prefix(kByteOrderMark.size());
+    while (line.ends_with('\r'))
+        line.remove_suffix(1);
+    return read_line(line);
+}
+
+Result<Log> Reader::finish()
+{
+    is_whole_ = false;
+    if (!begun_line_.empty())
+        TRY(take_line(begun_line_));
     if (std::none_of(numbered_.begin(), numbered_.end(),
                      [](auto const& n) { return n.has_descriptor; }))
         return fail(Fault::User,
@@ -467,13 +503,22 @@ Result<Log> parse_log(std::string_view text, std::string_view name)
 {
     if (text.size() > std::numeric_limits<std::uint32_t>::max())
         return fail(Fault::User, fmt::format("{} is larger than 4 GiB", name));
-    return Reader(text, name).read();
+    Reader reader(name);
+    reader.expect(text.size());
+    TRY(reader.feed(text));
+    return reader.finish();
 }
 
 Result<Log> read_log(std::filesystem::path const& path)
 {
-    auto const text = TRY(read_file(path));
-    return parse_log(text, path.string());
+    Reader reader(path.string());
+    std::error_code no_size; // A pipe has none.
+    auto const size = std::filesystem::file_size(path, no_size);
+    if (!no_size)
+        reader.expect(std::min<std::size_t>(size, kMaxLogBytes));
+    TRY(read_file_in_pieces(path, kMaxLogBytes,
+                            [&](std::string_view piece) { return reader.feed(piece); }));
+    return reader.finish();
 }
 
 std::string summarize_warnings(Log const& log)

@@ -147,8 +147,9 @@ Result<void> LiveWindow::close()
     take_reports();
     station_.finish();
     record_tool_changes();
-    flush_recording();
-    return desk_.finish(station_, options_.now());
+    auto recorded = recorder_ ? stop_recording() : Result<void>();
+    auto kept = desk_.finish(station_, options_.now());
+    return kept ? recorded : kept; // What was drawn is worth more.
 }
 
 void LiveWindow::advance(Duration real_step)

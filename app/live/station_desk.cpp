@@ -66,8 +66,13 @@ Result<void> StationDesk::finish(Station& station, Timestamp now)
     keeper_.try_again();
     keeper_.settle(station, now);
     keeper_.forget_kept(station);
-    if (keeper_.not_kept().empty())
-        return {};
+    if (keeper_.not_kept().empty()) {
+        Result<void> done;
+        while (auto const step = keeper_.take_done())
+            if (done && !step->status)
+                done = tl::unexpected(step->status.error());
+        return done;
+    }
     return fail(Fault::User,
                 fmt::format("what was drawn last is not kept ({} strokes): {}",
                             keeper_.unkept_strokes(), keeper_.not_kept()));

@@ -34,7 +34,8 @@ public:
     // The same when all that is under way is done, or cannot be done for now.
     void settle(Station& station, Timestamp now);
 
-    // Waits until what was drawn is kept. Fails, as the user's fault, if it cannot be.
+    // Waits until what was drawn, and what was done beside drawing, is kept. Fails, as the user's
+    // fault, if something cannot be.
     Result<void> finish(Station& station, Timestamp now);
 
     // A new file's name in the folder.

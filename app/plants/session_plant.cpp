@@ -1,8 +1,12 @@
 #include "app/plants/session_plant.h"
 
+#include "app/terminal/error_text.h"
 #include "engine/variation/growth.h"
 
+#include <algorithm>
 #include <fmt/core.h>
+#include <span>
+#include <variant>
 
 namespace tractus {
 
@@ -28,27 +32,68 @@ bool is_session_file(std::filesystem::path const& path)
     return path.extension() == ".tractus";
 }
 
+// The scene after a step; no value where one of its edits cannot be made.
+static Result<Scene> scene_after(Scene scene, std::span<SessionEdit const> step,
+                                 ModelCost const& cost)
+{
+    for (auto const& edit : step)
+        scene = TRY(apply_edit(std::move(scene), edit.edit, load_options(cost)));
+    return scene;
+}
+
+static bool loads_plant(std::span<SessionEdit const> step)
+{
+    return std::any_of(step.begin(), step.end(), [](SessionEdit const& edit) {
+        return std::holds_alternative<LoadModel>(edit.edit)
+            || std::holds_alternative<LoadSkeleton>(edit.edit);
+    });
+}
+
+Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost const& cost)
+{
+    FoldedSession folded;
+    std::span const all(contents.edits);
+    for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+        while (end < all.size() && all[end].step == all[first].step)
+            ++end;
+        if (all[first].step > contents.step)
+            break;
+        auto const step = all.subspan(first, end - first);
+        auto scene = scene_after(folded.scene, step, cost);
+        if (!scene && first == 0 && loads_plant(step))
+            return tl::unexpected(scene.error());
+        if (!scene) {
+            ++folded.skipped_steps;
+            continue;
+        }
+        folded.scene = *std::move(scene);
+        for (auto const& edit : step)
+            folded.edits.push_back(edit.edit);
+    }
+    return folded;
+}
+
+static Result<FoldedSession> load_folded(std::filesystem::path const& path, ModelCost const& cost)
+{
+    auto const contents = TRY(read_session(path));
+    auto folded = fold_session(contents, cost);
+    if (!folded)
+        return fail(folded.error().fault,
+                    fmt::format("{}: {}", path.string(), folded.error().message));
+    if (folded->skipped_steps > 0)
+        print_warning(fmt::format("{}: {} steps need what was lost and change nothing",
+                                  path.string(), folded->skipped_steps));
+    return folded;
+}
+
 Result<std::vector<Edit>> session_edits(std::filesystem::path const& path)
 {
-    auto contents = TRY(read_session(path));
-    std::vector<Edit> edits;
-    for (auto& kept : contents.edits)
-        if (kept.step <= contents.step)
-            edits.push_back(std::move(kept.edit));
-    return edits;
+    return TRY(load_folded(path, {})).edits;
 }
 
 Result<Scene> load_session_scene(std::filesystem::path const& path, ModelCost const& cost)
 {
-    Scene scene;
-    for (auto const& edit : TRY(session_edits(path))) {
-        auto next = apply_edit(std::move(scene), edit, load_options(cost));
-        if (!next)
-            return fail(next.error().fault,
-                        fmt::format("{}: {}", path.string(), next.error().message));
-        scene = *std::move(next);
-    }
-    return scene;
+    return TRY(load_folded(path, cost)).scene;
 }
 
 Result<Plant> shown_plant(Scene const& scene)

@@ -17,11 +17,21 @@ namespace tractus {
 // True for a session's file (.tractus), by its ending alone.
 bool is_session_file(std::filesystem::path const& path);
 
-// The edits of a session that count. Fails like read_session().
+// The edits of a session that count and can be made, in order: a step that needs what was lost when
+// the session was damaged is left out. Fails like read_session().
 Result<std::vector<Edit>> session_edits(std::filesystem::path const& path);
 
 // What they amount to.
 Result<Scene> load_session_scene(std::filesystem::path const& path, ModelCost const& cost = {});
+
+// What the edits of a session amount to, as far as they can be made, and how many of its steps
+// cannot.
+struct FoldedSession {
+    Scene scene;
+    std::vector<Edit> edits;
+    std::size_t skipped_steps = 0;
+};
+Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost const& cost = {});
 
 // The plant as the station's window shows it: as drawn, grown as the scene says, at its age.
 Result<Plant> shown_plant(Scene const& scene);

@@ -1,5 +1,6 @@
 #include "app/session/database.h"
 
+#include "drivers/file.h"
 #include "engine/base/check.h"
 
 #include <cstring>
@@ -196,11 +197,7 @@ Result<void> Database::back_up(fs::path const& copy) const
         if (int const code = sqlite3_backup_finish(backup); code != SQLITE_OK)
             return target.error(code);
     }
-    fs::rename(made, copy, failed);
-    if (failed)
-        return fail(Fault::User,
-                    fmt::format("cannot write {}: {}", copy.string(), failed.message()));
-    return {};
+    return rename_on_disk(made, copy);
 }
 
 bool Database::is_in_transaction() const
@@ -215,7 +212,10 @@ tl::unexpected<Error> Database::error(int code) const
     int const system_error = sqlite3_system_errno(database_.get());
     switch (code & 0xff) {
     case SQLITE_NOTADB:
-        return sentence(fmt::format("{} is not a session of tractus", name));
+        return sentence(
+            fmt::format("{0} is not a session of tractus; if it was one, \"tractus session "
+                        "repair {0} -o NEW.tractus\" brings back what is whole",
+                        name));
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
         return sentence(fmt::format("{} is in use by another program: close it there first", name));
@@ -236,8 +236,10 @@ tl::unexpected<Error> Database::error(int code) const
             system_error != 0 ? std::strerror(system_error) : sqlite3_errstr(code)));
     default:
         // SQLITE_CORRUPT, and tables that are not as they should be.
-        return sentence(fmt::format("{} is damaged ({}): take a copy of it that is not", name,
-                                    sqlite3_errstr(code)));
+        return sentence(
+            fmt::format("{0} is damaged ({1}): \"tractus session repair {0} -o NEW.tractus\" "
+                        "brings back what is whole",
+                        name, sqlite3_errstr(code)));
     }
 }
 

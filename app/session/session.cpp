@@ -2,11 +2,8 @@
 
 #include "engine/base/check.h"
 
-#include <cerrno>
-#include <cstring>
 #include <fmt/core.h>
 #include <functional>
-#include <unistd.h>
 #include <utility>
 
 namespace tractus {
@@ -14,29 +11,6 @@ namespace tractus {
 namespace fs = std::filesystem;
 
 namespace {
-
-// Puts a whole file under its name, if nothing is there.
-Result<void> appear(fs::path const& made, fs::path const& path)
-{
-    // A link, since renaming would write over what is there.
-    bool const is_linked = ::link(made.c_str(), path.c_str()) == 0;
-    int const reason = errno;
-    std::error_code ignored;
-    if (!is_linked && reason != EEXIST && !fs::exists(path, ignored)) {
-        fs::rename(made, path, ignored); // On file systems without links.
-        if (!ignored)
-            return {};
-    }
-    fs::remove(made, ignored);
-    if (is_linked)
-        return {};
-    return fail(Fault::User,
-                reason == EEXIST
-                    ? fmt::format("{} is already there: choose another name, a session is never "
-                                  "written over",
-                                  path.string())
-                    : fmt::format("cannot write {}: {}", path.string(), std::strerror(reason)));
-}
 
 // The journal is kept beside the file, and synced at each commit.
 Result<Database> open_to_write(fs::path const& path)
@@ -75,25 +49,7 @@ Result<Session> Session::create(fs::path const& path, SessionOrigin const& origi
         return Result<std::vector<SessionEdit>>(std::move(beginning));
     };
     auto history = TRY(SessionHistory::create({}, read_beginning, options.load_options));
-    std::error_code ignored;
-    if (fs::exists(path, ignored))
-        return fail(Fault::User,
-                    fmt::format("{} is already there: choose another name, a session is never "
-                                "written over",
-                                path.string()));
-    auto const made = fs::path(fmt::format("{}.{}.part", path.string(), ::getpid()));
-    auto const write = [&]() -> Result<void> {
-        auto const database = TRY(Database::open(made, Database::Access::Create));
-        TRY(write_beginning(database, origin, edits));
-        return database.execute("PRAGMA journal_mode = WAL");
-    };
-    if (auto const written = write(); !written) {
-        fs::remove(made, ignored);
-        return fail(
-            Fault::User,
-            fmt::format("cannot begin the session {}: {}", path.string(), written.error().message));
-    }
-    TRY(appear(made, path));
+    TRY(write_new_session(path, origin, beginning_rows(edits, origin.created), 0));
     auto database = TRY(open_to_write(path));
     return Session({ path, std::move(database) }, std::move(options), std::move(history));
 }

@@ -1,11 +1,18 @@
 #include "app/session/session_file.h"
 
+#include "drivers/file.h"
+
+#include <cerrno>
+#include <cstring>
 #include <fmt/core.h>
 #include <functional>
+#include <unistd.h>
 #include <utility>
 #include <zlib.h>
 
 namespace tractus {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -13,8 +20,19 @@ constexpr std::int64_t kApplicationId = 0x54524143; // "TRAC"
 
 tl::unexpected<Error> damaged(std::string const& name, std::string const& what)
 {
+    return fail(
+        Fault::User,
+        fmt::format("{0} is damaged ({1}): \"tractus session repair {0} -o NEW.tractus\" brings "
+                    "back what is whole",
+                    name, what));
+}
+
+tl::unexpected<Error> already_there(fs::path const& path)
+{
     return fail(Fault::User,
-                fmt::format("{} is damaged ({}): take a copy of it that is not", name, what));
+                fmt::format("{} is already there: choose another name, a session is never written "
+                            "over",
+                            path.string()));
 }
 
 // The format's version, one that this program knows.
@@ -180,6 +198,11 @@ Result<void> write_meta(Database const& database, char const* key, std::string c
 
 } // namespace
 
+std::int64_t checksum_of(EditRow const& row)
+{
+    return checksum(row.step, row.record);
+}
+
 Result<SessionContents> read_session(std::filesystem::path const& path)
 {
     auto const database = TRY(Database::open(path, Database::Access::Read));
@@ -198,8 +221,9 @@ Result<SessionSummary> check_session(Database const& database, std::string const
     return read_all(database, name, [](SessionEdit&&) {});
 }
 
-Result<void> write_beginning(Database const& database, SessionOrigin const& origin,
-                             std::span<Edit const> edits)
+// The tables, the rows and the origin, in one transaction.
+static Result<void> write_tables(Database const& database, SessionOrigin const& origin,
+                                 std::span<EditRow const> rows, std::size_t step)
 {
     TRY(database.execute("BEGIN"));
     TRY(database.execute(fmt::format("PRAGMA application_id = {}", kApplicationId)));
@@ -211,9 +235,63 @@ Result<void> write_beginning(Database const& database, SessionOrigin const& orig
     TRY(write_meta(database, "plant", origin.plant));
     TRY(write_meta(database, "program", origin.program));
     TRY(write_meta(database, "created", origin.created.time_since_epoch().count()));
-    auto const rows = TRY(rows_of(database, { 0, edits, origin.created }));
     TRY(write_step(database, rows));
+    TRY(write_cursor(database, step));
     return database.execute("COMMIT");
+}
+
+// Puts a whole file under its name, if nothing is there.
+static Result<void> appear(fs::path const& made, fs::path const& path)
+{
+    // A link, since renaming would write over what is there.
+    bool const is_linked = ::link(made.c_str(), path.c_str()) == 0;
+    int const reason = errno;
+    std::error_code ignored;
+    if (!is_linked && reason != EEXIST && !fs::exists(path, ignored)) {
+        if (rename_on_disk(made, path)) // On file systems without links.
+            return {};
+    }
+    fs::remove(made, ignored);
+    flush_name_to_disk(path);
+    if (is_linked)
+        return {};
+    return reason == EEXIST
+        ? already_there(path)
+        : fail(Fault::User,
+               fmt::format("cannot write {}: {}", path.string(), std::strerror(reason)));
+}
+
+Result<void> write_new_session(fs::path const& path, SessionOrigin const& origin,
+                               std::span<EditRow const> rows, std::size_t step)
+{
+    std::error_code ignored;
+    if (fs::exists(path, ignored))
+        return already_there(path);
+    auto const made = fs::path(fmt::format("{}.{}.part", path.string(), ::getpid()));
+    auto const write = [&]() -> Result<void> {
+        auto const database = TRY(Database::open(made, Database::Access::Create));
+        TRY(write_tables(database, origin, rows, step));
+        return database.execute("PRAGMA journal_mode = WAL");
+    };
+    if (auto const written = write(); !written) {
+        fs::remove(made, ignored);
+        return fail(
+            Fault::User,
+            fmt::format("cannot begin the session {}: {}", path.string(), written.error().message));
+    }
+    return appear(made, path);
+}
+
+std::vector<EditRow> beginning_rows(std::span<Edit const> edits, std::chrono::sys_seconds made)
+{
+    std::vector<EditRow> rows;
+    for (auto const& edit : edits) {
+        auto& row = rows.emplace_back();
+        row.record = record_of(edit);
+        row.place = { std::ssize(rows), checksum_of(row) };
+        row.made = made;
+    }
+    return rows;
 }
 
 Result<std::vector<EditRow>> rows_of(Database const& database, SessionStep const& step)

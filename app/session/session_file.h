@@ -73,10 +73,6 @@ Result<SessionContents> read_session(std::filesystem::path const& path);
 // forgotten.
 Result<SessionSummary> check_session(Database const& database, std::string const& name);
 
-// The tables, what a session begins with as step 0, and its origin, in one transaction.
-Result<void> write_beginning(Database const& database, SessionOrigin const& origin,
-                             std::span<Edit const> edits);
-
 // Edits that belong together.
 struct SessionStep {
     std::size_t number = 0;
@@ -91,6 +87,17 @@ struct EditRow {
     EditRecord record;
     std::chrono::sys_seconds made {};
 };
+
+// Writes rows as a session of their own, which appears whole; `step` is the last that counts.
+// Fails, as the user's fault, if the file is there already or cannot be written.
+Result<void> write_new_session(std::filesystem::path const& path, SessionOrigin const& origin,
+                               std::span<EditRow const> rows, std::size_t step);
+
+// What a row's checksum is if it is as it was written.
+std::int64_t checksum_of(EditRow const& row);
+
+// The rows that a session begins with: step 0.
+std::vector<EditRow> beginning_rows(std::span<Edit const> edits, std::chrono::sys_seconds made);
 
 // The rows of a step, numbered after all of earlier steps.
 Result<std::vector<EditRow>> rows_of(Database const& database, SessionStep const& step);

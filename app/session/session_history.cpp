@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <iterator>
 #include <utility>
+#include <variant>
 
 namespace tractus {
 
@@ -96,13 +97,8 @@ Result<Scene> SessionHistory::fold(Scene scene, std::size_t first, std::size_t l
                                    ReadStep const& read)
 {
     for (auto next = first; next <= last; ++next) {
-        for (auto const& [step, edit, made, place] : TRY(read(next))) {
-            auto applied = apply(std::move(scene), edit);
-            if (!applied)
-                return fail(applied.error().fault,
-                            fmt::format("edit {}: {}", place.number, applied.error().message));
-            scene = *std::move(applied);
-        }
+        auto const edits = TRY(read(next));
+        scene = next == 0 ? TRY(begin(edits)) : apply_step(std::move(scene), edits);
         // Not after each, since it looks at all strokes.
         if (is_worth_keeping(next) || next % kEvery == 0 || next == last)
             park_tips(scene);
@@ -110,6 +106,35 @@ Result<Scene> SessionHistory::fold(Scene scene, std::size_t first, std::size_t l
             keep(next, scene);
     }
     return scene;
+}
+
+Result<Scene> SessionHistory::begin(std::span<SessionEdit const> edits) const
+{
+    Scene scene;
+    for (auto const& [step, edit, made, place] : edits) {
+        auto applied = apply(scene, edit);
+        bool const loads_plant
+            = std::holds_alternative<LoadModel>(edit) || std::holds_alternative<LoadSkeleton>(edit);
+        if (applied)
+            scene = *std::move(applied);
+        else if (loads_plant)
+            return fail(applied.error().fault,
+                        fmt::format("edit {}: {}", place.number, applied.error().message));
+    }
+    return scene;
+}
+
+// A step that needs something which was lost changes nothing, and stays in the file.
+Scene SessionHistory::apply_step(Scene scene, std::span<SessionEdit const> edits) const
+{
+    auto next = scene;
+    for (auto const& edit : edits) {
+        auto applied = apply(std::move(next), edit.edit);
+        if (!applied)
+            return scene;
+        next = *std::move(applied);
+    }
+    return next;
 }
 
 void SessionHistory::push(Scene scene)

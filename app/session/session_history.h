@@ -31,8 +31,9 @@ struct SessionExtent {
 // session is, but for some 200 bytes for each stroke that still counts.
 class SessionHistory {
 public:
-    // Of a session that has a beginning. Fails where an edit does, saying which, and where reading
-    // does.
+    // Of a session that has a beginning. Fails where an edit of that does, saying which, and where
+    // reading does. A later step whose edits cannot be made, since what they need was lost when the
+    // session was damaged, changes nothing.
     static Result<SessionHistory> create(SessionExtent const& extent, ReadStep const& read,
                                          MakeLoadOptions load_options);
 
@@ -57,6 +58,8 @@ private:
 
     // On from the scene before step `first`.
     Result<Scene> fold(Scene scene, std::size_t first, std::size_t last, ReadStep const& read);
+    Result<Scene> begin(std::span<SessionEdit const> edits) const;
+    Scene apply_step(Scene scene, std::span<SessionEdit const> edits) const;
     Result<Scene> apply(Scene scene, Edit const& edit) const;
     void keep(std::size_t step, Scene scene);
     bool is_worth_keeping(std::size_t step) const;

@@ -1,7 +1,9 @@
 #include "app/session/session_store.h"
 
+#include "engine/base/check.h"
 #include "engine/stroke/oversketch.h"
 
+#include <fmt/core.h>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -77,12 +79,17 @@ public:
     {
     }
 
-    std::vector<TipSample> read() const override
+    Result<std::vector<TipSample>> read() const override
     {
         auto edit
             = file_->read([&](Database const& database) { return read_edit(database, place_); });
-        auto const* const stroke = edit ? stroke_of(*edit) : nullptr;
-        return stroke ? stroke->tips.vector() : std::vector<TipSample> {};
+        if (!edit)
+            return fail(edit.error().fault,
+                        fmt::format("the stroke of edit {} cannot be read: {}", place_.number,
+                                    edit.error().message));
+        auto const* const stroke = stroke_of(*edit);
+        CHECK(stroke != nullptr); // Its checksum is that of one which has.
+        return stroke->tips.vector();
     }
 
 private:
@@ -100,10 +107,11 @@ public:
     {
     }
 
-    std::vector<TipSample> read() const override
+    Result<std::vector<TipSample>> read() const override
     {
-        auto const redrawn = oversketch({ drawn_->read() }, { over_->read() });
-        return redrawn ? redrawn->tips.vector() : std::vector<TipSample> {};
+        auto drawn = TRY(drawn_->read());
+        auto over = TRY(over_->read());
+        return TRY(oversketch({ std::move(drawn) }, { std::move(over) })).tips.vector();
     }
 
 private:
@@ -119,10 +127,10 @@ public:
     {
     }
 
-    std::vector<TipSample> read() const override
+    Result<std::vector<TipSample>> read() const override
     {
-        auto const rest = erase_tips({ drawn_->read() }, ranges_);
-        return rest ? rest->tips.vector() : std::vector<TipSample> {};
+        auto drawn = TRY(drawn_->read());
+        return TRY(erase_tips({ std::move(drawn) }, ranges_)).tips.vector();
     }
 
 private:

@@ -269,8 +269,14 @@ void StationView::show_strokes(Scene const& scene)
         if (!inked.empty() && inked.back().id() == tips.id())
             continue; // One that shapes several branches is shown once.
         auto const found = before.find(tips.id());
-        lines.push_back(found == before.end() ? thinned(ink_line(tips.in_memory(), {}))
-                                              : std::move(state_.strokes[found->second]));
+        if (found != before.end()) {
+            lines.push_back(std::move(state_.strokes[found->second]));
+        } else if (auto const read = tips.in_memory()) {
+            lines.push_back(thinned(ink_line(*read, {})));
+        } else {
+            state_.status = read.error().message; // Looked for again when the strokes change.
+            continue;
+        }
         inked.push_back(tips);
     }
     for (auto const& indicator : scene.indicators)

@@ -60,7 +60,8 @@ Scene const& StrokePreview::readable_scene(Tool const& tool)
         readable_ = *scene_;
         for (auto const number : shaping_numbers(*scene_)) {
             auto association = scene_->associations[number];
-            association.stroke.tips = association.stroke.tips.in_memory();
+            if (auto tips = association.stroke.tips.in_memory())
+                association.stroke.tips = *std::move(tips); // Else the stroke itself will say why.
             readable_->associations.replace(number, std::move(association));
         }
     }

@@ -1,14 +1,20 @@
 #include "app/verbs/session.h"
 
+#include "app/plants/model_file.h"
 #include "app/plants/session_export.h"
 #include "app/plants/session_plant.h"
+#include "app/resources.h"
 #include "app/session/describe_edit.h"
+#include "app/session/session_repair.h"
 #include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
+#include "app/verbs/checks.h"
 
 #include <ctime>
 #include <filesystem>
 #include <fmt/chrono.h>
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <memory>
 #include <set>
 
@@ -19,6 +25,8 @@ namespace {
 struct SessionArguments {
     std::filesystem::path file;
     std::filesystem::path folder = ".";
+    std::filesystem::path repaired {};
+    std::string plant {}; // In place of a lost one.
 };
 
 // In UTC, so that a session says the same everywhere.
@@ -31,10 +39,29 @@ std::string date_text(std::chrono::sys_seconds time)
     return fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(static_cast<std::time_t>(seconds)));
 }
 
+// A session as it can be read, and why not all of it can.
+struct ReadSession {
+    SessionContents contents;
+    Result<void> whole {};
+};
+
+// Where a file is damaged what is whole of it is shown all the same.
+Result<ReadSession> read_what_is_whole(std::filesystem::path const& file)
+{
+    auto contents = read_session(file);
+    if (contents)
+        return ReadSession { *std::move(contents) };
+    auto const damage = contents.error();
+    auto const salvaged = salvage_session(file);
+    if (!salvaged)
+        return tl::unexpected(damage);
+    return ReadSession { contents_of(*salvaged), tl::unexpected(damage) };
+}
+
 Result<void> print_info(SessionArguments const& arguments)
 {
-    auto const contents = TRY(read_session(arguments.file));
-    auto const scene = TRY(load_session_scene(arguments.file));
+    auto const [contents, whole] = TRY(read_what_is_whole(arguments.file));
+    auto const [scene, edits, skipped_steps] = TRY(fold_session(contents));
     std::set<Timestamp> strokes; // One that shapes several branches counts once.
     std::size_t orphans = 0;
     for (auto const& association : scene.associations) {
@@ -62,17 +89,74 @@ Result<void> print_info(SessionArguments const& arguments)
     line("branches with strokes", scene.associations.size());
     line("motion indicators", scene.indicators.size());
     line("without a branch", orphans);
-    return print_out(text);
+    if (skipped_steps > 0)
+        line("steps that need more", skipped_steps);
+    TRY(print_out(text));
+    return whole;
 }
 
 Result<void> print_log(SessionArguments const& arguments)
 {
-    auto const contents = TRY(read_session(arguments.file));
+    auto const [contents, whole] = TRY(read_what_is_whole(arguments.file));
     std::string text;
     for (auto const& [step, edit, made, place] : contents.edits)
         text += fmt::format("{:>5}  step {:<5} {:<23}  {}{}\n", place.number, step, date_text(made),
                             describe_edit(edit), step > contents.step ? " (undone)" : "");
-    return print_out(text);
+    TRY(print_out(text));
+    return whole;
+}
+
+// "3, 7 to 9 and 12".
+std::string print_numbers(std::vector<std::int64_t> const& numbers)
+{
+    std::vector<std::string> ranges;
+    for (std::size_t i = 0; i < numbers.size();) {
+        auto end = i + 1;
+        while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1)
+            ++end;
+        ranges.push_back(end - i == 1 ? fmt::format("{}", numbers[i])
+                                      : fmt::format("{} to {}", numbers[i], numbers[end - 1]));
+        i = end;
+    }
+    std::string text = fmt::format("{}", fmt::join(ranges.begin(), ranges.end() - 1, ", "));
+    return text + (text.empty() ? "" : " and ") + ranges.back();
+}
+
+std::string print_lost(SalvagedSession const& session)
+{
+    auto const last = session.rows.back().place.number;
+    auto text = session.missing.empty()
+        ? fmt::format("none of edits 1 to {} is missing\n", last)
+        : fmt::format("lost: edits {} of {}\n", print_numbers(session.missing), last);
+    if (!session.missing.empty())
+        text += "what they did is not done; look whether the strokes after them shape what you "
+                "meant\n";
+    text += fmt::format("if there were edits after {}, they are lost\n", last);
+    if (!session.step)
+        text += "which steps were undone is lost: all count\n";
+    return text;
+}
+
+bool has_beginning(SalvagedSession const& session)
+{
+    auto const& first = session.rows.front();
+    return first.step == 0 && first.record.kind.starts_with("load_");
+}
+
+Result<void> repair(SessionArguments const& arguments)
+{
+    auto const session = TRY(salvage_session(arguments.file));
+    std::vector<Edit> beginning;
+    if (!arguments.plant.empty()) {
+        auto const model = TRY(find_model(arguments.plant));
+        beginning.push_back(TRY(load_plant_edit(model)));
+    } else if (!has_beginning(session)) {
+        print_warning(fmt::format("the plant itself is lost: give it with --plant, {} it was",
+                                  session.origin.plant));
+    }
+    TRY(write_repaired(session, beginning, arguments.repaired));
+    return print_out(fmt::format("{}: {} edits\n{}", arguments.repaired.string(),
+                                 session.rows.size() + beginning.size(), print_lost(session)));
 }
 
 Result<void> export_files(SessionArguments const& arguments)
@@ -108,6 +192,23 @@ void add_session_verb(CLI::App& root, Action& action)
     add_part(*verb, "info", "Say what a session is and holds", { action, print_info }, arguments);
     add_part(*verb, "log", "List what was done in it, edit by edit", { action, print_log },
              arguments);
+    auto& to_repair
+        = add_part(*verb, "repair", "Bring back what is whole of a damaged session, as a new one",
+                   { action, repair }, arguments);
+    to_repair
+        .add_option("-o,--output", arguments->repaired,
+                    "The new session; the old one stays as it is")
+        ->type_name("NEW.tractus")
+        ->check(name_ending_in({ ".tractus" }))
+        ->required();
+    to_repair
+        .add_option("--plant", arguments->plant,
+                    "Begin with this model, where the session's own plant is lost")
+        ->type_name("MODEL");
+    to_repair.footer("Looks at every byte of the file, and of the log beside it (FILE-wal), for "
+                     "edits that are as\n"
+                     "they were written, whatever else is damaged, and names those that are "
+                     "missing among them.");
     auto& to_files
         = add_part(*verb, "export", "Write its model and its strokes as files of their own",
                    { action, export_files }, arguments);

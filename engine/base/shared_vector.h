@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/base/result.h"
+
 #include <atomic>
 #include <cstddef>
 #include <initializer_list>
@@ -15,8 +17,9 @@ template<typename T> class ElementSource {
 public:
     virtual ~ElementSource() = default;
 
-    // Always the same ones; none if they cannot be read any more. Called from any thread.
-    virtual std::vector<T> read() const = 0;
+    // Always the same ones. Fails, in a sentence that names the place, where they cannot be read
+    // now: the next call may succeed. Called from any thread.
+    virtual Result<std::vector<T>> read() const = 0;
 };
 
 // A vector of which copies are cheap: they share their elements until one of them is changed, which
@@ -63,10 +66,13 @@ public:
         return parked;
     }
 
-    // The same elements in memory, which those of this need not be afterwards.
-    SharedVector in_memory() const
+    // The same elements in memory, which those of this need not be afterwards. Fails as their
+    // source does, and then changes nothing: whoever asks again reads again.
+    Result<SharedVector> in_memory() const
     {
-        return is_in_memory() ? *this : SharedVector(shared_->source->read(), shared_->source);
+        if (is_in_memory())
+            return *this;
+        return SharedVector(TRY(shared_->source->read()), shared_->source);
     }
 
     // Two with the same id have the same elements, as long as one of them is there; nobody needs to
@@ -76,6 +82,8 @@ public:
         return source() ? static_cast<void const*>(source().get()) : shared_.get();
     }
 
+    // Those that are not in memory are read, and stay; where they cannot be read there are none,
+    // for this once. Who must know that asks for in_memory().
     std::vector<T> const& vector() const { return shared_ ? shared_->look() : nothing(); }
     operator std::vector<T> const&() const
     {
@@ -123,17 +131,22 @@ private:
 
         std::vector<T> const& look()
         {
-            if (!is_in_memory)
-                std::call_once(reading, [this] {
-                    elements = source->read();
-                    is_in_memory = true;
-                });
+            if (is_in_memory)
+                return elements;
+            std::lock_guard const lock(reading);
+            if (!is_in_memory) {
+                auto read = source->read();
+                if (!read)
+                    return nothing();
+                elements = *std::move(read);
+                is_in_memory = true;
+            }
             return elements;
         }
 
         std::vector<T> elements;
         Source const source;
-        std::once_flag reading;
+        std::mutex reading;
         std::atomic<bool> is_in_memory { false }; // Then nothing here changes any more.
     };
 

@@ -157,7 +157,8 @@ Result<Scene> applied(Scene scene, Oversketch const& edit)
     TRY(check_numbers(scene, edit.associations));
     for (auto const number : edit.associations) {
         auto association = scene.associations[number];
-        association.stroke = TRY(oversketch({ association.stroke.tips.in_memory() }, edit.over));
+        auto drawn = TRY(association.stroke.tips.in_memory());
+        association.stroke = TRY(oversketch({ std::move(drawn) }, edit.over));
         TRY(check_association(*scene.base, association));
         scene.associations.replace(number, std::move(association));
     }
@@ -194,7 +195,8 @@ Result<Scene> applied(Scene scene, EraseTips const& edit)
         auto association = scene.associations[number];
         if (association.stroke.tips.id() != drawn.tips.id()) {
             drawn = association.stroke;
-            rest = TRY(erase_tips({ drawn.tips.in_memory() }, edit.ranges));
+            auto tips = TRY(drawn.tips.in_memory());
+            rest = TRY(erase_tips({ std::move(tips) }, edit.ranges));
         }
         association.stroke = rest;
         TRY(check_association(*scene.base, association));

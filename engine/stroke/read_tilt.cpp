@@ -5,9 +5,12 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <limits>
+#include <memory>
 #include <optional>
-#include <string_view>
-#include <zlib.h>
+#include <string>
+#include <utility>
+#include <vector>
+#include <zip.h>
 
 namespace tractus {
 
@@ -16,7 +19,7 @@ namespace {
 using Bytes = std::span<std::byte const>;
 
 constexpr std::size_t kMostSketchBytes = std::size_t { 64 } << 20;
-constexpr std::string_view kEntry = "data.sketch";
+constexpr char const* kEntry = "data.sketch";
 
 auto fail_reading(std::string const& name, std::string const& reason)
 {
@@ -61,105 +64,60 @@ private:
     bool is_good_ = true;
 };
 
-// Takes a deflated entry apart, up to a limit.
-std::optional<std::vector<std::byte>> inflated(Bytes packed, std::size_t size)
-{
-    std::vector<std::byte> bytes(size);
-    z_stream stream {};
-    if (inflateInit2(&stream, -MAX_WBITS) != Z_OK)
-        return std::nullopt;
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(packed.data()));
-    stream.avail_in = static_cast<uInt>(packed.size());
-    stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
-    stream.avail_out = static_cast<uInt>(bytes.size());
-    int const end = inflate(&stream, Z_FINISH);
-    bool const is_whole = end == Z_STREAM_END && stream.avail_out == 0;
-    inflateEnd(&stream);
-    if (!is_whole)
-        return std::nullopt;
-    return bytes;
-}
-
-// The directory at a zip archive's end names its entries (APPNOTE.TXT sections 4.3.12 and 4.3.16).
-struct Directory {
-    std::size_t begin = 0;
-    std::size_t entries = 0;
+struct CloseArchive {
+    void operator()(zip_t* archive) const { zip_discard(archive); }
 };
+using Archive = std::unique_ptr<zip_t, CloseArchive>;
 
-std::optional<Directory> find_directory(Bytes zip)
+struct CloseEntry {
+    void operator()(zip_file_t* entry) const { zip_fclose(entry); }
+};
+using Entry = std::unique_ptr<zip_file_t, CloseEntry>;
+
+std::string reason_of(zip_error_t& error)
 {
-    constexpr std::size_t kEndSize = 22;
-    constexpr std::uint32_t kEndMark = 0x06054b50;
-    for (std::size_t back = kEndSize; back <= std::min(zip.size(), kEndSize + 0xffff); ++back) {
-        Reader end(zip.subspan(zip.size() - back));
-        if (end.read<std::uint32_t>() != kEndMark)
-            continue;
-        end.skip(6);
-        auto const entries = end.read<std::uint16_t>();
-        auto const size = end.read<std::uint32_t>();
-        auto const begin = end.read<std::uint32_t>();
-        // Counted from the end, since the offset may or may not count what is before the archive.
-        auto const place = zip.size() - back - std::min<std::size_t>(size, zip.size() - back);
-        return Directory { std::max<std::size_t>(place, std::min<std::size_t>(begin, place)),
-                           entries };
+    std::string reason = zip_error_strerror(&error);
+    zip_error_fini(&error);
+    return reason;
+}
+
+Result<Archive> open_archive(std::string const& name, Bytes zip)
+{
+    zip_error_t error;
+    zip_error_init(&error);
+    auto* const source = zip_source_buffer_create(zip.data(), zip.size(), 0, &error);
+    if (source == nullptr)
+        return fail_reading(name, reason_of(error));
+    auto* const archive = zip_open_from_source(source, ZIP_RDONLY, &error);
+    if (archive == nullptr) {
+        zip_source_free(source);
+        return fail_reading(name, "its archive is damaged: " + reason_of(error));
     }
-    return std::nullopt;
+    zip_error_fini(&error);
+    return Archive(archive);
 }
 
-// What an entry's own header says, from its beginning.
-Result<std::vector<std::byte>> unpacked(std::string const& name, Bytes entry, std::uint16_t method,
-                                        std::size_t packed_size, std::size_t size)
-{
-    constexpr std::uint32_t kLocalMark = 0x04034b50;
-    Reader header(entry);
-    if (header.read<std::uint32_t>() != kLocalMark)
-        return fail_reading(name, "its archive points to nothing");
-    header.skip(22);
-    auto const name_size = header.read<std::uint16_t>();
-    auto const extra_size = header.read<std::uint16_t>();
-    header.skip(std::size_t { name_size } + extra_size);
-    if (!header.is_good() || packed_size > header.left())
-        return fail_reading(name, "the file is cut off");
-    if (size > kMostSketchBytes)
-        return fail_reading(name, fmt::format("its strokes are {} bytes, more than 64 MB", size));
-    auto const packed = entry.subspan(entry.size() - header.left(), packed_size);
-    if (method == 0 && packed_size == size)
-        return std::vector<std::byte>(packed.begin(), packed.end());
-    if (method == 8)
-        if (auto bytes = inflated(packed, size))
-            return *std::move(bytes);
-    return fail_reading(name, "its strokes are packed in a damaged or unknown way");
-}
-
+// Reads to the entry's end, whatever size the archive claims.
 Result<std::vector<std::byte>> find_sketch(std::string const& name, Bytes zip)
 {
-    auto const directory = find_directory(zip);
-    if (!directory)
-        return fail_reading(name, "it has no archive, or the file is cut off");
-    // Where the archive begins in the file, by its first entry's mark.
-    Reader entries(zip.subspan(directory->begin));
-    for (std::size_t i = 0; i < directory->entries && entries.is_good(); ++i) {
-        constexpr std::uint32_t kEntryMark = 0x02014b50;
-        if (entries.read<std::uint32_t>() != kEntryMark)
-            break;
-        entries.skip(6);
-        auto const method = entries.read<std::uint16_t>();
-        entries.skip(8);
-        auto const packed_size = entries.read<std::uint32_t>();
-        auto const size = entries.read<std::uint32_t>();
-        auto const name_size = entries.read<std::uint16_t>();
-        auto const extra_size = entries.read<std::uint16_t>();
-        auto const comment_size = entries.read<std::uint16_t>();
-        entries.skip(8);
-        auto const offset = entries.read<std::uint32_t>();
-        std::string entry_name;
-        for (std::size_t n = 0; n < name_size && entries.is_good(); ++n)
-            entry_name += entries.read<char>();
-        entries.skip(std::size_t { extra_size } + comment_size);
-        if (entries.is_good() && entry_name == kEntry && offset < zip.size())
-            return unpacked(name, zip.subspan(offset), method, packed_size, size);
+    auto const archive = TRY(open_archive(name, zip));
+    Entry const entry(zip_fopen(archive.get(), kEntry, 0));
+    if (!entry)
+        return fail_reading(name,
+                            fmt::format("there is no {} in it that can be read: {}", kEntry,
+                                        zip_strerror(archive.get())));
+    std::vector<std::byte> bytes;
+    std::vector<std::byte> piece(std::size_t { 1 } << 16);
+    for (;;) {
+        auto const count = zip_fread(entry.get(), piece.data(), piece.size());
+        if (count < 0)
+            return fail_reading(name, "its strokes are packed in a damaged or unknown way");
+        if (count == 0)
+            return bytes;
+        if (bytes.size() + static_cast<std::size_t>(count) > kMostSketchBytes)
+            return fail_reading(name, "its strokes are more than 64 MB");
+        bytes.insert(bytes.end(), piece.begin(), piece.begin() + count);
     }
-    return fail_reading(name, "there is no data.sketch in it");
 }
 
 // Which of the optional numbers a stroke and its points have (bits of two masks), each 4 bytes but

@@ -72,7 +72,8 @@ Result<ArcLength> curve_of(Association const& association)
         return fail(Fault::User,
                     fmt::format("{} of the hand cannot be kept: give a share from 0 to 1",
                                 association.kept_hand));
-    auto const points = TRY(stroke_points({ association.stroke.tips.in_memory() }));
+    auto const tips = TRY(association.stroke.tips.in_memory());
+    auto const points = TRY(stroke_points({ tips }));
     ArcLength curve(smooth_hand(points, association.kept_hand));
     if (association.fit == StrokeFit::Chord
         && chord_of(curve).norm() <= kNoChord * curve.length_mm())

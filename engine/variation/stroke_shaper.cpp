@@ -23,7 +23,9 @@ static bool same(Association const& a, Association const& b)
         return true;
     auto const tips = a.stroke.tips.in_memory();
     auto const others = b.stroke.tips.in_memory();
-    return std::equal(tips.begin(), tips.end(), others.begin(), others.end(), same_place);
+    // Where one cannot be read it is looked at again, and whoever does that says why.
+    return tips && others
+        && std::equal(tips->begin(), tips->end(), others->begin(), others->end(), same_place);
 }
 
 StrokeShaper::StrokeShaper(Plant const& plant, RestShape const& rest)

@@ -2,6 +2,34 @@
 
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <mutex>
+#include <string>
+#include <sys/syscall.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+// The paths of what fsync was called for, in order.
+static std::vector<std::string>& flushed()
+{
+    static std::vector<std::string> paths;
+    return paths;
+}
+
+static std::mutex flushed_mutex;
+
+// In place of the C library's for this program: notes what is flushed, and flushes it.
+extern "C" int fsync(int file)
+{
+    std::error_code ignored;
+    auto const path
+        = std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(file), ignored).string();
+    {
+        std::lock_guard const lock(flushed_mutex);
+        flushed().push_back(path);
+    }
+    return static_cast<int>(::syscall(SYS_fsync, file));
+}
 
 namespace tractus {
 namespace {
@@ -54,6 +82,32 @@ TEST_F(File, SaysWhyAFileCannotBeWritten)
     ASSERT_FALSE(result);
     EXPECT_NE(result.error().message.find("No such file or directory"), std::string::npos)
         << result.error().message;
+}
+
+// Otherwise a power failure leaves an empty file under the new name, or the old one.
+TEST_F(File, LetsTheDiskTakeAFileBeforeItsNameAndThenItsFolder)
+{
+    flushed().clear();
+    ASSERT_TRUE(write_file(folder_ / "x", "bytes"));
+    ASSERT_EQ(flushed().size(), 2u);
+    EXPECT_EQ(flushed()[0].find((folder_ / "x.").string()), 0u) << flushed()[0];
+    EXPECT_EQ(flushed()[1], folder_.string());
+}
+
+TEST_F(File, ManyWritersAtOnceDoNotDisturbEachOther)
+{
+    std::vector<std::thread> writers;
+    for (int i = 0; i < 8; ++i)
+        writers.emplace_back([&, i] {
+            for (int j = 0; j < 20; ++j)
+                EXPECT_TRUE(
+                    write_file(folder_ / "x", std::string(10'000, static_cast<char>('a' + i))));
+        });
+    for (auto& writer : writers)
+        writer.join();
+    auto const bytes = read_file(folder_ / "x").value();
+    EXPECT_EQ(bytes, std::string(10'000, bytes.at(0))) << "one writer's, whole";
+    EXPECT_EQ(file_count(), 1u);
 }
 
 TEST_F(File, WritesWhatALinkPointsTo)

@@ -4,11 +4,13 @@
 #include "drivers/log_writer.h"
 #include "tests/drivers/devices.h"
 
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <map>
 #include <sstream>
 #include <string>
+#include <unistd.h>
 
 namespace tractus {
 namespace {
@@ -183,6 +185,55 @@ TEST(LogReader, RefusesWhatIsNoLog)
     EXPECT_EQ(error_of(""),
               "pen.hid is not a log: none of its 0 lines is a report descriptor (\"R: <length> "
               "<bytes>\")");
+}
+
+// Three times the size is 2 in 64 bits, which is what stands behind it.
+TEST(LogReader, SkipsAReportWhoseSizeWouldWrapAround)
+{
+    auto const log = parsed("R: 1 c0\n"
+                            "E: 9.0 6148914691236517206 x\n"
+                            "E: 9.1 1 01\n");
+    EXPECT_EQ(log.records.size(), 1u);
+    ASSERT_EQ(log.warnings.size(), 1u);
+    EXPECT_EQ(log.warnings[0].line, 2u);
+}
+
+TEST(LogReader, RefusesALineThatIsNoLogs)
+{
+    auto const line = std::string(std::size_t { 1 } << 20, 'x');
+    EXPECT_EQ(error_of("R: 1 c0\n" + line + "y\n"),
+              "pen.hid:2: a line of more than 1048576 bytes: this is no log");
+    EXPECT_EQ(parsed("R: 1 c0\n" + line + "\nE: 0.1 1 01\n").records.size(), 1u);
+    // Endless, and told from its first bytes.
+    auto const zeros = read_log("/dev/zero");
+    ASSERT_FALSE(zeros);
+    EXPECT_EQ(zeros.error().message,
+              "/dev/zero:1: a line of more than 1048576 bytes: this is no log");
+}
+
+TEST(LogReader, NamesTextInUtf16)
+{
+    std::string const utf16("\xff\xfeR\0:\0", 6);
+    EXPECT_EQ(error_of(utf16), "pen.hid is text in UTF-16 or UTF-32: save it again as UTF-8");
+    EXPECT_EQ(error_of(std::string("R\0:\0 \0", 6)),
+              "pen.hid is text in UTF-16 or UTF-32: save it again as UTF-8");
+}
+
+// Lines end wherever the pieces do in which a file is read.
+TEST(LogReader, ReadsALogOfManyPieces)
+{
+    auto const path = std::filesystem::temp_directory_path()
+        / ("tractus_log_pieces_" + std::to_string(::getpid()));
+    std::string text = "R: 1 c0\n";
+    for (int i = 0; i < 20'000; ++i)
+        text += "E: " + std::to_string(i) + ".5 3 01 02 03\n";
+    std::ofstream(path) << text;
+    auto const log = read_log(path);
+    std::filesystem::remove(path);
+    ASSERT_TRUE(log) << log.error().message;
+    EXPECT_EQ(log->records.size(), 20'000u);
+    EXPECT_EQ(log->records, parsed(text).records);
+    EXPECT_EQ(log->warning_count, 0u);
 }
 
 TEST(LogReader, RefusesADescriptorOfTheWrongLength)

@@ -74,13 +74,14 @@ struct SeenStroke {
     Eigen::AlignedBox2d reach_mm;
 };
 
-std::vector<SeenStroke> strokes_on_pad(Scene const& scene)
+// Fails where the tips of one cannot be read.
+Result<std::vector<SeenStroke>> strokes_on_pad(Scene const& scene)
 {
     std::vector<SeenStroke> strokes;
     for (auto const number : shaping_numbers(scene)) { // The pad shows no others.
         auto& stroke = strokes.emplace_back();
         stroke.number = number;
-        stroke.tips = scene.associations[number].stroke.tips.in_memory();
+        stroke.tips = TRY(scene.associations[number].stroke.tips.in_memory());
         for (auto const& tip : stroke.tips) {
             Vec2 const place_mm = tip.position_mm.head<2>();
             stroke.reach_mm.extend(place_mm + Vec2::Constant(kEraserRadius_mm));
@@ -176,9 +177,11 @@ std::vector<TipRange> ranges_of(std::vector<bool> const& touched)
 
 // Whether what is left of an association's stroke still shapes its branches. A crumb smaller than
 // the eraser was not left on purpose, and its direction is chance.
-bool shapes_without(Scene const& scene, Association association, std::span<TipRange const> ranges)
+Result<bool> shapes_without(Scene const& scene, Association association,
+                            std::span<TipRange const> ranges)
 {
-    auto rest = erase_tips({ association.stroke.tips.in_memory() }, ranges);
+    auto tips = TRY(association.stroke.tips.in_memory());
+    auto rest = erase_tips({ std::move(tips) }, ranges);
     if (!rest)
         return false;
     auto const points = stroke_points(*rest);
@@ -190,7 +193,8 @@ bool shapes_without(Scene const& scene, Association association, std::span<TipRa
 
 // Those that lose the same tips together, then those that go whole: so all keep their numbers as
 // long as these are needed.
-std::vector<Edit> stroke_edits_of(Touched const& touched, Tool::Erasing erasing, Scene const& scene)
+Result<std::vector<Edit>> stroke_edits_of(Touched const& touched, Tool::Erasing erasing,
+                                          Scene const& scene)
 {
     std::vector<EraseTips> parts;
     DeleteStroke whole;
@@ -200,7 +204,7 @@ std::vector<Edit> stroke_edits_of(Touched const& touched, Tool::Erasing erasing,
             whole.associations.push_back(number);
         } else if (ranges.empty()) { // Between two of its tips, where it goes straight anyway.
             continue;
-        } else if (!shapes_without(scene, scene.associations[number], ranges)) {
+        } else if (!TRY(shapes_without(scene, scene.associations[number], ranges))) {
             whole.associations.push_back(number);
         } else {
             auto const same = std::find_if(parts.begin(), parts.end(), [&](EraseTips const& part) {
@@ -224,10 +228,10 @@ Result<std::vector<Edit>> erase_edits(Tool::Erasing erasing, Stroke const& strok
                                       Scene const& scene)
 {
     Touched touched;
-    auto const strokes = strokes_on_pad(scene);
+    auto const strokes = TRY(strokes_on_pad(scene));
     for (auto const& place_mm : way_of(stroke))
         touch(place_mm, scene, strokes, touched);
-    auto edits = stroke_edits_of(touched, erasing, scene);
+    auto edits = TRY(stroke_edits_of(touched, erasing, scene));
     // The last first: the others keep their numbers.
     std::sort(touched.indicators.begin(), touched.indicators.end(), std::greater<>());
     for (auto const number : touched.indicators)

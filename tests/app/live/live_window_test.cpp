@@ -187,6 +187,15 @@ TEST_F(LiveWindowClosing, SaysWhatCannotBeKept)
         << closed.error().message;
 }
 
+TEST_F(LiveWindowClosing, SaysWhichStepCannotBeKept)
+{
+    auto window = drawing();
+    ASSERT_TRUE(window.close());
+    FullDisk const disk(1);
+    window.perform(NextVariation {});
+    EXPECT_FALSE(window.close());
+}
+
 // A window that writes its files into a new folder, which goes away with it.
 class LiveWindowWithFolder : public testing::Test {
 protected:

@@ -72,7 +72,7 @@ std::ptrdiff_t strokes_in_memory(Scene const& scene)
 
 bool is_ink_of(Stroke const& stroke, InkLine const& shown)
 {
-    auto const ink = thinned(ink_line(stroke.tips.in_memory(), {}));
+    auto const ink = thinned(ink_line(stroke.tips.in_memory().value(), {}));
     return std::equal(ink.points.begin(), ink.points.end(), shown.points.begin(),
                       shown.points.end(), [](InkLine::Point const& a, InkLine::Point const& b) {
                           return a.position_mm == b.position_mm && a.width_mm == b.width_mm;

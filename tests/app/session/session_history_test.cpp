@@ -147,11 +147,24 @@ TEST(SessionHistory, FindsEveryStepOfALongSession)
     }
 }
 
-TEST(SessionHistory, SaysWhichEditFails)
+TEST(SessionHistory, SaysWhichPlantCannotBeLoaded)
 {
-    auto const history = Steps({ { small_model() }, { DeleteIndicator { 3 } } }).history();
+    auto const history
+        = Steps({ { SetGrowth {}, LoadModel { { "bad.l", "Lsystem: 1\nAxiom: (" } } } }).history();
     ASSERT_FALSE(history);
-    EXPECT_EQ(history.error().message, "edit 2: there is no motion indicator 4: the scene has 0");
+    EXPECT_EQ(history.error().message.find("edit 2: bad.l:2:"), 0u) << history.error().message;
+}
+
+// What an edit needs may have been lost when the file was damaged.
+TEST(SessionHistory, GoesOnWithoutAStepThatCannotBeMade)
+{
+    SetGrowth const seven { {}, 7 };
+    SetGrowth const eight { {}, 8 };
+    auto const history
+        = Steps({ { small_model() }, { seven }, { eight, DeleteIndicator { 3 } } }).history();
+    ASSERT_TRUE(history) << history.error().message;
+    EXPECT_EQ(history->scene().growth.seed, 7u) << "all of a step, or nothing";
+    EXPECT_EQ(history->last_step(), 2u);
 }
 
 } // namespace

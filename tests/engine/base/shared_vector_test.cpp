@@ -36,10 +36,10 @@ TEST(SharedVector, IsChangedInPlaceByItsOnlyOwner)
 
 // Counts how often it is read.
 struct Numbers : ElementSource<int> {
-    std::vector<int> read() const override
+    Result<std::vector<int>> read() const override
     {
         ++reads;
-        return { 1, 2, 3 };
+        return std::vector { 1, 2, 3 };
     }
     mutable int reads = 0;
 };
@@ -60,14 +60,41 @@ TEST(SharedVector, IsReadFromItsSourceWhenSomebodyLooksAtIt)
     EXPECT_EQ(numbers->reads, 1);
 }
 
+// Cannot be read the first time.
+struct Unreadable : ElementSource<int> {
+    Result<std::vector<int>> read() const override
+    {
+        if (reads++ == 0)
+            return fail(Fault::User, "the disk is away");
+        return std::vector { 1, 2, 3 };
+    }
+    mutable int reads = 0;
+};
+
+TEST(SharedVector, IsReadAgainAfterItCouldNotBe)
+{
+    auto const parked
+        = SharedVector<int>(std::vector { 1, 2, 3 }, std::make_shared<Unreadable>()).parked();
+    auto const failed = parked.in_memory();
+    ASSERT_FALSE(failed);
+    EXPECT_EQ(failed.error().message, "the disk is away");
+    EXPECT_EQ(parked.in_memory().value().size(), 3u);
+
+    auto const looked_at
+        = SharedVector<int>(std::vector { 1, 2, 3 }, std::make_shared<Unreadable>()).parked();
+    EXPECT_TRUE(looked_at.empty());
+    EXPECT_EQ(looked_at.size(), 3u);
+    EXPECT_TRUE(looked_at.is_in_memory());
+}
+
 TEST(SharedVector, IsInMemoryOnlyAsLongAsACopyThatIsLookedAt)
 {
     auto const numbers = std::make_shared<Numbers>();
     auto const parked = SharedVector<int>(std::vector { 1, 2, 3 }, numbers).parked();
-    EXPECT_EQ(parked.in_memory().vector(), (std::vector { 1, 2, 3 }));
+    EXPECT_EQ(parked.in_memory().value().vector(), (std::vector { 1, 2, 3 }));
     EXPECT_FALSE(parked.is_in_memory());
-    auto const copy = parked.in_memory();
-    EXPECT_EQ(copy.in_memory().data(), copy.data());
+    auto const copy = parked.in_memory().value();
+    EXPECT_EQ(copy.in_memory().value().data(), copy.data());
     EXPECT_EQ(numbers->reads, 2);
     EXPECT_EQ(copy.id(), parked.id());
     EXPECT_NE(copy.id(), SharedVector<int>({ 1, 2, 3 }).id());

@@ -80,15 +80,17 @@ Buffer deflated(Buffer const& data)
     return { packed.begin(), packed.begin() + static_cast<std::ptrdiff_t>(stream.total_out) };
 }
 
-void put_entry_fields(Buffer& to, std::uint16_t method, std::size_t packed, std::size_t size)
+void put_entry_fields(Buffer& to, std::uint16_t method, std::size_t packed, Buffer const& data)
 {
     put<std::uint16_t>(to, 20); // Version needed.
     put<std::uint16_t>(to, 0);
     put<std::uint16_t>(to, method);
     put<std::uint32_t>(to, 0); // Time and date.
-    put<std::uint32_t>(to, 0); // Checksum.
+    put(to,
+        static_cast<std::uint32_t>(
+            crc32_z(0, reinterpret_cast<Bytef const*>(data.data()), data.size())));
     put(to, static_cast<std::uint32_t>(packed));
-    put(to, static_cast<std::uint32_t>(size));
+    put(to, static_cast<std::uint32_t>(data.size()));
     put<std::uint16_t>(to, 11);
     put<std::uint16_t>(to, 0);
 }
@@ -99,13 +101,13 @@ Buffer tilt(Buffer const& data, std::uint16_t method)
     auto const packed = method == kDeflated ? deflated(data) : data;
     Buffer zip;
     put<std::uint32_t>(zip, 0x04034b50);
-    put_entry_fields(zip, method, packed.size(), data.size());
+    put_entry_fields(zip, method, packed.size(), data);
     put(zip, std::string("data.sketch"));
     put(zip, packed);
     auto const directory = zip.size();
     put<std::uint32_t>(zip, 0x02014b50);
     put<std::uint16_t>(zip, 20);
-    put_entry_fields(zip, method, packed.size(), data.size());
+    put_entry_fields(zip, method, packed.size(), data);
     put(zip, Buffer(10));
     put<std::uint32_t>(zip, 0); // Where its header is.
     put(zip, std::string("data.sketch"));
@@ -150,7 +152,7 @@ TEST(ReadTilt, SaysWhatIsWrong)
     auto whole = tilt(sketch(), kStored);
     Buffer const half(whole.begin(), whole.begin() + 60);
     EXPECT_EQ(error(half),
-              "a.tilt: cannot read the sketch: it has no archive, or the file is cut off");
+              "a.tilt: cannot read the sketch: its archive is damaged: Not a zip archive");
     auto short_sketch = sketch();
     short_sketch.resize(100);
     EXPECT_EQ(error(tilt(short_sketch, kDeflated)),

@@ -81,10 +81,10 @@ TEST(StrokeShaper, ComesAnyWayToTheSameShape)
 
 // A stroke that is elsewhere, and counts how often it is read.
 struct StoredHook : ElementSource<TipSample> {
-    std::vector<TipSample> read() const override
+    Result<std::vector<TipSample>> read() const override
     {
         ++reads;
-        return hook(2).tips;
+        return hook(2).tips.vector();
     }
     mutable int reads = 0;
 };

@@ -1,0 +1,147 @@
+#include "app/session/page_scan.h"
+
+#include "app/session/sqlite_pages.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+using Kind = FoundColumn::Kind;
+using Standing = FoundRow::Standing;
+
+constexpr std::size_t kEditColumns = 7;
+constexpr std::size_t kEditColumnsOfFormat1 = 5; // Without time and checksum.
+constexpr std::size_t kMetaColumns = 2;
+
+bool has_kinds(FoundRow const& row, std::initializer_list<Kind> kinds)
+{
+    return row.columns.size() == kinds.size()
+        && std::equal(kinds.begin(), kinds.end(), row.columns.begin(),
+                      [](Kind kind, FoundColumn const& column) { return column.kind == kind; });
+}
+
+// The edit, if the row is one as it was written.
+std::optional<EditRow> edit_row(FoundRow&& found)
+{
+    bool const has_checksum = has_kinds(
+        found,
+        { Kind::Null, Kind::Whole, Kind::Text, Kind::Text, Kind::Blob, Kind::Whole, Kind::Whole });
+    bool const has_none
+        = has_kinds(found, { Kind::Null, Kind::Whole, Kind::Text, Kind::Text, Kind::Blob });
+    if ((!has_checksum && !has_none) || found.columns[1].whole < 0)
+        return std::nullopt;
+    EditRow row { .place = { .number = found.id },
+                  .step = static_cast<std::size_t>(found.columns[1].whole),
+                  .record = { std::move(found.columns[2].bytes), std::move(found.columns[3].bytes),
+                              std::move(found.columns[4].bytes) } };
+    row.place.checksum = checksum_of(row);
+    if (has_none) // Nothing else tells whether it is whole.
+        return edit_of(row.record) ? std::optional(std::move(row)) : std::nullopt;
+    row.made = std::chrono::sys_seconds(std::chrono::seconds(found.columns[5].whole));
+    return found.columns[6].whole == row.place.checksum ? std::optional(std::move(row))
+                                                        : std::nullopt;
+}
+
+class Scan {
+public:
+    void take(FoundRow&& found)
+    {
+        if (found.columns.size() == kMetaColumns)
+            return take_meta(found);
+        auto const standing = found.standing;
+        if (auto row = edit_row(std::move(found)))
+            take_edit(*std::move(row), standing);
+    }
+
+    std::size_t edit_count() const { return edits_.size(); }
+
+    ScannedSession finish() &&
+    {
+        ScannedSession session;
+        session.meta = std::move(meta_);
+        std::int64_t last_listed = 0;
+        for (auto const& [number, candidate] : edits_)
+            if (candidate.standing == Standing::Listed)
+                last_listed = number;
+        std::chrono::sys_seconds newest {};
+        for (auto& [number, candidate] : edits_) {
+            // Numbers have no gaps: one that is missing among those that are listed was not
+            // deleted, unless it is older than what stands before it.
+            bool const was_deleted = candidate.standing != Standing::Listed
+                && (candidate.row.made < newest
+                    || (candidate.standing == Standing::Deleted && number > last_listed));
+            if (was_deleted)
+                continue;
+            newest = std::max(newest, candidate.row.made);
+            session.last_number = number;
+            session.rows.push_back(std::move(candidate.row));
+        }
+        return session;
+    }
+
+private:
+    struct Candidate {
+        EditRow row;
+        Standing standing = Standing::Deleted;
+    };
+
+    void take_edit(EditRow&& row, Standing standing)
+    {
+        auto const number = row.place.number;
+        auto const [found, is_new] = edits_.try_emplace(number);
+        auto& best = found->second;
+        if (is_new || std::pair(standing, row.made) > std::pair(best.standing, best.row.made))
+            best = { std::move(row), standing };
+    }
+
+    void take_meta(FoundRow const& found)
+    {
+        constexpr std::array kKeys { "plant", "program", "created", "step" };
+        auto const& key = found.columns[0];
+        auto const& value = found.columns[1];
+        if (key.kind != Kind::Text
+            || std::find(kKeys.begin(), kKeys.end(), key.bytes) == kKeys.end())
+            return;
+        auto const text = value.kind == Kind::Whole ? std::to_string(value.whole) : value.bytes;
+        if (found.standing == Standing::Listed)
+            meta_[key.bytes] = text;
+        else
+            meta_.try_emplace(key.bytes, text);
+    }
+
+    std::map<std::int64_t, Candidate> edits_;
+    std::map<std::string, std::string> meta_;
+};
+
+} // namespace
+
+ScannedSession scan_pages(std::string_view file, std::string_view log)
+{
+    auto const accepts = [](std::size_t columns) {
+        return columns == kEditColumns || columns == kEditColumnsOfFormat1
+            || columns == kMetaColumns;
+    };
+    // The size that the file says, if it is one, and the usual one; others where these find
+    // nothing.
+    constexpr std::size_t kUsualPageBytes = 4096;
+    Scan best;
+    std::size_t tried = 0;
+    for (auto const page_size : SqlitePages::likely_page_sizes(file)) {
+        Scan scan;
+        SqlitePages(file, log, page_size).find_rows(accepts, [&](FoundRow&& row) {
+            scan.take(std::move(row));
+        });
+        if (scan.edit_count() > best.edit_count())
+            best = std::move(scan);
+        if (best.edit_count() > 0 && (page_size == kUsualPageBytes || ++tried == 2))
+            break;
+    }
+    return std::move(best).finish();
+}
+
+} // namespace tractus

@@ -1,0 +1,133 @@
+#include "app/session/session_repair.h"
+
+#include "app/session/page_scan.h"
+#include "drivers/file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <fmt/core.h>
+#include <set>
+#include <utility>
+
+namespace tractus {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t { 4 } << 30;
+
+std::optional<std::int64_t> whole_of(ScannedSession const& scanned, char const* key)
+{
+    auto const found = scanned.meta.find(key);
+    std::int64_t value = 0;
+    if (found == scanned.meta.end())
+        return std::nullopt;
+    auto const& text = found->second;
+    auto const result = std::from_chars(text.data(), text.data() + text.size(), value);
+    return result.ec == std::errc() && value >= 0 ? std::optional(value) : std::nullopt;
+}
+
+std::string text_of(ScannedSession const& scanned, char const* key, char const* otherwise)
+{
+    auto const found = scanned.meta.find(key);
+    return found == scanned.meta.end() ? otherwise : found->second;
+}
+
+// Those between the first number that a session has and the last that was found.
+std::vector<std::int64_t> missing_numbers(std::vector<EditRow> const& rows)
+{
+    constexpr std::size_t kMost = 1'000'000;
+    std::vector<std::int64_t> missing;
+    std::int64_t next = 1;
+    for (auto const& row : rows) {
+        for (; next < row.place.number && missing.size() < kMost; ++next)
+            missing.push_back(next);
+        next = row.place.number + 1;
+    }
+    return missing;
+}
+
+// The rows with numbers and steps without gaps, behind `first` edits of the beginning.
+std::vector<EditRow> numbered_anew(std::vector<EditRow> rows, std::size_t first)
+{
+    auto number = static_cast<std::int64_t>(first);
+    std::size_t step = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        auto const old_step = rows[i].step;
+        bool const is_first = i == 0;
+        // A beginning that is put in front is step 0, and so is what is left of the old one.
+        if (is_first)
+            step = first > 0 && old_step > 0 ? 1 : 0;
+        rows[i].place.number = ++number;
+        bool const step_ends = i + 1 < rows.size() && rows[i + 1].step != old_step;
+        rows[i].step = step;
+        rows[i].place.checksum = checksum_of(rows[i]);
+        step += step_ends;
+    }
+    return rows;
+}
+
+// Where the cursor stands among the steps that are left.
+std::size_t step_anew(SalvagedSession const& session, std::vector<EditRow> const& anew)
+{
+    std::size_t step = 0;
+    for (std::size_t i = 0; i < anew.size(); ++i)
+        if (!session.step || session.rows[i].step <= *session.step)
+            step = anew[i].step;
+    return step;
+}
+
+} // namespace
+
+Result<SalvagedSession> salvage_session(fs::path const& path)
+{
+    auto const file = TRY(read_file(path, kMostBytes));
+    auto const log_path = fs::path(path.string() + "-wal");
+    std::error_code ignored;
+    std::string log;
+    if (fs::exists(log_path, ignored))
+        log = TRY(read_file(log_path, kMostBytes));
+    auto scanned = scan_pages(file, log);
+    if (scanned.rows.empty())
+        return fail(Fault::User,
+                    fmt::format("{}: no edit of a session can be found in it", path.string()));
+    SalvagedSession session;
+    session.missing = missing_numbers(scanned.rows);
+    session.origin = { .plant = text_of(scanned, "plant", path.stem().c_str()),
+                       .program = text_of(scanned, "program", "an unknown version") };
+    session.origin.created
+        = std::chrono::sys_seconds(std::chrono::seconds(whole_of(scanned, "created").value_or(0)));
+    if (auto const step = whole_of(scanned, "step"))
+        session.step = static_cast<std::size_t>(*step);
+    std::set<std::size_t> broken;
+    for (std::size_t i = 1; i < scanned.rows.size(); ++i)
+        if (scanned.rows[i].place.number != scanned.rows[i - 1].place.number + 1)
+            for (auto const step : { scanned.rows[i - 1].step, scanned.rows[i].step })
+                broken.insert(step);
+    session.broken_steps = broken.size();
+    session.rows = std::move(scanned.rows);
+    return session;
+}
+
+SessionContents contents_of(SalvagedSession const& session)
+{
+    SessionContents contents { .origin = session.origin, .edits = {}, .step = 0 };
+    auto const anew = numbered_anew(session.rows, 0);
+    for (auto const& row : anew)
+        if (auto edit = edit_of(row.record))
+            contents.edits.push_back({ row.step, *std::move(edit), row.made, row.place });
+    contents.step = step_anew(session, anew);
+    return contents;
+}
+
+Result<void> write_repaired(SalvagedSession const& session, std::vector<Edit> const& beginning,
+                            fs::path const& path)
+{
+    auto rows = beginning_rows(beginning, session.rows.front().made);
+    auto const anew = numbered_anew(session.rows, beginning.size());
+    rows.insert(rows.end(), anew.begin(), anew.end());
+    return write_new_session(path, session.origin, rows, step_anew(session, anew));
+}
+
+} // namespace tractus

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "app/session/session_file.h"
+#include "engine/base/result.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// What is left of a session that may be damaged anywhere.
+struct SalvagedSession {
+    SessionOrigin origin {};
+    std::vector<EditRow> rows {};         // As they were written, in order; at least one.
+    std::vector<std::int64_t> missing {}; // The numbers of those that are lost among them.
+    std::optional<std::size_t> step {};   // The last that counts; no value where that is lost, too.
+
+    // Of the steps that have lost an edit: how many have another that is still there.
+    std::size_t broken_steps = 0;
+};
+
+// Reads every edit of a session that is as it was written, wherever it stands, and changes nothing:
+// also where SQLite calls the file malformed. Fails, as the user's fault, where there is none, and
+// for a file that cannot be read or is larger than 4 GiB.
+Result<SalvagedSession> salvage_session(std::filesystem::path const& path);
+
+// Those edits as a session contents, numbered anew without gaps. Those of a kind that this program
+// does not know are left out.
+SessionContents contents_of(SalvagedSession const& session);
+
+// Writes what was salvaged as a new session, which appears whole. `beginning` comes before it: a
+// plant, where that was lost. Fails, as the user's fault, where the file is there already or cannot
+// be written.
+Result<void> write_repaired(SalvagedSession const& session, std::vector<Edit> const& beginning,
+                            std::filesystem::path const& path);
+
+} // namespace tractus
