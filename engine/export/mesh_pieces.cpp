@@ -146,10 +146,10 @@ void MeshPieces::merge_organs()
         auto const& [prototype, instances, shape] = organs[i];
         if (instances.empty() || prototype.indices.empty())
             continue;
-        auto const known
-            = std::find_if(surfaces_.begin(), surfaces_.end(), [&](Surface const& surface) {
-                  return surface.material == prototype.material;
-              });
+        auto const known = std::find_if(surfaces_.begin(), surfaces_.end(),
+                                        [&material = prototype.material](Surface const& surface) {
+                                            return surface.material == material;
+                                        });
         auto const at = static_cast<std::size_t>(known - surfaces_.begin());
         if (known == surfaces_.end()) {
             surfaces_.push_back({ prototype.material, {}, 0 });

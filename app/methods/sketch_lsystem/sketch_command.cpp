@@ -20,7 +20,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -73,13 +72,9 @@ Result<Stroke> choose_stroke(SketchArguments const& arguments)
 // A file of strokes says where they are in space; of a log the pen's way decides.
 sketch::Surface surface_for(SketchArguments const& arguments)
 {
-    static std::map<std::string, sketch::Surface> const kSurfaces {
-        { "space", sketch::Surface::Space },
-        { "paper", sketch::Surface::Paper },
-        { "",
-          is_stroke_file(arguments.stroke) ? sketch::Surface::Space : sketch::Surface::Decided },
-    };
-    return kSurfaces.at(arguments.surface);
+    if (arguments.surface.empty())
+        return is_stroke_file(arguments.stroke) ? sketch::Surface::Space : sketch::Surface::Decided;
+    return arguments.surface == "space" ? sketch::Surface::Space : sketch::Surface::Paper;
 }
 
 Result<sketch::DrawnAxis> draw_axis(SketchArguments const& arguments, sketch::Rule const& rule)

@@ -122,10 +122,13 @@ TEST_F(HostilePlace, NumbersDoNotDependOnTheLocale)
     run("LOCPATH=$PWD LC_ALL=de_DE.UTF-8 tractus decode hand.tractus-log --csv -o german.csv");
     EXPECT_FALSE(read("plain.csv").empty());
     EXPECT_EQ(read("german.csv"), read("plain.csv"));
-    run("tractus grow small.l -o plain.obj");
-    run("LOCPATH=$PWD LC_ALL=de_DE.UTF-8 tractus grow small.l -o german.obj");
-    EXPECT_FALSE(read("plain.obj").empty());
-    EXPECT_EQ(read("german.obj"), read("plain.obj"));
+    run("mkdir plain german");
+    run("tractus grow small.l -o plain/tree.obj");
+    run("LOCPATH=$PWD LC_ALL=de_DE.UTF-8 tractus grow small.l -o german/tree.obj");
+    for (std::string const file : { "tree.obj", "tree.mtl" }) {
+        EXPECT_FALSE(read("plain/" + file).empty());
+        EXPECT_TRUE(read("german/" + file) == read("plain/" + file)) << file;
+    }
 }
 
 TEST_F(HostilePlace, AWindowWithoutADisplaySaysWhatElseThereIs)

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <unistd.h>
 
 namespace tractus {
 namespace {
@@ -25,7 +26,8 @@ protected:
 
     std::string path(char const* name) const { return (folder_ / name).string(); }
 
-    fs::path folder_ = fs::temp_directory_path() / "tractus_sketch_command";
+    fs::path folder_
+        = fs::temp_directory_path() / ("tractus_sketch_command." + std::to_string(getpid()));
 };
 
 TEST_F(SketchCommand, ReportsWhatAStrokeAmountsTo)
