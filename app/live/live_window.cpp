@@ -140,16 +140,24 @@ LiveWindow::~LiveWindow()
 }
 
 // The stroke under the pen ends with what it has sent.
+Result<void> LiveWindow::finish()
+{
+    take_reports();
+    station_.finish();
+    record_tool_changes();
+    return desk_.finish(station_, options_.now());
+}
+
 Result<void> LiveWindow::close()
 {
     if (!options_.now) // Moved from.
         return {};
-    take_reports();
-    station_.finish();
-    record_tool_changes();
-    auto recorded = recorder_ ? stop_recording() : Result<void>();
-    auto kept = desk_.finish(station_, options_.now());
-    return kept ? recorded : kept; // What was drawn is worth more.
+    auto const kept = finish();
+    auto const recorded = recorder_ ? stop_recording() : Result<void>();
+    auto const written = desk_.finish_files();
+    if (!kept) // What was drawn is worth most.
+        return kept;
+    return recorded ? written : recorded;
 }
 
 void LiveWindow::advance(Duration real_step)

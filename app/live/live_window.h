@@ -58,6 +58,7 @@ public:
 
     void advance(Duration real_step) override;
     void settle() override { desk_.settle(station_, options_.now()); }
+    bool may_close() override { return desk_.may_close(finish()); }
     Result<void> close() override;
     WindowState const& state() const override { return desk_.view().state(); }
     void perform(WindowCommand const& command) override;
@@ -87,6 +88,7 @@ private:
     }
 
     StationView& view() { return desk_.view(); }
+    Result<void> finish();
     void take_reports();
     void show_devices();
     void calibrate();

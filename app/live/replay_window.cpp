@@ -33,9 +33,16 @@ ReplayWindow::~ReplayWindow()
 }
 
 // A stroke of which the hand has drawn only a part is whole in the recording: it is left out.
-Result<void> ReplayWindow::close()
+Result<void> ReplayWindow::finish()
 {
     return desk_.finish(replay_.station(), now_);
+}
+
+Result<void> ReplayWindow::close()
+{
+    auto const kept = finish();
+    auto const written = desk_.finish_files();
+    return kept ? written : kept;
 }
 
 void ReplayWindow::advance(Duration real_step)
@@ -49,7 +56,7 @@ void ReplayWindow::advance(Duration real_step)
     bool const goes_on = replay_.advance_to(now_);
     desk_.show(replay_.station(), now_);
     if (!goes_on) {
-        auto const kept = close();
+        auto const kept = replay_.outcome() ? finish() : replay_.outcome();
         desk_.show(replay_.station(), now_);
         state.playing = false;
         state.status = kept ? "The recording has ended: play it again, or take another seed"
@@ -80,7 +87,7 @@ void ReplayWindow::perform_kind(SetSpeed const& command)
 void ReplayWindow::perform_kind(Restart const&)
 {
     auto& state = view().state();
-    if (auto const kept = close(); !kept) {
+    if (auto const kept = finish(); !kept) {
         state.status = kept.error().message;
         return;
     }

@@ -28,11 +28,13 @@ public:
 
     void advance(Duration real_step) override;
     void settle() override { desk_.settle(replay_.station(), now_); }
+    bool may_close() override { return desk_.may_close(finish()); }
     Result<void> close() override;
     WindowState const& state() const override { return desk_.view().state(); }
     void perform(WindowCommand const& command) override;
 
 private:
+    Result<void> finish();
     ReplayWindow(Log const& log, ReplayOptions options, LogReplay replay, StationDesk desk);
 
     void perform_kind(SetPlaying const& command);

@@ -73,9 +73,31 @@ Result<void> StationDesk::finish(Station& station, Timestamp now)
                 done = tl::unexpected(step->status.error());
         return done;
     }
-    return fail(Fault::User,
-                fmt::format("what was drawn last is not kept ({} strokes): {}",
-                            keeper_.unkept_strokes(), keeper_.not_kept()));
+    auto const count = keeper_.unkept_strokes();
+    auto const what = count == 1 ? std::string("the last stroke is")
+                                 : fmt::format("the last {} strokes are", count);
+    return fail(Fault::User, fmt::format("{} not kept: {}", what, keeper_.not_kept()));
+}
+
+bool StationDesk::may_close(Result<void> const& finished)
+{
+    if (finished || std::exchange(knows_what_is_lost_, true))
+        return true;
+    view_.state().status = fmt::format("Not closed, since {}. Make room for it, or close once more "
+                                       "to leave without it",
+                                       finished.error().message);
+    return false;
+}
+
+Result<void> StationDesk::finish_files()
+{
+    Result<void> done;
+    files_->settle();
+    while (auto const written = files_->take())
+        if (done && !*written)
+            done = tl::unexpected(written->error());
+    view_.state().is_saving = false;
+    return done;
 }
 
 void StationDesk::settle(Station& station, Timestamp now)

@@ -38,6 +38,14 @@ public:
     // fault, if something cannot be.
     Result<void> finish(Station& station, Timestamp now);
 
+    // Whether a person who wants to leave may do so, given what finish() says: else the status
+    // tells why not, and the next time they may all the same.
+    bool may_close(Result<void> const& finished);
+
+    // Waits until the files that a person has asked for are written. Fails with the first that
+    // could not be.
+    Result<void> finish_files();
+
     // A new file's name in the folder.
     std::filesystem::path new_file(std::string_view ending) const;
 
@@ -65,7 +73,8 @@ private:
 
     SessionKeeper keeper_;
     StationView view_;
-    Timestamp now_ {}; // Of the last show().
+    Timestamp now_ {};                // Of the last show().
+    bool knows_what_is_lost_ = false; // A person who has asked to leave.
     std::filesystem::path folder_;
     std::unique_ptr<FileQueue> files_ = std::make_unique<FileQueue>(); // As this moves.
 };

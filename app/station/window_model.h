@@ -273,8 +273,12 @@ public:
     // what came before, and not on how fast this machine is. For tests and pictures.
     virtual void settle() { }
 
-    // The window closes: finishes what is drawn and keeps it. Nothing comes after this. Fails if it
-    // cannot be kept.
+    // A person wants to leave: finishes what is drawn and keeps it. False if something cannot be
+    // kept: the status says so, drawing goes on, and who asks once more may leave without it.
+    virtual bool may_close() { return true; }
+
+    // The window closes: finishes what is drawn, keeps it, and waits for files that are being
+    // written. Nothing comes after this. Fails, with the first reason, if something cannot be kept.
     virtual Result<void> close() { return {}; }
 
     // As of the last advance(), settle() or perform(); valid until the next.

@@ -105,6 +105,7 @@ Result<void> show_replay(WindowArguments const& arguments)
     std::optional<Session> session;
     if (!arguments.session.empty())
         session = TRY(keep_in(arguments.session, model));
+    ClosingSignals const signals; // Until the window is closed and all is kept.
     auto window = TRY(
         ReplayWindow::create(log, options, std::filesystem::current_path(), std::move(session)));
     auto const name = std::filesystem::path(log.name).filename().string();

@@ -182,9 +182,11 @@ void Host::take_key(int key, int scancode, bool is_pressed, int modifiers)
         { letter, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0 });
 }
 
-bool Host::wants_to_close() const
+bool Host::take_wish_to_close()
 {
-    return glfwWindowShouldClose(window_);
+    bool const wants = glfwWindowShouldClose(window_);
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
+    return wants;
 }
 
 HandInput Host::begin_frame(std::optional<float> step_s)

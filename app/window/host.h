@@ -30,7 +30,7 @@ public:
     // Fails like run_window(). Once.
     Result<void> open(WindowOptions const& options);
 
-    bool wants_to_close() const;
+    bool take_wish_to_close(); // Since the last call, by the window's button or key.
     // `step_s`: how long after the last one, where that is not the clock's. Returns what mouse and
     // keyboard did up to this frame.
     HandInput begin_frame(std::optional<float> step_s);

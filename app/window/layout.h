@@ -9,6 +9,8 @@
 #include "app/window/tool_ring.h"
 #include "app/window/views.h"
 
+#include <utility>
+
 namespace tractus {
 
 // The window's contents: the views, side by side or one of them over all of it, and above them the
@@ -33,7 +35,8 @@ public:
     void show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
               HandInput const& input);
 
-    bool wants_to_close() const { return bench_.wants_to_close; }
+    // Since the last call.
+    bool take_wish_to_close() { return std::exchange(bench_.wants_to_close, false); }
 
     Workbench& bench() { return bench_; }
 

@@ -21,7 +21,7 @@ static int end_without_display(::Display* /*display*/)
 {
     if (auto const action = std::exchange(lost_display_action(), nullptr)) {
         auto const done = action();
-        print_error(done ? std::string("error: the display has gone; what was drawn is kept\n")
+        print_error(done ? std::string("error: the display has gone\n")
                          : fmt::format("error: the display has gone; {}\n", done.error().message));
     }
     std::_Exit(1); // Destructors would ask the display that has gone to take the window away.

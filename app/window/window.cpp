@@ -141,8 +141,9 @@ static Result<void> show_window(Host& host, WindowModel& model, WindowOptions co
     Changes changes;
     double last_s = glfwGetTime();
     auto const closes = [&] {
-        return host.wants_to_close() || layout.wants_to_close()
-            || (options.should_close && options.should_close());
+        bool const of_desktop = host.take_wish_to_close();
+        bool const of_person = layout.take_wish_to_close() || of_desktop;
+        return (options.should_close && options.should_close()) || (of_person && model.may_close());
     };
     for (int frame = 0; !closes() && (options.frames == 0 || frame < options.frames); ++frame) {
         bool const may_differ = events.take(host, model, options);

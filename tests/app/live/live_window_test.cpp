@@ -183,8 +183,22 @@ TEST_F(LiveWindowClosing, SaysWhatCannotBeKept)
     FullDisk const disk(1);
     auto const closed = window.close();
     ASSERT_FALSE(closed);
-    EXPECT_NE(closed.error().message.find("what was drawn last is not kept"), std::string::npos)
+    EXPECT_NE(closed.error().message.find("the last stroke is not kept"), std::string::npos)
         << closed.error().message;
+}
+
+TEST_F(LiveWindowClosing, AsksOnceBeforeSomethingIsLost)
+{
+    auto window = drawing();
+    {
+        FullDisk const disk(1);
+        EXPECT_FALSE(window.may_close());
+        EXPECT_NE(window.state().status.find("close once more"), std::string::npos)
+            << window.state().status;
+        EXPECT_TRUE(window.may_close());
+    }
+    EXPECT_TRUE(window.close()) << "there is room again";
+    EXPECT_EQ(kept_steps(), 1u);
 }
 
 TEST_F(LiveWindowClosing, SaysWhichStepCannotBeKept)
@@ -194,6 +208,17 @@ TEST_F(LiveWindowClosing, SaysWhichStepCannotBeKept)
     FullDisk const disk(1);
     window.perform(NextVariation {});
     EXPECT_FALSE(window.close());
+}
+
+TEST_F(LiveWindowClosing, SaysWhichFileCannotBeWritten)
+{
+    auto window = drawing();
+    ASSERT_TRUE(window.may_close()); // The stroke is kept.
+    FullDisk const disk(1);
+    window.perform(SavePicture { Image(2, 2) });
+    auto const closed = window.close();
+    ASSERT_FALSE(closed);
+    EXPECT_NE(closed.error().message.find(".png"), std::string::npos) << closed.error().message;
 }
 
 // A window that writes its files into a new folder, which goes away with it.
