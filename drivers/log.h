@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -50,7 +51,7 @@ struct LogTool {
     Timestamp time {};
     std::string tool {};      // "select", "draw", "indicate", …: one word.
     std::string arguments {}; // The rest of the line; the tool knows what it means.
-    std::size_t position = 0; // How many of Log::records come before it in the file.
+    std::size_t position = 0; // How many records come before it in the file.
 };
 
 // Something odd in a log that did not keep it from being read.
@@ -59,15 +60,25 @@ struct LogWarning {
     std::string message {};
 };
 
+struct LogRest; // Where the reports are that are not in memory.
+
+// Of a large file, only the first reports are in memory: read them with a LogCursor.
 struct Log {
     std::string name; // Of the file, for messages.
     std::vector<DeviceInfo> devices;
-    std::vector<LogRecord> records;   // In the file's order.
-    std::vector<std::byte> bytes;     // The reports, one after another.
-    std::vector<LogTool> tools;       // In the file's order.
-    std::string rig_text;             // The C lines, each ended by a line break; empty if none.
-    std::vector<LogWarning> warnings; // The first kMaxLogWarnings of them.
-    std::size_t warning_count = 0;    // All of them.
+    std::vector<LogRecord> records;      // In the file's order; the first of them in a large file.
+    std::vector<std::byte> bytes;        // Their bytes, one after another.
+    std::shared_ptr<LogRest const> rest; // Null where all are in memory.
+    std::vector<LogTool> tools;          // In the file's order.
+    std::string rig_text;                // The C lines, each ended by a line break; empty if none.
+    std::vector<LogWarning> warnings;    // The first kMaxLogWarnings of them.
+    std::size_t warning_count = 0;       // All of them.
+
+    // Of all records, in memory or not.
+    std::size_t record_count() const;
+    bool empty() const { return records.empty(); }
+    Timestamp begin() const; // The time of the first one; 0 if there is none.
+    Timestamp end() const;   // The time of the last one; 0 if there is none.
 
     std::span<std::byte const> report(LogRecord const& record) const
     {
@@ -77,6 +88,44 @@ struct Log {
 
 constexpr std::size_t kMaxLogWarnings = 20;
 
+// One report, or a departure, as a LogCursor gives it.
+struct LogReport {
+    Timestamp time {};
+    std::size_t device = 0;              // Index in Log::devices.
+    std::span<std::byte const> bytes {}; // Empty: the device went away.
+};
+
+// Gives a log's reports one after another, in the file's order, with no more than a piece of the
+// file in memory. Any number of them may read a log at the same time, each in one thread. The log
+// must outlive it.
+class LogCursor {
+public:
+    explicit LogCursor(Log const& log);
+    LogCursor(LogCursor&&) noexcept;
+    LogCursor& operator=(LogCursor&&) noexcept;
+    ~LogCursor();
+
+    // The report that is next, again until skip(). Valid until then; null after the last one.
+    // Fails, as the user's fault, if the file cannot be read again, or has another
+    // number of reports now.
+    Result<LogReport const*> peek();
+    void skip();
+
+    // Both in one: the report is valid until the next call.
+    Result<LogReport const*> next();
+
+    // How many were skipped or given by next().
+    std::size_t position() const { return position_; }
+
+private:
+    class Rest;
+
+    Log const* log_;
+    std::size_t position_ = 0;
+    LogReport report_ {};
+    std::unique_ptr<Rest> rest_; // Once the reports in memory have been given.
+};
+
 // Reads a log from text at hand; `name` is what messages call it.
 //
 // Tolerates: "D:0" without a blank, device numbers with gaps, ids in any case and unpadded, times
@@ -85,12 +134,17 @@ constexpr std::size_t kMaxLogWarnings = 20;
 // line without its line break that is not whole, a second, different descriptor of the same device.
 // Fails, as the user's fault, with file and line: a text without any R line, an R line whose length
 // is not the number of its bytes, a report of a device without R line, a line of more than 1 MiB,
-// text in UTF-16.
+// more rig lines or changes of tool than anybody makes, text in UTF-16.
 Result<Log> parse_log(std::string_view text, std::string_view name);
 
-// Reads the log in a file of at most 1 GiB, piece by piece: of the text, no more than a line is
-// kept.
+// Reads the log in a file of any size, piece by piece: of the text no more than a line is kept, and
+// of the reports the first kMostLogBytes. A pipe, which cannot be read again, may have no more than
+// kMostPipedLogBytes of them.
 Result<Log> read_log(std::filesystem::path const& path);
+
+// In memory: a report takes sizeof(LogRecord) and its own bytes.
+constexpr std::size_t kMostLogBytes = std::size_t { 1 } << 20;
+constexpr std::size_t kMostPipedLogBytes = std::size_t { 32 } << 20;
 
 // The warnings in one line for a person: "FILE: 2 odd lines, the first is line 7: …", or empty.
 std::string summarize_warnings(Log const&);

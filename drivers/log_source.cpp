@@ -9,18 +9,18 @@ namespace tractus {
 LogSource::LogSource(Log const& log, std::size_t device)
     : log_(log)
     , device_(device)
+    , cursor_(log)
 {
     CHECK(device < log.devices.size());
 }
 
 Result<std::optional<RawReport>> LogSource::read(Duration)
 {
-    while (next_ < log_.records.size()) {
-        auto const& record = log_.records[next_++];
-        if (record.device != device_)
+    while (auto const* const from = TRY(cursor_.next())) {
+        if (from->device != device_)
             continue;
-        RawReport report { .received = record.time, .size = record.size };
-        std::ranges::copy(log_.report(record), report.storage.begin());
+        RawReport report { .received = from->time, .size = from->bytes.size() };
+        std::ranges::copy(from->bytes, report.storage.begin());
         return std::optional(report);
     }
     return std::optional<RawReport>();

@@ -16,13 +16,13 @@ public:
 
     DeviceInfo const& info() const override { return log_.devices[device_]; }
 
-    // Does not fail.
+    // Fails like LogCursor.
     Result<std::optional<RawReport>> read(Duration timeout) override;
 
 private:
     Log const& log_;
     std::size_t device_;
-    std::size_t next_ = 0; // In Log::records.
+    LogCursor cursor_;
 };
 
 } // namespace tractus

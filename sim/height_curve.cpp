@@ -23,12 +23,13 @@ Result<HeightCurve> HeightCurve::read(Log const& log)
         if (!decoder)
             continue;
         std::vector<HeightSample> samples;
-        for (auto const& record : log.records)
-            if (record.device == device) // What is broken in a report is not in the curve.
-                static_cast<void>((*decoder)->decode(record.time, log.report(record), samples));
+        LogCursor cursor(log);
+        while (auto const* const report = TRY(cursor.next()))
+            if (report->device == device) // What is broken in a report is not in the curve.
+                static_cast<void>((*decoder)->decode(report->time, report->bytes, samples));
         std::vector<Point> points;
         for (auto const& sample : samples)
-            points.push_back({ .time = Timestamp(sample.time - log.records.front().time),
+            points.push_back({ .time = Timestamp(sample.time - log.begin()),
                                .fraction = double(sample.counts) / sample.full_scale });
         std::stable_sort(points.begin(), points.end(),
                          [](Point const& a, Point const& b) { return a.time < b.time; });

@@ -18,12 +18,12 @@ static Result<CalibrationOutcome> run(Log const& log, CalibrationDesk::Options o
         }
         return {};
     };
-    for (std::size_t i = 0; i < log.records.size(); ++i) {
-        auto const& record = log.records[i];
-        TRY(give_commands_before(i));
-        desk.push(record.device, record.time, log.report(record));
+    LogCursor cursor(log);
+    TRY(give_commands_before(0));
+    while (auto const* const report = TRY(cursor.next())) {
+        desk.push(report->device, report->time, report->bytes);
+        TRY(give_commands_before(cursor.position()));
     }
-    TRY(give_commands_before(log.records.size()));
     return desk.finish(date);
 }
 

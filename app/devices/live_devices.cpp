@@ -91,8 +91,7 @@ Result<void> LiveDevices::add_log(std::string const& name)
     auto const log = std::make_shared<Log const>(std::move(read));
     if (rig_text_.empty())
         rig_text_ = log->rig_text;
-    auto const begin = log->records.empty() ? Timestamp {} : log->records.front().time;
-    auto const pace = pace_from_now(begin);
+    auto const pace = pace_from_now(log->begin());
     for (std::size_t i = 0; i < log->devices.size(); ++i)
         TRY(add(open_paced(log, i, pace), nullptr));
     return {};
@@ -106,7 +105,7 @@ Result<LiveDevices> LiveDevices::play_log(std::string const& name,
     LiveDevices devices;
     devices.rig_text_ = log->rig_text;
     Pace const pace {
-        .data_begin = log->records.empty() ? Timestamp {} : log->records.front().time,
+        .data_begin = log->begin(),
         .real_begin = now(),
         .now = now,
         .wait = [](Duration) {}, // Who reads asks for no patience.

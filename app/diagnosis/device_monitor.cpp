@@ -95,8 +95,9 @@ void DeviceMonitor::watch_pace(Timestamp time)
         ++reading_.backward_times;
         recent_.clear();
     }
+    constexpr std::size_t kMostPerSecond = 20'000; // Beyond what USB's 8 kHz allow.
     recent_.push_back(time);
-    while (recent_.front() + kWindow < time)
+    while (recent_.front() + kWindow < time || recent_.size() > kMostPerSecond)
         recent_.pop_front();
 }
 

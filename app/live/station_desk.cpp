@@ -92,6 +92,8 @@ bool StationDesk::may_close(Result<void> const& finished)
 Result<void> StationDesk::finish_files()
 {
     Result<void> done;
+    if (!files_) // Moved from.
+        return done;
     files_->settle();
     while (auto const written = files_->take())
         if (done && !*written)

@@ -110,7 +110,7 @@ Result<void> DrawingReader::play(LogReplay& replay) const
         if (goes_on && !is_stroke_end)
             pace.wait(kStep);
     }
-    return {};
+    return replay.outcome();
 }
 
 Result<Station> DrawingReader::replay(Scene scene)

@@ -51,14 +51,16 @@ Result<Rig> choose_rig(Log const& log, LogPen const& pen, ReplayOptions const& o
 }
 
 // Where the scenario's clock begins and ends: at the log's first and last pen sample.
-ScriptedHeight script_height(Log const& log, LogPen const& pen, HeightScenario const& scenario)
+Result<ScriptedHeight> script_height(Log const& log, LogPen const& pen,
+                                     HeightScenario const& scenario)
 {
     ScriptedHeight scripted { .scenario = scenario };
     bool is_first = true;
-    for (auto const& record : log.records) {
-        if (!pen.decoder || record.device != pen.device)
+    LogCursor cursor(log);
+    while (auto const* const report = TRY(cursor.next())) {
+        if (!pen.decoder || report->device != pen.device)
             continue;
-        auto const sample = pen.decoder->decode(record.time, log.report(record));
+        auto const sample = pen.decoder->decode(report->time, report->bytes);
         if (!sample || !*sample)
             continue;
         if (std::exchange(is_first, false))
@@ -76,7 +78,7 @@ Result<LogReplay> LogReplay::create(Log const& log, ReplayOptions options)
     StationOptions station_options;
     station_options.rig = TRY(choose_rig(log, pen, options));
     if (options.height)
-        station_options.scripted_height = script_height(log, pen, *options.height);
+        station_options.scripted_height = TRY(script_height(log, pen, *options.height));
     station_options.scene = std::move(options.scene);
 
     std::vector<Tool> tools;
@@ -99,12 +101,13 @@ LogReplay::LogReplay(Log const& log, Station station, std::vector<Tool> tools)
     : log_(&log)
     , station_(std::move(station))
     , tools_(std::move(tools))
+    , cursor_(log)
 {
 }
 
 void LogReplay::push_tools()
 {
-    for (; next_tool_ < tools_.size() && log_->tools[next_tool_].position <= next_record_;
+    for (; next_tool_ < tools_.size() && log_->tools[next_tool_].position <= cursor_.position();
          ++next_tool_)
         station_.set_tool(log_->tools[next_tool_].time, tools_[next_tool_]);
 }
@@ -118,13 +121,17 @@ bool LogReplay::advance_to(Timestamp time)
 bool LogReplay::advance_to_stroke(Timestamp time)
 {
     auto const strokes = station_.counts().strokes;
-    while (next_record_ < log_->records.size()) {
-        auto const& record = log_->records[next_record_];
-        if (record.time > time)
+    for (;;) {
+        auto const report = cursor_.peek();
+        if (!report)
+            outcome_ = tl::unexpected(report.error());
+        if (!report || !*report)
+            break;
+        if ((*report)->time > time)
             return false;
         push_tools();
-        station_.push(record.device, record.time, log_->report(record));
-        ++next_record_;
+        station_.push((*report)->device, (*report)->time, (*report)->bytes);
+        cursor_.skip();
         if (station_.counts().strokes != strokes)
             return true;
     }
@@ -135,12 +142,12 @@ bool LogReplay::advance_to_stroke(Timestamp time)
 
 Timestamp LogReplay::begin() const
 {
-    return log_->records.empty() ? Timestamp {} : log_->records.front().time;
+    return log_->begin();
 }
 
 Timestamp LogReplay::end() const
 {
-    return log_->records.empty() ? Timestamp {} : log_->records.back().time;
+    return log_->end();
 }
 
 } // namespace tractus

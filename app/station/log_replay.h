@@ -37,6 +37,9 @@ public:
 
     bool is_over() const { return finished_; }
 
+    // Fails if the log could not be read to its end, which ends the replay.
+    Result<void> const& outcome() const { return outcome_; }
+
     // Everything that is left.
     void run() { advance_to(Timestamp::max()); }
 
@@ -56,9 +59,10 @@ private:
     Log const* log_; // Not owned.
     Station station_;
     std::vector<Tool> tools_; // One per tool line of the log.
-    std::size_t next_record_ = 0;
+    LogCursor cursor_;
     std::size_t next_tool_ = 0;
     bool finished_ = false;
+    Result<void> outcome_ {};
 };
 
 } // namespace tractus

@@ -93,9 +93,10 @@ Result<void> write_hid_recorder(std::ostream& out, Log const& log)
                                 "format needs: convert it to a .tractus-log",
                                 log.name));
     LogWriter writer(out, header);
-    for (auto const& record : log.records)
-        if (auto const place = places[record.device]; place && record.size > 0)
-            writer.write_report(*place, record.time, log.report(record));
+    LogCursor cursor(log);
+    while (auto const* const report = TRY(cursor.next()))
+        if (auto const place = places[report->device]; place && !report->bytes.empty())
+            writer.write_report(*place, report->time, report->bytes);
     return writer.flush();
 }
 
@@ -108,12 +109,12 @@ Result<void> write_tractus_log(std::ostream& out, Log const& log)
             writer.write_tool(log.tools[tool].time, log.tools[tool].tool,
                               log.tools[tool].arguments);
     };
-    for (std::size_t i = 0; i < log.records.size(); ++i) {
-        write_tools_until(i);
-        auto const& record = log.records[i];
-        writer.write_report(record.device, record.time, log.report(record));
+    LogCursor cursor(log);
+    write_tools_until(0);
+    while (auto const* const report = TRY(cursor.next())) {
+        writer.write_report(report->device, report->time, report->bytes);
+        write_tools_until(cursor.position());
     }
-    write_tools_until(log.records.size());
     return writer.flush();
 }
 
@@ -138,7 +139,7 @@ Result<void> convert(ConvertArguments const& arguments)
         return is_ours ? write_tractus_log(out, log) : write_hid_recorder(out, log);
     }));
     return print_out(fmt::format("{}: {} reports of {} device{} as {}\n", arguments.output.string(),
-                                 log.records.size(), log.devices.size(),
+                                 log.record_count(), log.devices.size(),
                                  log.devices.size() == 1 ? "" : "s",
                                  is_ours ? kTractusLog : kHidRecorder));
 }

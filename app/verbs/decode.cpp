@@ -34,6 +34,8 @@ struct Options {
 using Sink = std::function<Result<void>(std::string_view)>;
 
 // One device of the log, and what came of its reports.
+constexpr std::size_t kMostIntervals = 50'000; // Typical ones are among the first, too.
+
 struct Device {
     std::unique_ptr<PenDecoder> pen {}; // Null if it is none.
     PenSilence silence {};
@@ -42,7 +44,7 @@ struct Device {
     std::size_t touching = 0;
     std::size_t strokes = 0;
     bool was_touching = false;
-    std::vector<Duration> intervals {}; // Between samples.
+    std::vector<Duration> intervals {}; // Between the first kMostIntervals samples.
     Timestamp last {};
     std::size_t bad_reports = 0;
     std::string first_problem {};
@@ -118,7 +120,7 @@ void append_row(std::string& text, std::size_t device, PenSample const& sample,
 
 void count(Device& device, PenSample const& sample)
 {
-    if (device.samples++ > 0)
+    if (device.samples++ > 0 && device.intervals.size() < kMostIntervals)
         device.intervals.push_back(sample.time - device.last);
     device.last = sample.time;
     device.touching += sample.touching;
@@ -126,32 +128,38 @@ void count(Device& device, PenSample const& sample)
     device.was_touching = sample.touching;
 }
 
-// Feeds every report of a pen to its decoder, in the log's order.
-Result<void> decode_all(Log const& log, std::vector<Device>& devices,
-                        std::function<Result<void>(std::size_t, PenSample const&)> const& use)
+// Feeds every report of a pen to its decoder, in the log's order. Gives the time from the earliest
+// report of all devices to the latest.
+Result<Duration> decode_all(Log const& log, std::vector<Device>& devices,
+                            std::function<Result<void>(std::size_t, PenSample const&)> const& use)
 {
-    for (auto const& record : log.records) {
-        auto& device = devices[record.device];
-        bool const went_away = record.size == 0;
+    auto earliest = log.begin();
+    auto latest = log.begin();
+    LogCursor cursor(log);
+    while (auto const* const report = TRY(cursor.next())) {
+        earliest = std::min(earliest, report->time);
+        latest = std::max(latest, report->time);
+        auto& device = devices[report->device];
+        bool const went_away = report->bytes.empty();
         device.reports += !went_away;
         if (!device.pen)
             continue;
-        if (auto const gone = went_away ? device.pen->leave(record.time)
-                                        : device.silence.leave_if_over(*device.pen, record.time))
-            TRY(use(record.device, *gone));
+        if (auto const gone = went_away ? device.pen->leave(report->time)
+                                        : device.silence.leave_if_over(*device.pen, report->time))
+            TRY(use(report->device, *gone));
         if (went_away)
             continue;
-        auto const sample = device.pen->decode(record.time, log.report(record));
+        auto const sample = device.pen->decode(report->time, report->bytes);
         if (!sample) {
             if (device.bad_reports++ == 0)
-                device.first_problem = fmt::format("at {:.6f} s: {}", to_seconds(record.time),
+                device.first_problem = fmt::format("at {:.6f} s: {}", to_seconds(report->time),
                                                    sample.error().message);
         } else if (*sample) {
             device.silence.heard(**sample);
-            TRY(use(record.device, **sample));
+            TRY(use(report->device, **sample));
         }
     }
-    return {};
+    return latest - earliest;
 }
 
 // The log's pens. Names the devices that are none on standard error, and fails if all are.
@@ -230,25 +238,16 @@ std::string describe_rate(std::vector<Duration> intervals)
     return fmt::format(", typically {:.0f} per second", 1 / to_seconds(*middle));
 }
 
-double duration_s(Log const& log)
-{
-    if (log.records.empty())
-        return 0;
-    auto const [first, last]
-        = std::minmax_element(log.records.begin(), log.records.end(),
-                              [](auto const& a, auto const& b) { return a.time < b.time; });
-    return to_seconds(last->time - first->time);
-}
-
 Result<void> print_summary(Log const& log)
 {
     auto devices = TRY(find_pens(log));
-    TRY(decode_all(log, devices, [&](std::size_t device, PenSample const& sample) -> Result<void> {
-        count(devices[device], sample);
-        return {};
-    }));
-    auto text = fmt::format("{}: {} reports in {:.3f} s\n", log.name, log.records.size(),
-                            duration_s(log));
+    auto const duration = TRY(
+        decode_all(log, devices, [&](std::size_t device, PenSample const& sample) -> Result<void> {
+            count(devices[device], sample);
+            return {};
+        }));
+    auto text = fmt::format("{}: {} reports in {:.3f} s\n", log.name, log.record_count(),
+                            to_seconds(duration));
     for (std::size_t i = 0; i < devices.size(); ++i) {
         auto const& device = devices[i];
         auto const& info = log.devices[i];

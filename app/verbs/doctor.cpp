@@ -146,19 +146,17 @@ Result<void> examine_log(std::string const& path, std::vector<Finding>& findings
     for (auto const& info : log.devices)
         monitors.emplace_back(info);
     RawReport report;
-    for (auto const& record : log.records) {
-        auto const bytes = log.report(record);
-        report.received = record.time;
-        report.size = bytes.size();
-        std::copy(bytes.begin(), bytes.end(), report.storage.begin());
-        monitors[record.device].push(report);
+    LogCursor cursor(log);
+    while (auto const* const from = TRY(cursor.next())) {
+        report.received = from->time;
+        report.size = from->bytes.size();
+        std::ranges::copy(from->bytes, report.storage.begin());
+        monitors[from->device].push(report);
     }
-    auto const listened
-        = log.records.empty() ? Duration(0) : log.records.back().time - log.records.front().time;
-    for (auto& monitor : monitors)
-        if (!log.records.empty())
-            monitor.pass_time(log.records.back().time);
-    judge(monitors, listened, findings);
+    if (!log.empty())
+        for (auto& monitor : monitors)
+            monitor.pass_time(log.end());
+    judge(monitors, log.end() - log.begin(), findings);
     return {};
 }
 

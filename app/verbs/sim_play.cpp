@@ -72,20 +72,22 @@ Result<Log> load_sim_play(SimPlayArguments const& arguments)
                     "there is nothing to play: name a LOG, or a script with "
                     "--simulate SCRIPT");
     auto log = arguments.script.empty() ? TRY(read_log(arguments.log)) : TRY(simulate(arguments));
-    if (log.records.empty())
+    if (log.empty())
         return fail(Fault::User, fmt::format("there are no reports to play in {}", log.name));
     return log;
 }
 
-std::vector<RawReport> reports_of(Log const& log, std::size_t device, std::optional<double> rate_hz)
+Result<std::vector<RawReport>> reports_of(Log const& log, std::size_t device,
+                                          std::optional<double> rate_hz)
 {
     std::vector<RawReport> reports;
-    for (auto const& record : log.records) {
-        if (record.device != device)
+    LogCursor cursor(log);
+    while (auto const* const from = TRY(cursor.next())) {
+        if (from->device != device)
             continue;
-        auto const bytes = log.report(record);
+        auto const bytes = from->bytes;
         auto& report = reports.emplace_back();
-        report.received = Timestamp(record.time - log.records.front().time);
+        report.received = Timestamp(from->time - log.begin());
         if (rate_hz)
             report.received
                 = Timestamp(from_seconds(static_cast<double>(reports.size() - 1) / *rate_hz));

@@ -29,8 +29,8 @@ Result<Log> load_sim_play(SimPlayArguments const& arguments);
 
 // The reports of one of the log's devices, their times since the log's first report; or in even
 // steps, so many per second.
-std::vector<RawReport> reports_of(Log const& log, std::size_t device,
-                                  std::optional<double> rate_hz);
+Result<std::vector<RawReport>> reports_of(Log const& log, std::size_t device,
+                                          std::optional<double> rate_hz);
 
 // Plays until it is over or a signal asks to stop, and says on standard error when it begins and
 // how it went.

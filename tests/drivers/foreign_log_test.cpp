@@ -7,6 +7,18 @@
 namespace tractus {
 namespace {
 
+Result<Log> parsed_dump(std::string const& text, std::string_view name)
+{
+    std::istringstream in(text);
+    return parse_usbhid_dump(in, name);
+}
+
+Result<Log> parsed_record(std::string const& text, std::string_view name)
+{
+    std::istringstream in(text);
+    return parse_libinput_record(in, name);
+}
+
 constexpr char const* kDump = "Starting dumping interrupt transfer stream\n"
                               "with 1 minute timeout.\n"
                               "\n"
@@ -25,7 +37,7 @@ constexpr char const* kDump = "Starting dumping interrupt transfer stream\n"
 
 TEST(UsbhidDump, IsALogOfItsInterfaces)
 {
-    auto const log = parse_usbhid_dump(kDump, "dump.txt");
+    auto const log = parsed_dump(kDump, "dump.txt");
     ASSERT_TRUE(log) << log.error().message;
     ASSERT_EQ(log->devices.size(), 2u);
     EXPECT_EQ(log->devices[0].interface_number, 1);
@@ -44,11 +56,11 @@ TEST(UsbhidDump, IsALogOfItsInterfaces)
 
 TEST(UsbhidDump, SkipsWhatIsNoBlock)
 {
-    auto const log = parse_usbhid_dump("001:002:000:STREAM 1.000001\n 01 zz\n\n"
-                                       "001:002:000:STREAM 1.000002\n\n"
-                                       "001:002:000:STREAM 1.000003\n 01\n"
-                                       "001:002:000:NOISE  1.000004\n",
-                                       "dump.txt");
+    auto const log = parsed_dump("001:002:000:STREAM 1.000001\n 01 zz\n\n"
+                                 "001:002:000:STREAM 1.000002\n\n"
+                                 "001:002:000:STREAM 1.000003\n 01\n"
+                                 "001:002:000:NOISE  1.000004\n",
+                                 "dump.txt");
     ASSERT_TRUE(log) << log.error().message;
     EXPECT_EQ(log->warning_count, 3u); // The last block runs into a line that is no bytes.
     EXPECT_TRUE(log->records.empty());
@@ -56,7 +68,7 @@ TEST(UsbhidDump, SkipsWhatIsNoBlock)
 
 TEST(UsbhidDump, NeedsABlock)
 {
-    auto const log = parse_usbhid_dump("R: 1 c0\n", "dump.txt");
+    auto const log = parsed_dump("R: 1 c0\n", "dump.txt");
     ASSERT_FALSE(log);
     EXPECT_EQ(log.error().fault, Fault::User);
 }
@@ -94,7 +106,7 @@ constexpr char const* kLibinput = "# libinput record\n"
 
 TEST(LibinputRecord, GivesItsRawReports)
 {
-    auto const log = parse_libinput_record(kLibinput, "record.yml");
+    auto const log = parsed_record(kLibinput, "record.yml");
     ASSERT_TRUE(log) << log.error().message;
     ASSERT_EQ(log->devices.size(), 1u);
     EXPECT_EQ(log->devices[0].name, "Wacom Pen");
@@ -109,15 +121,13 @@ TEST(LibinputRecord, GivesItsRawReports)
 
 TEST(LibinputRecord, SaysWhatIsWrong)
 {
-    EXPECT_NE(
-        parse_libinput_record("devices: [\n", "record.yml").error().message.find("record.yml:"),
-        std::string::npos);
-    EXPECT_NE(
-        parse_libinput_record("ndevices: 0\n", "record.yml").error().message.find("--with-hidraw"),
-        std::string::npos);
-    EXPECT_FALSE(parse_libinput_record("- a\n- b\n", "record.yml"));
-    EXPECT_FALSE(parse_libinput_record("devices:\n- events:\n  - hid: {time: [x], hidraw0: [1]}\n",
-                                       "record.yml"));
+    EXPECT_NE(parsed_record("devices: [\n", "record.yml").error().message.find("record.yml:"),
+              std::string::npos);
+    EXPECT_NE(parsed_record("ndevices: 0\n", "record.yml").error().message.find("--with-hidraw"),
+              std::string::npos);
+    EXPECT_FALSE(parsed_record("- a\n- b\n", "record.yml"));
+    EXPECT_FALSE(
+        parsed_record("devices:\n- events:\n  - hid: {time: [x], hidraw0: [1]}\n", "record.yml"));
 }
 
 TEST(GuessLogFormat, TellsByTheFirstLines)

@@ -4,12 +4,16 @@
 #include "drivers/log_writer.h"
 #include "tests/drivers/devices.h"
 
+#include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <map>
 #include <sstream>
 #include <string>
+#include <sys/stat.h>
+#include <thread>
 #include <unistd.h>
 
 namespace tractus {
@@ -234,6 +238,104 @@ TEST(LogReader, ReadsALogOfManyPieces)
     EXPECT_EQ(log->records.size(), 20'000u);
     EXPECT_EQ(log->records, parsed(text).records);
     EXPECT_EQ(log->warning_count, 0u);
+}
+
+// A log whose reports do not all stay in memory, as text and in a file.
+class LargeLog : public testing::Test {
+protected:
+    LargeLog()
+    {
+        text_ = "R: 1 c0\nN: pen\nD: 3\nR: 1 c0\nN: knob\n";
+        for (int i = 0; i < 150'000; ++i) {
+            text_ += "D: " + std::to_string(i % 1000 < 500 ? 0 : 3) + "\n";
+            text_ += "E: " + std::to_string(i) + ".5 1 " + (i % 2 ? "01\n" : "a0\n");
+            if (i % 10'000 == 0)
+                text_ += "T: " + std::to_string(i) + ".5 draw trunk\nG: " + std::to_string(i)
+                    + ".6\nE: 0.1 2 01\n";
+        }
+        text_ += "E: 150000.5 3 01"; // Cut off.
+        std::ofstream(path_) << text_;
+    }
+    ~LargeLog() override { std::filesystem::remove(path_); }
+
+    std::filesystem::path path_ = std::filesystem::temp_directory_path()
+        / ("tractus_large_log_" + std::to_string(::getpid()));
+    std::string text_;
+};
+
+TEST_F(LargeLog, IsReadAsIfItWereInMemory)
+{
+    auto const whole = parsed(text_);
+    auto const log = read_log(path_).value();
+    EXPECT_LT(log.records.size() * sizeof(LogRecord) + log.bytes.size(), kMostLogBytes + 1000);
+    EXPECT_EQ(log.record_count(), whole.records.size());
+    EXPECT_EQ(log.begin(), whole.begin());
+    EXPECT_EQ(log.end(), whole.end());
+    EXPECT_EQ(log.warning_count, whole.warning_count);
+    EXPECT_EQ(log.warnings.back().line, whole.warnings.back().line);
+    ASSERT_EQ(log.tools.size(), whole.tools.size());
+    for (std::size_t i = 0; i < log.tools.size(); ++i)
+        EXPECT_EQ(log.tools[i].position, whole.tools[i].position);
+    LogCursor cursor(log);
+    for (auto const& record : whole.records) {
+        auto const* const report = cursor.next().value();
+        ASSERT_TRUE(report);
+        ASSERT_EQ(report->time, record.time);
+        ASSERT_EQ(report->device, record.device);
+        ASSERT_TRUE(std::ranges::equal(report->bytes, whole.report(record)));
+    }
+    EXPECT_EQ(cursor.next().value(), nullptr);
+    EXPECT_EQ(cursor.position(), whole.records.size());
+}
+
+TEST_F(LargeLog, ThatHasBeenCutMeanwhileEndsInAnError)
+{
+    auto const log = read_log(path_).value();
+    std::filesystem::resize_file(path_, text_.size() / 2);
+    LogCursor cursor(log);
+    auto report = cursor.next();
+    while (report && *report)
+        report = cursor.next();
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().message,
+              path_.string() + " has changed while it was read: read it again");
+}
+
+TEST_F(LargeLog, IsTheOneThatWasThereThoughAnotherTakesItsName)
+{
+    auto const log = read_log(path_).value();
+    std::filesystem::remove(path_);
+    LogCursor cursor(log);
+    while (cursor.next().value()) { }
+    EXPECT_EQ(cursor.position(), log.record_count());
+}
+
+TEST(LogReader, RefusesWhatAPipeHasNoEndOf)
+{
+    auto const path = std::filesystem::temp_directory_path()
+        / ("tractus_log_pipe_" + std::to_string(::getpid()));
+    ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+    std::signal(SIGPIPE, SIG_IGN);
+    std::thread writer([&] {
+        std::ofstream out(path);
+        out << "R: 1 c0\n";
+        for (std::size_t i = 0; i <= kMostPipedLogBytes / sizeof(LogRecord) && out; ++i)
+            out << "E: 0.5 1 01\n";
+    });
+    auto const log = read_log(path);
+    writer.join();
+    std::filesystem::remove(path);
+    ASSERT_FALSE(log);
+    EXPECT_NE(log.error().message.find("save it in a file first"), std::string::npos);
+}
+
+TEST(LogReader, RefusesDescriptionsWithoutEnd)
+{
+    std::string text = "R: 1 c0\n";
+    while (text.size() < (std::size_t { 20 } << 20))
+        text += "C: a = 1\n";
+    auto const message = error_of(text);
+    EXPECT_NE(message.find("this is no log"), std::string::npos) << message;
 }
 
 TEST(LogReader, RefusesADescriptorOfTheWrongLength)

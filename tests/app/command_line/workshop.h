@@ -69,6 +69,8 @@ protected:
         std::ofstream(folder_ / name, std::ios::binary) << text;
     }
 
+    std::filesystem::path path(std::string const& name) const { return folder_ / name; }
+
     std::string read(std::string const& name) const { return contents(folder_ / name); }
 
     bool exists(std::string const& name) const { return std::filesystem::exists(folder_ / name); }

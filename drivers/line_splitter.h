@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/base/result.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace tractus {
+
+// Cuts a text that comes in pieces into its lines. What grows longer than kMaxLineBytes without a
+// line break is no text, and is refused before it fills the memory.
+class LineSplitter {
+public:
+    static constexpr std::size_t kMaxLineBytes = std::size_t { 1 } << 20;
+
+    // `name` is the text's, for messages. `take` gets each line without its line break.
+    LineSplitter(std::string name, std::function<Result<void>(std::string_view line)> take);
+
+    // The next piece, cut anywhere. Fails, as the user's fault, at a line that is too long, and as
+    // `take` does.
+    Result<void> feed(std::string_view piece);
+
+    // The text has ended: a last line without a line break is taken, too.
+    Result<void> end();
+
+private:
+    std::string name_;
+    std::function<Result<void>(std::string_view line)> take_;
+    std::string begun_; // What the last piece had of a line that it did not end.
+    std::size_t lines_ = 0;
+};
+
+} // namespace tractus
