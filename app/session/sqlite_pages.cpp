@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
+#include <numeric>
 #include <set>
+#include <utility>
 
 namespace tractus {
 
@@ -112,6 +115,10 @@ void SqlitePages::add_log(std::string_view log)
         if (big_endian(log, at + 4, 4) != 0 && big_endian(log, at + 8, 8) == salts)
             committed = count;
     }
+    // Page number - 1 → index in pages_ of its newest version.
+    constexpr auto kUnseen = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> newest_at(newest_.size());
+    std::iota(newest_at.begin(), newest_at.end(), std::size_t { 0 });
     for (std::size_t i = 0; i < count; ++i) {
         auto const at = kLogHeaderBytes + i * frame_bytes;
         auto const number = static_cast<std::uint32_t>(big_endian(log, at, 4));
@@ -121,11 +128,13 @@ void SqlitePages::add_log(std::string_view log)
         pages_.push_back({ bytes, number, counts });
         if (!counts)
             continue;
-        for (std::size_t j = 0; j + 1 < pages_.size(); ++j)
-            if (pages_[j].number == number)
-                pages_[j].is_current = false;
-        if (number > newest_.size())
+        if (number > newest_.size()) {
             newest_.resize(number);
+            newest_at.resize(number, kUnseen);
+        }
+        auto const before = std::exchange(newest_at[number - 1], pages_.size() - 1);
+        if (before != kUnseen)
+            pages_[before].is_current = false;
         newest_[number - 1] = bytes;
     }
 }

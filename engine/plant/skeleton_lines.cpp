@@ -63,7 +63,8 @@ private:
 
     Cell cell_of(Vec3 const& place_mm) const
     {
-        Vec3 const cell = (place_mm / tolerance_mm_).array().floor();
+        constexpr double kFarthest = 0x1p62; // Beyond that, places share a cell.
+        Vec3 const cell = (place_mm / tolerance_mm_).array().floor().max(-kFarthest).min(kFarthest);
         return { static_cast<std::int64_t>(cell.x()), static_cast<std::int64_t>(cell.y()),
                  static_cast<std::int64_t>(cell.z()) };
     }
