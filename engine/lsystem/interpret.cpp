@@ -143,7 +143,7 @@ Result<DrawnString> draw_at_once(DrawingJob& job)
 // Each once, in the order of the string.
 std::vector<std::string> gather_warnings(Model const& model, std::vector<Piece> const& pieces)
 {
-    std::vector<Drawing::Warning> all;
+    std::vector<TurtleDrawing::Warning> all;
     for (auto const& piece : pieces)
         all.insert(all.end(), piece.drawn.drawing.warnings.begin(),
                    piece.drawn.drawing.warnings.end());

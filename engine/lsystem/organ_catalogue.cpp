@@ -24,7 +24,7 @@ BezierSurface const* find_surface(View const& view, char letter)
     return found != view.surfaces.end() && !find_organ(view, letter) ? &found->second : nullptr;
 }
 
-OrganCatalogue::Identity OrganCatalogue::identity(Drawing::ShapeKey const& key) const
+OrganCatalogue::Identity OrganCatalogue::identity(TurtleDrawing::ShapeKey const& key) const
 {
     if (key.letter != 0 && key.kind != OrganShape::Kind::Surface)
         return { key.letter, key.kind, 0, 0 };

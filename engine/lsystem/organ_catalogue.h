@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/lsystem/drawing.h"
 #include "engine/lsystem/plant_assembly.h"
+#include "engine/lsystem/turtle_drawing.h"
 #include "engine/lsystem/view.h"
 
 #include <array>
@@ -25,7 +25,7 @@ public:
     OrganCatalogue(View const& view, double unit_mm, std::span<DrawnPiece const> pieces);
 
     MaterialId material(std::uint8_t color) const { return materials_by_color_[color]; }
-    OrganShapeId shape(Drawing::ShapeKey const& key) const
+    OrganShapeId shape(TurtleDrawing::ShapeKey const& key) const
     {
         return shapes_by_key_.at(identity(key));
     }
@@ -44,7 +44,7 @@ private:
     };
 
     // What has the turtle's colour is one shape for all colours of one material.
-    Identity identity(Drawing::ShapeKey const& key) const;
+    Identity identity(TurtleDrawing::ShapeKey const& key) const;
     void add_materials(View const& view, std::span<DrawnPiece const> pieces);
     OrganShape make_shape(View const& view, Identity const& identity);
     OrganShape make_surface(View const& view, Identity const& identity) const;

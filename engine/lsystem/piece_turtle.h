@@ -23,7 +23,8 @@ struct Piece {
     std::size_t parameter = 0; // Where the first module's parameters begin.
     std::int64_t depth = 0;    // Of the first module, counted from the string's beginning.
     Turtle::Start start;
-    Drawing::Target target; // Of planned pieces: where the first axis and segment come to lie.
+    TurtleDrawing::Target
+        target; // Of planned pieces: where the first axis and segment come to lie.
     DrawnPiece drawn;
     std::vector<Piece> branches; // Left out, in the order of the string.
     bool is_complete = true;     // Ends as if it had been drawn by itself.
@@ -80,7 +81,7 @@ private:
     Machine machine_;
     Expander homomorphism_;
     Turtle turtle_;
-    Drawing drawing_; // Of one piece: the same memory for one after the other.
+    TurtleDrawing drawing_; // Of one piece: the same memory for one after the other.
     std::array<bool, 256> has_rules_ {};
     std::array<bool, 256> opens_ {};
     std::array<bool, 256> stops_ {}; // Kinds that are more than a symbol to draw.

@@ -102,7 +102,7 @@ private:
         auto const& target = targets_[piece];
         if (segment == kNone || has_segments_)
             return segment;
-        if (segment == Drawing::kBelow)
+        if (segment == TurtleDrawing::kBelow)
             return target.root_segment;
         auto const& drawn = pieces_[piece].drawing.segments[segment];
         return target.first_segments[drawn.axis] + drawn.index;
@@ -126,7 +126,7 @@ void Assembly::measure(std::size_t piece)
     for (std::size_t i = 0; i < drawing.axes.size(); ++i) {
         auto const& axis = drawing.axes[i];
         target.segments_before[i + 1] = target.segments_before[i] + axis.segment_count;
-        if (axis.parent_segment < Drawing::kBelow)
+        if (axis.parent_segment < TurtleDrawing::kBelow)
             target.orders[i] = target.orders[drawing.segments[axis.parent_segment].axis] + 1;
     }
 }
@@ -202,7 +202,7 @@ void Assembly::find_roots()
         auto const segment = pieces_[i].root_segment;
         auto& target = targets_[i];
         target.root_segment = segment_id(parent, segment);
-        if (segment == Drawing::kBelow) {
+        if (segment == TurtleDrawing::kBelow) {
             target.root_axis = below.root_axis;
             target.lowest_order = below.lowest_order;
         } else if (segment != kNone) {
@@ -240,9 +240,9 @@ void Assembly::write_axes(std::size_t piece)
         axis.first_node = axis.first_segment + id;
         axis.segment_count = drawn.segment_count;
         axis.parent_segment = segment_id(piece, drawn.parent_segment);
-        if (drawn.parent_segment < Drawing::kBelow)
+        if (drawn.parent_segment < TurtleDrawing::kBelow)
             axis.parent_axis = target.axis_ids[drawing.segments[drawn.parent_segment].axis];
-        else if (drawn.parent_segment == Drawing::kBelow)
+        else if (drawn.parent_segment == TurtleDrawing::kBelow)
             axis.parent_axis = target.root_axis;
         axis.order = target.lowest_order + target.orders[i];
         plant_.node_position_mm[axis.first_node] = drawn.base_mm;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/lsystem/drawing.h"
+#include "engine/lsystem/turtle_drawing.h"
 #include "engine/lsystem/view.h"
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace tractus {
 
 // A piece of a drawing and where it stands.
 struct DrawnPiece {
-    Drawing drawing;
+    TurtleDrawing drawing;
     std::size_t parent = 0;             // The piece whose gap it fills; before it in the array.
     std::uint32_t root_segment = kNone; // There; kNone: it stands on the ground.
 };

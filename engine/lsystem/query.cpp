@@ -55,7 +55,7 @@ private:
     Machine machine_;
     HomomorphismWalk walk_;
     TurtleOptions const options_ { .unit_mm = 1 };
-    Drawing drawing_;
+    TurtleDrawing drawing_;
     Turtle turtle_;
     std::vector<EnvironmentQuery> queries_;
     bool keeps_cuts_;

@@ -54,7 +54,7 @@ Turtle::Start Turtle::start() const
     return start;
 }
 
-void Turtle::begin(Start const& start, Drawing& drawing)
+void Turtle::begin(Start const& start, TurtleDrawing& drawing)
 {
     drawing_ = &drawing;
     state_ = start.state;
@@ -89,7 +89,7 @@ Turtle::Start Turtle::branch_start() const
     Start start { state_, extras_ };
     start.state.place.is_open = false;
     if (start.state.place.segment != kNone && !drawing_->target.plant)
-        start.state.place.segment = Drawing::kBelow;
+        start.state.place.segment = TurtleDrawing::kBelow;
     return start;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/lsystem/cylinder.h"
-#include "engine/lsystem/drawing.h"
 #include "engine/lsystem/interpret.h"
 #include "engine/lsystem/rewriter.h"
+#include "engine/lsystem/turtle_drawing.h"
 #include "engine/lsystem/turtle_frame.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ bool uses_turtle_extras(Model const& model);
 // Whether strings may define surfaces by the turtle, which are numbered as they are drawn.
 bool uses_patches(Model const& model);
 
-// Draws the symbols of a string, one after the other, into a Drawing. What each symbol does:
+// Draws the symbols of a string, one after the other, into a TurtleDrawing. What each symbol does:
 // interpret.h.
 class Turtle {
 public:
@@ -40,7 +40,7 @@ public:
         // An open generalised cylinder: its control points are steps and dots, or @Gc and dots.
         enum class Path : std::uint8_t { None, OfSteps, OfSymbols };
         Path path = Path::None;
-        Drawing::Place place;
+        TurtleDrawing::Place place;
     };
     // What brackets save, too, where a model uses any of it.
     struct Extras {
@@ -62,7 +62,7 @@ public:
     KeptTurtle kept() const;
 
     // From here on draws into `drawing`, beginning as given.
-    void begin(Start const& start, Drawing& drawing);
+    void begin(Start const& start, TurtleDrawing& drawing);
 
     // Draws modules up to the first for which `stops` is true, that is not a symbol of its own or
     // of the @-symbols, or that is a cut. All their parameters are finite. The first stands at
@@ -116,7 +116,7 @@ private:
     // A generalised cylinder that is being drawn, and where it goes on.
     struct OpenCylinder {
         Cylinder cylinder;
-        Drawing::Place place;
+        TurtleDrawing::Place place;
         bool is_round = true; // The axis at `place`.
     };
 
@@ -246,7 +246,7 @@ private:
     std::array<Kind, 256> kinds_ {};
     AngleCache angles_;
 
-    Drawing* drawing_ = nullptr; // Not owned.
+    TurtleDrawing* drawing_ = nullptr; // Not owned.
     State state_;
     Extras extras_;
     bool has_extras_ = false;

@@ -15,10 +15,9 @@ Result<std::vector<Edit>> stroke_edits(Tool::Kind kind, Stroke const& stroke, Sc
         return std::vector<Edit> { Oversketch { { numbers.back() }, stroke } };
     case Tool::Kind::Smooth:
         return std::vector<Edit> { SmoothStroke { numbers, 0 } };
-    case Tool::Kind::Delete:
-        return std::vector<Edit> { DeleteStroke { { numbers.back() } } };
     default:
-        CHECK(false);
+        CHECK(kind == Tool::Kind::Delete);
+        return std::vector<Edit> { DeleteStroke { { numbers.back() } } };
     }
 }
 

@@ -16,7 +16,7 @@ namespace tractus {
 //
 // A piece stands on a segment of another piece (kBelow), or on the ground (kNone). Branches that
 // were left out, to be pieces of their own, are its gaps.
-struct Drawing {
+struct TurtleDrawing {
     // Stands for the segment on which the piece stands.
     static constexpr std::uint32_t kBelow = kNone - 1;
 
@@ -97,7 +97,7 @@ struct Drawing {
     Target target {};
 
     // A copy, its large arrays in other memory.
-    Drawing copy(std::pmr::memory_resource& memory) const;
+    TurtleDrawing copy(std::pmr::memory_resource& memory) const;
     // Drops what was drawn and keeps the memory.
     void clear();
 

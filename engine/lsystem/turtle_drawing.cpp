@@ -1,4 +1,4 @@
-#include "engine/lsystem/drawing.h"
+#include "engine/lsystem/turtle_drawing.h"
 
 #include "engine/base/check.h"
 
@@ -6,7 +6,7 @@
 
 namespace tractus {
 
-Drawing Drawing::copy(std::pmr::memory_resource& memory) const
+TurtleDrawing TurtleDrawing::copy(std::pmr::memory_resource& memory) const
 {
     return { { segments, &memory },
              { axes, &memory },
@@ -21,7 +21,7 @@ Drawing Drawing::copy(std::pmr::memory_resource& memory) const
              warnings };
 }
 
-void Drawing::clear()
+void TurtleDrawing::clear()
 {
     segments.clear();
     axes.clear();
@@ -37,8 +37,8 @@ void Drawing::clear()
     target = {};
 }
 
-void Drawing::add_polygon(std::vector<Vec3> const& vertices_mm, std::uint32_t segment,
-                          std::uint8_t color)
+void TurtleDrawing::add_polygon(std::vector<Vec3> const& vertices_mm, std::uint32_t segment,
+                                std::uint8_t color)
 {
     if (vertices_mm.size() < 3)
         return;
@@ -52,7 +52,7 @@ void Drawing::add_polygon(std::vector<Vec3> const& vertices_mm, std::uint32_t se
     has_color[color] = true;
 }
 
-AxisId Drawing::begin_axis(SegmentId parent_segment, AxisId parent_axis, Vec3 const& base_mm)
+AxisId TurtleDrawing::begin_axis(SegmentId parent_segment, AxisId parent_axis, Vec3 const& base_mm)
 {
     CHECK(!target.axis_lengths.empty());
     auto& plant = *target.plant;
@@ -72,7 +72,7 @@ AxisId Drawing::begin_axis(SegmentId parent_segment, AxisId parent_axis, Vec3 co
     return id;
 }
 
-OrganShapeId Drawing::shape(ShapeKey const& key)
+OrganShapeId TurtleDrawing::shape(ShapeKey const& key)
 {
     auto const found = std::find(shape_keys.begin(), shape_keys.end(), key);
     auto const index = std::distance(shape_keys.begin(), found);
