@@ -57,15 +57,19 @@ TEST_F(DiagnosisCommands, WatchFillsATerminalAndRecordsWithAKey)
 {
     if (run("command -v script").exit_code != 0)
         GTEST_SKIP() << "there is no script (Debian's bsdutils) to make a terminal";
-    auto const outcome
-        = run("i=0; { sleep 0.5; printf r; while [ $i -lt 100 ] && ! grep -qs ^E "
-              "watch-*.tractus-log; do sleep 0.1; i=$((i+1)); done; printf rq; sleep 0.5; } | "
-              "TERM=xterm script -qec \"stty rows 40 cols 120; '" TRACTUS_PROGRAM
-              "' watch simulated --seconds 30\" /dev/null");
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
-    EXPECT_NE(outcome.out.find("Simulated pen tablet"), std::string::npos);
-    EXPECT_NE(outcome.out.find("touching"), std::string::npos);
-    EXPECT_NE(outcome.out.find("q quit"), std::string::npos);
+    // A key is pressed when what it needs can be seen, or the program has ended without that.
+    auto const outcome = run(
+        "touch screen; wait_for() { until \"$@\" || [ -e ended ]; do sleep 0.02; done; }\n"
+        "{ wait_for grep -q 'q quit' screen; wait_for grep -q touching screen; printf r;"
+        "  wait_for sh -c 'grep -qs ^E watch-*.tractus-log'; printf rq; wait_for [ -e ended ]; } | "
+        "{"
+        "  TERM=xterm script -qec \"stty rows 40 cols 120; '" TRACTUS_PROGRAM
+        "' watch simulated --seconds 250\" /dev/null >screen; code=$?; touch ended; exit $code; }");
+    auto const screen = read("screen");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err << screen;
+    EXPECT_NE(screen.find("Simulated pen tablet"), std::string::npos);
+    EXPECT_NE(screen.find("touching"), std::string::npos);
+    EXPECT_NE(screen.find("q quit"), std::string::npos);
     auto const decoded = run("tractus decode watch-*.tractus-log");
     EXPECT_EQ(decoded.exit_code, 0) << decoded.err;
     EXPECT_NE(decoded.out.find("Simulated pen tablet"), std::string::npos) << decoded.out;

@@ -77,7 +77,7 @@ LiveWindowOptions options_for_tests()
 // machine may let wait.
 void advance_to_end(LiveWindow& window)
 {
-    for (int i = 0; i < 60'000 && window.state().status.find("is over") == std::string::npos; ++i) {
+    while (window.state().status.find("is over") == std::string::npos) {
         window.advance(std::chrono::milliseconds(16));
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -531,7 +531,7 @@ std::string trouble_after(int counts, std::int64_t now_ms)
     options.now = [&now] { return now; };
     auto devices = LiveDevices::start(std::move(sources)).value();
     auto window = LiveWindow::create(std::move(devices), std::move(options)).value();
-    for (int i = 0; i < 60'000 && window.station().counts().height_samples < 21; ++i) {
+    while (window.station().counts().height_samples < 21) {
         window.advance(std::chrono::milliseconds(16));
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

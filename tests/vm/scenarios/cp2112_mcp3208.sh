@@ -34,7 +34,7 @@ unplug() {
 }
 
 guest() {
-    local player
+    local player recorder
     tractus sim cp2112 $log --stay &
     player=$!
     wait_until test -e /dev/gpiochip0
@@ -52,7 +52,8 @@ guest() {
     player=$!
     wait_until test -e /dev/gpiochip0
     tractus record --device $address:0 -o unplugged.tractus-log 2>messages &
-    sleep 0.5
+    recorder=$!
+    wait_for_reports unplugged.tractus-log 100
     unplug KILL
-    lose_converter $!
+    lose_converter $recorder
 }

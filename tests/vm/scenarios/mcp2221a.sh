@@ -19,13 +19,13 @@ guest() {
     wait_until test -e /dev/hidraw0
     tractus record -o unplugged.tractus-log 2>messages &
     recorder=$!
-    sleep 1
+    wait_for_reports unplugged.tractus-log 100
     kill -KILL $player
     wait_until grep -q 'has gone' messages
     tractus sim mcp2221a $log --stay &
     player=$!
     wait_until grep -q 'is back' messages
-    sleep 0.5
+    wait_for_reports unplugged.tractus-log 100
     kill -TERM $recorder
     wait $recorder
     cat messages

@@ -18,6 +18,7 @@ ask_for_pins() {
 
 # How many of the chip's answers, 64 bytes each, are to command $1.
 count_answers() { od -An -v -tx1 -w64 answers | grep -c "^ $1" || true; }
+has_answers() { [ "$(count_answers "$1")" -ge "$2" ]; }
 
 share_with_a_program() {
     local witness
@@ -25,10 +26,10 @@ share_with_a_program() {
     witness=$!
     wait_until test -s answers
     ask_for_pins
+    wait_until has_answers 51 100 # The other program's.
+    wait_until has_answers 10 500 # Our own.
     kill $witness
     figure "answers to another program" "$(count_answers 51)"
-    [ "$(count_answers 51)" -ge 100 ] || fail "the other program was not answered"
-    [ "$(count_answers 10)" -ge 500 ] || fail "our own questions were not answered"
 }
 
 # The driver looks at the chip for 24 s, since this kernel lets no answers through meanwhile.
@@ -52,7 +53,7 @@ guest() {
     recorder=$!
     share_with_a_program
     share_with_the_kernel
-    sleep 0.5
+    wait_for_reports got.tractus-log 100
     kill -TERM $recorder
     wait $recorder
     cat messages

@@ -11,10 +11,15 @@ outside() {
 
 # In the report: its id 2, x and y with the low byte first, buttons, pressure.
 guest() {
+    local recorder
     wait_until test -e /dev/hidraw0
-    sleep 3 # The driver sets the mode a second after it has come.
+    sleep 3 # The driver sets the mode a second after it has come, and gives no sign of it.
     tractus devices
-    tractus record -o got.tractus-log --device libusb:1-1:0 --seconds 3
+    tractus record -o got.tractus-log --device libusb:1-1:0 &
+    recorder=$!
+    wait_for_reports got.tractus-log 100
+    kill -TERM $recorder
+    wait $recorder
     awk '/^E:/ { reports++; own_mode += $3 == 7 && $4 == "02"; places += !seen[$5 $6]++ }
         END { print reports + 0, "reports", own_mode + 0, "in its own mode", places + 0, "places"
             exit !(reports >= 20 && own_mode == reports && places >= 20) }' got.tractus-log
