@@ -14,9 +14,16 @@ inline std::filesystem::path corpus()
     return folder ? std::filesystem::path(folder) : std::filesystem::path();
 }
 
+// Of data that come with the tests, tests/data: a file or folder of them.
+inline std::filesystem::path shipped(std::filesystem::path const& name)
+{
+    return std::filesystem::path(__FILE__).parent_path() / "data" / name;
+}
+
 } // namespace tractus
 
-// Skips the running test, visibly, where there is no corpus.
+// Skips the running test, visibly, where there is no corpus. Its name belongs to the CORPUS of its
+// program in CMakeLists.txt, which makes one line of all that are skipped.
 #define REQUIRE_CORPUS()                                                                           \
     if (::tractus::corpus().empty())                                                               \
     GTEST_SKIP() << "TRACTUS_CORPUS is not set: this test needs the folder of recordings"

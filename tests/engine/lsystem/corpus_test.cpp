@@ -266,8 +266,7 @@ void compare_strings(Model const& model, ModuleString const& string, nlohmann::j
 
 TEST_P(CountedSystem, HasTheExactCountsAndString)
 {
-    REQUIRE_CORPUS();
-    auto const folder = corpus() / "lsystem_counts";
+    auto const folder = shipped("lsystem_counts");
     auto const model = compile_file(folder / (GetParam() + ".l"));
     ASSERT_TRUE(model) << model.error().message;
     int compared = 0;
@@ -326,9 +325,8 @@ INSTANTIATE_TEST_SUITE_P(All, CountedSystem, ::testing::ValuesIn(counted_systems
 
 TEST(CountedSystems, AreAllCompared)
 {
-    REQUIRE_CORPUS();
     std::set<std::string> left;
-    auto const counted = read_json(corpus() / "lsystem_counts" / "counts.json");
+    auto const counted = read_json(shipped("lsystem_counts") / "counts.json");
     for (auto const& system : counted["systems"])
         left.insert(system["id"].get<std::string>());
     for (auto const& name : counted_systems())

@@ -182,12 +182,11 @@ TEST(ReadTilt, SurvivesAnyDamage)
 
 TEST(ReadTilt, ReadsASketchThatSomebodyDrew)
 {
-    REQUIRE_CORPUS();
-    std::ifstream in(corpus() / "strokes" / "toolkit_sketch1.tilt", std::ios::binary);
+    std::ifstream in(shipped("strokes") / "toolkit_sketch1.tilt", std::ios::binary);
     std::vector<char> const bytes { std::istreambuf_iterator<char>(in), {} };
     auto const strokes = read_tilt("toolkit_sketch1.tilt", std::as_bytes(std::span(bytes)));
     ASSERT_TRUE(strokes) << strokes.error().message;
-    auto const expected = read_strokes(corpus() / "strokes" / "toolkit_sketch1.strokes.txt");
+    auto const expected = read_strokes(shipped("strokes") / "toolkit_sketch1.strokes.txt");
     ASSERT_EQ(strokes->size(), expected.size());
     Vec3 const moved = (*strokes)[0].tips[0].position_mm - expected[0][0];
     for (std::size_t i = 0; i < expected.size(); ++i) {

@@ -84,8 +84,7 @@ TEST(SmoothHand, TwoPointsStayALine)
 
 TEST(SmoothHand, ShortensWhatPeopleDrewButALittle)
 {
-    REQUIRE_CORPUS();
-    auto const strokes = read_strokes(corpus() / "strokes" / "Wire.strokes.txt");
+    auto const strokes = read_strokes(shipped("strokes") / "Wire.strokes.txt");
     ASSERT_EQ(strokes.size(), 67u);
     for (auto const& stroke : strokes) {
         auto const smooth = smooth_hand(stroke, 0);

@@ -41,9 +41,8 @@ TEST(StrokeText, SaysWhereAndWhatIsWrong)
 
 TEST(StrokeText, ReadsWhatPeopleDrewInVirtualReality)
 {
-    REQUIRE_CORPUS();
     for (char const* name : { "Wire.strokes.txt", "Blue_Tit.strokes.txt" }) {
-        auto const path = corpus() / "strokes" / name;
+        auto const path = shipped("strokes") / name;
         std::ifstream in(path);
         std::stringstream text;
         text << in.rdbuf();

@@ -59,10 +59,9 @@ TEST(EndToEnd, AHundredThousandSegmentsFromPenToCollection)
 
 TEST(EndToEnd, StrokesThatPeopleDrewBendAPlant)
 {
-    REQUIRE_CORPUS();
     auto const plant = forking_tree(7, 12);
     for (char const* name : { "Wire.strokes.txt", "Blue_Tit.strokes.txt" }) {
-        auto const strokes = read_strokes(corpus() / "strokes" / name);
+        auto const strokes = read_strokes(shipped("strokes") / name);
         ASSERT_FALSE(strokes.empty());
         for (auto const& points : strokes) {
             std::vector<Association> const associations { { .path = segments_of(plant.axes[0]),
