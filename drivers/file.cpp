@@ -240,6 +240,29 @@ Result<void> make_folder(fs::path const& folder)
     return {};
 }
 
+Result<void> check_writable(fs::path const& path)
+{
+    if (is_stream(path))
+        return {};
+    std::error_code error;
+    if (fs::is_directory(path, error))
+        return fail(Fault::User, fmt::format("cannot write {}: it is a folder", path.string()));
+    auto folder = follow_links(path).parent_path();
+    while (!folder.empty() && !fs::exists(folder, error))
+        folder = folder.parent_path();
+    if (folder.empty())
+        folder = ".";
+    if (!fs::is_directory(folder, error))
+        return fail(
+            Fault::User,
+            fmt::format("cannot write {}: {} is no folder", path.string(), folder.string()));
+    if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
+        return fail(Fault::User,
+                    fmt::format("cannot write {}: in {}: {}", path.string(), folder.string(),
+                                std::strerror(errno)));
+    return {};
+}
+
 // A name that no other writer has, in this program or another.
 static fs::path unfinished_path(fs::path const& target)
 {
@@ -253,6 +276,8 @@ Result<void> write_file(fs::path const& path,
     if (is_stream(path))
         return write_and_rename(path, path, write);
     auto const target = follow_links(path);
+    if (target.has_parent_path())
+        TRY(make_folder(target.parent_path()));
     return write_and_rename(target, unfinished_path(target), write);
 }
 

@@ -33,12 +33,17 @@ Result<void> read_file_in_pieces(std::filesystem::path const& path, std::size_t 
 // Makes a folder and those that it is in, where they are not there. Fails, as the user's fault.
 Result<void> make_folder(std::filesystem::path const& folder);
 
+// Whether write_file() may write there, for who wants to know before a long work: the folder that
+// the file is to be in, or the nearest that is there above it, takes new files. Changes nothing.
+// Fails, as the user's fault.
+Result<void> check_writable(std::filesystem::path const& path);
+
 // Calls `write` with a stream to a temporary file beside `path`, lets the disk take it, then
 // renames it to `path`, so that under its final name the file is always whole: the old one or the
-// new one, also after the power has failed. When `write` or the disk fails, the temporary file is
-// removed, the old file stays, and the error says why. The stream is seekable and binary. A
-// symbolic link stays, and what it points to is written. What is not a file (/dev/stdout, a pipe)
-// is written straight away, and need not be seekable.
+// new one, also after the power has failed. Folders that are not there are made. When `write` or
+// the disk fails, the temporary file is removed, the old file stays, and the error says why. The
+// stream is seekable and binary. A symbolic link stays, and what it points to is written. What is
+// not a file (/dev/stdout, a pipe) is written straight away, and need not be seekable.
 Result<void> write_file(std::filesystem::path const& path,
                         std::function<Result<void>(std::ostream&)> const& write);
 

@@ -1,4 +1,5 @@
 #include "app/devices/live_recorder.h"
+#include "drivers/file.h"
 
 #include <cerrno>
 #include <cstring>
@@ -16,13 +17,15 @@ Result<void> check_new_file(std::filesystem::path const& path)
                     fmt::format("{} is already there: choose another name, a recording "
                                 "is never written over",
                                 path.string()));
-    return {};
+    return check_writable(path);
 }
 
 Result<LiveRecorder> LiveRecorder::create(std::filesystem::path const& path,
                                           LogHeader const& header)
 {
     TRY(check_new_file(path));
+    if (path.has_parent_path())
+        TRY(make_folder(path.parent_path()));
     // Under its final name from the first report on: a log is whole at any length.
     auto out = std::make_unique<std::ofstream>(path, std::ios::binary);
     if (!*out)

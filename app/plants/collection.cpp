@@ -78,10 +78,11 @@ private:
 Result<CollectionReport> Collection::run()
 {
     // What can fail fails before the work.
+    TRY(check_writable(manifest_path(options_)));
+    if (!options_.sheet.empty())
+        TRY(check_writable(options_.sheet));
     if (!options_.sheet.empty() || options_.details > 0)
         pictures_.emplace(TRY(PictureThread::create()));
-    if (options_.sheet.has_parent_path())
-        TRY(make_folder(options_.sheet.parent_path()));
     auto const scene = TRY(load());
     auto const plan = TRY(plan_growth(scene));
     auto as_drawn = scene;
@@ -244,7 +245,6 @@ Result<std::vector<ManifestPlant>> Collection::write_one_file(Grower& grower,
 Result<std::vector<ManifestPlant>> Collection::write_folder(Grower& grower,
                                                             std::vector<PlantPlace> const& places)
 {
-    TRY(make_folder(options_.output));
     progress_.begin("writing the plants", places.size());
     auto const digits = std::to_string(options_.count).size();
     std::vector<ManifestPlant> plants;

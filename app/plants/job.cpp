@@ -60,7 +60,6 @@ private:
 
 Result<JobReport> Job::run()
 {
-    TRY(make_folder(options_.folder));
     auto scene = TRY(load_plant());
     auto const drawing = TRY(read_drawing(std::move(scene)));
     auto pictures = TRY(PictureMaker::create());

@@ -31,7 +31,6 @@ public:
                                     "folder",
                                     name.string()));
         auto const path = folder_ / name;
-        TRY(make_folder(path.parent_path()));
         TRY(write_file(path, text));
         files.push_back(path);
         return {};

@@ -267,6 +267,9 @@ Result<void> write_new_session(fs::path const& path, SessionOrigin const& origin
     std::error_code ignored;
     if (fs::exists(path, ignored))
         return already_there(path);
+    TRY(check_writable(path));
+    if (path.has_parent_path())
+        TRY(make_folder(path.parent_path()));
     auto const made = fs::path(fmt::format("{}.{}.part", path.string(), ::getpid()));
     auto const write = [&]() -> Result<void> {
         auto const database = TRY(Database::open(made, Database::Access::Create));

@@ -194,6 +194,9 @@ Result<void> calibrate_in_window(CalibrateArguments const& arguments)
 
 Result<void> calibrate(CalibrateArguments const& arguments)
 {
+    TRY(check_writable(arguments.rig));
+    if (!arguments.screenshot.empty())
+        TRY(check_writable(arguments.screenshot));
     if (arguments.window)
         return calibrate_in_window(arguments);
     if (!arguments.log.empty())

@@ -125,6 +125,7 @@ Result<void> convert(ConvertArguments const& arguments)
         return fail(Fault::User,
                     fmt::format("{} is the recording itself: choose another name for the output",
                                 arguments.output.string()));
+    TRY(check_writable(arguments.output));
     auto log = TRY(read_any_log(arguments.input));
     if (auto const ids = parse_ids(arguments.ids))
         for (auto& info : log.devices) {

@@ -269,6 +269,8 @@ Result<void> print_summary(Log const& log)
 
 Result<void> run(Options const& options)
 {
+    if (!options.output.empty())
+        TRY(check_writable(options.output));
     auto const log = TRY(read_log(options.log));
     if (!options.csv)
         return print_summary(log);

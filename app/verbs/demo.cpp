@@ -7,6 +7,7 @@
 #include "app/verbs/checks.h"
 #include "app/verbs/organs_option.h"
 #include "app/verbs/shared_options.h"
+#include "drivers/file.h"
 
 #include <fmt/core.h>
 #include <memory>
@@ -36,6 +37,7 @@ void add_demo_verb(CLI::App& root, Action& action)
     verb->callback([arguments, &action] {
         action = [arguments]() -> Result<void> {
             auto job = arguments->job;
+            TRY(check_writable(job.folder / "report.txt"));
             job.model = TRY(find_model(arguments->plant));
             job.drawing.log
                 = TRY(find_resource(fmt::format("demo/{}.tractus-log", arguments->plant)));

@@ -182,6 +182,7 @@ Result<Scene> add_drawing(DrawingOptions const& options, Scene scene, std::strin
 
 Result<void> grow_model(GrowArguments const& arguments)
 {
+    TRY(check_writable(arguments.output));
     auto const path = TRY(find_model(arguments.model.model));
     auto const name = path.stem().string();
     bool const is_session = is_session_file(path);

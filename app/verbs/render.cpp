@@ -74,6 +74,7 @@ Result<Mesh> load_mesh(std::string const& path)
 
 Result<void> run(RenderArguments const& arguments)
 {
+    TRY(check_writable(arguments.output));
     auto const mesh = TRY(load_mesh(arguments.input));
     auto const context = TRY(OffscreenContext::create());
     auto renderer = TRY(Renderer::create());

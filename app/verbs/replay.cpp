@@ -8,6 +8,7 @@
 #include "app/verbs/growth_options.h"
 #include "app/verbs/organs_option.h"
 #include "app/verbs/shared_options.h"
+#include "drivers/file.h"
 
 #include <memory>
 
@@ -54,6 +55,7 @@ void add_replay_verb(CLI::App& root, Action& action)
     verb->callback([arguments, &action] {
         action = [arguments]() -> Result<void> {
             auto job = arguments->job;
+            TRY(check_writable(job.folder / "report.txt"));
             job.model = TRY(find_model(arguments->model));
             if (!arguments->rig.empty())
                 job.drawing.rig = arguments->rig;

@@ -9,6 +9,7 @@
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "app/verbs/checks.h"
+#include "drivers/file.h"
 
 #include <ctime>
 #include <filesystem>
@@ -145,6 +146,7 @@ bool has_beginning(SalvagedSession const& session)
 
 Result<void> repair(SessionArguments const& arguments)
 {
+    TRY(check_writable(arguments.repaired));
     auto const session = TRY(salvage_session(arguments.file));
     std::vector<Edit> beginning;
     if (!arguments.plant.empty()) {
@@ -161,6 +163,7 @@ Result<void> repair(SessionArguments const& arguments)
 
 Result<void> export_files(SessionArguments const& arguments)
 {
+    TRY(check_writable(arguments.folder / "strokes.txt"));
     std::string text;
     for (auto const& file : TRY(export_session(arguments.file, arguments.folder)))
         text += fmt::format("wrote {}\n", file.string());

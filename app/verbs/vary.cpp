@@ -9,6 +9,7 @@
 #include "app/verbs/growth_options.h"
 #include "app/verbs/organs_option.h"
 #include "app/verbs/shared_options.h"
+#include "drivers/file.h"
 
 #include <algorithm>
 #include <memory>
@@ -32,6 +33,8 @@ struct VaryArguments {
 Result<void> vary(VaryArguments const& arguments)
 {
     auto options = arguments.collection;
+    bool const is_one_file = options.output.extension() == ".glb";
+    TRY(check_writable(is_one_file ? options.output : options.output / "plant.glb"));
     options.model = TRY(find_model(arguments.model));
     options.drawing = drawing_options(arguments.drawing);
     auto const [youngest, oldest] = parse_range(arguments.ages).value();

@@ -228,6 +228,8 @@ Result<WindowArguments> sort_out(WindowArguments arguments)
 Result<void> open_window(WindowArguments const& arguments)
 {
     return_large_blocks();
+    if (!arguments.screenshot.empty())
+        TRY(check_writable(arguments.screenshot));
     if (!arguments.log.empty())
         return show_replay(arguments);
     auto const clock = clock_for(arguments);

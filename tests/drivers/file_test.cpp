@@ -78,10 +78,33 @@ TEST_F(File, KeepsTheOldFileWhenTheWriterFails)
 
 TEST_F(File, SaysWhyAFileCannotBeWritten)
 {
-    auto const result = write_file(folder_ / "missing" / "x", "bytes");
+    ASSERT_TRUE(write_file(folder_ / "file", "bytes"));
+    auto const result = write_file(folder_ / "file" / "x", "bytes");
     ASSERT_FALSE(result);
-    EXPECT_NE(result.error().message.find("No such file or directory"), std::string::npos)
+    EXPECT_NE(result.error().message.find("Not a directory"), std::string::npos)
         << result.error().message;
+}
+
+TEST_F(File, KnowsBeforehandWhereNothingCanBeWritten)
+{
+    ASSERT_TRUE(write_file(folder_ / "file", "bytes"));
+    EXPECT_TRUE(check_writable(folder_ / "new"));
+    EXPECT_TRUE(check_writable(folder_ / "file"));
+    EXPECT_TRUE(check_writable(folder_ / "a" / "b" / "new"));
+    EXPECT_FALSE(fs::exists(folder_ / "a"));
+    EXPECT_TRUE(check_writable("/dev/full"));
+    EXPECT_EQ(check_writable(folder_).error().message,
+              "cannot write " + folder_.string() + ": it is a folder");
+    auto const below = (folder_ / "file" / "a" / "b").string();
+    EXPECT_EQ(check_writable(below).error().message,
+              "cannot write " + below + ": " + (folder_ / "file").string() + " is no folder");
+    EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(File, MakesTheFoldersThatItIsIn)
+{
+    EXPECT_TRUE(write_file(folder_ / "a" / "b" / "x", "bytes"));
+    EXPECT_EQ(read_file(folder_ / "a" / "b" / "x").value(), "bytes");
 }
 
 // Otherwise a power failure leaves an empty file under the new name, or the old one.

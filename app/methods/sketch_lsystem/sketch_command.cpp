@@ -110,12 +110,12 @@ void warn_of_cut(sketch::Rule const& rule, sketch::DrawnAxis const& axis)
 
 Result<void> sketch_plant(SketchArguments const& arguments)
 {
+    TRY(check_writable(arguments.folder / "model.l"));
     auto const rule = TRY(arguments.rule.empty() ? sketch::parse_rule("", "the usual rule")
                                                  : sketch::load_rule(arguments.rule));
     auto const axis = TRY(draw_axis(arguments, rule));
     auto const name = arguments.stroke.stem().string();
     auto const base = arguments.folder / name;
-    TRY(make_folder(arguments.folder));
     auto const leaves = arguments.bare ? sketch::Leaves::Bare : sketch::Leaves::Leafy;
     auto const source = sketch::write_model(rule, axis, leaves, name);
     TRY(write_model_files(base, source));

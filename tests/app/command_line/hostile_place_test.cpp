@@ -1,5 +1,9 @@
 #include "tests/app/command_line/workshop.h"
 
+#include <array>
+#include <fmt/core.h>
+#include <string>
+
 namespace tractus {
 namespace {
 
@@ -62,12 +66,10 @@ TEST_F(HostilePlace, ClosedStreamsDoNotMixWithFiles)
 TEST_F(HostilePlace, AFolderThatCannotBe)
 {
     record();
-    for (char const* const folder : { "small.l", "/dev/null", "/proc/tractus" })
-        expect_error(
-            run(std::string("tractus replay hand.tractus-log --plant small.l -o ") + folder), 1,
-            std::string("cannot make the folder ") + folder);
-    expect_error(run("tractus grow small.l -o nowhere/x.glb"), 1,
-                 "cannot write nowhere/x.glb: No such file or directory");
+    for (std::string const folder : { "small.l", "/dev/null" })
+        expect_error(run("tractus replay hand.tractus-log --plant small.l -o " + folder), 1,
+                     folder + " is no folder");
+    expect_error(run("tractus grow small.l -o hand.toml/x.glb"), 1, "hand.toml is no folder");
     expect_error(run("tractus decode hand.tractus-log --csv -o /dev/full"), 1, "No space left");
 }
 
@@ -129,6 +131,51 @@ TEST_F(HostilePlace, NumbersDoNotDependOnTheLocale)
         EXPECT_FALSE(read("plain/" + file).empty());
         EXPECT_TRUE(read("german/" + file) == read("plain/" + file)) << file;
     }
+}
+
+// What each verb that writes is told to write, with its file or folder in place of {}.
+constexpr std::array kWriting {
+    "grow small.l -o {}/a.glb",
+    "grow small.l --sequence 2 -o {}/a.obj",
+    "vary small.l --count 2 -o {}/a.glb",
+    "vary small.l --count 2 -o {}/a",
+    "replay hand.tractus-log --plant small.l -o {}/a --session {}/b.tractus",
+    "render small.glb -o {}/a.png",
+    "sketch line.txt -o {}/a",
+    "session export small.tractus -o {}/a",
+    "session repair small.tractus -o {}/a.tractus",
+    "record --simulate hand.toml --plant small.l -o {}/a.tractus-log",
+    "record --device hand.tractus-log --seconds 0.1 -o {}/b.tractus-log",
+    "decode hand.tractus-log --csv -o {}/a.csv",
+    "convert hand.tractus-log -o {}/a.hid",
+    "calibrate height --simulate --rig {}/a.rig.toml",
+};
+
+TEST_F(HostilePlace, FoldersThatAreNotThereAreMade)
+{
+    record();
+    write("line.txt", "0 0 0\n0 0 200\n");
+    run("tractus grow small.l -o small.glb");
+    run("tractus replay hand.tractus-log --plant small.l --session small.tractus -o drawn");
+    for (std::size_t i = 0; i < kWriting.size(); ++i) {
+        auto const folder = fmt::format("new{}/deep", i);
+        auto const outcome
+            = run("tractus " + fmt::format(fmt::runtime(kWriting[i]), folder, folder));
+        EXPECT_EQ(outcome.exit_code, 0) << kWriting[i] << ": " << outcome.err;
+        EXPECT_GE(exists(folder) ? count_files(folder) : 0, 1u) << kWriting[i];
+    }
+}
+
+// Where nothing can be written is found out before anything is read or done: here nothing is there.
+TEST_F(HostilePlace, APlaceThatCannotBeWrittenIsFoundOutBeforeTheWork)
+{
+    run("mv small.l place; rm hand.toml");
+    for (auto const* const verb : kWriting) {
+        auto const outcome
+            = run("tractus " + fmt::format(fmt::runtime(verb), "place/in", "place/in"));
+        expect_error(outcome, 1, "place is no folder");
+    }
+    EXPECT_FALSE(exists("place/in"));
 }
 
 TEST_F(HostilePlace, AWindowWithoutADisplaySaysWhatElseThereIs)

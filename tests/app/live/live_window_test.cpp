@@ -307,6 +307,7 @@ TEST_F(LiveWindowWithFolder, SaysWhyItCannotRecord)
 {
     auto window = this->window();
     fs::remove_all(folder_);
+    std::ofstream(folder_) << "no folder any more";
     window.perform(SetRecording { true });
     EXPECT_FALSE(window.state().recording.is_on);
     EXPECT_NE(window.state().status.find("cannot write"), std::string::npos);
