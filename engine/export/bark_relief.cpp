@@ -96,30 +96,47 @@ public:
                 double const small = 1 - std::abs(2 * fine.at(x, y, v, bent) - 1);
                 heights_.push_back(0.68 * large + 0.32 * small);
             }
+        find_means();
     }
 
     // Beyond the edges it repeats.
-    double at(int column, int row) const
+    double at(int column, int row) const { return heights_[index(column, row)]; }
+
+    // The mean of some heights in a square.
+    double around(int column, int row) const { return means_[index(column, row)]; }
+
+private:
+    static std::size_t index(int column, int row)
     {
         auto const wrapped = [](int i) { return static_cast<std::size_t>((i + kSize) % kSize); };
-        return heights_[wrapped(row) * kSize + wrapped(column)];
+        return wrapped(row) * kSize + wrapped(column);
     }
 
-    // The mean of a square.
-    double around(int column, int row) const
+    // Along the rows, then across them.
+    void find_means()
     {
         constexpr int kReach = 12;
         constexpr int kStep = 4;
-        double sum = 0;
-        int count = 0;
-        for (int y = -kReach; y <= kReach; y += kStep)
-            for (int x = -kReach; x <= kReach; x += kStep, ++count)
-                sum += at(column + x, row + y);
-        return sum / count;
+        constexpr int kCount = 2 * kReach / kStep + 1;
+        auto along = heights_;
+        means_.resize(heights_.size());
+        auto const sum = [&](auto const& value_at) {
+            double total = 0;
+            for (int i = -kReach; i <= kReach; i += kStep)
+                total += value_at(i);
+            return total / kCount;
+        };
+        for (int row = 0; row < kSize; ++row)
+            for (int column = 0; column < kSize; ++column)
+                along[index(column, row)] = sum([&](int x) { return at(column + x, row); });
+        for (int row = 0; row < kSize; ++row)
+            for (int column = 0; column < kSize; ++column)
+                means_[index(column, row)]
+                    = sum([&](int y) { return along[index(column, row + y)]; });
     }
 
-private:
     std::vector<double> heights_;
+    std::vector<double> means_;
 };
 
 Relief const& relief()
@@ -177,13 +194,16 @@ GreyPicture bark_color_picture()
     return picture;
 }
 
-MaterialTextures const& bark_textures()
+TextureSlot bark_normals()
 {
-    static MaterialTextures const textures {
-        .normal = paint_colors(normal_color),
-        .occlusion_roughness = paint_colors(occlusion_color),
-    };
-    return textures;
+    static auto const normals = paint_colors(normal_color);
+    return normals;
+}
+
+TextureSlot bark_occlusion()
+{
+    static auto const occlusion = paint_colors(occlusion_color);
+    return occlusion;
 }
 
 } // namespace tractus

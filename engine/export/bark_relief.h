@@ -11,8 +11,10 @@ namespace tractus {
 // How light the bark is: multiplies its colour.
 GreyPicture bark_color_picture();
 
-// Normals, which .obj files have (glTF 2.0 section 3.9.3: green points against v) and, red, what
-// the furrows hide of the sky, with roughness in green as it is and no metal in blue.
-MaterialTextures const& bark_textures();
+// Normals (glTF 2.0 section 3.9.3: green points against v).
+TextureSlot bark_normals();
+
+// In red what the furrows hide of the sky, with roughness in green as it is and no metal in blue.
+TextureSlot bark_occlusion();
 
 } // namespace tractus

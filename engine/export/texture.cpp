@@ -75,9 +75,9 @@ MaterialTextures textures_of(Material const& material)
     if (!textures.base_color)
         textures.base_color = bark;
     if (!textures.normal)
-        textures.normal = bark_textures().normal;
+        textures.normal = bark_normals();
     if (!textures.occlusion_roughness)
-        textures.occlusion_roughness = bark_textures().occlusion_roughness;
+        textures.occlusion_roughness = bark_occlusion();
     return textures;
 }
 
@@ -108,7 +108,8 @@ std::string colored_picture(Material const& material)
 
 std::string png_bytes(GreyPicture const& picture)
 {
-    return png_bytes({ picture.width, picture.height, 1, picture.pixels });
+    return png_bytes(
+        { picture.width, picture.height, 1, picture.pixels, PngPicture::Packing::Fast });
 }
 
 } // namespace tractus
