@@ -181,7 +181,8 @@ TEST_F(ReplayedWindow, SaysWhyAPictureWasNotSaved)
     auto window = open("/proc/nowhere");
     window.perform(SavePicture { Image(4, 3) });
     window.settle();
-    EXPECT_NE(window.state().status.find("cannot write /proc/nowhere"), std::string::npos);
+    EXPECT_NE(window.state().status.find("cannot make the folder /proc/nowhere"),
+              std::string::npos);
 }
 
 } // namespace
