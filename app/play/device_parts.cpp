@@ -107,33 +107,51 @@ Result<void> say_farewell(DevicePlay const& play, std::atomic<bool> const& stop)
 
 } // namespace
 
-ReportPart::ReportPart(KernelDevice& device, std::vector<RawReport> reports)
+ReportPart::ReportPart(KernelDevice& device, std::function<NextReport()> reports)
     : device_(device)
     , reports_(std::move(reports))
 {
+    rewind();
+}
+
+void ReportPart::rewind()
+{
+    next_report_ = reports_();
+    read_next();
+}
+
+void ReportPart::read_next()
+{
+    auto read = next_report_();
+    next_ = read ? *read : std::nullopt;
+    read_ = read ? Result<void>() : tl::unexpected(read.error());
 }
 
 void ReportPart::begin(Timestamp now)
 {
     begin_ = now;
-    next_ = 0;
+    rewind();
 }
 
 Timestamp ReportPart::due() const
 {
+    if (!read_)
+        return Timestamp::min(); // To be told.
     if (!begin_)
-        return device_.tells_readers_by_reports() && !reports_.empty() ? next_knock_
-                                                                       : Timestamp::max();
-    return next_ == reports_.size() ? Timestamp::max()
-                                    : *begin_ + reports_[next_].received.time_since_epoch();
+        return device_.tells_readers_by_reports() && next_ ? next_knock_ : Timestamp::max();
+    return next_ ? *begin_ + next_->received.time_since_epoch() : Timestamp::max();
 }
 
 Result<void> ReportPart::play(Timestamp now)
 {
+    if (!read_)
+        return read_;
     if (!begin_)
         return knock(now);
-    for (; due() <= now; ++next_)
-        TRY(device_.send(reports_[next_].bytes()));
+    while (next_ && due() <= now) {
+        TRY(device_.send(next_->bytes()));
+        read_next();
+    }
     return {};
 }
 
@@ -144,7 +162,7 @@ Result<void> ReportPart::knock(Timestamp now)
     next_knock_ = now + kKnockEvery;
     if (device_.waiting_count() > 0 || device_.is_read())
         return {};
-    return device_.send(reports_[0].bytes());
+    return device_.send(next_->bytes());
 }
 
 Result<void> play_parts(DevicePlay const& play, std::atomic<bool> const& stop)

@@ -33,23 +33,32 @@ public:
     virtual bool is_over(Timestamp now) const = 0;
 };
 
+// Gives reports one after another, and no value after the last one. Fails where they are read from
+// a file that cannot be read.
+using NextReport = std::function<Result<std::optional<RawReport>>()>;
+
 // Sends reports when their times have come.
 class ReportPart final : public DevicePart {
 public:
-    // Their times count from the begin. The device must outlive the part.
-    ReportPart(KernelDevice& device, std::vector<RawReport> reports);
+    // `reports` begins to give them, from the first one; it is called at each begin. Their times
+    // count from there. The device must outlive the part.
+    ReportPart(KernelDevice& device, std::function<NextReport()> reports);
 
     void begin(Timestamp now) override;
     Timestamp due() const override;
     Result<void> play(Timestamp now) override;
-    bool is_over(Timestamp) const override { return next_ == reports_.size(); }
+    bool is_over(Timestamp) const override { return read_ && !next_; }
 
 private:
     Result<void> knock(Timestamp now);
+    void rewind();
+    void read_next();
 
     KernelDevice& device_;
-    std::vector<RawReport> reports_;
-    std::size_t next_ = 0;
+    std::function<NextReport()> reports_;
+    NextReport next_report_;
+    std::optional<RawReport> next_;
+    Result<void> read_ {}; // What became of reading the next one.
     std::optional<Timestamp> begin_ {};
     Timestamp next_knock_ {};
 };

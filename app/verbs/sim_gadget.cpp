@@ -92,7 +92,7 @@ Result<void> add_pens(Functions& functions, UsbGadget& gadget, Log const& log,
         auto pen
             = TRY(GadgetHid::add_to(gadget, fmt::format("pen{}", device), log.devices[device]));
         functions.pen_parts.push_back(
-            std::make_unique<ReportPart>(*pen, TRY(reports_of(log, device, rate_hz))));
+            std::make_unique<ReportPart>(*pen, reports_of(log, device, rate_hz)));
         functions.pens.push_back(std::move(pen));
     }
     return {};

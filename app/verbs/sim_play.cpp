@@ -6,10 +6,12 @@
 #include "app/station/model_cost.h"
 #include "app/terminal/console.h"
 #include "drivers/file.h"
+#include "drivers/log_source.h"
 
 #include <atomic>
 #include <csignal>
 #include <fmt/core.h>
+#include <memory>
 #include <sstream>
 
 namespace tractus {
@@ -77,24 +79,20 @@ Result<Log> load_sim_play(SimPlayArguments const& arguments)
     return log;
 }
 
-Result<std::vector<RawReport>> reports_of(Log const& log, std::size_t device,
-                                          std::optional<double> rate_hz)
+std::function<NextReport()> reports_of(Log const& log, std::size_t device,
+                                       std::optional<double> rate_hz)
 {
-    std::vector<RawReport> reports;
-    LogCursor cursor(log);
-    while (auto const* const from = TRY(cursor.next())) {
-        if (from->device != device)
-            continue;
-        auto const bytes = from->bytes;
-        auto& report = reports.emplace_back();
-        report.received = Timestamp(from->time - log.begin());
-        if (rate_hz)
-            report.received
-                = Timestamp(from_seconds(static_cast<double>(reports.size() - 1) / *rate_hz));
-        report.size = bytes.size();
-        std::copy(bytes.begin(), bytes.end(), report.storage.begin());
-    }
-    return reports;
+    return [&log, device, rate_hz]() -> NextReport {
+        // Shared, since functions are copied.
+        auto const source = std::make_shared<LogSource>(log, device);
+        return [&log, source, rate_hz, count = 0]() mutable -> Result<std::optional<RawReport>> {
+            auto report = TRY(source->read(Duration(0)));
+            if (report)
+                report->received = rate_hz ? Timestamp(from_seconds(count++ / *rate_hz))
+                                           : Timestamp(report->received - log.begin());
+            return report;
+        };
+    };
 }
 
 Result<void> run_sim_play(DevicePlay play, SimPlayArguments const& arguments)

@@ -5,10 +5,10 @@
 #include "drivers/log.h"
 #include "engine/base/result.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace tractus {
 
@@ -28,9 +28,9 @@ void add_sim_play_options(CLI::App& verb, SimPlayArguments& arguments);
 Result<Log> load_sim_play(SimPlayArguments const& arguments);
 
 // The reports of one of the log's devices, their times since the log's first report; or in even
-// steps, so many per second.
-Result<std::vector<RawReport>> reports_of(Log const& log, std::size_t device,
-                                          std::optional<double> rate_hz);
+// steps, so many per second. The log must outlive them.
+std::function<NextReport()> reports_of(Log const& log, std::size_t device,
+                                       std::optional<double> rate_hz);
 
 // Plays until it is over or a signal asks to stop, and says on standard error when it begins and
 // how it went.

@@ -64,7 +64,13 @@ protected:
     FakeDevice& add(std::string name, std::vector<RawReport> reports)
     {
         auto& device = *devices.emplace_back(std::make_unique<FakeDevice>(std::move(name), sent));
-        parts.push_back(std::make_unique<ReportPart>(device, std::move(reports)));
+        parts.push_back(
+            std::make_unique<ReportPart>(device, [reports = std::move(reports)]() -> NextReport {
+                return [reports, next = std::size_t { 0 }]() mutable {
+                    return Result<std::optional<RawReport>>(
+                        next < reports.size() ? std::optional(reports[next++]) : std::nullopt);
+                };
+            }));
         play.devices.push_back(&device);
         play.parts.push_back(parts.back().get());
         return device;
