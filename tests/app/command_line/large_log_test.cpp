@@ -17,14 +17,6 @@ constexpr long kMostPeak_kB = 100'000;
 // How much memory a recording takes follows neither from its size nor from what it claims.
 class LargeLog : public Workshop {
 protected:
-    void SetUp() override
-    {
-#ifdef __SANITIZE_ADDRESS__
-        GTEST_SKIP() << "the address sanitizer takes memory of its own";
-#endif
-        Workshop::SetUp();
-    }
-
     // The most memory that one of the command's programs has had at a time. In a process of its
     // own, since a process counts all that it has ever started together.
     long peak_kB(std::string const& command, int exit_code = 0)
