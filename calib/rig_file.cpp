@@ -35,6 +35,22 @@ static Result<Duration> duration_ms(TomlTable& table, std::string_view key, Numb
     return from_milliseconds(milliseconds);
 }
 
+// What no rig that can be built goes beyond: a value that does is a slip of somebody's keyboard.
+static constexpr double kFarthest_mm = 10'000; // Any height.
+static constexpr double kMinSide_mm = 1;       // Of a tablet,
+static constexpr double kMaxSide_mm = 5'000;   // as its maker or a drawing says.
+static constexpr double kMaxRotation_deg = 360;
+static constexpr double kMaxShear = 1; // A carriage that rises at 45 degrees.
+static constexpr double kMaxExponent = 10;
+
+static Result<void> check_within(TomlTable const& table, std::string_view key, double value,
+                                 double least, double most)
+{
+    if (value >= least && value <= most)
+        return {};
+    return table.wrong(key, fmt::format("is {}, expected {} to {}", value, least, most));
+}
+
 static Result<void> parse_height(TomlTable& table, Rig& rig)
 {
     rig.height_model = TRY(parse_height_model(table));
@@ -47,13 +63,21 @@ static Result<void> parse_height(TomlTable& table, Rig& rig)
     auto const range = TRY(table.vec2("calibrated_counts"));
     if (!(range.x() < range.y()))
         return table.wrong("calibrated_counts", "is empty, expected [least, greatest]");
-    for (double const counts : { range.x(), range.y() })
-        if (!height_mm(rig.height_model, counts))
+    for (double const counts : { range.x(), range.y() }) {
+        auto const height = height_mm(rig.height_model, counts);
+        if (!height)
             return table.wrong(
                 "calibrated_counts",
                 fmt::format("holds {}, where the model has no height: the string would "
                             "be shorter than its offset",
                             counts));
+        if (!(std::abs(*height) <= kFarthest_mm))
+            return table.wrong(
+                "calibrated_counts",
+                fmt::format("holds {}, where the model's height is {} mm: no carriage goes "
+                            "beyond {} mm",
+                            counts, *height, kFarthest_mm));
+    }
     rig.calibrated_min_counts = range.x();
     rig.calibrated_max_counts = range.y();
 
@@ -77,11 +101,16 @@ static Result<Vec2> surface_mm(TomlTable& table)
 static Result<void> parse_tablet(TomlTable& table, Rig& rig)
 {
     rig.tablet_size_mm = TRY(table.vec2("size_mm", NumberRange::Positive));
+    for (double const side_mm : rig.tablet_size_mm)
+        TRY(check_within(table, "size_mm", side_mm, kMinSide_mm, kMaxSide_mm));
     if (table.has("surface_mm"))
         rig.tablet_size_mm = rig.surface_mm.emplace(TRY(surface_mm(table)));
     rig.tablet_latency = TRY(duration_ms(table, "latency_ms", NumberRange::NotNegative));
     rig.rotation_deg = TRY(table.number_or("rotation_deg", 0));
+    TRY(check_within(table, "rotation_deg", rig.rotation_deg, -kMaxRotation_deg, kMaxRotation_deg));
     rig.travel_shear = TRY(table.vec2_or("travel_shear", Vec2::Zero()));
+    for (double const shear : rig.travel_shear)
+        TRY(check_within(table, "travel_shear", shear, -kMaxShear, kMaxShear));
     return table.refuse_unknown_keys();
 }
 
@@ -90,6 +119,7 @@ static Result<void> parse_pen(TomlTable& table, PressureResponse& pressure)
     pressure.threshold = TRY(table.number_or("pressure_threshold", 0, NumberRange::NotNegative));
     pressure.full = TRY(table.number_or("pressure_full", 1, NumberRange::Positive));
     pressure.exponent = TRY(table.number_or("pressure_exponent", 1, NumberRange::Positive));
+    TRY(check_within(table, "pressure_exponent", pressure.exponent, 0, kMaxExponent));
     if (pressure.full > 1)
         return table.wrong("pressure_full",
                            fmt::format("is {}, expected at most 1", pressure.full));
@@ -172,7 +202,7 @@ travel_shear = [{}, {}]       # Drift to the right and away from the user per mi
 
 Result<Rig> load_rig(std::filesystem::path const& path)
 {
-    return parse_rig(TRY(read_file(path, kMaxBytes)), path.string());
+    return parse_rig(TRY(read_text_file(path, kMaxBytes)), path.string());
 }
 
 // The file as it is, beside itself. No file, no copy.

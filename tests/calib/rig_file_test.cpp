@@ -98,9 +98,9 @@ Rig awkward_rig()
     return {
         .full_scale_counts = 65535,
         .calibrated_min_counts = 1.0 / 3,
-        .calibrated_max_counts = 1e15 + 0.125,
+        .calibrated_max_counts = 65535 - 1.0 / 7,
         .height_latency = Duration(3'141'593),
-        .tablet_size_mm = { 254.0 / 7, 1e-7 },
+        .tablet_size_mm = { 254.0 / 7, 1 + 1e-7 },
         .tablet_latency = Duration(7'999'999'999),
         .rotation_deg = -0.1 - 0.2,
         .travel_shear = { 1.0 / 300, -1e-300 },
@@ -112,7 +112,7 @@ Rig awkward_rig()
 TEST(RigFile, GivesTheSameLinearRigBack)
 {
     auto rig = awkward_rig();
-    LinearHeight const model { .mm_per_count = 0.1 / 3, .zero_counts = -1e22 };
+    LinearHeight const model { .mm_per_count = 0.1 / 3, .zero_counts = -1e4 / 7 };
     rig.height_model = model;
     auto const back = parse_rig(print_rig(rig), "printed").value();
     expect_same(back, rig);
@@ -167,6 +167,28 @@ TEST(RigFile, KeepsAMeasuredSurface)
     EXPECT_NE(refused.error().message.find("surface_mm is [2.032, 127], expected sides of 20 to"),
               std::string::npos)
         << refused.error().message;
+}
+
+TEST(RigFile, RefusesWhatNoRigCanBe)
+{
+    Rig rig;
+    rig.travel_shear = { 0, 65536 };
+    EXPECT_NE(error_of(print_rig(rig)).find("tablet.travel_shear is 65536, expected -1 to 1"),
+              std::string::npos)
+        << error_of(print_rig(rig));
+    rig.travel_shear = { 0.5, -1 };
+    EXPECT_TRUE(parse_rig(print_rig(rig), "x"));
+    rig.rotation_deg = 361;
+    EXPECT_NE(error_of(print_rig(rig)).find("tablet.rotation_deg is 361"), std::string::npos);
+    rig.rotation_deg = -360;
+    EXPECT_TRUE(parse_rig(print_rig(rig), "x"));
+    rig.tablet_size_mm = { 254, 15'900'000 };
+    EXPECT_NE(error_of(print_rig(rig)).find("tablet.size_mm is 15900000"), std::string::npos)
+        << error_of(print_rig(rig));
+    rig.tablet_size_mm = { 254, 159 };
+    rig.height_model = LinearHeight { .mm_per_count = 100 };
+    EXPECT_NE(error_of(print_rig(rig)).find("no carriage goes beyond 10000 mm"), std::string::npos)
+        << error_of(print_rig(rig));
 }
 
 TEST(RigFile, RefusesACurveThatTurns)
