@@ -240,6 +240,24 @@ Result<void> make_folder(fs::path const& folder)
     return {};
 }
 
+// Why a folder takes no new file, as an error number; 0 if it takes one. Tried, since permissions
+// do not tell all: with a file that never has a name, or where the file system knows none, with one
+// that is there for a moment.
+static int new_file_refusal(fs::path const& folder)
+{
+    int file = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+    if (file < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
+        auto name = (folder / ".tractus-XXXXXX").string();
+        file = ::mkostemp(name.data(), O_CLOEXEC);
+        if (file >= 0)
+            ::unlink(name.c_str());
+    }
+    if (file < 0)
+        return errno;
+    ::close(file);
+    return 0;
+}
+
 Result<void> check_writable(fs::path const& path)
 {
     if (is_stream(path))
@@ -256,10 +274,10 @@ Result<void> check_writable(fs::path const& path)
         return fail(
             Fault::User,
             fmt::format("cannot write {}: {} is no folder", path.string(), folder.string()));
-    if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
+    if (auto const refusal = new_file_refusal(folder); refusal != 0)
         return fail(Fault::User,
                     fmt::format("cannot write {}: in {}: {}", path.string(), folder.string(),
-                                std::strerror(errno)));
+                                std::strerror(refusal)));
     return {};
 }
 

@@ -4,10 +4,10 @@
 
 namespace tractus {
 
-static Result<std::filesystem::path> write_wanted(WantedFile const& file)
+static Result<FileQueue::Written> write_wanted(WantedFile const& file)
 {
-    TRY(file.write(file.path));
-    return file.path;
+    auto note = TRY(file.write(file.path));
+    return FileQueue::Written { file.path, std::move(note) };
 }
 
 FileQueue::FileQueue()
@@ -40,7 +40,7 @@ void FileQueue::collect()
     is_writing_ = true;
 }
 
-std::optional<Result<std::filesystem::path>> FileQueue::take()
+std::optional<Result<FileQueue::Written>> FileQueue::take()
 {
     collect();
     if (done_.empty())

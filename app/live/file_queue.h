@@ -7,14 +7,15 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 
 namespace tractus {
 
 // A file that somebody wants to have.
 struct WantedFile {
     std::filesystem::path path;
-    // Is called on another thread, with that path.
-    std::function<Result<void>(std::filesystem::path const& path)> write;
+    // Is called on another thread, with that path. Gives what else there is to say; empty: nothing.
+    std::function<Result<std::string>(std::filesystem::path const& path)> write;
 };
 
 // Writes files in the background, one after another, for a window that goes on meanwhile. All that
@@ -31,8 +32,12 @@ public:
     // Some are not written yet, or their outcome was not taken.
     bool is_busy() const { return is_writing_ || !done_.empty(); }
 
-    // The name of one that has been written since the last call, or why it could not be.
-    std::optional<Result<std::filesystem::path>> take();
+    // One that has been written since the last call, or why it could not be.
+    struct Written {
+        std::filesystem::path path;
+        std::string note;
+    };
+    std::optional<Result<Written>> take();
 
     // Waits until the outcome of all is there to be taken.
     void settle();
@@ -42,8 +47,8 @@ private:
 
     std::deque<WantedFile> waiting_;
     bool is_writing_ = false;
-    std::deque<Result<std::filesystem::path>> done_;
-    NewestJob<WantedFile, Result<std::filesystem::path>> job_;
+    std::deque<Result<Written>> done_;
+    NewestJob<WantedFile, Result<Written>> job_;
 };
 
 } // namespace tractus

@@ -6,7 +6,6 @@
 #include "app/plants/session_plant.h"
 #include "app/session/describe_edit.h"
 #include "app/station/orphans.h"
-#include "app/terminal/error_text.h"
 #include "drivers/file.h"
 
 #include <array>
@@ -53,9 +52,15 @@ void StationDesk::show_kept(Station& station, Timestamp now)
 
 void StationDesk::show_files()
 {
-    while (auto const written = files_->take())
+    while (auto const written = files_->take()) {
+        if (!*written) {
+            view_.state().status = written->error().message;
+            continue;
+        }
+        auto const& [path, note] = **written;
         view_.state().status
-            = *written ? fmt::format("Saved {}", (*written)->string()) : written->error().message;
+            = fmt::format("Saved {}{}{}", path.string(), note.empty() ? "" : ": ", note);
+    }
     view_.state().is_saving = files_->is_busy();
 }
 
@@ -204,9 +209,11 @@ void StationDesk::set_growth(
 
 void StationDesk::perform(SavePicture const& command, Station&)
 {
-    save(".png", [picture = command.picture](std::filesystem::path const& path) {
-        return write_file(path, [&](std::ostream& out) { return write_png(out, picture); });
-    });
+    save(".png",
+         [picture = command.picture](std::filesystem::path const& path) -> Result<std::string> {
+             TRY(write_file(path, [&](std::ostream& out) { return write_png(out, picture); }));
+             return std::string();
+         });
 }
 
 void StationDesk::perform(ExportPlant const& command, Station&)
@@ -214,21 +221,23 @@ void StationDesk::perform(ExportPlant const& command, Station&)
     constexpr std::array kEndings { ".glb", ".obj" };
     save(kEndings.at(static_cast<std::size_t>(command.format)),
          [scene = view_.grown_scene(),
-          organs = command.organs](std::filesystem::path const& path) -> Result<void> {
+          organs = command.organs](std::filesystem::path const& path) -> Result<std::string> {
              PlantFileOptions options { .glb = { .organs = organs } };
-             options.glb.before_writing = [organs](GlbSummary const& expected) {
-                 if (auto const note = large_glb_note(expected, organs))
-                     print_warning(*note);
+             std::string note;
+             options.glb.before_writing = [&](GlbSummary const& expected) {
+                 note = large_glb_size(expected).value_or("");
+                 if (!note.empty() && organs != GlbOptions::Organs::Instanced)
+                     note += "; with its leaves instanced it is smaller";
              };
              auto const plant = TRY(shown_plant(*scene));
              TRY(write_plant_file(plant, std::filesystem::path(scene->model_name).stem(), path,
                                   options));
-             return {};
+             return note;
          });
 }
 
 void StationDesk::save(std::string_view ending,
-                       std::function<Result<void>(std::filesystem::path const&)> write)
+                       std::function<Result<std::string>(std::filesystem::path const&)> write)
 {
     auto path = new_file(fmt::format("-seed-{}{}", view_.grown_scene()->growth.seed, ending));
     view_.state().status = fmt::format("Writing {}", path.string());

@@ -65,7 +65,7 @@ public:
 
 private:
     void save(std::string_view ending,
-              std::function<Result<void>(std::filesystem::path const&)> write);
+              std::function<Result<std::string>(std::filesystem::path const&)> write);
     void show_kept(Station& station, Timestamp now);
     void show_files();
     void set_growth(std::function<Result<WantedStep::Change>(SetGrowth growth)> const& change,

@@ -4,19 +4,26 @@
 
 namespace tractus {
 
+std::optional<std::string> large_glb_size(GlbSummary const& summary)
+{
+    if (summary.triangles <= kManyTriangles)
+        return std::nullopt;
+    return fmt::format("about {:.1f} million triangles and {:.0f} MB, which takes long to open",
+                       static_cast<double>(summary.triangles) / 1e6,
+                       static_cast<double>(summary.bytes) / 1e6);
+}
+
 std::optional<std::string> large_glb_note(GlbSummary const& expected, GlbOptions::Organs organs)
 {
-    if (expected.triangles <= kManyTriangles)
+    auto const size = large_glb_size(expected);
+    if (!size)
         return std::nullopt;
     auto const* const instanced = organs == GlbOptions::Organs::Instanced
         ? ""
         : "--organs instanced is smaller for programs that know EXT_mesh_gpu_instancing; ";
-    return fmt::format(
-        "the .glb will have about {:.1f} million triangles and {:.0f} MB, which "
-        "takes long to open: {}\"tractus vary\" has --sides, --quantized and --lods, "
-        "and writes a file for each plant into a folder",
-        static_cast<double>(expected.triangles) / 1e6, static_cast<double>(expected.bytes) / 1e6,
-        instanced);
+    return fmt::format("the .glb will have {}: {}\"tractus vary\" has --sides, --quantized and "
+                       "--lods, and writes a file for each plant into a folder",
+                       *size, instanced);
 }
 
 } // namespace tractus

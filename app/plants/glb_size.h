@@ -11,8 +11,11 @@ namespace tractus {
 // More than these, as drawn, and many programs take long to open a file.
 constexpr std::uint64_t kManyTriangles = 5'000'000;
 
-// What to say before such a file is written: how large it will be, and what makes it smaller.
-// Nothing for smaller ones.
+// How large such a file is, as a part of a sentence. Nothing for smaller ones.
+std::optional<std::string> large_glb_size(GlbSummary const& summary);
+
+// What to say before such a file is written: how large it will be, and the options that make it
+// smaller. Nothing for smaller ones.
 std::optional<std::string> large_glb_note(GlbSummary const& expected, GlbOptions::Organs organs);
 
 } // namespace tractus

@@ -63,13 +63,13 @@ Result<ModelSource> load_model_source(std::filesystem::path const& path)
 {
     ModelSource source;
     source.name = path.string();
-    source.text = TRY(read_file(path, kMaxFileSize));
+    source.text = TRY(read_text_file(path, kMaxFileSize));
     auto view_path = path;
     view_path.replace_extension(".v");
     source.view_name = view_path.string();
     std::error_code ignored;
     if (view_path != path && std::filesystem::exists(view_path, ignored))
-        source.view_text = TRY(read_file(view_path, kMaxFileSize));
+        source.view_text = TRY(read_text_file(view_path, kMaxFileSize));
     // What cpfg is given on its command line. The first that names a colour counts: materials.
     TRY(add_colors(path, ".mat", material_file_statements, source.view_text));
     TRY(add_colors(path, ".map", color_map_statements, source.view_text));
@@ -87,7 +87,7 @@ IncludeReader model_includes(std::filesystem::path const& path)
         std::filesystem::path const file(name);
         if (leads_out_of_folder(file))
             return fail(Fault::User, fmt::format("{} is outside the model's folder", name));
-        return read_file(folder / file, kMaxFileSize);
+        return read_text_file(folder / file, kMaxFileSize);
     };
 }
 
@@ -112,7 +112,7 @@ static Result<std::vector<SkeletonPiece>> load_lines(std::filesystem::path const
 {
     constexpr std::size_t kMaxSkeletonSize = std::size_t { 512 } << 20;
     if (path.extension() == ".obj")
-        return parse_obj_lines(path.string(), TRY(read_file(path, kMaxSkeletonSize)));
+        return parse_obj_lines(path.string(), TRY(read_text_file(path, kMaxSkeletonSize)));
     if (path.extension() == ".glb")
         return read_glb_lines(path.string(), TRY(read_file(path, kMaxSkeletonSize)));
     if (path.extension() == ".gltf")

@@ -86,10 +86,8 @@ Result<Log> simulated_log(CalibrateArguments const& arguments)
     simulated.person.seed = arguments.seed;
     std::ostringstream text;
     TRY(write_simulated_calibration(text, simulated));
-    if (!arguments.record.empty()) {
-        TRY(check_new_file(arguments.record));
+    if (!arguments.record.empty())
         TRY(write_file(arguments.record, text.str()));
-    }
     return parse_log(text.str(), "simulated");
 }
 
@@ -195,6 +193,8 @@ Result<void> calibrate_in_window(CalibrateArguments const& arguments)
 Result<void> calibrate(CalibrateArguments const& arguments)
 {
     TRY(check_writable(arguments.rig));
+    if (!arguments.record.empty())
+        TRY(check_new_file(arguments.record));
     if (!arguments.screenshot.empty())
         TRY(check_writable(arguments.screenshot));
     if (arguments.window)

@@ -207,7 +207,8 @@ void add_animation_options(CLI::App& verb, GrowArguments& arguments)
                           "Write the plant as it grows, from its youth to its full size, as one "
                           ".glb: a morph target for each of N ages, and an animation of them")
               ->type_name("N")
-              ->check(whole_number(2, 10'000));
+              ->check(whole_number(2, 10'000))
+              ->excludes("--organs"); // Morph targets blend one mesh.
     verb.add_option("--seconds", arguments.seconds, "How long the animation takes")
         ->type_name("S")
         ->check(number(0.01, 1e6))

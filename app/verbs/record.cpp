@@ -59,7 +59,7 @@ Result<void> record_devices(RecordArguments const& arguments)
 Result<void> record_simulated(RecordArguments const& arguments)
 {
     TRY(check_new_file(arguments.output));
-    auto const text = TRY(read_file(arguments.script));
+    auto const text = TRY(read_text_file(arguments.script));
     auto const script = TRY(parse_gesture_script(text, arguments.script));
     auto const model = TRY(find_model(arguments.model));
     auto const edit = TRY(load_model_edit(model));

@@ -27,7 +27,7 @@ void ask_to_unplug(int)
 
 Result<Log> simulate(SimPlayArguments const& arguments)
 {
-    auto const text = TRY(read_file(arguments.script));
+    auto const text = TRY(read_text_file(arguments.script));
     auto const script = TRY(parse_gesture_script(text, arguments.script));
     auto const model = TRY(find_model(arguments.model));
     auto const edit = TRY(load_model_edit(model));

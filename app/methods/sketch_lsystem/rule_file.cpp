@@ -68,7 +68,7 @@ Result<Rule> parse_rule(std::string_view text, std::string const& name)
 Result<Rule> load_rule(std::filesystem::path const& path)
 {
     constexpr std::size_t kMaxBytes = std::size_t { 1 } << 16;
-    return parse_rule(TRY(read_file(path, kMaxBytes)), path.string());
+    return parse_rule(TRY(read_text_file(path, kMaxBytes)), path.string());
 }
 
 } // namespace tractus::sketch

@@ -78,6 +78,7 @@ TEST_F(Animation, IsOneFileWithATargetForEachAge)
     expect_error(run("tractus grow small.l --animation 6 -o film.png"), 1, "--sequence");
     EXPECT_EQ(run("tractus grow small.l --animation 6 --sequence 6 -o x.glb").exit_code, 2);
     EXPECT_EQ(run("tractus grow small.l --seconds 3 -o x.glb").exit_code, 2);
+    expect_error(run("tractus grow small.l --animation 6 --organs nodes -o x.glb"), 2, "--organs");
 }
 
 TEST_F(Animation, KeepsWhatWasDrawnAndGrowsAsItIsTold)

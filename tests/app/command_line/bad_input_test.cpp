@@ -2,6 +2,7 @@
 
 #include <sstream>
 #include <utility>
+#include <vector>
 
 namespace tractus {
 namespace {
@@ -119,6 +120,35 @@ TEST_F(BadInput, ARigThatCannotBe)
     expect_error(replay("hand.tractus-log", "--rig nan.toml"), 1, "height.offset_mm is nan");
     expect_error(replay("hand.tractus-log", "--rig broken.toml"), 1, "broken.toml:");
     expect_error(replay("hand.tractus-log", "--rig nowhere.toml"), 1, "cannot open nowhere.toml");
+}
+
+TEST_F(BadInput, TextThatAnotherSystemsEditorHasSavedInUtf16)
+{
+    record();
+    write_rig("a.rig.toml", "none", "");
+    write("line.txt", "0 0 0\n0 0 200\n");
+    write("lines.obj", "v 0 0 0\nv 0 1 0\nl 1 2\n");
+    write("rule.toml", "l = 40\n");
+    write("small.v", "angle factor: 2\n");
+    std::vector<std::pair<std::string, std::string>> const readers {
+        { "hand.tractus-log", "decode hand.tractus-log" },
+        { "hand.toml", "record --simulate hand.toml --plant small.l -o x.tractus-log" },
+        { "a.rig.toml", "replay hand.tractus-log --plant small.l --rig a.rig.toml -o out" },
+        { "line.txt", "sketch line.txt -o out" },
+        { "rule.toml", "sketch line.txt --rule rule.toml -o out" },
+        { "lines.obj", "grow lines.obj -o x.glb" },
+        { "small.v", "grow small.l -o x.glb" },
+        { "small.l", "grow small.l -o x.glb" },
+    };
+    for (auto const& [file, verb] : readers) {
+        auto const as_it_was = read(file);
+        std::string wide = "\xff\xfe";
+        for (char const c : as_it_was)
+            (wide += c) += '\0';
+        write(file, wide);
+        expect_error(run("tractus " + verb), 1, file + " is text in UTF-16 or UTF-32");
+        write(file, as_it_was);
+    }
 }
 
 TEST_F(BadInput, AModelWithAFault)

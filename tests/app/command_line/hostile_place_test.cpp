@@ -70,15 +70,22 @@ TEST_F(HostilePlace, AFolderThatCannotBe)
         expect_error(run("tractus replay hand.tractus-log --plant small.l -o " + folder), 1,
                      folder + " is no folder");
     expect_error(run("tractus grow small.l -o hand.toml/x.glb"), 1, "hand.toml is no folder");
+    for (std::string const verb : { "grow none.l", "replay none.tractus-log --plant small.l" })
+        expect_error(run("tractus " + verb + " -o /proc/tractus/x.glb"), 1,
+                     "cannot write /proc/tractus/x.glb");
     expect_error(run("tractus decode hand.tractus-log --csv -o /dev/full"), 1, "No space left");
 }
 
 TEST_F(HostilePlace, AFolderThatMayNotBeWritten)
 {
-    if (::geteuid() == 0)
-        GTEST_SKIP() << "root may write everywhere";
-    run("mkdir locked; chmod a-w locked");
-    expect_error(run("tractus grow small.l -o locked/x.glb"), 1, "Permission denied");
+    run("mkdir locked; chmod 0555 locked; chmod 0755 .");
+    // Root, who may write everywhere, becomes nobody.
+    std::string const as_user = ::geteuid() == 0
+        ? "HOME=/ setpriv --reuid=65534 --regid=65534 --clear-groups '" TRACTUS_PROGRAM "'"
+        : "tractus";
+    expect_error(run(as_user + " grow none.l -o locked/x.glb"), 1, "in locked: Permission denied");
+    expect_error(run(as_user + " grow none.l -o locked/a/b/x.glb"), 1,
+                 "in locked: Permission denied");
 }
 
 TEST_F(HostilePlace, ARecordingIsNeverWrittenOver)

@@ -1,6 +1,7 @@
 #include "app/live/live_window.h"
 
 #include "app/calibration/simulated_calibration.h"
+#include "app/live/file_queue.h"
 #include "app/plants/model_file.h"
 #include "app/plants/session_plant.h"
 #include "app/play/paced_log.h"
@@ -360,6 +361,19 @@ TEST_F(LiveWindowWithFolder, WritesAllFilesThoughTheWindowCloses)
     }
     EXPECT_EQ(files(".glb").size(), 1u);
     EXPECT_EQ(files(".obj").size(), 1u);
+}
+
+TEST_F(LiveWindowWithFolder, FilesComeWithWhatElseThereIsToSay)
+{
+    FileQueue files;
+    files.add({ folder_ / "a", [](fs::path const&) { return Result<std::string>("large"); } });
+    files.add({ folder_ / "b", [](fs::path const&) { return Result<std::string>(""); } });
+    files.settle();
+    EXPECT_EQ(files.take().value().value().note, "large");
+    auto const second = files.take().value().value();
+    EXPECT_EQ(second.path, folder_ / "b");
+    EXPECT_EQ(second.note, "");
+    EXPECT_FALSE(files.take());
 }
 
 TEST_F(LiveWindowWithFolder, SaysWhyItCannotExport)
