@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/methods/construction_lines/construction.h"
+#include "engine/plant/plant.h"
+
+#include <string>
+
+namespace tractus::lines {
+
+// What a sketch amounts to, as one line of JSON for other programs:
+//
+//   stem_length  millimetres; all that follows but leaf_tips is in shares of it, and degrees
+//   lines        [x, …]: where the inclination lines cross the stem, from below
+//   d1, d2       the stem below the lowest line, and above the topmost one
+//   node_x       [x, …]
+//   functions    {"heading", "depth", "alpha", "beta", "left_size", "right_size"}: each its values
+//   at
+//                x = 0, 0.05, … 1. Heading is the stem's from up, to the left positive; depth its
+//                pitch towards the viewer; alpha and beta are the organs' angles on the left and
+//                the right.
+//   leaf_tips    [[u, v, w], …]: where the plant that the model gives has its organs' tips,
+//                millimetres in the sketch, node after node
+//   notes        what had to be guessed
+std::string print_report(Construction const& construction, Plant const& plant);
+
+} // namespace tractus::lines

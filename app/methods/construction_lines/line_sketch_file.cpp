@@ -1,0 +1,223 @@
+#include "app/methods/construction_lines/line_sketch_file.h"
+
+#include "drivers/file.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace tractus::lines {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array kKeys { "pattern", "divergence",   "stem",           "left",
+                             "right",   "inclinations", "nodes_per_layer" };
+
+// Not there, or said to be so.
+bool has(json const& file, char const* key)
+{
+    auto const found = file.find(key);
+    return found != file.end() && !found->is_null();
+}
+
+Result<Vec3> read_point(json const& value, std::string const& place)
+{
+    bool const is_point = value.is_array() && (value.size() == 2 || value.size() == 3)
+        && std::all_of(value.begin(), value.end(),
+                       [](json const& part) { return part.is_number(); });
+    if (!is_point)
+        return fail(Fault::User, fmt::format("{} is no point: write [u, v] in millimetres", place));
+    return Vec3(value[0].get<double>(), value[1].get<double>(),
+                value.size() == 3 ? value[2].get<double>() : 0);
+}
+
+Result<std::vector<Vec3>> read_line(json const& value, std::string const& name)
+{
+    if (!value.is_array())
+        return fail(Fault::User,
+                    fmt::format("{} is no line: write [[u, v], [u, v]] in millimetres", name));
+    std::vector<Vec3> points;
+    for (auto const& point : value)
+        points.push_back(
+            TRY(read_point(point, fmt::format("point {} of {}", points.size() + 1, name))));
+    return points;
+}
+
+Result<std::vector<Vec2>> read_flat_line(json const& value, std::string const& name)
+{
+    std::vector<Vec2> points;
+    for (auto const& point : TRY(read_line(value, name)))
+        points.push_back(point.head<2>());
+    return points;
+}
+
+Result<void> read_lines(json const& file, LineSketch& sketch)
+{
+    if (has(file, "stem"))
+        sketch.stem = TRY(read_line(file["stem"], "stem"));
+    if (has(file, "left"))
+        sketch.left = TRY(read_flat_line(file["left"], "left"));
+    if (has(file, "right"))
+        sketch.right = TRY(read_flat_line(file["right"], "right"));
+    if (!has(file, "inclinations"))
+        return {};
+    auto const& lines = file["inclinations"];
+    if (!lines.is_array())
+        return fail(Fault::User,
+                    "inclinations is no list of lines: write [[[u, v], [u, v]], "
+                    "[[u, v], [u, v]]]");
+    for (auto const& line : lines)
+        sketch.inclinations.push_back(TRY(read_flat_line(
+            line, fmt::format("inclination line {}", sketch.inclinations.size() + 1))));
+    return {};
+}
+
+Result<void> read_nodes(json const& file, LineSketch& sketch)
+{
+    if (!has(file, "nodes_per_layer"))
+        return fail(Fault::User,
+                    "nodes_per_layer is missing: give the number of nodes of each layer "
+                    "between two neighbouring inclination lines, such as [5]");
+    auto const& numbers = file["nodes_per_layer"];
+    if (!numbers.is_array())
+        return fail(Fault::User, "nodes_per_layer is no list: write numbers such as [5, 3]");
+    for (auto const& number : numbers) {
+        double const count = number.is_number() ? number.get<double>() : std::nan("");
+        if (!(std::fabs(count) <= 1e6) || count != std::floor(count))
+            return fail(
+                Fault::User,
+                fmt::format(
+                    "nodes_per_layer has {}: give whole numbers from 0 to {}",
+                    number.dump(-1, ' ', true, json::error_handler_t::replace).substr(0, 40),
+                    kMostNodesInLayer));
+        sketch.nodes_per_layer.push_back(static_cast<int>(count));
+    }
+    return {};
+}
+
+// "whorled(N)" or "whorled", of three.
+std::optional<int> whorl_of(std::string_view word)
+{
+    constexpr std::string_view kWhorled = "whorled";
+    if (!word.starts_with(kWhorled))
+        return std::nullopt;
+    word.remove_prefix(kWhorled.size());
+    if (word.empty())
+        return Pattern().whorl;
+    if (!word.starts_with('(') || !word.ends_with(')'))
+        return std::nullopt;
+    word = word.substr(1, word.size() - 2);
+    int count = 0;
+    auto const [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
+    if (error != std::errc() || end != word.data() + word.size() || count < 2 || count > 24)
+        return std::nullopt;
+    return count;
+}
+
+Result<Pattern> read_pattern_word(json const& file)
+{
+    constexpr std::string_view kWhatToGive = "give \"distichous\", \"decussate\", \"spiral\", "
+                                             "\"alternate\", or \"whorled(N)\" with N from 2 to 24";
+    if (!has(file, "pattern") || !file["pattern"].is_string())
+        return fail(Fault::User, fmt::format("pattern is missing: {}", kWhatToGive));
+    auto const& word = file["pattern"].get_ref<std::string const&>();
+    Pattern pattern;
+    if (auto const count = whorl_of(word)) {
+        pattern.kind = Pattern::Kind::Whorled;
+        pattern.whorl = *count;
+        return pattern;
+    }
+    using enum Pattern::Kind;
+    for (auto const kind : { Distichous, Decussate, Spiral, Alternate })
+        if (word == name_of(kind)) {
+            pattern.kind = kind;
+            return pattern;
+        }
+    return fail(Fault::User, fmt::format("pattern is \"{}\": {}", word.substr(0, 40), kWhatToGive));
+}
+
+Result<Pattern> read_pattern(json const& file)
+{
+    auto pattern = TRY(read_pattern_word(file));
+    if (pattern.kind == Pattern::Kind::Alternate)
+        pattern.divergence_deg = 180;
+    if (!has(file, "divergence"))
+        return pattern;
+    auto const& value = file["divergence"];
+    double const divergence_deg = value.is_number() ? value.get<double>() : std::nan("");
+    if (!(std::fabs(divergence_deg) <= 360))
+        return fail(Fault::User, "divergence is no angle: give degrees from -360 to 360");
+    if (pattern.kind == Pattern::Kind::Spiral || pattern.kind == Pattern::Kind::Alternate)
+        pattern.divergence_deg = divergence_deg;
+    return pattern;
+}
+
+std::vector<std::string> unknown_keys(json const& file)
+{
+    std::vector<std::string> result;
+    for (auto const& [key, value] : file.items())
+        if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
+            result.push_back(key);
+    return result;
+}
+
+Result<LineSketchFile> read_sketch(json const& file)
+{
+    if (!file.is_object())
+        return fail(Fault::User,
+                    "it is no sketch: write {\"pattern\": …, \"stem\": …, \"left\": …, "
+                    "\"right\": …, \"inclinations\": …, \"nodes_per_layer\": …}");
+    LineSketchFile result { .sketch = {},
+                            .pattern = TRY(read_pattern(file)),
+                            .unknown_keys = unknown_keys(file) };
+    TRY(read_lines(file, result.sketch));
+    TRY(read_nodes(file, result.sketch));
+    return result;
+}
+
+// "LINE:COLUMN" of a byte, both from 1.
+std::string place_of(std::string_view text, std::size_t byte)
+{
+    auto const before = text.substr(0, byte > 0 ? byte - 1 : 0);
+    auto const line = std::count(before.begin(), before.end(), '\n') + 1;
+    auto const last_break = before.rfind('\n');
+    auto const column
+        = before.size() - (last_break == std::string_view::npos ? 0 : last_break + 1) + 1;
+    return fmt::format("{}:{}", line, column);
+}
+
+} // namespace
+
+Result<LineSketchFile> parse_line_sketch(std::string_view text, std::string const& name)
+{
+    json file;
+    try {
+        file = json::parse(text);
+    } catch (json::parse_error const& error) {
+        return fail(Fault::User,
+                    fmt::format("{}:{}: this is no JSON: a bracket, comma or quotation "
+                                "mark is missing or too many",
+                                name, place_of(text, error.byte)));
+    } catch (json::exception const&) {
+        return fail(Fault::User,
+                    fmt::format("{}: a number in it is too large: give millimetres", name));
+    }
+    auto result = read_sketch(file);
+    if (!result)
+        return fail(result.error().fault, fmt::format("{}: {}", name, result.error().message));
+    return result;
+}
+
+Result<LineSketchFile> load_line_sketch(std::filesystem::path const& path)
+{
+    constexpr std::size_t kMaxBytes = std::size_t { 2 } << 20;
+    return parse_line_sketch(TRY(read_text_file(path, kMaxBytes)), path.string());
+}
+
+} // namespace tractus::lines

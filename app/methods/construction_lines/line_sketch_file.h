@@ -1,0 +1,36 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/methods/construction_lines/construction.h"
+#include "engine/methods/construction_lines/pattern.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tractus::lines {
+
+// A sketch of construction lines, and the pattern in which organs stand.
+struct LineSketchFile {
+    LineSketch sketch;
+    Pattern pattern;
+    std::vector<std::string> unknown_keys; // What else the file says.
+};
+
+// Reads such a sketch from JSON, millimetres and degrees:
+//
+//   pattern          "distichous", "decussate", "spiral", "alternate", or "whorled(N)", N 2 to 24
+//   divergence       of "spiral" and "alternate"; without it 137.5 and 180
+//   stem             [[u, v], …] or [[u, v, w], …]: right, up, and towards the viewer; base first
+//   left, right      [[u, v], …]: the boundaries; one of them may be missing
+//   inclinations     [[[u, v], …], …]; may be missing
+//   nodes_per_layer  [N, …]: one number for each layer between neighbouring inclination lines
+//
+// Fails, as the user's fault, with file, place and what to write.
+Result<LineSketchFile> parse_line_sketch(std::string_view text, std::string const& name);
+
+// The same from a file of at most 2 MiB.
+Result<LineSketchFile> load_line_sketch(std::filesystem::path const& path);
+
+} // namespace tractus::lines

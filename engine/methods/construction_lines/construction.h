@@ -1,0 +1,85 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/base/vectors.h"
+#include "engine/methods/construction_lines/drawn_stem.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tractus::lines {
+
+// What an illustrator draws to block in a plant: a stem, the lines that the organs' tips reach at
+// its left and right, and lines across it along which organs stand (Anastacio, Prusinkiewicz,
+// Sousa, "Sketch-based parameterization of L-systems using illustration-inspired construction
+// lines", 2008). Millimetres on the sheet (drawn_line.h).
+struct LineSketch {
+    std::vector<Vec3> stem; // (u, v, depth), base first.
+    // Empty: not drawn. One that is missing is the other one, mirrored.
+    std::vector<Vec2> left;
+    std::vector<Vec2> right;
+    // In any order; none: two, at a tenth of the stem and near its top, with organs at 45 degrees.
+    std::vector<std::vector<Vec2>> inclinations;
+    // How many nodes each layer between two neighbouring inclination lines has, from below; the
+    // topmost line bears one more.
+    std::vector<int> nodes_per_layer;
+};
+
+constexpr std::size_t kMostPoints = 20'000; // Of all lines of a sketch.
+constexpr int kMostNodesInLayer = 500;
+constexpr int kMostNodes = 10'000;
+
+// Where an inclination line crosses the stem, and how far what grows along it turns away from the
+// stem to each side, degrees from 0 to 180.
+struct Inclination {
+    double x = 0;
+    double left_deg = 0;
+    double right_deg = 0;
+};
+
+// A place where organs stand. Angles are those between stem and organ in space, sizes shares of the
+// stem's length, at its left and right.
+struct OrganNode {
+    double x = 0;
+    double left_deg = 0;
+    double right_deg = 0;
+    double left_size = 0;
+    double right_size = 0;
+};
+
+// A sketch as measured: what parameterizes a plant.
+struct Construction {
+    DrawnStem stem;
+    std::vector<Inclination> inclinations; // From below: layer i lies between i and i + 1.
+    std::vector<int> nodes_per_layer;
+    std::vector<OrganNode> nodes;   // From below; at least one.
+    std::vector<std::string> notes; // What had to be guessed, a sentence each.
+
+    // The shares of the stem below the lowest line and above the topmost one.
+    double below() const { return inclinations.front().x; }
+    double above() const { return 1 - inclinations.back().x; }
+};
+
+// The positional functions (2008, section 4) at the place x, 0 to 1 along the stem. Angles and
+// sizes are linear from node to node, and constant below the first and above the last.
+struct FunctionValues {
+    double heading_deg = 0; // Of the stem, as seen.
+    double pitch_deg = 0;   // Of the stem, towards the viewer.
+    double left_deg = 0;
+    double right_deg = 0;
+    double left_size = 0;
+    double right_size = 0;
+};
+FunctionValues values_at(Construction const& construction, double x);
+
+// Measures a sketch. The same sketch mirrored, scaled, or with boundaries and inclination lines
+// drawn the other way round gives the same numbers, mirrored.
+//
+// Fails, as the user's fault, with what to draw or to change: a stem, both boundaries or a second
+// inclination line missing; one that does not cross the stem just once, or that meets a boundary on
+// the other's side; numbers of nodes that do not fit the lines; more points or nodes than the
+// limits above; numbers that are not finite.
+Result<Construction> measure_sketch(LineSketch const& sketch);
+
+} // namespace tractus::lines

@@ -1,0 +1,162 @@
+#include "engine/methods/construction_lines/function_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <functional>
+#include <iterator>
+
+namespace tractus::lines {
+
+namespace {
+
+// A table is looked up at the two samples around a place, each of them up to 0.001 off.
+constexpr double kPlateau = 0.001 + 1.3 / (kFunctionSamples - 1);
+
+// Half of a node's plateau: less where nodes stand close together.
+double plateau_of(std::vector<OrganNode> const& nodes, std::size_t i)
+{
+    double half = kPlateau;
+    if (i > 0)
+        half = std::min(half, (nodes[i].x - nodes[i - 1].x) / 4);
+    if (i + 1 < nodes.size())
+        half = std::min(half, (nodes[i + 1].x - nodes[i].x) / 4);
+    return half;
+}
+
+// What cpfg takes: x from 0 to 1, rising as its six digits are written, at least four points.
+std::vector<Vec2> tidy_points(std::vector<Vec2> const& points)
+{
+    constexpr double kLeastStep = 2e-6;
+    std::vector<Vec2> result;
+    for (auto const& point : points) {
+        double const x = std::clamp(point.x(), 0.0, 1.0);
+        if (result.empty() || x >= result.back().x() + kLeastStep)
+            result.emplace_back(x, point.y());
+    }
+    result.front().x() = 0;
+    if (result.back().x() < 1 - kLeastStep)
+        result.emplace_back(1, points.back().y());
+    result.back().x() = 1;
+    while (result.size() < 4)
+        result.insert(result.begin() + 1, (result[0] + result[1]) / 2);
+    return result;
+}
+
+// Linear from node to node, constant beyond them.
+FunctionCurve node_curve(Construction const& construction, std::string const& name,
+                         double OrganNode::*value)
+{
+    auto const& nodes = construction.nodes;
+    std::vector<Vec2> points { Vec2(0, nodes.front().*value) };
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        double const half = plateau_of(nodes, i);
+        points.emplace_back(nodes[i].x - half, nodes[i].*value);
+        points.emplace_back(nodes[i].x + half, nodes[i].*value);
+    }
+    return { name, tidy_points(points) };
+}
+
+// The places at which a stem's course is given: evenly, beside each plateau, and in the middle
+// between nodes.
+std::vector<double> course_places(std::vector<OrganNode> const& nodes)
+{
+    constexpr int kSteps = 400;
+    constexpr double kBeside = 3e-4;
+    std::vector<double> places;
+    for (int i = 0; i <= kSteps; ++i)
+        places.push_back(static_cast<double>(i) / kSteps);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        double const half = plateau_of(nodes, i) + kBeside;
+        places.push_back(nodes[i].x - half);
+        places.push_back(nodes[i].x + half);
+        if (i > 0)
+            places.push_back((nodes[i - 1].x + nodes[i].x) / 2);
+    }
+    std::sort(places.begin(), places.end());
+    return places;
+}
+
+Vec2 course_at(Construction const& construction, double x, double DrawnStem::Course::*value)
+{
+    constexpr double kHalfWindow = 0.004;
+    auto const course = construction.stem.mean_course(std::max(0.0, x - kHalfWindow),
+                                                      std::min(1.0, x + kHalfWindow));
+    return { x, course.*value };
+}
+
+// The tangent at each node, the course elsewhere.
+FunctionCurve stem_curve(Construction const& construction, std::string const& name,
+                         double FunctionValues::*tangent, double DrawnStem::Course::*course)
+{
+    auto const& nodes = construction.nodes;
+    std::vector<Vec2> points;
+    std::size_t next = 0; // The first node whose plateau is not there yet.
+    auto const add_plateau = [&] {
+        double const half = plateau_of(nodes, next);
+        double const value = values_at(construction, nodes[next].x).*tangent;
+        points.emplace_back(nodes[next].x - half, value);
+        points.emplace_back(nodes[next].x + half, value);
+        ++next;
+    };
+    for (double const x : course_places(nodes)) {
+        while (next < nodes.size() && nodes[next].x <= x)
+            add_plateau();
+        auto const is_on
+            = [&](std::size_t i) { return std::fabs(x - nodes[i].x) <= plateau_of(nodes, i); };
+        bool const on_plateau
+            = (next > 0 && is_on(next - 1)) || (next < nodes.size() && is_on(next));
+        if (x >= 0 && x <= 1 && !on_plateau)
+            points.push_back(course_at(construction, x, course));
+    }
+    return { name, tidy_points(points) };
+}
+
+// The way from each node to the next, from the base to the first and from the last to the top. It
+// changes half way between nodes, so that at a node it is sure.
+FunctionCurve internode_curve(Construction const& construction)
+{
+    std::vector<double> places { 0 };
+    for (auto const& node : construction.nodes)
+        places.push_back(node.x);
+    places.push_back(1);
+    std::vector<Vec2> points { Vec2(0, places[1]) };
+    for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+        double const before = places[i] - places[i - 1];
+        double const after = places[i + 1] - places[i];
+        double const middle = places[i] - before / 2;
+        double const half = std::min(kPlateau, before / 8);
+        if (std::fabs(after - before) > 1e-9) {
+            points.emplace_back(middle - half, before);
+            points.emplace_back(middle + half, after);
+        }
+    }
+    points.emplace_back(1, points.back().y());
+    return { "internode", tidy_points(points) };
+}
+
+} // namespace
+
+std::vector<FunctionCurve> function_curves(Construction const& construction)
+{
+    return { stem_curve(construction, "heading", &FunctionValues::heading_deg,
+                        &DrawnStem::Course::heading_deg),
+             stem_curve(construction, "depth", &FunctionValues::pitch_deg,
+                        &DrawnStem::Course::pitch_deg),
+             node_curve(construction, "angle_left", &OrganNode::left_deg),
+             node_curve(construction, "angle_right", &OrganNode::right_deg),
+             node_curve(construction, "size_left", &OrganNode::left_size),
+             node_curve(construction, "size_right", &OrganNode::right_size),
+             internode_curve(construction) };
+}
+
+std::string function_file(FunctionCurve const& curve)
+{
+    auto text = fmt::format("fver 1 1\nname: {}\nsamples: {}\nflip: off\npoints: {}\n", curve.name,
+                            kFunctionSamples, curve.points.size());
+    for (auto const& point : curve.points)
+        fmt::format_to(std::back_inserter(text), "{:.6f} {:.6f} 3\n", point.x(), point.y() + 0.0);
+    return text;
+}
+
+} // namespace tractus::lines

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "engine/base/vectors.h"
+#include "engine/methods/construction_lines/construction.h"
+
+#include <string>
+#include <vector>
+
+namespace tractus::lines {
+
+// A positional function as cpfg's function editor has it: a curve y(x) over x from 0 to 1, straight
+// from point to point.
+struct FunctionCurve {
+    std::string name;         // What a model's file of it is called, such as heading.
+    std::vector<Vec2> points; // At least 4, x rising from 0 to 1.
+};
+
+// At how many places a model is to tabulate them.
+constexpr int kFunctionSamples = 4001;
+
+// The functions of a construction in the order in which models number them: heading, depth (the
+// stem's pitch), angle_left, angle_right, size_left, size_right; and internode, the way to the next
+// node.
+//
+// cpfg finds a place on a curve only to 0.001. So each value that a node has to have stands on a
+// small plateau around it, and nothing is lost. Between nodes heading and depth are the mean course
+// of the drawn stem over 0.008 of it, so that a stem with corners ends where it was drawn.
+std::vector<FunctionCurve> function_curves(Construction const& construction);
+
+// The curve as a file of cpfg's: each control point three times, which makes its B-spline straight
+// from point to point.
+std::string function_file(FunctionCurve const& curve);
+
+} // namespace tractus::lines

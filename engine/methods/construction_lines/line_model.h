@@ -1,0 +1,34 @@
+#pragma once
+
+#include "engine/lsystem/model.h"
+#include "engine/methods/construction_lines/construction.h"
+#include "engine/methods/construction_lines/pattern.h"
+#include "engine/plant/plant.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tractus::lines {
+
+// A plant as text: rules and view, and the files of functions that the view names, by name.
+struct LineModel {
+    ModelSource source;
+    std::map<std::string, std::string> functions;
+};
+
+// The plant of a construction in cpfg's language, for people to read and to edit. A step makes a
+// node, so fewer steps are a younger stem. The names of its files begin with `name`, which has only
+// letters, digits, - and _. A millimetre of the sketch is a centimetre of the plant, as in all our
+// models.
+//
+// At 0 and 180 degrees around the stem, so on its left and its right, organs have those sides'
+// angles and sizes; in between both change linearly with the angle around it, as in the paper.
+LineModel write_model(Construction const& construction, Pattern const& pattern,
+                      std::string const& name);
+
+// Where the tips of a plant's organs are in the sketch: (u, v, depth), millimetres, in the plant's
+// order. The plant is the model's, at ten times a turtle's unit a millimetre.
+std::vector<Vec3> organ_tips(Construction const& construction, Plant const& plant);
+
+} // namespace tractus::lines

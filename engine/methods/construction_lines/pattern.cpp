@@ -1,0 +1,37 @@
+#include "engine/methods/construction_lines/pattern.h"
+
+namespace tractus::lines {
+
+std::string name_of(Pattern::Kind kind)
+{
+    switch (kind) {
+    case Pattern::Kind::Distichous:
+        return "distichous";
+    case Pattern::Kind::Decussate:
+        return "decussate";
+    case Pattern::Kind::Spiral:
+        return "spiral";
+    case Pattern::Kind::Alternate:
+        return "alternate";
+    case Pattern::Kind::Whorled:
+        break;
+    }
+    return "whorled";
+}
+
+int organs_at_node(Pattern const& pattern)
+{
+    switch (pattern.kind) {
+    case Pattern::Kind::Distichous:
+    case Pattern::Kind::Decussate:
+        return 2;
+    case Pattern::Kind::Spiral:
+    case Pattern::Kind::Alternate:
+        return 1;
+    case Pattern::Kind::Whorled:
+        break;
+    }
+    return pattern.whorl;
+}
+
+} // namespace tractus::lines

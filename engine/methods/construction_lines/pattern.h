@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+namespace tractus::lines {
+
+// How organs stand around the stem (phyllotaxis).
+struct Pattern {
+    enum class Kind {
+        Distichous, // At each node one on the left and one on the right.
+        Decussate,  // Pairs, each across the one below.
+        Spiral,     // One at each node, turned by the divergence from the one below.
+        Alternate,  // Also so; without a divergence they stand left and right in turn.
+        Whorled,    // Several, evenly around; from node to node turned by half their distance.
+    };
+
+    Kind kind = Kind::Distichous;
+    double divergence_deg = 137.5; // Spiral and Alternate; -360 to 360.
+    int whorl = 3;                 // Whorled: how many, 2 to 24.
+};
+
+// The pattern's word, in small letters.
+std::string name_of(Pattern::Kind kind);
+
+// How many organs stand at a node.
+int organs_at_node(Pattern const& pattern);
+
+} // namespace tractus::lines

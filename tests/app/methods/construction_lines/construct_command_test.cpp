@@ -1,0 +1,160 @@
+#include "tests/app/verbs/outcome.h"
+#include "tests/corpus.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ConstructCommand : public ::testing::Test {
+protected:
+    ConstructCommand()
+    {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    ~ConstructCommand() override { fs::remove_all(folder_); }
+
+    std::string path(std::string const& name) const { return (folder_ / name).string(); }
+
+    // What is said of a sketch that is refused.
+    std::string refusal(std::string const& text)
+    {
+        std::ofstream(folder_ / "wrong.json") << text;
+        auto const outcome = run({ "construct", path("wrong.json"), "-o", path("out") });
+        EXPECT_EQ(outcome.exit_code, 1);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_FALSE(fs::exists(folder_ / "out"));
+        auto const at = outcome.err.find("wrong.json: ");
+        return at == std::string::npos ? outcome.err : outcome.err.substr(at + 12);
+    }
+
+    static std::string bytes(fs::path const& file)
+    {
+        std::ifstream stream(file, std::ios::binary);
+        return { std::istreambuf_iterator<char>(stream), {} };
+    }
+
+    fs::path folder_
+        = fs::temp_directory_path() / ("tractus_construct_command." + std::to_string(getpid()));
+};
+
+std::string sketch(char const* name)
+{
+    return shipped(fs::path("construction_lines") / name).string();
+}
+
+TEST_F(ConstructCommand, WritesAModelWithItsFunctions)
+{
+    auto const outcome
+        = run({ "construct", sketch("hand_spiral.json"), "-o", path("out"), "--report" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    for (auto const* const ending :
+         { ".l", ".v", "_heading.func", "_depth.func", "_angle_left.func", "_angle_right.func",
+           "_size_left.func", "_size_right.func", "_internode.func" })
+        EXPECT_TRUE(fs::exists(path("out/hand_spiral") + ending)) << ending;
+    auto const checked = run({ "lsystem", "check", path("out/hand_spiral.l") });
+    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+    EXPECT_EQ(checked.err, "");
+}
+
+// What is exported is the plant: read from its files again it is the same, byte for byte.
+TEST_F(ConstructCommand, TheExportedTextGivesTheSamePlant)
+{
+    for (std::string const name : { "hand_decussate", "bent", "deep", "hand_whorled", "cone" }) {
+        auto const file = name + ".json";
+        ASSERT_EQ(
+            run({ "construct", sketch(file.c_str()), "-o", path(name), "--report" }).exit_code, 0);
+        ASSERT_EQ(run({ "construct", sketch(file.c_str()), "-o", path(name + ".glb") }).exit_code,
+                  0);
+        auto const again = run({ "grow", path(name + "/" + name + ".l"), "-o", path("again.glb") });
+        ASSERT_EQ(again.exit_code, 0) << again.err;
+        auto const written = bytes(path(name + ".glb"));
+        EXPECT_GT(written.size(), 1'000U);
+        EXPECT_TRUE(written == bytes(path("again.glb"))) << name;
+    }
+}
+
+TEST_F(ConstructCommand, ASketchIsReadAsASessionAgain)
+{
+    ASSERT_EQ(run({ "construct", sketch("bent.json"), "-o", path("out"), "--report", "--session" })
+                  .exit_code,
+              0);
+    auto const grown = run({ "session", "info", path("out/bent.tractus") });
+    EXPECT_EQ(grown.exit_code, 0) << grown.err;
+}
+
+TEST_F(ConstructCommand, SmoothsHandDrawnLines)
+{
+    auto const plain = run({ "construct", sketch("bent.json"), "-o", path("a"), "--report" });
+    auto const smooth
+        = run({ "construct", sketch("bent.json"), "-o", path("b"), "--report", "--smooth" });
+    ASSERT_EQ(smooth.exit_code, 0) << smooth.err;
+    auto const drawn = nlohmann::json::parse(plain.out);
+    auto const meant = nlohmann::json::parse(smooth.out);
+    EXPECT_NE(drawn["lines"], meant["lines"]);
+    EXPECT_NEAR(drawn["lines"][0].get<double>(), meant["lines"][0].get<double>(), 0.02);
+}
+
+TEST_F(ConstructCommand, SaysWhatIsWrongWithASketch)
+{
+    EXPECT_EQ(refusal(R"({"stem":[[0,0],[0,9]]})"),
+              "pattern is missing: give \"distichous\", \"decussate\", \"spiral\", "
+              "\"alternate\", or \"whorled(N)\" with N from 2 to 24\n");
+    EXPECT_EQ(refusal(R"({"pattern":"spiral","stem":[[0,0],[0,9]]})"),
+              "nodes_per_layer is missing: give the number of nodes of each layer between two "
+              "neighbouring inclination lines, such as [5]\n");
+    EXPECT_EQ(refusal(R"({"pattern":"spiral","nodes_per_layer":[3]})"),
+              "the stem is missing or only a dot: draw it from the plant's foot to its top, as the "
+              "first line\n");
+    auto const nothing = run({ "construct", path("none.json"), "-o", path("out") });
+    EXPECT_EQ(nothing.exit_code, 1);
+    EXPECT_NE(nothing.err.find("none.json"), std::string::npos) << nothing.err;
+}
+
+TEST_F(ConstructCommand, SaysWhatItHadToGuess)
+{
+    std::ofstream(folder_ / "half.json")
+        << R"({"pattern":"alternate","name":"half a frond","stem":[[0,0],[0,90]],
+               "left":[[-30,0],[-20,120]],"nodes_per_layer":[6]})";
+    auto const outcome = run({ "construct", path("half.json"), "-o", path("out"), "--report" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("\"name\" is left out"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("the right boundary is missing"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("there are no inclination lines"), std::string::npos) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["notes"].size(), 2U);
+}
+
+// The largest sketch that there may be.
+TEST_F(ConstructCommand, TakesTheLargestSketch)
+{
+    nlohmann::json file { { "pattern", "distichous" } };
+    for (int i = 0; i < 5'000; ++i) {
+        file["stem"].push_back({ 0.3 * (i % 2), 0.1 * i });
+        file["left"].push_back({ -90 + i % 7, 0.2 * i });
+        file["right"].push_back({ 90 - i % 5, 0.2 * i });
+    }
+    for (int line = 0; line <= 20; ++line) {
+        std::vector<std::vector<double>> points;
+        for (int i = 0; i < 200; ++i)
+            points.push_back({ -100.0 + i, 20.05 + 20 * line });
+        file["inclinations"].push_back(points);
+    }
+    file["nodes_per_layer"] = std::vector<int>(20, 499);
+    std::ofstream(folder_ / "large.json") << file;
+    auto const outcome = run({ "construct", path("large.json"), "-o", path("out"), "--report" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["leaf_tips"].size(), 2U * (20 * 499 + 1));
+}
+
+} // namespace
+} // namespace tractus
