@@ -313,21 +313,6 @@ Result<void> check_nodes(std::vector<int> const& nodes, std::size_t layers)
     return {};
 }
 
-// Of what is seen at an angle to the stem, and as far as `reach_mm`, in the plane of the sheet: the
-// organ in space, where its stem rises towards the viewer.
-struct Reach {
-    double angle_deg = 0;
-    double length_mm = 0;
-};
-Reach in_space(Reach const& seen, double pitch_deg)
-{
-    constexpr double kSteepest = 0.17; // A stem that points at the viewer shows nothing.
-    double const sine = std::sin(radians(seen.angle_deg));
-    double const cosine
-        = std::cos(radians(seen.angle_deg)) / std::max(std::cos(radians(pitch_deg)), kSteepest);
-    return { degrees(std::atan2(sine, cosine)), seen.length_mm * std::hypot(sine, cosine) };
-}
-
 // The nodes' angles and sizes on one side. No size where the ray misses the boundary.
 struct SideNode {
     double x = 0;
@@ -344,7 +329,7 @@ SideNode measure_node(DrawnStem const& stem, DrawnLine const& boundary, Side sid
     auto const reach = in_space({ angle_deg, hit_mm.value_or(0) }, stem.pitch_deg(x));
     SideNode node { x, reach.angle_deg };
     if (hit_mm)
-        node.size = reach.length_mm / stem.length_mm();
+        node.size = reach.length / stem.length_mm();
     return node;
 }
 
@@ -394,6 +379,30 @@ Result<void> fill_sizes(std::vector<SideNode>& nodes, Side side, std::vector<std
 }
 
 } // namespace
+
+// A stem that points at the viewer shows nothing of itself.
+static double foreshortening(double pitch_deg)
+{
+    constexpr double kLeast = 0.17;
+    return std::max(std::cos(radians(pitch_deg)), kLeast);
+}
+
+static Reach stretched(Reach const& reach, double along)
+{
+    double const sine = std::sin(radians(reach.angle_deg));
+    double const cosine = std::cos(radians(reach.angle_deg)) * along;
+    return { degrees(std::atan2(sine, cosine)), reach.length * std::hypot(sine, cosine) };
+}
+
+Reach in_space(Reach const& seen, double pitch_deg)
+{
+    return stretched(seen, 1 / foreshortening(pitch_deg));
+}
+
+Reach as_seen(Reach const& organ, double pitch_deg)
+{
+    return stretched(organ, foreshortening(pitch_deg));
+}
 
 Result<Construction> measure_sketch(LineSketch const& sketch)
 {

@@ -73,6 +73,17 @@ struct FunctionValues {
 };
 FunctionValues values_at(Construction const& construction, double x);
 
+// What stands at an angle to the stem, and how far it goes.
+struct Reach {
+    double angle_deg = 0;
+    double length = 0;
+};
+
+// From what is seen in the sheet's plane to the organ in space on a stem that rises towards the
+// viewer by so much, and back. A stem that points at the viewer counts as one at 80 degrees.
+Reach in_space(Reach const& seen, double pitch_deg);
+Reach as_seen(Reach const& organ, double pitch_deg);
+
 // Measures a sketch. The same sketch mirrored, scaled, or with boundaries and inclination lines
 // drawn the other way round gives the same numbers, mirrored.
 //

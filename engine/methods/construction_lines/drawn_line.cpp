@@ -129,9 +129,13 @@ std::vector<Crossing> crossings(DrawnLine const& first, DrawnLine const& second)
             Vec2 const to = b[j - 1] - a[i - 1];
             double const a_share = cross(to, b_piece) / turn;
             double const b_share = cross(to, a_piece) / turn;
-            if (is_on_piece(a_share, i + 1 == a.size()) && is_on_piece(b_share, j + 1 == b.size()))
-                found.push_back({ first.at_mm()[i - 1] + a_share * a_piece.norm(),
-                                  second.at_mm()[j - 1] + b_share * b_piece.norm() });
+            if (!is_on_piece(a_share, i + 1 == a.size())
+                || !is_on_piece(b_share, j + 1 == b.size()))
+                continue;
+            if (found.size() == kMostCrossings)
+                return found;
+            found.push_back({ first.at_mm()[i - 1] + a_share * a_piece.norm(),
+                              second.at_mm()[j - 1] + b_share * b_piece.norm() });
         }
     }
     return found;

@@ -2,6 +2,7 @@
 
 #include "engine/base/vectors.h"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -69,8 +70,10 @@ struct Crossing {
     double second_mm = 0;
 };
 
-// All crossings, in the order of `first`. Pieces that run along each other do not cross. Takes time
-// in proportion to the product of the numbers of points.
+// Their crossings in the order of `first`, as many as a drawn line may have: a scribble has more
+// than anybody needs. Pieces that run along each other do not cross. Takes time in proportion to
+// the product of the numbers of points.
+constexpr std::size_t kMostCrossings = 1'000;
 std::vector<Crossing> crossings(DrawnLine const& first, DrawnLine const& second);
 
 } // namespace tractus::lines

@@ -13,10 +13,30 @@ static std::vector<Vec2> on_sheet(std::span<Vec3 const> points)
     return result;
 }
 
+static double sharpest_turn(std::vector<double> const& piece_deg)
+{
+    double sharpest_deg = 0;
+    for (std::size_t i = 1; i < piece_deg.size(); ++i)
+        sharpest_deg = std::max(sharpest_deg, std::fabs(piece_deg[i] - piece_deg[i - 1]));
+    return sharpest_deg;
+}
+
+// Half a piece, so that pieces of a smooth curve become the curve; less where corners are sharp:
+// one of d radians is cut by a quarter of d and of this.
+static double half_window(double longest_piece, double sharpest_deg)
+{
+    constexpr double kLeast = 0.0025;
+    constexpr double kEnough = 0.004;
+    constexpr double kMostCut = 0.0015;
+    double const most = 4 * kMostCut / std::max(radians(sharpest_deg), 1e-3);
+    return std::max(kLeast, std::min(std::max(longest_piece / 2, kEnough), most));
+}
+
 DrawnStem::DrawnStem(std::span<Vec3 const> points)
     : seen_(on_sheet(points))
 {
     std::vector<double> pitches_deg;
+    double longest_mm = 0;
     auto const headings_deg = piece_headings_deg(seen_.points());
     at_mm_ = heading_sum_ = pitch_sum_ = { 0 };
     for (auto const& point : points)
@@ -24,13 +44,16 @@ DrawnStem::DrawnStem(std::span<Vec3 const> points)
     for (std::size_t i = 1; i < points.size(); ++i) {
         double const flat_mm = seen_.at_mm()[i] - seen_.at_mm()[i - 1];
         double const rise_mm = depth_mm_[i] - depth_mm_[i - 1];
-        double const length_mm = std::hypot(flat_mm, rise_mm);
+        double const piece_mm = std::hypot(flat_mm, rise_mm);
+        longest_mm = std::max(longest_mm, piece_mm);
         pitches_deg.push_back(degrees(std::atan2(rise_mm, flat_mm)));
-        at_mm_.push_back(at_mm_.back() + length_mm);
-        heading_sum_.push_back(heading_sum_.back() + headings_deg[i - 1] * length_mm);
-        pitch_sum_.push_back(pitch_sum_.back() + pitches_deg.back() * length_mm);
+        at_mm_.push_back(at_mm_.back() + piece_mm);
+        heading_sum_.push_back(heading_sum_.back() + headings_deg[i - 1] * piece_mm);
+        pitch_sum_.push_back(pitch_sum_.back() + pitches_deg.back() * piece_mm);
     }
     pitch_deg_ = values_at_points(pitches_deg);
+    sharpest_deg_ = std::max(sharpest_turn(headings_deg), sharpest_turn(pitches_deg));
+    half_window_ = half_window(longest_mm / length_mm(), sharpest_deg_);
 }
 
 double DrawnStem::seen_mm(double x) const
@@ -55,13 +78,18 @@ Vec3 DrawnStem::point(double x) const
     return { seen.x(), seen.y(), value_in(depth_mm_, seen_.place(at_mm)) };
 }
 
-DrawnStem::Course DrawnStem::mean_course(double low, double high) const
+DrawnStem::Course DrawnStem::course(double x) const
 {
+    constexpr double kLeastAtEnds = 1e-4;
+    // As far before it as behind it, or the ends would lean inwards.
+    double const half = std::max(kLeastAtEnds, std::min({ half_window_, x, 1 - x }));
+    double const low = std::max(0.0, x - half);
+    double const high = std::min(1.0, x + half);
     auto const from = place_in(at_mm_, low * length_mm());
     auto const to = place_in(at_mm_, high * length_mm());
-    double const length = (high - low) * length_mm();
-    return { (value_in(heading_sum_, to) - value_in(heading_sum_, from)) / length,
-             (value_in(pitch_sum_, to) - value_in(pitch_sum_, from)) / length };
+    double const between_mm = (high - low) * length_mm();
+    return { (value_in(heading_sum_, to) - value_in(heading_sum_, from)) / between_mm,
+             (value_in(pitch_sum_, to) - value_in(pitch_sum_, from)) / between_mm };
 }
 
 } // namespace tractus::lines

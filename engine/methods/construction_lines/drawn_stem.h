@@ -29,13 +29,17 @@ public:
     // (u, v, w).
     Vec3 point(double x) const;
 
-    // The direction and the rise of what has been drawn, in the mean over the places from `low` to
-    // `high`, which are not equal: what a stem that goes so ends where the drawn one does.
+    // Its direction, as seen, and its rise with the corners of the polyline rounded, so that a stem
+    // that goes so ends where the drawn one does. Unlike the tangent, which turns half way from
+    // corner to corner, it stays within 0.0015 of the length of what was drawn.
     struct Course {
         double heading_deg = 0;
         double pitch_deg = 0;
     };
-    Course mean_course(double low, double high) const;
+    Course course(double x) const;
+
+    // The sharpest turn at a point of the polyline.
+    double sharpest_deg() const { return sharpest_deg_; }
 
 private:
     DrawnLine seen_;
@@ -45,6 +49,8 @@ private:
     // Integrals of the pieces' values from the base to each point.
     std::vector<double> heading_sum_;
     std::vector<double> pitch_sum_;
+    double sharpest_deg_ = 0;
+    double half_window_ = 0; // Of a course's mean, a share of the length.
 };
 
 } // namespace tractus::lines

@@ -24,6 +24,26 @@ double plateau_of(std::vector<OrganNode> const& nodes, std::size_t i)
     return half;
 }
 
+// Whether the middles of the pieces in which the stem is drawn beside a node, at least half of
+// kShortPiece long, are well off its plateau.
+bool has_room(std::vector<OrganNode> const& nodes, std::size_t i)
+{
+    constexpr double kRoom = kShortPiece / 2;
+    return (i == 0 || nodes[i].x - nodes[i - 1].x >= kRoom)
+        && (i + 1 == nodes.size() || nodes[i + 1].x - nodes[i].x >= kRoom);
+}
+
+// Where the turtle heads at a node. Where there is room for a plateau it is the stem's tangent, so
+// that organs all around the stem stand as they should; else the course that the stem goes there.
+DrawnStem::Course heading_at_node(Construction const& construction, std::size_t i)
+{
+    auto const& stem = construction.stem;
+    double const x = construction.nodes[i].x;
+    if (has_room(construction.nodes, i))
+        return { stem.heading_deg(x), stem.pitch_deg(x) };
+    return stem.course(x);
+}
+
 // What cpfg takes: x from 0 to 1, rising as its six digits are written, at least four points.
 std::vector<Vec2> tidy_points(std::vector<Vec2> const& points)
 {
@@ -44,10 +64,9 @@ std::vector<Vec2> tidy_points(std::vector<Vec2> const& points)
 }
 
 // Linear from node to node, constant beyond them.
-FunctionCurve node_curve(Construction const& construction, std::string const& name,
+FunctionCurve node_curve(std::vector<OrganNode> const& nodes, std::string const& name,
                          double OrganNode::*value)
 {
-    auto const& nodes = construction.nodes;
     std::vector<Vec2> points { Vec2(0, nodes.front().*value) };
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         double const half = plateau_of(nodes, i);
@@ -77,26 +96,18 @@ std::vector<double> course_places(std::vector<OrganNode> const& nodes)
     return places;
 }
 
-Vec2 course_at(Construction const& construction, double x, double DrawnStem::Course::*value)
-{
-    constexpr double kHalfWindow = 0.004;
-    auto const course = construction.stem.mean_course(std::max(0.0, x - kHalfWindow),
-                                                      std::min(1.0, x + kHalfWindow));
-    return { x, course.*value };
-}
-
-// The tangent at each node, the course elsewhere.
 FunctionCurve stem_curve(Construction const& construction, std::string const& name,
-                         double FunctionValues::*tangent, double DrawnStem::Course::*course)
+                         double DrawnStem::Course::*value)
 {
     auto const& nodes = construction.nodes;
+    auto const value_at = [&](double x) { return construction.stem.course(x).*value; };
     std::vector<Vec2> points;
     std::size_t next = 0; // The first node whose plateau is not there yet.
     auto const add_plateau = [&] {
         double const half = plateau_of(nodes, next);
-        double const value = values_at(construction, nodes[next].x).*tangent;
-        points.emplace_back(nodes[next].x - half, value);
-        points.emplace_back(nodes[next].x + half, value);
+        double const at_node = heading_at_node(construction, next).*value;
+        points.emplace_back(nodes[next].x - half, at_node);
+        points.emplace_back(nodes[next].x + half, at_node);
         ++next;
     };
     for (double const x : course_places(nodes)) {
@@ -107,9 +118,35 @@ FunctionCurve stem_curve(Construction const& construction, std::string const& na
         bool const on_plateau
             = (next > 0 && is_on(next - 1)) || (next < nodes.size() && is_on(next));
         if (x >= 0 && x <= 1 && !on_plateau)
-            points.push_back(course_at(construction, x, course));
+            points.emplace_back(x, value_at(x));
     }
     return { name, tidy_points(points) };
+}
+
+// An organ as it stands to where the turtle heads. It is seen where it was.
+Reach turned_reach(Reach const& organ, double turn_deg, double tangent_pitch_deg, double pitch_deg)
+{
+    auto seen = as_seen(organ, tangent_pitch_deg);
+    seen.angle_deg += turn_deg;
+    return in_space(seen, pitch_deg);
+}
+
+std::vector<OrganNode> turned_nodes(Construction const& construction)
+{
+    auto const& stem = construction.stem;
+    auto nodes = construction.nodes;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        auto& node = nodes[i];
+        auto const heading = heading_at_node(construction, i);
+        double const turn_deg = stem.heading_deg(node.x) - heading.heading_deg;
+        double const pitch_deg = stem.pitch_deg(node.x);
+        auto const left = turned_reach({ node.left_deg, node.left_size }, turn_deg, pitch_deg,
+                                       heading.pitch_deg);
+        auto const right = turned_reach({ node.right_deg, node.right_size }, -turn_deg, pitch_deg,
+                                        heading.pitch_deg);
+        node = { node.x, left.angle_deg, right.angle_deg, left.length, right.length };
+    }
+    return nodes;
 }
 
 // The way from each node to the next, from the base to the first and from the last to the top. It
@@ -139,14 +176,13 @@ FunctionCurve internode_curve(Construction const& construction)
 
 std::vector<FunctionCurve> function_curves(Construction const& construction)
 {
-    return { stem_curve(construction, "heading", &FunctionValues::heading_deg,
-                        &DrawnStem::Course::heading_deg),
-             stem_curve(construction, "depth", &FunctionValues::pitch_deg,
-                        &DrawnStem::Course::pitch_deg),
-             node_curve(construction, "angle_left", &OrganNode::left_deg),
-             node_curve(construction, "angle_right", &OrganNode::right_deg),
-             node_curve(construction, "size_left", &OrganNode::left_size),
-             node_curve(construction, "size_right", &OrganNode::right_size),
+    auto const nodes = turned_nodes(construction);
+    return { stem_curve(construction, "heading", &DrawnStem::Course::heading_deg),
+             stem_curve(construction, "depth", &DrawnStem::Course::pitch_deg),
+             node_curve(nodes, "angle_left", &OrganNode::left_deg),
+             node_curve(nodes, "angle_right", &OrganNode::right_deg),
+             node_curve(nodes, "size_left", &OrganNode::left_size),
+             node_curve(nodes, "size_right", &OrganNode::right_size),
              internode_curve(construction) };
 }
 

@@ -18,13 +18,19 @@ struct FunctionCurve {
 // At how many places a model is to tabulate them.
 constexpr int kFunctionSamples = 4001;
 
+// The longest pieces that a stem with corners or narrow bends is drawn in, and any other, by its
+// length. Shorter ones would come too close to the plateaus of nodes.
+constexpr double kShortPiece = 0.012;
+constexpr double kLongPiece = 0.02;
+
 // The functions of a construction in the order in which models number them: heading, depth (the
 // stem's pitch), angle_left, angle_right, size_left, size_right; and internode, the way to the next
 // node.
 //
 // cpfg finds a place on a curve only to 0.001. So each value that a node has to have stands on a
-// small plateau around it, and nothing is lost. Between nodes heading and depth are the mean course
-// of the drawn stem over 0.008 of it, so that a stem with corners ends where it was drawn.
+// small plateau around it, and nothing is lost. Between nodes heading and depth are the stem's
+// course. Where nodes stand too close for plateaus they are so everywhere, and the organs' angles
+// those to the course: on a stem of few points it differs from the tangent.
 std::vector<FunctionCurve> function_curves(Construction const& construction);
 
 // The curve as a file of cpfg's: each control point three times, which makes its B-spline straight

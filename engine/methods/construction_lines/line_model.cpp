@@ -27,21 +27,22 @@ template<typename Values, typename Read> std::string list(Values const& values, 
     return "{" + text + "}";
 }
 
-// Where the stem turns more than a few degrees within a piece, pieces have to be shorter.
+// Where the stem turns more than a little within a piece, pieces have to be shorter.
 double longest_piece(DrawnStem const& stem)
 {
-    constexpr double kLong = 0.02;
-    constexpr double kShort = 0.01;
-    constexpr double kStraight_deg = 4;
-    constexpr int kSteps = 200;
-    for (int i = 2; i <= kSteps; ++i) {
-        auto const before = stem.mean_course((i - 2.0) / kSteps, (i - 1.0) / kSteps);
-        auto const after = stem.mean_course((i - 1.0) / kSteps, static_cast<double>(i) / kSteps);
-        if (std::fabs(after.heading_deg - before.heading_deg) > kStraight_deg / 4
-            || std::fabs(after.pitch_deg - before.pitch_deg) > kStraight_deg / 4)
-            return kShort;
+    constexpr int kSteps = 100;
+    constexpr double kCurved_deg = 2; // Within a hundredth of the stem.
+    constexpr double kCorner_deg = 5;
+    if (stem.sharpest_deg() > kCorner_deg)
+        return kShortPiece;
+    for (int i = 1; i <= kSteps; ++i) {
+        auto const before = stem.course((i - 1.0) / kSteps);
+        auto const after = stem.course(static_cast<double>(i) / kSteps);
+        if (std::fabs(after.heading_deg - before.heading_deg) > kCurved_deg
+            || std::fabs(after.pitch_deg - before.pitch_deg) > kCurved_deg)
+            return kShortPiece;
     }
-    return kLong;
+    return kLongPiece;
 }
 
 std::string definitions(Construction const& construction, Pattern const& pattern)

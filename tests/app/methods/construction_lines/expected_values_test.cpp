@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -43,9 +44,14 @@ void expect_report(json const& report, json const& wanted, std::string const& na
         EXPECT_EQ(values.size(), 21U);
         expect_near(report["functions"][key], values, 1e-6, name + " " + key);
     }
-    // They come from the plant: its text has six digits, and its stem is drawn in pieces.
+    // They come from the plant: its text has six digits, and a bent stem is drawn in pieces.
+    auto const& headings = wanted["functions"]["heading"];
+    bool const straight
+        = std::adjacent_find(headings.begin(), headings.end(), std::not_equal_to<>())
+        == headings.end();
     expect_near(report["leaf_tips"], wanted["leaf_tips"],
-                1e-3 * wanted["stem_length"].get<double>(), name + " leaf_tips");
+                (straight ? 1e-3 : 3e-3) * wanted["stem_length"].get<double>(),
+                name + " leaf_tips");
 }
 
 TEST(ConstructExpectedValues, ReportsAreWhatAnotherProgramComputed)

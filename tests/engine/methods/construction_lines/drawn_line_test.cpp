@@ -40,6 +40,18 @@ TEST(DrawnLine, ALinesLastPointBelongsToIt)
     EXPECT_EQ(crossings(upright, DrawnLine({ Vec2(-9, 101), Vec2(9, 101) })).size(), 0U);
 }
 
+// Two scribbles across each other cross millions of times.
+TEST(DrawnLine, ScribblesDoNotFillTheMemory)
+{
+    std::vector<Vec2> upright;
+    std::vector<Vec2> level;
+    for (int i = 0; i < 3'000; ++i) {
+        upright.emplace_back(0.01 * i, i % 2 == 0 ? 0 : 100);
+        level.emplace_back(i % 2 == 0 ? -10 : 110, 20 + 0.01 * i);
+    }
+    EXPECT_EQ(crossings(DrawnLine(upright), DrawnLine(level)).size(), kMostCrossings);
+}
+
 TEST(DrawnLine, ARayMeetsTheNearestPiece)
 {
     DrawnLine const line({ Vec2(-50, 0), Vec2(-50, 100), Vec2(-20, 100), Vec2(-20, 0) });

@@ -82,9 +82,9 @@ TEST(ConstructionLaws, AScaledAndMovedSketchIsTheSame)
 }
 
 // The boundary contract, for the plant that the text gives, with few nodes and with many.
-void expect_tips_on_boundaries(LineSketch sketch, double tolerance)
+void expect_tips_on_boundaries(LineSketch sketch, double tolerance, int most_nodes = 500)
 {
-    for (int const nodes : { 1, 3, 20, 60, 150 }) {
+    for (int const nodes : { 1, 3, 20, 60, 150, most_nodes }) {
         sketch.nodes_per_layer.assign(sketch.nodes_per_layer.size(), nodes);
         auto const length_mm = measured(sketch).stem.length_mm();
         auto const tips = tips_of(sketch, { .kind = Kind::Distichous });
@@ -108,6 +108,8 @@ TEST(ConstructionLaws, OrganTipsLieOnTheBoundaryOfAStraightStem)
 TEST(ConstructionLaws, OrganTipsLieOnTheBoundaryOfACurvedStem)
 {
     expect_tips_on_boundaries(bent_sketch(), 3e-3);
+    // Near a sharp corner a model's tables can no longer tell that many nodes apart.
+    expect_tips_on_boundaries(coarse_sketch(), 3e-3, 150);
 }
 
 TEST(ConstructionLaws, TipsOfEvenDecussateNodesLieOnTheBoundary)
