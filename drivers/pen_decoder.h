@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace tractus {
 
@@ -48,16 +49,19 @@ public:
 
     virtual PenTraits const& traits() const = 0;
 
-    // No value if the report says nothing of a pen: one of the device's other reports, or out of
-    // range as before. Fails, as the device's fault, if the report is shorter than its fields or
-    // not in the descriptor at all; the decoder stays usable, and the report counts as not sent.
-    virtual Result<std::optional<PenSample>> decode(Timestamp received,
-                                                    std::span<std::byte const> report)
+    // Appends the report's samples to `out`, oldest first. None if the report says nothing of a
+    // pen: one of the device's other reports, or out of range as before. Several where a tablet
+    // collects what the pen did and sends it at once, as Wacom's do over Bluetooth; their times lie
+    // between the report before and this one. Fails, as the device's fault, if the report is
+    // shorter than its fields or not in the descriptor at all; then `out` is as it was, the decoder
+    // stays usable, and the report counts as not sent.
+    virtual Result<void> decode(Timestamp received, std::span<std::byte const> report,
+                                std::vector<PenSample>& out)
         = 0;
 
-    Result<std::optional<PenSample>> decode(RawReport const& report)
+    Result<void> decode(RawReport const& report, std::vector<PenSample>& out)
     {
-        return decode(report.received, report.bytes());
+        return decode(report.received, report.bytes(), out);
     }
 
     // How long after its last sample the pen has left if no other comes, as things are now: some

@@ -75,8 +75,10 @@ void CalibrationDesk::push(std::size_t device, Timestamp received,
                            std::span<std::byte const> report)
 {
     if (pen_decoder_ && device == pen_device_) {
-        if (auto const sample = pen_decoder_->decode(received, report); sample && *sample)
-            push_pen(**sample);
+        new_pens_.clear();
+        (void)pen_decoder_->decode(received, report, new_pens_);
+        for (auto const& sample : new_pens_)
+            push_pen(sample);
     } else if (device == height_device_) {
         new_heights_.clear();
         (void)height_decoder_->decode(received, report, new_heights_); // The good ones are there.

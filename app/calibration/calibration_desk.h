@@ -121,6 +121,7 @@ private:
 
     RecentReadings recent_;
     std::vector<HeightSample> new_heights_; // Kept for its memory.
+    std::vector<PenSample> new_pens_;       // Likewise.
     std::optional<Pending> pending_;
     std::vector<HeightCapture> captures_;
     std::string refusal_;

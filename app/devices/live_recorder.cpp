@@ -61,10 +61,12 @@ bool LiveRecorder::ends_stroke(LiveReport const& report)
         return std::exchange(touching, false);
     if (!decoder)
         return false;
-    auto const sample = decoder->decode(report.report);
-    if (!sample || !*sample)
-        return false;
-    return std::exchange(touching, (*sample)->touching) && !(*sample)->touching;
+    samples_.clear();
+    (void)decoder->decode(report.report, samples_);
+    bool ends = false;
+    for (auto const& sample : samples_)
+        ends |= std::exchange(touching, sample.touching) && !sample.touching;
+    return ends;
 }
 
 void LiveRecorder::write_tool(Timestamp time, std::string_view tool, std::string_view arguments)

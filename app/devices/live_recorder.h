@@ -53,7 +53,8 @@ private:
 
     std::unique_ptr<std::ostream> out_; // On the heap, since log_ refers to it when this moves.
     std::unique_ptr<LogWriter> log_;
-    std::vector<Pen> pens_; // One per device.
+    std::vector<Pen> pens_;          // One per device.
+    std::vector<PenSample> samples_; // Kept for its memory.
     bool stroke_ended_ = false;
     Timestamp next_flush_ {};
     std::size_t report_count_ = 0;

@@ -52,13 +52,12 @@ void DeviceMonitor::push(RawReport const& report)
 
 void DeviceMonitor::push_pen(RawReport const& report)
 {
-    auto const sample = pen_->decode(report);
-    if (!sample)
-        return count_broken(sample.error());
-    if (!*sample)
-        return;
-    ++reading_.samples;
-    show(**sample);
+    pens_.clear();
+    if (auto const decoded = pen_->decode(report, pens_); !decoded)
+        count_broken(decoded.error());
+    reading_.samples += pens_.size();
+    for (auto const& sample : pens_)
+        show(sample);
 }
 
 void DeviceMonitor::push_height(RawReport const& report)

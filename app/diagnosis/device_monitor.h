@@ -78,6 +78,7 @@ private:
     std::optional<HeightMonitor> height_monitor_;
     std::optional<Timestamp> begin_;
     std::vector<HeightSample> heights_; // Kept for its memory.
+    std::vector<PenSample> pens_;       // Likewise.
     std::deque<Timestamp> recent_;      // Of the last second.
 };
 

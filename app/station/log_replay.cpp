@@ -56,16 +56,18 @@ Result<ScriptedHeight> script_height(Log const& log, LogPen const& pen,
 {
     ScriptedHeight scripted { .scenario = scenario };
     bool is_first = true;
+    std::vector<PenSample> samples;
     LogCursor cursor(log);
     while (auto const* const report = TRY(cursor.next())) {
         if (!pen.decoder || report->device != pen.device)
             continue;
-        auto const sample = pen.decoder->decode(report->time, report->bytes);
-        if (!sample || !*sample)
+        samples.clear();
+        (void)pen.decoder->decode(report->time, report->bytes, samples);
+        if (samples.empty())
             continue;
         if (std::exchange(is_first, false))
-            scripted.first_pen = (*sample)->time;
-        scripted.last_pen = (*sample)->time;
+            scripted.first_pen = samples.front().time;
+        scripted.last_pen = samples.back().time;
     }
     return scripted;
 }

@@ -134,13 +134,13 @@ void Station::push_pen(Pen& pen, Timestamp received, std::span<std::byte const> 
             use_pen(pen, *gone);
         return;
     }
-    auto const sample = pen.decoder->decode(received, report);
-    if (!sample)
-        return count_broken(sample.error());
-    if (!*sample)
-        return;
-    pen.silence.heard(**sample);
-    use_pen(pen, **sample);
+    new_pens_.clear();
+    if (auto const decoded = pen.decoder->decode(received, report, new_pens_); !decoded)
+        count_broken(decoded.error());
+    for (auto const& sample : new_pens_) {
+        pen.silence.heard(sample);
+        use_pen(pen, sample);
+    }
 }
 
 void Station::pass_time(Timestamp now)

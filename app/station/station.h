@@ -205,7 +205,8 @@ private:
     bool is_height_measured_;     // Not scripted.
     bool is_height_there_ = true; // The sensor that measures it has not gone away.
     Duration tablet_latency_;
-    std::vector<Pen> pens_; // In the order of their devices.
+    std::vector<Pen> pens_;           // In the order of their devices.
+    std::vector<PenSample> new_pens_; // Kept for its memory.
     std::unique_ptr<HeightDecoder> height_decoder_;
     std::size_t height_device_ = 0;
     std::vector<HeightSample> heights_; // Of one report; kept for its memory.

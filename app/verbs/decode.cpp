@@ -135,6 +135,7 @@ Result<Duration> decode_all(Log const& log, std::vector<Device>& devices,
 {
     auto earliest = log.begin();
     auto latest = log.begin();
+    std::vector<PenSample> samples;
     LogCursor cursor(log);
     while (auto const* const report = TRY(cursor.next())) {
         earliest = std::min(earliest, report->time);
@@ -149,14 +150,14 @@ Result<Duration> decode_all(Log const& log, std::vector<Device>& devices,
             TRY(use(report->device, *gone));
         if (went_away)
             continue;
-        auto const sample = device.pen->decode(report->time, report->bytes);
-        if (!sample) {
-            if (device.bad_reports++ == 0)
-                device.first_problem = fmt::format("at {:.6f} s: {}", to_seconds(report->time),
-                                                   sample.error().message);
-        } else if (*sample) {
-            device.silence.heard(**sample);
-            TRY(use(report->device, **sample));
+        samples.clear();
+        auto const decoded = device.pen->decode(report->time, report->bytes, samples);
+        if (!decoded && device.bad_reports++ == 0)
+            device.first_problem
+                = fmt::format("at {:.6f} s: {}", to_seconds(report->time), decoded.error().message);
+        for (auto const& sample : samples) {
+            device.silence.heard(sample);
+            TRY(use(report->device, sample));
         }
     }
     return latest - earliest;

@@ -149,8 +149,8 @@ public:
 
     using PenDecoder::decode;
     PenTraits const& traits() const override { return traits_; }
-    Result<std::optional<PenSample>> decode(Timestamp received,
-                                            std::span<std::byte const> report) override;
+    Result<void> decode(Timestamp received, std::span<std::byte const> report,
+                        std::vector<PenSample>& out) override;
     std::optional<Duration> silence_limit() const override { return state_.silence_limit(); }
     std::optional<PenSample> leave(Timestamp time) override { return state_.leave(time); }
 
@@ -184,13 +184,15 @@ Result<DescribedPen const*> HidPenDecoder::pen_of(std::span<std::byte const> rep
     return nullptr;
 }
 
-Result<std::optional<PenSample>> HidPenDecoder::decode(Timestamp received,
-                                                       std::span<std::byte const> report)
+Result<void> HidPenDecoder::decode(Timestamp received, std::span<std::byte const> report,
+                                   std::vector<PenSample>& out)
 {
     auto const* const pen = TRY(pen_of(report));
     if (!pen)
-        return std::nullopt;
-    return state_.push(received, read_fields(*pen, report), pen->scale);
+        return {};
+    if (auto const sample = state_.push(received, read_fields(*pen, report), pen->scale))
+        out.push_back(*sample);
+    return {};
 }
 
 // Why a descriptor gives no layout, for a person to read.

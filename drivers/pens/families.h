@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/pens/pen_fields.h"
+#include "engine/base/time.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +19,8 @@ struct FamilyState {
     bool is_eraser = false;
     bool is_pen = true;     // Not a mouse on the tablet.
     bool is_inside = false; // The pen is in range.
+
+    std::size_t frame = 0; // Which of a report's states is asked for; see PenFamily::frames.
 
     std::int32_t x_maximum = 0; // The tablet's, which does not change; 0: not known.
 
@@ -40,6 +43,11 @@ struct PenFamily {
     bool reports_leaving = true; // See PenHabits.
     unsigned button_count = 2;
     std::int32_t touch_above = 0; // See PenScale.
+
+    // How many states of the pen a report has room for, oldest first; FamilyState::frame chooses
+    // one. The tablet measures them `frame_interval` apart, and says no more of their times.
+    std::size_t frames = 1;
+    Duration frame_interval {};
 };
 
 // All formats that are known. Their names are unique.

@@ -4,6 +4,7 @@
 #include "engine/base/check.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace tractus {
 
@@ -51,16 +52,8 @@ public:
 
     using PenDecoder::decode;
     PenTraits const& traits() const override { return traits_; }
-    Result<std::optional<PenSample>> decode(Timestamp received,
-                                            std::span<std::byte const> report) override
-    {
-        if (report.empty())
-            return fail(Fault::Device, "an empty report");
-        auto const fields = family_.decode(report, format_);
-        if (!fields)
-            return std::nullopt;
-        return pen_.push(received, *fields, scale_);
-    }
+    Result<void> decode(Timestamp received, std::span<std::byte const> report,
+                        std::vector<PenSample>& out) override;
     std::optional<Duration> silence_limit() const override { return pen_.silence_limit(); }
     std::optional<PenSample> leave(Timestamp time) override { return pen_.leave(time); }
 
@@ -70,7 +63,31 @@ private:
     PenScale scale_;
     FamilyState format_;
     PenState pen_;
+    std::vector<PenFields> frames_;        // Of the newest report.
+    std::optional<Timestamp> last_report_; // Of the pen's.
 };
+
+Result<void> FamilyDecoder::decode(Timestamp received, std::span<std::byte const> report,
+                                   std::vector<PenSample>& out)
+{
+    if (report.empty())
+        return fail(Fault::Device, "an empty report");
+    frames_.clear();
+    for (format_.frame = 0; format_.frame < family_.frames; ++format_.frame)
+        if (auto const fields = family_.decode(report, format_))
+            frames_.push_back(*fields);
+    if (frames_.empty())
+        return {};
+    auto age = static_cast<Duration::rep>(frames_.size());
+    auto interval = family_.frame_interval;
+    if (last_report_)
+        interval = std::clamp((received - *last_report_) / age, Duration(0), interval);
+    last_report_ = received;
+    for (auto const& fields : frames_)
+        if (auto const sample = pen_.push(received - --age * interval, fields, scale_))
+            out.push_back(*sample);
+    return {};
+}
 
 } // namespace
 

@@ -6,6 +6,8 @@ namespace tractus {
 
 namespace {
 
+using namespace std::chrono_literals;
+
 using Report = std::span<std::byte const>;
 using Fields = std::optional<PenFields>;
 
@@ -381,31 +383,31 @@ PenFields bluetooth_fields(Report report, Report frame, BluetoothLayout const& l
     return fields;
 }
 
-// The newest of the frames that hold anything. Those before it are passed over: a report makes one
-// sample, and they come a few milliseconds apart.
-Fields decode_bluetooth(Report report, BluetoothLayout const& layout)
+// No value for a frame that holds nothing: a report is sent before it is full.
+Fields decode_bluetooth(Report report, BluetoothLayout const& layout, std::size_t index)
 {
     constexpr std::uint8_t kBluetoothReport = 0x80;
     if (report.size() < layout.tool_type() + 2 || (u8(report, 0) & 0xFE) != kBluetoothReport)
         return std::nullopt;
-    for (auto i = layout.frames; i-- > 0;) {
-        auto const frame = report.subspan(1 + i * layout.frame_bytes, layout.frame_bytes);
-        if (has_bit(frame, 0, 7))
-            return bluetooth_fields(report, frame, layout);
-    }
-    return std::nullopt;
+    auto const frame = report.subspan(1 + index * layout.frame_bytes, layout.frame_bytes);
+    if (!has_bit(frame, 0, 7))
+        return std::nullopt;
+    return bluetooth_fields(report, frame, layout);
 }
 
+constexpr BluetoothLayout kIntuosProBluetooth { .frames = 7, .frame_bytes = 14, .has_tilt = true };
+constexpr BluetoothLayout kIntuosBluetooth { .frames = 4, .frame_bytes = 8 };
+
 // The second Intuos Pro over Bluetooth.
-Fields decode_intuos_pro_bluetooth(Report report, FamilyState&)
+Fields decode_intuos_pro_bluetooth(Report report, FamilyState& state)
 {
-    return decode_bluetooth(report, { .frames = 7, .frame_bytes = 14, .has_tilt = true });
+    return decode_bluetooth(report, kIntuosProBluetooth, state.frame);
 }
 
 // CTL-4100WL and CTL-6100WL over Bluetooth.
-Fields decode_intuos_bluetooth(Report report, FamilyState&)
+Fields decode_intuos_bluetooth(Report report, FamilyState& state)
 {
-    return decode_bluetooth(report, { .frames = 4, .frame_bytes = 8 });
+    return decode_bluetooth(report, kIntuosBluetooth, state.frame);
 }
 
 // The same with a byte before it.
@@ -439,8 +441,14 @@ constexpr PenFamily kWacomFamilies[] = {
     { .name = "wacom-intuos-pro-bluetooth",
       .decode = decode_intuos_pro_bluetooth,
       .has_tilt = true,
-      .has_eraser = true },
-    { .name = "wacom-intuos-bluetooth", .decode = decode_intuos_bluetooth, .has_eraser = true },
+      .has_eraser = true,
+      .frames = kIntuosProBluetooth.frames,
+      .frame_interval = 5ms }, // 200 states a second.
+    { .name = "wacom-intuos-bluetooth",
+      .decode = decode_intuos_bluetooth,
+      .has_eraser = true,
+      .frames = kIntuosBluetooth.frames,
+      .frame_interval = 7500us }, // 133 states a second.
     { .name = "wacom-dtu", .decode = decode_dtu, .has_eraser = true },
     { .name = "wacom-dtus",
       .decode = decode_dtus,

@@ -72,14 +72,14 @@ public:
 
     using PenDecoder::decode;
     PenTraits const& traits() const override { return traits_; }
-    Result<std::optional<PenSample>> decode(Timestamp received,
-                                            std::span<std::byte const> report) override;
+    Result<void> decode(Timestamp received, std::span<std::byte const> report,
+                        std::vector<PenSample>& out) override;
     std::optional<Duration> silence_limit() const override { return last_->silence_limit(); }
     std::optional<PenSample> leave(Timestamp time) override { return last_->leave(time); }
 
 private:
-    Result<std::optional<PenSample>> decode_with_id(Timestamp received,
-                                                    std::span<std::byte const> report);
+    Result<void> decode_with_id(Timestamp received, std::span<std::byte const> report,
+                                std::vector<PenSample>& out);
     PenDecoder* decoder_for(std::span<std::byte const> report) const;
 
     Parts parts_;
@@ -99,32 +99,34 @@ PenDecoder* TabletDecoder::decoder_for(std::span<std::byte const> report) const
 }
 
 // Formats count from the report id: where a device uses none, 0 stands for it.
-Result<std::optional<PenSample>> TabletDecoder::decode(Timestamp received,
-                                                       std::span<std::byte const> report)
+Result<void> TabletDecoder::decode(Timestamp received, std::span<std::byte const> report,
+                                   std::vector<PenSample>& out)
 {
     if (report.empty())
         return fail(Fault::Device, "an empty report");
     if (parts_.use_ids)
-        return decode_with_id(received, report);
+        return decode_with_id(received, report, out);
     with_id_.size = std::min(report.size() + 1, with_id_.storage.size());
     std::copy_n(report.begin(), with_id_.size - 1, with_id_.storage.begin() + 1);
-    return decode_with_id(received, with_id_.bytes());
+    return decode_with_id(received, with_id_.bytes(), out);
 }
 
-Result<std::optional<PenSample>> TabletDecoder::decode_with_id(Timestamp received,
-                                                               std::span<std::byte const> report)
+Result<void> TabletDecoder::decode_with_id(Timestamp received, std::span<std::byte const> report,
+                                           std::vector<PenSample>& out)
 {
     auto* const decoder = decoder_for(report);
     if (!decoder)
-        return std::nullopt;
+        return {};
     bool const is_described = decoder == parts_.described.get();
     auto const as_it_came = is_described && !parts_.use_ids ? report.subspan(1) : report;
-    auto const sample = TRY(decoder->decode(received, as_it_came));
-    if (!sample || decoder == last_)
-        return sample;
-    if (auto const left = std::exchange(last_, decoder)->leave(received))
-        return left;
-    return sample;
+    auto const first = out.size();
+    TRY(decoder->decode(received, as_it_came, out));
+    if (out.size() == first || decoder == last_)
+        return {};
+    // The one's leaving stands for the other's first sample, as it does where a pen is turned over.
+    if (auto const left = std::exchange(last_, decoder)->leave(out[first].time))
+        out[first] = *left;
+    return {};
 }
 
 } // namespace

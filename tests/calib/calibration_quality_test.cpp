@@ -151,8 +151,7 @@ Samples decode(SimulatedRun const& run)
     auto const pen = make_pen_decoder(run.tablet.info).value();
     auto const height = make_height_decoder(run.height.info).value();
     for (auto const& report : run.tablet.reports)
-        if (auto const sample = pen->decode(report).value())
-            samples.pens.push_back(*sample);
+        EXPECT_TRUE(pen->decode(report, samples.pens));
     for (auto const& report : run.height.reports)
         EXPECT_TRUE(height->decode(report, samples.heights));
     return samples;

@@ -1,6 +1,7 @@
 // Descriptors and recordings of real devices, made by others.
 
 #include "tests/corpus.h"
+#include "tests/drivers/decode_one.h"
 
 #include "drivers/file.h"
 #include "drivers/log.h"
@@ -198,7 +199,7 @@ TEST(Corpus, DecodesRecordingsWithinTheirDevicesMaxima)
         auto const& traits = (*decoder)->traits();
         bool has_touched = false;
         for (auto const& record : log->records) {
-            auto const sample = (*decoder)->decode(record.time, log->report(record));
+            auto const sample = decode_one(**decoder, record.time, log->report(record));
             ASSERT_TRUE(sample) << path << ": " << sample.error().message;
             if (!*sample)
                 continue;
@@ -234,7 +235,7 @@ TEST(Corpus, ReadsTheWholeSurfaceOfAnHs610)
     std::int32_t y = 0;
     std::int32_t pressure = 0;
     for (auto const& record : log->records) {
-        auto const sample = (*decoder)->decode(record.time, log->report(record));
+        auto const sample = decode_one(**decoder, record.time, log->report(record));
         ASSERT_TRUE(sample);
         if (!*sample)
             continue;

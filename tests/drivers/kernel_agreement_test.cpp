@@ -5,6 +5,7 @@
 #include "drivers/log.h"
 #include "drivers/pen_decoder.h"
 #include "tests/corpus.h"
+#include "tests/drivers/decode_one.h"
 
 #include <charconv>
 #include <cstdint>
@@ -56,7 +57,7 @@ std::set<State> our_states(Log const& log)
     EXPECT_TRUE(decoder);
     std::set<State> states;
     for (auto const& record : log.records) {
-        auto const sample = (*decoder)->decode(record.time, log.report(record));
+        auto const sample = decode_one(**decoder, record.time, log.report(record));
         EXPECT_TRUE(sample) << sample.error().message;
         if (!sample || !*sample)
             continue;

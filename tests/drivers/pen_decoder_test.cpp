@@ -1,5 +1,6 @@
 #include "drivers/pen_decoder.h"
 
+#include "tests/drivers/decode_one.h"
 #include "tests/drivers/devices.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ protected:
     Result<std::optional<PenSample>> decode(std::string const& report)
     {
         time_ += Duration(5'000'000);
-        return decoder_->decode(time_, bytes(report));
+        return decode_one(*decoder_, time_, bytes(report));
     }
 
     // The sample of a report that must have one.
@@ -211,9 +212,9 @@ TEST(PenDecoder, KeepsItsPlaceWhereTheDeviceSaysNull)
     auto decoder = make_pen_decoder(info);
     ASSERT_TRUE(decoder);
     auto const null = bytes("02 20 ff ff ff ff 00 00 00 00");
-    EXPECT_EQ((*decoder)->decode({}, null).value(), std::nullopt);
-    (void)(*decoder)->decode({}, bytes("02 20 10 27 c4 09 00 00 00 00"));
-    auto const pen = (*decoder)->decode({}, null);
+    EXPECT_EQ(decode_one(**decoder, {}, null).value(), std::nullopt);
+    (void)decode_one(**decoder, {}, bytes("02 20 10 27 c4 09 00 00 00 00"));
+    auto const pen = decode_one(**decoder, {}, null);
     ASSERT_TRUE(pen && *pen);
     EXPECT_NEAR((*pen)->position_mm.x(), 100.0, 1e-9);
 }
@@ -229,7 +230,7 @@ TEST(PenDecoder, ReadsAMouseWithPressure)
     auto decoder = make_pen_decoder(info);
     ASSERT_TRUE(decoder);
     EXPECT_FALSE((*decoder)->traits().has_in_range);
-    auto const pen = (*decoder)->decode({}, bytes("01 03 51 3b d7 13 ff 1f"));
+    auto const pen = decode_one(**decoder, {}, bytes("01 03 51 3b d7 13 ff 1f"));
     ASSERT_TRUE(pen && *pen);
     EXPECT_EQ((*pen)->raw_x, 0x3b51);
     EXPECT_TRUE((*pen)->touching && (*pen)->in_range);

@@ -5,6 +5,7 @@
 #include "drivers/log.h"
 #include "drivers/pen_decoder.h"
 #include "tests/corpus.h"
+#include "tests/drivers/decode_one.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -105,7 +106,7 @@ DecodedPen decode_pen(Log const& log, std::size_t device, PenDecoder& decoder)
         if (record.device != device)
             continue;
         use(silence.leave_if_over(decoder, record.time));
-        auto const sample = decoder.decode(record.time, log.report(record));
+        auto const sample = decode_one(decoder, record.time, log.report(record));
         pen.refused += !sample;
         if (!sample || !*sample)
             continue;

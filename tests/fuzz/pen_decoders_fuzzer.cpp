@@ -54,10 +54,11 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         time += std::chrono::milliseconds(header & 0x80 ? 150 : 5);
         if (auto const gone = silence.leave_if_over(*decoder, time))
             watch.see(*gone);
-        auto const sample = decoder->decode(time, rest.subspan(1, length));
-        if (sample && *sample) {
-            watch.see(**sample);
-            silence.heard(**sample);
+        std::vector<PenSample> samples;
+        (void)decoder->decode(time, rest.subspan(1, length), samples);
+        for (auto const& sample : samples) {
+            watch.see(sample);
+            silence.heard(sample);
         }
         rest = rest.subspan(1 + length);
     }

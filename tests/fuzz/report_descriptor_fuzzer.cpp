@@ -22,8 +22,10 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
 
     DeviceInfo const info { .report_descriptor = { descriptor.begin(), descriptor.end() } };
     if (auto pen = make_pen_decoder(info))
-        for (int i = 0; i < 2; ++i) // Twice, since the decoder remembers.
-            (void)(*pen)->decode({}, report);
+        for (int i = 0; i < 2; ++i) { // Twice, since the decoder remembers.
+            std::vector<PenSample> samples;
+            (void)(*pen)->decode({}, report, samples);
+        }
     if (auto const height = make_height_decoder(info)) {
         std::vector<HeightSample> samples;
         (void)(*height)->decode({}, report, samples);

@@ -6,6 +6,7 @@
 #include "drivers/height_decoder.h"
 #include "drivers/pen_decoder.h"
 #include "tests/app/simple_rig.h"
+#include "tests/drivers/decode_one.h"
 
 #include <array>
 #include <chrono>
@@ -32,16 +33,16 @@ TEST(MouseRig, SendsTheMouseAsATabletDoes)
     auto const second = tablet->read(Duration::zero()).value().value();
     EXPECT_EQ(first.received, at_ms(110)) << "spread over the time since the last one";
     EXPECT_EQ(second.received, at_ms(120));
-    auto const hovering = decoder->decode(first.received, first.bytes()).value().value();
+    auto const hovering = decode_one(*decoder, first.received, first.bytes()).value().value();
     EXPECT_TRUE(hovering.in_range && !hovering.touching);
     EXPECT_NEAR((hovering.position_mm - Vec2(10, 20)).norm(), 0, 0.02);
-    auto const touching = decoder->decode(second.received, second.bytes()).value().value();
+    auto const touching = decode_one(*decoder, second.received, second.bytes()).value().value();
     EXPECT_TRUE(touching.touching && !touching.eraser);
     EXPECT_NEAR(touching.pressure.value(), 0.5, 0.001);
 
     mouse.move_pen(std::array { TabletPen {} });
     auto const gone = tablet->read(Duration::zero()).value().value();
-    EXPECT_FALSE(decoder->decode(gone.received, gone.bytes()).value()->in_range);
+    EXPECT_FALSE(decode_one(*decoder, gone.received, gone.bytes()).value()->in_range);
 }
 
 TEST(MouseRig, GlidesToWhereItsSurfaceShallBe)

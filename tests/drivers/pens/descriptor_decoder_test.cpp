@@ -2,6 +2,7 @@
 
 #include "drivers/pens/descriptor_decoder.h"
 #include "drivers/pens/known_habits.h"
+#include "tests/drivers/decode_one.h"
 #include "tests/drivers/devices.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ public:
     std::optional<PenSample> report(std::string const& text)
     {
         time_ += 5ms;
-        return decoder_->decode(time_, bytes(text)).value();
+        return decode_one(*decoder_, time_, bytes(text)).value();
     }
 
     // Of a report that must give one.

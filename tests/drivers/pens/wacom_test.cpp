@@ -1,5 +1,6 @@
 #include "drivers/pens/family_decoder.h"
 #include "tests/drivers/bytes.h"
+#include "tests/drivers/decode_one.h"
 
 #include <gtest/gtest.h>
 #include <numbers>
@@ -22,9 +23,16 @@ public:
     {
     }
 
+    std::vector<PenSample> report_at(Timestamp received, std::string const& text)
+    {
+        std::vector<PenSample> samples;
+        EXPECT_TRUE(decoder_->decode(received, bytes(text), samples));
+        return samples;
+    }
+
     std::optional<PenSample> report(std::string const& text)
     {
-        return decoder_->decode({}, bytes(text)).value();
+        return decode_one(*decoder_, {}, bytes(text)).value();
     }
 
     // Of a report that must give one.
@@ -73,13 +81,18 @@ std::string bluetooth_report(std::vector<std::string> const& frames, std::size_t
     return report;
 }
 
-TEST(Wacom, TakesTheNewestFrameOfAReportOverBluetooth)
+TEST(Wacom, TakesEveryFrameOfAReportOverBluetooth)
 {
     Tablet pro("wacom-intuos-pro-bluetooth", 8191);
-    auto const drawing
-        = pro.sample(bluetooth_report({ "e1 64 00 c8 00 ff 0f 05 fb 00 00 00 00 08",
-                                        "e3 d0 07 e8 03 ff 1f 05 fb 00 00 00 00 08" },
-                                      99));
+    auto const both
+        = pro.report_at({},
+                        bluetooth_report({ "e1 64 00 c8 00 ff 0f 05 fb 00 00 00 00 08",
+                                           "e3 d0 07 e8 03 ff 1f 05 fb 00 00 00 00 08" },
+                                         99));
+    ASSERT_EQ(both.size(), 2u);
+    EXPECT_EQ(both[0].raw_x, 100);
+    EXPECT_EQ(both[0].buttons, 0u);
+    auto const& drawing = both[1];
     EXPECT_EQ(drawing.raw_x, 2000);
     EXPECT_EQ(drawing.raw_y, 1000);
     EXPECT_EQ(drawing.pressure, 1.0);
@@ -303,6 +316,33 @@ TEST(Wacom, DtuReadsItsPen)
     EXPECT_FALSE(tablet.sample("02 00 10 27 c4 09 00 00").in_range);
     auto const eraser = tablet.sample("02 24 10 27 c4 09 40 00");
     EXPECT_TRUE(eraser.eraser && eraser.touching);
+}
+
+TEST(Wacom, FramesOverBluetoothLieBetweenTheirReports)
+{
+    using namespace std::chrono_literals;
+    std::string const frame = "e1 64 00 c8 00 ff 0f 05 fb 00 00 00 00 08";
+    Tablet tablet("wacom-intuos-pro-bluetooth", 8191);
+    std::vector<PenSample> all;
+    auto const report = [&](Duration received, std::vector<std::string> const& frames) {
+        auto const some = tablet.report_at(Timestamp(received), bluetooth_report(frames, 99));
+        all.insert(all.end(), some.begin(), some.end());
+    };
+    report(100ms, { frame, frame, frame });
+    report(112ms, { frame, frame, frame, frame }); // Sooner than four states take.
+    report(300ms, { frame, frame });               // Long after the last.
+    report(300ms, { frame, frame });               // At once, and then out of order.
+    report(290ms, { frame });
+    // A frame that holds nothing, at the beginning and in between.
+    report(400ms,
+           { "00 00 00 00 00 00 00 00 00 00 00 00 00 00", frame,
+             "00 00 00 00 00 00 00 00 00 00 00 00 00 00", frame });
+    std::vector<Duration> times;
+    for (auto const& sample : all)
+        times.push_back(sample.time.time_since_epoch());
+    EXPECT_EQ(times,
+              (std::vector<Duration> { 90ms, 95ms, 100ms, 103ms, 106ms, 109ms, 112ms, 295ms, 300ms,
+                                       300ms, 300ms, 290ms, 395ms, 400ms }));
 }
 
 TEST(Wacom, GraphireReadsItsPenOverBluetooth)

@@ -5,6 +5,7 @@
 #include "drivers/usb/string_descriptor.h"
 #include "tests/corpus.h"
 #include "tests/drivers/bytes.h"
+#include "tests/drivers/decode_one.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -45,7 +46,7 @@ DeviceInfo h690()
 
 std::optional<PenSample> decode(PenDecoder& decoder, std::string_view report)
 {
-    auto const sample = decoder.decode(Timestamp(), bytes(report));
+    auto const sample = decode_one(decoder, Timestamp(), bytes(report));
     EXPECT_TRUE(sample) << sample.error().message;
     return sample ? *sample : std::nullopt;
 }
@@ -336,7 +337,7 @@ TEST_P(RecordedTablet, ReachesItsPublishedMaxima)
     PenSample last;
     Eigen::Array3i reached = Eigen::Array3i::Zero();
     for (auto const& record : log->records) {
-        auto const sample = (*decoder)->decode(record.time, log->report(record));
+        auto const sample = decode_one(**decoder, record.time, log->report(record));
         ASSERT_TRUE(sample) << sample.error().message;
         if (!*sample)
             continue;

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "drivers/pen_decoder.h"
+
+#include <gtest/gtest.h>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+// The sample of a report that has room for one; no value if it says nothing of a pen.
+inline Result<std::optional<PenSample>> decode_one(PenDecoder& decoder, Timestamp received,
+                                                   std::span<std::byte const> report)
+{
+    std::vector<PenSample> samples;
+    TRY(decoder.decode(received, report, samples));
+    EXPECT_LE(samples.size(), 1u);
+    return samples.empty() ? std::nullopt : std::optional(samples.back());
+}
+
+} // namespace tractus
