@@ -40,6 +40,7 @@ Reconnection system_reconnection()
         .now = [] { return Timestamp(clock_time(CLOCK_MONOTONIC)); },
         // The one clock counts while the machine sleeps, the other does not.
         .slept = [] { return clock_time(CLOCK_BOOTTIME) - clock_time(CLOCK_MONOTONIC); },
+        .events = listen_to_udev,
     };
 }
 
@@ -132,6 +133,9 @@ RawReport ReconnectingSource::lose()
     refuse({});
     reconnection_.open_locations->release(location_);
     is_connected_.store(false, std::memory_order_relaxed);
+    // Listening comes before the first look, so that nothing comes unnoticed in between.
+    if (reconnection_.events)
+        events_ = reconnection_.events();
     next_try_ = reconnection_.now();
     return { .received = next_try_ };
 }
@@ -146,16 +150,39 @@ Result<std::optional<RawReport>> ReconnectingSource::read(Duration timeout)
         auto report = source_->read(timeout);
         return report ? std::move(report) : std::optional(lose());
     }
-    auto const wait = std::max(next_try_ - reconnection_.now(), Duration::zero());
-    std::this_thread::sleep_for(std::min(wait, timeout));
-    if (wait <= timeout)
-        look_for_it();
+    wait_for_it(timeout);
     return std::optional<RawReport>();
+}
+
+void ReconnectingSource::wait_for_it(Duration timeout)
+{
+    auto const wait = std::max(next_try_ - reconnection_.now(), Duration::zero());
+    auto const rest = std::min(wait, timeout);
+    bool has_come = false;
+    if (events_)
+        has_come = events_->wait(rest);
+    else
+        std::this_thread::sleep_for(rest);
+    if (has_come || wait <= timeout)
+        look_for_it();
+}
+
+// Events tell of its coming. Where it is there and refused, its permissions may change without one.
+bool ReconnectingSource::is_told_of_it() const
+{
+    auto const address = parse_device_address(listed_.location);
+    return events_ && !refused_since_ && address && !std::holds_alternative<GpioAddress>(*address);
 }
 
 void ReconnectingSource::look_for_it()
 {
-    next_try_ = reconnection_.now() + reconnection_.retry_every;
+    next_try_ = reconnection_.now();
+    try_to_find_it();
+    next_try_ += is_told_of_it() ? reconnection_.retry_beside_events : reconnection_.retry_every;
+}
+
+void ReconnectingSource::try_to_find_it()
+{
     auto found = reconnection_.list();
     std::erase_if(found, [this](DeviceInfo const& info) {
         bool const is_free = reconnection_.open_locations->take(info.location);
@@ -187,6 +214,7 @@ void ReconnectingSource::try_to_open(DeviceInfo const& info)
         return;
     }
     refuse({});
+    events_.reset();
     source_ = *std::move(opened);
     location_ = info.location;
     slept_ = reconnection_.slept();

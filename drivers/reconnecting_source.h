@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drivers/device_events.h"
 #include "drivers/device_info.h"
 #include "drivers/report_source.h"
 #include "engine/base/result.h"
@@ -39,13 +40,19 @@ struct Reconnection {
     // How long the machine has slept since it was started.
     std::function<Duration()> slept;
 
+    // Tells that it is worth looking. Null, or gives null: nobody does.
+    std::function<std::unique_ptr<DeviceEvents>()> events {};
+
+    // How often to look where no events tell of the device, and where it is there but cannot be
+    // opened yet; and how often nevertheless, since events may be lost.
     Duration retry_every = std::chrono::milliseconds(300);
+    Duration retry_beside_events = std::chrono::seconds(5);
 
     // Shared by all sources of the program, each on a thread of its own.
     std::shared_ptr<OpenLocations> open_locations = std::make_shared<OpenLocations>();
 };
 
-// The system's means (list_device_addresses, open_device).
+// The system's means (list_device_addresses, open_device, listen_to_udev).
 Reconnection system_reconnection();
 
 // Which of these devices, if any, is the one that was lost: same kind of address, ids, interface,
@@ -55,8 +62,9 @@ std::optional<std::size_t> find_again(DeviceInfo const& lost, std::vector<Device
 
 // A device that may go away and come back. When it is lost, by unplugging or because the machine
 // slept (many tablets forget their mode then), an empty report says so, once, with the time. From
-// then on it is looked for, at most every Reconnection::retry_every, and its reports go on when it
-// is there again, whatever its node is called then. read() never fails: there is always hope.
+// then on it is looked for, when devices have come or after Reconnection::retry_every, and its
+// reports go on when it is there again, whatever its node is called then. read() never fails: there
+// is always hope.
 //
 // Called from one thread; is_connected() from any.
 class ReconnectingSource final : public ReportSource {
@@ -87,14 +95,18 @@ private:
 
     RawReport lose();
     void refuse(std::string reason);
+    void wait_for_it(Duration timeout);
     void look_for_it();
+    void try_to_find_it();
+    bool is_told_of_it() const;
     void try_to_open(DeviceInfo const& info);
 
     DeviceInfo listed_; // As it was found; opening may tell more of it.
     Reconnection reconnection_;
     std::unique_ptr<ReportSource> source_; // Null while the device is away.
     DeviceInfo info_;
-    std::string location_; // Where it is open.
+    std::string location_;                 // Where it is open.
+    std::unique_ptr<DeviceEvents> events_; // While the device is away.
     Timestamp next_try_ {};
     Duration slept_ {};
     std::uint64_t too_long_before_ = 0;

@@ -33,6 +33,7 @@ struct Finding {
     std::string what {};    // A sentence: what is the matter, and why.
     // What to do, in this order, a line each: commands and file contents as they are to be typed.
     std::vector<std::string> remedy {};
+    bool lacks_size = false; // A tablet that works, and does not tell the size of its surface.
 };
 
 // Findings as a person reads them, and as JSON.

@@ -50,12 +50,12 @@ Result<MouseParts> add_mouse(LiveDevices& devices, LiveWindowOptions const& opti
     return parts;
 }
 
-// The size of the first tablet's active area.
-std::optional<Vec2> tablet_size_mm(LiveDevices const& devices)
+// What the first tablet says of itself.
+std::optional<PenTraits> first_tablet(LiveDevices const& devices)
 {
     for (auto const& info : devices.infos())
         if (auto const decoder = make_pen_decoder(info))
-            return (*decoder)->traits().size_mm;
+            return (*decoder)->traits();
     return std::nullopt;
 }
 
@@ -72,7 +72,8 @@ Result<Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions const& opti
     if (mouse.pen && mouse.height)
         return MouseRig::rig();
     if (mouse.height) {
-        auto rig = options.rig.value_or(Rig { .tablet_size_mm = tablet_size_mm(devices).value() });
+        auto rig
+            = options.rig.value_or(Rig { .tablet_size_mm = first_tablet(devices).value().size_mm });
         MouseRig::set_height_sensor_in(rig);
         return rig;
     }
@@ -85,8 +86,20 @@ Result<Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions const& opti
                     "there is a height sensor but no calibration of it: give one with --rig, or "
                     "the surface's height with --height");
     Rig rig;
-    rig.tablet_size_mm = tablet_size_mm(devices).value_or(rig.tablet_size_mm);
+    if (auto const tablet = first_tablet(devices))
+        rig.tablet_size_mm = tablet->size_mm;
     return rig;
+}
+
+// What to do about a tablet whose sides nobody knows: drawings may be squashed.
+std::optional<std::string> size_note(LiveDevices const& devices, Rig const& rig)
+{
+    auto const tablet = first_tablet(devices);
+    if (rig.surface_mm || !tablet || !tablet->is_size_assumed)
+        return std::nullopt;
+    return fmt::format("The tablet does not tell its size, and {:.0f} x {:.0f} mm is a guess: "
+                       "\"tractus doctor\" asks for it",
+                       rig.tablet_size_mm.x(), rig.tablet_size_mm.y());
 }
 
 } // namespace
@@ -113,6 +126,8 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
     window.view().state().mouse_draws = mouse.pen;
     window.view().state().mouse_moves_surface = mouse.height;
     window.view().state().may_calibrate = has_sensor && !window.options_.rig_file.empty();
+    if (auto const note = size_note(window.devices_, window.station_options_.rig))
+        window.view().state().status = *note;
     if (lacks_calibration)
         window.perform(OpenCalibration {});
     if (!window.options_.recording.empty())
@@ -171,6 +186,7 @@ void LiveWindow::advance(Duration real_step)
     show_devices();
     tell_device_changes();
     tell_who_is_away();
+    tell_what_is_lost();
     flush_recording();
 }
 
@@ -231,6 +247,16 @@ void LiveWindow::tell_who_is_away()
                           devices_.infos()[i].name)
             : refusal + "; what was drawn is kept";
     }
+}
+
+void LiveWindow::tell_what_is_lost()
+{
+    auto const lost = devices_.lost_count();
+    if (std::exchange(lost_reports_, lost) < lost)
+        view().state().status
+            = fmt::format("{} of the devices' reports {} lost: they came faster than they were "
+                          "read, or are longer than any pen's",
+                          lost, lost == 1 ? "is" : "are");
 }
 
 Result<void> LiveWindow::start_recording(std::filesystem::path const& path)

@@ -98,6 +98,7 @@ private:
     void record_tool_changes();
     void tell_device_changes();
     void tell_who_is_away();
+    void tell_what_is_lost();
     Result<void> start_recording(std::filesystem::path const& path);
     Result<void> stop_recording();
     void flush_recording();
@@ -114,6 +115,7 @@ private:
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
     std::vector<LiveReport> reports_;        // Kept for its memory.
     std::vector<LiveDevices::State> states_; // As the person was told.
+    std::uint64_t lost_reports_ = 0;         // Likewise.
 };
 
 } // namespace tractus

@@ -4,6 +4,8 @@
 #include "app/diagnosis/diagnose.h"
 #include "app/diagnosis/udev_rules.h"
 #include "app/terminal/console.h"
+#include "app/terminal/terminal.h"
+#include "app/user_folder.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/device_sources.h"
 #include "calib/rig_file.h"
@@ -14,7 +16,9 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <filesystem>
 #include <fmt/core.h>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,7 +41,7 @@ struct DoctorArguments {
     bool install_rules = false;
     bool for_group = false;
     std::string surface; // "254x159"
-    std::string rig_file;
+    std::string rig_file = user_rig_path().string();
     std::string rules_file = "/etc/udev/rules.d/70-tractus.rules";
 };
 
@@ -47,22 +51,21 @@ void append(std::vector<Finding>& all, std::vector<Finding> some)
         all.push_back(std::move(finding));
 }
 
-std::vector<std::string> how_to_tell_the_size(DeviceInfo const& info)
-{
-    auto const pen = make_pen_decoder(info);
-    if (!pen || !(*pen)->traits().is_size_assumed)
-        return {};
-    return { "Its size is a guess: measure the two sides of its active area, and tell them with",
-             "tractus doctor --surface WIDTHxDEPTH --rig FILE" };
-}
-
 Finding all_is_well(DeviceReading const& reading)
 {
-    return { .kind = FindingKind::Fine,
-             .subject = fmt::format("{} at {}", reading.info.name, reading.info.location),
-             .what = fmt::format("{}; {} reports, {:.0f} per second.", reading.description.text,
-                                 reading.reports, reading.pace.rate_hz),
-             .remedy = how_to_tell_the_size(reading.info) };
+    Finding finding { .kind = FindingKind::Fine,
+                      .subject = fmt::format("{} at {}", reading.info.name, reading.info.location),
+                      .what
+                      = fmt::format("{}; {} reports, {:.0f} per second.", reading.description.text,
+                                    reading.reports, reading.pace.rate_hz) };
+    auto const pen = make_pen_decoder(reading.info);
+    finding.lacks_size = pen && (*pen)->traits().is_size_assumed;
+    if (finding.lacks_size)
+        finding.remedy = {
+            "Its size is a guess: measure the two sides of its active area, and tell them with",
+            "tractus doctor --surface WIDTHxDEPTH --rig FILE",
+        };
+    return finding;
 }
 
 // Whether it is some node of a tablet, for keys or fingers, of which another node carries the pen.
@@ -187,20 +190,52 @@ std::optional<Vec2> parse_sides(std::string_view text)
     return is_whole && is_tablets_surface(sides_mm) ? std::optional(sides_mm) : std::nullopt;
 }
 
+std::string expected_sides()
+{
+    return fmt::format("expected the two sides of the tablet's active area in millimetres, such as "
+                       "254x158.8, each {} to {}",
+                       kMinSurfaceSide_mm, kMaxSurfaceSide_mm);
+}
+
 // Writes the active area, as somebody measured it, into the rig.
+Result<void> write_sides(Rig rig, Vec2 const& sides_mm, std::string const& rig_file)
+{
+    rig.tablet_size_mm = rig.surface_mm.emplace(sides_mm);
+    TRY(save_rig(rig, rig_file));
+    return print_out(fmt::format("{}: the tablet's surface is {:g} x {:g} mm\n", rig_file,
+                                 sides_mm.x(), sides_mm.y()));
+}
+
 Result<void> measure_surface(DoctorArguments const& arguments)
 {
     auto const sides_mm = parse_sides(arguments.surface);
     if (!sides_mm)
         return fail(Fault::User,
-                    fmt::format("--surface \"{}\": expected the two sides of the tablet's active "
-                                "area in millimetres, such as 254x158.8, each {} to {}",
-                                arguments.surface, kMinSurfaceSide_mm, kMaxSurfaceSide_mm));
-    auto rig = TRY(load_rig(arguments.rig_file));
-    rig.tablet_size_mm = rig.surface_mm.emplace(*sides_mm);
-    TRY(save_rig(rig, arguments.rig_file));
-    return print_out(fmt::format("{}: the tablet's surface is {:g} x {:g} mm\n", arguments.rig_file,
-                                 sides_mm->x(), sides_mm->y()));
+                    fmt::format("--surface \"{}\": {}", arguments.surface, expected_sides()));
+    return write_sides(TRY(load_rig(arguments.rig_file)), *sides_mm, arguments.rig_file);
+}
+
+// Asks whoever sits at the terminal for what a tablet does not tell, until the answer makes sense
+// or is empty. Without a rig there is nowhere to keep it, and a rig that has it needs no answer.
+Result<void> ask_for_sides(std::string const& tablet, std::string const& rig_file)
+{
+    std::error_code ignored;
+    if (rig_file.empty() || !std::filesystem::exists(rig_file, ignored))
+        return {};
+    auto const rig = TRY(load_rig(rig_file));
+    if (rig.surface_mm)
+        return {};
+    TRY(print_out(
+        fmt::format("\n{} does not tell the size of its surface. Measure the sides of its "
+                    "active area.\nWidth x depth in millimetres, such as 254x158.8 "
+                    "(nothing: leave it as it is): ",
+                    tablet)));
+    for (std::string line; std::getline(std::cin, line) && !line.empty();) {
+        if (auto const sides_mm = parse_sides(line))
+            return write_sides(rig, *sides_mm, rig_file);
+        TRY(print_out(fmt::format("\"{}\": {}: ", line, expected_sides())));
+    }
+    return {};
 }
 
 Result<void> run(DoctorArguments const& arguments)
@@ -218,7 +253,13 @@ Result<void> run(DoctorArguments const& arguments)
     } else {
         TRY(examine_machine(arguments, findings));
     }
-    return print_out(arguments.as_json ? print_findings_json(findings) : print_findings(findings));
+    if (arguments.as_json)
+        return print_out(print_findings_json(findings));
+    TRY(print_out(print_findings(findings)));
+    auto const unmeasured = std::ranges::find_if(findings, &Finding::lacks_size);
+    if (unmeasured == findings.end() || !is_terminal())
+        return {};
+    return ask_for_sides(unmeasured->subject, arguments.rig_file);
 }
 
 } // namespace
@@ -253,17 +294,16 @@ void add_doctor_verb(CLI::App& root, Action& action)
         ->type_name("FILE")
         ->capture_default_str()
         ->needs(install);
-    auto* const surface
-        = verb->add_option("--surface", arguments->surface,
-                           "Write the two sides of the tablet's active area, in millimetres, into "
-                           "the rig: for tablets that do not tell them")
-              ->type_name("WIDTHxDEPTH")
-              ->excludes(log, device, install);
-    auto* const rig
-        = verb->add_option("--rig", arguments->rig_file, "The rig that --surface changes")
-              ->type_name("FILE")
-              ->needs(surface);
-    surface->needs(rig);
+    verb->add_option("--surface", arguments->surface,
+                     "Write the two sides of the tablet's active area, in millimetres, into the "
+                     "rig: for tablets that do not tell them")
+        ->type_name("WIDTHxDEPTH")
+        ->excludes(log, device, install);
+    verb->add_option("--rig", arguments->rig_file,
+                     "The rig that keeps the sides of the tablet's active area; without it, "
+                     "your own")
+        ->type_name("FILE")
+        ->excludes(install);
     verb->footer(
         "Looks at nodes and permissions, at the kernel's drivers and at libraries; then\n"
         "listens for tablets in mouse mode or with unknown reports, for a sensor on a rail,\n"

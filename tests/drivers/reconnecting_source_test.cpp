@@ -3,7 +3,9 @@
 #include "drivers/threaded_source.h"
 #include "tests/drivers/devices.h"
 
+#include <filesystem>
 #include <gtest/gtest.h>
+#include <utility>
 
 namespace tractus {
 namespace {
@@ -192,6 +194,77 @@ TEST(ReconnectingSource, LooksForItNoOftenerThanAsked)
     bus.now += std::chrono::milliseconds(300);
     reads(*source, 100);
     EXPECT_EQ(lists, 2);
+}
+
+// What a test says that has come.
+class FakeEvents final : public DeviceEvents {
+public:
+    explicit FakeEvents(bool& has_come)
+        : has_come_(has_come)
+    {
+    }
+    bool wait(Duration) override { return std::exchange(has_come_, false); }
+
+private:
+    bool& has_come_;
+};
+
+TEST(ReconnectingSource, LooksForItWhenSomethingHasCome)
+{
+    Bus bus { .plugged = { pen_at("/dev/hidraw0") } };
+    int lists = 0;
+    int listeners = 0;
+    bool has_come = false;
+    auto means = reconnection(bus);
+    means.retry_every = std::chrono::milliseconds(300);
+    means.list = [&] { return ++lists, bus.plugged; };
+    means.events = [&] { return ++listeners, std::make_unique<FakeEvents>(has_come); };
+    auto const source = ReconnectingSource::open(bus.plugged[0], means).value();
+    EXPECT_EQ(reads(*source, 2), "rr");
+    EXPECT_EQ(listeners, 0);
+    bus.plugged.clear();
+    EXPECT_EQ(reads(*source, 3), "g--");
+    EXPECT_EQ(listeners, 1);
+    EXPECT_EQ(lists, 1) << "it may have come back at once";
+    for (int i = 0; i < 10; ++i) {
+        bus.now += std::chrono::milliseconds(400);
+        EXPECT_EQ(reads(*source, 1), "-");
+    }
+    EXPECT_EQ(lists, 1) << "nobody has told of anything";
+    has_come = true; // Something else.
+    EXPECT_EQ(reads(*source, 2), "--");
+    EXPECT_EQ(lists, 2);
+    bus.plugged = { pen_at("/dev/hidraw3") };
+    has_come = true;
+    EXPECT_EQ(reads(*source, 2), "-r");
+}
+
+TEST(ReconnectingSource, LooksForItNowAndThenThoughNobodyTells)
+{
+    Bus bus { .plugged = { pen_at("/dev/hidraw0") } };
+    bool has_come = false;
+    auto means = reconnection(bus);
+    means.events = [&] { return std::make_unique<FakeEvents>(has_come); };
+    auto const source = ReconnectingSource::open(bus.plugged[0], means).value();
+    auto const lost = std::exchange(bus.plugged, {});
+    EXPECT_EQ(reads(*source, 2), "g-");
+    bus.plugged = lost;
+    bus.may_open = false;
+    bus.now += means.retry_beside_events;
+    EXPECT_EQ(reads(*source, 1), "-");
+    bus.may_open = true; // No event comes of a changed permission: it is tried soon.
+    EXPECT_EQ(reads(*source, 2), "-r");
+}
+
+TEST(DeviceEvents, OfUdevComeOrDoNot)
+{
+    auto const events = listen_to_udev();
+    if (!std::filesystem::exists("/run/udev/control")) {
+        EXPECT_FALSE(events);
+        return;
+    }
+    ASSERT_TRUE(events);
+    (void)events->wait(Duration(0)); // Somebody may plug something in meanwhile.
 }
 
 TEST(ReconnectingSource, OpensTheDeviceAnewAfterTheMachineSlept)

@@ -1,5 +1,7 @@
+#include "calib/rig_file.h"
 #include "tests/app/command_line/workshop.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 namespace tractus {
@@ -30,6 +32,47 @@ TEST_F(DiagnosisCommands, DoctorPrintsJson)
 {
     write("pen.hid", "R: 1 c0\nN: tablet\nI: 3 056a fffe\n");
     EXPECT_EQ(run("tractus doctor --json pen.hid").out, "[]\n");
+}
+
+// A tablet that tells the counts of its surface, and no millimetres.
+constexpr char const* kUnmeasuredTablet
+    = "R: 67 05 0d 09 02 a1 01 85 07 09 20 a1 00 09 42 09 44 09 45 09 3c 09 32 15 00 25 01 75 01 "
+      "95 "
+      "05 81 02 95 03 81 03 05 01 09 30 26 ff 7f 75 10 95 01 81 02 09 31 26 ff 7f 81 02 05 0d 09 "
+      "30 "
+      "26 ff 1f 81 02 c0 c0\nN: Square Tablet\nI: 3 1234 5678\n";
+
+TEST_F(DiagnosisCommands, DoctorAsksForTheSidesOfATablet)
+{
+    if (run("command -v script").exit_code != 0)
+        GTEST_SKIP() << "there is no script (Debian's bsdutils) to make a terminal";
+    std::string log = kUnmeasuredTablet;
+    for (int i = 0; i < 50; ++i)
+        log += fmt::format("E: 0.{:03}000 8 07 11 {:02x} 10 00 20 00 10\n", 4 * i, i);
+    write("pen.hid", log);
+    Rig const rig;
+    write("a.rig.toml", print_rig(rig));
+    auto const before = read("a.rig.toml");
+    std::string const doctor = "script -qec '" TRACTUS_PROGRAM " doctor pen.hid --rig ";
+
+    auto const asked = run("printf '\\n' | " + doctor + "a.rig.toml' keys");
+    EXPECT_NE(asked.out.find("does not tell the size of its surface"), std::string::npos)
+        << asked.out;
+    EXPECT_EQ(read("a.rig.toml"), before) << "nothing was answered";
+    EXPECT_EQ(run("printf '\\n' | " + doctor + "none.rig.toml' keys").out.find("Measure the sides"),
+              std::string::npos)
+        << "there is nowhere to keep the answer";
+
+    auto const answered
+        = run("printf 'two by four\\n203.2x127\\n' | " + doctor + "a.rig.toml' keys");
+    EXPECT_NE(answered.out.find("\"two by four\": expected the two sides"), std::string::npos)
+        << answered.out;
+    EXPECT_NE(read("a.rig.toml").find("surface_mm = [203.2, 127]"), std::string::npos)
+        << answered.out;
+    EXPECT_EQ(run("printf '\\n' | " + doctor + "a.rig.toml' keys").out.find("Measure the sides"),
+              std::string::npos)
+        << "it is known now";
+    EXPECT_EQ(run("tractus doctor pen.hid --rig a.rig.toml </dev/null").exit_code, 0);
 }
 
 TEST_F(DiagnosisCommands, DoctorWritesTheRules)

@@ -564,6 +564,55 @@ TEST(LiveWindow, SaysWhatIsWrongWithTheHeightSensor)
     EXPECT_EQ(trouble_after(2000, 3100), "height sensor silent for 3 s: is it plugged in?");
 }
 
+// Says after each report that one more was too long.
+class Chatterbox final : public Script {
+public:
+    using Script::Script;
+    std::uint64_t too_long_count() const override { return 1; }
+};
+
+TEST(LiveWindow, SaysThatReportsAreLost)
+{
+    std::vector<std::unique_ptr<ReportSource>> sources;
+    sources.push_back(std::make_unique<Chatterbox>(
+        simple_pen(), std::vector { arrived(0, pen_report(50, 50, false)) }));
+    auto window
+        = LiveWindow::create(LiveDevices::start(std::move(sources)).value(), options_for_tests())
+              .value();
+    while (window.state().status.find("lost") == std::string::npos)
+        window.advance(Duration(0));
+    EXPECT_EQ(window.state().status.find("1 of the devices' reports is lost"), 0u)
+        << window.state().status;
+}
+
+TEST(LiveWindow, SaysThatATabletsSizeIsAGuess)
+{
+    auto tablet = simple_pen();
+    auto& descriptor = tablet.report_descriptor;
+    // Without the physical size: the maxima of both axes and the unit.
+    std::vector<std::byte> plain;
+    for (std::size_t i = 0; i < descriptor.size(); ++i)
+        if (descriptor[i] == std::byte { 0x46 })
+            i += 2;
+        else
+            plain.push_back(descriptor[i]);
+    descriptor = plain;
+    auto const status = [&](LiveWindowOptions options) {
+        std::vector<std::unique_ptr<ReportSource>> sources;
+        sources.push_back(std::make_unique<Script>(tablet, std::vector<RawReport> {}));
+        return LiveWindow::create(LiveDevices::start(std::move(sources)).value(),
+                                  std::move(options))
+            .value()
+            .state()
+            .status;
+    };
+    EXPECT_NE(status(options_for_tests()).find("does not tell its size"), std::string::npos);
+    auto options = options_for_tests();
+    options.rig = Rig {};
+    options.rig->surface_mm = options.rig->tablet_size_mm;
+    EXPECT_EQ(status(std::move(options)).find("does not tell its size"), std::string::npos);
+}
+
 TEST(LiveWindow, AsksForACalibration)
 {
     std::vector<std::unique_ptr<ReportSource>> sources;
