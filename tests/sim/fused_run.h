@@ -28,15 +28,19 @@ inline FusedRun fuse(SimulatedRun const& run, Rig const& rig)
     FusedRun fused;
     Fuser fuser(rig);
     std::vector<HeightSample> samples;
+    std::vector<PenSample> new_pens;
     for (auto const& [device, report] : run.in_order_of_arrival()) {
         if (device == 1) {
             samples.clear();
             EXPECT_TRUE((*heights)->decode(*report, samples));
             for (auto const& sample : samples)
                 fuser.push(sample);
-        } else if (auto const pen = (*pens)->decode(*report).value()) {
-            if (auto const tip = fuser.push(*pen))
-                fused.live.push_back(*tip);
+        } else {
+            new_pens.clear();
+            EXPECT_TRUE((*pens)->decode(*report, new_pens));
+            for (auto const& pen : new_pens)
+                if (auto const tip = fuser.push(pen))
+                    fused.live.push_back(*tip);
         }
     }
     fuser.flush();
