@@ -1,6 +1,7 @@
 #include "app/methods/construction_lines/construct_command.h"
 
 #include "app/methods/construction_lines/construct_report.h"
+#include "app/methods/construction_lines/line_drawing.h"
 #include "app/methods/construction_lines/line_sketch_file.h"
 #include "app/plants/plant_file.h"
 #include "app/plants/session_plant.h"
@@ -8,10 +9,8 @@
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "drivers/file.h"
-#include "engine/methods/construction_lines/capture_line.h"
 #include "engine/methods/construction_lines/line_model.h"
 #include "engine/scene/scene.h"
-#include "engine/stroke/polyline.h"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +19,6 @@
 #include <fmt/format.h>
 #include <memory>
 #include <string>
-#include <string_view>
 
 namespace tractus {
 
@@ -35,33 +33,6 @@ struct ConstructArguments {
     bool report = false;
     bool session = false;
 };
-
-// A line as a pen's stroke. One without two points is left for the sketch to be refused.
-std::vector<Vec3> captured(std::vector<Vec3> const& tips)
-{
-    auto const points = distinct_points(tips);
-    return points ? lines::capture_line(*points) : tips;
-}
-
-std::vector<Vec2> captured(std::vector<Vec2> const& tips)
-{
-    std::vector<Vec3> points;
-    for (auto const& tip : tips)
-        points.emplace_back(tip.x(), tip.y(), 0);
-    std::vector<Vec2> line;
-    for (auto const& point : captured(points))
-        line.push_back(point.head<2>());
-    return line;
-}
-
-void capture_lines(lines::LineSketch& sketch)
-{
-    sketch.stem = captured(sketch.stem);
-    sketch.left = captured(sketch.left);
-    sketch.right = captured(sketch.right);
-    for (auto& line : sketch.inclinations)
-        line = captured(line);
-}
 
 // What the model's files are called: the sketch's name, as far as a view can say it.
 std::string model_name(fs::path const& sketch)
@@ -81,20 +52,19 @@ bool is_plant_file(fs::path const& output)
 }
 
 Result<lines::Construction> measure(ConstructArguments const& arguments,
-                                    lines::LineSketchFile& file)
+                                    lines::LineDrawing const& drawing)
 {
-    for (auto const& key : file.unknown_keys)
-        print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so",
-                                  arguments.sketch.string(), key.substr(0, 40)));
-    if (arguments.smooth)
-        capture_lines(file.sketch);
-    auto construction = lines::measure_sketch(file.sketch);
-    if (!construction)
-        return fail(construction.error().fault,
-                    fmt::format("{}: {}", arguments.sketch.string(), construction.error().message));
-    for (auto const& note : construction->notes)
+    auto result = TRY(lines::measure_sketch(drawing.sketch));
+    result.notes.insert(result.notes.begin(), drawing.notes.begin(), drawing.notes.end());
+    for (auto const& note : result.notes)
         print_warning(fmt::format("{}: {}", arguments.sketch.string(), note));
-    return construction;
+    return result;
+}
+
+// The same error, about the sketch's file.
+tl::unexpected<Error> about(fs::path const& file, Error const& error)
+{
+    return fail(error.fault, fmt::format("{}: {}", file.string(), error.message));
 }
 
 Result<void> write_model_files(fs::path const& base, lines::LineModel const& model)
@@ -121,14 +91,12 @@ Result<std::string> write_folder(ConstructArguments const& arguments, LoadModel 
                        arguments.session ? ", .tractus" : "");
 }
 
-Result<void> construct_plant(ConstructArguments const& arguments)
+Result<void> make_plant(ConstructArguments const& arguments, lines::Pattern const& pattern,
+                        lines::LineDrawing const& drawing, lines::Construction const& construction)
 {
     bool const to_file = is_plant_file(arguments.output);
-    TRY(check_writable(to_file ? arguments.output : arguments.output / "model.l"));
-    auto file = TRY(lines::load_line_sketch(arguments.sketch));
-    auto const construction = TRY(measure(arguments, file));
     auto const name = model_name(arguments.sketch);
-    auto const model = lines::write_model(construction, file.pattern, name);
+    auto const model = lines::write_model(construction, pattern, name);
     LoadModel const load { .source = model.source, .includes = model.functions };
     auto const scene = TRY(apply_edit({}, load, load_options()));
     auto written = arguments.output.string();
@@ -137,9 +105,31 @@ Result<void> construct_plant(ConstructArguments const& arguments)
     else
         written = TRY(write_folder(arguments, load, model, *scene.base));
     if (arguments.report)
-        return print_out(lines::print_report(construction, *scene.base));
+        return print_out(lines::print_report(construction, *scene.base, drawing.roles));
     return print_out(fmt::format("{}: {} nodes, {} organs\n", written, construction.nodes.size(),
                                  scene.base->organs.size()));
+}
+
+Result<void> construct_plant(ConstructArguments const& arguments)
+{
+    if (arguments.session && is_plant_file(arguments.output))
+        return fail(Fault::User,
+                    fmt::format("{}: a session needs a folder to be in: give one as the output",
+                                arguments.output.string()));
+    TRY(check_writable(is_plant_file(arguments.output) ? arguments.output
+                                                       : arguments.output / "model.l"));
+    auto const file = TRY(lines::load_line_sketch(arguments.sketch));
+    for (auto const& key : file.unknown_keys)
+        print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so",
+                                  arguments.sketch.string(), key.substr(0, 40)));
+    auto const drawing = lines::prepare_drawing(
+        file, arguments.smooth ? lines::Smoothing::Hand : lines::Smoothing::None);
+    if (!drawing)
+        return about(arguments.sketch, drawing.error());
+    auto const construction = measure(arguments, *drawing);
+    if (!construction)
+        return about(arguments.sketch, construction.error());
+    return make_plant(arguments, file.pattern, *drawing, *construction);
 }
 
 void add_options(CLI::App& verb, ConstructArguments& arguments)

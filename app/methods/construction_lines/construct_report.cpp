@@ -24,7 +24,8 @@ static Report print_functions(Construction const& construction)
     return functions;
 }
 
-std::string print_report(Construction const& construction, Plant const& plant)
+std::string print_report(Construction const& construction, Plant const& plant,
+                         std::vector<std::string> const& roles)
 {
     Report lines = Report::array();
     for (auto const& line : construction.inclinations)
@@ -35,14 +36,16 @@ std::string print_report(Construction const& construction, Plant const& plant)
     Report leaf_tips = Report::array();
     for (auto const& tip : organ_tips(construction, plant))
         leaf_tips.push_back({ tip.x(), tip.y(), tip.z() });
-    Report const report { { "stem_length", construction.stem.length_mm() },
-                          { "lines", lines },
-                          { "d1", construction.below() },
-                          { "d2", construction.above() },
-                          { "node_x", node_x },
-                          { "functions", print_functions(construction) },
-                          { "leaf_tips", leaf_tips },
-                          { "notes", construction.notes } };
+    Report report { { "stem_length", construction.stem.length_mm() },
+                    { "lines", lines },
+                    { "d1", construction.below() },
+                    { "d2", construction.above() },
+                    { "node_x", node_x },
+                    { "functions", print_functions(construction) },
+                    { "leaf_tips", leaf_tips },
+                    { "notes", construction.notes } };
+    if (!roles.empty())
+        report["roles"] = roles;
     return report.dump() + "\n";
 }
 

@@ -4,6 +4,7 @@
 #include "engine/plant/plant.h"
 
 #include <string>
+#include <vector>
 
 namespace tractus::lines {
 
@@ -20,7 +21,9 @@ namespace tractus::lines {
 //                the right.
 //   leaf_tips    [[u, v, w], …]: where the plant that the model gives has its organs' tips,
 //                millimetres in the sketch, node after node
+//   roles        what strokes were taken for, in their order, if they did not say so
 //   notes        what had to be guessed
-std::string print_report(Construction const& construction, Plant const& plant);
+std::string print_report(Construction const& construction, Plant const& plant,
+                         std::vector<std::string> const& roles);
 
 } // namespace tractus::lines

@@ -16,8 +16,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array kKeys { "pattern", "divergence",   "stem",           "left",
-                             "right",   "inclinations", "nodes_per_layer" };
+constexpr std::array kKeys { "pattern",      "divergence",      "stem",   "left", "right",
+                             "inclinations", "nodes_per_layer", "strokes" };
 
 // Not there, or said to be so.
 bool has(json const& file, char const* key)
@@ -75,6 +75,30 @@ Result<void> read_lines(json const& file, LineSketch& sketch)
     for (auto const& line : lines)
         sketch.inclinations.push_back(TRY(read_flat_line(
             line, fmt::format("inclination line {}", sketch.inclinations.size() + 1))));
+    return {};
+}
+
+Result<void> read_strokes(json const& file, LineSketchFile& result)
+{
+    constexpr std::size_t kMostStrokes = 100;
+    if (!has(file, "strokes"))
+        return {};
+    auto const& strokes = file["strokes"];
+    if (!strokes.is_array() || strokes.size() > kMostStrokes)
+        return fail(Fault::User,
+                    fmt::format("strokes is no list of at most {} lines: write [[[u, v], [u, v]], "
+                                "[[u, v], [u, v]]], the stem first",
+                                kMostStrokes));
+    for (auto const* const key : { "stem", "left", "right", "inclinations" })
+        if (has(file, key))
+            return fail(
+                Fault::User,
+                fmt::format("strokes are there and {0}, too: leave out {0}, or call each of "
+                            "the strokes what it is",
+                            key));
+    for (auto const& stroke : strokes)
+        result.strokes.push_back(
+            TRY(read_line(stroke, fmt::format("stroke {}", result.strokes.size() + 1))));
     return {};
 }
 
@@ -174,9 +198,11 @@ Result<LineSketchFile> read_sketch(json const& file)
                     "it is no sketch: write {\"pattern\": …, \"stem\": …, \"left\": …, "
                     "\"right\": …, \"inclinations\": …, \"nodes_per_layer\": …}");
     LineSketchFile result { .sketch = {},
+                            .strokes = {},
                             .pattern = TRY(read_pattern(file)),
                             .unknown_keys = unknown_keys(file) };
     TRY(read_lines(file, result.sketch));
+    TRY(read_strokes(file, result));
     TRY(read_nodes(file, result.sketch));
     return result;
 }

@@ -14,6 +14,9 @@ namespace tractus::lines {
 // A sketch of construction lines, and the pattern in which organs stand.
 struct LineSketchFile {
     LineSketch sketch;
+    // In place of the sketch's lines: strokes in the order in which they were drawn
+    // (LineRecogniser).
+    std::vector<std::vector<Vec3>> strokes;
     Pattern pattern;
     std::vector<std::string> unknown_keys; // What else the file says.
 };
@@ -25,6 +28,8 @@ struct LineSketchFile {
 //   stem             [[u, v], …] or [[u, v, w], …]: right, up, and towards the viewer; base first
 //   left, right      [[u, v], …]: the boundaries; one of them may be missing
 //   inclinations     [[[u, v], …], …]; may be missing
+//   strokes          [[[u, v], …], …]: all of these lines, the stem first, without saying which is
+//                    which
 //   nodes_per_layer  [N, …]: one number for each layer between neighbouring inclination lines
 //
 // Fails, as the user's fault, with file, place and what to write.

@@ -10,8 +10,6 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr double kSamePoint_mm = 1e-6;
-
 enum class Side { Left = 1, Right = -1 };
 
 char const* name_of_side(Side side)
@@ -22,16 +20,6 @@ char const* name_of_side(Side side)
 double signed_for(Side side, double value)
 {
     return static_cast<double>(side) * value;
-}
-
-// Without the points that stand, on the sheet, where the one before them does.
-template<typename Point> std::vector<Point> without_repeats(std::vector<Point> const& points)
-{
-    std::vector<Point> result;
-    for (auto const& point : points)
-        if (result.empty() || (point - result.back()).template head<2>().norm() > kSamePoint_mm)
-            result.push_back(point);
-    return result;
 }
 
 template<typename Point>
@@ -52,17 +40,12 @@ Result<std::vector<Point>> line_points(std::vector<Point> const& points, std::st
     return result;
 }
 
-Result<void> check_size(LineSketch const& sketch)
+std::size_t count_points(LineSketch const& sketch)
 {
     std::size_t points = sketch.stem.size() + sketch.left.size() + sketch.right.size();
     for (auto const& line : sketch.inclinations)
         points += line.size();
-    if (points > kMostPoints)
-        return fail(Fault::User,
-                    fmt::format("the sketch's lines have {} points together, more than {}: leave "
-                                "out points that lie close together",
-                                points, kMostPoints));
-    return {};
+    return points;
 }
 
 Result<DrawnStem> measure_stem(LineSketch const& sketch)
@@ -79,31 +62,13 @@ Result<DrawnStem> measure_stem(LineSketch const& sketch)
     return stem;
 }
 
-// How far along a line the point is that lies nearest to another one.
-double nearest_mm(DrawnLine const& line, Vec2 const& point)
-{
-    double least = std::numeric_limits<double>::infinity();
-    double at_mm = 0;
-    for (std::size_t i = 1; i < line.points().size(); ++i) {
-        auto const& from = line.points()[i - 1];
-        Vec2 const piece = line.points()[i] - from;
-        double const share = std::clamp((point - from).dot(piece) / piece.squaredNorm(), 0.0, 1.0);
-        double const distance = (from + share * piece - point).norm();
-        if (distance < least) {
-            least = distance;
-            at_mm = line.at_mm()[i - 1] + share * piece.norm();
-        }
-    }
-    return at_mm;
-}
-
 // A line at the other side of the stem: each point goes as far beyond it as it was before it.
 // Beyond the stem's ends the stem goes on straight.
 std::vector<Vec2> mirrored(DrawnLine const& stem, std::span<Vec2 const> points)
 {
     std::vector<Vec2> result;
     for (auto const& point : points) {
-        double const at_mm = nearest_mm(stem, point);
+        double const at_mm = stem.nearest_mm(point);
         Vec2 foot = stem.point(at_mm);
         if (at_mm <= 0 || at_mm >= stem.length_mm()) {
             Vec2 const way = direction(stem.heading_deg(at_mm));
@@ -149,6 +114,7 @@ struct CrossingLine {
     std::string name;
     Vec2 at; // On the stem.
     double heading_deg = 0;
+    double beside_mm = 0; // What reaches less far from the stem is no half of a line.
 
     // From -180 to 180, of the way to a point; above 0 on this side of the stem.
     double angle_deg(Side side, Vec2 const& point) const
@@ -160,8 +126,7 @@ struct CrossingLine {
 
     bool is_beside(Side side, Vec2 const& point) const
     {
-        constexpr double kOnTheStem_mm = 1e-6;
-        return signed_for(side, cross(direction(heading_deg), point - at)) > kOnTheStem_mm;
+        return signed_for(side, cross(direction(heading_deg), point - at)) > beside_mm;
     }
 };
 
@@ -285,7 +250,7 @@ Result<std::vector<Inclination>> measure_inclinations(LineSketch const& sketch,
         DrawnLine const line(TRY(line_points(drawn, name, "it across the stem")));
         double const at_mm = TRY(stem_crossing_mm(stem, line, name));
         CrossingLine const of { line, name, stem.seen().point(at_mm),
-                                stem.seen().heading_deg(at_mm) };
+                                stem.seen().heading_deg(at_mm), kLeastHalf * stem.length_mm() };
         result.push_back(TRY(measure_inclination(stem, boundaries, of, at_mm, notes)));
     }
     std::sort(result.begin(), result.end(),
@@ -380,6 +345,16 @@ Result<void> fill_sizes(std::vector<SideNode>& nodes, Side side, std::vector<std
 
 } // namespace
 
+Result<void> check_point_count(std::size_t points)
+{
+    if (points > kMostPoints)
+        return fail(Fault::User,
+                    fmt::format("the sketch's lines have {} points together, more than {}: leave "
+                                "out points that lie close together",
+                                points, kMostPoints));
+    return {};
+}
+
 // A stem that points at the viewer shows nothing of itself.
 static double foreshortening(double pitch_deg)
 {
@@ -406,7 +381,7 @@ Reach as_seen(Reach const& organ, double pitch_deg)
 
 Result<Construction> measure_sketch(LineSketch const& sketch)
 {
-    TRY(check_size(sketch));
+    TRY(check_point_count(count_points(sketch)));
     Construction result { .stem = TRY(measure_stem(sketch)),
                           .inclinations = {},
                           .nodes_per_layer = sketch.nodes_per_layer,

@@ -26,7 +26,11 @@ struct LineSketch {
     std::vector<int> nodes_per_layer;
 };
 
-constexpr std::size_t kMostPoints = 20'000; // Of all lines of a sketch.
+constexpr std::size_t kMostPoints = 20'000;         // Of all lines of a sketch.
+Result<void> check_point_count(std::size_t points); // Refuses more, as the user's fault.
+
+// An inclination line that reaches less far beyond the stem, by its length, has no half there.
+constexpr double kLeastHalf = 1e-3;
 constexpr int kMostNodesInLayer = 500;
 constexpr int kMostNodes = 10'000;
 

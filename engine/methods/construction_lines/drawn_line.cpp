@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tractus::lines {
 
@@ -87,6 +88,32 @@ Vec2 DrawnLine::point(double at_mm) const
 double DrawnLine::heading_deg(double at_mm) const
 {
     return value_in(heading_deg_, place(at_mm));
+}
+
+double DrawnLine::nearest_mm(Vec2 const& point) const
+{
+    double least = std::numeric_limits<double>::infinity();
+    double at_mm = 0;
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+        auto const& from = points_[i - 1];
+        Vec2 const piece = points_[i] - from;
+        double const share = std::clamp((point - from).dot(piece) / piece.squaredNorm(), 0.0, 1.0);
+        double const distance = (from + share * piece - point).squaredNorm();
+        if (distance < least) {
+            least = distance;
+            at_mm = at_mm_[i - 1] + share * piece.norm();
+        }
+    }
+    return at_mm;
+}
+
+double DrawnLine::distance_mm(Vec2 const& to) const
+{
+    double const at_mm = nearest_mm(to);
+    Vec2 const way = to - point(at_mm);
+    double const across_mm = cross(direction(heading_deg(at_mm)), way);
+    bool const beyond = at_mm <= 0 || at_mm >= length_mm();
+    return beyond ? across_mm : std::copysign(way.norm(), across_mm);
 }
 
 std::optional<double> DrawnLine::nearest_hit_mm(Vec2 const& from, Vec2 const& way) const

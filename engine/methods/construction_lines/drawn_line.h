@@ -18,6 +18,18 @@ Vec2 direction(double heading_deg);
 // The third coordinate of the cross product: positive where `b` points to the left of `a`.
 double cross(Vec2 const& a, Vec2 const& b);
 
+// Points of a line, (u, v) or (u, v, depth), without those that stand where the one before them
+// does on the sheet.
+constexpr double kSamePoint_mm = 1e-6;
+template<typename Point> std::vector<Point> without_repeats(std::vector<Point> const& points)
+{
+    std::vector<Point> result;
+    for (auto const& point : points)
+        if (result.empty() || (point - result.back()).template head<2>().norm() > kSamePoint_mm)
+            result.push_back(point);
+    return result;
+}
+
 // The directions of a polyline's pieces, without jumps by full turns.
 std::vector<double> piece_headings_deg(std::span<Vec2 const> points);
 
@@ -47,6 +59,13 @@ public:
         double share = 0;
     };
     Place place(double at_mm) const;
+
+    // How far along it the point is that lies nearest to another one.
+    double nearest_mm(Vec2 const& point) const;
+
+    // How far a point is from the line: above 0 on its left, below 0 on its right. Beyond its ends
+    // the line goes on straight.
+    double distance_mm(Vec2 const& point) const;
 
     // How far along a ray the line is met first; no value if it is not. `way` is a unit vector.
     std::optional<double> nearest_hit_mm(Vec2 const& from, Vec2 const& way) const;

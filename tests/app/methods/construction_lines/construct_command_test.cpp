@@ -93,6 +93,15 @@ TEST_F(ConstructCommand, ASketchIsReadAsASessionAgain)
     EXPECT_EQ(grown.exit_code, 0) << grown.err;
 }
 
+TEST_F(ConstructCommand, ASessionNeedsAFolder)
+{
+    auto const outcome
+        = run({ "construct", sketch("bent.json"), "-o", path("plant.glb"), "--session" });
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("plant.glb: a session needs a folder"), std::string::npos);
+    EXPECT_FALSE(fs::exists(path("plant.glb")));
+}
+
 TEST_F(ConstructCommand, SmoothsHandDrawnLines)
 {
     auto const plain = run({ "construct", sketch("bent.json"), "-o", path("a"), "--report" });
@@ -132,6 +141,32 @@ TEST_F(ConstructCommand, SaysWhatItHadToGuess)
     EXPECT_NE(outcome.err.find("the right boundary is missing"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("there are no inclination lines"), std::string::npos) << outcome.err;
     EXPECT_EQ(nlohmann::json::parse(outcome.out)["notes"].size(), 2U);
+}
+
+TEST_F(ConstructCommand, TellsStrokesThatDoNotSayWhatTheyAre)
+{
+    std::ofstream(folder_ / "strokes.json")
+        << R"({"pattern":"spiral","nodes_per_layer":[4],"strokes":[[[0,0],[0,200]],
+               [[40,160],[-60,160]],[[30,300],[30,0]],[[90,90],[99,99]],[[-50,0],[-50,300]],
+               [[-60,100],[0,40],[40,80]]]})";
+    auto const outcome = run({ "construct", path("strokes.json"), "-o", path("told"), "--report" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("stroke 4 is left out: this line neither"), std::string::npos)
+        << outcome.err;
+    auto const told = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(told["roles"],
+              (std::vector<std::string> { "stem", "inclination", "right", "unsure", "left",
+                                          "inclination" }));
+    auto const said = nlohmann::json::parse(
+        run({ "construct", sketch("hand_spiral.json"), "-o", path("said"), "--report" }).out);
+    EXPECT_EQ(told["functions"], said["functions"]);
+    EXPECT_EQ(told["leaf_tips"], said["leaf_tips"]);
+    EXPECT_EQ(
+        refusal(R"({"pattern":"spiral","nodes_per_layer":[1],"strokes":[],"stem":[]})"),
+        "strokes are there and stem, too: leave out stem, or call each of the strokes what it "
+        "is\n");
+    EXPECT_EQ(refusal(R"({"pattern":"spiral","nodes_per_layer":[1],"strokes":[[[1,2],[1,2]]]})"),
+              "stroke 1 is only a dot: leave it out\n");
 }
 
 // The largest sketch that there may be.

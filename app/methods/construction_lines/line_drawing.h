@@ -1,0 +1,25 @@
+#pragma once
+
+#include "app/methods/construction_lines/line_sketch_file.h"
+#include "engine/base/result.h"
+#include "engine/methods/construction_lines/construction.h"
+
+#include <string>
+#include <vector>
+
+namespace tractus::lines {
+
+// Whether lines are taken as they are, or as a pen's strokes (capture_line()).
+enum class Smoothing { None, Hand };
+
+// A sketch whose lines are ready to be measured.
+struct LineDrawing {
+    LineSketch sketch;
+    std::vector<std::string> roles; // Of strokes that did not say what they are, in their order.
+    std::vector<std::string> notes; // Strokes that do not count, and why; a sentence each.
+};
+
+// Fails, as the user's fault, for a stroke that is only a dot.
+Result<LineDrawing> prepare_drawing(LineSketchFile const& file, Smoothing smoothing);
+
+} // namespace tractus::lines

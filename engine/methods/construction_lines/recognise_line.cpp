@@ -1,0 +1,329 @@
+#include "engine/methods/construction_lines/recognise_line.h"
+
+#include "engine/stroke/polyline.h"
+#include "engine/stroke/resample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tractus::lines {
+
+namespace {
+
+// How strokes may differ from what they mean, on a sheet of paper.
+constexpr double kOnLine_mm = 6;    // From a line that is drawn again.
+constexpr double kSameEnd_mm = 20;  // From its end to the new one's.
+constexpr double kNoSide_mm = 1.5;  // A point that near to the stem is on neither side.
+constexpr double kEachSide_mm = 3;  // An inclination line reaches at least so far on both.
+constexpr double kFromStem_mm = 5;  // Half of one begins so near to the stem.
+constexpr double kGraze_mm = 10;    // A boundary may reach so far over the stem.
+constexpr double kLongHalf = 0.6;   // Shorter ones, by the stem, may lie along it.
+constexpr double kLeaning_deg = 20; // Longer ones lean more.
+constexpr double kBoundary = 0.4;   // A boundary goes along so much of the stem;
+constexpr double kWholeStem = 0.75; // what goes along so much of it is no half of a line.
+constexpr double kSameNode_mm = 15; // Two halves are one line if they begin so near to each other.
+
+std::vector<Vec2> flat(std::vector<Vec3> const& points)
+{
+    std::vector<Vec2> result;
+    for (auto const& point : points)
+        result.push_back(point.head<2>());
+    return result;
+}
+
+// With points all along it, so that they tell where it is.
+DrawnLine sampled(std::vector<Vec3> const& stroke)
+{
+    constexpr double kSpacing_mm = 1;
+    double const length_mm = polyline_length_mm(stroke);
+    auto const count = std::clamp(length_mm / kSpacing_mm, 50.0, 300.0);
+    return DrawnLine(flat(resample(stroke, static_cast<std::size_t>(count))));
+}
+
+// How a stroke lies to the stem.
+struct Lie {
+    double first_mm = 0; // Its ends' distances, above 0 on the left.
+    double last_mm = 0;
+    int crossings = 0;        // Changes from side to side beside the stem.
+    double along = 0;         // How much of the stem its points stand beside.
+    double left_share = 0;    // Of its points.
+    double least_side_mm = 0; // How far it gets on the side where less of it lies.
+    double lean_deg = 0;      // Between its ends' chord and the stem's, 0 to 90.
+};
+
+double lean_between(DrawnLine const& a, DrawnLine const& b)
+{
+    Vec2 const chord = a.points().back() - a.points().front();
+    Vec2 const other = b.points().back() - b.points().front();
+    return degrees(std::atan2(std::fabs(cross(chord, other)), std::fabs(chord.dot(other))));
+}
+
+Lie lie_of(DrawnLine const& stroke, DrawnLine const& stem)
+{
+    Lie lie;
+    double nearest = stem.length_mm();
+    double farthest = 0;
+    double before_mm = 0; // The last point's that was on a side.
+    double left = 0;
+    double reach_left_mm = 0;
+    double reach_right_mm = 0;
+    bool beside = false; // Whether the stem was near since.
+    for (auto const& point : stroke.points()) {
+        double const at_mm = stem.nearest_mm(point);
+        double const distance_mm = stem.distance_mm(point);
+        nearest = std::min(nearest, at_mm);
+        farthest = std::max(farthest, at_mm);
+        left += distance_mm > 0 ? 1 : 0;
+        reach_left_mm = std::max(reach_left_mm, distance_mm);
+        reach_right_mm = std::max(reach_right_mm, -distance_mm);
+        beside = beside || (at_mm > 0 && at_mm < stem.length_mm());
+        if (std::fabs(distance_mm) < kNoSide_mm)
+            continue;
+        if (distance_mm * before_mm < 0 && beside)
+            ++lie.crossings;
+        before_mm = distance_mm;
+        beside = at_mm > 0 && at_mm < stem.length_mm();
+    }
+    lie.first_mm = stem.distance_mm(stroke.points().front());
+    lie.last_mm = stem.distance_mm(stroke.points().back());
+    lie.along = std::max(0.0, farthest - nearest) / stem.length_mm();
+    lie.left_share = left / static_cast<double>(stroke.points().size());
+    lie.least_side_mm = lie.left_share > 0.5 ? reach_right_mm : reach_left_mm;
+    lie.lean_deg = lean_between(stroke, stem);
+    return lie;
+}
+
+bool is_inclination(Lie const& lie)
+{
+    return lie.crossings == 1 && lie.first_mm * lie.last_mm < 0
+        && std::min(std::fabs(lie.first_mm), std::fabs(lie.last_mm)) > kEachSide_mm;
+}
+
+// At its top or foot a boundary may cross the stem by a little, where an inclination line that does
+// so leans more.
+bool is_boundary(Lie const& lie)
+{
+    bool const grazes = lie.crossings <= 2 && lie.least_side_mm < kGraze_mm
+        && (lie.lean_deg < kLeaning_deg || lie.along > kWholeStem);
+    return lie.along > kBoundary && (lie.crossings == 0 || grazes);
+}
+
+// Half an inclination line begins at the stem, or just behind it.
+bool is_half(Lie const& lie, double length)
+{
+    double const near_mm = std::min(std::fabs(lie.first_mm), std::fabs(lie.last_mm));
+    double const far_mm = std::max(std::fabs(lie.first_mm), std::fabs(lie.last_mm));
+    bool const begins_at_stem = lie.crossings == 0 ? near_mm <= kFromStem_mm
+                                                   : lie.crossings == 1 && near_mm <= kEachSide_mm;
+    return begins_at_stem && far_mm > kFromStem_mm && lie.along < kWholeStem
+        && (length < kLongHalf || lie.lean_deg > kLeaning_deg);
+}
+
+std::string reason_for(Lie const& lie)
+{
+    if (lie.crossings > 1)
+        return fmt::format(
+            "this line crosses the stem {} times: draw an inclination line across it "
+            "once, or a boundary beside it",
+            lie.crossings);
+    if (lie.crossings == 1)
+        return "this line hardly reaches over the stem: draw an inclination line that ends on both "
+               "sides of it";
+    return "this line neither crosses the stem nor goes along it: draw an inclination line across "
+           "it, "
+           "or a boundary along at least half of it";
+}
+
+bool same_ends(DrawnLine const& a, DrawnLine const& b)
+{
+    auto const near
+        = [](Vec2 const& one, Vec2 const& other) { return (one - other).norm() <= kSameEnd_mm; };
+    auto const& from = a.points();
+    auto const& to = b.points();
+    return (near(from.front(), to.front()) && near(from.back(), to.back()))
+        || (near(from.front(), to.back()) && near(from.back(), to.front()));
+}
+
+bool lies_on(DrawnLine const& stroke, DrawnLine const& line)
+{
+    auto const on
+        = std::count_if(stroke.points().begin(), stroke.points().end(), [&](Vec2 const& point) {
+              return (line.point(line.nearest_mm(point)) - point).norm() <= kOnLine_mm;
+          });
+    return 10 * static_cast<std::size_t>(on) >= 7 * stroke.points().size();
+}
+
+// Half an inclination line, from the stem outwards.
+struct Half {
+    std::vector<Vec2> points;
+    double at_mm = 0; // Along the stem.
+    double side = 1;  // -1: right.
+};
+
+Half half_from_stem(std::vector<Vec2> points, DrawnLine const& stem)
+{
+    if (std::fabs(stem.distance_mm(points.front())) > std::fabs(stem.distance_mm(points.back())))
+        std::reverse(points.begin(), points.end());
+    double const side = stem.distance_mm(points.back()) > 0 ? 1 : -1;
+    double const at_mm = stem.nearest_mm(points.front());
+    auto const outside = std::find_if(points.begin(), points.end(), [&](Vec2 const& point) {
+        return stem.distance_mm(point) * side > 0;
+    });
+    return { { outside, points.end() }, at_mm, side };
+}
+
+// A line that begins on the stem, and over it by a hair.
+std::vector<Vec2> line_of(Half const& half, DrawnLine const& stem)
+{
+    Vec2 const left = direction(stem.heading_deg(half.at_mm) + 90);
+    std::vector<Vec2> line { stem.point(half.at_mm)
+                             - half.side * (kLeastHalf / 2) * stem.length_mm() * left };
+    line.insert(line.end(), half.points.begin(), half.points.end());
+    return line;
+}
+
+std::vector<Vec2> line_of(Half const& half, Half const& other)
+{
+    std::vector<Vec2> line(half.points.rbegin(), half.points.rend());
+    line.insert(line.end(), other.points.begin(), other.points.end());
+    return line;
+}
+
+// Those at both sides of a place belong together.
+std::vector<std::vector<Vec2>> joined(std::vector<Half> halves, DrawnLine const& stem)
+{
+    std::vector<std::vector<Vec2>> lines;
+    while (!halves.empty()) {
+        auto const half = halves.front();
+        halves.erase(halves.begin());
+        auto const other = std::find_if(halves.begin(), halves.end(), [&](Half const& candidate) {
+            return candidate.side != half.side
+                && std::fabs(candidate.at_mm - half.at_mm) <= kSameNode_mm;
+        });
+        if (other == halves.end()) {
+            lines.push_back(line_of(half, stem));
+        } else {
+            lines.push_back(line_of(half, *other));
+            halves.erase(other);
+        }
+    }
+    return lines;
+}
+
+// Where a boundary's ends reach over the stem they are cut off.
+std::vector<Vec2> on_side(std::vector<Vec2> line, DrawnLine const& stem, double side)
+{
+    auto const is_over = [&](Vec2 const& point) { return stem.distance_mm(point) * side < 0; };
+    auto const first = std::find_if_not(line.begin(), line.end(), is_over);
+    auto const last = std::find_if_not(line.rbegin(), line.rend(), is_over).base();
+    return first < last ? std::vector<Vec2>(first, last) : line;
+}
+
+} // namespace
+
+std::string name_of(Role role)
+{
+    switch (role) {
+    case Role::Stem:
+        return "stem";
+    case Role::Left:
+        return "left";
+    case Role::Right:
+        return "right";
+    case Role::Inclination:
+        return "inclination";
+    case Role::HalfInclination:
+        return "half inclination";
+    case Role::Unsure:
+        break;
+    }
+    return "unsure";
+}
+
+bool LineRecogniser::is_replaced(std::size_t line) const
+{
+    return std::any_of(lines_.begin(), lines_.end(),
+                       [&](RecognisedLine const& other) { return other.replaces == line; });
+}
+
+std::optional<std::size_t> LineRecogniser::line_drawn_again(DrawnLine const& stroke) const
+{
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        if (lines_[i].role == Role::Unsure || is_replaced(i))
+            continue;
+        auto const line = sampled(strokes_[i]);
+        if (same_ends(stroke, line) && lies_on(stroke, line))
+            return i;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::size_t> LineRecogniser::newest(Role role) const
+{
+    for (std::size_t i = lines_.size(); i-- > 0;)
+        if (lines_[i].role == role && !is_replaced(i))
+            return i;
+    return std::nullopt;
+}
+
+RecognisedLine LineRecogniser::recognise(DrawnLine const& stroke) const
+{
+    auto const stem_index = newest(Role::Stem);
+    if (!stem_index)
+        return { .role = Role::Stem };
+    if (auto const earlier = line_drawn_again(stroke))
+        return { .role = lines_[*earlier].role, .replaces = earlier };
+    auto const stem = sampled(strokes_[*stem_index]);
+    auto const lie = lie_of(stroke, stem);
+    if (is_half(lie, stroke.length_mm() / stem.length_mm()))
+        return { .role = Role::HalfInclination };
+    if (is_boundary(lie)) {
+        auto const side = lie.left_share > 0.5 ? Role::Left : Role::Right;
+        return { .role = side, .replaces = newest(side) };
+    }
+    if (is_inclination(lie))
+        return { .role = Role::Inclination };
+    return { .role = Role::Unsure, .reason = reason_for(lie) };
+}
+
+RecognisedLine const& LineRecogniser::add(std::vector<Vec3> const& stroke)
+{
+    auto line = recognise(sampled(stroke));
+    lines_.push_back(std::move(line));
+    strokes_.push_back(stroke);
+    return lines_.back();
+}
+
+std::vector<std::vector<Vec2>> LineRecogniser::inclinations(DrawnLine const& stem) const
+{
+    std::vector<std::vector<Vec2>> lines;
+    std::vector<Half> halves;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        if (lines_[i].role == Role::Inclination && !is_replaced(i))
+            lines.push_back(flat(strokes_[i]));
+        if (lines_[i].role == Role::HalfInclination && !is_replaced(i))
+            halves.push_back(half_from_stem(flat(strokes_[i]), stem));
+    }
+    auto const more = joined(std::move(halves), stem);
+    lines.insert(lines.end(), more.begin(), more.end());
+    return lines;
+}
+
+LineSketch LineRecogniser::sketch() const
+{
+    LineSketch sketch;
+    auto const stem_index = newest(Role::Stem);
+    if (!stem_index)
+        return sketch;
+    sketch.stem = strokes_[*stem_index];
+    DrawnLine const stem(flat(sketch.stem));
+    if (auto const left = newest(Role::Left))
+        sketch.left = on_side(flat(strokes_[*left]), stem, 1);
+    if (auto const right = newest(Role::Right))
+        sketch.right = on_side(flat(strokes_[*right]), stem, -1);
+    sketch.inclinations = inclinations(stem);
+    return sketch;
+}
+
+} // namespace tractus::lines

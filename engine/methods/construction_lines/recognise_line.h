@@ -1,0 +1,59 @@
+#pragma once
+
+#include "engine/base/vectors.h"
+#include "engine/methods/construction_lines/construction.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tractus::lines {
+
+// What a stroke of a sketch is.
+enum class Role {
+    Stem,
+    Left,  // The boundary there.
+    Right, // The boundary there.
+    Inclination,
+    HalfInclination, // From the stem to one side: counts on both until its other half is drawn.
+    Unsure,          // None of them: it has no effect until somebody says what it is.
+};
+
+// The role's word, in small letters.
+std::string name_of(Role role);
+
+struct RecognisedLine {
+    Role role = Role::Unsure;
+    std::optional<std::size_t> replaces {}; // The stroke that it stands for from now on.
+    std::string reason {};                  // Unsure: a sentence that says what to draw instead.
+};
+
+// Tells what strokes of a sketch are by how they lie to the stem, which is the first of them. The
+// others come in any order and in either direction. A stroke keeps its role whatever comes later;
+// one that is drawn again, or a second boundary on the same side, takes the earlier one's place and
+// says so.
+class LineRecogniser {
+public:
+    // The next stroke, (u, v, depth) in millimetres: at least two points, no two neighbours at one
+    // place of the sheet; all finite.
+    RecognisedLine const& add(std::vector<Vec3> const& stroke);
+
+    std::vector<RecognisedLine> const& lines() const { return lines_; }
+
+    // Of all that count; without numbers of nodes.
+    LineSketch sketch() const;
+
+private:
+    bool is_replaced(std::size_t line) const;
+    // The newest stroke of a role that counts.
+    std::optional<std::size_t> newest(Role role) const;
+    std::optional<std::size_t> line_drawn_again(DrawnLine const& stroke) const;
+    RecognisedLine recognise(DrawnLine const& stroke) const;
+    std::vector<std::vector<Vec2>> inclinations(DrawnLine const& stem) const;
+
+    std::vector<std::vector<Vec3>> strokes_;
+    std::vector<RecognisedLine> lines_;
+};
+
+} // namespace tractus::lines
