@@ -8,6 +8,7 @@
 #include "app/station/model_cost.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
+#include "app/verbs/checks.h"
 #include "drivers/file.h"
 #include "engine/methods/construction_lines/line_model.h"
 #include "engine/scene/scene.h"
@@ -29,6 +30,7 @@ namespace fs = std::filesystem;
 struct ConstructArguments {
     fs::path sketch;
     fs::path output;
+    lines::GivenBesides given;
     bool smooth = false;
     bool report = false;
     bool session = false;
@@ -118,7 +120,7 @@ Result<void> construct_plant(ConstructArguments const& arguments)
                                 arguments.output.string()));
     TRY(check_writable(is_plant_file(arguments.output) ? arguments.output
                                                        : arguments.output / "model.l"));
-    auto const file = TRY(lines::load_line_sketch(arguments.sketch));
+    auto const file = TRY(lines::load_line_sketch(arguments.sketch, arguments.given));
     for (auto const& key : file.unknown_keys)
         print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so",
                                   arguments.sketch.string(), key.substr(0, 40)));
@@ -134,7 +136,8 @@ Result<void> construct_plant(ConstructArguments const& arguments)
 
 void add_options(CLI::App& verb, ConstructArguments& arguments)
 {
-    verb.add_option("SKETCH", arguments.sketch, "The sketch, a JSON file of lines in millimetres")
+    verb.add_option("SKETCH", arguments.sketch,
+                    "The sketch: a JSON file of lines in millimetres, or an SVG drawing (.svg)")
         ->type_name("SKETCH")
         ->required();
     verb.add_option(
@@ -143,6 +146,20 @@ void add_options(CLI::App& verb, ConstructArguments& arguments)
             "as the file's ending says: .glb, .obj or .png")
         ->type_name("OUTPUT")
         ->required();
+    verb.add_option("--pattern", arguments.given.pattern,
+                    "How organs stand, in place of what the sketch says: distichous, decussate, "
+                    "spiral, alternate or whorled(N)")
+        ->type_name("PATTERN");
+    verb.add_option("--divergence", arguments.given.divergence_deg,
+                    "Degrees from organ to organ, of spiral and alternate")
+        ->type_name("DEGREES")
+        ->check(number(-360, 360));
+    verb.add_option("--nodes", arguments.given.nodes_per_layer,
+                    "How many nodes each layer has, from below, such as 9,14")
+        ->type_name("N,N,...")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(whole_number(0, lines::kMostNodesInLayer));
     verb.add_flag("--smooth", arguments.smooth,
                   "The lines are a hand's: take its tremor out of them first");
     verb.add_flag("--session", arguments.session, "Also begin a session with the plant");

@@ -1,5 +1,6 @@
 #include "app/methods/construction_lines/line_sketch_file.h"
 
+#include "app/methods/construction_lines/svg_sketch.h"
 #include "drivers/file.h"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 namespace tractus::lines {
 
@@ -107,7 +109,7 @@ Result<void> read_nodes(json const& file, LineSketch& sketch)
     if (!has(file, "nodes_per_layer"))
         return fail(Fault::User,
                     "nodes_per_layer is missing: give the number of nodes of each layer "
-                    "between two neighbouring inclination lines, such as [5]");
+                    "between two neighbouring inclination lines, such as [5], or --nodes 5");
     auto const& numbers = file["nodes_per_layer"];
     if (!numbers.is_array())
         return fail(Fault::User, "nodes_per_layer is no list: write numbers such as [5, 3]");
@@ -218,13 +220,10 @@ std::string place_of(std::string_view text, std::size_t byte)
     return fmt::format("{}:{}", line, column);
 }
 
-} // namespace
-
-Result<LineSketchFile> parse_line_sketch(std::string_view text, std::string const& name)
+Result<json> parse_json(std::string_view text, std::string const& name)
 {
-    json file;
     try {
-        file = json::parse(text);
+        return json::parse(text);
     } catch (json::parse_error const& error) {
         return fail(Fault::User,
                     fmt::format("{}:{}: this is no JSON: a bracket, comma or quotation "
@@ -234,16 +233,46 @@ Result<LineSketchFile> parse_line_sketch(std::string_view text, std::string cons
         return fail(Fault::User,
                     fmt::format("{}: a number in it is too large: give millimetres", name));
     }
-    auto result = read_sketch(file);
+}
+
+// A file's sketch with what is given besides it.
+Result<LineSketchFile> read_file_sketch(Result<json> file, std::string const& name,
+                                        GivenBesides const& given)
+{
+    if (file && file->is_object()) {
+        if (!given.pattern.empty())
+            (*file)["pattern"] = given.pattern;
+        if (given.divergence_deg)
+            (*file)["divergence"] = *given.divergence_deg;
+        if (!given.nodes_per_layer.empty())
+            (*file)["nodes_per_layer"] = given.nodes_per_layer;
+    }
+    auto result = read_sketch(TRY(std::move(file)));
     if (!result)
         return fail(result.error().fault, fmt::format("{}: {}", name, result.error().message));
     return result;
 }
 
-Result<LineSketchFile> load_line_sketch(std::filesystem::path const& path)
+} // namespace
+
+Result<LineSketchFile> parse_line_sketch(std::string_view text, std::string const& name,
+                                         GivenBesides const& given)
+{
+    return read_file_sketch(parse_json(text, name), name, given);
+}
+
+Result<LineSketchFile> load_line_sketch(std::filesystem::path const& path,
+                                        GivenBesides const& given)
 {
     constexpr std::size_t kMaxBytes = std::size_t { 2 } << 20;
-    return parse_line_sketch(TRY(read_text_file(path, kMaxBytes)), path.string());
+    auto const name = path.string();
+    auto const text = TRY(read_text_file(path, kMaxBytes));
+    if (path.extension() != ".svg")
+        return parse_line_sketch(text, name, given);
+    auto drawing = svg_as_sketch(text);
+    if (!drawing)
+        return fail(drawing.error().fault, fmt::format("{}: {}", name, drawing.error().message));
+    return read_file_sketch(std::move(drawing), name, given);
 }
 
 } // namespace tractus::lines

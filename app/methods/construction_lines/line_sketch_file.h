@@ -5,6 +5,7 @@
 #include "engine/methods/construction_lines/pattern.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,10 +33,19 @@ struct LineSketchFile {
 //                    which
 //   nodes_per_layer  [N, …]: one number for each layer between neighbouring inclination lines
 //
+// What is given besides a file counts in place of what the file says.
+//
 // Fails, as the user's fault, with file, place and what to write.
-Result<LineSketchFile> parse_line_sketch(std::string_view text, std::string const& name);
+struct GivenBesides {
+    std::string pattern;
+    std::optional<double> divergence_deg;
+    std::vector<int> nodes_per_layer;
+};
+Result<LineSketchFile> parse_line_sketch(std::string_view text, std::string const& name,
+                                         GivenBesides const& given = {});
 
-// The same from a file of at most 2 MiB.
-Result<LineSketchFile> load_line_sketch(std::filesystem::path const& path);
+// The same from a file of at most 2 MiB, which may also be an SVG drawing (.svg; svg_sketch.h).
+Result<LineSketchFile> load_line_sketch(std::filesystem::path const& path,
+                                        GivenBesides const& given = {});
 
 } // namespace tractus::lines

@@ -121,7 +121,7 @@ TEST_F(ConstructCommand, SaysWhatIsWrongWithASketch)
               "\"alternate\", or \"whorled(N)\" with N from 2 to 24\n");
     EXPECT_EQ(refusal(R"({"pattern":"spiral","stem":[[0,0],[0,9]]})"),
               "nodes_per_layer is missing: give the number of nodes of each layer between two "
-              "neighbouring inclination lines, such as [5]\n");
+              "neighbouring inclination lines, such as [5], or --nodes 5\n");
     EXPECT_EQ(refusal(R"({"pattern":"spiral","nodes_per_layer":[3]})"),
               "the stem is missing or only a dot: draw it from the plant's foot to its top, as the "
               "first line\n");
@@ -167,6 +167,35 @@ TEST_F(ConstructCommand, TellsStrokesThatDoNotSayWhatTheyAre)
         "is\n");
     EXPECT_EQ(refusal(R"({"pattern":"spiral","nodes_per_layer":[1],"strokes":[[[1,2],[1,2]]]})"),
               "stroke 1 is only a dot: leave it out\n");
+}
+
+// One sketch, drawn and written.
+TEST_F(ConstructCommand, ReadsAnSvgDrawing)
+{
+    std::ofstream(folder_ / "drawn.svg")
+        << R"(<svg xmlns="http://www.w3.org/2000/svg" width="100mm" viewBox="0 0 100 300">
+              <path d="M0 0V-200"/><path d="M-50 0V-300"/><path d="M-60-100 0-40 40-80"/>
+              <path d="M30 0V-300"/><path d="M-60-160H40"/></svg>)";
+    auto const drawn = run({ "construct", path("drawn.svg"), "--pattern", "spiral", "--nodes", "4",
+                             "-o", path("drawn"), "--report" });
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+    auto const written
+        = run({ "construct", sketch("hand_spiral.json"), "-o", path("written"), "--report" });
+    auto report = nlohmann::json::parse(drawn.out);
+    report.erase("roles");
+    EXPECT_EQ(report, nlohmann::json::parse(written.out));
+    auto const without = run({ "construct", path("drawn.svg"), "-o", path("drawn") });
+    EXPECT_NE(without.err.find("drawn.svg: pattern is missing"), std::string::npos) << without.err;
+}
+
+TEST_F(ConstructCommand, WhatIsGivenBesidesCountsInPlaceOfTheSketchs)
+{
+    auto const outcome = run({ "construct", "--pattern", "whorled(5)", "--nodes", "2,1", "-o",
+                               path("out"), "--report", sketch("hand_layers.json") });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const report = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(report["node_x"].size(), 4U);
+    EXPECT_EQ(report["leaf_tips"].size(), 20U);
 }
 
 // The largest sketch that there may be.
