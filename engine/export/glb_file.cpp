@@ -1,6 +1,7 @@
 #include "engine/export/glb_file.h"
 
 #include "engine/export/gltf_frame.h"
+#include "engine/export/tangents.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,8 @@ std::uint64_t rounded_up(std::uint64_t bytes)
 std::uint64_t triangle_bytes(MeshExtent const& extent, SurfaceFormat const& format)
 {
     auto const vertex_bytes = format.positions().element_bytes + format.normals().element_bytes
-        + SurfaceFormat::texture_coordinates().element_bytes;
+        + SurfaceFormat::texture_coordinates().element_bytes
+        + (format.tangents ? format.tangent_vectors().element_bytes : 0);
     return extent.vertices * static_cast<std::uint64_t>(vertex_bytes)
         + rounded_up(extent.indices * static_cast<std::uint64_t>(format.indices().element_bytes));
 }
@@ -72,9 +74,11 @@ std::string coverages(PlacedMesh const& placed)
 
 } // namespace
 
-SurfaceFormat PlantFormat::of(MeshPieces::Surface const& surface) const
+SurfaceFormat PlantFormat::of(MeshPieces const& plant, MeshPieces::Surface const& surface) const
 {
-    return with_indices_for(vertices, surface.extent.vertices);
+    auto format = with_indices_for(vertices, surface.extent.vertices);
+    format.tangents = plant.has_tangents(surface.material);
+    return format;
 }
 
 PlantFormat plant_format(MeshPieces const& plant, GlbOptions const& options)
@@ -96,8 +100,9 @@ std::uint64_t glb_bytes(MeshPieces const& plant, GlbOptions const& options)
     };
     for (auto const& surface : plant.surfaces())
         bytes += surface.extent.vertices * wind(options.wind)
-            + triangle_bytes(surface.extent,
-                             with_indices_for({ .quantized = quantized }, surface.extent.vertices));
+            + triangle_bytes(
+                     surface.extent,
+                     PlantFormat { .vertices = { .quantized = quantized } }.of(plant, surface));
     InstanceFormat const format { .quantized = quantized };
     auto const instance_bytes = format.translations().element_bytes
         + format.rotations().element_bytes + format.scales().element_bytes;
@@ -105,7 +110,8 @@ std::uint64_t glb_bytes(MeshPieces const& plant, GlbOptions const& options)
         = static_cast<std::uint64_t>(instance_bytes) + wind(GlbOptions::Wind::Attributes);
     for (auto const& organ : plant.organs()) {
         auto const extent = extent_of(organ.prototype);
-        bytes += triangle_bytes(extent, with_indices_for({}, extent.vertices))
+        SurfaceFormat const vertices { .tangents = plant.has_tangents(organ.prototype.material) };
+        bytes += triangle_bytes(extent, with_indices_for(vertices, extent.vertices))
             + organ.instances.size() * organ_bytes;
     }
     return bytes;
@@ -151,6 +157,8 @@ GlbFile::Columns GlbFile::open_triangles(MeshExtent const& extent, SurfaceFormat
     columns[1] = open_column(stream_, format.normals(), extent.vertices);
     columns[2] = open_column(stream_, SurfaceFormat::texture_coordinates(), extent.vertices);
     columns[3] = open_column(stream_, format.indices(), extent.indices);
+    if (format.tangents)
+        columns[4] = open_column(stream_, format.tangent_vectors(), extent.vertices);
     return columns;
 }
 
@@ -188,10 +196,13 @@ std::string GlbFile::add_primitive(Columns const& columns, EncodedPiece const& l
     auto const normals = add_accessor(json_, columns[1], kArrayBuffer);
     auto const texture = add_accessor(json_, columns[2], kArrayBuffer);
     auto const indices = add_accessor(json_, columns[3], kElementArrayBuffer);
+    auto const tangents = columns[4].count > 0
+        ? fmt::format(",\"TANGENT\":{}", add_accessor(json_, columns[4], kArrayBuffer))
+        : std::string();
     auto const wind = wind_attributes(columns, wind_streams(options_.wind), kArrayBuffer);
-    return fmt::format("{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{},\"TEXCOORD_0\":{}{}}},"
+    return fmt::format("{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{},\"TEXCOORD_0\":{}{}{}}},"
                        "\"indices\":{},\"material\":{}}}",
-                       positions, normals, texture, wind, indices, material);
+                       positions, normals, texture, tangents, wind, indices, material);
 }
 
 Result<void> GlbFile::add_surface_piece(std::size_t index, bool is_last, EncodedPiece const& piece)
@@ -201,7 +212,7 @@ Result<void> GlbFile::add_surface_piece(std::size_t index, bool is_last, Encoded
         open_index_ = plant_->picture_png().empty()
             ? materials_.index_of(plant_->material(surface.material))
             : materials_.add_picture(plant_->picture_png());
-        open_ = open_triangles(surface.extent, format_.of(surface));
+        open_ = open_triangles(surface.extent, format_.of(*plant_, surface));
         open_wind(*open_, wind_streams(options_.wind), surface.extent.vertices);
         limits_ = {};
     }
@@ -234,9 +245,16 @@ Result<std::size_t> GlbFile::prototype_index(TriangleMesh const& prototype)
     append(prototype.indices);
     if (auto const known = prototypes_.find(key); known != prototypes_.end())
         return known->second;
-    auto const format = with_indices_for({}, prototype.positions_mm.size());
+    auto format = with_indices_for({}, prototype.positions_mm.size());
+    format.tangents = plant_->has_tangents(prototype.material);
+    auto triangles = view_of(prototype);
+    BulkVector<Eigen::Vector4f> tangents;
+    if (format.tangents) {
+        find_tangents(triangles, tangents);
+        triangles.tangents = tangents;
+    }
     EncodedPiece encoded;
-    encode_triangles(view_of(prototype), format, encoded);
+    encode_triangles(triangles, format, encoded);
     if (!encoded.is_finite)
         return fail_infinite("a coordinate of an organ");
     auto columns = open_triangles(extent_of(prototype), format);
@@ -314,12 +332,13 @@ std::string GlbFile::surfaces_reference()
         return {};
     auto const mesh = json_.meshes.add(fmt::format("{{\"name\":{},\"primitives\":[{}]}}",
                                                    quoted(level_name(level_)), primitives_.text()));
-    auto const& [quantized, origin, step, ignored] = format_.vertices;
-    if (!quantized)
+    auto const& vertices = format_.vertices;
+    if (!vertices.quantized)
         return fmt::format(",\"mesh\":{}", mesh);
     json_.required_extensions.insert("KHR_mesh_quantization");
     add_child(fmt::format("{{\"mesh\":{0},\"translation\":[{1},{2},{3}],\"scale\":[{4},{4},{4}]}}",
-                          mesh, origin.x(), origin.y(), origin.z(), step));
+                          mesh, vertices.origin_m.x(), vertices.origin_m.y(), vertices.origin_m.z(),
+                          vertices.step_m));
     return {};
 }
 

@@ -21,7 +21,7 @@ struct PlantFormat {
     SurfaceFormat vertices {}; // Of its surfaces, but for the size of indices.
     InstanceFormat instances {};
 
-    SurfaceFormat of(MeshPieces::Surface const& surface) const;
+    SurfaceFormat of(MeshPieces const& plant, MeshPieces::Surface const& surface) const;
 };
 
 PlantFormat plant_format(MeshPieces const& plant, GlbOptions const& options);

@@ -5,6 +5,8 @@
 #include "engine/export/glb_column.h"
 #include "engine/export/gltf_frame.h"
 #include "engine/export/gltf_materials.h"
+#include "engine/export/tangents.h"
+#include "engine/export/texture.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -127,29 +129,44 @@ Result<void> FilmWriter::write()
 
 Result<void> FilmWriter::add_surface(TriangleMesh const& surface)
 {
+    auto const& material = film_.mesh->whole().materials[surface.material];
+    SurfaceFormat const format {
+        .tangents = film_.textures == GlbOptions::Textures::Embedded && has_relief(material),
+    };
+    auto triangles = view_of(surface);
+    BulkVector<Eigen::Vector4f> tangents;
+    if (format.tangents) {
+        find_tangents(triangles, tangents);
+        triangles.tangents = tangents;
+    }
     EncodedPiece piece;
-    encode_triangles(view_of(surface), {}, piece);
+    encode_triangles(triangles, format, piece);
     if (!piece.is_finite)
         return fail_not_finite();
     auto const vertices = surface.positions_mm.size();
-    std::array<GlbColumn, 4> columns {
+    std::array<GlbColumn, 5> columns {
         open_column(stream_, kVectors, vertices),
         open_column(stream_, kVectors, vertices),
         open_column(stream_, SurfaceFormat::texture_coordinates(), vertices),
-        open_column(stream_, SurfaceFormat {}.indices(), surface.indices.size()),
+        open_column(stream_, format.indices(), surface.indices.size()),
     };
+    if (format.tangents)
+        columns[4] = open_column(stream_, format.tangent_vectors(), vertices);
     for (std::size_t i = 0; i < columns.size(); ++i)
-        stream_.write(columns[i].block, piece.streams[i]);
+        if (columns[i].count > 0)
+            stream_.write(columns[i].block, piece.streams[i]);
     auto const positions
         = add_accessor(json_, columns[0], kArrayBuffer, limits_text(piece.low, piece.high));
     auto const normals = add_accessor(json_, columns[1], kArrayBuffer);
     auto const texture = add_accessor(json_, columns[2], kArrayBuffer);
     auto const indices = add_accessor(json_, columns[3], kElementArrayBuffer);
+    auto const tangent = columns[4].count > 0
+        ? fmt::format(",\"TANGENT\":{}", add_accessor(json_, columns[4], kArrayBuffer))
+        : std::string();
     primitives_.push_back(fmt::format(
-        "{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{},\"TEXCOORD_0\":{}}},\"indices\":{},"
+        "{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{},\"TEXCOORD_0\":{}{}}},\"indices\":{},"
         "\"material\":{}",
-        positions, normals, texture, indices,
-        materials_.index_of(film_.mesh->whole().materials[surface.material])));
+        positions, normals, texture, tangent, indices, materials_.index_of(material)));
     summary_.triangles += surface.triangle_count();
     return stream_.check();
 }

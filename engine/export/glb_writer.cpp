@@ -16,10 +16,14 @@ constexpr std::size_t kInstancesAtOnce = 16 << 10;
 // A plant is likely to take what the first one takes, more or less.
 constexpr double kLikelyShare = 0.8;
 
-MeshPieces::Organs pieces_organs(GlbOptions const& options)
+std::unique_ptr<MeshPieces const> pieces_for(MeshSource const& source, GlbOptions const& options)
 {
-    return options.organs == GlbOptions::Organs::Merged ? MeshPieces::Organs::Merged
-                                                        : MeshPieces::Organs::Apart;
+    return std::make_unique<MeshPieces>(
+        source,
+        options.organs == GlbOptions::Organs::Merged ? MeshPieces::Organs::Merged
+                                                     : MeshPieces::Organs::Apart,
+        options.textures == GlbOptions::Textures::Embedded ? MeshPieces::Tangents::ForRelief
+                                                           : MeshPieces::Tangents::Never);
 }
 
 // A level of a plant on its way into the file. The pieces of it that are under way share it: the
@@ -42,7 +46,7 @@ struct Unit {
     bool begins_level = false;
 
     // Kept from unit to unit, so that they are allocated once.
-    TriangleMesh triangles {};
+    MeshPieces::Buffer buffer {};
     std::vector<WindVertex> wind {};
     EncodedPiece encoded {};
 
@@ -89,9 +93,7 @@ private:
             ++taken_;
             level_ = 0;
         }
-        plant->pieces = first_
-            ? std::move(first_)
-            : std::make_unique<MeshPieces>(level.source(), pieces_organs(options_));
+        plant->pieces = first_ ? std::move(first_) : pieces_for(level.source(), options_);
         plant->format = plant_format(*plant->pieces, options_);
         plant_ = std::move(plant);
         kind_ = Unit::Kind::Surface;
@@ -148,8 +150,8 @@ void encode(Unit& unit, GlbOptions const& options)
     auto const& plant = *unit.plant;
     if (unit.kind == Unit::Kind::Surface) {
         auto const& surface = plant.pieces->surfaces()[unit.index];
-        encode_triangles(plant.pieces->piece(unit.index, unit.piece, unit.triangles),
-                         plant.format.of(surface), unit.encoded);
+        encode_triangles(plant.pieces->piece(unit.index, unit.piece, unit.buffer),
+                         plant.format.of(*plant.pieces, surface), unit.encoded);
         plant.pieces->wind(unit.index, unit.piece, unit.wind);
         encode_wind(unit.wind, options.wind, unit.encoded);
     } else if (unit.kind == Unit::Kind::Organ) {
@@ -208,7 +210,7 @@ struct FirstPlant {
 void measure(MeshPieces const& pieces, GlbOptions const& options, FirstPlant& first)
 {
     first.bytes += glb_bytes(pieces, options);
-    auto const accessors = pieces.has_wind() ? 9u : 4u;
+    auto const accessors = pieces.has_wind() ? 10u : 5u;
     first.json_bytes += 600 + 350 * accessors * pieces.surfaces().size()
         + 250 * accessors * pieces.organs().size();
     if (options.organs == GlbOptions::Organs::Nodes)
@@ -222,10 +224,10 @@ void measure(MeshPieces const& pieces, GlbOptions const& options, FirstPlant& fi
 FirstPlant measure_first(PlacedMesh const& placed, GlbOptions const& options)
 {
     FirstPlant first;
-    first.pieces = std::make_unique<MeshPieces>(placed.mesh, pieces_organs(options));
+    first.pieces = pieces_for(placed.mesh, options);
     measure(*first.pieces, options, first);
     for (auto const& detail : placed.details)
-        measure(MeshPieces(detail.mesh, pieces_organs(options)), options, first);
+        measure(*pieces_for(detail.mesh, options), options, first);
     return first;
 }
 
@@ -254,8 +256,7 @@ Result<void> check_size(std::span<PlacedMesh const> plants, FirstPlant const& fi
     double likely = 0;
     for (auto const& placed : plants)
         if (std::holds_alternative<Mesh const*>(placed.mesh))
-            certain += static_cast<double>(
-                glb_bytes(MeshPieces(placed.mesh, pieces_organs(options)), options));
+            certain += static_cast<double>(glb_bytes(*pieces_for(placed.mesh, options), options));
         else
             likely += static_cast<double>(first.bytes);
     if (certain > static_cast<double>(kMaxGlbBytes))
@@ -269,7 +270,7 @@ Result<void> check_size(std::span<PlacedMesh const> plants, FirstPlant const& fi
 
 std::uint64_t glb_bytes(Mesh const& mesh, GlbOptions const& options)
 {
-    return glb_bytes(MeshPieces(&mesh, pieces_organs(options)), options);
+    return glb_bytes(*pieces_for(&mesh, options), options);
 }
 
 Result<GlbSummary> write_glb(std::ostream& out, std::span<PlacedMesh const> plants,

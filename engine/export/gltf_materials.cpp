@@ -57,10 +57,7 @@ std::size_t GltfMaterials::index_of(Material const& material)
     auto& pbr = made["pbrMetallicRoughness"];
     refer(pbr, "baseColorTexture", textures.base_color);
     refer(pbr, "metallicRoughnessTexture", textures.occlusion_roughness);
-    // Bark's own normals wait for tangents: without them its look is each reader's guess, of which
-    // the validator warns.
-    if (has_textures_)
-        refer(made, "normalTexture", material.textures.normal);
+    refer(made, "normalTexture", textures.normal);
     refer(made, "occlusionTexture", textures.occlusion_roughness);
     if (textures.alpha == MaterialTextures::Alpha::Mask)
         made["alphaMode"] = "MASK";

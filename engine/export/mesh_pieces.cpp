@@ -1,6 +1,8 @@
 #include "engine/export/mesh_pieces.h"
 
 #include "engine/base/check.h"
+#include "engine/export/tangents.h"
+#include "engine/export/texture.h"
 
 #include <algorithm>
 #include <utility>
@@ -84,13 +86,18 @@ void add_copies(InstancedMesh const& organ, Bounds& bounds)
 
 } // namespace
 
-TriangleView view_of(TriangleMesh const& mesh)
+TriangleView view_of(TriangleMesh const& mesh, std::uint32_t first_vertex)
 {
-    return { mesh.positions_mm, mesh.normals, mesh.texture_coordinates, mesh.indices };
+    return { .positions_mm = mesh.positions_mm,
+             .normals = mesh.normals,
+             .texture_coordinates = mesh.texture_coordinates,
+             .indices = mesh.indices,
+             .first_vertex = first_vertex };
 }
 
-MeshPieces::MeshPieces(MeshSource const& source, Organs organs)
+MeshPieces::MeshPieces(MeshSource const& source, Organs organs, Tangents tangents)
     : is_merged_(organs == Organs::Merged)
+    , has_tangents_(tangents == Tangents::ForRelief)
 {
     auto const* const to_mesh = std::get_if<PlantToMesh>(&source);
     if (auto const* const draw = std::get_if<std::function<Billboard()>>(&source)) {
@@ -108,6 +115,17 @@ MeshPieces::MeshPieces(MeshSource const& source, Organs organs)
     }
     if (is_merged_)
         merge_organs();
+    if (mesh_)
+        find_tangents_of_mesh();
+}
+
+// A surface in memory is cut wherever a piece is large enough, through triangles as well.
+void MeshPieces::find_tangents_of_mesh()
+{
+    mesh_tangents_.resize(mesh_->surfaces.size());
+    for (std::size_t i = 0; i < mesh_->surfaces.size(); ++i)
+        if (has_tangents(mesh_->surfaces[i].material))
+            find_tangents(view_of(mesh_->surfaces[i]), mesh_tangents_[i]);
 }
 
 void MeshPieces::use_mesh(Mesh const& mesh)
@@ -188,6 +206,11 @@ Material const& MeshPieces::material(MaterialId id) const
     return mesh_ ? mesh_->materials[id] : plant_->materials[id];
 }
 
+bool MeshPieces::has_tangents(MaterialId id) const
+{
+    return has_tangents_ && picture_png_.empty() && has_relief(material(id));
+}
+
 std::uint64_t MeshPieces::triangle_count() const
 {
     std::uint64_t count = 0;
@@ -244,13 +267,22 @@ std::span<WindVertex const> MeshPieces::organ_wind(std::size_t organ) const
     return organ_wind_[organs_[organ].shape];
 }
 
-TriangleView MeshPieces::piece(std::size_t surface, std::size_t piece, TriangleMesh& buffer) const
+TriangleView MeshPieces::piece(std::size_t surface, std::size_t piece, Buffer& buffer) const
 {
     auto const& run = run_of(surface, piece);
-    auto const in_run = piece - run.first_piece;
+    auto triangles = triangles_of(run, piece - run.first_piece, buffer.triangles);
+    if (triangles.tangents.empty() && has_tangents(surfaces_[surface].material)) {
+        find_tangents(triangles, buffer.tangents);
+        triangles.tangents = buffer.tangents;
+    }
+    return triangles;
+}
+
+TriangleView MeshPieces::triangles_of(Run const& run, std::size_t piece, TriangleMesh& buffer) const
+{
     if (run.of == Run::Of::Organ)
-        return organ_piece(run, in_run, buffer);
-    return mesh_ ? mesh_piece(run, in_run) : plan_piece(run, in_run, buffer);
+        return organ_piece(run, piece, buffer);
+    return mesh_ ? mesh_piece(run, piece) : plan_piece(run, piece, buffer);
 }
 
 TriangleView MeshPieces::mesh_piece(Run const& run, std::size_t piece) const
@@ -260,9 +292,13 @@ TriangleView MeshPieces::mesh_piece(Run const& run, std::size_t piece) const
     auto const vertices = whole.positions_mm.size() * (piece + 1) / run.piece_count - vertex;
     auto const index = whole.indices.size() * piece / run.piece_count;
     auto const indices = whole.indices.size() * (piece + 1) / run.piece_count - index;
-    return { whole.positions_mm.subspan(vertex, vertices), whole.normals.subspan(vertex, vertices),
-             whole.texture_coordinates.subspan(vertex, vertices),
-             whole.indices.subspan(index, indices) };
+    std::span<Eigen::Vector4f const> const tangents = mesh_tangents_[run.index];
+    return { .positions_mm = whole.positions_mm.subspan(vertex, vertices),
+             .normals = whole.normals.subspan(vertex, vertices),
+             .texture_coordinates = whole.texture_coordinates.subspan(vertex, vertices),
+             .indices = whole.indices.subspan(index, indices),
+             .first_vertex = static_cast<std::uint32_t>(vertex),
+             .tangents = tangents.empty() ? tangents : tangents.subspan(vertex, vertices) };
 }
 
 static void resize(TriangleMesh& mesh, MeshExtent const& extent)
@@ -280,7 +316,7 @@ TriangleView MeshPieces::plan_piece(Run const& run, std::size_t piece, TriangleM
     auto place = place_in(buffer, {});
     place.vertex = static_cast<std::uint32_t>(planned.start_of(piece).vertices);
     plan_->make_piece(planned, piece, place);
-    return view_of(buffer);
+    return view_of(buffer, place.vertex);
 }
 
 TriangleView MeshPieces::organ_piece(Run const& run, std::size_t piece, TriangleMesh& buffer) const
@@ -291,10 +327,12 @@ TriangleView MeshPieces::organ_piece(Run const& run, std::size_t piece, Triangle
     auto const count = copies.end - copies.first;
     resize(buffer, { vertices * count, prototype.indices.size() * count });
     auto place = place_in(buffer, {});
-    place.vertex = static_cast<std::uint32_t>(run.start.vertices + copies.first * vertices);
+    auto const first_vertex
+        = static_cast<std::uint32_t>(run.start.vertices + copies.first * vertices);
+    place.vertex = first_vertex;
     for (auto i = copies.first; i < copies.end; ++i)
         append_copy(prototype, instances[i], place);
-    return view_of(buffer);
+    return view_of(buffer, first_vertex);
 }
 
 } // namespace tractus

@@ -10,15 +10,19 @@
 
 namespace tractus {
 
-// A part of a surface, wherever its triangles are. Indices count from the surface's first vertex.
+// A part of a surface, wherever its triangles are. Indices count from the surface's first vertex;
+// to the first vertex here they give the number `first_vertex`.
 struct TriangleView {
     std::span<Vec3f const> positions_mm;
     std::span<Vec3f const> normals;
     std::span<Vec2f const> texture_coordinates;
     std::span<std::uint32_t const> indices;
+    std::uint32_t first_vertex = 0;
+    std::span<Eigen::Vector4f const>
+        tangents {}; // As find_tangents() has them; empty for what needs none.
 };
 
-TriangleView view_of(TriangleMesh const& mesh);
+TriangleView view_of(TriangleMesh const& mesh, std::uint32_t first_vertex = 0);
 
 // The triangles of one plant in pieces of at most about a megabyte, whether they are in memory or
 // are made as they are asked for. Pieces may be asked for on any threads.
@@ -27,9 +31,11 @@ public:
     // Whether the copies of an organ are triangles of the surface that has their material, after
     // what else is in it, or are left to who asks.
     enum class Organs { Merged, Apart };
+    // Whether surfaces with a normal map have tangents.
+    enum class Tangents { Never, ForRelief };
 
     // Grows, meshes or draws what `source` gives as a function; `source` must outlive this.
-    MeshPieces(MeshSource const& source, Organs organs);
+    MeshPieces(MeshSource const& source, Organs organs, Tangents tangents = Tangents::Never);
     MeshPieces(MeshPieces const&) = delete;
     MeshPieces& operator=(MeshPieces const&) = delete;
 
@@ -53,8 +59,17 @@ public:
     // A box around all surfaces, found without making what is not there yet.
     Bounds bounds_mm() const;
 
-    // One piece; pieces follow each other without a gap. `buffer` holds what has to be made.
-    TriangleView piece(std::size_t surface, std::size_t piece, TriangleMesh& buffer) const;
+    // What has this material has tangents.
+    bool has_tangents(MaterialId material) const;
+
+    // What has to be made of a piece; kept from piece to piece, so that it is allocated once.
+    struct Buffer {
+        TriangleMesh triangles {};
+        BulkVector<Eigen::Vector4f> tangents {};
+    };
+
+    // One piece; pieces follow each other without a gap.
+    TriangleView piece(std::size_t surface, std::size_t piece, Buffer& buffer) const;
 
 private:
     // Pieces of a surface that follow each other and have one origin.
@@ -70,8 +85,10 @@ private:
     void use_plant(Plant const& plant, PlantToMesh const& source);
     void add_surface(MaterialId material, MeshExtent const& extent, std::size_t piece_count);
     void merge_organs();
+    void find_tangents_of_mesh();
     std::span<InstancedMesh const> all_organs() const { return mesh_ ? mesh_->organs : organs_; }
     Run const& run_of(std::size_t surface, std::size_t piece) const;
+    TriangleView triangles_of(Run const& run, std::size_t piece, TriangleMesh& buffer) const;
     TriangleView mesh_piece(Run const& run, std::size_t piece) const;
     TriangleView plan_piece(Run const& run, std::size_t piece, TriangleMesh& buffer) const;
     TriangleView organ_piece(Run const& run, std::size_t piece, TriangleMesh& buffer) const;
@@ -88,7 +105,10 @@ private:
     std::vector<std::vector<WindVertex>> organ_wind_; // Per organ shape of the plant.
     std::vector<Surface> surfaces_;
     std::vector<std::vector<Run>> runs_; // Per surface, in order.
+    std::vector<BulkVector<Eigen::Vector4f>>
+        mesh_tangents_; // Per surface of mesh_; empty for most.
     bool is_merged_ = false;
+    bool has_tangents_ = false;
 };
 
 } // namespace tractus

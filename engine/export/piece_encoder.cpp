@@ -182,6 +182,27 @@ void encode_byte_normals(std::span<Vec3f const> normals, EncodedPiece& piece)
     });
 }
 
+void encode_tangents(std::span<Eigen::Vector4f const> tangents, SurfaceFormat const& format,
+                     EncodedPiece& piece)
+{
+    constexpr std::size_t kStream = 4;
+    auto const encode = [&]<typename Number>(Number* to, auto const& number) {
+        for (auto const& tangent : tangents) {
+            Vec3f const turned = turn_to_gltf(Vec3f(tangent.head<3>()));
+            for (int k = 0; k < 3; ++k)
+                *to++ = number(turned[k]);
+            *to++ = number(tangent.w());
+        }
+    };
+    if (format.quantized)
+        encode(room_for<std::int8_t>(piece, kStream, 4 * tangents.size()), [](float value) {
+            return static_cast<std::int8_t>(rounded(kMostByte * std::clamp(value, -1.0f, 1.0f)));
+        });
+    else
+        encode(room_for<float>(piece, kStream, 4 * tangents.size()),
+               [](float value) { return value; });
+}
+
 } // namespace
 
 NumberFormat SurfaceFormat::positions() const
@@ -192,6 +213,12 @@ NumberFormat SurfaceFormat::positions() const
 NumberFormat SurfaceFormat::normals() const
 {
     return quantized ? NumberFormat { ComponentType::Byte, 3, true, 4 } : NumberFormat {};
+}
+
+NumberFormat SurfaceFormat::tangent_vectors() const
+{
+    return quantized ? NumberFormat { ComponentType::Byte, 4, true, 4 }
+                     : NumberFormat { ComponentType::Float, 4, false, 16 };
 }
 
 NumberFormat SurfaceFormat::texture_coordinates()
@@ -232,6 +259,9 @@ void encode_triangles(TriangleView const& triangles, SurfaceFormat const& format
     }
     piece.streams[2] = std::as_bytes(triangles.texture_coordinates);
     piece.streams[3] = std::as_bytes(triangles.indices);
+    piece.streams[4] = {};
+    if (format.tangents)
+        encode_tangents(triangles.tangents, format, piece);
     if (!format.short_indices)
         return;
     auto* const to = room_for<std::uint16_t>(piece, 3, triangles.indices.size());
@@ -264,6 +294,7 @@ void encode_instances(std::span<InstanceTransform const> instances, InstanceForm
         = format.quantized ? room_for<std::int16_t>(piece, 1, 4 * instances.size()) : nullptr;
     auto* scale = room_for<float>(piece, 2, 3 * instances.size());
     piece.streams[3] = {};
+    piece.streams[4] = {};
     piece.is_finite = true;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         auto const placed = to_gltf(instances[i]);

@@ -38,9 +38,11 @@ struct SurfaceFormat {
     Vec3 origin_m = Vec3::Zero();
     double step_m = 1;
     bool short_indices = false; // 16 bits.
+    bool tangents = false;      // For a normal map.
 
     NumberFormat positions() const;
     NumberFormat normals() const;
+    NumberFormat tangent_vectors() const;
     static NumberFormat texture_coordinates();
     NumberFormat indices() const;
 };
@@ -48,7 +50,7 @@ struct SurfaceFormat {
 // Quantisation for what lies in a box. A box that is empty or not finite gives some that works.
 SurfaceFormat quantized_format(Bounds const& bounds_mm);
 
-constexpr std::size_t kMostStreams = 9;
+constexpr std::size_t kMostStreams = 10;
 
 // A part of a file, ready to be written: each stream continues a block of its own.
 struct EncodedPiece {
@@ -62,8 +64,8 @@ struct EncodedPiece {
     std::array<BulkVector<std::byte>, kMostStreams> storage {};
 };
 
-// Streams: positions, normals, texture coordinates, indices. `triangles` must outlive what is
-// encoded, and `piece` may have been used before.
+// Streams: positions, normals, texture coordinates, indices, tangents. `triangles` must outlive
+// what is encoded, and `piece` may have been used before.
 void encode_triangles(TriangleView const& triangles, SurfaceFormat const& format,
                       EncodedPiece& piece);
 

@@ -81,6 +81,11 @@ MaterialTextures textures_of(Material const& material)
     return textures;
 }
 
+bool has_relief(Material const& material)
+{
+    return material.kind == Material::Kind::Bark || material.textures.normal;
+}
+
 std::string colored_picture(Material const& material)
 {
     if (material.textures.base_color)

@@ -27,6 +27,9 @@ GreyPicture leaf_picture();
 // looks like.
 MaterialTextures textures_of(Material const& material);
 
+// Whether a normal map is among them.
+bool has_relief(Material const& material);
+
 // As a PNG file, the picture of the material's colour with that colour in it; empty if it has none.
 std::string colored_picture(Material const& material);
 

@@ -11,7 +11,7 @@
 namespace tractus {
 
 // The first of a piece's streams that are for the wind.
-constexpr std::size_t kFirstWindStream = 4;
+constexpr std::size_t kFirstWindStream = 5;
 
 // One attribute of a mesh or of instances.
 struct WindStream {

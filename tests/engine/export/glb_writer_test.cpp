@@ -210,7 +210,7 @@ TEST(GlbWriter, SharesWhatPlantsHaveInCommon)
             { .name = "c", .position_mm = { 0, 2000, 0 }, .mesh = &meshes[2] } };
     auto const json = json_of(glb_of(plants, kInstanced));
     EXPECT_EQ(json["materials"].size(), 2u);
-    EXPECT_EQ(json["images"].size(), 3u);
+    EXPECT_EQ(json["images"].size(), 4u);
     EXPECT_EQ(json["meshes"].size(), 4u); // Three plants and the leaf.
     EXPECT_EQ(json["scenes"][0]["nodes"].size(), 3u);
     auto const& last = json["nodes"][json["scenes"][0]["nodes"][2].get<std::size_t>()];
@@ -338,7 +338,7 @@ TEST(GlbWriter, WritesWindWhereAnEngineLooksForIt)
     EXPECT_TRUE(attributes({ .wind = GlbOptions::Wind::Colours }).contains("COLOR_0"));
     PlacedMesh const calm { .mesh = PlantToMesh { .plant = &plant } };
     auto const json = json_of(glb_of(std::span(&calm, 1)));
-    EXPECT_EQ(json["meshes"][0]["primitives"][0]["attributes"].size(), 3u);
+    EXPECT_EQ(json["meshes"][0]["primitives"][0]["attributes"].size(), 4u);
 }
 
 TEST(GlbWriter, OrgansThatAreNodesHaveTheWindInTheirExtras)
@@ -378,14 +378,22 @@ TEST(GlbWriter, WritesANodePerOrganWhenAsked)
     EXPECT_FALSE(json.contains("extensionsUsed"));
 }
 
-TEST(GlbWriter, BarkHasItsFurrowsColourAndOcclusion)
+TEST(GlbWriter, BarkHasItsFurrowsColourReliefAndOcclusion)
 {
-    auto const json = json_of(glb_of(make_mesh(sample_tree(1))));
+    auto const mesh = make_mesh(sample_tree(1));
+    auto const json = json_of(glb_of(mesh));
     auto const& bark = json["materials"][0];
     ASSERT_TRUE(bark.contains("occlusionTexture"));
     EXPECT_EQ(bark["occlusionTexture"], bark["pbrMetallicRoughness"]["metallicRoughnessTexture"]);
-    EXPECT_EQ(json["images"].size(), 3u); // Of bark, and the leaf's veins.
+    EXPECT_TRUE(bark.contains("normalTexture"));
+    EXPECT_EQ(json["images"].size(), 4u); // Of bark, and the leaf's veins.
     EXPECT_FALSE(json["materials"][1].contains("normalTexture"));
+    for (auto const& primitive : json["meshes"][0]["primitives"])
+        EXPECT_EQ(primitive["attributes"].contains("TANGENT"), primitive["material"] == 0);
+    // Without pictures there is nothing to turn.
+    auto const plain = json_of(glb_of(mesh, { .textures = GlbOptions::Textures::None }));
+    EXPECT_FALSE(plain["materials"][0].contains("normalTexture"));
+    EXPECT_FALSE(plain["meshes"][0]["primitives"][0]["attributes"].contains("TANGENT"));
 }
 
 TEST(GlbWriter, WritesTheTexturesOfAMaterial)
