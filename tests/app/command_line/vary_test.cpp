@@ -123,8 +123,8 @@ TEST_F(Vary, PlantsHaveCoarserLevelsBesideThem)
         EXPECT_EQ(plant["extensions"]["MSFT_lod"]["ids"].size(), 3u);
         EXPECT_EQ(plant["extras"]["MSFT_screencoverage"].size(), 4u);
     }
-    // A picture of its own for each billboard, and bark's colour and occlusion.
-    EXPECT_EQ(json["images"].size(), 3u + 2);
+    // A picture of its own for each billboard, and bark's colour, relief and occlusion.
+    EXPECT_EQ(json["images"].size(), 3u + 3);
 
     vary("small.l --count 3 --lods 3 -o again.glb", "taskset -c 0");
     EXPECT_EQ(read("again.glb"), far);
