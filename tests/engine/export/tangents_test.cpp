@@ -19,7 +19,7 @@ TriangleMesh square()
         mesh.normals.push_back(Vec3f::UnitZ());
         mesh.texture_coordinates.push_back({ corner.x(), 1.0f - corner.y() });
     }
-    for (std::uint32_t const index : { 0, 1, 2, 0, 2, 3 })
+    for (std::uint32_t const index : { 0U, 1U, 2U, 0U, 2U, 3U })
         mesh.indices.push_back(index);
     return mesh;
 }
