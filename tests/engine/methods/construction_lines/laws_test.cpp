@@ -88,7 +88,8 @@ void expect_tips_on_boundaries(LineSketch sketch, double tolerance, int most_nod
         sketch.nodes_per_layer.assign(sketch.nodes_per_layer.size(), nodes);
         auto const length_mm = measured(sketch).stem.length_mm();
         auto const tips = tips_of(sketch, { .kind = Kind::Distichous });
-        ASSERT_EQ(tips.size(), 2 * (nodes * sketch.nodes_per_layer.size() + 1));
+        auto const layers = static_cast<int>(sketch.nodes_per_layer.size());
+        ASSERT_EQ(static_cast<int>(tips.size()), 2 * (nodes * layers + 1));
         for (std::size_t i = 0; i < tips.size(); ++i)
             EXPECT_LT(distance_mm(tips[i], i % 2 == 0 ? sketch.left : sketch.right),
                       tolerance * length_mm)
