@@ -115,17 +115,19 @@ MeshPieces::MeshPieces(MeshSource const& source, Organs organs, Tangents tangent
     }
     if (is_merged_)
         merge_organs();
-    if (mesh_)
-        find_tangents_of_mesh();
 }
 
-// A surface in memory is cut wherever a piece is large enough, through triangles as well.
-void MeshPieces::find_tangents_of_mesh()
+// A surface in memory is cut wherever a piece is large enough, through triangles as well, so all of
+// it has its tangents found at once: not before a piece is asked for, as many a file's size is.
+std::span<Eigen::Vector4f const> MeshPieces::tangents_of_mesh(std::size_t surface) const
 {
-    mesh_tangents_.resize(mesh_->surfaces.size());
-    for (std::size_t i = 0; i < mesh_->surfaces.size(); ++i)
-        if (has_tangents(mesh_->surfaces[i].material))
-            find_tangents(view_of(mesh_->surfaces[i]), mesh_tangents_[i]);
+    std::call_once(mesh_tangents_found_, [&] {
+        mesh_tangents_.resize(mesh_->surfaces.size());
+        for (std::size_t i = 0; i < mesh_->surfaces.size(); ++i)
+            if (has_tangents(mesh_->surfaces[i].material))
+                find_tangents(view_of(mesh_->surfaces[i]), mesh_tangents_[i]);
+    });
+    return mesh_tangents_[surface];
 }
 
 void MeshPieces::use_mesh(Mesh const& mesh)
@@ -292,7 +294,7 @@ TriangleView MeshPieces::mesh_piece(Run const& run, std::size_t piece) const
     auto const vertices = whole.positions_mm.size() * (piece + 1) / run.piece_count - vertex;
     auto const index = whole.indices.size() * piece / run.piece_count;
     auto const indices = whole.indices.size() * (piece + 1) / run.piece_count - index;
-    std::span<Eigen::Vector4f const> const tangents = mesh_tangents_[run.index];
+    auto const tangents = tangents_of_mesh(run.index);
     return { .positions_mm = whole.positions_mm.subspan(vertex, vertices),
              .normals = whole.normals.subspan(vertex, vertices),
              .texture_coordinates = whole.texture_coordinates.subspan(vertex, vertices),

@@ -4,6 +4,7 @@
 #include "engine/mesh/mesh_plan.h"
 
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
@@ -85,7 +86,7 @@ private:
     void use_plant(Plant const& plant, PlantToMesh const& source);
     void add_surface(MaterialId material, MeshExtent const& extent, std::size_t piece_count);
     void merge_organs();
-    void find_tangents_of_mesh();
+    std::span<Eigen::Vector4f const> tangents_of_mesh(std::size_t surface) const;
     std::span<InstancedMesh const> all_organs() const { return mesh_ ? mesh_->organs : organs_; }
     Run const& run_of(std::size_t surface, std::size_t piece) const;
     TriangleView triangles_of(Run const& run, std::size_t piece, TriangleMesh& buffer) const;
@@ -105,8 +106,9 @@ private:
     std::vector<std::vector<WindVertex>> organ_wind_; // Per organ shape of the plant.
     std::vector<Surface> surfaces_;
     std::vector<std::vector<Run>> runs_; // Per surface, in order.
-    std::vector<BulkVector<Eigen::Vector4f>>
-        mesh_tangents_; // Per surface of mesh_; empty for most.
+    mutable std::once_flag mesh_tangents_found_;
+    // Per surface of mesh_; empty for most.
+    mutable std::vector<BulkVector<Eigen::Vector4f>> mesh_tangents_;
     bool is_merged_ = false;
     bool has_tangents_ = false;
 };
