@@ -2,6 +2,7 @@
 
 #include "app/help.h"
 #include "app/methods/construction_lines/construct_command.h"
+#include "app/methods/leaves/leaves_command.h"
 #include "app/methods/sketch_lsystem/sketch_command.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
@@ -76,6 +77,7 @@ static void add_verbs(CLI::App& root, Action& action)
     add_grow_verb(root, action);
     add_sketch_command(root, action);
     add_construct_command(root, action);
+    add_leaves_command(root, action);
     add_render_verb(root, action);
     add_derive_verb(root, action);
     add_lsystem_verb(root, action);

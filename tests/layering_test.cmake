@@ -10,6 +10,7 @@ set(engine/scene     engine/base engine/stroke engine/plant engine/lsystem engin
 set(engine/export    engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh
                      engine/scene)
 set(engine/methods/construction_lines engine/base engine/stroke engine/plant engine/lsystem)
+set(engine/methods/leaves engine/base)
 set(engine/methods/sketch_lsystem engine/base engine/lsystem)
 set(drivers          engine/base)
 set(calib            engine/base engine/stroke drivers)
@@ -20,7 +21,7 @@ set(app/station      engine drivers calib app/session app/terminal app/render ap
 set(app              engine drivers calib sim)
 
 set(layers engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh
-           engine/scene engine/export engine/methods/construction_lines engine/methods/sketch_lsystem
+           engine/scene engine/export engine/methods/construction_lines engine/methods/leaves engine/methods/sketch_lsystem
            drivers calib sim app/session app/terminal app/station app)
 
 foreach(layer IN LISTS layers)

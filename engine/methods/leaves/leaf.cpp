@@ -1,0 +1,287 @@
+#include "engine/methods/leaves/leaf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+namespace tractus::leaf {
+
+namespace {
+
+constexpr double kMostEdges = 9'999; // Of a face.
+constexpr std::size_t kMostDarts = 2'000'000;
+constexpr std::size_t kMostWork = 500'000'000; // Some seconds.
+
+Vec3 unit_or_x(Vec3 const& v)
+{
+    double const length = v.norm();
+    return length > 1e-12 ? Vec3(v / length) : Vec3(Vec3::UnitX());
+}
+
+// The two turn about what is across them both, the first towards the second.
+void turn_pair(Vec3& first, Vec3& second, double angle_deg)
+{
+    double const c = std::cos(radians(angle_deg));
+    double const s = std::sin(radians(angle_deg));
+    Vec3 const turned = c * first + s * second;
+    second = c * second - s * first;
+    first = turned;
+}
+
+} // namespace
+
+// Gamma about z, then beta about the new y, then alpha about the new x.
+void Leaf::Frame::turn(double alpha_deg, double beta_deg, double gamma_deg)
+{
+    turn_pair(x, y, gamma_deg);
+    turn_pair(z, x, beta_deg);
+    turn_pair(y, z, alpha_deg);
+}
+
+Result<Leaf> Leaf::begin(Grammar const& grammar, Options const& options)
+{
+    Leaf leaf(grammar, options);
+    TRY(leaf.make_face(grammar.axiom, grammar.axiom_fields, std::nullopt, {}));
+    return leaf;
+}
+
+Leaf::Leaf(Grammar const& grammar, Options const& options)
+    : grammar_(&grammar)
+    , values_(grammar.names.count(), std::nan(""))
+    , random_({ .seed = options.seed })
+{
+    for (auto const& [name, value] : grammar.variables)
+        values_[name] = value;
+    values_[NameTable::kStep] = 0;
+    values_[NameTable::kFinalStep] = options.final_step;
+    values_[NameTable::kAge] = options.age;
+}
+
+tl::unexpected<Error> Leaf::fail_at(TextPlace const& place, std::string const& what) const
+{
+    return fail(Fault::User,
+                fmt::format("{}:{}:{}: at step {} {}", grammar_->name, place.line, place.column,
+                            step_, what));
+}
+
+// What takes longer than anybody waits is refused.
+Result<void> Leaf::spend(std::size_t work)
+{
+    work_ += work;
+    if (work_ > kMostWork)
+        return fail(Fault::User,
+                    fmt::format("{}: step {} takes too long: the leaf has {} faces", grammar_->name,
+                                step_, faces_.size()));
+    return {};
+}
+
+Result<Attributes> Leaf::attributes_of(char face, Fields const& fields, TextPlace const& place)
+{
+    auto attributes = grammar_->faces.at(face);
+    for (std::size_t i = 0; i < fields.size(); ++i)
+        if (!fields[i].empty())
+            attributes[i] = fields[i].value(values_, random_);
+    if (!std::ranges::all_of(attributes, [](double value) { return std::isfinite(value); }))
+        return fail_at(place,
+                       fmt::format("an attribute of a face {} is not a finite number", face));
+    attributes[kEdgeCount] = std::trunc(attributes[kEdgeCount]);
+    if (attributes[kEdgeCount] < 3 || attributes[kEdgeCount] > kMostEdges)
+        return fail_at(place,
+                       fmt::format("a face {} has {} edges, and may have 3 to {}", face,
+                                   attributes[kEdgeCount], kMostEdges));
+    return attributes;
+}
+
+// The child's O runs against the bearer's edge; x points out of it, z as the bearer's.
+Leaf::Stand Leaf::stand_on(Dart edge) const
+{
+    auto const& bearer = faces_[static_cast<std::size_t>(map_.face(edge))];
+    Stand stand;
+    stand.left = map_.position_of(LeafMap::a0(edge));
+    stand.right = map_.position_of(edge);
+    Vec3 const across
+        = stand.left == stand.right ? Vec3(Vec3::UnitY()) : unit_or_x(stand.left - stand.right);
+    stand.frame.x = unit_or_x(across.cross(bearer.frame.z));
+    stand.frame.z = unit_or_x(stand.frame.x.cross(across));
+    stand.frame.y = stand.frame.z.cross(stand.frame.x);
+    return stand;
+}
+
+// Counter-clockwise from where O starts: O's ends, the right side's corners, the left side's.
+std::vector<Vec3> Leaf::corners_of(Attributes const& attributes, Stand const& stand) const
+{
+    auto const [count, along, alpha, beta, gamma, length, width] = attributes;
+    auto const edges = static_cast<int>(count);
+    int const rights = (edges - 1) / 2;
+    int const lefts = edges - 2 - rights;
+    Vec3 const middle = 0.5 * (stand.left + stand.right) + along * length * stand.frame.x;
+    Vec3 const left = middle + 0.5 * width * stand.frame.y;
+    Vec3 const right = middle - 0.5 * width * stand.frame.y;
+    std::vector<Vec3> corners { stand.left, stand.right };
+    if (lefts == 0) // A triangle's right side ends at its tip.
+        corners.push_back(left);
+    for (int i = 1; i <= rights && lefts > 0; ++i)
+        corners.push_back(stand.right + double(i) / rights * (right - stand.right));
+    for (int i = 0; i < lefts; ++i)
+        corners.push_back(left + double(i) / lefts * (stand.left - left));
+    return corners;
+}
+
+// On the free edge that `on` starts; without it, the axiom's.
+Result<FaceId> Leaf::make_face(char name, Fields const& fields, std::optional<Dart> on,
+                               TextPlace const& place)
+{
+    if (faces_.size() >= kMostFaces)
+        return fail_at(place, fmt::format("the leaf would have more than {} faces", kMostFaces));
+    auto const attributes = TRY(attributes_of(name, fields, place));
+    auto const [count, along, alpha, beta, gamma, length, width] = attributes;
+    auto stand = on ? stand_on(*on) : Stand {};
+    stand.frame.turn(alpha, beta, gamma);
+    if (!on) {
+        stand.left = 0.5 * width * stand.frame.y;
+        stand.right = -stand.left;
+    }
+    auto const corners = corners_of(attributes, stand);
+    if (map_.dart_count() + 2 * corners.size() > kMostDarts)
+        return fail_at(place, "the leaf would have more than a million edges");
+    TRY(spend(corners.size()));
+    std::vector<Vertex> vertices;
+    if (on)
+        vertices = { map_.vertex(LeafMap::a0(*on)), map_.vertex(*on) };
+    while (vertices.size() < corners.size())
+        vertices.push_back(map_.add_vertex(corners[vertices.size()]));
+    auto const face = static_cast<FaceId>(faces_.size());
+    auto const first = map_.add_face(vertices, face, edge_labels(static_cast<int>(count)));
+    if (on)
+        map_.sew_in_place(first, LeafMap::a0(*on));
+    faces_.push_back({ .name = name,
+                       .attributes = attributes,
+                       .frame = stand.frame,
+                       .first = first,
+                       .edge_count = static_cast<int>(count) });
+    return face;
+}
+
+// The first one counter-clockwise from the face's first edge.
+std::optional<Dart> Leaf::free_edge(FaceId face, EdgeLabel label) const
+{
+    auto const first = faces_[static_cast<std::size_t>(face)].first;
+    auto x = first;
+    do {
+        if (map_.label(x) == label && map_.is_free(x))
+            return x;
+        x = map_.a1(LeafMap::a0(x));
+    } while (x != first);
+    return std::nullopt;
+}
+
+void Leaf::run(std::vector<Statement> const& block)
+{
+    for (auto const& statement : block) {
+        auto const value = statement.value.value(values_, random_);
+        auto const hidden = hidden_.find(statement.name);
+        (hidden != hidden_.end() ? hidden->second : values_[statement.name]) = value;
+    }
+}
+
+// Whether the rule fitted. Names that are not the grammar's variables are the rule's own: they and
+// the face's attributes have values while it is at work.
+Result<bool> Leaf::apply(Rule const& rule, FaceId face)
+{
+    auto const& attributes = faces_[static_cast<std::size_t>(face)].attributes;
+    for (std::size_t name = NameTable::kAge + 1; name < values_.size(); ++name)
+        if (!grammar_->variables.contains(name))
+            values_[name] = std::nan("");
+    for (std::size_t i = 0; i < rule.formal.size(); ++i)
+        if (auto const name = rule.formal[i]) {
+            if (grammar_->variables.contains(*name))
+                hidden_.emplace(*name, values_[*name]);
+            values_[*name] = attributes[i];
+        }
+    run(rule.always);
+    bool fits = rule.condition.empty() || rule.condition.value(values_, random_) != 0;
+    if (fits) {
+        run(rule.if_met);
+        if (auto const* const growing = std::get_if<Growing>(&rule.kind))
+            TRY(grow(rule, *growing, face));
+        else
+            fits = TRY(split(std::get<Splitting>(rule.kind), face, rule.place));
+    }
+    for (auto const& [name, value] : hidden_)
+        values_[name] = value;
+    hidden_.clear();
+    return fits;
+}
+
+Result<void> Leaf::grow(Rule const& rule, Growing const& growing, FaceId face)
+{
+    // What overloads the bearer's own attributes is what its formal names read later.
+    auto own = faces_[static_cast<std::size_t>(face)].attributes;
+    for (std::size_t i = 0; i < growing.fields.size(); ++i)
+        if (!growing.fields[i].empty())
+            own[i] = growing.fields[i].value(values_, random_);
+    if (!std::ranges::all_of(own, [](double value) { return std::isfinite(value); }))
+        return fail_at(rule.place,
+                       fmt::format("an attribute of a face {} is not a finite number", rule.face));
+    faces_[static_cast<std::size_t>(face)].attributes = own;
+    return grow_children(growing.children, face);
+}
+
+Result<void> Leaf::grow_children(std::vector<Child> const& children, FaceId bearer)
+{
+    for (auto const& child : children) {
+        auto const& face = faces_[static_cast<std::size_t>(bearer)];
+        if (!face.is_part && !has_edge(face.edge_count, child.edge))
+            return fail_at(
+                child.edge_place,
+                fmt::format("a face {} of {} edges has no such edge", face.name, face.edge_count));
+        auto const on = free_edge(bearer, child.edge);
+        if (!on)
+            continue;
+        auto const made = TRY(make_face(child.face, child.fields, on, child.place));
+        TRY(grow_children(child.children, made));
+    }
+    return {};
+}
+
+Result<void> Leaf::derive()
+{
+    remove_limb();
+    values_[NameTable::kStep] = ++step_;
+    auto const standing = static_cast<FaceId>(faces_.size());
+    for (FaceId face = 0; face < standing; ++face)
+        for (auto const& rule : grammar_->rules) {
+            if (rule.face != faces_[static_cast<std::size_t>(face)].name
+                || std::holds_alternative<Gluing>(rule.kind))
+                continue;
+            auto const* const growing = std::get_if<Growing>(&rule.kind);
+            auto const edges
+                = static_cast<std::size_t>(faces_[static_cast<std::size_t>(face)].edge_count);
+            TRY(spend(values_.size() + edges * (growing ? growing->children.size() : 1)));
+            if (growing && std::ranges::none_of(growing->children, [&](Child const& child) {
+                    return free_edge(face, child.edge).has_value();
+                }))
+                continue;
+            if (TRY(apply(rule, face)))
+                break;
+        }
+    return glue();
+}
+
+std::map<char, std::size_t> Leaf::face_counts() const
+{
+    std::map<char, std::size_t> counts;
+    for (auto const& face : faces_)
+        ++counts[face.name];
+    return counts;
+}
+
+std::size_t Leaf::free_extremities() const
+{
+    auto const border = map_.border(border_start());
+    return static_cast<std::size_t>(std::ranges::count_if(
+        border, [&](Dart d) { return map_.label(d) == EdgeLabel::Extremity; }));
+}
+
+} // namespace tractus::leaf

@@ -1,0 +1,121 @@
+#pragma once
+
+#include "engine/base/random.h"
+#include "engine/base/result.h"
+#include "engine/methods/leaves/leaf_grammar.h"
+#include "engine/methods/leaves/leaf_map.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tractus::leaf {
+
+// What a grammar derives to: a leaf's veins as a 2-G-map of faces, and its limb between them.
+//
+// The frame of the first face is x along it, y to its left and z out of its upper side; the middle
+// of its edge O is the origin. Lengths are the grammar's.
+class Leaf {
+public:
+    struct Options {
+        int final_step = 0; // What the grammar reads as `finalstep`.
+        double age = 1;     // And as `age`, 0 to 1.
+        std::uint64_t seed = 1;
+    };
+
+    // More faces than that are refused.
+    static constexpr std::size_t kMostFaces = 100'000;
+
+    // Step 0: the axiom's face. `grammar` must outlive this. Fails, as the user's fault, where an
+    // attribute is out of its range; the text is the grammar's file and line.
+    static Result<Leaf> begin(Grammar const& grammar, Options const& options);
+
+    // One step: each face that stands takes the first rule that fits, in the order in which they
+    // were made; then edges are glued. Takes the limb away first. Fails like begin(), and where the
+    // leaf grows beyond all measure.
+    Result<void> derive();
+
+    // Fills the limb between the veins: a face between each free extremity and the next. Where the
+    // way between them bulges out it is filled in parts.
+    Result<void> fill();
+
+    int step() const { return step_; }
+    LeafMap const& map() const { return map_; }
+    // Of the veins, by their letters' faces.
+    std::map<char, std::size_t> face_counts() const;
+    // Edges E on the border: vein tips, from which more may grow.
+    std::size_t free_extremities() const;
+    double variable(std::size_t name) const { return values_[name]; }
+
+    struct Limb {
+        std::vector<int> sizes; // Edges of each face, in order of size.
+        int cuts = 0;           // Ways that were filled in parts, once for each cut.
+    };
+    Limb const& limb() const { return limb_; }
+
+private:
+    struct Frame {
+        Vec3 x = Vec3::UnitX();
+        Vec3 y = Vec3::UnitY();
+        Vec3 z = Vec3::UnitZ();
+
+        void turn(double alpha_deg, double beta_deg, double gamma_deg);
+    };
+    struct Face {
+        char name = 'A';
+        Attributes attributes {};
+        Frame frame;
+        Dart first = 0;       // Starts an edge; of one that was not split, its O.
+        int edge_count = 0;   // As made: neighbours that are split may add to its edges.
+        bool is_part = false; // Of one that was split: it may lack edges.
+    };
+    // A child's place on its bearer: the way across the edge's end.
+    struct Stand {
+        Frame frame;
+        Vec3 left = Vec3::Zero();  // Of the edge O: where it starts,
+        Vec3 right = Vec3::Zero(); // and ends.
+    };
+
+    Leaf(Grammar const& grammar, Options const& options);
+
+    tl::unexpected<Error> fail_at(TextPlace const& place, std::string const& what) const;
+    Result<Attributes> attributes_of(char face, Fields const& fields, TextPlace const& place);
+    Stand stand_on(Dart edge) const;
+    Result<FaceId> make_face(char name, Fields const& fields, std::optional<Dart> on,
+                             TextPlace const& place);
+    std::vector<Vec3> corners_of(Attributes const& attributes, Stand const& stand) const;
+    std::optional<Dart> free_edge(FaceId face, EdgeLabel label) const;
+    Result<bool> apply(Rule const& rule, FaceId face);
+    void run(std::vector<Statement> const& block);
+    Result<void> grow(Rule const& rule, Growing const& growing, FaceId face);
+    Result<void> grow_children(std::vector<Child> const& children, FaceId bearer);
+    std::optional<EdgeLabel> opposite(FaceId face, EdgeLabel label) const;
+    Dart end_of_first_half(std::vector<Dart> const& chain);
+    Result<bool> split(Splitting const& splitting, FaceId face, TextPlace const& place);
+    Dart border_start() const;
+    Result<void> glue();
+    bool glue_one(Gluing const& gluing);
+    Result<void> spend(std::size_t work);
+    Result<void> fill_way(std::vector<Dart> const& way);
+    void add_limb_face(std::span<Dart const> way);
+    void remove_limb();
+
+    Grammar const* grammar_;
+    LeafMap map_;
+    std::vector<Face> faces_;
+    std::vector<double> values_; // By the names' numbers; no number where nothing has given one.
+    // Variables that a face's attributes of the same names hide while a rule is at work.
+    std::map<std::size_t, double> hidden_;
+    Random random_;
+    int step_ = 0;
+    std::size_t work_ = 0;                  // So far, in darts looked at.
+    std::optional<std::size_t> limb_begin_; // The first of its darts, if it is filled.
+    FaceId limb_faces_ = 0;
+    Limb limb_;
+};
+
+} // namespace tractus::leaf

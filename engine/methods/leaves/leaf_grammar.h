@@ -1,0 +1,107 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/methods/leaves/leaf_expression.h"
+#include "engine/methods/leaves/leaf_map.h"
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace tractus::leaf {
+
+// Where something stands in a grammar's text; both count from 1.
+struct TextPlace {
+    int line = 1;
+    int column = 1;
+};
+
+// A face's attributes in the text's order: number of edges, translation coefficient, rotations
+// about the face's x, y and z (degrees), length and width.
+constexpr std::size_t kAttributes = 7;
+using Attributes = std::array<double, kAttributes>;
+constexpr std::size_t kEdgeCount = 0;
+
+// What overloads attributes; empty expressions leave them as they are. May be fewer than all.
+using Fields = std::vector<Expression>;
+
+struct Statement {
+    std::size_t name = 0;
+    Expression value;
+};
+
+// "[B(,,,,,2,)]E": a face, what overloads its attributes, what grows on it in turn, and the edge
+// of its bearer on which it grows.
+struct Child {
+    char face = 'A';
+    Fields fields;
+    std::vector<Child> children;
+    EdgeLabel edge = EdgeLabel::Extremity;
+    TextPlace place;
+    TextPlace edge_place;
+};
+
+struct Growing {
+    Fields fields; // Of the face that bears.
+    std::vector<Child> children;
+};
+
+// "OBC": parallel to the edge O, into B, which has it, and C.
+struct Splitting {
+    EdgeLabel edge = EdgeLabel::Origin;
+    char near = 'A';
+    char far = 'A';
+};
+
+// An edge of a kind of face: "B_C2".
+struct FaceEdge {
+    char face = 'A';
+    EdgeLabel edge = EdgeLabel::Origin;
+
+    bool operator==(FaceEdge const&) const = default;
+};
+
+struct Gluing {
+    FaceEdge first;
+    FaceEdge second;
+};
+
+struct Rule {
+    std::string name;
+    TextPlace place;
+    char face = 'A';
+    // The names of the face's own attributes, as the text numbers them; no value for one without.
+    std::vector<std::optional<std::size_t>> formal;
+    std::vector<Statement> always;
+    Expression condition; // Empty: always met.
+    std::vector<Statement> if_met;
+    std::variant<Growing, Splitting, Gluing> kind;
+};
+
+// A leaf grammar (Peyrat, Terraz, Mérillou, Galin, "Generating vast varieties of realistic leaves
+// with parametric 2Gmap L-systems", The Visual Computer 24, 2008).
+struct Grammar {
+    std::string name; // For messages: the file's.
+    std::map<char, Attributes> faces;
+    NameTable names;
+    std::map<std::size_t, double> variables; // With their values at the beginning.
+    char axiom = 'A';
+    Fields axiom_fields;
+    std::vector<Rule> rules;
+    // The limb reaches the stalk: #base.
+    bool has_base = false;
+    // Faces whose edges no limb is fastened to: #bare.
+    std::set<char> bare;
+};
+
+// Fails, as the user's fault, with file, line and column and one sentence. Any text is safe to
+// give.
+Result<Grammar> parse_grammar(std::string_view text, std::string const& name);
+
+} // namespace tractus::leaf

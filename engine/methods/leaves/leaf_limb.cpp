@@ -1,0 +1,100 @@
+// The limb between the veins.
+#include "engine/methods/leaves/leaf.h"
+
+#include <algorithm>
+
+namespace tractus::leaf {
+
+void Leaf::remove_limb()
+{
+    if (limb_begin_)
+        map_.truncate(*limb_begin_);
+    limb_begin_.reset();
+    limb_faces_ = 0;
+    limb_ = {};
+}
+
+Result<void> Leaf::fill()
+{
+    remove_limb();
+    limb_begin_ = map_.dart_count();
+    auto const border = map_.border(border_start());
+    auto const at = [&](std::size_t i) { return border.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::vector<std::size_t> tips;
+    for (std::size_t i = 0; i < border.size(); ++i)
+        if (map_.label(border[i]) == EdgeLabel::Extremity)
+            tips.push_back(i);
+    if (grammar_->has_base && !tips.empty()) { // The stalk's end counts as a tip on both sides.
+        tips.insert(tips.begin(), 0);
+        tips.push_back(border.size());
+    }
+    auto const is_bare = [&](Dart d) {
+        return grammar_->bare.contains(faces_[static_cast<std::size_t>(map_.face(d))].name);
+    };
+    for (std::size_t i = 0; i + 1 < tips.size(); ++i) {
+        std::vector<Dart> const way(at(tips[i] + 1), at(tips[i + 1]));
+        auto const first_bare = std::ranges::find_if(way, is_bare);
+        if (first_bare == way.end()) {
+            TRY(fill_way(way));
+        } else if (grammar_->has_base) { // Each leaflet has a limb of its own.
+            auto const behind_last = std::find_if(way.rbegin(), way.rend(), is_bare).base();
+            TRY(fill_way({ way.begin(), first_bare }));
+            TRY(fill_way({ behind_last, way.end() }));
+        }
+    }
+    std::ranges::sort(limb_.sizes);
+    return {};
+}
+
+// Where the way bulges out of the chord between its ends, it is parted at the vertex farthest out.
+Result<void> Leaf::fill_way(std::vector<Dart> const& way)
+{
+    constexpr double kInside = -1e-9;
+    std::vector<std::span<Dart const>> pending { way };
+    while (!pending.empty()) {
+        auto const part = pending.back();
+        pending.pop_back();
+        if (part.size() < 2)
+            continue;
+        TRY(spend(part.size()));
+        Vec3 const from = map_.position_of(part.front());
+        Vec3 const chord = map_.position_of(LeafMap::a0(part.back())) - from;
+        std::size_t worst = 0;
+        double worst_side = 0;
+        for (std::size_t i = 1; i < part.size(); ++i) {
+            Vec3 const corner = map_.position_of(part[i]) - from;
+            double const side = chord.x() * corner.y() - chord.y() * corner.x();
+            if (worst == 0 || side < worst_side) {
+                worst = i;
+                worst_side = side;
+            }
+        }
+        if (worst_side < kInside) {
+            ++limb_.cuts;
+            pending.push_back(part.subspan(worst));
+            pending.push_back(part.first(worst));
+            continue;
+        }
+        add_limb_face(part);
+    }
+    return {};
+}
+
+void Leaf::add_limb_face(std::span<Dart const> way)
+{
+    std::vector<Vertex> corners { map_.vertex(way.front()), map_.vertex(LeafMap::a0(way.back())) };
+    std::vector<EdgeLabel> labels { EdgeLabel::LimbEnd };
+    for (std::size_t i = way.size(); i-- > 0;) {
+        labels.push_back(EdgeLabel::LimbSide);
+        if (i > 0)
+            corners.push_back(map_.vertex(way[i]));
+    }
+    auto const face = static_cast<FaceId>(faces_.size()) + limb_faces_++;
+    auto const first = map_.add_face(corners, face, labels);
+    for (std::size_t i = 0; i < way.size(); ++i)
+        map_.sew_in_place(first + static_cast<Dart>(2 * (i + 1)),
+                          LeafMap::a0(way[way.size() - 1 - i]));
+    limb_.sizes.push_back(static_cast<int>(labels.size()));
+}
+
+} // namespace tractus::leaf

@@ -1,0 +1,156 @@
+// Splitting faces and gluing edges.
+#include "engine/methods/leaves/leaf.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tractus::leaf {
+
+// The label of the near part's new edge: E for O, O for E, else that half way round the face. No
+// value where the face cannot be split so: it has fewer than four sides, or none straight across.
+std::optional<EdgeLabel> Leaf::opposite(FaceId face, EdgeLabel label) const
+{
+    std::vector<EdgeLabel> sides;
+    for (auto const d : map_.cycle(faces_[static_cast<std::size_t>(face)].first))
+        if (sides.empty() || sides.back() != map_.label(d))
+            sides.push_back(map_.label(d));
+    if (sides.size() > 1 && sides.front() == sides.back())
+        sides.pop_back();
+    auto const found = std::ranges::find(sides, label);
+    if (sides.size() < 4 || found == sides.end())
+        return std::nullopt;
+    if (label == EdgeLabel::Origin)
+        return EdgeLabel::Extremity;
+    if (label == EdgeLabel::Extremity)
+        return EdgeLabel::Origin;
+    if (sides.size() % 2 == 1)
+        return std::nullopt;
+    auto const at = static_cast<std::size_t>(found - sides.begin());
+    return sides[(at + sides.size() / 2) % sides.size()];
+}
+
+// The dart that ends the first half of a side, a chain of edges. A vertex near its middle serves,
+// so that neighbours which are split alike share it.
+Dart Leaf::end_of_first_half(std::vector<Dart> const& chain)
+{
+    constexpr double kNear = 0.05; // Of the side's length.
+    std::vector<double> lengths;
+    double whole = 0;
+    for (auto const d : chain) {
+        lengths.push_back((map_.position_of(LeafMap::a0(d)) - map_.position_of(d)).norm());
+        whole += lengths.back();
+    }
+    double const half = whole / 2;
+    double done = 0;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+        auto const d = chain[i];
+        if (std::abs(done + lengths[i] - half) <= kNear * whole && i + 1 < chain.size())
+            return LeafMap::a0(d);
+        if (done + lengths[i] > half) {
+            auto const start = LeafMap::a0(map_.a2(d)); // Of the edge on the other side.
+            bool const is_sewn = !map_.is_free(d);
+            auto const end = map_.insert_vertex(d, (half - done) / lengths[i]);
+            auto& other = faces_[static_cast<std::size_t>(map_.face(start))];
+            if (is_sewn && other.first == start) // It goes on beginning where it did.
+                other.first = LeafMap::a0(map_.a1(start));
+            return end;
+        }
+        done += lengths[i];
+    }
+    return LeafMap::a0(chain.front());
+}
+
+// Whether the face could be split. The sides before and behind the edge are cut at half their
+// length and a new edge joins the cuts.
+Result<bool> Leaf::split(Splitting const& splitting, FaceId face, TextPlace const& place)
+{
+    auto const near_label = opposite(face, splitting.edge);
+    if (!near_label)
+        return false;
+    if (faces_.size() >= kMostFaces)
+        return fail_at(place, "the leaf would have too many faces");
+    auto ring = map_.cycle(faces_[static_cast<std::size_t>(face)].first);
+    TRY(spend(ring.size()));
+    auto const label_of = [&](Dart d) { return map_.label(d); };
+    std::ranges::rotate(ring, std::ranges::find(ring, splitting.edge, label_of));
+    auto const own = std::ranges::count(ring, splitting.edge, label_of);
+    std::vector<Dart> const others(ring.begin() + own, ring.end());
+    auto const last_of_next = std::ranges::find_if(
+        others, [&](Dart d) { return label_of(d) != label_of(others.front()); });
+    std::vector<Dart> const next(others.begin(), last_of_next);
+    auto const before_previous = std::find_if(others.rbegin(), others.rend(), [&](Dart d) {
+        return label_of(d) != label_of(others.back());
+    });
+    std::vector<Dart> const previous(before_previous.base(), others.end());
+    if (next == previous)
+        return false;
+    auto const next_cut = end_of_first_half(next);
+    auto const previous_cut = end_of_first_half(previous);
+    auto const far = static_cast<FaceId>(faces_.size());
+    auto const far_first
+        = map_.insert_edge(next_cut, previous_cut, far, *near_label, splitting.edge);
+    auto& near = faces_[static_cast<std::size_t>(face)];
+    auto const frame = near.frame;
+    near = { .name = splitting.near,
+             .attributes = grammar_->faces.at(splitting.near),
+             .frame = frame,
+             .first = ring.front(),
+             .edge_count = near.edge_count,
+             .is_part = true };
+    faces_.push_back({ .name = splitting.far,
+                       .attributes = grammar_->faces.at(splitting.far),
+                       .frame = frame,
+                       .first = far_first,
+                       .is_part = true });
+    return true;
+}
+
+// The axiom's O; where something has grown on it, the first edge of the border that was made.
+Dart Leaf::border_start() const
+{
+    for (auto const d : map_.cycle(faces_.front().first))
+        if (map_.label(d) == EdgeLabel::Origin && map_.is_free(d))
+            return d;
+    Dart d = 0;
+    while (!map_.is_free(d))
+        d += 2;
+    return d;
+}
+
+// One pair of edges that follow each other on the border, the first from the axiom's O on.
+bool Leaf::glue_one(Gluing const& gluing)
+{
+    auto const border = map_.border(border_start());
+    if (border.size() < 4)
+        return false;
+    auto const face_edge = [&](Dart d) {
+        return FaceEdge { faces_[static_cast<std::size_t>(map_.face(d))].name, map_.label(d) };
+    };
+    for (std::size_t i = 0; i < border.size(); ++i) {
+        auto const d = border[i];
+        auto const e = border[(i + 1) % border.size()];
+        auto const first = face_edge(d);
+        auto const second = face_edge(e);
+        bool const is_wanted = (first == gluing.first && second == gluing.second)
+            || (second == gluing.first && first == gluing.second);
+        if (!is_wanted || map_.face(d) == map_.face(e))
+            continue;
+        map_.sew(LeafMap::a0(d), e);
+        return true;
+    }
+    return false;
+}
+
+// Each rule in turn, until none fits.
+Result<void> Leaf::glue()
+{
+    for (bool is_any = true; std::exchange(is_any, false);)
+        for (auto const& rule : grammar_->rules)
+            if (auto const* const gluing = std::get_if<Gluing>(&rule.kind)) {
+                TRY(spend(map_.dart_count()));
+                is_any |= glue_one(*gluing);
+            }
+    return {};
+}
+
+} // namespace tractus::leaf
