@@ -55,7 +55,7 @@ public:
     Result<void> decode(Timestamp received, std::span<std::byte const> report,
                         std::vector<PenSample>& out) override;
     std::optional<Duration> silence_limit() const override { return pen_.silence_limit(); }
-    std::optional<PenSample> leave(Timestamp time) override { return pen_.leave(time); }
+    std::optional<PenSample> leave(Timestamp time) override;
 
 private:
     PenFamily family_;
@@ -63,8 +63,8 @@ private:
     PenScale scale_;
     FamilyState format_;
     PenState pen_;
-    std::vector<PenFields> frames_;        // Of the newest report.
-    std::optional<Timestamp> last_report_; // Of the pen's.
+    std::vector<PenFields> frames_;      // Of the newest report.
+    std::optional<Timestamp> last_time_; // Of the pen's newest report, or when it left after that.
 };
 
 Result<void> FamilyDecoder::decode(Timestamp received, std::span<std::byte const> report,
@@ -80,13 +80,20 @@ Result<void> FamilyDecoder::decode(Timestamp received, std::span<std::byte const
         return {};
     auto age = static_cast<Duration::rep>(frames_.size());
     auto interval = family_.frame_interval;
-    if (last_report_)
-        interval = std::clamp((received - *last_report_) / age, Duration(0), interval);
-    last_report_ = received;
+    if (last_time_)
+        interval = std::clamp((received - *last_time_) / age, Duration(0), interval);
+    last_time_ = received;
     for (auto const& fields : frames_)
         if (auto const sample = pen_.push(received - --age * interval, fields, scale_))
             out.push_back(*sample);
     return {};
+}
+
+// States that come later in one report are not dated back to before the pen left.
+std::optional<PenSample> FamilyDecoder::leave(Timestamp time)
+{
+    last_time_ = last_time_ ? std::max(*last_time_, time) : time;
+    return pen_.leave(time);
 }
 
 } // namespace

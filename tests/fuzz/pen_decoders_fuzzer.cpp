@@ -47,7 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     auto rest = std::as_bytes(std::span(data, size)).subspan(1);
     Watch watch;
     PenSilence silence;
-    Timestamp time {};
+    Timestamp time { std::chrono::seconds(1) }; // A report's first states are older than it.
     while (!rest.empty()) {
         auto const header = std::to_integer<unsigned>(rest[0]);
         auto const length = std::min<std::size_t>(header & 0x7F, rest.size() - 1);

@@ -35,6 +35,8 @@ public:
         return decode_one(*decoder_, {}, bytes(text)).value();
     }
 
+    std::optional<PenSample> leave(Timestamp time) { return decoder_->leave(time); }
+
     // Of a report that must give one.
     PenSample sample(std::string const& text)
     {
@@ -343,6 +345,20 @@ TEST(Wacom, FramesOverBluetoothLieBetweenTheirReports)
     EXPECT_EQ(times,
               (std::vector<Duration> { 90ms, 95ms, 100ms, 103ms, 106ms, 109ms, 112ms, 295ms, 300ms,
                                        300ms, 300ms, 290ms, 395ms, 400ms }));
+}
+
+TEST(Wacom, FramesOverBluetoothAreNotOlderThanThePensLeaving)
+{
+    using namespace std::chrono_literals;
+    std::string const frame = "e1 64 00 c8 00 ff 0f 05 fb 00 00 00 00 08";
+    Tablet tablet("wacom-intuos-pro-bluetooth", 8191);
+    tablet.report_at(Timestamp(100ms), bluetooth_report({ frame }, 99));
+    ASSERT_TRUE(tablet.leave(Timestamp(250ms)));
+    auto const back
+        = tablet.report_at(Timestamp(256ms), bluetooth_report({ frame, frame, frame }, 99));
+    ASSERT_EQ(back.size(), 3U);
+    EXPECT_EQ(back[0].time, Timestamp(252ms));
+    EXPECT_EQ(back[2].time, Timestamp(256ms));
 }
 
 TEST(Wacom, GraphireReadsItsPenOverBluetooth)
