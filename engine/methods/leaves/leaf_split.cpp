@@ -72,7 +72,7 @@ Result<bool> Leaf::split(Splitting const& splitting, FaceId face, TextPlace cons
     auto ring = map_.cycle(faces_[static_cast<std::size_t>(face)].first);
     TRY(spend(ring.size()));
     auto const label_of = [&](Dart d) { return map_.label(d); };
-    std::ranges::rotate(ring, std::ranges::find(ring, splitting.edge, label_of));
+    std::rotate(ring.begin(), std::ranges::find(ring, splitting.edge, label_of), ring.end());
     auto const own = std::ranges::count(ring, splitting.edge, label_of);
     std::vector<Dart> const others(ring.begin() + own, ring.end());
     auto const last_of_next = std::ranges::find_if(
