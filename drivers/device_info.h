@@ -1,8 +1,11 @@
 #pragma once
 
+#include "engine/base/vectors.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +42,10 @@ struct DeviceInfo {
     // USB string descriptors that were read at opening, since what the reports mean depends on
     // them: index → text in UTF-8. A log keeps them, so that it decodes as the live device did.
     std::map<int, std::string> strings {};
+
+    // A tablet's active area in millimetres, X then Y, where the kernel's driver for it knows it
+    // (drivers/input_size.h). For what neither its descriptor nor our table tells.
+    std::optional<Vec2> size_mm {};
 
     // What went wrong at opening and does not keep the device from working after a fashion: each is
     // one sentence for the user. Not in a log.

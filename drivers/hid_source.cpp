@@ -4,6 +4,7 @@
 #include "drivers/hid_back_end.h"
 #include "drivers/hid_link.h"
 #include "drivers/hid_sysfs.h"
+#include "drivers/input_size.h"
 
 #include <algorithm>
 #include <charconv>
@@ -82,6 +83,7 @@ DeviceInfo describe(fs::path const& folder)
         auto const bytes = std::as_bytes(std::span(*descriptor));
         info.report_descriptor.assign(bytes.begin(), bytes.end());
     }
+    info.size_mm = size_known_to_udev(folder);
     return info;
 }
 

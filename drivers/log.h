@@ -24,8 +24,9 @@ namespace tractus {
 //   N: Wacom CTL-472              its name
 //   P: usb-0000:00:14.0-1/input0  the kernel's path to it
 //   I: 3 056a 037a                bus, vendor and product id, hexadecimal
-//   M: Wacom Co.,Ltd.             its manufacturer (ours, as are the next two)
+//   M: Wacom Co.,Ltd.             its manufacturer (ours, as are the next three)
 //   U: 8JQ01                      its serial number
+//   A: 203 127                    its active area in mm, as the kernel's driver knows it (ours)
 //   S: 201 HUION_T153_130524      one of its USB string descriptors: index, text
 //   E: 000001.250000 3 02 80 10   a report: seconds since the start, its length, then its bytes
 //   G: 000002.500000              the device went away: seconds (ours)

@@ -133,7 +133,7 @@ Result<void> LogText::read_line(std::string_view line)
 // What stays in memory, however large the log is.
 Result<void> LogText::read_described_line(char kind, std::string_view content)
 {
-    if (std::string_view("RDNPMUSITC").find(kind) == std::string_view::npos)
+    if (std::string_view("RDNPMUASITC").find(kind) == std::string_view::npos)
         return {};
     if (kind != 'D' && kind != 'I') // These two only say which.
         described_bytes_ += content.size() + sizeof(LogTool);
@@ -159,6 +159,9 @@ Result<void> LogText::read_described_line(char kind, std::string_view content)
         break;
     case 'U':
         device().serial_number = LogLine(content).unescaped_rest();
+        break;
+    case 'A':
+        read_size(content);
         break;
     case 'S':
         read_string(content);
@@ -315,6 +318,23 @@ void LogText::read_ids(std::string_view content)
     info.bus = bus;
     info.vendor_id = vendor;
     info.product_id = product;
+}
+
+void LogText::read_size(std::string_view content)
+{
+    constexpr int kLeastMm = 20;
+    constexpr int kMostMm = 2000;
+    LogLine cursor(content);
+    int width_mm = 0;
+    int height_mm = 0;
+    bool const has_both = cursor.integer(width_mm, 10) && cursor.integer(height_mm, 10);
+    if (!is_whole_)
+        warn("the last line is cut off: a tablet's size is dropped");
+    else if (!has_both || std::min(width_mm, height_mm) < kLeastMm
+             || std::max(width_mm, height_mm) > kMostMm)
+        warn("not a tablet's size (\"A: <width> <height>\", 20 to 2000 mm): skipped");
+    else
+        device().size_mm = Vec2(width_mm, height_mm);
 }
 
 void LogText::read_string(std::string_view content)

@@ -79,6 +79,7 @@ private:
     Result<void> read_descriptor(std::string_view content);
     void read_device_number(std::string_view content);
     void read_ids(std::string_view content);
+    void read_size(std::string_view content);
     void read_string(std::string_view content);
     void read_tool(std::string_view content);
     void read_rig_line(std::string_view content);

@@ -63,6 +63,8 @@ void LogWriter::append_device(std::size_t index, DeviceInfo const& info)
         fmt::format_to(out, "M: {}\n", escaped(info.manufacturer));
     if (!info.serial_number.empty())
         fmt::format_to(out, "U: {}\n", escaped(info.serial_number));
+    if (info.size_mm)
+        fmt::format_to(out, "A: {} {}\n", info.size_mm->x(), info.size_mm->y());
     for (auto const& [number, text] : info.strings)
         fmt::format_to(out, "S: {} {}\n", number, escaped(text));
 }

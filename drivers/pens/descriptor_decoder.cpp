@@ -227,8 +227,8 @@ Result<std::unique_ptr<PenDecoder>> make_descriptor_decoder(DeviceInfo const& in
     for (auto& layout : layouts) {
         if (width_to_height && layout.has_square_counts())
             layout.take_proportions(*width_to_height);
-        if (size_mm)
-            layout.take_known_size(*size_mm);
+        if (auto const& known_mm = size_mm ? size_mm : info.size_mm)
+            layout.take_known_size(*known_mm);
     }
     auto const habits = known_habits(info.vendor_id, info.product_id, buttons_of(layouts));
     return std::make_unique<HidPenDecoder>(*descriptor, layouts, habits);

@@ -11,8 +11,9 @@
 namespace tractus {
 
 // Decodes what the device's report descriptor describes (PenLayout). `size_mm` is the active area
-// as it is known from elsewhere, and is believed where the descriptor tells none that makes sense;
-// `width_to_height` are its proportions where no more is known.
+// as our table knows it; it, or else the size that the kernel knows, is believed where the
+// descriptor tells none that makes sense; `width_to_height` are its proportions where no more is
+// known.
 //
 // Fails, as the user's fault, with the reason if the device is no pen or sends reports of its
 // maker's own making, and as the device's fault if its descriptor is broken.

@@ -149,6 +149,10 @@ TabletShape tablet_shape(DeviceInfo const& info, TabletMatch const& match)
             shape.y_maximum = told->y_maximum;
             shape.pressure_maximum = told->pressure_maximum;
         }
+    if (shape.is_size_assumed && info.size_mm) {
+        shape.size_mm = *info.size_mm;
+        shape.is_size_assumed = match.identifier->is_any_product; // Its counts may be others.
+    }
     return shape;
 }
 

@@ -418,6 +418,7 @@ TEST(LogWriter, KeepsWhatADecoderIsChosenBy)
     info.physical_path = "usb-0000:00:14.0-2/input1";
     info.manufacturer = "Maker \\ Sons";
     info.serial_number = " 8JQ\n01 ";
+    info.size_mm = Vec2(203, 127);
     info.strings = { { 200, std::string("\x01\0\xc3\xa9", 4) }, { 201, "HUION_T153_130524" } };
     std::ostringstream out;
     LogWriter writer(out, { .devices = { info, simple_pen() } });
@@ -426,10 +427,24 @@ TEST(LogWriter, KeepsWhatADecoderIsChosenBy)
     EXPECT_EQ(log.devices[0].manufacturer, info.manufacturer);
     EXPECT_EQ(log.devices[0].serial_number, info.serial_number);
     EXPECT_EQ(log.devices[0].strings, info.strings);
+    EXPECT_EQ(log.devices[0].size_mm, info.size_mm);
+    EXPECT_FALSE(log.devices[1].size_mm);
     EXPECT_EQ(log.devices[0].interface_number, 1);
     EXPECT_TRUE(log.devices[1].strings.empty());
     EXPECT_EQ(log.warning_count, 0u);
     EXPECT_NE(out.str().find("\nS: 201 HUION_T153_130524\n"), std::string::npos);
+}
+
+TEST(ParseLog, SkipsWhatIsNoTabletsSize)
+{
+    for (auto const* const size : { "", "203", "203 x", "0 127", "203 999999999999", "-5 127" }) {
+        auto const log
+            = parsed(std::string("R: 2 05 0d\nA: ") + size + "\nE: 000000.000000 1 07\n");
+        ASSERT_EQ(log.devices.size(), 1u);
+        EXPECT_FALSE(log.devices[0].size_mm) << size;
+        EXPECT_EQ(log.warning_count, 1u) << size;
+        EXPECT_EQ(log.record_count(), 1u);
+    }
 }
 
 TEST(LogWriter, KeepsThatADeviceWentAway)

@@ -226,6 +226,20 @@ TEST(DescriptorDecoder, BelievesAKnownSizeWhereTheDescriptorTellsNone)
     EXPECT_EQ(declared->traits().size_mm, Vec2(200, 100));
 }
 
+TEST(DescriptorDecoder, BelievesTheKernelsSizeAfterTheTables)
+{
+    auto info = pen_with_bits(0x256c, 0x006d, kTipBarrelEraserInvertRange);
+    info.size_mm = Vec2(203, 127);
+    auto const kernels = make_descriptor_decoder(info).value();
+    EXPECT_FALSE(kernels->traits().is_size_assumed);
+    EXPECT_EQ(kernels->traits().size_mm, Vec2(203, 127));
+    auto const tables = make_descriptor_decoder(info, Vec2(254, 127)).value();
+    EXPECT_EQ(tables->traits().size_mm, Vec2(254, 127));
+    auto declared = simple_pen();
+    declared.size_mm = Vec2(203, 127);
+    EXPECT_EQ(make_descriptor_decoder(declared).value()->traits().size_mm, Vec2(200, 100));
+}
+
 TEST(DescriptorDecoder, AMousesSilenceEndsThePresenceThatItCannotEnd)
 {
     // It has pen reports, too, which can.
