@@ -47,7 +47,7 @@ TipSample Fuser::tip(PenSample const& pen, HeightTrack::Estimate const& height) 
         .pressure = pressure(pen),
         .touching = pen.touching,
         .eraser = pen.eraser,
-        .height = height.kind,
+        .height_source = height.kind,
         .outside_calibration = !is_calibrated(height.height_mm),
     };
 }
@@ -58,7 +58,7 @@ std::optional<HeightTrack::Estimate> Fuser::height_at(PenSample const& pen) cons
         return heights_.at(instant(pen), rig_.max_height_age);
     double const height = height_mm(scripted_->scenario, pen.time - scripted_->first_pen,
                                     scripted_->last_pen - scripted_->first_pen);
-    return HeightTrack::Estimate { height, TipSample::Height::Interpolated };
+    return HeightTrack::Estimate { height, TipSample::HeightSource::Interpolated };
 }
 
 bool Fuser::is_calibrated(double height_mm) const
@@ -116,7 +116,7 @@ std::optional<TipSample> Fuser::push(PenSample const& reported)
     }
     auto live = tip(pen, *height);
     if (!has_all_readings(pen))
-        live.height = TipSample::Height::Extrapolated;
+        live.height_source = TipSample::HeightSource::Extrapolated;
     lift_after_gap(live, gap_before_live_);
     return live;
 }

@@ -89,20 +89,20 @@ std::optional<HeightTrack::Estimate> HeightTrack::at(Timestamp time, Duration ma
 
     if (has_after && (has_before || after->time == time)) {
         if (auto const height = fit(time, time))
-            return Estimate { *height, TipSample::Height::Interpolated };
+            return Estimate { *height, TipSample::HeightSource::Interpolated };
         if (!has_before)
-            return Estimate { after->height_mm, TipSample::Height::Interpolated };
+            return Estimate { after->height_mm, TipSample::HeightSource::Interpolated };
         auto const before = std::prev(after);
         double const part
             = to_seconds(time - before->time) / to_seconds(after->time - before->time);
         return Estimate { before->height_mm + part * (after->height_mm - before->height_mm),
-                          TipSample::Height::Interpolated };
+                          TipSample::HeightSource::Interpolated };
     }
     if (!has_before && !has_after)
         return std::nullopt;
     auto const nearest = has_before ? std::prev(after) : after;
     return Estimate { fit(nearest->time, time).value_or(nearest->height_mm),
-                      TipSample::Height::Extrapolated };
+                      TipSample::HeightSource::Extrapolated };
 }
 
 } // namespace tractus

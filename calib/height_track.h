@@ -41,7 +41,7 @@ public:
 
     struct Estimate {
         double height_mm = 0;
-        TipSample::Height kind = TipSample::Height::Interpolated;
+        TipSample::HeightSource kind = TipSample::HeightSource::Interpolated;
     };
 
     // The height at `time`: interpolated where readings lie at most `max_age` before and after it,

@@ -34,7 +34,7 @@ HeightTrack height_track(std::span<HeightSample const> heights, Rig const& rig)
 std::optional<double> height_between(HeightTrack const& track, Timestamp time)
 {
     auto const estimate = track.at(time, kLongestGap);
-    if (!estimate || estimate->kind != TipSample::Height::Interpolated)
+    if (!estimate || estimate->kind != TipSample::HeightSource::Interpolated)
         return std::nullopt;
     return estimate->height_mm;
 }

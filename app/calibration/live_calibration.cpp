@@ -25,14 +25,14 @@ Timestamp time_in_log(Timestamp time, Timestamp start)
 
 class Conversation {
 public:
-    Conversation(CalibrationDesk& desk, LiveDevices& devices, CalibrationPerson const& person,
-                 LiveCalibrationOptions const& options)
-        : desk_(desk)
+    Conversation(CalibrationController& controller, LiveDevices& devices,
+                 CalibrationPerson const& person, LiveCalibrationOptions const& options)
+        : controller_(controller)
         , devices_(devices)
         , person_(person)
         , options_(options)
     {
-        if (!takes_captures(desk.procedure()))
+        if (!takes_captures(controller.procedure()))
             is_moving_ = false;
     }
 
@@ -68,8 +68,8 @@ private:
         for (auto const& report : reports_) {
             if (report.report.size == 0)
                 continue;
-            desk_.push(report.device, time_in_log(report.report.received, options_.start),
-                       report.report.bytes());
+            controller_.push(report.device, time_in_log(report.report.received, options_.start),
+                             report.report.bytes());
             newest_ = report.report.received;
             if (options_.recorder)
                 options_.recorder->write(report);
@@ -80,11 +80,11 @@ private:
     Result<void> hear()
     {
         if (was_capturing_) {
-            if (!desk_.is_capturing())
+            if (!controller_.is_capturing())
                 TRY(tell_capture());
             return {}; // Keys wait until the capture is over.
         }
-        if (takes_captures(desk_.procedure()) && desk_.take_pen_rest() && next_height())
+        if (takes_captures(controller_.procedure()) && controller_.take_pen_rest() && next_height())
             return enter(newest_); // However late we notice it.
         if (auto const key = person_.key())
             return press(*key);
@@ -120,7 +120,7 @@ private:
 
     Result<void> command(Timestamp time, std::string const& words)
     {
-        auto const done = desk_.command(time_in_log(time, options_.start), words);
+        auto const done = controller_.command(time_in_log(time, options_.start), words);
         if (done && options_.recorder)
             options_.recorder->write_tool(time, kCalibrateTool, words);
         if (done || person_.is_script)
@@ -131,7 +131,7 @@ private:
 
     Result<void> enter(Timestamp time)
     {
-        if (!takes_captures(desk_.procedure())) {
+        if (!takes_captures(controller_.procedure())) {
             is_moving_ = !is_moving_;
             TRY(command(time, is_moving_ ? "begin" : "end"));
             is_done_ = !is_moving_;
@@ -144,7 +144,7 @@ private:
             return {}; // An empty line.
         TRY(command(time, "capture " + *height));
         entry_.clear();
-        was_capturing_ = desk_.is_capturing();
+        was_capturing_ = controller_.is_capturing();
         return {};
     }
 
@@ -153,27 +153,27 @@ private:
     {
         if (!entry_.empty())
             return entry_;
-        if (desk_.captures().size() < options_.heights_mm.size())
-            return fmt::format("{}", options_.heights_mm[desk_.captures().size()]);
+        if (controller_.captures().size() < options_.heights_mm.size())
+            return fmt::format("{}", options_.heights_mm[controller_.captures().size()]);
         return std::nullopt;
     }
 
     Result<void> tell_capture()
     {
         was_capturing_ = false;
-        if (!desk_.refusal().empty()) {
+        if (!controller_.refusal().empty()) {
             if (person_.is_script)
-                return fail(Fault::User, desk_.refusal());
-            person_.say(desk_.refusal());
+                return fail(Fault::User, controller_.refusal());
+            person_.say(controller_.refusal());
             return {};
         }
-        auto const& capture = desk_.captures().back();
+        auto const& capture = controller_.captures().back();
         person_.say(fmt::format("  {}. {:g} mm: {:.2f} counts, noise {:.2f}",
-                                desk_.captures().size(), capture.ruler_mm, capture.counts,
+                                controller_.captures().size(), capture.ruler_mm, capture.counts,
                                 capture.noise_counts));
-        bool const is_last
-            = !options_.heights_mm.empty() && desk_.captures().size() >= options_.heights_mm.size();
-        is_done_ = is_last || desk_.procedure() == CalibrationProcedure::Zero;
+        bool const is_last = !options_.heights_mm.empty()
+            && controller_.captures().size() >= options_.heights_mm.size();
+        is_done_ = is_last || controller_.procedure() == CalibrationProcedure::Zero;
         if (!is_done_)
             ask();
         return {};
@@ -181,10 +181,10 @@ private:
 
     Result<void> undo()
     {
-        if (!takes_captures(desk_.procedure()))
+        if (!takes_captures(controller_.procedure()))
             return {};
         TRY(command(options_.now(), "undo"));
-        person_.say(fmt::format("  {} captures are left", desk_.captures().size()));
+        person_.say(fmt::format("  {} captures are left", controller_.captures().size()));
         ask();
         return {};
     }
@@ -193,16 +193,16 @@ private:
     // is all that the devices send.
     Result<void> go_on_alone()
     {
-        if (takes_captures(desk_.procedure()))
+        if (takes_captures(controller_.procedure()))
             return next_height() ? Result<void>() : finish();
         return is_moving_ ? Result<void>() : enter(options_.now());
     }
 
     Result<void> finish()
     {
-        if (!desk_.refusal().empty())
+        if (!controller_.refusal().empty())
             TRY(command(options_.now(), "undo")); // The refused capture is not wanted any more.
-        if (!takes_captures(desk_.procedure()))
+        if (!takes_captures(controller_.procedure()))
             TRY(command(options_.now(), "end"));
         is_done_ = true;
         return {};
@@ -210,7 +210,7 @@ private:
 
     void ask()
     {
-        if (!takes_captures(desk_.procedure()))
+        if (!takes_captures(controller_.procedure()))
             person_.say(is_moving_ ? "Move the surface up and down; Enter when you are done"
                                    : "Hold the pen against the edge, then press Enter");
         else if (auto const height = next_height())
@@ -228,11 +228,12 @@ private:
             return;
         shown_ = now;
         auto const waiting = was_capturing_ ? "capturing …" : entry_.empty() ? "" : entry_ + " mm";
-        person_.show(fmt::format("{}   [Enter, {}f done, q quit] {}", describe_reading(desk_),
-                                 takes_captures(desk_.procedure()) ? "u undo, " : "", waiting));
+        person_.show(fmt::format("{}   [Enter, {}f done, q quit] {}", describe_reading(controller_),
+                                 takes_captures(controller_.procedure()) ? "u undo, " : "",
+                                 waiting));
     }
 
-    CalibrationDesk& desk_;
+    CalibrationController& controller_;
     LiveDevices& devices_;
     CalibrationPerson const& person_;
     LiveCalibrationOptions const& options_;
@@ -248,19 +249,19 @@ private:
 
 } // namespace
 
-Result<bool> calibrate_live(CalibrationDesk& desk, LiveDevices& devices,
+Result<bool> calibrate_live(CalibrationController& controller, LiveDevices& devices,
                             CalibrationPerson const& person, LiveCalibrationOptions const& options,
                             std::atomic<bool> const& stop)
 {
-    return Conversation(desk, devices, person, options).run(stop);
+    return Conversation(controller, devices, person, options).run(stop);
 }
 
-std::string describe_reading(CalibrationDesk const& desk)
+std::string describe_reading(CalibrationController const& controller)
 {
-    auto const reading = desk.reading();
+    auto const reading = controller.reading();
     if (!reading)
         return "no reading yet";
-    auto const volts = sensor_volts(desk.sensor().name, reading->counts);
+    auto const volts = sensor_volts(controller.sensor().name, reading->counts);
     auto text = fmt::format("{:.1f} counts ({}), noise {:.1f}", reading->counts,
                             volts ? fmt::format("{:.3f} V", *volts)
                                   : fmt::format("{:.1f} % of full scale",
@@ -270,11 +271,11 @@ std::string describe_reading(CalibrationDesk const& desk)
         text += ", AT THE CONVERTER'S END";
     else
         text += reading->is_at_rest ? ", at rest" : ", moving";
-    if (desk.rig().calibration.height)
-        if (auto const height = height_mm(desk.rig().height_model, reading->counts))
+    if (controller.rig().calibration.height)
+        if (auto const height = height_mm(controller.rig().height_model, reading->counts))
             text += fmt::format(", {:.1f} mm so far", *height);
-    if (!takes_captures(desk.procedure()))
-        text += fmt::format(", {} touches", desk.touches());
+    if (!takes_captures(controller.procedure()))
+        text += fmt::format(", {} touches", controller.touches());
     return text;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/calibration/calibration_desk.h"
+#include "app/calibration/calibration_controller.h"
 #include "app/devices/live_devices.h"
 #include "app/devices/live_recorder.h"
 #include "engine/base/result.h"
@@ -37,17 +37,17 @@ struct LiveCalibrationOptions {
 };
 
 // Lets a person calibrate with live devices until the end: heights are captured at Enter, or when
-// the pen has rested on the tablet. The desk sees times as a log has them, so that the recording
-// gives the same rig. At the input's end nobody is there any more: the pen's rests capture the
-// heights that are left, and a movement is all that comes until the devices end. True when all was
-// done, false when the person went away or `stop` was set. Fails if the devices end before, if the
-// recording cannot be written, and, with a script, if a capture is refused.
-Result<bool> calibrate_live(CalibrationDesk& desk, LiveDevices& devices,
+// the pen has rested on the tablet. The controller sees times as a log has them, so that the
+// recording gives the same rig. At the input's end nobody is there any more: the pen's rests
+// capture the heights that are left, and a movement is all that comes until the devices end. True
+// when all was done, false when the person went away or `stop` was set. Fails if the devices end
+// before, if the recording cannot be written, and, with a script, if a capture is refused.
+Result<bool> calibrate_live(CalibrationController& controller, LiveDevices& devices,
                             CalibrationPerson const& person, LiveCalibrationOptions const& options,
                             std::atomic<bool> const& stop);
 
 // What the reading is like, in one line for the screen: "2034 counts (49.7 %), noise 1.0, at rest,
 // 123.4 mm".
-std::string describe_reading(CalibrationDesk const& desk);
+std::string describe_reading(CalibrationController const& controller);
 
 } // namespace tractus

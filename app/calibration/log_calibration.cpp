@@ -4,31 +4,31 @@
 
 namespace tractus {
 
-static Result<CalibrationOutcome> run(Log const& log, CalibrationDesk::Options options,
+static Result<CalibrationOutcome> run(Log const& log, CalibrationController::Options options,
                                       std::string const& date)
 {
-    auto desk = TRY(CalibrationDesk::create(log.devices, std::move(options)));
+    auto controller = TRY(CalibrationController::create(log.devices, std::move(options)));
     std::size_t next_tool = 0;
     auto const give_commands_before = [&](std::size_t position) -> Result<void> {
         for (; next_tool < log.tools.size() && log.tools[next_tool].position <= position;
              ++next_tool) {
             auto const& line = log.tools[next_tool];
             if (line.tool == kCalibrateTool)
-                TRY(desk.command(line.time, line.arguments));
+                TRY(controller.command(line.time, line.arguments));
         }
         return {};
     };
     LogCursor cursor(log);
     TRY(give_commands_before(0));
     while (auto const* const report = TRY(cursor.next())) {
-        desk.push(report->device, report->time, report->bytes);
+        controller.push(report->device, report->time, report->bytes);
         TRY(give_commands_before(cursor.position()));
     }
-    return desk.finish(date);
+    return controller.finish(date);
 }
 
-Result<CalibrationOutcome> calibrate_from_log(Log const& log, CalibrationDesk::Options options,
-                                              std::string const& date)
+Result<CalibrationOutcome>
+calibrate_from_log(Log const& log, CalibrationController::Options options, std::string const& date)
 {
     auto outcome = run(log, std::move(options), date);
     if (!outcome)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/calibration/calibration_desk.h"
+#include "app/calibration/calibration_controller.h"
 #include "drivers/log.h"
 #include "engine/base/result.h"
 
@@ -13,8 +13,8 @@ namespace tractus {
 constexpr std::string_view kCalibrateTool = "calibrate";
 
 // Does a recorded calibration again, as its commands in the log say. The same log and options give
-// the same outcome. Fails as the desk does; messages name the log.
-Result<CalibrationOutcome> calibrate_from_log(Log const& log, CalibrationDesk::Options options,
-                                              std::string const& date);
+// the same outcome. Fails as the controller does; messages name the log.
+Result<CalibrationOutcome>
+calibrate_from_log(Log const& log, CalibrationController::Options options, std::string const& date);
 
 } // namespace tractus

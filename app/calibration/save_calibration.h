@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/calibration/calibration_desk.h"
+#include "app/calibration/calibration_controller.h"
 #include "engine/base/result.h"
 
 #include <filesystem>

@@ -5,15 +5,15 @@
 namespace tractus {
 
 Result<CalibrationWindow> CalibrationWindow::create(LiveDevices devices,
-                                                    CalibrationBenchOptions options)
+                                                    CalibrationPanelControllerOptions options)
 {
-    auto bench = TRY(CalibrationBench::create(devices.infos(), std::move(options)));
-    return CalibrationWindow(std::move(devices), std::move(bench));
+    auto panel = TRY(CalibrationPanelController::create(devices.infos(), std::move(options)));
+    return CalibrationWindow(std::move(devices), std::move(panel));
 }
 
-CalibrationWindow::CalibrationWindow(LiveDevices devices, CalibrationBench bench)
+CalibrationWindow::CalibrationWindow(LiveDevices devices, CalibrationPanelController panel)
     : devices_(std::move(devices))
-    , bench_(std::move(bench))
+    , panel_(std::move(panel))
 {
     state_.playing = true;
 }
@@ -22,8 +22,8 @@ void CalibrationWindow::advance(Duration)
 {
     devices_.take(reports_);
     for (auto const& report : reports_)
-        bench_.push(report);
-    bench_.advance();
+        panel_.push(report);
+    panel_.advance();
 }
 
 } // namespace tractus

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/devices/live_devices.h"
-#include "app/live/calibration_bench.h"
+#include "app/live/calibration_panel_controller.h"
 #include "app/station/window_model.h"
 #include "engine/base/result.h"
 
@@ -12,19 +12,20 @@ namespace tractus {
 // A window that is there to calibrate, and for nothing else.
 class CalibrationWindow final : public WindowModel {
 public:
-    // Fails as CalibrationBench::create does.
-    static Result<CalibrationWindow> create(LiveDevices devices, CalibrationBenchOptions options);
+    // Fails as CalibrationPanelController::create does.
+    static Result<CalibrationWindow> create(LiveDevices devices,
+                                            CalibrationPanelControllerOptions options);
 
     void advance(Duration real_step) override;
     WindowState const& state() const override { return state_; }
     void perform(WindowCommand const&) override { }
-    CalibrationModel* calibration() override { return &bench_; }
+    CalibrationModel* calibration() override { return &panel_; }
 
 private:
-    CalibrationWindow(LiveDevices devices, CalibrationBench bench);
+    CalibrationWindow(LiveDevices devices, CalibrationPanelController panel);
 
     LiveDevices devices_;
-    CalibrationBench bench_;
+    CalibrationPanelController panel_;
     std::vector<LiveReport> reports_; // Kept for its memory.
     WindowState state_;               // Nothing but the calibration is shown.
 };

@@ -141,7 +141,7 @@ LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
     , options_(std::move(options))
     , station_options_(std::move(station_options))
     , station_(std::move(station))
-    , desk_(station_, std::exchange(options_.session, std::nullopt), options_.folder)
+    , controller_(station_, std::exchange(options_.session, std::nullopt), options_.folder)
     , states_(devices_.infos().size(), LiveDevices::State::Connected)
 {
     view().state().is_live = true;
@@ -160,7 +160,7 @@ Result<void> LiveWindow::finish()
     take_reports();
     station_.finish();
     record_tool_changes();
-    return desk_.finish(station_, options_.now());
+    return controller_.finish(station_, options_.now());
 }
 
 Result<void> LiveWindow::close()
@@ -169,7 +169,7 @@ Result<void> LiveWindow::close()
         return {};
     auto const kept = finish();
     auto const recorded = recorder_ ? stop_recording() : Result<void>();
-    auto const written = desk_.finish_files();
+    auto const written = controller_.finish_files();
     if (!kept) // What was drawn is worth most.
         return kept;
     return recorded ? written : recorded;
@@ -180,7 +180,7 @@ void LiveWindow::advance(Duration real_step)
     if (options_.counted_time)
         *options_.counted_time += real_step;
     take_reports();
-    desk_.show(station_, options_.now());
+    controller_.show(station_, options_.now());
     view().show_pen(station_.take_moments());
     calibrate();
     show_devices();
@@ -304,7 +304,7 @@ void LiveWindow::perform_kind(SetRecording const& command)
         return;
     auto& status = view().state().status;
     if (command.is_on) {
-        auto const path = desk_.new_file(".tractus-log");
+        auto const path = controller_.new_file(".tractus-log");
         auto const begun = start_recording(path);
         status = begun ? fmt::format("Recording into {}", path.string()) : begun.error().message;
         return;
@@ -322,8 +322,8 @@ void LiveWindow::perform(WindowCommand const& command)
 
 void LiveWindow::perform_kind(Restart const&)
 {
-    if (desk_.keeper().has_session())
-        desk_.perform(Restart {}, station_);
+    if (controller_.keeper().has_session())
+        controller_.perform(Restart {}, station_);
     else
         restart_without_session();
 }
@@ -336,7 +336,7 @@ void LiveWindow::restart_without_session()
         return;
     }
     go_on_with(*std::move(again));
-    desk_.show_again(station_, "The plant is as its model gives it");
+    controller_.show_again(station_, "The plant is as its model gives it");
 }
 
 // In the present one's place, with what is in the hand.
@@ -353,7 +353,7 @@ void LiveWindow::perform_kind(ChooseTool const& command)
 {
     station_.set_tool(options_.now(), command.tool);
     record_tool_changes();
-    desk_.show(station_, options_.now());
+    controller_.show(station_, options_.now());
 }
 
 void LiveWindow::perform_kind(SetPressingAreas const& command)
@@ -415,9 +415,9 @@ void LiveWindow::perform_kind(OpenCalibration const&)
 {
     if (!view().state().may_calibrate)
         return;
-    auto bench = CalibrationBench::create(
+    auto panel = CalibrationPanelController::create(
         devices_.infos(),
-        { .desk = { .rig = station_options_.rig },
+        { .controller = { .rig = station_options_.rig },
           .date = today(),
           .now = options_.now,
           .keep = [file = options_.rig_file](CalibrationOutcome const& outcome) {
@@ -425,10 +425,10 @@ void LiveWindow::perform_kind(OpenCalibration const&)
               std::filesystem::create_directories(file.parent_path(), ignored);
               return save_calibration(outcome, file);
           } });
-    if (bench)
-        calibration_ = *std::move(bench);
+    if (panel)
+        calibration_ = *std::move(panel);
     else
-        view().state().status = bench.error().message;
+        view().state().status = panel.error().message;
 }
 
 void LiveWindow::perform_kind(CloseCalibration const&)
@@ -458,12 +458,12 @@ void LiveWindow::use_rig(Rig const& rig)
         return;
     }
     station_.finish();
-    auto const kept = desk_.finish(station_, options_.now());
+    auto const kept = controller_.finish(station_, options_.now());
     station->take_drawing_from(station_); // With what could not be kept, which is tried again.
     station_options_ = std::move(options);
     go_on_with(*std::move(station));
-    desk_.show_again(station_,
-                     kept ? "The pen draws by the new calibration" : kept.error().message);
+    controller_.show_again(station_,
+                           kept ? "The pen draws by the new calibration" : kept.error().message);
     if (recorder_) // Its header has the old one.
         perform_kind(SetRecording { false });
 }

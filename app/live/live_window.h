@@ -3,9 +3,9 @@
 #include "app/devices/live_devices.h"
 #include "app/devices/live_diagnosis.h"
 #include "app/devices/live_recorder.h"
-#include "app/live/calibration_bench.h"
+#include "app/live/calibration_panel_controller.h"
 #include "app/live/mouse_rig.h"
-#include "app/live/station_desk.h"
+#include "app/live/station_controller.h"
 #include "app/session/session.h"
 #include "app/station/window_model.h"
 #include "calib/rig.h"
@@ -26,7 +26,7 @@ struct LiveWindowOptions {
     std::optional<Rig> rig {}; // No value: that of a log among the devices, else see create().
     // Where calibrating keeps the rig; empty: nowhere, and there is no calibrating.
     std::filesystem::path rig_file {};
-    // The surface's height in place of a height sensor, above the desk.
+    // The surface's height in place of a height sensor, above the controller.
     std::optional<double> height_mm {};
     Scene scene {}; // What the pen works on; its base plant is loaded.
     // The folder in which saved pictures, exports, and recordings that nobody named appear.
@@ -48,19 +48,19 @@ struct LiveWindowOptions {
 class LiveWindow final : public WindowModel {
 public:
     // Fails like Station::create and LiveRecorder::create. Without a height sensor and a height the
-    // surface lies on the desk; so it does where there is a height sensor and nothing is known of
-    // what its readings mean, and the window opens with calibrating it. Where that cannot be kept,
-    // it fails, as the user's fault.
+    // surface lies on the controller; so it does where there is a height sensor and nothing is
+    // known of what its readings mean, and the window opens with calibrating it. Where that cannot
+    // be kept, it fails, as the user's fault.
     static Result<LiveWindow> create(LiveDevices devices, LiveWindowOptions options);
     LiveWindow(LiveWindow&&) = default;
     LiveWindow& operator=(LiveWindow&&) = delete;
     ~LiveWindow() override; // Closes, if that was not done.
 
     void advance(Duration real_step) override;
-    void settle() override { desk_.settle(station_, options_.now()); }
-    bool may_close() override { return desk_.may_close(finish()); }
+    void settle() override { controller_.settle(station_, options_.now()); }
+    bool may_close() override { return controller_.may_close(finish()); }
     Result<void> close() override;
-    WindowState const& state() const override { return desk_.view().state(); }
+    WindowState const& state() const override { return controller_.view().state(); }
     void perform(WindowCommand const& command) override;
     CalibrationModel* calibration() override { return calibration_ ? &*calibration_ : nullptr; }
 
@@ -84,10 +84,10 @@ private:
     void perform_kind(CloseCalibration const&);
     template<typename Command> void perform_kind(Command const& command)
     {
-        desk_.perform(command, station_);
+        controller_.perform(command, station_);
     }
 
-    StationView& view() { return desk_.view(); }
+    StationView& view() { return controller_.view(); }
     Result<void> finish();
     void take_reports();
     void show_devices();
@@ -107,11 +107,11 @@ private:
     LiveWindowOptions options_;
     StationOptions station_options_; // To begin again.
     Station station_;
-    StationDesk desk_;
+    StationController controller_;
     std::optional<LiveRecorder> recorder_;
-    std::optional<LiveDiagnosis> diagnosis_;      // While the devices are watched.
-    Timestamp next_look_ {};                      // At what it found.
-    std::optional<CalibrationBench> calibration_; // While a person calibrates.
+    std::optional<LiveDiagnosis> diagnosis_;                // While the devices are watched.
+    Timestamp next_look_ {};                                // At what it found.
+    std::optional<CalibrationPanelController> calibration_; // While a person calibrates.
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
     std::vector<LiveReport> reports_;        // Kept for its memory.
     std::vector<LiveDevices::State> states_; // As the person was told.

@@ -12,17 +12,17 @@ Result<ReplayWindow> ReplayWindow::create(Log const& log, ReplayOptions options,
     if (session)
         options.scene = session->scene();
     auto replay = TRY(LogReplay::create(log, options));
-    StationDesk desk(replay.station(), std::move(session), std::move(pictures));
-    return ReplayWindow(log, std::move(options), std::move(replay), std::move(desk));
+    StationController controller(replay.station(), std::move(session), std::move(pictures));
+    return ReplayWindow(log, std::move(options), std::move(replay), std::move(controller));
 }
 
 ReplayWindow::ReplayWindow(Log const& log, ReplayOptions options, LogReplay replay,
-                           StationDesk desk)
+                           StationController controller)
     : log_(&log)
     , options_(std::move(options))
     , replay_(std::move(replay))
     , now_(replay_.begin())
-    , desk_(std::move(desk))
+    , controller_(std::move(controller))
 {
     view().state().status = "The hand begins";
 }
@@ -35,13 +35,13 @@ ReplayWindow::~ReplayWindow()
 // A stroke of which the hand has drawn only a part is whole in the recording: it is left out.
 Result<void> ReplayWindow::finish()
 {
-    return desk_.finish(replay_.station(), now_);
+    return controller_.finish(replay_.station(), now_);
 }
 
 Result<void> ReplayWindow::close()
 {
     auto const kept = finish();
-    auto const written = desk_.finish_files();
+    auto const written = controller_.finish_files();
     return kept ? written : kept;
 }
 
@@ -49,15 +49,15 @@ void ReplayWindow::advance(Duration real_step)
 {
     auto& state = view().state();
     if (!state.playing) {
-        desk_.show(replay_.station(), now_);
+        controller_.show(replay_.station(), now_);
         return;
     }
     now_ += from_seconds(to_seconds(real_step) * state.speed);
     bool const goes_on = replay_.advance_to(now_);
-    desk_.show(replay_.station(), now_);
+    controller_.show(replay_.station(), now_);
     if (!goes_on) {
         auto const kept = replay_.outcome() ? finish() : replay_.outcome();
-        desk_.show(replay_.station(), now_);
+        controller_.show(replay_.station(), now_);
         state.playing = false;
         state.status = kept ? "The recording has ended: play it again, or take another seed"
                             : kept.error().message;
@@ -105,10 +105,10 @@ void ReplayWindow::perform_kind(Restart const&)
     now_ = replay_.begin();
     state.playing = true;
     state.progress = 0;
-    if (desk_.keeper().has_session())
-        desk_.perform(Restart {}, replay_.station());
+    if (controller_.keeper().has_session())
+        controller_.perform(Restart {}, replay_.station());
     else
-        desk_.show_again(replay_.station(), "The hand begins again");
+        controller_.show_again(replay_.station(), "The hand begins again");
 }
 
 } // namespace tractus

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/live/station_desk.h"
+#include "app/live/station_controller.h"
 #include "app/station/log_replay.h"
 #include "app/station/window_model.h"
 #include "drivers/log.h"
@@ -27,15 +27,16 @@ public:
     ~ReplayWindow() override; // Closes, if that was not done.
 
     void advance(Duration real_step) override;
-    void settle() override { desk_.settle(replay_.station(), now_); }
-    bool may_close() override { return desk_.may_close(finish()); }
+    void settle() override { controller_.settle(replay_.station(), now_); }
+    bool may_close() override { return controller_.may_close(finish()); }
     Result<void> close() override;
-    WindowState const& state() const override { return desk_.view().state(); }
+    WindowState const& state() const override { return controller_.view().state(); }
     void perform(WindowCommand const& command) override;
 
 private:
     Result<void> finish();
-    ReplayWindow(Log const& log, ReplayOptions options, LogReplay replay, StationDesk desk);
+    ReplayWindow(Log const& log, ReplayOptions options, LogReplay replay,
+                 StationController controller);
 
     void perform_kind(SetPlaying const& command);
     void perform_kind(SetSpeed const& command);
@@ -51,16 +52,16 @@ private:
     void perform_kind(CloseCalibration const&) { }
     template<typename Command> void perform_kind(Command const& command)
     {
-        desk_.perform(command, replay_.station());
+        controller_.perform(command, replay_.station());
     }
 
-    StationView& view() { return desk_.view(); }
+    StationView& view() { return controller_.view(); }
 
     Log const* log_;        // Not owned.
     ReplayOptions options_; // To begin again.
     LogReplay replay_;
     Timestamp now_; // Of the log.
-    StationDesk desk_;
+    StationController controller_;
 };
 
 } // namespace tractus

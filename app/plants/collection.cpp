@@ -20,7 +20,7 @@ namespace tractus {
 
 namespace {
 
-constexpr std::size_t kCompared = 64;     // Plants of whose likeness the report speaks.
+constexpr std::size_t kCompared = 64;     // Plants of whose diversity the report speaks.
 constexpr std::size_t kMeasured = 8;      // Plants by whose width all are set apart.
 constexpr double kSpacing = 1.15;         // Of their width: leaves stand out, and some are wider.
 constexpr double kScatter = 0.35;         // Of the spacing, at most, to each side.
@@ -86,7 +86,7 @@ Result<CollectionReport> Collection::run()
     auto const scene = TRY(load());
     auto const plan = TRY(plan_growth(scene));
     auto as_drawn = scene;
-    as_drawn.growth.liking = 0;
+    as_drawn.growth.variability = 0;
     auto const drawn_plan = TRY(plan_growth(as_drawn));
 
     Grower grower(plan);
@@ -128,13 +128,13 @@ void Collection::compare(Grower& grower, Plant const& drawn)
     report_.height_mm = box.max_mm.z() - box.min_mm.z();
     auto const count = std::min(options_.count, kCompared);
     progress_.begin("comparing the plants", count);
-    Likeness likeness(drawn);
+    Diversity diversity(drawn);
     for (std::size_t i = 0; i < count; ++i) {
-        likeness.add(grower.grow(key(i)));
+        diversity.add(grower.grow(key(i)));
         progress_.step();
     }
-    report_.between_plants = likeness.between_plants();
-    report_.from_drawn = likeness.from_drawn();
+    report_.between_plants = diversity.between_plants();
+    report_.from_drawn = diversity.from_drawn();
 }
 
 // The same for all shards.

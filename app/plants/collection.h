@@ -5,7 +5,7 @@
 #include "engine/base/result.h"
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/make_mesh.h"
-#include "engine/variation/likeness.h"
+#include "engine/variation/diversity.h"
 
 #include <cstddef>
 #include <cstdint>

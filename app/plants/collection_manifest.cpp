@@ -36,7 +36,7 @@ Result<void> write_manifest(std::ostream& out, CollectionOptions const& options,
         { "count", options.count },
         { "shard", { options.shard.number, options.shard.parts } },
         { "growth", growth_name(options.model, options.growth) },
-        { "liking", options.growth.liking },
+        { "liking", options.growth.variability },
         { "between_plants_mm", spread(report.between_plants) },
         { "from_drawn_mm", spread(report.from_drawn) },
     };

@@ -190,13 +190,13 @@ Result<std::vector<Edit>> growing_plant_edits(std::filesystem::path const& model
         edits = TRY(session_edits(model));
         for (auto const& edit : edits)
             if (auto const* const set = std::get_if<SetGrowth>(&edit))
-                own = TRY(at_liking(set->parameters, set->liking));
+                own = TRY(at_variability(set->parameters, set->variability));
     } else {
         edits.push_back(TRY(load_plant_edit(model)));
     }
     if (!own || growth.preset)
         own = TRY(growth_preset(growth.preset.value_or(kUsual)));
-    edits.push_back(SetGrowth { *own, seed, growth.liking });
+    edits.push_back(SetGrowth { *own, seed, growth.variability });
     return edits;
 }
 

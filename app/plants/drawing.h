@@ -20,7 +20,7 @@ struct GrowthOptions {
     // See growth_presets(). Without it a session's plants grow as the session says, and others as
     // "usual".
     std::optional<std::string> preset {};
-    double liking = 1; // See at_liking().
+    double variability = 1; // See at_variability().
 };
 
 // How the plants of `model` grow, in words.

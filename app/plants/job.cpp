@@ -204,9 +204,9 @@ std::string print_report(JobReport const& report)
         report.log, report.model, report.seed);
     if (report.age != 1)
         text += fmt::format("age                   {}\n", report.age);
-    if (report.growth.preset || report.growth.liking != 1)
-        text += fmt::format("growth                {}, {} as it likes\n",
-                            growth_name(report.model, report.growth), report.growth.liking);
+    if (report.growth.preset || report.growth.variability != 1)
+        text += fmt::format("growth                {}, variability {}\n",
+                            growth_name(report.model, report.growth), report.growth.variability);
     auto const count = [&](char const* name, std::size_t value) {
         text += fmt::format("{:<22}{}\n", name, value);
     };

@@ -86,7 +86,7 @@ std::string strokes_text(Scene const& scene)
 {
     std::string text = "# x y z in mm, pressure, time in ms\n";
     Stroke const* last = nullptr;
-    for (auto const& [path, stroke, propagation, fit, kept_hand, is_orphaned] :
+    for (auto const& [path, stroke, propagation, fit, detail_weight, is_orphaned] :
          scene.associations) {
         if (last && last->tips.front().time == stroke.tips.front().time)
             continue;

@@ -15,7 +15,7 @@ namespace tractus {
 namespace {
 
 // An axis as the selection view shows it. Its ends are left out: at the base the pen would touch
-// the bearer first, and beyond the tip nothing.
+// the parent first, and beyond the tip nothing.
 Result<std::vector<Vec2>> shown_axis(Plant const& plant, Vec2 const& tablet_size_mm,
                                      std::size_t rank)
 {

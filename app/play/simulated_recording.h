@@ -11,7 +11,7 @@ namespace tractus {
 // Lets the simulated hand do what a script says on the simulated rig, and writes the log that a
 // recording of it would have given: reports, tool changes and the rig's calibration. Branches that
 // the script traces are those of the scene's base plant in drawing order (join_axes.h), from a
-// little above where they leave their bearer to a little below their tip. A pure function: the same
+// little above where they leave their parent to a little below their tip. A pure function: the same
 // script and plant give the same bytes.
 //
 // Fails, as the user's fault, naming the gesture, for a branch that the plant does not have and for

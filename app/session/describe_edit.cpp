@@ -114,7 +114,7 @@ std::string described(Oversketch const& edit)
 std::string described(SmoothStroke const& edit)
 {
     return fmt::format("smooths stroke {}, keeping {:.0f} % of the hand",
-                       list_numbers(edit.associations), 100 * edit.kept_hand);
+                       list_numbers(edit.associations), 100 * edit.detail_weight);
 }
 
 std::string described(DeleteStroke const& edit)
@@ -153,8 +153,8 @@ std::string described(SetGrowth const& edit)
     auto text = preset.empty() ? fmt::format("grows with strength {:.3g}, gain {:.3g}",
                                              edit.parameters.strength, edit.parameters.gain)
                                : fmt::format("grows as \"{}\"", preset);
-    if (edit.liking != 1)
-        text += fmt::format(", {:.3g} as it likes", edit.liking);
+    if (edit.variability != 1)
+        text += fmt::format(", {:.3g} as it likes", edit.variability);
     if (edit.age != 1)
         text += fmt::format(", to age {:.3g}", edit.age);
     return text + fmt::format(", seed {}", edit.seed);

@@ -267,7 +267,7 @@ std::string written_tips(Stroke const& stroke)
         put(bytes, static_cast<std::uint64_t>(tip.time.time_since_epoch().count()));
         put(bytes, tip.position_mm);
         put(bytes, tip.pressure);
-        bool const is_extrapolated = tip.height == TipSample::Height::Extrapolated;
+        bool const is_extrapolated = tip.height_source == TipSample::HeightSource::Extrapolated;
         bytes += static_cast<char>((tip.touching ? kTouching : 0) | (tip.eraser ? kEraser : 0)
                                    | (is_extrapolated ? kExtrapolated : 0)
                                    | (tip.outside_calibration ? kOutside : 0));
@@ -304,7 +304,7 @@ bool read_tips(std::string_view bytes, Stroke& stroke)
         tip.touching = (flags & kTouching) != 0;
         tip.eraser = (flags & kEraser) != 0;
         if ((flags & kExtrapolated) != 0)
-            tip.height = TipSample::Height::Extrapolated;
+            tip.height_source = TipSample::HeightSource::Extrapolated;
         tip.outside_calibration = (flags & kOutside) != 0;
     }
     return true;

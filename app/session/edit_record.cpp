@@ -55,7 +55,7 @@ template<typename Fields> void list(Fields& fields, Associate& edit)
 {
     fields.word("propagation", edit.propagation, kPropagations);
     fields.word("fit", edit.fit, kFits);
-    fields.field("kept_hand", edit.kept_hand);
+    fields.field("kept_hand", edit.detail_weight);
     fields.numbers(edit.stroke);
 }
 
@@ -68,7 +68,7 @@ template<typename Fields> void list(Fields& fields, Oversketch& edit)
 template<typename Fields> void list(Fields& fields, SmoothStroke& edit)
 {
     fields.field("associations", edit.associations);
-    fields.field("kept_hand", edit.kept_hand);
+    fields.field("kept_hand", edit.detail_weight);
 }
 
 template<typename Fields> void list(Fields& fields, DeleteStroke& edit)
@@ -127,7 +127,7 @@ template<typename Fields> void list(Fields& fields, SetGrowth& edit)
     fields.field("maturation_straightening", growth.maturation_straightening);
     fields.field("sag", growth.sag);
     fields.field("seed", edit.seed);
-    fields.field("liking", edit.liking);
+    fields.field("liking", edit.variability);
     fields.field("age", edit.age);
 }
 

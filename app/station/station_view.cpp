@@ -319,7 +319,8 @@ void StationView::grow_plant(Scene const& scene)
 void StationView::preview(SetGrowth const& growth)
 {
     state_.seed = growth.seed;
-    state_.growth = { std::string(growth_preset_of(growth.parameters)), growth.liking, growth.age };
+    state_.growth
+        = { std::string(growth_preset_of(growth.parameters)), growth.variability, growth.age };
     grower_->grow({ grown_scene_, growth });
     state_.is_growing = true;
 }
@@ -381,7 +382,7 @@ Result<SetGrowth> growth_set_to(GrowthView const& wanted, SetGrowth growth)
 {
     if (!wanted.preset.empty())
         growth.parameters = TRY(growth_preset(wanted.preset));
-    growth.liking = wanted.liking;
+    growth.variability = wanted.variability;
     growth.age = wanted.age;
     return growth;
 }

@@ -80,8 +80,8 @@ struct GrowthView {
     // One of growth_presets(); empty: as nobody has named it (from a command line, say), which a
     // command with an empty name leaves as it is.
     std::string preset;
-    double liking = 1; // 0, as drawn, to 4, as it likes; see at_liking().
-    double age = 1;    // 0 to 1, full-grown.
+    double variability = 1; // 0, as drawn, to 4; see at_variability().
+    double age = 1;         // 0 to 1, full-grown.
 };
 
 // Another plant that the scene may become. Others may show it, too.

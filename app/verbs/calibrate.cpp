@@ -1,6 +1,6 @@
 #include "app/verbs/calibrate.h"
 
-#include "app/calibration/calibration_desk.h"
+#include "app/calibration/calibration_controller.h"
 #include "app/calibration/live_calibration.h"
 #include "app/calibration/log_calibration.h"
 #include "app/calibration/save_calibration.h"
@@ -62,9 +62,10 @@ Result<Rig> load_start(CalibrateArguments const& arguments, std::string const& l
                             arguments.rig, name_of(arguments.procedure), arguments.rig));
 }
 
-CalibrationDesk::Options desk_options(CalibrateArguments const& arguments, Rig rig)
+CalibrationController::Options desk_options(CalibrateArguments const& arguments, Rig rig)
 {
-    CalibrationDesk::Options options { .procedure = arguments.procedure, .rig = std::move(rig) };
+    CalibrationController::Options options { .procedure = arguments.procedure,
+                                             .rig = std::move(rig) };
     options.height.ruler_error_mm = arguments.ruler_error_mm;
     if (!arguments.model.empty())
         options.height.kind = parse_height_model_kind(arguments.model);
@@ -136,18 +137,19 @@ Result<std::optional<CalibrationOutcome>> from_devices(CalibrateArguments const&
             = std::make_unique<LiveRecorder>(TRY(LiveRecorder::create(arguments.record, header)));
         options.recorder = recorder.get();
     }
-    auto desk
-        = TRY(CalibrationDesk::create(devices.infos(), desk_options(arguments, std::move(rig))));
+    auto controller = TRY(
+        CalibrationController::create(devices.infos(), desk_options(arguments, std::move(rig))));
     bool is_done = false;
     {
         TerminalKeys keys;
-        is_done = TRY(calibrate_live(desk, devices, person_at(keys), options, stop_on_signals()));
+        is_done
+            = TRY(calibrate_live(controller, devices, person_at(keys), options, stop_on_signals()));
         if (keys.is_terminal())
             print_error("\n");
     }
     if (!is_done)
         return std::optional<CalibrationOutcome>();
-    return std::optional<CalibrationOutcome>(TRY(desk.finish(today())));
+    return std::optional<CalibrationOutcome>(TRY(controller.finish(today())));
 }
 
 Result<void> keep(CalibrateArguments const& arguments, CalibrationOutcome const& outcome)
@@ -177,7 +179,7 @@ Result<void> calibrate_in_window(CalibrateArguments const& arguments)
     auto devices = TRY(open_for_window(arguments));
     auto window
         = TRY(CalibrationWindow::create(std::move(devices),
-                                        { .desk = desk_options(arguments, std::move(rig)),
+                                        { .controller = desk_options(arguments, std::move(rig)),
                                           .heights_mm = arguments.heights_mm,
                                           .date = today(),
                                           .now = live_recording_by_the_clock({}).now,
@@ -305,8 +307,9 @@ void add_calibrate_verb(CLI::App& root, Action& action)
     add_procedure(
         *verb, CalibrationProcedure::Travel,
         "How the surface moves aside while it rises: hold the pen against an upright edge", action)
-        ->footer("Stand a straight edge upright on the desk, hold the pen against it and on the\n"
-                 "tablet, and move the surface up and down. Enter begins and ends.");
+        ->footer(
+            "Stand a straight edge upright on the controller, hold the pen against it and on the\n"
+            "tablet, and move the surface up and down. Enter begins and ends.");
     add_procedure(*verb, CalibrationProcedure::Latency,
                   "How much later the pen arrives than the height: follow an inclined edge", action)
         ->footer("Fix a straight edge at some 45 degrees over the tablet, let the pen follow it\n"

@@ -39,7 +39,10 @@ struct GrowArguments {
     std::size_t frames = 0; // Of one in a file for each; 0 for none.
     double seconds = 10;
 
-    bool is_varied() const { return growth.preset || growth.liking != 1 || !drawing.log.empty(); }
+    bool is_varied() const
+    {
+        return growth.preset || growth.variability != 1 || !drawing.log.empty();
+    }
 };
 
 // tree.glb becomes tree-01.glb and so on.
@@ -157,12 +160,12 @@ Result<Scene> load_model_scene(GrowArguments const& arguments, std::filesystem::
     return scene;
 }
 
-// A liking that is given counts on top of what a session has.
+// A variability that is given counts on top of what a session has.
 Result<void> set_growth(GrowthOptions const& options, SetGrowth& growth)
 {
     growth.parameters = TRY(options.preset ? growth_preset(*options.preset)
-                                           : at_liking(growth.parameters, growth.liking));
-    growth.liking = options.liking;
+                                           : at_variability(growth.parameters, growth.variability));
+    growth.variability = options.variability;
     return {};
 }
 

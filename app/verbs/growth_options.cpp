@@ -26,8 +26,10 @@ void add_growth_options(CLI::App& verb, GrowthOptions& growth, std::string const
             fmt::format("How plants grow: {}; without it, {}", fmt::join(names, ", "), without))
         ->type_name("NAME")
         ->check(offering(names, CLI::Validator(preset_check, "")));
-    verb.add_option("--liking", growth.liking,
-                    "From 0, as drawn, over 1, as the growth's name says, to 4, as the plant likes")
+    verb.add_option(
+            "--variability,--liking", growth.variability,
+            "How much plants vary: 0 is as drawn, 1 is as the growth's name says, 4 is most; "
+            "--liking is its older name")
         ->type_name("X")
         ->check(number(0, 4))
         ->capture_default_str();

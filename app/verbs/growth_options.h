@@ -7,8 +7,8 @@
 
 namespace tractus {
 
-// "--growth NAME" and "--liking X": how a verb's plants grow. `without` ends a sentence: how they
-// grow without a name. `growth` must live as long as the verb.
+// "--growth NAME" and "--variability X": how a verb's plants grow. `without` ends a sentence: how
+// they grow without a name. `growth` must live as long as the verb.
 void add_growth_options(CLI::App& verb, GrowthOptions& growth, std::string const& without);
 
 // "--age X": how old they are, all alike. `age` must live as long as the verb.

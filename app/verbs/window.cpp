@@ -4,7 +4,7 @@
 #include "app/live/live_window.h"
 #include "app/live/replay_window.h"
 #include "app/live/unnamed_session.h"
-#include "app/plants/large_blocks.h"
+#include "app/plants/malloc_tuning.h"
 #include "app/plants/model_file.h"
 #include "app/plants/session_plant.h"
 #include "app/resources.h"

@@ -178,8 +178,9 @@ void Menu::show_plant(WindowModel& model, Controls const& controls) const
     auto& growth = change.growth;
     bool is_released = false;
     bool moves = show_slider("##age", "age %.2f", 1, growth.age, is_released);
-    moves |= show_slider("##liking", growth.liking < 0.01 ? "as drawn" : "%.2f x as it likes", 4,
-                         growth.liking, is_released);
+    moves
+        |= show_slider("##variability", growth.variability < 0.01 ? "as drawn" : "variability %.2f",
+                       4, growth.variability, is_released);
     if (moves || is_released) {
         change.slider = is_released ? ChangeGrowth::Slider::Released : ChangeGrowth::Slider::Moving;
         model.perform(change);

@@ -2,7 +2,7 @@
 
 #include "engine/base/check.h"
 #include "engine/base/random_blocks.h"
-#include "engine/lsystem/machine.h"
+#include "engine/lsystem/virtual_machine.h"
 
 #include <algorithm>
 

@@ -31,7 +31,7 @@ public:
 
     void find(Kinds const& kinds, std::span<KindId const> modules);
     // Makes the numbers of those changes that draw, where the part begins at module `begin`: the
-    // first that Machine would give for each. Modules have numbers below 2^32.
+    // first that VirtualMachine would give for each. Modules have numbers below 2^32.
     void draw(std::uint64_t seed, std::uint32_t step, std::size_t begin);
 
     // Of the last find(), in order.

@@ -6,12 +6,12 @@
 
 namespace tractus {
 
-CallStack::CallStack(Model const& model, Machine& main)
+CallStack::CallStack(Model const& model, VirtualMachine& main)
     : model_(model)
     , machines_ { &main }
 {
     for (auto const& subsystem : model.subsystems) {
-        auto machine = std::make_unique<Machine>(model, subsystem, main.seed());
+        auto machine = std::make_unique<VirtualMachine>(model, subsystem, main.seed());
         machine->set_printer(main.printer());
         machine->set_time_limit(main.time_limit());
         machines_.push_back(machine.get());

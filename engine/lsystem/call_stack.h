@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/lsystem/machine.h"
 #include "engine/lsystem/model.h"
 #include "engine/lsystem/module_string.h"
+#include "engine/lsystem/virtual_machine.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,12 +16,12 @@ namespace tractus {
 class CallStack {
 public:
     // The model must outlive it. `main` runs the main L-system's programs and outlives it, too.
-    CallStack(Model const& model, Machine& main);
+    CallStack(Model const& model, VirtualMachine& main);
 
     // Index of the L-system at work: 0 is the main one, k the subsystem k - 1.
     std::size_t current() const { return at_work_.back(); }
     std::size_t depth() const { return at_work_.size() - 1; }
-    Machine& machine(std::size_t system) { return *machines_[system]; }
+    VirtualMachine& machine(std::size_t system) { return *machines_[system]; }
     LSystem const& system(std::size_t index) const
     {
         return index == 0 ? static_cast<LSystem const&>(model_) : model_.subsystems[index - 1];
@@ -51,8 +51,8 @@ private:
     template<typename Pass> void for_each_external(Pass const& pass);
 
     Model const& model_;
-    std::vector<std::unique_ptr<Machine>> subsystem_machines_;
-    std::vector<Machine*> machines_;
+    std::vector<std::unique_ptr<VirtualMachine>> subsystem_machines_;
+    std::vector<VirtualMachine*> machines_;
     std::vector<std::size_t> at_work_ { 0 }; // Indices, the innermost last.
 };
 

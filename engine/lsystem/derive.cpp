@@ -79,7 +79,7 @@ private:
     Model const& model_;
     DeriveOptions const& options_;
     std::size_t piece_;
-    Machine machine_;
+    VirtualMachine machine_;
     std::optional<ContextTable> table_;
     RulePlan plan_;
     Branches branches_; // Of in_, where rules have contexts.
@@ -228,7 +228,7 @@ Result<void> Derivation::rewrite_in_pieces()
 {
     struct Piece {
         ModuleString out;
-        Machine::Stop stop = Machine::Stop::None;
+        VirtualMachine::Stop stop = VirtualMachine::Stop::None;
     };
     auto const places = find_pieces();
     auto const count = places.size() - 1;
@@ -237,7 +237,7 @@ Result<void> Derivation::rewrite_in_pieces()
     for (std::size_t first = 0; first < count; first += pieces.size()) {
         auto const now = std::span(pieces).first(std::min(pieces.size(), count - first));
         parallel_for(now.size(), 1, [&](std::size_t begin, std::size_t end) {
-            Machine machine = machine_;
+            VirtualMachine machine = machine_;
             RangeRewriter rewriter(plan_, machine, branches_);
             for (auto i = begin; i < end; ++i) {
                 auto const& place = places[first + i].from;
@@ -341,9 +341,9 @@ Result<void> Derivation::rewrite_fixed()
 // Rules choose by chance and compute parameters, but what becomes of a module has one size.
 Result<void> Derivation::rewrite_to_places()
 {
-    std::atomic<Machine::Stop> stop = Machine::Stop::None;
+    std::atomic<VirtualMachine::Stop> stop = VirtualMachine::Stop::None;
     TRY(rewrite_known_sizes([&](std::span<PiecePlace const> places) {
-        Machine machine = machine_;
+        VirtualMachine machine = machine_;
         RangeRewriter rewriter(plan_, machine, branches_);
         for (std::size_t i = 0; i + 1 < places.size(); ++i) {
             auto const& [from, to] = places[i];

@@ -14,14 +14,15 @@ namespace tractus {
 class Expander {
 public:
     // Of one L-system of the model; without it, of the main one.
-    Expander(Model const& model, LSystem const& system, RuleSet const& rules, Machine& machine)
+    Expander(Model const& model, LSystem const& system, RuleSet const& rules,
+             VirtualMachine& machine)
         : model_(model)
         , rules_(rules)
         , machine_(machine)
         , rewriter_(model, system, rules, machine)
     {
     }
-    Expander(Model const& model, RuleSet const& rules, Machine& machine)
+    Expander(Model const& model, RuleSet const& rules, VirtualMachine& machine)
         : Expander(model, model, rules, machine)
     {
     }
@@ -95,7 +96,7 @@ private:
 
     Model const& model_;
     RuleSet const& rules_;
-    Machine& machine_;
+    VirtualMachine& machine_;
     Rewriter rewriter_;
     ModuleString buffer_;
     std::vector<Level> levels_;

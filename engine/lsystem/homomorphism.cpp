@@ -5,7 +5,8 @@
 
 namespace tractus {
 
-HomomorphismWalk::HomomorphismWalk(Model const& model, ModuleString const& string, Machine& main)
+HomomorphismWalk::HomomorphismWalk(Model const& model, ModuleString const& string,
+                                   VirtualMachine& main)
     : model_(model)
     , string_(string)
     , stack_(model, main)
@@ -57,7 +58,7 @@ Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& 
                                         HomomorphismOptions const& options)
 {
     using Cuts = HomomorphismOptions::Cuts;
-    Machine machine(model, string);
+    VirtualMachine machine(model, string);
     machine.set_time_limit(&options.time);
     machine.set_printer(&options.print);
     HomomorphismWalk walk(model, string, machine);

@@ -20,7 +20,7 @@ namespace tractus {
 class HomomorphismWalk {
 public:
     // All must outlive it; `main` runs the main L-system's programs.
-    HomomorphismWalk(Model const& model, ModuleString const& string, Machine& main);
+    HomomorphismWalk(Model const& model, ModuleString const& string, VirtualMachine& main);
 
     bool is_at_end() const { return at_ >= string_.size(); }
     // The place of the module that comes next.

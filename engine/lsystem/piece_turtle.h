@@ -4,10 +4,10 @@
 #include "engine/lsystem/branch_index.h"
 #include "engine/lsystem/expander.h"
 #include "engine/lsystem/interpret.h"
-#include "engine/lsystem/machine.h"
 #include "engine/lsystem/plant_assembly.h"
 #include "engine/lsystem/segment_plan.h"
 #include "engine/lsystem/turtle.h"
+#include "engine/lsystem/virtual_machine.h"
 
 #include <array>
 #include <atomic>
@@ -56,7 +56,7 @@ public:
     // Draws a piece to its place in the plant and says where those that fill its gaps begin.
     void draw(std::vector<PlannedPiece> const& plan, std::size_t index, std::vector<Piece>& pieces);
 
-    Machine const& machine() const { return machine_; }
+    VirtualMachine const& machine() const { return machine_; }
 
 private:
     void begin(Piece const& piece);
@@ -78,7 +78,7 @@ private:
     Model const& model_;
     ModuleString const& string_;
     std::optional<BranchCutter> cutter_;
-    Machine machine_;
+    VirtualMachine machine_;
     Expander homomorphism_;
     Turtle turtle_;
     TurtleDrawing drawing_; // Of one piece: the same memory for one after the other.

@@ -23,7 +23,7 @@ Vec3 to_model(Vec3 const& v)
 
 class Questioning {
 public:
-    Questioning(Model const& model, ModuleString& string, Machine const& main)
+    Questioning(Model const& model, ModuleString& string, VirtualMachine const& main)
         : model_(model)
         , string_(string)
         , machine_(main)
@@ -52,7 +52,7 @@ private:
 
     Model const& model_;
     ModuleString& string_;
-    Machine machine_;
+    VirtualMachine machine_;
     HomomorphismWalk walk_;
     TurtleOptions const options_ { .unit_mm = 1 };
     TurtleDrawing drawing_;
@@ -172,8 +172,8 @@ bool has_queries(Model const& model)
            });
 }
 
-Result<void> answer_queries(Model const& model, ModuleString& string, Machine const& main, int step,
-                            Environment const& environment)
+Result<void> answer_queries(Model const& model, ModuleString& string, VirtualMachine const& main,
+                            int step, Environment const& environment)
 {
     Questioning questioning(model, string, main);
     TRY(questioning.run());

@@ -2,9 +2,9 @@
 
 #include "engine/base/result.h"
 #include "engine/base/vectors.h"
-#include "engine/lsystem/machine.h"
 #include "engine/lsystem/model.h"
 #include "engine/lsystem/module_string.h"
+#include "engine/lsystem/virtual_machine.h"
 
 #include <cstddef>
 #include <functional>
@@ -46,7 +46,7 @@ bool keeps_cuts(Model const& model);
 // asks the environment, if there is one, about the ?E. A query with fewer parameters gets the first
 // of the values; one that a homomorphism rule makes gets none. What the turtle does to the string's
 // variables, by homomorphism rules, is forgotten. Fails like apply_homomorphism().
-Result<void> answer_queries(Model const& model, ModuleString& string, Machine const& main, int step,
-                            Environment const& environment);
+Result<void> answer_queries(Model const& model, ModuleString& string, VirtualMachine const& main,
+                            int step, Environment const& environment);
 
 } // namespace tractus

@@ -150,7 +150,8 @@ std::size_t RulePlan::choose(KindId kind, double number) const
     return candidates[std::min(chosen, candidates.size() - 1)].rule;
 }
 
-RangeRewriter::RangeRewriter(RulePlan const& plan, Machine& machine, Branches const& branches)
+RangeRewriter::RangeRewriter(RulePlan const& plan, VirtualMachine& machine,
+                             Branches const& branches)
     : plan_(plan)
     , model_(plan.model())
     , system_(plan.system())

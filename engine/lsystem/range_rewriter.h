@@ -3,11 +3,11 @@
 #include "engine/lsystem/block_scan.h"
 #include "engine/lsystem/expander.h"
 #include "engine/lsystem/fixed_successor.h"
-#include "engine/lsystem/machine.h"
 #include "engine/lsystem/model.h"
 #include "engine/lsystem/module_string.h"
 #include "engine/lsystem/rewriter.h"
 #include "engine/lsystem/rule_batch.h"
+#include "engine/lsystem/virtual_machine.h"
 
 #include <array>
 #include <cstddef>
@@ -99,7 +99,7 @@ class RangeRewriter {
 public:
     // All must outlive it; `branches` are of the string that will be rewritten, where rules have
     // contexts.
-    RangeRewriter(RulePlan const& plan, Machine& machine, Branches const& branches);
+    RangeRewriter(RulePlan const& plan, VirtualMachine& machine, Branches const& branches);
 
     bool has_contexts() const { return rewriter_.has_contexts() || decomposition_.has_contexts(); }
 
@@ -157,7 +157,7 @@ private:
     RulePlan const& plan_;
     Model const& model_;
     LSystem const& system_;
-    Machine& machine_;
+    VirtualMachine& machine_;
     Branches const& branches_;
     Rewriter rewriter_;
     Expander decomposition_;

@@ -61,7 +61,7 @@ void find_branches(Model const& model, ModuleString const& string, Branches& bra
 }
 
 Rewriter::Rewriter(Model const& model, LSystem const& system, RuleSet const& rules,
-                   Machine& machine)
+                   VirtualMachine& machine)
     : model_(model)
     , system_(system)
     , rules_(rules)

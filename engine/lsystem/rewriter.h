@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/lsystem/fixed_successor.h"
-#include "engine/lsystem/machine.h"
 #include "engine/lsystem/model.h"
 #include "engine/lsystem/module_string.h"
+#include "engine/lsystem/virtual_machine.h"
 
 #include <array>
 #include <cstddef>
@@ -55,7 +55,8 @@ struct Surroundings {
 class Rewriter {
 public:
     // For rules of one L-system of the model.
-    Rewriter(Model const& model, LSystem const& system, RuleSet const& rules, Machine& machine);
+    Rewriter(Model const& model, LSystem const& system, RuleSet const& rules,
+             VirtualMachine& machine);
 
     // The rule that rewrites the first of `modules`, nullptr if none does. With `adjacent` the
     // right context begins behind the predecessor in the string; otherwise at `around.right`.
@@ -120,7 +121,7 @@ private:
     Model const& model_;
     LSystem const& system_;
     RuleSet const& rules_;
-    Machine& machine_;
+    VirtualMachine& machine_;
     std::vector<RegisterFile> frames_;
     std::vector<FixedSuccessor> successors_; // Of them only the kinds are used.
     struct Candidate {

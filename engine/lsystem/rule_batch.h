@@ -11,7 +11,7 @@
 namespace tractus {
 
 // Modules that one rule rewrites, some at a time: each instruction of its program runs for all of
-// them before the next one. The results are those of Machine, bit for bit.
+// them before the next one. The results are those of VirtualMachine, bit for bit.
 class RuleBatch {
 public:
     // Whether the rule's program is arithmetic from its first instruction to its last, so that it

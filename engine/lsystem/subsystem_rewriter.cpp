@@ -4,7 +4,8 @@
 
 namespace tractus {
 
-SubsystemRewriter::SubsystemRewriter(Model const& model, Machine& main, Branches const& branches)
+SubsystemRewriter::SubsystemRewriter(Model const& model, VirtualMachine& main,
+                                     Branches const& branches)
     : model_(model)
     , main_(main)
     , stack_(model, main)

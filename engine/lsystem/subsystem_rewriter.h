@@ -18,7 +18,7 @@ class SubsystemRewriter {
 public:
     // All must outlive it; `main` runs the main L-system's programs, `branches` are of the string
     // that will be rewritten.
-    SubsystemRewriter(Model const& model, Machine& main, Branches const& branches);
+    SubsystemRewriter(Model const& model, VirtualMachine& main, Branches const& branches);
 
     bool has_contexts() const;
 
@@ -47,7 +47,7 @@ private:
     static constexpr std::size_t kGone = static_cast<std::size_t>(-1);
 
     Model const& model_;
-    Machine& main_;
+    VirtualMachine& main_;
     CallStack stack_;
     std::vector<std::unique_ptr<RulePlan>> plans_;
     std::vector<std::unique_ptr<RangeRewriter>> rewriters_;

@@ -63,7 +63,7 @@ std::size_t tube_triangles(Plant const& plant, MeshOptions const& options)
     return std::accumulate(of_axes.begin(), of_axes.end(), std::size_t { 0 });
 }
 
-// The axes from the one that stays longest to the one that goes first; each comes after its bearer.
+// The axes from the one that stays longest to the one that goes first; each comes after its parent.
 std::vector<AxisId> order_of_staying(Plant const& plant)
 {
     std::vector<double> worth(plant.axes.size());
@@ -82,8 +82,8 @@ std::vector<AxisId> order_of_staying(Plant const& plant)
     for (AxisId id = trunk; id != kNone; id = plant.axes[id].parent_axis)
         worth[id] = std::numeric_limits<double>::infinity();
     for (AxisId id = 0; id < plant.axes.size(); ++id)
-        if (auto const bearer = plant.axes[id].parent_axis; bearer != kNone)
-            worth[id] = std::min(worth[id], worth[bearer]);
+        if (auto const parent = plant.axes[id].parent_axis; parent != kNone)
+            worth[id] = std::min(worth[id], worth[parent]);
     std::vector<AxisId> order(plant.axes.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
@@ -112,7 +112,7 @@ public:
     {
     }
 
-    // `stays`: per axis; a bearer stays where what it bears does.
+    // `stays`: per axis; a parent stays where what it bears does.
     Branches branches(std::vector<char> const& stays);
 
 private:

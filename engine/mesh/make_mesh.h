@@ -19,8 +19,8 @@ struct MeshOptions {
     // curved: a cubic through the nodes. 0 and 1 keep the segments straight. 0 to 16.
     int subdivision = 4;
 
-    // How far a lateral axis flares where it leaves its bearer, as a share of its own radius; the
-    // bearer's radius is never exceeded. 0 for no collar. The thinnest axes (those with
+    // How far a lateral axis flares where it leaves its parent, as a share of its own radius; the
+    // parent's radius is never exceeded. 0 for no collar. The thinnest axes (those with
     // `min_sides`) have none.
     double collar = 0.45;
 
@@ -44,7 +44,7 @@ struct MeshOptions {
 // The plant as triangles, in the plant's frame. Tubes come first in each surface, then polygons.
 //
 // A tube's cross-sections follow a rotation-minimising frame and stay round through bends: a sharp
-// one gets an elbow of several sections around the node. An axis starts on its bearer's centre
+// one gets an elbow of several sections around the node. An axis starts on its parent's centre
 // line, ends in a dome, or in a point where its radius is zero, and is closed at the base where it
 // stands on nothing. Nodes that coincide count as one; what has no length or no area makes no
 // triangles. `plant` must pass check_plant() and have fewer than 2^32 vertices to be made per

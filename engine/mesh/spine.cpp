@@ -15,10 +15,10 @@ constexpr double kRoundable_cosine = 0.26; // Bends sharper than 75 degrees beco
 constexpr double kStraight_cosine = 0.878; // The same without rounding: 0.5 radians.
 
 // What an axis starts on.
-struct Bearer {
+struct Parent {
     double radius_mm;
     Vec3 direction;
-    bool continued; // The axis goes on where its bearer ends: a sympodial fork.
+    bool continued; // The axis goes on where its parent ends: a sympodial fork.
 };
 
 void collect_nodes(Plant const& plant, Axis const& axis, std::vector<SpineRoom::Node>& nodes)
@@ -64,22 +64,22 @@ double same_area_radius(int sides)
 }
 
 // No value where the axis stands on the ground, or away from what it should stand on.
-std::optional<Bearer> find_bearer(Plant const& plant, Axis const& axis)
+std::optional<Parent> find_parent(Plant const& plant, Axis const& axis)
 {
     if (axis.parent_axis == kNone)
         return std::nullopt;
-    auto const& parent = plant.axes[axis.parent_axis];
-    auto const segment = axis.parent_segment - parent.first_segment;
-    NodeId const end = parent.first_node + segment + 1;
+    auto const& parent_axis = plant.axes[axis.parent_axis];
+    auto const segment = axis.parent_segment - parent_axis.first_segment;
+    NodeId const end = parent_axis.first_node + segment + 1;
     double const radius = std::max<double>(plant.node_radius_mm[end], kLeastRadius_mm);
     Vec3 const& position = plant.node_position_mm[end];
     if ((plant.node_position_mm[axis.first_node] - position).norm() > radius + kSameNode_mm)
         return std::nullopt;
     Vec3 const step = position - plant.node_position_mm[end - 1];
     double const length = step.norm();
-    bool const continued = segment + 1 == parent.segment_count
+    bool const continued = segment + 1 == parent_axis.segment_count
         && plant.node_radius_mm[axis.first_node] >= 0.6 * radius;
-    return Bearer { radius, length > 0 ? Vec3(step / length) : Vec3::UnitZ(), continued };
+    return Parent { radius, length > 0 ? Vec3(step / length) : Vec3::UnitZ(), continued };
 }
 
 class Tracer {
@@ -92,10 +92,10 @@ public:
     {
     }
 
-    void trace(std::optional<Bearer> const& bearer)
+    void trace(std::optional<Parent> const& parent)
     {
         stations_.clear();
-        Vec3 tangent = base_tangent(bearer);
+        Vec3 tangent = base_tangent(parent);
         add({ nodes_[0].position_mm, tangent, nodes_[0].radius_mm, 0, nodes_[0].segment });
         for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
             bool const last = i + 2 == nodes_.size();
@@ -111,14 +111,14 @@ public:
     }
 
 private:
-    // Where a limb goes on, it leaves in its bearer's direction and bends into its own, so that the
+    // Where a limb goes on, it leaves in its parent's direction and bends into its own, so that the
     // two limbs of a fork part slowly.
-    Vec3 base_tangent(std::optional<Bearer> const& bearer) const
+    Vec3 base_tangent(std::optional<Parent> const& parent) const
     {
         Vec3 const& own = nodes_[0].direction;
-        bool const follows = bearer && bearer->continued && rounding_
-            && bearer->direction.dot(own) >= kRoundable_cosine;
-        return follows ? bearer->direction : own;
+        bool const follows = parent && parent->continued && rounding_
+            && parent->direction.dot(own) >= kRoundable_cosine;
+        return follows ? parent->direction : own;
     }
 
     bool is_elbow(std::size_t node) const
@@ -216,11 +216,11 @@ void insert_station(std::vector<SpineStation>& stations, double arc_mm, double s
     stations.insert(after, station);
 }
 
-// The base of an axis on its bearer: constant inside it, then falling to the axis' own radius. A
+// The base of an axis on its parent: constant inside it, then falling to the axis' own radius. A
 // lateral axis falls fast at first, as the swelling around a real branch does; one that continues
-// its bearer leaves with the bearer's own slope.
+// its parent leaves with the parent's own slope.
 struct Collar {
-    double base_radius_mm; // At the bearer's centre line.
+    double base_radius_mm; // At the parent's centre line.
     double level_mm;       // So far along the axis it keeps that radius.
     double fall_mm;        // Over this length it falls to the axis' own.
     bool soft;             // The fall begins gently, too.
@@ -233,16 +233,16 @@ struct Collar {
     }
 };
 
-Collar collar_on(Bearer const& bearer, SpineRoom const& spine, MeshOptions const& options)
+Collar collar_on(Parent const& parent, SpineRoom const& spine, MeshOptions const& options)
 {
     double const radius = spine.nodes[0].radius_mm;
     double const length = spine.stations.back().arc_mm;
-    if (bearer.continued)
-        return { bearer.radius_mm, 0, std::min(4 * bearer.radius_mm, 0.8 * length), true };
-    double const cosine = bearer.direction.dot(spine.nodes[0].direction);
+    if (parent.continued)
+        return { parent.radius_mm, 0, std::min(4 * parent.radius_mm, 0.8 * length), true };
+    double const cosine = parent.direction.dot(spine.nodes[0].direction);
     double const sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-    double const inside = bearer.radius_mm / std::max(0.4, sine);
-    return { std::min(0.95 * bearer.radius_mm, radius * (1 + options.collar)),
+    double const inside = parent.radius_mm / std::max(0.4, sine);
+    return { std::min(0.95 * parent.radius_mm, radius * (1 + options.collar)),
              std::min(inside, 0.5 * length), std::min(4.5 * radius, 0.4 * length), false };
 }
 
@@ -271,18 +271,18 @@ Spine trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& optio
     collect_nodes(plant, axis, room.nodes);
     if (room.nodes.size() < 2)
         return {};
-    auto const bearer = find_bearer(plant, axis);
+    auto const parent = find_parent(plant, axis);
     Spine spine;
     spine.sides = sides_for(room.nodes, options, thickest_mm);
-    spine.closed_base = !bearer && options.ends == MeshOptions::Ends::Closed;
-    Tracer(options, room).trace(bearer);
+    spine.closed_base = !parent && options.ends == MeshOptions::Ends::Closed;
+    Tracer(options, room).trace(parent);
 
     bool const thin = spine.sides <= options.min_sides && options.min_sides < options.max_sides;
-    if (bearer && options.collar > 0 && (!thin || bearer->continued))
-        apply_collar(room, collar_on(*bearer, room, options));
-    else if (bearer)
+    if (parent && options.collar > 0 && (!thin || parent->continued))
+        apply_collar(room, collar_on(*parent, room, options));
+    else if (parent)
         room.stations.front().radius_mm
-            = std::min(room.stations.front().radius_mm, bearer->radius_mm);
+            = std::min(room.stations.front().radius_mm, parent->radius_mm);
 
     if (options.sections == MeshOptions::Sections::SameArea)
         for (auto& station : room.stations)

@@ -9,7 +9,7 @@ namespace tractus {
 // The same plant with axes as a person sees branches: where an axis ends and others continue from
 // its end (sympodial growth, as in F[+A][-A]), it goes on into the thickest of them. Of equally
 // thick ones the straightest goes on, then the first. An axis that starts elsewhere than where its
-// bearer ends (a gap) stays apart. Geometry, materials and what rides on each segment stay as they
+// parent ends (a gap) stays apart. Geometry, materials and what rides on each segment stay as they
 // are; orders, and the numbers of axes and segments, are new.
 Plant join_axes(Plant const& plant);
 

@@ -57,7 +57,7 @@ struct Associate {
     Stroke stroke;
     Propagation propagation = Propagation::Selected;
     StrokeFit fit = StrokeFit::Start;
-    double kept_hand = 1; // See Association.
+    double detail_weight = 1; // See Association.
 };
 
 // The next ones edit strokes that shape something already: those with these numbers in
@@ -72,7 +72,7 @@ struct Oversketch {
 // From here on keeps so much of the hand in them, 0 (smooth) to 1 (as drawn).
 struct SmoothStroke {
     std::vector<std::size_t> associations;
-    double kept_hand = 0;
+    double detail_weight = 0;
 };
 
 // Takes them away; what they overrode counts again.
@@ -106,7 +106,7 @@ struct DeleteIndicator {
 struct SetGrowth {
     GrowthParameters parameters;
     std::uint64_t seed = 1; // Of the variations.
-    double liking = 1;      // At which the parameters count; see at_liking().
+    double variability = 1; // At which the parameters count; see at_variability().
     double age = 1;         // See Grower::grow().
 };
 

@@ -128,7 +128,7 @@ Result<Scene> applied(Scene scene, Associate const& edit)
                                   .stroke = edit.stroke,
                                   .propagation = edit.propagation,
                                   .fit = edit.fit,
-                                  .kept_hand = edit.kept_hand };
+                                  .detail_weight = edit.detail_weight };
         // Refused here, at its own edit, rather than later when the plant is grown.
         TRY(check_association(*scene.base, association));
         auto place = std::make_shared<PathAddress const>(address_of(*scene.base, path));
@@ -170,7 +170,7 @@ Result<Scene> applied(Scene scene, SmoothStroke const& edit)
     TRY(check_numbers(scene, edit.associations));
     for (auto const number : edit.associations) {
         auto association = scene.associations[number];
-        association.kept_hand = edit.kept_hand;
+        association.detail_weight = edit.detail_weight;
         TRY(check_association(*scene.base, association));
         scene.associations.replace(number, std::move(association));
     }
@@ -263,7 +263,7 @@ Result<Scene> applied(Scene scene, DeleteIndicator const& edit)
 Result<Scene> applied(Scene scene, SetGrowth const& edit)
 {
     TRY(check_growth_parameters(edit.parameters));
-    TRY(at_liking(edit.parameters, edit.liking));
+    TRY(at_variability(edit.parameters, edit.variability));
     if (!(edit.age >= 0 && edit.age <= 1))
         return fail(Fault::User,
                     fmt::format("a plant cannot be {} of its age: give 0 (a seed) to "

@@ -27,7 +27,7 @@ Result<GrowthPlan> plan_growth(Scene const& scene, SceneShaper& shaper, std::sto
     place_nodes(*scene.base, *scene.rest, shape, nodes_mm);
     auto influence = TRY(influence_of(*scene.base, nodes_mm, scene.indicators,
                                       { scene.placement.shown_height_mm, scene.placement.scale }));
-    auto const growth = TRY(at_liking(scene.growth.parameters, scene.growth.liking));
+    auto const growth = TRY(at_variability(scene.growth.parameters, scene.growth.variability));
     if (stop.stop_requested())
         return GrowthPlan {};
     return plan_growth(*scene.base, *scene.rest, shape, growth, std::move(influence), stop);

@@ -9,11 +9,11 @@ namespace tractus {
 // What remains of a line after all rounds backwards: enough for a helix of three turns.
 constexpr std::size_t kControlPoints = 18;
 
-std::vector<Vec3> smooth_hand(std::span<Vec3 const> points, double kept_hand)
+std::vector<Vec3> smooth_hand(std::span<Vec3 const> points, double detail_weight)
 {
     CHECK(points.size() >= 2);
-    CHECK(kept_hand >= 0 && kept_hand <= 1);
-    if (kept_hand == 1)
+    CHECK(detail_weight >= 0 && detail_weight <= 1);
+    if (detail_weight == 1)
         return { points.begin(), points.end() };
 
     // A round takes n points to 2n - 2, so these counts come back to kControlPoints exactly.
@@ -29,7 +29,7 @@ std::vector<Vec3> smooth_hand(std::span<Vec3 const> points, double kept_hand)
     for (int round = 0; round < rounds; ++round)
         curve = subdivide(curve);
     for (std::size_t i = 0; i < curve.size(); ++i)
-        curve[i] += kept_hand * (drawn[i] - curve[i]);
+        curve[i] += detail_weight * (drawn[i] - curve[i]);
     return curve;
 }
 

@@ -17,12 +17,12 @@ struct TipSample {
     bool eraser = false;             // The eraser's end points at the tablet.
 
     // How the height was found.
-    enum class Height {
+    enum class HeightSource {
         Interpolated, // Between two readings: final.
         Extrapolated, // Carried on from the last one: for live ink, replaced when later readings
                       // come.
     };
-    Height height = Height::Interpolated;
+    HeightSource height_source = HeightSource::Interpolated;
 
     // The carriage is higher or lower than it was ever calibrated: the height is a guess.
     bool outside_calibration = false;

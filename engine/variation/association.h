@@ -39,7 +39,7 @@ struct Association {
     Stroke stroke {}; // World frame, at any scale: only its shape counts.
     Propagation propagation = Propagation::Selected;
     StrokeFit fit = StrokeFit::Start;
-    double kept_hand = 1; // How much of the hand's tremor stays, 0 to 1: see smooth_hand.
+    double detail_weight = 1; // How much of the hand's tremor stays, 0 to 1: see smooth_hand.
 
     // The plant has lost the path, so the stroke shapes nothing. Kept, since the branch may come
     // back.
@@ -53,8 +53,8 @@ struct PredefinedShape {
 };
 
 // Refuses, in a sentence, a path that is empty, not in the plant or not sequential, a stroke that
-// has no direction (stroke_points) or, for StrokeFit::Chord, ends where it began, and a kept_hand
-// outside of 0 to 1. An orphaned association is fine.
+// has no direction (stroke_points) or, for StrokeFit::Chord, ends where it began, and a
+// detail_weight outside of 0 to 1. An orphaned association is fine.
 Result<void> check_association(Plant const& plant, Association const& association);
 
 // Bends the branches of `plant`, of which `rest` is the shape, to the strokes. Topology and segment
@@ -65,7 +65,7 @@ Result<void> check_association(Plant const& plant, Association const& associatio
 // the path rides on it as it rode in the base plant, unless the stroke is laid as in the world.
 //
 // A descendant axis takes the same stroke in its own base frame (RestShape), as the path takes it
-// in its own. So what bends the path towards its bearer bends all descendants towards theirs, and
+// in its own. So what bends the path towards its parent bends all descendants towards theirs, and
 // each branch starts as it did in the base plant. As in the world, all of them point as was drawn.
 //
 // Whatever has no stroke keeps its base shape and is carried along rigidly: axes without

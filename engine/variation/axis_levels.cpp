@@ -13,7 +13,7 @@ AxisLevels find_axis_levels(Plant const& plant)
 {
     std::vector<std::uint32_t> level_of(plant.axes.size());
     AxisLevels levels;
-    for (AxisId id = 0; id < plant.axes.size(); ++id) { // Bearers come first.
+    for (AxisId id = 0; id < plant.axes.size(); ++id) { // Parents come first.
         auto const& axis = plant.axes[id];
         level_of[id] = axis.parent_axis == kNone ? 0 : level_of[axis.parent_axis] + 1;
         if (level_of[id] >= levels.segment_count.size())

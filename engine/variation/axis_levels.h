@@ -10,7 +10,7 @@
 namespace tractus {
 
 // The axes of a plant by level: level 0 stands on the ground, level n on axes of level n - 1. What
-// is computed from a bearer to what it bears runs level by level, and within a level in any order.
+// is computed from a parent to what it bears runs level by level, and within a level in any order.
 struct AxisLevels {
     // Level after level; in a level the shorter axes first, by their number of segments, so that
     // neighbours grow side by side; those that are equal in the plant's order.

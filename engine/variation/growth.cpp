@@ -19,9 +19,9 @@ void carry_organs(GrowthPlan const& plan, std::span<Quat const> frames, Plant& p
     parallel_for(plan.organs.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (auto i = begin; i < end; ++i) {
             auto const& from = plan.organs[i];
-            if (from.seat.bearer == kNone)
+            if (from.seat.parent == kNone)
                 continue;
-            auto const& frame = frames[from.seat.bearer];
+            auto const& frame = frames[from.seat.parent];
             auto& organ = plant.organs[i];
             organ.position_mm = plant.node_position_mm[from.seat.node];
             if (!from.offset_mm.isZero(0))
@@ -41,7 +41,7 @@ void carry_sections(GrowthPlan const& plan, std::span<Quat const> frames, Plant&
                 = plan.segments[axis.first_segment + std::min(i, axis.segment_count - 1)];
             auto const node = axis.first_node + i;
             plant.node_section[node].normal
-                = frames[segment.bearer].cast<float>() * plan.section_normal[node];
+                = frames[segment.parent].cast<float>() * plan.section_normal[node];
         }
 }
 
@@ -49,14 +49,14 @@ void carry_polygons(GrowthPlan const& plan, std::span<Quat const> frames, double
 {
     for (std::size_t i = 0; i < plan.polygons.size(); ++i) {
         auto const& [seat, birth] = plan.polygons[i];
-        if (seat.bearer == kNone)
+        if (seat.parent == kNone)
             continue;
         auto const& polygon = plan.base.polygons[i];
         double const size = age < 1 ? unfolded(age, birth) : 1;
         for (std::uint32_t n = 0; n < polygon.vertex_count; ++n) {
             auto const vertex = polygon.first_vertex + n;
             plant.polygon_vertices_mm[vertex] = plant.node_position_mm[seat.node]
-                + size * (frames[seat.bearer] * plan.vertex_offset_mm[vertex]);
+                + size * (frames[seat.parent] * plan.vertex_offset_mm[vertex]);
         }
     }
 }
@@ -66,7 +66,7 @@ void carry_polygons(GrowthPlan const& plan, std::span<Quat const> frames, double
 Grower::Grower(GrowthPlan const& plan)
     : plan_(plan)
     , plant_(plan.base)
-    , bearer_frame_(plan.bearer_frame.size(), Quat::Identity())
+    , parent_frame_(plan.parent_frame.size(), Quat::Identity())
     , sagger_(plan)
 {
 }
@@ -78,7 +78,7 @@ Plant const& Grower::grow(PlantKey const& key, double age, std::stop_token const
     if (age < 1 || is_aged_)
         age_plant(age);
     for_each_level(plan_.levels, [&](std::span<AxisId const> axes) {
-        GrowthBundle bundle(plan_, noise, age, { plant_.node_position_mm, bearer_frame_ });
+        GrowthBundle bundle(plan_, noise, age, { plant_.node_position_mm, parent_frame_ });
         for (; !axes.empty() && !stop.stop_requested();
              axes = axes.subspan(std::min(axes.size(), kGrowthLanes)))
             bundle.grow(axes.first(std::min(axes.size(), kGrowthLanes)));
@@ -86,14 +86,14 @@ Plant const& Grower::grow(PlantKey const& key, double age, std::stop_token const
     if (stop.stop_requested())
         return plant_;
     if (plan_.parameters.sag > 0)
-        sagger_.sag(plant_, bearer_frame_, stop);
+        sagger_.sag(plant_, parent_frame_, stop);
     if (stop.stop_requested())
         return plant_;
-    carry_organs(plan_, bearer_frame_, plant_);
+    carry_organs(plan_, parent_frame_, plant_);
     if (age < 1)
         young_leaves_->place(plant_, age);
-    carry_sections(plan_, bearer_frame_, plant_);
-    carry_polygons(plan_, bearer_frame_, age, plant_);
+    carry_sections(plan_, parent_frame_, plant_);
+    carry_polygons(plan_, parent_frame_, age, plant_);
     return plant_;
 }
 

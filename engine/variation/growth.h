@@ -44,7 +44,7 @@ private:
 
     GrowthPlan const& plan_;
     Plant plant_;
-    std::vector<Quat> bearer_frame_; // Per bearing segment, as it has grown.
+    std::vector<Quat> parent_frame_; // Per bearing segment, as it has grown.
     Sagger sagger_;
     std::optional<YoungLeaves> young_leaves_; // Once a young plant has been grown.
     bool is_aged_ = false;                    // Radii and sizes of plant_ are not the base plant's.

@@ -84,9 +84,9 @@ void GrowthBundle::seat(std::span<AxisId const> axes)
         longest_ = std::max(longest_, segment_count_[lane]);
         Quat turn = Quat::Identity();
         Vec3 position_mm = from.offset_mm;
-        if (from.seat.bearer != kNone) {
-            auto const& grown = grown_.bearer_frame[from.seat.bearer];
-            turn = grown * plan_.bearer_frame[from.seat.bearer].conjugate();
+        if (from.seat.parent != kNone) {
+            auto const& grown = grown_.parent_frame[from.seat.parent];
+            turn = grown * plan_.parent_frame[from.seat.parent].conjugate();
             position_mm = grown_.node_position_mm[from.seat.node];
             if (!from.offset_mm.isZero(0))
                 position_mm += grown * from.offset_mm;
@@ -322,9 +322,9 @@ void GrowthBundle::write(std::uint32_t number)
             continue;
         grown_.node_position_mm[first_node_[lane] + number + 1]
             = { position_mm_.x[lane], position_mm_.y[lane], position_mm_.z[lane] };
-        auto const bearer = plan_.segments[first_segment_[lane] + number].bearer;
-        if (bearer != kNone)
-            grown_.bearer_frame[bearer] = { turned_frame_.w[lane], turned_frame_.x[lane],
+        auto const parent = plan_.segments[first_segment_[lane] + number].parent;
+        if (parent != kNone)
+            grown_.parent_frame[parent] = { turned_frame_.w[lane], turned_frame_.x[lane],
                                             turned_frame_.y[lane], turned_frame_.z[lane] };
     }
 }

@@ -23,7 +23,7 @@ public:
     // Where nodes and the frames of bearing segments are written, and those below them read.
     struct Grown {
         std::span<Vec3> node_position_mm;
-        std::span<Quat> bearer_frame;
+        std::span<Quat> parent_frame;
     };
 
     // Plan and noise must outlive the bundle.

@@ -54,19 +54,19 @@ Result<void> check_growth_parameters(GrowthParameters const& p)
     return {};
 }
 
-Result<GrowthParameters> at_liking(GrowthParameters parameters, double liking)
+Result<GrowthParameters> at_variability(GrowthParameters parameters, double variability)
 {
     constexpr double kMost = 4;
-    if (!(liking >= 0 && liking <= kMost))
+    if (!(variability >= 0 && variability <= kMost))
         return fail(Fault::User,
                     fmt::format("a plant cannot grow {} as it likes: give 0 (as drawn) to {} (as "
                                 "it likes)",
-                                liking, kMost));
-    parameters.strength *= liking;
-    parameters.indicator_gain *= liking;
-    parameters.maturation_bending *= liking;
-    parameters.sag *= liking;
-    parameters.gain /= std::max(1.0, liking);
+                                variability, kMost));
+    parameters.strength *= variability;
+    parameters.indicator_gain *= variability;
+    parameters.maturation_bending *= variability;
+    parameters.sag *= variability;
+    parameters.gain /= std::max(1.0, variability);
     return parameters;
 }
 

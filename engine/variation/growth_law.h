@@ -67,10 +67,11 @@ struct GrowthParameters {
     bool operator==(GrowthParameters const&) const = default;
 };
 
-// The same, on a slider from 0, "as drawn" (the strokes come back exactly), over 1, as the
-// parameters say, to 4, "as it likes": chance, influences and weight do as much more, and the
-// feedback that holds the plant to its strokes as much less. Refuses what lies outside.
-Result<GrowthParameters> at_liking(GrowthParameters parameters, double liking);
+// Parameters of plants that vary as much: `variability` is 0 for plants as drawn (the strokes come
+// back exactly), 1 for what the parameters say, and up to 4. Chance, influences and weight do as
+// much more, and the feedback that holds the plant to its strokes as much less. Refuses what lies
+// outside.
+Result<GrowthParameters> at_variability(GrowthParameters parameters, double variability);
 
 // Refuses, in a sentence, what is outside of the ranges above.
 Result<void> check_growth_parameters(GrowthParameters const& parameters);

@@ -15,9 +15,9 @@ namespace {
 using Steps = GrowthParameters::Steps;
 
 // Numbers the segments that bear something, in the order in which it is found.
-class Bearers {
+class Parents {
 public:
-    Bearers(GrowthPlan& plan, RestShape const& rest)
+    Parents(GrowthPlan& plan, RestShape const& rest)
         : plan_(plan)
         , rest_(rest)
     {
@@ -27,13 +27,13 @@ public:
     {
         if (segment == kNone)
             return {};
-        auto& bearer = plan_.segments[segment].bearer;
-        if (bearer == kNone) {
-            bearer = static_cast<std::uint32_t>(plan_.bearer_frame.size());
-            plan_.bearer_frame.push_back(plan_.segments[segment].frame);
+        auto& parent = plan_.segments[segment].parent;
+        if (parent == kNone) {
+            parent = static_cast<std::uint32_t>(plan_.parent_frame.size());
+            plan_.parent_frame.push_back(plan_.segments[segment].frame);
         }
         auto const& owner = plan_.base.axes[axis];
-        return { bearer, owner.first_node + (segment - owner.first_segment) + 1 };
+        return { parent, owner.first_node + (segment - owner.first_segment) + 1 };
     }
 
     // Takes the base plant's coordinates to those of the bearing segment.
@@ -62,46 +62,46 @@ private:
     RestShape const& rest_;
 };
 
-void seat_axes(GrowthPlan& plan, RestShape const& rest, Bearers& bearers)
+void seat_axes(GrowthPlan& plan, RestShape const& rest, Parents& parents)
 {
     auto const& base = plan.base;
     auto const ages = find_axis_ages(base, rest);
     plan.axes.reserve(base.axes.size());
     for (AxisId id = 0; id < base.axes.size(); ++id) {
         auto const& axis = base.axes[id];
-        auto const seat = bearers.seat(axis.parent_segment, axis.parent_axis);
+        auto const seat = parents.seat(axis.parent_segment, axis.parent_axis);
         auto const offset_mm
-            = bearers.offset_mm(axis.parent_segment, seat, base.node_position_mm[axis.first_node]);
+            = parents.offset_mm(axis.parent_segment, seat, base.node_position_mm[axis.first_node]);
         plan.axes.push_back({ seat, offset_mm, ages[id] });
     }
 }
 
 // What rides on the segments. Each is born when its segment is complete.
-void seat_riders(GrowthPlan& plan, Bearers& bearers)
+void seat_riders(GrowthPlan& plan, Parents& parents)
 {
     auto const& base = plan.base;
     plan.organs.reserve(base.organs.size());
     for (auto const& organ : base.organs) {
         AxisId const axis = organ.segment == kNone ? kNone : axis_of(base, organ.segment);
-        auto const seat = bearers.seat(organ.segment, axis);
-        plan.organs.push_back({ seat, bearers.offset_mm(organ.segment, seat, organ.position_mm),
-                                bearers.to_frame(organ.segment) * organ.orientation,
-                                bearers.birth_of_end(organ.segment, axis) });
+        auto const seat = parents.seat(organ.segment, axis);
+        plan.organs.push_back({ seat, parents.offset_mm(organ.segment, seat, organ.position_mm),
+                                parents.to_frame(organ.segment) * organ.orientation,
+                                parents.birth_of_end(organ.segment, axis) });
     }
     plan.vertex_offset_mm = base.polygon_vertices_mm;
     for (auto const& polygon : base.polygons) {
         AxisId const axis = polygon.segment == kNone ? kNone : axis_of(base, polygon.segment);
-        auto const seat = bearers.seat(polygon.segment, axis);
-        plan.polygons.push_back({ seat, bearers.birth_of_end(polygon.segment, axis) });
+        auto const seat = parents.seat(polygon.segment, axis);
+        plan.polygons.push_back({ seat, parents.birth_of_end(polygon.segment, axis) });
         for (std::uint32_t i = 0; i < polygon.vertex_count; ++i) {
             auto& vertex = plan.vertex_offset_mm[polygon.first_vertex + i];
-            vertex = bearers.offset_mm(polygon.segment, seat, vertex);
+            vertex = parents.offset_mm(polygon.segment, seat, vertex);
         }
     }
 }
 
 // The sections that are not round turn with their segments.
-void seat_sections(GrowthPlan& plan, RestShape const& rest, Bearers& bearers)
+void seat_sections(GrowthPlan& plan, RestShape const& rest, Parents& parents)
 {
     auto const& base = plan.base;
     if (base.node_section.empty())
@@ -112,7 +112,7 @@ void seat_sections(GrowthPlan& plan, RestShape const& rest, Bearers& bearers)
         for (std::uint32_t i = 0; i <= axis.segment_count; ++i) {
             auto const segment = axis.first_segment + std::min(i, axis.segment_count - 1);
             auto const node = axis.first_node + i;
-            (void)bearers.seat(segment, id);
+            (void)parents.seat(segment, id);
             plan.section_normal[node]
                 = rest.frame[segment].conjugate().cast<float>() * base.node_section[node].normal;
         }
@@ -230,11 +230,11 @@ Result<GrowthPlan> plan_growth(Plant base, RestShape const& rest, PredefinedShap
         plan.segments[i].frame = shape.frame[i];
         plan.segments[i].length_mm = rest.length_mm[i];
     }
-    Bearers bearers(plan, rest);
+    Parents parents(plan, rest);
     std::function<void()> const parts[] {
-        [&] { seat_axes(plan, rest, bearers); },
-        [&] { seat_riders(plan, bearers); },
-        [&] { seat_sections(plan, rest, bearers); },
+        [&] { seat_axes(plan, rest, parents); },
+        [&] { seat_riders(plan, parents); },
+        [&] { seat_sections(plan, rest, parents); },
         [&] { find_steps(plan); },
     };
     for (auto const& part : parts) {

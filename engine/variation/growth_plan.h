@@ -22,12 +22,12 @@ struct GrowthPlan {
         Quat frame = Quat::Identity(); // Predefined, in the predefined plant's coordinates.
         double length_mm = 0;
         std::uint32_t step = 0;       // Into `steps`: from the segment before to this one.
-        std::uint32_t bearer = kNone; // Number among the segments that bear something, or kNone.
+        std::uint32_t parent = kNone; // Number among the segments that bear something, or kNone.
     };
 
     // Something that stands on the end of a segment: an axis, organ or polygon.
     struct Seat {
-        std::uint32_t bearer = kNone; // As above; kNone: stands on the ground.
+        std::uint32_t parent = kNone; // As above; kNone: stands on the ground.
         NodeId node = 0;              // The bearing segment's tip.
     };
 
@@ -69,7 +69,7 @@ struct GrowthPlan {
     std::vector<Vec2> circumnutation_rad;
     std::vector<double> axis_length_mm;
     // Per bearing segment: its predefined frame.
-    std::vector<Quat> bearer_frame;
+    std::vector<Quat> parent_frame;
 };
 
 // `rest` and `shape` must be of `base`. Refuses, in a sentence, parameters out of range and an

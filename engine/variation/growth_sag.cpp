@@ -74,8 +74,8 @@ void Sagger::bend_axis(AxisId id, Plant& plant)
     Quat turn = Quat::Identity();
     Vec3 before = position[axis.first_node]; // Where the base was in the round before.
     if (axis.parent_segment != kNone) {
-        auto const& bearer = plant.axes[axis.parent_axis];
-        auto const node = bearer.first_node + (axis.parent_segment - bearer.first_segment) + 1;
+        auto const& parent = plant.axes[axis.parent_axis];
+        auto const node = parent.first_node + (axis.parent_segment - parent.first_segment) + 1;
         turn = turn_[axis.parent_segment];
         position[axis.first_node]
             = position[node] + turn * (grown_mm_[axis.first_node] - grown_mm_[node]);
@@ -120,7 +120,7 @@ void Sagger::bend(Plant& plant)
     });
 }
 
-void Sagger::sag(Plant& plant, std::span<Quat> bearer_frame, std::stop_token const& stop)
+void Sagger::sag(Plant& plant, std::span<Quat> parent_frame, std::stop_token const& stop)
 {
     grown_mm_ = plant.node_position_mm;
     turn_.assign(plant.segment_count(), Quat::Identity());
@@ -132,8 +132,8 @@ void Sagger::sag(Plant& plant, std::span<Quat> bearer_frame, std::stop_token con
     if (stop.stop_requested())
         return;
     for (SegmentId segment = 0; segment < plant.segment_count(); ++segment)
-        if (auto const bearer = plan_.segments[segment].bearer; bearer != kNone)
-            bearer_frame[bearer] = renormalised(turn_[segment] * bearer_frame[bearer]);
+        if (auto const parent = plan_.segments[segment].parent; parent != kNone)
+            parent_frame[parent] = renormalised(turn_[segment] * parent_frame[parent]);
 }
 
 } // namespace tractus

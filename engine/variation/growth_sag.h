@@ -25,9 +25,9 @@ public:
     }
 
     // Moves the nodes of a plant that was grown by the plan, and turns the frames of its bearing
-    // segments (GrowthPlan::bearer_frame) along. Ends early when `stop` asks for it; the plant is
+    // segments (GrowthPlan::parent_frame) along. Ends early when `stop` asks for it; the plant is
     // good for nothing then.
-    void sag(Plant& plant, std::span<Quat> bearer_frame, std::stop_token const& stop = {});
+    void sag(Plant& plant, std::span<Quat> parent_frame, std::stop_token const& stop = {});
 
 private:
     struct Load {

@@ -1,7 +1,7 @@
 #include "engine/variation/influence.h"
 
 #include "engine/base/parallel.h"
-#include "engine/variation/borne.h"
+#include "engine/variation/subtree.h"
 
 #include <fmt/format.h>
 
@@ -64,7 +64,7 @@ std::vector<AxisRest> places_of(Plant const& plant, MotionIndicator const& indic
     }
     std::vector<SegmentId> first(plant.axes.size(), kNone);
     for (auto const segment : indicator.below)
-        for (auto const& rest : borne_by(plant, segment))
+        for (auto const& rest : subtree_of(plant, segment))
             first[rest.axis] = std::min(first[rest.axis], rest.first);
     for (AxisId id = 0; id < plant.axes.size(); ++id)
         if (first[id] != kNone)

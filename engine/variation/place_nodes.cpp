@@ -14,8 +14,8 @@ void place_nodes(Plant const& plant, RestShape const& rest, PredefinedShape cons
         auto const& axis = plant.axes[id];
         Vec3 position_mm = plant.node_position_mm[axis.first_node];
         if (axis.parent_segment != kNone) {
-            auto const& bearer = plant.axes[axis.parent_axis];
-            auto const node = bearer.first_node + (axis.parent_segment - bearer.first_segment) + 1;
+            auto const& parent = plant.axes[axis.parent_axis];
+            auto const node = parent.first_node + (axis.parent_segment - parent.first_segment) + 1;
             Vec3 const gap_mm = position_mm - plant.node_position_mm[node];
             position_mm = nodes_mm[node];
             if (!gap_mm.isZero(0))

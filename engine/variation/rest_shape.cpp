@@ -6,17 +6,17 @@ namespace tractus {
 
 namespace {
 
-// Sine of the angle below which a branch counts as going straight on from its bearer, so that the
-// bearer's direction says nothing about sides.
+// Sine of the angle below which a branch counts as going straight on from its parent, so that the
+// parent's direction says nothing about sides.
 constexpr double kStraightOn = 0.05;
 
-Vec3 first_normal(Vec3 const& direction, Quat const* bearer)
+Vec3 first_normal(Vec3 const& direction, Quat const* parent)
 {
-    if (!bearer)
+    if (!parent)
         return normal_towards(direction, Vec3::UnitX());
-    Vec3 const tangent = tangent_of(*bearer);
+    Vec3 const tangent = tangent_of(*parent);
     bool const straight_on = direction.cross(tangent).norm() < kStraightOn;
-    return normal_towards(direction, straight_on ? normal_of(*bearer) : tangent);
+    return normal_towards(direction, straight_on ? normal_of(*parent) : tangent);
 }
 
 // Direction of the first segment that has one.
@@ -34,10 +34,10 @@ void find_axis_shape(Plant const& plant, AxisId id, RestShape& shape)
 {
     auto const& axis = plant.axes[id];
     auto const nodes = plant.positions(axis);
-    auto const* const bearer
+    auto const* const parent
         = axis.parent_segment == kNone ? nullptr : &shape.frame[axis.parent_segment];
     Vec3 before = first_direction(nodes);
-    Quat frame = rotation_of({ before, first_normal(before, bearer) });
+    Quat frame = rotation_of({ before, first_normal(before, parent) });
     double sum_mm = 0;
     for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
         Vec3 const step = nodes[i + 1] - nodes[i];

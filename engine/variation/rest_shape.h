@@ -13,7 +13,7 @@ namespace tractus {
 // The frame of a segment is a rotation that takes +x to its direction and +y to its normal, plant
 // frame (frame_rotation.h). Along an axis the frames turn no more than the segments do. At the
 // axis' base the normal leans towards the direction of what bears it; for the trunk, and for a
-// branch that goes straight on, towards +x and the bearer's normal. A segment without length points
+// branch that goes straight on, towards +x and the parent's normal. A segment without length points
 // as the one before it.
 struct RestShape {
     AxisLevels levels;

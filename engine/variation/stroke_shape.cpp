@@ -68,13 +68,13 @@ Vec3 direction_of(ArcLength const& curve, StrokeFit fit)
 
 Result<ArcLength> curve_of(Association const& association)
 {
-    if (!(association.kept_hand >= 0 && association.kept_hand <= 1))
+    if (!(association.detail_weight >= 0 && association.detail_weight <= 1))
         return fail(Fault::User,
                     fmt::format("{} of the hand cannot be kept: give a share from 0 to 1",
-                                association.kept_hand));
+                                association.detail_weight));
     auto const tips = TRY(association.stroke.tips.in_memory());
     auto const points = TRY(stroke_points({ tips }));
-    ArcLength curve(smooth_hand(points, association.kept_hand));
+    ArcLength curve(smooth_hand(points, association.detail_weight));
     if (association.fit == StrokeFit::Chord
         && chord_of(curve).norm() <= kNoChord * curve.length_mm())
         return fail(Fault::User,

@@ -2,7 +2,7 @@
 
 #include "engine/base/check.h"
 #include "engine/stroke/frame_rotation.h"
-#include "engine/variation/borne.h"
+#include "engine/variation/subtree.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -17,7 +17,7 @@ static bool same(Association const& a, Association const& b)
         return tip.position_mm == other.position_mm;
     };
     if (a.path != b.path || a.propagation != b.propagation || a.fit != b.fit
-        || a.kept_hand != b.kept_hand || a.is_orphaned != b.is_orphaned)
+        || a.detail_weight != b.detail_weight || a.is_orphaned != b.is_orphaned)
         return false;
     if (a.stroke.tips.id() == b.stroke.tips.id())
         return true;
@@ -121,8 +121,8 @@ void StrokeShaper::assign_descendants(std::uint32_t number)
     for (auto const segment : path)
         if (auto const id = axis_of(plant_, segment); along.empty() || along.back() != id)
             along.push_back(id);
-    for (auto const& [id, first] : borne_by(plant_, path.front()))
-        if (!std::binary_search(along.begin(), along.end(), id)) // Ascending: bearers come first.
+    for (auto const& [id, first] : subtree_of(plant_, path.front()))
+        if (!std::binary_search(along.begin(), along.end(), id)) // Ascending: parents come first.
             sources_[id] = { .propagated = number, .joints = kNone, .changed = number + 1 };
 }
 
@@ -140,7 +140,7 @@ std::vector<bool> StrokeShaper::find_dirty(std::span<Source const> before,
     return dirty;
 }
 
-Quat StrokeShaper::turn_of_bearer(Axis const& axis) const
+Quat StrokeShaper::turn_of_parent(Axis const& axis) const
 {
     if (axis.parent_segment == kNone)
         return Quat::Identity();
@@ -154,7 +154,7 @@ void StrokeShaper::lay(AxisId id)
 {
     auto const& axis = plant_.axes[id];
     auto const& source = sources_[id];
-    Quat const turn = turn_of_bearer(axis);
+    Quat const turn = turn_of_parent(axis);
     auto const frames = std::span(shape_.frame).subspan(axis.first_segment, axis.segment_count);
     if (source.joints != kNone)
         return lay_joints(id, turn);

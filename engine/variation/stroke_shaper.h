@@ -50,7 +50,7 @@ private:
     void lay_propagated(AxisId id, StrokeShape const& stroke, Quat const& turn,
                         std::span<Quat> frames) const;
     void lay_joints(AxisId id, Quat const& turn);
-    Quat turn_of_bearer(Axis const& axis) const;
+    Quat turn_of_parent(Axis const& axis) const;
 
     Plant const& plant_;
     RestShape const& rest_;

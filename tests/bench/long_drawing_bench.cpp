@@ -2,8 +2,8 @@
 // looking at it, and now and then one taken back. Says after each hour what memory the program has
 // when nothing is under way, which should stay the same; what was drawn is kept in a session, and
 // nothing of it may be missing at the end.
-#include "app/live/station_desk.h"
-#include "app/plants/large_blocks.h"
+#include "app/live/station_controller.h"
+#include "app/plants/malloc_tuning.h"
 #include "app/plants/model_file.h"
 #include "app/plants/session_plant.h"
 #include "app/resources.h"
@@ -39,7 +39,7 @@ double resident_mb()
 class Day {
 public:
     explicit Day(fs::path const& path)
-        : desk_(station_, begin_session(path, { model() }).value(), ".")
+        : controller_(station_, begin_session(path, { model() }).value(), ".")
     {
     }
 
@@ -56,17 +56,18 @@ public:
                                          50 + 0.02 * static_cast<double>(ms), ms < kStroke_ms));
             }
             if (ms % kFrame_ms == 0)
-                desk_.show(station_, at_ms(now_ms_));
+                controller_.show(station_, at_ms(now_ms_));
         }
         if (++strokes_ % kStrokesPerUndo != 0)
             return;
-        desk_.perform(Undo {}, station_);
-        desk_.settle(station_, at_ms(now_ms_)); // Growing keeps up with a hand, but not with this.
+        controller_.perform(Undo {}, station_);
+        controller_.settle(station_,
+                           at_ms(now_ms_)); // Growing keeps up with a hand, but not with this.
     }
 
     void settle()
     {
-        desk_.settle(station_, at_ms(now_ms_));
+        controller_.settle(station_, at_ms(now_ms_));
         // A plant that nobody wanted any more is freed on its thread, for which nobody waits.
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
@@ -103,7 +104,7 @@ private:
     }
 
     Station station_ = new_station();
-    StationDesk desk_;
+    StationController controller_;
     std::int64_t now_ms_ = 0;
     std::int64_t strokes_ = 0;
 };

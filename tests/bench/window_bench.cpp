@@ -7,7 +7,7 @@
 // of drawing shows what is rare as well: how late the ink of the 999th of a thousand frames is
 // after the moment at which its reports were due, beside a thread that sleeps until the same
 // moments and does nothing, since what the system holds back is not the station's doing.
-#include "app/plants/large_blocks.h"
+#include "app/plants/malloc_tuning.h"
 #include "app/station/station_view.h"
 #include "app/window/view_curves.h"
 #include "tests/app/simple_rig.h"
@@ -42,8 +42,8 @@ Plant big_plant(std::size_t segments)
         .segment_mm = 20, .segment_count = kAxis, .radius_mm = 60, .bend_rad = 0.05
     };
     append_axis(plant, sketch, random);
-    for (AxisId bearer = 0; plant.segment_count() < segments; ++bearer) {
-        auto const axis = plant.axes[bearer];
+    for (AxisId parent = 0; plant.segment_count() < segments; ++parent) {
+        auto const axis = plant.axes[parent];
         for (std::uint32_t i = 10; i < kAxis && plant.segment_count() < segments; i += 4) {
             sketch.base_mm = plant.node_position_mm[axis.first_node + i + 1];
             sketch.direction = Vec3(random.normal(), random.normal(), 0.5 + random.normal());
@@ -51,7 +51,7 @@ Plant big_plant(std::size_t segments)
             sketch.radius_mm = 0.4 * static_cast<double>(plant.node_radius_mm[axis.first_node + i]);
             sketch.tip_radius_mm = 0.4 * sketch.radius_mm;
             sketch.parent_segment = axis.first_segment + i;
-            sketch.parent_axis = bearer;
+            sketch.parent_axis = parent;
             sketch.order = axis.order + 1;
             append_axis(plant, sketch, random);
         }

@@ -57,7 +57,7 @@ TEST(Fuser, TakesBothLatenciesOff)
     ASSERT_TRUE(tip);
     EXPECT_EQ(tip->time, at(100ms));
     EXPECT_NEAR(tip->position_mm.z(), 10, 1e-9);
-    EXPECT_EQ(tip->height, TipSample::Height::Interpolated);
+    EXPECT_EQ(tip->height_source, TipSample::HeightSource::Interpolated);
 }
 
 TEST(Fuser, PutsTheTipInTheWorld)
@@ -79,7 +79,7 @@ TEST(Fuser, CarriesTheHeightOnForLiveInk)
     auto const tip = fuser.push(pen(118ms)); // The pen was there at 110 ms.
     ASSERT_TRUE(tip);
     EXPECT_NEAR(tip->position_mm.z(), 11, 1e-9);
-    EXPECT_EQ(tip->height, TipSample::Height::Extrapolated);
+    EXPECT_EQ(tip->height_source, TipSample::HeightSource::Extrapolated);
 }
 
 TEST(Fuser, HasNoLiveTipWhenTheLastHeightIsTooOld)
@@ -100,7 +100,7 @@ TEST(Fuser, SettlesATipOnceReadingsSurroundIt)
         fuser.push(height(103ms + i * 2ms, 100));
     auto const settled = fuser.take_settled();
     ASSERT_EQ(settled.size(), 1u);
-    EXPECT_EQ(settled[0].height, TipSample::Height::Interpolated);
+    EXPECT_EQ(settled[0].height_source, TipSample::HeightSource::Interpolated);
     EXPECT_EQ(settled[0].time, live->time);
     EXPECT_LT(settled[0].position_mm.z(), 10);
     EXPECT_TRUE(fuser.take_settled().empty());
@@ -115,8 +115,8 @@ TEST(Fuser, SettlesTheRestAtTheEndOfALog)
     fuser.flush();
     auto const settled = fuser.take_settled();
     ASSERT_EQ(settled.size(), 5u);
-    EXPECT_EQ(settled.front().height, TipSample::Height::Interpolated);
-    EXPECT_EQ(settled.back().height, TipSample::Height::Extrapolated);
+    EXPECT_EQ(settled.front().height_source, TipSample::HeightSource::Interpolated);
+    EXPECT_EQ(settled.back().height_source, TipSample::HeightSource::Extrapolated);
     EXPECT_NEAR(settled.back().position_mm.z(), 11.2, 1e-9);
 }
 
@@ -312,7 +312,7 @@ TEST(Fuser, TakesHeightsFromAScenarioWhereThereIsNoSensor)
     auto const live = fuser.push(pen(6s));
     ASSERT_TRUE(live);
     EXPECT_DOUBLE_EQ(live->position_mm.z(), 200);
-    EXPECT_EQ(live->height, TipSample::Height::Interpolated);
+    EXPECT_EQ(live->height_source, TipSample::HeightSource::Interpolated);
     auto const settled = fuser.take_settled();
     ASSERT_EQ(settled.size(), 1u);
     EXPECT_EQ(settled[0].position_mm, live->position_mm);

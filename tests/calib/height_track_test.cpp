@@ -28,7 +28,7 @@ TEST(HeightTrack, FollowsASteadyRiseWithoutLag)
     auto const track = track_of([](double t) { return 200 * t; });
     EXPECT_NEAR(track.at(kStart + 501ms, 50ms)->height_mm, 100.2, 1e-9);
     EXPECT_NEAR(track.at(kStart + 999ms, 50ms)->height_mm, 199.8, 1e-9);
-    EXPECT_EQ(track.at(kStart + 501ms, 50ms)->kind, TipSample::Height::Interpolated);
+    EXPECT_EQ(track.at(kStart + 501ms, 50ms)->kind, TipSample::HeightSource::Interpolated);
 }
 
 TEST(HeightTrack, CarriesARiseOnPastItsEnd)
@@ -36,7 +36,7 @@ TEST(HeightTrack, CarriesARiseOnPastItsEnd)
     auto const track = track_of([](double t) { return 200 * t; });
     auto const ahead = track.at(kStart + 1010ms, 50ms);
     EXPECT_NEAR(ahead->height_mm, 202, 1e-9);
-    EXPECT_EQ(ahead->kind, TipSample::Height::Extrapolated);
+    EXPECT_EQ(ahead->kind, TipSample::HeightSource::Extrapolated);
 }
 
 TEST(HeightTrack, HasNoHeightFarFromItsReadings)
@@ -54,7 +54,7 @@ TEST(HeightTrack, DoesNotBridgeAGap)
     track.add(kStart, 0);
     track.add(kStart + 1s, 100);
     EXPECT_FALSE(track.at(kStart + 500ms, 50ms));
-    EXPECT_EQ(track.at(kStart + 40ms, 50ms)->kind, TipSample::Height::Extrapolated);
+    EXPECT_EQ(track.at(kStart + 40ms, 50ms)->kind, TipSample::HeightSource::Extrapolated);
     EXPECT_EQ(track.at(kStart + 40ms, 50ms)->height_mm, 0);
     EXPECT_EQ(track.at(kStart + 960ms, 50ms)->height_mm, 100);
 }

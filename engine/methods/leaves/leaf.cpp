@@ -93,16 +93,16 @@ Result<Attributes> Leaf::attributes_of(char face, Fields const& fields, TextPlac
     return attributes;
 }
 
-// The child's O runs against the bearer's edge; x points out of it, z as the bearer's.
+// The child's O runs against the parent's edge; x points out of it, z as the parent's.
 Leaf::Stand Leaf::stand_on(Dart edge) const
 {
-    auto const& bearer = faces_[static_cast<std::size_t>(map_.face(edge))];
+    auto const& parent = faces_[static_cast<std::size_t>(map_.face(edge))];
     Stand stand;
     stand.left = map_.position_of(LeafMap::a0(edge));
     stand.right = map_.position_of(edge);
     Vec3 const across
         = stand.left == stand.right ? Vec3(Vec3::UnitY()) : unit_or_x(stand.left - stand.right);
-    stand.frame.x = unit_or_x(across.cross(bearer.frame.z));
+    stand.frame.x = unit_or_x(across.cross(parent.frame.z));
     stand.frame.z = unit_or_x(stand.frame.x.cross(across));
     stand.frame.y = stand.frame.z.cross(stand.frame.x);
     return stand;
@@ -216,7 +216,7 @@ Result<bool> Leaf::apply(Rule const& rule, FaceId face)
 
 Result<void> Leaf::grow(Rule const& rule, Growing const& growing, FaceId face)
 {
-    // What overloads the bearer's own attributes is what its formal names read later.
+    // What overloads the parent's own attributes is what its formal names read later.
     auto own = faces_[static_cast<std::size_t>(face)].attributes;
     for (std::size_t i = 0; i < growing.fields.size(); ++i)
         if (!growing.fields[i].empty())
@@ -228,15 +228,15 @@ Result<void> Leaf::grow(Rule const& rule, Growing const& growing, FaceId face)
     return grow_children(growing.children, face);
 }
 
-Result<void> Leaf::grow_children(std::vector<Child> const& children, FaceId bearer)
+Result<void> Leaf::grow_children(std::vector<Child> const& children, FaceId parent)
 {
     for (auto const& child : children) {
-        auto const& face = faces_[static_cast<std::size_t>(bearer)];
+        auto const& face = faces_[static_cast<std::size_t>(parent)];
         if (!face.is_part && !has_edge(face.edge_count, child.edge))
             return fail_at(
                 child.edge_place,
                 fmt::format("a face {} of {} edges has no such edge", face.name, face.edge_count));
-        auto const on = free_edge(bearer, child.edge);
+        auto const on = free_edge(parent, child.edge);
         if (!on)
             continue;
         auto const made = TRY(make_face(child.face, child.fields, on, child.place));

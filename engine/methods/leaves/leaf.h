@@ -73,7 +73,7 @@ private:
         int edge_count = 0;   // As made: neighbours that are split may add to its edges.
         bool is_part = false; // Of one that was split: it may lack edges.
     };
-    // A child's place on its bearer: the way across the edge's end.
+    // A child's place on its parent: the way across the edge's end.
     struct Stand {
         Frame frame;
         Vec3 left = Vec3::Zero();  // Of the edge O: where it starts,
@@ -92,7 +92,7 @@ private:
     Result<bool> apply(Rule const& rule, FaceId face);
     void run(std::vector<Statement> const& block);
     Result<void> grow(Rule const& rule, Growing const& growing, FaceId face);
-    Result<void> grow_children(std::vector<Child> const& children, FaceId bearer);
+    Result<void> grow_children(std::vector<Child> const& children, FaceId parent);
     std::optional<EdgeLabel> opposite(FaceId face, EdgeLabel label) const;
     Dart end_of_first_half(std::vector<Dart> const& chain);
     Result<bool> split(Splitting const& splitting, FaceId face, TextPlace const& place);

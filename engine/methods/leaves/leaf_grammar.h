@@ -37,7 +37,7 @@ struct Statement {
 };
 
 // "[B(,,,,,2,)]E": a face, what overloads its attributes, what grows on it in turn, and the edge
-// of its bearer on which it grows.
+// of its parent on which it grows.
 struct Child {
     char face = 'A';
     Fields fields;

@@ -342,7 +342,7 @@ private:
         return {};
     }
 
-    Result<std::vector<Child>> children(char bearer, Fields const& bearer_fields, int depth)
+    Result<std::vector<Child>> children(char parent, Fields const& parent_fields, int depth)
     {
         if (depth > kDeepestChild)
             return text_.fail_here(fmt::format("faces are nested deeper than {}", kDeepestChild));
@@ -363,9 +363,9 @@ private:
                     fmt::format("\"{}\" is no edge: they are O, E, C1, C2 and so on", word));
             child.edge = *edge;
             // An overloaded number of edges is looked at when it is known.
-            if (bearer_fields.empty() || bearer_fields[kEdgeCount].empty())
+            if (parent_fields.empty() || parent_fields[kEdgeCount].empty())
                 named_edges_.push_back(
-                    { bearer, *edge, std::string(word), false, child.edge_place });
+                    { parent, *edge, std::string(word), false, child.edge_place });
             made.push_back(std::move(child));
         }
         return made;

@@ -86,7 +86,7 @@ TEST_F(Animation, KeepsWhatWasDrawnAndGrowsAsItIsTold)
     record();
     std::set<std::string> films;
     for (std::string const how :
-         { "", "--drawing hand.tractus-log", "--growth wild", "--growth wild --liking 2",
+         { "", "--drawing hand.tractus-log", "--growth wild", "--growth wild --variability 2",
            "--growth wild --seed 2", "--drawing hand.tractus-log --growth weeping" }) {
         for (std::string const what : { "", "--animation 3 " }) {
             auto const outcome = run("tractus grow small.l -o film.glb " + what + how);

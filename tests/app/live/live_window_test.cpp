@@ -463,7 +463,7 @@ TEST_F(LiveWindowWithSession, KeepsGrowthAndTakesItBack)
     window.perform(ChangeGrowth { { "weeping", 0.5, 0.25 } });
     window.settle();
     EXPECT_EQ(window.state().growth.preset, "weeping");
-    EXPECT_EQ(window.station().scene().growth.liking, 0.5);
+    EXPECT_EQ(window.station().scene().growth.variability, 0.5);
     EXPECT_EQ(window.station().scene().growth.age, 0.25);
     window.perform(NextVariation {});
     window.settle();

@@ -1,4 +1,4 @@
-#include "app/live/station_desk.h"
+#include "app/live/station_controller.h"
 #include "app/plants/session_plant.h"
 #include "app/station/ink_line.h"
 #include "tests/app/session/same_edit.h"
@@ -21,7 +21,7 @@ class LongDrawing : public testing::Test {
 protected:
     LongDrawing()
         : station_(new_station())
-        , desk_(station_, session_at(path_), ".")
+        , controller_(station_, session_at(path_), ".")
     {
     }
     ~LongDrawing() override { fs::remove(path_); }
@@ -32,8 +32,8 @@ protected:
     {
         for (std::size_t i = 0; i < strokes; ++i, now_ms_ += 1000) {
             draw_across(station_, now_ms_);
-            desk_.show(station_, at_ms(now_ms_));
-            desk_.settle(station_, at_ms(now_ms_));
+            controller_.show(station_, at_ms(now_ms_));
+            controller_.settle(station_, at_ms(now_ms_));
         }
     }
 
@@ -41,7 +41,7 @@ protected:
         = fs::temp_directory_path() / fmt::format("tractus_long_{}.tractus", ::getpid());
     std::int64_t now_ms_ = 1000;
     Station station_;
-    StationDesk desk_;
+    StationController controller_;
 
 private:
     static Session session_at(fs::path const& path)
@@ -85,7 +85,7 @@ TEST_F(LongDrawing, LeavesWhatIsKeptToTheFile)
     draw(kStrokes);
     EXPECT_TRUE(station_.strokes().empty());
     EXPECT_EQ(station_.counts().strokes, kStrokes);
-    EXPECT_EQ(strokes_in_memory(desk_.keeper().session().scene()), 0);
+    EXPECT_EQ(strokes_in_memory(controller_.keeper().session().scene()), 0);
     EXPECT_EQ(strokes_in_memory(station_.scene()), 0);
     EXPECT_EQ(station_.scene().associations.size(), kStrokes);
     EXPECT_EQ(read_session(path_).value().last_step(), kStrokes) << "no lost edit";
@@ -97,12 +97,12 @@ TEST_F(LongDrawing, ReadsStrokesBackThatCountAgain)
     Stroke const first { station_.scene().associations[0].stroke.tips.vector() };
     draw(6); // Three branches: numbers 3 and 6 are the trunk's, too.
     EXPECT_FALSE(station_.scene().associations[0].stroke.tips.is_in_memory());
-    desk_.keeper().make({ [](Scene const&) -> Result<WantedStep::Change> {
+    controller_.keeper().make({ [](Scene const&) -> Result<WantedStep::Change> {
         return WantedStep::Change { { DeleteStroke { { 3, 6 } } }, "" };
     } });
-    desk_.settle(station_, at_ms(now_ms_));
+    controller_.settle(station_, at_ms(now_ms_));
     ASSERT_EQ(station_.scene().associations.size(), 5u);
-    auto const& shown = desk_.view().state().strokes;
+    auto const& shown = controller_.view().state().strokes;
     ASSERT_EQ(shown.size(), 3u);
     EXPECT_TRUE(is_ink_of(first, shown[0]));
     EXPECT_TRUE(same(station_.scene().associations[0].stroke, first));
@@ -111,10 +111,10 @@ TEST_F(LongDrawing, ReadsStrokesBackThatCountAgain)
 TEST_F(LongDrawing, ReadsAStrokeBackThatWasErasedInPart)
 {
     auto const make = [&](Edit const& edit) {
-        desk_.keeper().make({ [=](Scene const&) -> Result<WantedStep::Change> {
+        controller_.keeper().make({ [=](Scene const&) -> Result<WantedStep::Change> {
             return WantedStep::Change { { edit }, "" };
         } });
-        desk_.settle(station_, at_ms(now_ms_));
+        controller_.settle(station_, at_ms(now_ms_));
     };
     draw(1);
     auto const count = station_.scene().associations[0].stroke.tips.size();
@@ -125,35 +125,36 @@ TEST_F(LongDrawing, ReadsAStrokeBackThatWasErasedInPart)
     draw(6); // Three branches: numbers 3 and 6 are the trunk's, too.
     EXPECT_FALSE(station_.scene().associations[0].stroke.tips.is_in_memory());
     make(DeleteStroke { { 3, 6 } });
-    ASSERT_EQ(desk_.view().state().strokes.size(), 3u);
-    EXPECT_TRUE(is_ink_of(rest, desk_.view().state().strokes[0]));
+    ASSERT_EQ(controller_.view().state().strokes.size(), 3u);
+    EXPECT_TRUE(is_ink_of(rest, controller_.view().state().strokes[0]));
     EXPECT_TRUE(same(station_.scene().associations[0].stroke, rest));
 }
 
 TEST_F(LongDrawing, ShowsAStrokeAsDoneOnlyWhenItIsKept)
 {
     draw_across(station_, now_ms_);
-    desk_.show(station_, at_ms(now_ms_));
-    EXPECT_FALSE(desk_.keeper().is_settled());
-    EXPECT_TRUE(desk_.view().state().strokes.empty());
-    EXPECT_EQ(desk_.view().state().live_ink.size(), 1u) << "the ink stays meanwhile";
+    controller_.show(station_, at_ms(now_ms_));
+    EXPECT_FALSE(controller_.keeper().is_settled());
+    EXPECT_TRUE(controller_.view().state().strokes.empty());
+    EXPECT_EQ(controller_.view().state().live_ink.size(), 1u) << "the ink stays meanwhile";
     draw_across(station_, now_ms_ + 1000); // It ends before the first one is kept.
     EXPECT_EQ(station_.counts().strokes, 1u);
-    desk_.settle(station_, at_ms(now_ms_ + 2000));
+    controller_.settle(station_, at_ms(now_ms_ + 2000));
     EXPECT_EQ(read_session(path_).value().last_step(), 2u);
-    EXPECT_EQ(desk_.view().state().strokes.size(), 2u);
-    EXPECT_TRUE(desk_.view().state().live_ink.empty());
+    EXPECT_EQ(controller_.view().state().strokes.size(), 2u);
+    EXPECT_TRUE(controller_.view().state().live_ink.empty());
 }
 
 TEST_F(LongDrawing, ShowsAndGrowsWhatStillCounts)
 {
     draw(30);
-    EXPECT_EQ(desk_.view().state().strokes.size(), 3u) << "one for each of the three branches";
+    EXPECT_EQ(controller_.view().state().strokes.size(), 3u)
+        << "one for each of the three branches";
     EXPECT_EQ(shaping_associations(station_.scene()).size(), 3u);
-    desk_.perform(Undo {}, station_);
-    desk_.settle(station_, at_ms(now_ms_));
+    controller_.perform(Undo {}, station_);
+    controller_.settle(station_, at_ms(now_ms_));
     EXPECT_EQ(station_.scene().associations.size(), 29u);
-    EXPECT_EQ(desk_.view().state().strokes.size(), 3u) << "the one before counts again";
+    EXPECT_EQ(controller_.view().state().strokes.size(), 3u) << "the one before counts again";
 }
 
 TEST_F(LongDrawing, TakesBackEveryStepAndDoesItAgain)
@@ -161,13 +162,13 @@ TEST_F(LongDrawing, TakesBackEveryStepAndDoesItAgain)
     constexpr std::size_t kStrokes = 210; // Farther than scenes are kept.
     draw(kStrokes);
     for (std::size_t left = kStrokes; left-- > 0;) {
-        desk_.perform(Undo {}, station_);
-        ASSERT_TRUE(desk_.finish(station_, at_ms(now_ms_)));
+        controller_.perform(Undo {}, station_);
+        ASSERT_TRUE(controller_.finish(station_, at_ms(now_ms_)));
         ASSERT_EQ(station_.scene().associations.size(), left);
     }
     for (std::size_t i = 0; i < kStrokes; ++i)
-        desk_.perform(Redo {}, station_);
-    ASSERT_TRUE(desk_.finish(station_, at_ms(now_ms_)));
+        controller_.perform(Redo {}, station_);
+    ASSERT_TRUE(controller_.finish(station_, at_ms(now_ms_)));
     EXPECT_EQ(station_.scene().associations.size(), kStrokes);
 }
 

@@ -1,4 +1,4 @@
-#include "app/live/station_desk.h"
+#include "app/live/station_controller.h"
 #include "app/plants/drawing.h"
 #include "app/plants/session_plant.h"
 #include "app/station/log_replay.h"
@@ -71,8 +71,8 @@ std::string many_strokes()
     return script;
 }
 
-// A hand draws a recording at the station's desk, which keeps it in a session, and the program is
-// killed, again and again.
+// A hand draws a recording at the station's controller, which keeps it in a session, and the
+// program is killed, again and again.
 class KilledDrawing : public testing::Test {
 protected:
     static constexpr std::chrono::hours kForever {
@@ -106,22 +106,22 @@ protected:
         options.scene = session.scene();
         auto replay = LogReplay::create(log, std::move(options)).value();
         auto& station = replay.station();
-        StationDesk desk(station, std::move(session), folder_);
+        StationController controller(station, std::move(session), folder_);
         int done = -1;
         auto const say_done = [&] {
             auto const strokes = static_cast<int>(station.counts().strokes);
-            if (desk.keeper().is_settled() && strokes > done)
+            if (controller.keeper().is_settled() && strokes > done)
                 say(done = strokes);
         };
         auto now = replay.begin();
         for (bool goes_on = true; goes_on; now += kFrame) {
             goes_on = replay.advance_to(now);
-            desk.show(station, now);
+            controller.show(station, now);
             say_done();
-            if (!desk.keeper().is_settled()) // A frame takes longer.
+            if (!controller.keeper().is_settled()) // A frame takes longer.
                 std::this_thread::sleep_for(std::chrono::microseconds(100));
         }
-        static_cast<void>(desk.finish(station, now)); // Is killed somewhere in here.
+        static_cast<void>(controller.finish(station, now)); // Is killed somewhere in here.
         say_done();
     }
 

@@ -46,7 +46,7 @@ inline Stroke random_stroke()
         tip.pressure = random_double();
         tip.touching = *rc::gen::arbitrary<bool>();
         tip.eraser = *rc::gen::arbitrary<bool>();
-        tip.height = random_enum<TipSample::Height>(2);
+        tip.height_source = random_enum<TipSample::HeightSource>(2);
         tip.outside_calibration = *rc::gen::arbitrary<bool>();
     }
     return stroke;

@@ -31,8 +31,8 @@ inline bool same(Stroke const& one, Stroke const& other)
         auto const& a = one.tips[i];
         auto const& b = other.tips[i];
         if (a.time != b.time || !same(a.position_mm, b.position_mm) || !same(a.pressure, b.pressure)
-            || a.touching != b.touching || a.eraser != b.eraser || a.height != b.height
-            || a.outside_calibration != b.outside_calibration)
+            || a.touching != b.touching || a.eraser != b.eraser
+            || a.height_source != b.height_source || a.outside_calibration != b.outside_calibration)
             return false;
     }
     return true;
@@ -92,7 +92,7 @@ inline bool same(Select const& one, Select const& other)
 inline bool same(Associate const& one, Associate const& other)
 {
     return same(one.stroke, other.stroke) && one.propagation == other.propagation
-        && one.fit == other.fit && same(one.kept_hand, other.kept_hand);
+        && one.fit == other.fit && same(one.detail_weight, other.detail_weight);
 }
 
 inline bool same(Oversketch const& one, Oversketch const& other)
@@ -102,7 +102,7 @@ inline bool same(Oversketch const& one, Oversketch const& other)
 
 inline bool same(SmoothStroke const& one, SmoothStroke const& other)
 {
-    return one.associations == other.associations && same(one.kept_hand, other.kept_hand);
+    return one.associations == other.associations && same(one.detail_weight, other.detail_weight);
 }
 
 inline bool same(DeleteStroke const& one, DeleteStroke const& other)
@@ -133,7 +133,7 @@ inline bool same(DeleteIndicator const& one, DeleteIndicator const& other)
 inline bool same(SetGrowth const& one, SetGrowth const& other)
 {
     return same(one.parameters, other.parameters) && one.seed == other.seed
-        && same(one.liking, other.liking) && same(one.age, other.age);
+        && same(one.variability, other.variability) && same(one.age, other.age);
 }
 
 inline bool same(Edit const& one, Edit const& other)

@@ -53,7 +53,8 @@ inline bool same_scene(Scene const& one, Scene const& other)
         auto const& a = one.associations[i];
         auto const& b = other.associations[i];
         equal = a.path == b.path && same(a.stroke, b.stroke) && a.propagation == b.propagation
-            && a.fit == b.fit && same(a.kept_hand, b.kept_hand) && a.is_orphaned == b.is_orphaned;
+            && a.fit == b.fit && same(a.detail_weight, b.detail_weight)
+            && a.is_orphaned == b.is_orphaned;
     }
     for (std::size_t i = 0; equal && i < one.indicators.size(); ++i)
         equal = same(one.indicators[i], other.indicators[i]);

@@ -207,7 +207,7 @@ TEST(StrokeTools, EditTheStrokesOfTheSelectedBranch)
             .refusal.empty());
     EXPECT_EQ(scene.associations[0].stroke.tips.back().position_mm, Vec3(60, 0, 90));
     EXPECT_TRUE(draw(up, { Tool::Kind::Smooth }, scene).refusal.empty());
-    EXPECT_EQ(scene.associations[0].kept_hand, 0);
+    EXPECT_EQ(scene.associations[0].detail_weight, 0);
     EXPECT_TRUE(draw(up, { Tool::Kind::Delete }, scene).refusal.empty());
     EXPECT_TRUE(scene.associations.empty());
     EXPECT_FALSE(draw(up, { Tool::Kind::Delete }, scene).refusal.empty());

@@ -133,7 +133,7 @@ TEST(MakeMesh, NormalsLeanWithTheTaper)
     }
 }
 
-TEST(MakeMesh, LateralBasesLieInsideTheirBearer)
+TEST(MakeMesh, LateralBasesLieInsideTheirParent)
 {
     auto const plant = sample_tree(4);
     SpineRoom room;
@@ -141,15 +141,15 @@ TEST(MakeMesh, LateralBasesLieInsideTheirBearer)
         auto const spine = trace_spine(plant, axis, {}, 90, room);
         ASSERT_FALSE(spine.stations.empty());
         auto const& base = spine.stations.front();
-        auto const bearer_radius = plant.node_radius_mm[nodes_of(plant, axis.parent_segment).tip];
+        auto const parent_radius = plant.node_radius_mm[nodes_of(plant, axis.parent_segment).tip];
         double const off_axis
             = distance_to_axis(plant, plant.axes[axis.parent_axis], base.center_mm);
-        ASSERT_LE(off_axis + base.radius_mm, bearer_radius * 1.0001);
+        ASSERT_LE(off_axis + base.radius_mm, parent_radius * 1.0001);
         EXPECT_FALSE(spine.closed_base);
     }
 }
 
-TEST(MakeMesh, ClosesTheBaseOfAnAxisThatStandsBesideItsBearer)
+TEST(MakeMesh, ClosesTheBaseOfAnAxisThatStandsBesideItsParent)
 {
     auto plant = small_plant();
     for (NodeId node = 4; node < 7; ++node)
@@ -157,7 +157,7 @@ TEST(MakeMesh, ClosesTheBaseOfAnAxisThatStandsBesideItsBearer)
     EXPECT_EQ(open_edge_count(make_mesh(plant).surfaces[0]), 0u);
 }
 
-TEST(MakeMesh, AContinuedLimbStartsAsWideAsItsBearerEnds)
+TEST(MakeMesh, AContinuedLimbStartsAsWideAsItsParentEnds)
 {
     auto plant = single_axis(2, 20, 10);
     Random random({});
@@ -179,7 +179,7 @@ TEST(MakeMesh, AContinuedLimbStartsAsWideAsItsBearerEnds)
     EXPECT_NEAR(widest, 10, 1e-3);
 }
 
-TEST(MakeMesh, CollarsNeverPassTheBearersRadius)
+TEST(MakeMesh, CollarsNeverPassTheParentsRadius)
 {
     auto plant = single_axis(2, 10, 10);
     Random random({});

@@ -138,7 +138,7 @@ TEST(DrawnEdits, RedrawingAPartMovesThePlant)
 TEST(DrawnEdits, SmoothingTakesTheHandOut)
 {
     auto const scene = after({ SmoothStroke { { 0 }, 0.25 } }, drawn_branch());
-    EXPECT_EQ(scene.associations[0].kept_hand, 0.25);
+    EXPECT_EQ(scene.associations[0].detail_weight, 0.25);
     EXPECT_FALSE(apply_edit(scene, SmoothStroke { { 0 }, 7 }));
 }
 
@@ -167,7 +167,7 @@ TEST(DrawnEdits, AllBranchesOfAStrokeLoseTheSameTipsAndShareWhatIsLeft)
     ASSERT_EQ(erased.associations.size(), 2u);
     for (auto const& association : erased.associations) {
         EXPECT_EQ(association.stroke.tips.size(), 33u);
-        EXPECT_EQ(association.kept_hand, 0.5);
+        EXPECT_EQ(association.detail_weight, 0.5);
     }
     EXPECT_EQ(erased.associations[0].stroke.tips.data(), erased.associations[1].stroke.tips.data());
     EXPECT_EQ(scene.associations[0].stroke.tips.size(), 41u) << "an earlier scene stays";

@@ -103,7 +103,7 @@ TEST(Association, DescendantsTakeTheStrokeInTheirOwnFrames)
                              { { .path = { 0, 1, 2, 3 },
                                  .stroke = quarter_circle(),
                                  .propagation = Propagation::Descendants } });
-    // The stroke bends the trunk to +x, where the trunk's normal is; a branch's is its bearer's
+    // The stroke bends the trunk to +x, where the trunk's normal is; a branch's is its parent's
     // direction, so both branches bend up.
     EXPECT_GT(direction_of(bent, 6).z(), 0.9);
     EXPECT_GT(direction_of(bent, 10).z(), 0.8);
@@ -218,8 +218,8 @@ TEST(Association, LessOfTheHandIsSmoother)
     Association association { .path = {}, .stroke = stroke_of(trembling(s_curve(200), 1)) };
     for (SegmentId segment = 0; segment < 60; ++segment)
         association.path.push_back(segment);
-    auto const roughness = [&](double kept_hand) {
-        association.kept_hand = kept_hand;
+    auto const roughness = [&](double detail_weight) {
+        association.detail_weight = detail_weight;
         auto const bent = shaped(plant, { association });
         double sum = 0;
         for (SegmentId segment = 1; segment < 60; ++segment)
@@ -273,7 +273,7 @@ TEST(Association, RefusesBadPaths)
 TEST(Association, RefusesToKeepMoreThanTheHand)
 {
     std::vector<Association> const bad {
-        { .path = { 0 }, .stroke = quarter_circle(), .kept_hand = 1.5 }
+        { .path = { 0 }, .stroke = quarter_circle(), .detail_weight = 1.5 }
     };
     EXPECT_EQ(shape_of(hand_made_plant(), bad).error().message,
               "1.5 of the hand cannot be kept: give a share from 0 to 1");

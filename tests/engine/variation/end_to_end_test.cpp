@@ -67,7 +67,7 @@ TEST(EndToEnd, StrokesThatPeopleDrewBendAPlant)
             std::vector<Association> const associations { { .path = segments_of(plant.axes[0]),
                                                             .stroke = stroke_of(points),
                                                             .propagation = Propagation::Both,
-                                                            .kept_hand = 0.7 } };
+                                                            .detail_weight = 0.7 } };
             auto const varied = grow({ .plant = plant, .associations = associations });
             ASSERT_TRUE(varied) << name << ": " << varied.error().message;
             check_plant(*varied);

@@ -120,13 +120,13 @@ TEST(GrowthPreset, NamesThoseThereAre)
     EXPECT_NE(none.error().message.find("\"windy hillside\""), std::string::npos);
 }
 
-TEST(GrowthLiking, RunsFromAsDrawnToAsItLikes)
+TEST(GrowthVariability, RunsFromAsDrawnToAsItLikes)
 {
     auto const plant = forking_tree(5, 6);
     auto const usual = growth_preset("windy hillside").value();
     double last = -1;
-    for (double const liking : { 0.0, 0.25, 0.5, 1.0, 2.0, 4.0 }) {
-        auto const plan = plan_of(plant, at_liking(usual, liking).value(), { 0.3, 0, 0 });
+    for (double const variability : { 0.0, 0.25, 0.5, 1.0, 2.0, 4.0 }) {
+        auto const plan = plan_of(plant, at_variability(usual, variability).value(), { 0.3, 0, 0 });
         Grower grower(plan);
         double sum = 0;
         for (std::uint32_t i = 0; i < 20; ++i) {
@@ -134,14 +134,14 @@ TEST(GrowthLiking, RunsFromAsDrawnToAsItLikes)
             for (std::size_t n = 0; n < varied.node_position_mm.size(); ++n)
                 sum += (varied.node_position_mm[n] - plant.node_position_mm[n]).norm();
         }
-        if (liking == 0) {
+        if (variability == 0) {
             EXPECT_LT(sum, 1e-5);
         }
         EXPECT_GT(sum, last);
         last = sum;
     }
-    EXPECT_FALSE(at_liking(usual, -0.1));
-    EXPECT_FALSE(at_liking(usual, 4.1));
+    EXPECT_FALSE(at_variability(usual, -0.1));
+    EXPECT_FALSE(at_variability(usual, 4.1));
 }
 
 } // namespace

@@ -71,7 +71,7 @@ TEST(Sag, IsGivenUpWhenAskedTo)
 {
     auto const plant = rod({ 1000, 0, 0 }, 10, 10);
     auto const plan = plan_of(plant, { .strength = 0, .sag = 1 });
-    auto frames = plan.bearer_frame;
+    auto frames = plan.parent_frame;
     auto hanging = plant;
     Sagger sagger(plan);
     std::stop_source asked;

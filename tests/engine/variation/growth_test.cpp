@@ -223,16 +223,16 @@ Plant uneven_tree()
 {
     Plant plant;
     for (int number = 0; number < 40; ++number) {
-        auto const bearer = number == 0 ? kNone : static_cast<AxisId>((number - 1) / 3);
+        auto const parent = number == 0 ? kNone : static_cast<AxisId>((number - 1) / 3);
         SegmentId segment = kNone;
         Vec3 base = Vec3::Zero();
-        if (bearer != kNone) {
-            auto const& axis = plant.axes[bearer];
+        if (parent != kNone) {
+            auto const& axis = plant.axes[parent];
             segment = axis.first_segment + static_cast<SegmentId>(number) % axis.segment_count;
             base = plant.node_position_mm[nodes_of(plant, segment).tip];
         }
         Vec3 const step(20.0 * (number % 3 - 1), 15.0 * (number % 5 - 2), 60);
-        add_axis(plant, straight(base, base + step, 1 + number * 7 % 11), bearer, segment);
+        add_axis(plant, straight(base, base + step, 1 + number * 7 % 11), parent, segment);
     }
     return plant;
 }
@@ -246,7 +246,7 @@ TEST(Growth, AxesSideBySideGrowAsTheyWouldAlone)
             auto const plan = plan_of(uneven_tree(), parameters, { 2, 0, -1 });
             GrowthNoise const noise({ .seed = 8 });
             auto alone = plan.base.node_position_mm;
-            std::vector<Quat> frames(plan.bearer_frame.size());
+            std::vector<Quat> frames(plan.parent_frame.size());
             GrowthBundle bundle(plan, noise, age, { alone, frames });
             for (AxisId id = 0; id < plan.base.axes.size(); ++id)
                 bundle.grow(std::span(&id, 1));

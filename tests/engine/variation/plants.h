@@ -103,15 +103,15 @@ inline Plant wide_tree(std::size_t axes, int segments)
     Plant plant;
     add_axis(plant, straight({ 0, 0, 0 }, { 0, 0, 1000 }, segments));
     for (std::size_t id = 1; id < axes; ++id) {
-        auto const bearer = static_cast<AxisId>((id - 1) / 5);
+        auto const parent = static_cast<AxisId>((id - 1) / 5);
         auto const seat = static_cast<std::uint32_t>(segments - 1) - (id - 1) % 5;
-        auto const& axis = plant.axes[bearer];
+        auto const& axis = plant.axes[parent];
         Vec3 const base = plant.positions(axis)[seat + 1];
         Vec3 const along = plant.positions(axis)[1] - plant.positions(axis)[0];
         Quat const turn(Eigen::AngleAxisd(2.4 * static_cast<double>(id), Vec3::UnitZ()));
         Vec3 const direction = (along.normalized() + turn * Vec3::UnitX()).normalized();
         Vec3 const tip = base + 0.55 * segments * along.norm() * direction;
-        add_axis(plant, straight(base, tip, segments), bearer,
+        add_axis(plant, straight(base, tip, segments), parent,
                  axis.first_segment + static_cast<SegmentId>(seat));
     }
     return plant;

@@ -31,7 +31,7 @@ TEST(SelectBranches, AllOfOneOrder)
     EXPECT_TRUE(axes_of_order({}, 0).empty());
 }
 
-TEST(SelectBranches, SiblingsAreAlikeByBearerAndLength)
+TEST(SelectBranches, SiblingsAreAlikeByParentAndLength)
 {
     auto plant = hand_made_plant();
     EXPECT_EQ(siblings_alike(plant, 5), (Selection { { 4, 5, 6 }, { 9, 10 } })); // 150 and 100 mm.

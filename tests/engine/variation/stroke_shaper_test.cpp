@@ -1,8 +1,8 @@
 #include "engine/variation/stroke_shaper.h"
 
 #include "engine/plant/join_axes.h"
-#include "engine/variation/borne.h"
 #include "engine/variation/place_nodes.h"
+#include "engine/variation/subtree.h"
 #include "tests/engine/stroke/strokes.h"
 #include "tests/engine/variation/plans.h"
 #include "tests/engine/variation/plants.h"
@@ -205,7 +205,7 @@ TEST(PlaceNodes, GivesTheBasePlantWithoutStrokes)
         EXPECT_LT((nodes_mm[i] - plant.node_position_mm[i]).norm(), 1e-9);
 }
 
-TEST(PlaceNodes, KeepsGapsInTheBearersFrame)
+TEST(PlaceNodes, KeepsGapsInTheParentsFrame)
 {
     auto plant = pole(4, 400);
     add_axis(plant, straight({ 20, 0, 400 }, { 80, 0, 400 }, 2), 0, 3); // 20 mm beside the tip.
@@ -217,16 +217,16 @@ TEST(PlaceNodes, KeepsGapsInTheBearersFrame)
     EXPECT_NEAR((nodes_mm[5] - nodes_mm[4]).dot(last), 0, 1e-9);
 }
 
-TEST(BorneBy, IsTheRestOfTheAxisAndAllThatStandsOnIt)
+TEST(SubtreeOf, IsTheRestOfTheAxisAndAllThatStandsOnIt)
 {
     auto const plant = hand_made_plant();
-    auto const borne = borne_by(plant, 2);
-    ASSERT_EQ(borne.size(), 2u);
-    EXPECT_EQ(borne[0].axis, 0u);
-    EXPECT_EQ(borne[0].first, 2u);
-    EXPECT_EQ(borne[1].axis, 3u);
-    EXPECT_EQ(borne_by(plant, 1).size(), 4u);
-    EXPECT_EQ(borne_by(plant, 5).size(), 1u);
+    auto const subtree = subtree_of(plant, 2);
+    ASSERT_EQ(subtree.size(), 2u);
+    EXPECT_EQ(subtree[0].axis, 0u);
+    EXPECT_EQ(subtree[0].first, 2u);
+    EXPECT_EQ(subtree[1].axis, 3u);
+    EXPECT_EQ(subtree_of(plant, 1).size(), 4u);
+    EXPECT_EQ(subtree_of(plant, 5).size(), 1u);
 }
 
 } // namespace

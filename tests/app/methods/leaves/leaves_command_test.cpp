@@ -7,8 +7,10 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <unistd.h>
 #include <vector>
 
@@ -103,6 +105,24 @@ TEST(LeavesCommand, CheckSaysWhatIsWrongWhere)
     EXPECT_NE(outcome.err.find(path.string() + ":3:10: no face B is defined"), std::string::npos)
         << outcome.err;
     fs::remove(path);
+}
+
+TEST(LeavesCommand, TheManualsGrammarIsUnderstood)
+{
+    std::ifstream file(shipped("../../app/manual/leaves.md"));
+    std::string const page { std::istreambuf_iterator<char>(file), {} };
+    auto const begin = page.find("\n```\n@");
+    ASSERT_NE(begin, std::string::npos);
+    auto const grammar = leaf::parse_grammar(
+        std::string_view(page).substr(begin + 5, page.find("\n```", begin + 5) - begin - 5),
+        "leaves.md");
+    ASSERT_TRUE(grammar.has_value()) << grammar.error().message;
+    auto leaf = leaf::Leaf::begin(*grammar, { .final_step = 5 });
+    for (int i = 0; i < 5; ++i)
+        ASSERT_TRUE(leaf->derive().has_value());
+    EXPECT_EQ(leaf->face_counts(),
+              (std::map<char, std::size_t> {
+                  { 'K', 4 }, { 'L', 4 }, { 'M', 5 }, { 'R', 4 }, { 'S', 1 } }));
 }
 
 TEST(LeavesCommand, AFileThatIsNotThereIsSaid)

@@ -1,4 +1,4 @@
-#include "app/calibration/calibration_desk.h"
+#include "app/calibration/calibration_controller.h"
 
 #include "app/calibration/calibration_report.h"
 
@@ -41,38 +41,38 @@ bool takes_captures(CalibrationProcedure procedure)
     return procedure != CalibrationProcedure::Travel && procedure != CalibrationProcedure::Latency;
 }
 
-Result<CalibrationDesk> CalibrationDesk::create(std::span<DeviceInfo const> devices,
-                                                Options options)
+Result<CalibrationController> CalibrationController::create(std::span<DeviceInfo const> devices,
+                                                            Options options)
 {
-    CalibrationDesk desk(std::move(options));
+    CalibrationController controller(std::move(options));
     for (std::size_t i = 0; i < devices.size(); ++i) {
-        if (!desk.pen_decoder_)
+        if (!controller.pen_decoder_)
             if (auto pen = make_pen_decoder(devices[i])) {
-                desk.pen_decoder_ = *std::move(pen);
-                desk.pen_device_ = i;
+                controller.pen_decoder_ = *std::move(pen);
+                controller.pen_device_ = i;
                 continue;
             }
-        if (!desk.height_decoder_)
+        if (!controller.height_decoder_)
             if (auto height = make_height_decoder(devices[i])) {
-                desk.height_decoder_ = *std::move(height);
-                desk.height_device_ = i;
-                desk.sensor_ = identity_of(devices[i]);
+                controller.height_decoder_ = *std::move(height);
+                controller.height_device_ = i;
+                controller.sensor_ = identity_of(devices[i]);
             }
     }
-    if (!desk.height_decoder_)
+    if (!controller.height_decoder_)
         return fail(Fault::User,
                     "there is no height sensor to calibrate: connect it, or name it "
                     "with --device");
-    if (!desk.pen_decoder_ && !takes_captures(desk.procedure()))
+    if (!controller.pen_decoder_ && !takes_captures(controller.procedure()))
         return fail(Fault::User,
                     fmt::format("there is no pen, and {} needs one: connect the tablet, or name it "
                                 "with --device",
-                                name_of(desk.procedure())));
-    return desk;
+                                name_of(controller.procedure())));
+    return controller;
 }
 
-void CalibrationDesk::push(std::size_t device, Timestamp received,
-                           std::span<std::byte const> report)
+void CalibrationController::push(std::size_t device, Timestamp received,
+                                 std::span<std::byte const> report)
 {
     if (pen_decoder_ && device == pen_device_) {
         new_pens_.clear();
@@ -87,7 +87,7 @@ void CalibrationDesk::push(std::size_t device, Timestamp received,
     }
 }
 
-void CalibrationDesk::push_pen(PenSample const& sample)
+void CalibrationController::push_pen(PenSample const& sample)
 {
     bool const begins = sample.touching && !(pen_ && pen_->touching);
     pen_ = sample;
@@ -106,7 +106,7 @@ void CalibrationDesk::push_pen(PenSample const& sample)
     }
 }
 
-void CalibrationDesk::push_height(HeightSample const& sample)
+void CalibrationController::push_height(HeightSample const& sample)
 {
     recent_.add(sample);
     if (!takes_captures(procedure()))
@@ -119,7 +119,7 @@ void CalibrationDesk::push_height(HeightSample const& sample)
         close_capture();
 }
 
-void CalibrationDesk::close_capture()
+void CalibrationController::close_capture()
 {
     auto const pending = *std::exchange(pending_, {});
     auto const capture = capture_at_rest(pending.samples, pending.ruler_mm);
@@ -133,7 +133,7 @@ void CalibrationDesk::close_capture()
     tell_directions(captures_);
 }
 
-bool CalibrationDesk::take_pen_rest()
+bool CalibrationController::take_pen_rest()
 {
     if (!touch_ || is_pressing_ || is_rest_told_ || pen_->time - touch_->time < kPenRest)
         return false;
@@ -141,7 +141,7 @@ bool CalibrationDesk::take_pen_rest()
     return true;
 }
 
-Result<void> CalibrationDesk::capture(Timestamp time, std::string_view height)
+Result<void> CalibrationController::capture(Timestamp time, std::string_view height)
 {
     if (pending_)
         return fail(Fault::User, "a capture is under way: wait a second for its end");
@@ -149,7 +149,7 @@ Result<void> CalibrationDesk::capture(Timestamp time, std::string_view height)
     return {};
 }
 
-Result<void> CalibrationDesk::command(Timestamp time, std::string_view words)
+Result<void> CalibrationController::command(Timestamp time, std::string_view words)
 {
     constexpr std::string_view kCapture = "capture ";
     if (last_command_ && time < *last_command_)
@@ -183,14 +183,14 @@ Result<void> CalibrationDesk::command(Timestamp time, std::string_view words)
 }
 
 // What was before does not count.
-void CalibrationDesk::begin_movement()
+void CalibrationController::begin_movement()
 {
     pens_.clear();
     pens_before_touch_ = 0;
     touches_ = 0;
 }
 
-void CalibrationDesk::press()
+void CalibrationController::press()
 {
     if (!pen_ || !pen_->touching || is_pressing_)
         return;
@@ -201,7 +201,7 @@ void CalibrationDesk::press()
     pens_.erase(of_touch, pens_.end());
 }
 
-Result<CalibrationOutcome> CalibrationDesk::finish(std::string const& date) const
+Result<CalibrationOutcome> CalibrationController::finish(std::string const& date) const
 {
     if (pending_)
         return fail(Fault::Device,
@@ -225,7 +225,7 @@ Result<CalibrationOutcome> CalibrationDesk::finish(std::string const& date) cons
     return CalibrationOutcome {};
 }
 
-Result<CalibrationOutcome> CalibrationDesk::finish_height(std::string const& date) const
+Result<CalibrationOutcome> CalibrationController::finish_height(std::string const& date) const
 {
     HeightCalibration const calibration { .fit = TRY(fit_height(captures_, options_.height)),
                                           .captures = captures_,
@@ -241,14 +241,14 @@ Result<CalibrationOutcome> CalibrationDesk::finish_height(std::string const& dat
     return outcome;
 }
 
-Result<CalibrationOutcome> CalibrationDesk::finish_travel(std::string const& date) const
+Result<CalibrationOutcome> CalibrationController::finish_travel(std::string const& date) const
 {
     auto const fit = TRY(fit_travel(pens_, heights_, options_.rig));
     return CalibrationOutcome { .rig = with_travel(options_.rig, fit, date),
                                 .report = describe(fit) };
 }
 
-Result<CalibrationOutcome> CalibrationDesk::finish_latency(std::string const& date) const
+Result<CalibrationOutcome> CalibrationController::finish_latency(std::string const& date) const
 {
     auto const fit = TRY(fit_latency(pens_, heights_, options_.rig));
     CalibrationOutcome outcome { .rig = with_latency(options_.rig, fit, date) };
@@ -256,7 +256,7 @@ Result<CalibrationOutcome> CalibrationDesk::finish_latency(std::string const& da
     return outcome;
 }
 
-Result<CalibrationOutcome> CalibrationDesk::finish_zero() const
+Result<CalibrationOutcome> CalibrationController::finish_zero() const
 {
     if (captures_.empty())
         return fail(Fault::User,
@@ -272,7 +272,7 @@ Result<CalibrationOutcome> CalibrationDesk::finish_zero() const
     return outcome;
 }
 
-Result<CalibrationOutcome> CalibrationDesk::finish_check(std::string const& date) const
+Result<CalibrationOutcome> CalibrationController::finish_check(std::string const& date) const
 {
     auto const check = TRY(check_height(captures_, height_decoder_->full_scale(), options_.rig));
     return CalibrationOutcome { .rig = with_check(options_.rig, check, date),

@@ -1,4 +1,4 @@
-#include "engine/lsystem/machine.h"
+#include "engine/lsystem/virtual_machine.h"
 
 #include "engine/base/vectors.h"
 #include "engine/lsystem/arithmetic.h"
@@ -17,7 +17,7 @@ static std::uint64_t mix(std::uint64_t seed, std::uint64_t other)
     return seed + other * 0x9e3779b97f4a7c15u;
 }
 
-Machine::Machine(Model const& model, LSystem const& system, std::uint64_t seed)
+VirtualMachine::VirtualMachine(Model const& model, LSystem const& system, std::uint64_t seed)
     : globals(system.globals.size())
     , model_(model)
     , first_seed_(mix(seed, model.seed))
@@ -27,8 +27,8 @@ Machine::Machine(Model const& model, LSystem const& system, std::uint64_t seed)
         arrays.push_back(array.values);
 }
 
-Machine::Machine(Model const& model, ModuleString const& string)
-    : Machine(model, string.seed)
+VirtualMachine::VirtualMachine(Model const& model, ModuleString const& string)
+    : VirtualMachine(model, string.seed)
 {
     seed_ = string.seed;
     if (string.globals.size() == globals.size())
@@ -37,7 +37,7 @@ Machine::Machine(Model const& model, ModuleString const& string)
         arrays = string.arrays;
 }
 
-Result<void> Machine::check() const
+Result<void> VirtualMachine::check() const
 {
     if (!has_stopped())
         return {};
@@ -55,27 +55,27 @@ Result<void> Machine::check() const
                             model_.name, where, time_limit_->seconds));
 }
 
-void Machine::share(Machine const& other)
+void VirtualMachine::share(VirtualMachine const& other)
 {
     std::copy_n(other.globals.begin(), static_cast<std::size_t>(GlobalIndex::Count),
                 globals.begin());
     seed_ = other.seed_;
 }
 
-void Machine::look_at_clock()
+void VirtualMachine::look_at_clock()
 {
     spent_ = 0;
     if (time_limit_ && time_limit_->is_over && time_limit_->is_over())
         stop_too(Stop::Time);
 }
 
-void Machine::run(Block const& block)
+void VirtualMachine::run(Block const& block)
 {
     auto frame = block.frame;
     run(block.program, frame.data());
 }
 
-double Machine::uniform()
+double VirtualMachine::uniform()
 {
     if (words_left_ == 0) {
         words_ = random_block({ .seed = seed_, .stream = step_, .substream = block_++ }, position_);
@@ -88,14 +88,14 @@ double Machine::uniform()
 }
 
 // Box and Muller's method.
-double Machine::normal()
+double VirtualMachine::normal()
 {
     double const radius = std::sqrt(-2 * std::log(1 - uniform()));
     return radius * std::cos(2 * kPi * uniform());
 }
 
 // Marsaglia and Tsang, "A simple method for generating gamma variables", ACM TOMS 26(3), 2000.
-double Machine::gamma(double shape)
+double VirtualMachine::gamma(double shape)
 {
     if (!(shape > 0))
         return 0;
@@ -112,7 +112,7 @@ double Machine::gamma(double shape)
     return d;
 }
 
-double Machine::binomial(double trials, double probability)
+double VirtualMachine::binomial(double trials, double probability)
 {
     constexpr double kMaxCounted = 1000;
     if (!(trials >= 1))
@@ -129,7 +129,7 @@ double Machine::binomial(double trials, double probability)
     return successes;
 }
 
-double Machine::draw(Op op, double left, double right)
+double VirtualMachine::draw(Op op, double left, double right)
 {
     switch (op) {
     case Op::Random:
@@ -151,21 +151,21 @@ double Machine::draw(Op op, double left, double right)
 }
 
 // As cpfg: an index out of range means the nearest element.
-double& Machine::array_element(std::uint16_t array, double index)
+double& VirtualMachine::array_element(std::uint16_t array, double index)
 {
     auto& values = arrays[array];
     auto const last = static_cast<double>(values.size() - 1);
     return values[index > 0 ? static_cast<std::size_t>(std::min(index, last)) : 0];
 }
 
-double Machine::function(double number, double x) const
+double VirtualMachine::function(double number, double x) const
 {
     auto const& functions = model_.view.functions;
     bool const exists = number >= 1 && number < static_cast<double>(functions.size()) + 1;
     return exists ? functions[static_cast<std::size_t>(number) - 1].at(x) : 0;
 }
 
-double Machine::curve(Op op, double number, double t) const
+double VirtualMachine::curve(Op op, double number, double t) const
 {
     auto const& curves = model_.view.curves;
     if (!(number >= 1) || !(number < static_cast<double>(curves.size()) + 1))
@@ -177,7 +177,7 @@ double Machine::curve(Op op, double number, double t) const
     return op == Op::CurveX ? point.x() : op == Op::CurveY ? point.y() : point.z();
 }
 
-void Machine::print(Instruction const& instruction, double const* frame) const
+void VirtualMachine::print(Instruction const& instruction, double const* frame) const
 {
     if (printer_ && *printer_)
         (*printer_)(tractus::print(model_.formats[instruction.target],
@@ -185,7 +185,7 @@ void Machine::print(Instruction const& instruction, double const* frame) const
 }
 
 // What an instruction gives that only needs its two operands.
-double Machine::evaluate(Op op, double left, double right)
+double VirtualMachine::evaluate(Op op, double left, double right)
 {
     switch (op) {
     case Op::Random:
@@ -206,7 +206,7 @@ double Machine::evaluate(Op op, double left, double right)
     }
 }
 
-void Machine::execute(Program const& program, double* frame)
+void VirtualMachine::execute(Program const& program, double* frame)
 {
     std::uint64_t rounds = 0;
     auto const* const begin = program.data();
@@ -258,7 +258,7 @@ void Machine::execute(Program const& program, double* frame)
 }
 
 // Takes note of a loop's next round.
-bool Machine::may_go_on(std::uint64_t rounds)
+bool VirtualMachine::may_go_on(std::uint64_t rounds)
 {
     spend(1);
     if (rounds > kMaxRounds)

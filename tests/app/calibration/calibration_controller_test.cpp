@@ -1,4 +1,4 @@
-#include "app/calibration/calibration_desk.h"
+#include "app/calibration/calibration_controller.h"
 
 #include "app/calibration/live_calibration.h"
 #include "app/calibration/log_calibration.h"
@@ -45,7 +45,7 @@ Rig calibrated_rig()
     return outcome_of(simulated_text({}), CalibrationProcedure::Height).value().rig;
 }
 
-TEST(CalibrationDesk, CalibratesTheSimulatedRigsHeight)
+TEST(CalibrationController, CalibratesTheSimulatedRigsHeight)
 {
     auto const rig = calibrated_rig();
     auto const truth = true_rig(simulated_geometry());
@@ -59,14 +59,14 @@ TEST(CalibrationDesk, CalibratesTheSimulatedRigsHeight)
     EXPECT_EQ(rig.tablet_size_mm, Vec2(254, 159));
 }
 
-TEST(CalibrationDesk, GivesTheSameRigFromTheSameLog)
+TEST(CalibrationController, GivesTheSameRigFromTheSameLog)
 {
     auto const text = simulated_text({});
     EXPECT_EQ(print_rig(outcome_of(text, CalibrationProcedure::Height).value().rig),
               print_rig(outcome_of(text, CalibrationProcedure::Height).value().rig));
 }
 
-TEST(CalibrationDesk, FitsAgainWhatARigFileKept)
+TEST(CalibrationController, FitsAgainWhatARigFileKept)
 {
     auto const rig = parse_rig(print_rig(calibrated_rig()), "my.rig.toml").value();
     auto const again = refit_height(rig).value();
@@ -74,7 +74,7 @@ TEST(CalibrationDesk, FitsAgainWhatARigFileKept)
     EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-5);
 }
 
-TEST(CalibrationDesk, FindsTravelAndLatency)
+TEST(CalibrationController, FindsTravelAndLatency)
 {
     auto rig = calibrated_rig();
     auto const travel = outcome_of(simulated_text({ .procedure = CalibrationProcedure::Travel }),
@@ -90,7 +90,7 @@ TEST(CalibrationDesk, FindsTravelAndLatency)
     EXPECT_NEAR(1000 * to_seconds(latency.rig.tablet_latency - latency.rig.height_latency), 5, 0.5);
 }
 
-TEST(CalibrationDesk, QuotesHowExactARigIs)
+TEST(CalibrationController, QuotesHowExactARigIs)
 {
     auto const outcome = outcome_of(simulated_text({ .procedure = CalibrationProcedure::Check }),
                                     CalibrationProcedure::Check, calibrated_rig())
@@ -100,7 +100,7 @@ TEST(CalibrationDesk, QuotesHowExactARigIs)
     EXPECT_LE(outcome.rig.calibration.check->within_mm, 2);
 }
 
-TEST(CalibrationDesk, ZeroesWithoutTouchingTheScale)
+TEST(CalibrationController, ZeroesWithoutTouchingTheScale)
 {
     auto const rig = calibrated_rig();
     auto const text
@@ -116,7 +116,7 @@ TEST(CalibrationDesk, ZeroesWithoutTouchingTheScale)
     EXPECT_NEAR(outcome.rig.calibration.height->raised_mm, -100, 2);
 }
 
-TEST(CalibrationDesk, NamesASlippedCaptureInItsReport)
+TEST(CalibrationController, NamesASlippedCaptureInItsReport)
 {
     SimulatedCalibration slipped;
     slipped.person.slip = Slip { .capture = 2, .wrong_by_mm = 20 };
@@ -134,7 +134,7 @@ std::string with_line(std::string text, std::string_view from, std::string_view 
     return text.replace(place, from.size(), to);
 }
 
-TEST(CalibrationDesk, UndoesACapture)
+TEST(CalibrationController, UndoesACapture)
 {
     auto const text = simulated_text({});
     auto const place = text.find("T: ", text.find("capture 60"));
@@ -145,7 +145,7 @@ TEST(CalibrationDesk, UndoesACapture)
     EXPECT_EQ(rig.calibration.height->captures[1].ruler_mm, 200);
 }
 
-TEST(CalibrationDesk, RefusesACaptureWhileTheSurfaceMoves)
+TEST(CalibrationController, RefusesACaptureWhileTheSurfaceMoves)
 {
     // The last capture's command comes when the surface is on its way to that height.
     auto const text = simulated_text({ .heights_mm = { 0, 300 } });
@@ -168,7 +168,7 @@ TEST(CalibrationDesk, RefusesACaptureWhileTheSurfaceMoves)
         << refusal_of(early);
 }
 
-TEST(CalibrationDesk, RefusesCommandsOutOfOrder)
+TEST(CalibrationController, RefusesCommandsOutOfOrder)
 {
     auto const text = simulated_text({ .heights_mm = { 0, 100 } });
     auto const second = text.rfind("T: ", text.find("calibrate capture 100"));
@@ -180,7 +180,7 @@ TEST(CalibrationDesk, RefusesCommandsOutOfOrder)
         << refusal_of(changed);
 }
 
-TEST(CalibrationDesk, RefusesWordsThatMeanNothing)
+TEST(CalibrationController, RefusesWordsThatMeanNothing)
 {
     auto const text = simulated_text({ .heights_mm = { 0, 100 } });
     EXPECT_EQ(refusal_of(with_line(text, "capture 100", "capture high")),
@@ -190,7 +190,7 @@ TEST(CalibrationDesk, RefusesWordsThatMeanNothing)
               "undo");
 }
 
-TEST(CalibrationDesk, RefusesALogThatEndsTooEarly)
+TEST(CalibrationController, RefusesALogThatEndsTooEarly)
 {
     auto const text = simulated_text({ .heights_mm = { 0, 100 } });
     auto const last = text.find('\n', text.find("calibrate capture 100"));
@@ -199,7 +199,7 @@ TEST(CalibrationDesk, RefusesALogThatEndsTooEarly)
               "height sensor sends, then capture it again");
 }
 
-TEST(CalibrationDesk, RefusesALogWithoutCaptures)
+TEST(CalibrationController, RefusesALogWithoutCaptures)
 {
     auto const text = simulated_text({ .procedure = CalibrationProcedure::Travel });
     EXPECT_NE(refusal_of(with_line(with_line(text, "calibrate begin", "x"), "calibrate end", "x"))
@@ -207,7 +207,7 @@ TEST(CalibrationDesk, RefusesALogWithoutCaptures)
               std::string::npos);
 }
 
-TEST(CalibrationDesk, RefusesTravelThatDoesNotMove)
+TEST(CalibrationController, RefusesTravelThatDoesNotMove)
 {
     auto const text = simulated_text({ .heights_mm = { 100 } });
     auto const outcome = outcome_of(with_line(text, "calibrate capture 100", "x"),
@@ -219,7 +219,7 @@ TEST(CalibrationDesk, RefusesTravelThatDoesNotMove)
     EXPECT_NE(latency.error().message.find("the surface moved by only 0 mm"), std::string::npos);
 }
 
-TEST(CalibrationDesk, RefusesLatencyAlongAnUprightEdge)
+TEST(CalibrationController, RefusesLatencyAlongAnUprightEdge)
 {
     auto const text = simulated_text({ .procedure = CalibrationProcedure::Travel });
     auto const outcome = outcome_of(text, CalibrationProcedure::Latency, calibrated_rig());
@@ -227,7 +227,7 @@ TEST(CalibrationDesk, RefusesLatencyAlongAnUprightEdge)
     EXPECT_NE(outcome.error().message.find("inclin"), std::string::npos) << outcome.error().message;
 }
 
-TEST(CalibrationDesk, RefusesAnotherConverterThanTheRigs)
+TEST(CalibrationController, RefusesAnotherConverterThanTheRigs)
 {
     auto rig = calibrated_rig();
     rig.full_scale_counts = 1023;
@@ -238,9 +238,9 @@ TEST(CalibrationDesk, RefusesAnotherConverterThanTheRigs)
               "one up to 1023: connect that one, or calibrate the height anew");
 }
 
-TEST(CalibrationDesk, NeedsASensor)
+TEST(CalibrationController, NeedsASensor)
 {
-    EXPECT_EQ(CalibrationDesk::create({}, {}).error().message,
+    EXPECT_EQ(CalibrationController::create({}, {}).error().message,
               "there is no height sensor to calibrate: connect it, or name it with --device");
 }
 
@@ -253,7 +253,7 @@ TEST(LiveCalibration, CapturesWhenThePenRestsAndRecordsWhatGivesTheSameRig)
     auto const played = parse_log(text.str(), "played").value();
 
     // The log as live devices, at once; the clock is that of the newest report.
-    auto desk = CalibrationDesk::create(played.devices, {}).value();
+    auto controller = CalibrationController::create(played.devices, {}).value();
     Timestamp now {};
     std::size_t next = 0;
     std::ostringstream recorded_text;
@@ -262,56 +262,57 @@ TEST(LiveCalibration, CapturesWhenThePenRestsAndRecordsWhatGivesTheSameRig)
     for (; next < played.records.size(); ++next) {
         auto const& record = played.records[next];
         now = record.time;
-        desk.push(record.device, record.time, played.report(record));
+        controller.push(record.device, record.time, played.report(record));
         recorder.write_report(record.device, record.time, played.report(record));
-        if (desk.take_pen_rest() && captured < simulated.heights_mm.size()) {
+        if (controller.take_pen_rest() && captured < simulated.heights_mm.size()) {
             auto const words = fmt::format("capture {}", simulated.heights_mm[captured++]);
-            ASSERT_TRUE(desk.command(now, words));
+            ASSERT_TRUE(controller.command(now, words));
             recorder.write_tool(now, kCalibrateTool, words);
         }
     }
     ASSERT_TRUE(recorder.flush());
-    auto const live = desk.finish(kDate).value();
+    auto const live = controller.finish(kDate).value();
     EXPECT_EQ(live.rig.calibration.height->captures.size(), 2u);
     EXPECT_EQ(print_rig(outcome_of(recorded_text.str(), CalibrationProcedure::Height).value().rig),
               print_rig(live.rig));
 }
 
 // Touches the tablet every 10 ms, or hovers over it.
-void hold_pen(CalibrationDesk& desk, int from_ms, int to_ms, bool touching)
+void hold_pen(CalibrationController& controller, int from_ms, int to_ms, bool touching)
 {
     for (int time_ms = from_ms; time_ms < to_ms; time_ms += 10)
-        desk.push(kPen, at_ms(time_ms), pen_report(50, 50, touching));
+        controller.push(kPen, at_ms(time_ms), pen_report(50, 50, touching));
 }
 
-TEST(CalibrationDesk, CountsATouchThatPressesForNothing)
+TEST(CalibrationController, CountsATouchThatPressesForNothing)
 {
-    auto desk = CalibrationDesk::create(simple_rig(), { .procedure = CalibrationProcedure::Travel })
-                    .value();
-    ASSERT_TRUE(desk.command(at_ms(0), "begin"));
-    hold_pen(desk, 0, 100, true);
-    hold_pen(desk, 100, 150, false);
-    hold_pen(desk, 150, 200, true);
-    EXPECT_EQ(desk.touches(), 15u);
-    ASSERT_TRUE(desk.command(at_ms(200), "press"));
-    EXPECT_EQ(desk.touches(), 10u) << "of the touch from its beginning on";
-    hold_pen(desk, 200, 250, true);
-    EXPECT_EQ(desk.touches(), 10u) << "to its end";
-    hold_pen(desk, 250, 300, false);
-    hold_pen(desk, 300, 330, true);
-    EXPECT_EQ(desk.touches(), 13u) << "and not of the next one";
+    auto controller
+        = CalibrationController::create(simple_rig(), { .procedure = CalibrationProcedure::Travel })
+              .value();
+    ASSERT_TRUE(controller.command(at_ms(0), "begin"));
+    hold_pen(controller, 0, 100, true);
+    hold_pen(controller, 100, 150, false);
+    hold_pen(controller, 150, 200, true);
+    EXPECT_EQ(controller.touches(), 15u);
+    ASSERT_TRUE(controller.command(at_ms(200), "press"));
+    EXPECT_EQ(controller.touches(), 10u) << "of the touch from its beginning on";
+    hold_pen(controller, 200, 250, true);
+    EXPECT_EQ(controller.touches(), 10u) << "to its end";
+    hold_pen(controller, 250, 300, false);
+    hold_pen(controller, 300, 330, true);
+    EXPECT_EQ(controller.touches(), 13u) << "and not of the next one";
 }
 
-TEST(CalibrationDesk, TakesATouchThatPressesForNoRest)
+TEST(CalibrationController, TakesATouchThatPressesForNoRest)
 {
-    auto desk = CalibrationDesk::create(simple_rig(), {}).value();
-    hold_pen(desk, 0, 50, true);
-    ASSERT_TRUE(desk.command(at_ms(50), "press"));
-    hold_pen(desk, 50, 1000, true);
-    EXPECT_FALSE(desk.take_pen_rest());
-    hold_pen(desk, 1000, 1100, false);
-    hold_pen(desk, 1100, 2000, true);
-    EXPECT_TRUE(desk.take_pen_rest());
+    auto controller = CalibrationController::create(simple_rig(), {}).value();
+    hold_pen(controller, 0, 50, true);
+    ASSERT_TRUE(controller.command(at_ms(50), "press"));
+    hold_pen(controller, 50, 1000, true);
+    EXPECT_FALSE(controller.take_pen_rest());
+    hold_pen(controller, 1000, 1100, false);
+    hold_pen(controller, 1100, 2000, true);
+    EXPECT_TRUE(controller.take_pen_rest());
 }
 
 } // namespace

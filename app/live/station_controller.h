@@ -16,11 +16,11 @@ namespace tractus {
 
 // What a person does to a drawing beside drawing, wherever its station's reports come from: what is
 // drawn and done is kept, shown, and can be undone.
-class StationDesk {
+class StationController {
 public:
     // `folder` is where saved pictures and exports appear.
-    StationDesk(Station const& station, std::optional<Session> session,
-                std::filesystem::path folder);
+    StationController(Station const& station, std::optional<Session> session,
+                      std::filesystem::path folder);
 
     StationView& view() { return view_; }
     StationView const& view() const { return view_; }

@@ -1,4 +1,4 @@
-#include "engine/variation/likeness.h"
+#include "engine/variation/diversity.h"
 
 #include "engine/base/check.h"
 
@@ -37,13 +37,13 @@ double distance_mm(std::span<Vec3 const> one, std::span<Vec3 const> other)
     return std::sqrt(squares / static_cast<double>(one.size()));
 }
 
-Likeness::Likeness(Plant const& drawn)
+Diversity::Diversity(Plant const& drawn)
     : stride_(std::max<std::size_t>(1, drawn.node_position_mm.size() / kNodes))
     , drawn_mm_(looked_at(drawn))
 {
 }
 
-std::vector<Vec3> Likeness::looked_at(Plant const& plant) const
+std::vector<Vec3> Diversity::looked_at(Plant const& plant) const
 {
     std::vector<Vec3> nodes;
     for (std::size_t i = 0; i < plant.node_position_mm.size(); i += stride_)
@@ -51,13 +51,13 @@ std::vector<Vec3> Likeness::looked_at(Plant const& plant) const
     return nodes;
 }
 
-void Likeness::add(Plant const& plant)
+void Diversity::add(Plant const& plant)
 {
     plants_mm_.push_back(looked_at(plant));
     CHECK(plants_mm_.back().size() == drawn_mm_.size());
 }
 
-DistanceSpread Likeness::between_plants() const
+DistanceSpread Diversity::between_plants() const
 {
     std::vector<double> distances_mm;
     for (std::size_t i = 0; i < plants_mm_.size(); ++i)
@@ -66,7 +66,7 @@ DistanceSpread Likeness::between_plants() const
     return spread_of(distances_mm);
 }
 
-DistanceSpread Likeness::from_drawn() const
+DistanceSpread Diversity::from_drawn() const
 {
     std::vector<double> distances_mm;
     for (auto const& plant : plants_mm_)

@@ -21,10 +21,10 @@ struct DistanceSpread {
 
 // How much the plants of a collection differ, from each other and from what was drawn. It looks at
 // some 2,000 nodes of each plant, evenly chosen by their numbers, so that many can be compared.
-class Likeness {
+class Diversity {
 public:
-    // `drawn` is the plant as drawn (at_liking() at 0); all others have its topology.
-    explicit Likeness(Plant const& drawn);
+    // `drawn` is the plant as drawn (at_variability() at 0); all others have its topology.
+    explicit Diversity(Plant const& drawn);
 
     void add(Plant const& plant);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/calibration/calibration_desk.h"
+#include "app/calibration/calibration_controller.h"
 #include "app/calibration/calibration_view.h"
 #include "app/devices/live_devices.h"
 #include "engine/base/result.h"
@@ -14,8 +14,8 @@
 
 namespace tractus {
 
-struct CalibrationBenchOptions {
-    CalibrationDesk::Options desk {};
+struct CalibrationPanelControllerOptions {
+    CalibrationController::Options controller {};
     std::vector<double> heights_mm {}; // To propose, in this order; empty: those of the procedure.
     std::string date {};               // Today's.
     std::function<Timestamp()> now {};
@@ -28,11 +28,11 @@ struct CalibrationBenchOptions {
 // second one on, the fit and its plots. A pen that rests on the tablet captures the proposed
 // height. What one procedure found out is what the next begins with; nothing is written before the
 // person asks for it.
-class CalibrationBench final : public CalibrationModel {
+class CalibrationPanelController final : public CalibrationModel {
 public:
-    // Fails as CalibrationDesk::create does.
-    static Result<CalibrationBench> create(std::vector<DeviceInfo> devices,
-                                           CalibrationBenchOptions options);
+    // Fails as CalibrationController::create does.
+    static Result<CalibrationPanelController> create(std::vector<DeviceInfo> devices,
+                                                     CalibrationPanelControllerOptions options);
 
     // What a device has sent; advance() draws conclusions from all that has come.
     void push(LiveReport const& report);
@@ -45,8 +45,9 @@ public:
     std::optional<Rig> take_kept_rig() { return std::exchange(kept_, std::nullopt); }
 
 private:
-    CalibrationBench(std::vector<DeviceInfo> devices, CalibrationBenchOptions options,
-                     CalibrationDesk desk);
+    CalibrationPanelController(std::vector<DeviceInfo> devices,
+                               CalibrationPanelControllerOptions options,
+                               CalibrationController controller);
 
     void perform_kind(ChooseProcedure const& command);
     void perform_kind(ProposeHeight const& command) { view_.proposed_mm = command.height_mm; }
@@ -66,8 +67,8 @@ private:
     void refuse(std::string const& why);
 
     std::vector<DeviceInfo> devices_;
-    CalibrationBenchOptions options_;
-    CalibrationDesk desk_;
+    CalibrationPanelControllerOptions options_;
+    CalibrationController controller_;
     std::optional<CalibrationOutcome> outcome_; // Of everything so far.
     std::optional<Rig> kept_;
     bool was_capturing_ = false;

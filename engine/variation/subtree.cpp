@@ -1,22 +1,22 @@
-#include "engine/variation/borne.h"
+#include "engine/variation/subtree.h"
 
 namespace tractus {
 
-std::vector<AxisRest> borne_by(Plant const& plant, SegmentId segment)
+std::vector<AxisRest> subtree_of(Plant const& plant, SegmentId segment)
 {
     AxisId const first = axis_of(plant, segment);
-    std::vector<AxisRest> borne { { first, segment } };
+    std::vector<AxisRest> subtree { { first, segment } };
     std::vector<bool> is_borne(plant.axes.size());
-    for (AxisId id = first + 1; id < plant.axes.size(); ++id) { // Bearers come first.
+    for (AxisId id = first + 1; id < plant.axes.size(); ++id) { // Parents come first.
         auto const& axis = plant.axes[id];
         if (axis.parent_axis == kNone)
             continue;
         is_borne[id] = axis.parent_axis == first ? axis.parent_segment >= segment
                                                  : is_borne[axis.parent_axis];
         if (is_borne[id])
-            borne.push_back({ id, axis.first_segment });
+            subtree.push_back({ id, axis.first_segment });
     }
-    return borne;
+    return subtree;
 }
 
 } // namespace tractus

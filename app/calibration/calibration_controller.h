@@ -49,7 +49,7 @@ struct CalibrationOutcome {
 //     undo             the last capture was wrong
 //     begin, end       of the movement of travel and latency; in a log without them it is all of it
 //     press            the pen's touch under way presses a button: it is no rest, and no movement
-class CalibrationDesk {
+class CalibrationController {
 public:
     struct Options {
         CalibrationProcedure procedure = CalibrationProcedure::Height;
@@ -59,7 +59,8 @@ public:
 
     // Takes the first pen and the first height sensor. Fails, as the user's fault, if one that the
     // procedure needs is not there.
-    static Result<CalibrationDesk> create(std::span<DeviceInfo const> devices, Options options);
+    static Result<CalibrationController> create(std::span<DeviceInfo const> devices,
+                                                Options options);
 
     // One report of one of the devices, in the order of their times. Broken ones are left out.
     void push(std::size_t device, Timestamp received, std::span<std::byte const> report);
@@ -95,7 +96,7 @@ private:
         std::vector<HeightSample> samples {};
     };
 
-    explicit CalibrationDesk(Options options)
+    explicit CalibrationController(Options options)
         : options_(std::move(options))
     {
     }

@@ -14,6 +14,6 @@ struct AxisRest {
 
 // `segment`, the rest of its axis, and every axis that these bear, down to the leaf branches; in
 // the plant's order.
-std::vector<AxisRest> borne_by(Plant const& plant, SegmentId segment);
+std::vector<AxisRest> subtree_of(Plant const& plant, SegmentId segment);
 
 } // namespace tractus

@@ -32,17 +32,17 @@ inline double unit_number(std::uint32_t high, std::uint32_t low)
 //
 // Random numbers depend on nothing but the seed, the step, and the module's position in the string,
 // so a string may be rewritten in any order.
-class Machine {
+class VirtualMachine {
 public:
     // For one L-system of the model.
-    Machine(Model const& model, LSystem const& system, std::uint64_t seed);
+    VirtualMachine(Model const& model, LSystem const& system, std::uint64_t seed);
     // For the main one.
-    Machine(Model const& model, std::uint64_t seed)
-        : Machine(model, model, seed)
+    VirtualMachine(Model const& model, std::uint64_t seed)
+        : VirtualMachine(model, model, seed)
     {
     }
     // As the derivation of `string` left it.
-    Machine(Model const& model, ModuleString const& string);
+    VirtualMachine(Model const& model, ModuleString const& string);
 
     // Where printf prints; nowhere without it. Must outlive the machine.
     using Printer = std::function<void(std::string_view)>;
@@ -94,7 +94,7 @@ public:
 
     double& global(GlobalIndex index) { return globals[static_cast<std::size_t>(index)]; }
     // Takes over what all L-systems share: steps, the derivation length and the seed.
-    void share(Machine const& other);
+    void share(VirtualMachine const& other);
 
     std::vector<double> globals;
     std::vector<std::vector<double>> arrays;

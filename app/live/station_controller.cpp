@@ -1,4 +1,4 @@
-#include "app/live/station_desk.h"
+#include "app/live/station_controller.h"
 
 #include "app/dated_path.h"
 #include "app/plants/glb_size.h"
@@ -14,8 +14,8 @@
 
 namespace tractus {
 
-StationDesk::StationDesk(Station const& station, std::optional<Session> session,
-                         std::filesystem::path folder)
+StationController::StationController(Station const& station, std::optional<Session> session,
+                                     std::filesystem::path folder)
     : keeper_(std::move(session))
     , view_(station)
     , folder_(std::move(folder))
@@ -23,13 +23,13 @@ StationDesk::StationDesk(Station const& station, std::optional<Session> session,
     view_.state().has_session = keeper_.has_session();
 }
 
-void StationDesk::show(Station& station, Timestamp now)
+void StationController::show(Station& station, Timestamp now)
 {
     show_kept(station, now);
     show_files();
 }
 
-void StationDesk::show_kept(Station& station, Timestamp now)
+void StationController::show_kept(Station& station, Timestamp now)
 {
     now_ = now;
     keeper_.advance(station, now);
@@ -50,7 +50,7 @@ void StationDesk::show_kept(Station& station, Timestamp now)
         view_.state().trouble = fmt::format("What is drawn is not kept: {}", why);
 }
 
-void StationDesk::show_files()
+void StationController::show_files()
 {
     while (auto const written = files_->take()) {
         if (!*written) {
@@ -64,7 +64,7 @@ void StationDesk::show_files()
     view_.state().is_saving = files_->is_busy();
 }
 
-Result<void> StationDesk::finish(Station& station, Timestamp now)
+Result<void> StationController::finish(Station& station, Timestamp now)
 {
     if (!keeper_.has_session())
         return {};
@@ -84,7 +84,7 @@ Result<void> StationDesk::finish(Station& station, Timestamp now)
     return fail(Fault::User, fmt::format("{} not kept: {}", what, keeper_.not_kept()));
 }
 
-bool StationDesk::may_close(Result<void> const& finished)
+bool StationController::may_close(Result<void> const& finished)
 {
     if (finished || std::exchange(knows_what_is_lost_, true))
         return true;
@@ -94,7 +94,7 @@ bool StationDesk::may_close(Result<void> const& finished)
     return false;
 }
 
-Result<void> StationDesk::finish_files()
+Result<void> StationController::finish_files()
 {
     Result<void> done;
     if (!files_) // Moved from.
@@ -107,7 +107,7 @@ Result<void> StationDesk::finish_files()
     return done;
 }
 
-void StationDesk::settle(Station& station, Timestamp now)
+void StationController::settle(Station& station, Timestamp now)
 {
     keeper_.settle(station, now);
     show_kept(station, now);
@@ -116,30 +116,30 @@ void StationDesk::settle(Station& station, Timestamp now)
     show_files();
 }
 
-std::filesystem::path StationDesk::new_file(std::string_view ending) const
+std::filesystem::path StationController::new_file(std::string_view ending) const
 {
     return dated_path(folder_, view_.grown_scene()->model_name, ending);
 }
 
-void StationDesk::show_again(Station const& station, std::string const& status)
+void StationController::show_again(Station const& station, std::string const& status)
 {
     view_.begin_again(station);
     view_.state().status = status;
 }
 
-void StationDesk::perform(Undo const&, Station& station)
+void StationController::perform(Undo const&, Station& station)
 {
     keeper_.undo();
     show_kept(station, now_);
 }
 
-void StationDesk::perform(Redo const&, Station& station)
+void StationController::perform(Redo const&, Station& station)
 {
     keeper_.redo();
     show_kept(station, now_);
 }
 
-void StationDesk::perform(TakeOrphansAway const&, Station& station)
+void StationController::perform(TakeOrphansAway const&, Station& station)
 {
     auto const without = [](Scene const& scene) -> Result<WantedStep::Change> {
         auto edits = edits_without_orphans(scene);
@@ -151,13 +151,13 @@ void StationDesk::perform(TakeOrphansAway const&, Station& station)
     show_kept(station, now_);
 }
 
-void StationDesk::perform(Restart const&, Station& station)
+void StationController::perform(Restart const&, Station& station)
 {
     keeper_.begin_again("The session is as it began");
     show_kept(station, now_);
 }
 
-void StationDesk::perform(NextVariation const&, Station& station)
+void StationController::perform(NextVariation const&, Station& station)
 {
     auto const next = [](SetGrowth growth) -> Result<WantedStep::Change> {
         ++growth.seed;
@@ -166,7 +166,7 @@ void StationDesk::perform(NextVariation const&, Station& station)
     set_growth(next, station);
 }
 
-void StationDesk::perform(ChangeGrowth const& command, Station& station)
+void StationController::perform(ChangeGrowth const& command, Station& station)
 {
     if (command.slider == ChangeGrowth::Slider::Moving) {
         auto const seen = growth_set_to(command.growth, station.scene().growth);
@@ -184,12 +184,12 @@ void StationDesk::perform(ChangeGrowth const& command, Station& station)
     set_growth(set, station);
 }
 
-void StationDesk::perform(AskForCollection const& command, Station&)
+void StationController::perform(AskForCollection const& command, Station&)
 {
     view_.collect(command.count);
 }
 
-void StationDesk::perform(PickVariation const& command, Station& station)
+void StationController::perform(PickVariation const& command, Station& station)
 {
     auto const pick = [seed = command.seed](SetGrowth growth) -> Result<WantedStep::Change> {
         growth.seed = seed;
@@ -199,7 +199,7 @@ void StationDesk::perform(PickVariation const& command, Station& station)
 }
 
 // `change` is asked when what was wanted before is done.
-void StationDesk::set_growth(
+void StationController::set_growth(
     std::function<Result<WantedStep::Change>(SetGrowth growth)> const& change, Station& station)
 {
     keeper_.make(
@@ -207,7 +207,7 @@ void StationDesk::set_growth(
     show_kept(station, now_);
 }
 
-void StationDesk::perform(SavePicture const& command, Station&)
+void StationController::perform(SavePicture const& command, Station&)
 {
     save(".png",
          [picture = command.picture](std::filesystem::path const& path) -> Result<std::string> {
@@ -216,7 +216,7 @@ void StationDesk::perform(SavePicture const& command, Station&)
          });
 }
 
-void StationDesk::perform(ExportPlant const& command, Station&)
+void StationController::perform(ExportPlant const& command, Station&)
 {
     constexpr std::array kEndings { ".glb", ".obj" };
     save(kEndings.at(static_cast<std::size_t>(command.format)),
@@ -236,8 +236,8 @@ void StationDesk::perform(ExportPlant const& command, Station&)
          });
 }
 
-void StationDesk::save(std::string_view ending,
-                       std::function<Result<std::string>(std::filesystem::path const&)> write)
+void StationController::save(std::string_view ending,
+                             std::function<Result<std::string>(std::filesystem::path const&)> write)
 {
     auto path = new_file(fmt::format("-seed-{}{}", view_.grown_scene()->growth.seed, ending));
     view_.state().status = fmt::format("Writing {}", path.string());

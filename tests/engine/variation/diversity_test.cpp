@@ -1,4 +1,4 @@
-#include "engine/variation/likeness.h"
+#include "engine/variation/diversity.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ Plant row(std::size_t nodes, Vec3 const& offset)
     return plant;
 }
 
-TEST(Likeness, IsTheRootMeanSquareOfTheNodesDistances)
+TEST(Diversity, IsTheRootMeanSquareOfTheNodesDistances)
 {
     std::vector<Vec3> const one { { 0, 0, 0 }, { 0, 0, 10 } };
     std::vector<Vec3> const other { { 3, 4, 0 }, { 0, 0, 10 } };
@@ -24,31 +24,31 @@ TEST(Likeness, IsTheRootMeanSquareOfTheNodesDistances)
     EXPECT_EQ(distance_mm(std::vector<Vec3> {}, {}), 0);
 }
 
-TEST(Likeness, ComparesEveryPlantWithEveryOtherAndWithTheDrawnOne)
+TEST(Diversity, ComparesEveryPlantWithEveryOtherAndWithTheDrawnOne)
 {
     for (std::size_t const nodes : { 3u, 10'000u }) { // All nodes are looked at, or some.
-        Likeness likeness(row(nodes, Vec3::Zero()));
-        likeness.add(row(nodes, { 1, 0, 0 }));
-        likeness.add(row(nodes, { -1, 0, 0 }));
-        likeness.add(row(nodes, { 0, 0, 4 }));
-        auto const drawn = likeness.from_drawn();
+        Diversity diversity(row(nodes, Vec3::Zero()));
+        diversity.add(row(nodes, { 1, 0, 0 }));
+        diversity.add(row(nodes, { -1, 0, 0 }));
+        diversity.add(row(nodes, { 0, 0, 4 }));
+        auto const drawn = diversity.from_drawn();
         EXPECT_EQ(drawn.count, 3u);
         EXPECT_NEAR(drawn.mean_mm, 2, 1e-12);
         EXPECT_NEAR(drawn.deviation_mm, std::sqrt(3), 1e-12);
-        auto const pairs = likeness.between_plants();
+        auto const pairs = diversity.between_plants();
         EXPECT_EQ(pairs.count, 3u);
         EXPECT_NEAR(pairs.mean_mm, (2 + 2 * std::sqrt(17)) / 3, 1e-12);
     }
 }
 
-TEST(Likeness, OfNoneOrOneHasNoSpread)
+TEST(Diversity, OfNoneOrOneHasNoSpread)
 {
-    Likeness likeness(row(5, Vec3::Zero()));
-    EXPECT_EQ(likeness.from_drawn().count, 0u);
-    likeness.add(row(5, { 0, 2, 0 }));
-    EXPECT_EQ(likeness.between_plants().count, 0u);
-    EXPECT_DOUBLE_EQ(likeness.from_drawn().mean_mm, 2);
-    EXPECT_EQ(likeness.from_drawn().deviation_mm, 0);
+    Diversity diversity(row(5, Vec3::Zero()));
+    EXPECT_EQ(diversity.from_drawn().count, 0u);
+    diversity.add(row(5, { 0, 2, 0 }));
+    EXPECT_EQ(diversity.between_plants().count, 0u);
+    EXPECT_DOUBLE_EQ(diversity.from_drawn().mean_mm, 2);
+    EXPECT_EQ(diversity.from_drawn().deviation_mm, 0);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "app/plants/large_blocks.h"
+#include "app/plants/malloc_tuning.h"
 
 #include <malloc.h>
 
