@@ -1,16 +1,22 @@
 #include "engine/export/glb_column.h"
 
-#include <fmt/format.h>
+#include "engine/base/check.h"
+
+#include <utility>
 
 namespace tractus {
 
-static std::string accessor_text(NumberFormat const& format, std::size_t count,
-                                 std::string_view more)
+static Json accessor_json(NumberFormat const& format, std::size_t count)
 {
     constexpr char const* kTypes[] = { "", "SCALAR", "VEC2", "VEC3", "VEC4" };
-    return fmt::format("\"componentType\":{},\"count\":{},\"type\":\"{}\"{}{}}}",
-                       static_cast<int>(format.type), count, kTypes[format.components],
-                       format.normalized ? ",\"normalized\":true" : "", more);
+    Json accessor {
+        { "componentType", static_cast<int>(format.type) },
+        { "count", count },
+        { "type", kTypes[format.components] },
+    };
+    if (format.normalized)
+        accessor["normalized"] = true;
+    return accessor;
 }
 
 GlbColumn open_column(GlbStream& stream, NumberFormat const& format, std::size_t count)
@@ -19,35 +25,56 @@ GlbColumn open_column(GlbStream& stream, NumberFormat const& format, std::size_t
              stream.open_block(count * static_cast<std::size_t>(format.element_bytes)) };
 }
 
-std::size_t add_accessor(GltfJson& json, GlbColumn const& column, int target, std::string_view more)
+std::size_t add_view(GltfJson& json, GlbStream::Block const& block, Json const& more)
+{
+    Json view { { "buffer", 0 }, { "byteOffset", block.start }, { "byteLength", block.size } };
+    view.update(more);
+    return json.buffer_views.add(view);
+}
+
+std::size_t add_accessor(GltfJson& json, GlbColumn const& column, int target, Json const& more)
 {
     auto const& [format, count, block] = column;
-    auto const target_text
-        = target == kNoTarget ? std::string() : fmt::format(",\"target\":{}", target);
+    auto of_view = Json::object();
     // Elements that are padded to four bytes say how far they are apart.
-    bool const is_padded = format.components == 3 && format.type != ComponentType::Float;
-    auto const stride
-        = is_padded ? fmt::format(",\"byteStride\":{}", format.element_bytes) : std::string();
-    auto const view = json.buffer_views.add(
-        fmt::format("{{\"buffer\":0,\"byteOffset\":{},\"byteLength\":{}{}{}}}", block.start,
-                    block.size, stride, target_text));
-    return json.accessors.add(
-        fmt::format("{{\"bufferView\":{},{}", view, accessor_text(format, count, more)));
+    if (format.components == 3 && format.type != ComponentType::Float)
+        of_view["byteStride"] = format.element_bytes;
+    if (target != kNoTarget)
+        of_view["target"] = target;
+    Json accessor;
+    accessor["bufferView"] = add_view(json, block, of_view);
+    accessor.update(accessor_json(format, count));
+    accessor.update(more);
+    return json.accessors.add(accessor);
 }
 
 std::size_t add_zeros(GltfJson& json, NumberFormat const& format, std::size_t count,
-                      std::string_view more)
+                      Json const& more)
 {
-    return json.accessors.add(fmt::format("{{{}", accessor_text(format, count, more)));
+    auto accessor = accessor_json(format, count);
+    accessor.update(more);
+    return json.accessors.add(accessor);
 }
 
 // As doubles: the decimal that is exactly the float.
-std::string limits_text(Vec3f const& low, Vec3f const& high)
+Json limits_json(Vec3f const& low, Vec3f const& high)
 {
-    Vec3 const l = low.cast<double>();
-    Vec3 const h = high.cast<double>();
-    return fmt::format(",\"min\":[{},{},{}],\"max\":[{},{},{}]", l.x(), l.y(), l.z(), h.x(), h.y(),
-                       h.z());
+    return { { "min", json_numbers(low.cast<double>().eval()) },
+             { "max", json_numbers(high.cast<double>().eval()) } };
+}
+
+Json add_triangles(GltfJson& json, std::span<GlbColumn const> columns, EncodedPiece const& limits)
+{
+    CHECK(columns.size() >= kTriangleColumns);
+    Json attributes;
+    attributes["POSITION"]
+        = add_accessor(json, columns[0], kArrayBuffer, limits_json(limits.low, limits.high));
+    attributes["NORMAL"] = add_accessor(json, columns[1], kArrayBuffer);
+    attributes["TEXCOORD_0"] = add_accessor(json, columns[2], kArrayBuffer);
+    auto const indices = add_accessor(json, columns[3], kElementArrayBuffer);
+    if (columns[4].count > 0)
+        attributes["TANGENT"] = add_accessor(json, columns[4], kArrayBuffer);
+    return { { "attributes", std::move(attributes) }, { "indices", indices } };
 }
 
 } // namespace tractus

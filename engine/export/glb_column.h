@@ -5,8 +5,7 @@
 #include "engine/export/piece_encoder.h"
 
 #include <cstddef>
-#include <string>
-#include <string_view>
+#include <span>
 
 namespace tractus {
 
@@ -25,16 +24,28 @@ struct GlbColumn {
 // Makes room at the end of the binary chunk.
 GlbColumn open_column(GlbStream& stream, NumberFormat const& format, std::size_t count);
 
-// Adds the column's buffer view and accessor; `more` is added to the accessor's text. Answers the
+// Adds a buffer view, with the members of `more`. Answers its index.
+std::size_t add_view(GltfJson& json, GlbStream::Block const& block,
+                     Json const& more = Json::object());
+
+// Adds the column's buffer view and its accessor, with the members of `more`. Answers the
 // accessor's index.
 std::size_t add_accessor(GltfJson& json, GlbColumn const& column, int target,
-                         std::string_view more = {});
+                         Json const& more = Json::object());
 
 // The same for zeros, which take no bytes (section 3.6.2.3).
 std::size_t add_zeros(GltfJson& json, NumberFormat const& format, std::size_t count,
-                      std::string_view more = {});
+                      Json const& more = Json::object());
 
 // What an accessor of positions says of them, to be given as `more`.
-std::string limits_text(Vec3f const& low, Vec3f const& high);
+Json limits_json(Vec3f const& low, Vec3f const& high);
+
+// Positions, normals, texture coordinates, indices, and tangents unless they are empty. More may
+// follow.
+constexpr std::size_t kTriangleColumns = 5;
+
+// Adds the accessors of triangles, whose positions lie within the limits. Answers the primitive,
+// but for its material.
+Json add_triangles(GltfJson& json, std::span<GlbColumn const> columns, EncodedPiece const& limits);
 
 } // namespace tractus

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace tractus {
 namespace {
@@ -44,17 +45,13 @@ SurfaceFormat with_indices_for(SurfaceFormat format, std::size_t vertex_count)
     return format;
 }
 
-std::string placement(PlacedMesh const& placed)
+void add_placement(Json& node, PlacedMesh const& placed)
 {
-    std::string text;
-    if (!placed.position_mm.isZero(0)) {
-        Vec3 const at = to_gltf(placed.position_mm);
-        text += fmt::format(",\"translation\":[{},{},{}]", at.x(), at.y(), at.z());
-    }
+    if (!placed.position_mm.isZero(0))
+        node["translation"] = json_numbers(to_gltf(placed.position_mm));
     if (placed.rotation_rad != 0)
-        text += fmt::format(",\"rotation\":[0,{},0,{}]", std::sin(placed.rotation_rad / 2),
-                            std::cos(placed.rotation_rad / 2));
-    return text;
+        node["rotation"] = { 0, json_number(std::sin(placed.rotation_rad / 2)), 0,
+                             json_number(std::cos(placed.rotation_rad / 2)) };
 }
 
 std::string level_name(LevelInFile const& level)
@@ -64,12 +61,12 @@ std::string level_name(LevelInFile const& level)
 }
 
 // Of all levels.
-std::string coverages(PlacedMesh const& placed)
+Json coverages(PlacedMesh const& placed)
 {
-    auto text = fmt::format("{}", placed.least_coverage);
+    auto of_levels = Json::array({ json_number(placed.least_coverage) });
     for (auto const& detail : placed.details)
-        text += fmt::format(",{}", detail.least_coverage);
-    return text;
+        of_levels.push_back(json_number(detail.least_coverage));
+    return of_levels;
 }
 
 } // namespace
@@ -133,17 +130,17 @@ Result<void> GlbFile::begin_level(LevelInFile const& level, MeshPieces const& pl
         return fail(Fault::User,
                     fmt::format("plant {} would make the glTF file larger than 4 GiB: "
                                 "write fewer plants to a file",
-                                quoted(placed.name)));
+                                json_text(placed.name)));
     if (!placed.position_mm.allFinite() || !std::isfinite(placed.rotation_rad))
         return fail_infinite("a plant's place");
     level_ = level;
     plant_ = &plant;
     format_ = format;
-    primitives_ = {};
-    children_ = {};
+    primitives_ = Json::array();
+    children_.clear();
     if (level.number == 0) {
         summary_.triangles += plant.triangle_count();
-        coarser_ = {};
+        coarser_.clear();
     }
     return {};
 }
@@ -168,15 +165,12 @@ void GlbFile::open_wind(Columns& columns, std::span<WindStream const> streams, s
         columns[kFirstWindStream + i] = open_column(stream_, streams[i].format, count);
 }
 
-// To be added to other attributes; empty without wind.
-std::string GlbFile::wind_attributes(Columns const& columns, std::span<WindStream const> streams,
-                                     int target)
+void GlbFile::add_wind(Json& attributes, Columns const& columns,
+                       std::span<WindStream const> streams, int target)
 {
-    std::string text;
     for (std::size_t i = 0; i < streams.size(); ++i)
         if (auto const& column = columns[kFirstWindStream + i]; column.count > 0)
-            text += fmt::format(",\"{}\":{}", streams[i].name, add_accessor(json_, column, target));
-    return text;
+            attributes[std::string(streams[i].name)] = add_accessor(json_, column, target);
 }
 
 void GlbFile::write(Columns& columns, EncodedPiece const& piece)
@@ -188,21 +182,13 @@ void GlbFile::write(Columns& columns, EncodedPiece const& piece)
 
 // Surfaces.
 
-std::string GlbFile::add_primitive(Columns const& columns, EncodedPiece const& limits,
-                                   std::size_t material)
+Json GlbFile::add_primitive(Columns const& columns, EncodedPiece const& limits,
+                            std::size_t material)
 {
-    auto const positions
-        = add_accessor(json_, columns[0], kArrayBuffer, limits_text(limits.low, limits.high));
-    auto const normals = add_accessor(json_, columns[1], kArrayBuffer);
-    auto const texture = add_accessor(json_, columns[2], kArrayBuffer);
-    auto const indices = add_accessor(json_, columns[3], kElementArrayBuffer);
-    auto const tangents = columns[4].count > 0
-        ? fmt::format(",\"TANGENT\":{}", add_accessor(json_, columns[4], kArrayBuffer))
-        : std::string();
-    auto const wind = wind_attributes(columns, wind_streams(options_.wind), kArrayBuffer);
-    return fmt::format("{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{},\"TEXCOORD_0\":{}{}{}}},"
-                       "\"indices\":{},\"material\":{}}}",
-                       positions, normals, texture, tangents, wind, indices, material);
+    auto primitive = add_triangles(json_, columns, limits);
+    add_wind(primitive["attributes"], columns, wind_streams(options_.wind), kArrayBuffer);
+    primitive["material"] = material;
+    return primitive;
 }
 
 Result<void> GlbFile::add_surface_piece(std::size_t index, bool is_last, EncodedPiece const& piece)
@@ -222,7 +208,7 @@ Result<void> GlbFile::add_surface_piece(std::size_t index, bool is_last, Encoded
     limits_.high = limits_.high.cwiseMax(piece.high);
     write(*open_, piece);
     if (is_last) {
-        primitives_.add(add_primitive(*open_, limits_, open_index_));
+        primitives_.push_back(add_primitive(*open_, limits_, open_index_));
         open_.reset();
     }
     return stream_.check();
@@ -259,9 +245,9 @@ Result<std::size_t> GlbFile::prototype_index(TriangleMesh const& prototype)
         return fail_infinite("a coordinate of an organ");
     auto columns = open_triangles(extent_of(prototype), format);
     write(columns, encoded);
-    auto const index
-        = json_.meshes.add(fmt::format("{{\"name\":{},\"primitives\":[{}]}}", quoted(material.name),
-                                       add_primitive(columns, encoded, material_index)));
+    auto const index = json_.meshes.add(
+        { { "name", material.name },
+          { "primitives", Json::array({ add_primitive(columns, encoded, material_index) }) } });
     prototypes_.emplace(std::move(key), index);
     return index;
 }
@@ -289,15 +275,15 @@ Result<void> GlbFile::add_instances(std::size_t index, bool is_last, EncodedPiec
         return stream_.check();
     json_.required_extensions.insert("EXT_mesh_gpu_instancing");
     auto const& columns = *open_;
-    auto const translations = add_accessor(json_, columns[0], kNoTarget);
-    auto const rotations = add_accessor(json_, columns[1], kNoTarget);
-    auto const scales = add_accessor(json_, columns[2], kNoTarget);
-    auto const wind
-        = wind_attributes(columns, wind_streams(GlbOptions::Wind::Attributes), kNoTarget);
-    add_child(
-        fmt::format("{{\"mesh\":{},\"extensions\":{{\"EXT_mesh_gpu_instancing\":"
-                    "{{\"attributes\":{{\"TRANSLATION\":{},\"ROTATION\":{},\"SCALE\":{}{}}}}}}}}}",
-                    open_index_, translations, rotations, scales, wind));
+    Json attributes;
+    attributes["TRANSLATION"] = add_accessor(json_, columns[0], kNoTarget);
+    attributes["ROTATION"] = add_accessor(json_, columns[1], kNoTarget);
+    attributes["SCALE"] = add_accessor(json_, columns[2], kNoTarget);
+    add_wind(attributes, columns, wind_streams(GlbOptions::Wind::Attributes), kNoTarget);
+    Json node;
+    node["mesh"] = open_index_;
+    node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = std::move(attributes);
+    add_child(node);
     open_.reset();
     return stream_.check();
 }
@@ -305,63 +291,66 @@ Result<void> GlbFile::add_instances(std::size_t index, bool is_last, EncodedPiec
 void GlbFile::add_organ_nodes(std::size_t mesh, std::span<InstanceTransform const> instances,
                               std::span<WindVertex const> wind)
 {
+    Json node; // One after another, so that its members are allocated once.
+    node["mesh"] = mesh;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         auto const placed = to_gltf(instances[i]);
-        auto const& t = placed.translation_mm;
-        auto const& r = placed.rotation;
-        auto const& s = placed.scale;
-        add_child(fmt::format("{{\"mesh\":{},\"translation\":[{},{},{}],\"rotation\":[{},{},{},{}],"
-                              "\"scale\":[{},{},{}]{}}}",
-                              mesh, t.x(), t.y(), t.z(), r.x(), r.y(), r.z(), r.w(), s.x(), s.y(),
-                              s.z(), wind.empty() ? std::string() : wind_extras(wind[i])));
+        node["translation"] = json_numbers(placed.translation_mm);
+        node["rotation"] = json_numbers(placed.rotation.coeffs()); // w last.
+        node["scale"] = json_numbers(placed.scale);
+        if (!wind.empty())
+            node["extras"] = wind_extras(wind[i]);
+        add_child(node);
     }
 }
 
 // Nodes.
 
-void GlbFile::add_child(std::string const& node)
+void GlbFile::add_child(Json const& node)
 {
-    children_.add(fmt::format("{}", json_.nodes.add(node)));
+    children_.push_back(json_.nodes.add(node));
 }
 
 // What the plant's node says of its own mesh: nothing where there are no tubes or polygons, and
 // nothing where a child says it, which takes quantised numbers to metres.
-std::string GlbFile::surfaces_reference()
+void GlbFile::add_surfaces(Json& node)
 {
-    if (primitives_.count() == 0)
-        return {};
-    auto const mesh = json_.meshes.add(fmt::format("{{\"name\":{},\"primitives\":[{}]}}",
-                                                   quoted(level_name(level_)), primitives_.text()));
+    if (primitives_.empty())
+        return;
+    auto const mesh = json_.meshes.add(
+        { { "name", level_name(level_) }, { "primitives", std::move(primitives_) } });
     auto const& vertices = format_.vertices;
-    if (!vertices.quantized)
-        return fmt::format(",\"mesh\":{}", mesh);
+    if (!vertices.quantized) {
+        node["mesh"] = mesh;
+        return;
+    }
     json_.required_extensions.insert("KHR_mesh_quantization");
-    add_child(fmt::format("{{\"mesh\":{0},\"translation\":[{1},{2},{3}],\"scale\":[{4},{4},{4}]}}",
-                          mesh, vertices.origin_m.x(), vertices.origin_m.y(), vertices.origin_m.z(),
-                          vertices.step_m));
-    return {};
+    add_child({ { "mesh", mesh },
+                { "translation", json_numbers(vertices.origin_m) },
+                { "scale", json_numbers(Vec3::Constant(vertices.step_m).eval()) } });
 }
 
 // The coarser levels stand beside the scene; who does not know the extension shows the finest.
 void GlbFile::end_level()
 {
-    std::string node = "{\"name\":" + quoted(level_name(level_)) + placement(*level_.placed)
-        + surfaces_reference();
-    if (children_.count() > 0)
-        node += ",\"children\":[" + children_.text() + "]";
+    Json node;
+    node["name"] = level_name(level_);
+    add_placement(node, *level_.placed);
+    add_surfaces(node);
+    if (!children_.empty())
+        node["children"] = children_;
     if (level_.number == 0)
-        finest_ = node;
+        finest_ = std::move(node);
     else
-        coarser_.add(fmt::format("{}", json_.nodes.add(node + "}")));
+        coarser_.push_back(json_.nodes.add(node));
     if (!level_.is_last())
         return;
-    if (coarser_.count() > 0) {
+    if (!coarser_.empty()) {
         json_.optional_extensions.insert("MSFT_lod");
-        finest_ += fmt::format(",\"extensions\":{{\"MSFT_lod\":{{\"ids\":[{}]}}}},"
-                               "\"extras\":{{\"MSFT_screencoverage\":[{}]}}",
-                               coarser_.text(), coverages(*level_.placed));
+        finest_["extensions"]["MSFT_lod"]["ids"] = coarser_;
+        finest_["extras"]["MSFT_screencoverage"] = coverages(*level_.placed);
     }
-    json_.scene.add(fmt::format("{}", json_.nodes.add(finest_ + "}")));
+    json_.scene.push_back(json_.nodes.add(finest_));
 }
 
 Result<std::optional<GlbSummary>> GlbFile::finish()

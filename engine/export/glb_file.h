@@ -13,6 +13,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tractus {
 
@@ -65,16 +66,15 @@ private:
 
     Columns open_triangles(MeshExtent const& extent, SurfaceFormat const& format);
     void open_wind(Columns& columns, std::span<WindStream const> streams, std::size_t count);
-    std::string wind_attributes(Columns const& columns, std::span<WindStream const> streams,
-                                int target);
+    void add_wind(Json& attributes, Columns const& columns, std::span<WindStream const> streams,
+                  int target);
     void write(Columns& columns, EncodedPiece const& piece);
-    std::string add_primitive(Columns const& columns, EncodedPiece const& limits,
-                              std::size_t material);
+    Json add_primitive(Columns const& columns, EncodedPiece const& limits, std::size_t material);
     Result<std::size_t> prototype_index(TriangleMesh const& prototype);
     void add_organ_nodes(std::size_t mesh, std::span<InstanceTransform const> instances,
                          std::span<WindVertex const> wind);
-    std::string surfaces_reference();
-    void add_child(std::string const& node);
+    void add_surfaces(Json& node);
+    void add_child(Json const& node);
 
     GlbStream stream_;
     GlbOptions options_;
@@ -89,13 +89,13 @@ private:
     LevelInFile level_;
     MeshPieces const* plant_ = nullptr;
     PlantFormat format_;
-    JsonArray primitives_;
-    JsonArray children_;
-    std::string finest_; // Its plant's node, to which the coarser ones are yet to be added.
-    JsonArray coarser_;  // Their nodes.
-    std::optional<Columns> open_; // Of the surface or organ whose pieces are coming.
-    EncodedPiece limits_;         // Of its positions so far.
-    std::size_t open_index_ = 0;  // Of its material, or its prototype.
+    Json primitives_;
+    std::vector<std::size_t> children_;
+    Json finest_; // Its plant's node, to which the coarser ones are yet to be added.
+    std::vector<std::size_t> coarser_; // Their nodes.
+    std::optional<Columns> open_;      // Of the surface or organ whose pieces are coming.
+    EncodedPiece limits_;              // Of its positions so far.
+    std::size_t open_index_ = 0;       // Of its material, or its prototype.
 };
 
 } // namespace tractus

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <optional>
+#include <utility>
 
 namespace tractus {
 
@@ -57,7 +58,6 @@ public:
         , json_room_(json_room)
         , stream_(out, json_room)
         , materials_(json_, stream_, film.textures == GlbOptions::Textures::Embedded)
-        , targets_(surfaces().size())
     {
     }
 
@@ -70,7 +70,7 @@ public:
 private:
     std::vector<TriangleMesh> const& surfaces() const { return film_.mesh->whole().surfaces; }
     Result<void> add_surface(TriangleMesh const& surface);
-    Result<std::size_t> add_steps(Steps const& steps, std::string const& more);
+    Result<std::size_t> add_steps(Steps const& steps, Json const& more);
     Result<void> add_age(double age);
     GlbColumn add_numbers(std::span<float const> values);
     void add_animation();
@@ -80,9 +80,8 @@ private:
     GltfJson json_;
     GlbStream stream_;
     GltfMaterials materials_;
-    std::vector<std::string> primitives_; // But for their targets.
-    std::vector<JsonArray> targets_;      // Per surface.
-    JsonArray names_;
+    Json primitives_ = Json::array(); // One for each surface.
+    Json names_ = Json::array();      // Of the targets.
     GlbSummary summary_;
     std::uint64_t json_bytes_ = 0;
 
@@ -103,26 +102,20 @@ Result<void> FilmWriter::write()
         TRY(add_surface(surface));
     for (std::size_t i = 0; i + 1 < film_.ages.size(); ++i)
         TRY(add_age(film_.ages[i]));
-    JsonArray primitives;
-    for (std::size_t i = 0; i < primitives_.size(); ++i)
-        primitives.add(targets_[i].count() > 0 ? fmt::format("{},\"targets\":[{}]}}",
-                                                             primitives_[i], targets_[i].text())
-                                               : primitives_[i] + "}");
-    auto node = fmt::format("{{\"name\":{}", quoted(film_.name));
-    if (primitives.count() > 0) {
-        JsonArray weights;
-        for (std::size_t i = 0; i < names_.count(); ++i)
-            weights.add("0");
-        auto const morphs = names_.count() > 0
-            ? fmt::format(",\"weights\":[{}],\"extras\":{{\"targetNames\":[{}]}}", weights.text(),
-                          names_.text())
-            : std::string();
-        json_.meshes.add(fmt::format("{{\"name\":{},\"primitives\":[{}]{}}}", quoted(film_.name),
-                                     primitives.text(), morphs));
-        node += ",\"mesh\":0";
+    Json node;
+    node["name"] = film_.name;
+    bool const has_mesh = !primitives_.empty();
+    bool const moves = has_mesh && !names_.empty();
+    if (has_mesh) {
+        Json mesh { { "name", film_.name }, { "primitives", std::move(primitives_) } };
+        if (moves) {
+            mesh["weights"] = Json(names_.size(), 0);
+            mesh["extras"]["targetNames"] = names_;
+        }
+        node["mesh"] = json_.meshes.add(mesh);
     }
-    json_.scene.add(fmt::format("{}", json_.nodes.add(node += '}')));
-    if (primitives.count() > 0 && names_.count() > 0)
+    json_.scene.push_back(json_.nodes.add(node));
+    if (moves)
         add_animation();
     return stream_.check();
 }
@@ -144,7 +137,7 @@ Result<void> FilmWriter::add_surface(TriangleMesh const& surface)
     if (!piece.is_finite)
         return fail_not_finite();
     auto const vertices = surface.positions_mm.size();
-    std::array<GlbColumn, 5> columns {
+    std::array<GlbColumn, kTriangleColumns> columns {
         open_column(stream_, kVectors, vertices),
         open_column(stream_, kVectors, vertices),
         open_column(stream_, SurfaceFormat::texture_coordinates(), vertices),
@@ -155,23 +148,14 @@ Result<void> FilmWriter::add_surface(TriangleMesh const& surface)
     for (std::size_t i = 0; i < columns.size(); ++i)
         if (columns[i].count > 0)
             stream_.write(columns[i].block, piece.streams[i]);
-    auto const positions
-        = add_accessor(json_, columns[0], kArrayBuffer, limits_text(piece.low, piece.high));
-    auto const normals = add_accessor(json_, columns[1], kArrayBuffer);
-    auto const texture = add_accessor(json_, columns[2], kArrayBuffer);
-    auto const indices = add_accessor(json_, columns[3], kElementArrayBuffer);
-    auto const tangent = columns[4].count > 0
-        ? fmt::format(",\"TANGENT\":{}", add_accessor(json_, columns[4], kArrayBuffer))
-        : std::string();
-    primitives_.push_back(fmt::format(
-        "{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{},\"TEXCOORD_0\":{}{}}},\"indices\":{},"
-        "\"material\":{}",
-        positions, normals, texture, tangent, indices, materials_.index_of(material)));
+    auto primitive = add_triangles(json_, columns, piece);
+    primitive["material"] = materials_.index_of(material);
+    primitives_.push_back(std::move(primitive));
     summary_.triangles += surface.triangle_count();
     return stream_.check();
 }
 
-Result<std::size_t> FilmWriter::add_steps(Steps const& steps, std::string const& more)
+Result<std::size_t> FilmWriter::add_steps(Steps const& steps, Json const& more)
 {
     if (!steps.is_finite())
         return fail_not_finite();
@@ -192,12 +176,13 @@ Result<void> FilmWriter::add_age(double age)
         find_steps(
             surfaces()[i].normals, vertices_[i].normals,
             [](Vec3f const& step) { return turn_to_gltf(step); }, normals_);
-        auto const positions
-            = TRY(add_steps(positions_, limits_text(positions_.low, positions_.high)));
-        auto const normals = TRY(add_steps(normals_, {}));
-        targets_[i].add(fmt::format("{{\"POSITION\":{},\"NORMAL\":{}}}", positions, normals));
+        Json target;
+        target["POSITION"]
+            = TRY(add_steps(positions_, limits_json(positions_.low, positions_.high)));
+        target["NORMAL"] = TRY(add_steps(normals_, Json::object()));
+        primitives_[i]["targets"].push_back(std::move(target));
     }
-    names_.add(quoted(fmt::format("age {:.4g}", age)));
+    names_.push_back(fmt::format("age {:.4g}", age));
     return stream_.check();
 }
 
@@ -221,15 +206,16 @@ void FilmWriter::add_animation()
         if (i + 1 < count)
             weights[i * (count - 1) + i] = 1;
     }
-    auto const input = add_accessor(
-        json_, add_numbers(times), kNoTarget,
-        fmt::format(",\"min\":[{}],\"max\":[{}]", double { times[0] }, double { times.back() }));
+    auto const input
+        = add_accessor(json_, add_numbers(times), kNoTarget,
+                       { { "min", Json::array({ json_number(double { times[0] }) }) },
+                         { "max", Json::array({ json_number(double { times.back() }) }) } });
     auto const output = add_accessor(json_, add_numbers(weights), kNoTarget);
-    json_.animations.add(
-        fmt::format("{{\"name\":\"growth\",\"samplers\":[{{\"input\":{},\"output\":{},"
-                    "\"interpolation\":\"LINEAR\"}}],\"channels\":[{{\"sampler\":0,"
-                    "\"target\":{{\"node\":0,\"path\":\"weights\"}}}}]}}",
-                    input, output));
+    Json const sampler { { "input", input }, { "output", output }, { "interpolation", "LINEAR" } };
+    Json const channel { { "sampler", 0 }, { "target", { { "node", 0 }, { "path", "weights" } } } };
+    json_.animations.add({ { "name", "growth" },
+                           { "samplers", Json::array({ sampler }) },
+                           { "channels", Json::array({ channel }) } });
 }
 
 Result<std::optional<GlbSummary>> FilmWriter::finish()

@@ -1,54 +1,86 @@
 #include "engine/export/gltf_json.h"
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <array>
+#include <charconv>
+#include <cmath>
 
 namespace tractus {
 
-std::size_t JsonArray::add(std::string_view element)
+Json json_number(double value)
+{
+    constexpr double kMostExact = 0x1p53; // Every whole number up to it is a double.
+    if (std::abs(value) <= kMostExact && value == std::trunc(value))
+        return static_cast<std::int64_t>(value);
+    return value;
+}
+
+// The library writes doubles only, so the double is taken that is nearest to the float's shortest
+// decimal.
+Json json_number(float value)
+{
+    if (!std::isfinite(value))
+        return value;
+    std::array<char, 32> text;
+    auto const written = std::to_chars(text.begin(), text.end(), value);
+    double read = 0;
+    std::from_chars(text.begin(), written.ptr, read);
+    return json_number(read);
+}
+
+std::string json_text(Json const& value)
+{
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::size_t JsonArray::add(Json const& element)
 {
     if (count_ > 0)
         text_ += ',';
-    text_ += element;
+    text_ += json_text(element);
     return count_++;
-}
-
-std::string quoted(std::string const& text)
-{
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 std::string GltfJson::text(std::uint64_t buffer_bytes) const
 {
-    std::string text = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"tractus\"},\"scene\":0";
-    JsonArray required;
-    for (auto const& name : required_extensions)
-        required.add(quoted(name));
-    auto used = required;
-    for (auto const& name : optional_extensions)
-        used.add(quoted(name));
-    if (used.count() > 0)
-        text += fmt::format(",\"extensionsUsed\":[{}]", used.text());
-    if (required.count() > 0)
-        text += fmt::format(",\"extensionsRequired\":[{}]", required.text());
-    text += scene.count() > 0 ? ",\"scenes\":[{\"nodes\":[" + scene.text() + "]}]"
-                              : ",\"scenes\":[{}]";
-    auto const append = [&](char const* key, JsonArray const& array) {
-        if (array.count() > 0)
-            text += fmt::format(",\"{}\":[{}]", key, array.text());
+    std::string text;
+    auto const append = [&](char const* key, auto const&... parts) {
+        text += text.empty() ? '{' : ',';
+        text += json_text(key);
+        text += ':';
+        (text += ... += parts);
     };
-    append("nodes", nodes);
-    append("meshes", meshes);
-    append("animations", animations);
-    append("materials", materials);
-    append("textures", textures);
-    append("images", images);
-    append("samplers", samplers);
-    append("accessors", accessors);
-    append("bufferViews", buffer_views);
+    auto const add = [&](char const* key, Json const& value) { append(key, json_text(value)); };
+    auto const add_array = [&](char const* key, JsonArray const& array) {
+        if (array.count() > 0)
+            append(key, "[", array.text(), "]");
+    };
+    add("asset", { { "version", "2.0" }, { "generator", "tractus" } });
+    add("scene", 0);
+    Json const required = required_extensions;
+    Json used = required;
+    for (auto const& name : optional_extensions)
+        used.push_back(name);
+    if (!used.empty())
+        add("extensionsUsed", used);
+    if (!required.empty())
+        add("extensionsRequired", required);
+    auto the_scene = Json::object();
+    if (!scene.empty())
+        the_scene["nodes"] = scene;
+    add("scenes", Json::array({ the_scene }));
+    add_array("nodes", nodes);
+    add_array("meshes", meshes);
+    add_array("animations", animations);
+    add_array("materials", materials);
+    add_array("textures", textures);
+    add_array("images", images);
+    add_array("samplers", samplers);
+    add_array("accessors", accessors);
+    add_array("bufferViews", buffer_views);
     if (buffer_bytes > 0)
-        text += fmt::format(",\"buffers\":[{{\"byteLength\":{}}}]", buffer_bytes);
-    return text + "}";
+        add("buffers", Json::array({ { { "byteLength", buffer_bytes } } }));
+    text += '}';
+    return text;
 }
 
 } // namespace tractus

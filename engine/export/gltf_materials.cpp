@@ -1,18 +1,20 @@
 #include "engine/export/gltf_materials.h"
 
+#include "engine/export/glb_column.h"
 #include "engine/export/gltf_material.h"
 #include "engine/export/texture.h"
 
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <string>
 
 namespace tractus {
 namespace {
 
 // glTF 2.0 section 3.8.4.
+constexpr int kLinear = 9729;
+constexpr int kLinearMipmapLinear = 9987;
 constexpr int kRepeat = 10497;
 constexpr int kClampToEdge = 33071;
 
@@ -45,7 +47,7 @@ std::size_t GltfMaterials::index_of(Material const& material)
     if (has_textures_)
         textures = textures_of(material);
     auto const color = material.base_color.cwiseMax(0.0f).cwiseMin(1.0f).cast<double>().eval();
-    nlohmann::ordered_json made {
+    Json made {
         { "name", material.name },
         { "pbrMetallicRoughness",
           { { "baseColorFactor",
@@ -72,15 +74,14 @@ std::size_t GltfMaterials::index_of(Material const& material)
     made["extras"]
         = { { "kind", kind_word(material.kind) },
             { "translucency", six_digits(std::clamp(material.translucency, 0.0f, 1.0f)) } };
-    auto const text = made.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-    auto const [place, is_new] = indices_.emplace(text, json_.materials.count());
+    auto const [place, is_new] = indices_.emplace(json_text(made), json_.materials.count());
     if (is_new)
-        json_.materials.add(text);
+        json_.materials.add(made);
     return place->second;
 }
 
 // Puts a picture into the file when it is first asked for.
-void GltfMaterials::refer(nlohmann::ordered_json& to, char const* name, TextureSlot const& slot)
+void GltfMaterials::refer(Json& to, char const* name, TextureSlot const& slot)
 {
     if (!slot)
         return;
@@ -96,23 +97,26 @@ std::size_t GltfMaterials::add_texture(std::string_view png, TexturePicture::Edg
     int const wrap = edges == TexturePicture::Edges::Repeat ? kRepeat : kClampToEdge;
     auto block = stream_.open_block(png.size());
     stream_.write(block, std::as_bytes(std::span(png)));
-    auto const view = json_.buffer_views.add(fmt::format(
-        "{{\"buffer\":0,\"byteOffset\":{},\"byteLength\":{}}}", block.start, block.size));
-    auto const image
-        = json_.images.add(fmt::format("{{\"bufferView\":{},\"mimeType\":\"image/png\"}}", view));
-    auto const sampler = json_.samplers.add(
-        fmt::format("{{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":{0},\"wrapT\":{0}}}", wrap));
-    return json_.textures.add(fmt::format("{{\"sampler\":{},\"source\":{}}}", sampler, image));
+    auto const image = json_.images.add(
+        { { "bufferView", add_view(json_, block) }, { "mimeType", "image/png" } });
+    auto const sampler = json_.samplers.add({ { "magFilter", kLinear },
+                                              { "minFilter", kLinearMipmapLinear },
+                                              { "wrapS", wrap },
+                                              { "wrapT", wrap } });
+    return json_.textures.add({ { "sampler", sampler }, { "source", image } });
 }
 
 std::size_t GltfMaterials::add_picture(std::string_view png)
 {
     json_.optional_extensions.insert("KHR_materials_unlit");
-    return json_.materials.add(fmt::format(
-        "{{\"name\":\"billboard\",\"pbrMetallicRoughness\":{{\"baseColorTexture\":{{\"index\":{}}},"
-        "\"metallicFactor\":0,\"roughnessFactor\":1}},\"alphaMode\":\"MASK\","
-        "\"extensions\":{{\"KHR_materials_unlit\":{{}}}}}}",
-        add_texture(png, TexturePicture::Edges::Clamp)));
+    Json const picture { { "index", add_texture(png, TexturePicture::Edges::Clamp) } };
+    return json_.materials.add({
+        { "name", "billboard" },
+        { "pbrMetallicRoughness",
+          { { "baseColorTexture", picture }, { "metallicFactor", 0 }, { "roughnessFactor", 1 } } },
+        { "alphaMode", "MASK" },
+        { "extensions", { { "KHR_materials_unlit", Json::object() } } },
+    });
 }
 
 } // namespace tractus

@@ -5,7 +5,6 @@
 #include "engine/plant/material.h"
 
 #include <map>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -27,7 +26,7 @@ public:
 
 private:
     std::size_t add_texture(std::string_view png, TexturePicture::Edges edges);
-    void refer(nlohmann::ordered_json& to, char const* name, TextureSlot const& slot);
+    void refer(Json& to, char const* name, TextureSlot const& slot);
 
     GltfJson& json_;
     GlbStream& stream_;

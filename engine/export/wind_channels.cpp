@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace tractus {
 
@@ -111,14 +110,13 @@ void encode_wind(std::span<WindVertex const> wind, GlbOptions::Wind channels, En
     }
 }
 
-std::string wind_extras(WindVertex const& wind)
+Json wind_extras(WindVertex const& wind)
 {
-    Vec3f const pivot = to_gltf(wind.pivot_mm);
-    Vec3f const axis = turn_to_gltf(wind.axis);
-    return fmt::format(",\"extras\":{{\"_PIVOT\":[{},{},{}],\"_AXIS\":[{},{},{}],\"_LEVEL\":{},"
-                       "\"_PHASE\":{},\"_BEND\":{}}}",
-                       pivot.x(), pivot.y(), pivot.z(), axis.x(), axis.y(), axis.z(), wind.level,
-                       wind.phase, wind.bend);
+    return { { "_PIVOT", json_numbers(to_gltf(wind.pivot_mm)) },
+             { "_AXIS", json_numbers(turn_to_gltf(wind.axis)) },
+             { "_LEVEL", json_number(wind.level) },
+             { "_PHASE", json_number(wind.phase) },
+             { "_BEND", json_number(wind.bend) } };
 }
 
 } // namespace tractus

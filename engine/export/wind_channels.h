@@ -1,11 +1,11 @@
 #pragma once
 
 #include "engine/export/glb_writer.h"
+#include "engine/export/gltf_json.h"
 #include "engine/export/piece_encoder.h"
 #include "engine/mesh/wind.h"
 
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace tractus {
@@ -25,7 +25,7 @@ std::span<WindStream const> wind_streams(GlbOptions::Wind channels);
 // Fills those streams of `piece`; leaves them empty where there is no wind.
 void encode_wind(std::span<WindVertex const> wind, GlbOptions::Wind channels, EncodedPiece& piece);
 
-// What Attributes says, as the extras of a node, to be added to its other properties.
-std::string wind_extras(WindVertex const& wind);
+// What Attributes says, as the extras of a node.
+Json wind_extras(WindVertex const& wind);
 
 } // namespace tractus

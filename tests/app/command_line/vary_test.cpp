@@ -50,12 +50,19 @@ TEST_F(Vary, NoTwoPlantsAreAlikeUnlessTheyAreAsDrawn)
     std::string const what = "small.l --drawing hand.tractus-log --count 4 -o ";
     auto const wild = run("tractus vary " + what + "wild --growth wild").out;
     EXPECT_EQ(wild.find(": 0.0 mm"), std::string::npos) << wild;
-    // Its older name means the same.
-    EXPECT_EQ(run("tractus vary " + what + "older --growth wild --liking 0.5").out,
-              run("tractus vary " + what + "newer --growth wild --variability 0.5").out);
     auto const drawn = run("tractus vary " + what + "drawn --variability 0").out;
     EXPECT_NE(drawn.find("from plant to plant: 0.0 mm, +- 0.0 mm"), std::string::npos) << drawn;
     EXPECT_NE(drawn.find("from what was drawn: 0.0 mm, +- 0.0 mm"), std::string::npos) << drawn;
+}
+
+TEST_F(Vary, VariabilityIsKnownByItsOlderName)
+{
+    record();
+    std::string const what = "small.l --drawing hand.tractus-log --count 2 --growth wild -o ";
+    EXPECT_EQ(run("tractus vary " + what + "plants --liking 0.5").out,
+              run("tractus vary " + what + "plants --variability 0.5").out);
+    EXPECT_NE(run("tractus vary " + what + "plants --variability 2").out,
+              run("tractus vary " + what + "plants --liking 0.5").out);
 }
 
 TEST_F(Vary, OneFileHoldsAllPlants)

@@ -51,7 +51,7 @@ TEST(EditRecord, IsReadableByEyeAndStaysAsItIs)
               R"({"associations":[4,5],"ranges":[[0,2],[9,9]]})");
     auto const drawn = record_of(
         Associate { { { { .time = timestamp_ns(258), .touching = true } } }, Propagation::Both });
-    EXPECT_EQ(drawn.fields, R"({"propagation":"both","fit":"start","detail_weight":1.0})");
+    EXPECT_EQ(drawn.fields, R"({"propagation":"both","fit":"start","kept_hand":1.0})");
     std::string numbers(41, '\0');
     numbers[0] = 2;
     numbers[1] = 1;
@@ -83,8 +83,8 @@ TEST(EditRecord, RefusesWhatHasAnotherForm)
     EXPECT_EQ(refusal({ "select", R"({"paths":[[-1]]})", "" }),
               "its field \"paths\" does not have the form of one");
     for (char const* const fields :
-         { R"({"fit":"loosely"})", R"({"fit":0})", R"({"detail_weight":"1"})",
-           R"({"detail_weight":"7ff000000000000g"})", R"({"detail_weight":null})" })
+         { R"({"fit":"loosely"})", R"({"fit":0})", R"({"kept_hand":"1"})",
+           R"({"kept_hand":"7ff000000000000g"})", R"({"kept_hand":null})" })
         EXPECT_NE(refusal({ "associate", fields, "" }), "") << fields;
     for (char const* const fields :
          { R"({"seed":-1})", R"({"seed":1.5})", R"({"steps":3000000000})",
