@@ -35,12 +35,13 @@ static MeshOptions coarse()
 
 PlantGrower::PlantGrower()
     // Shared by the copies of the function, of which one is called.
-    : plant_([shaper = std::make_shared<SceneShaper>()](WantedPlant const& wanted,
-                                                        std::stop_token const& stop) {
-        return grow_mesh(wanted, *shaper, {}, stop);
-    })
-    , variation_(make_variation)
-    , worn_out_([](std::unique_ptr<Mesh const> const&) { return true; })
+    : plant_([shaper = std::make_shared<SceneShaper>()](
+                 WantedPlant const& wanted,
+                 std::stop_token const& stop) { return grow_mesh(wanted, *shaper, {}, stop); },
+             decltype(plant_)::Priority::Background)
+    , variation_(make_variation, decltype(variation_)::Priority::Background)
+    , worn_out_([](std::unique_ptr<Mesh const> const&) { return true; },
+                decltype(worn_out_)::Priority::Background)
 {
 }
 

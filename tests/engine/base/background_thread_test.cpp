@@ -1,0 +1,47 @@
+#include "engine/base/background_thread.h"
+
+#include "engine/base/parallel.h"
+
+#include <atomic>
+#include <gtest/gtest.h>
+#include <map>
+#include <mutex>
+#include <sys/resource.h>
+#include <thread>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+int priority_here()
+{
+    return ::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()));
+}
+
+TEST(BackgroundThread, ItAndItsHelpersAreBelowTheOthers)
+{
+    int const usual = priority_here();
+    std::mutex mutex;
+    std::map<pid_t, int> priorities; // Of the threads that took part.
+    std::thread([&] {
+        BackgroundThread const background;
+        // Workers come when they wake: a hundred loops wait for one another's pieces.
+        for (int i = 0; i < 100 && (i < 1 || priorities.size() < 2); ++i) {
+            std::atomic<int> begun = 0;
+            parallel_for(2, 1, [&](std::size_t begin, std::size_t end) {
+                begun += static_cast<int>(end - begin);
+                for (int turn = 0; turn < 100'000 && begun < 2; ++turn)
+                    std::this_thread::yield();
+                std::lock_guard const lock(mutex);
+                priorities[::gettid()] = priority_here();
+            });
+        }
+    }).join();
+    ASSERT_FALSE(priorities.empty());
+    for (auto const& [thread, priority] : priorities)
+        EXPECT_GT(priority, usual) << thread;
+    EXPECT_EQ(priority_here(), usual);
+}
+
+} // namespace
+} // namespace tractus
