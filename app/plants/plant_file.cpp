@@ -10,12 +10,10 @@
 
 namespace tractus {
 
-static Result<std::uint64_t> write_plant_glb(Plant const& plant, std::string const& name,
-                                             std::filesystem::path const& path,
-                                             GlbOptions const& options)
+static Result<std::uint64_t> write_glb_file(PlacedMesh const& placed,
+                                            std::filesystem::path const& path,
+                                            GlbOptions const& options)
 {
-    // Meshed while it is written: plants may be large.
-    PlacedMesh const placed { .name = name, .mesh = PlantToMesh { .plant = &plant } };
     std::uint64_t triangles = 0;
     auto const write = [&](std::ostream& out) -> Result<void> {
         triangles = TRY(write_glb(out, { &placed, 1 }, options)).triangles;
@@ -44,9 +42,19 @@ Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& na
                                        std::filesystem::path const& path,
                                        PlantFileOptions const& options)
 {
+    // Meshed while it is written: plants may be large.
     if (path.extension() == ".glb")
-        return write_plant_glb(plant, name, path, options.glb);
-    auto const mesh = make_mesh(plant);
+        return write_glb_file({ .name = name, .mesh = PlantToMesh { .plant = &plant } }, path,
+                              options.glb);
+    return write_mesh_file(make_mesh(plant), name, path, options);
+}
+
+Result<std::uint64_t> write_mesh_file(Mesh const& mesh, std::string const& name,
+                                      std::filesystem::path const& path,
+                                      PlantFileOptions const& options)
+{
+    if (path.extension() == ".glb")
+        return write_glb_file({ .name = name, .mesh = &mesh }, path, options.glb);
     if (path.extension() == ".obj") {
         TRY(write_plant_obj({ .name = name, .mesh = &mesh }, path));
     } else {

@@ -3,6 +3,7 @@
 #include "app/render/camera.h"
 #include "engine/base/result.h"
 #include "engine/export/glb_writer.h"
+#include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"
 
 #include <cstdint>
@@ -24,5 +25,10 @@ struct PlantFileOptions {
 Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& name,
                                        std::filesystem::path const& path,
                                        PlantFileOptions const& options = {});
+
+// What is meshed already.
+Result<std::uint64_t> write_mesh_file(Mesh const& mesh, std::string const& name,
+                                      std::filesystem::path const& path,
+                                      PlantFileOptions const& options = {});
 
 } // namespace tractus

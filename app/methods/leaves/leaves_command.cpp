@@ -1,5 +1,7 @@
 #include "app/methods/leaves/leaves_command.h"
 
+#include "app/methods/leaves/leaf_mesh.h"
+#include "app/plants/plant_file.h"
 #include "app/terminal/console.h"
 #include "app/verbs/checks.h"
 #include "drivers/file.h"
@@ -30,6 +32,8 @@ struct LeavesArguments {
     std::optional<int> final_step;
     double age = 1;
     std::uint64_t seed = 1;
+    fs::path output;
+    double size_mm = 100;
 };
 
 Result<leaf::Grammar> load_grammar(fs::path const& path)
@@ -91,14 +95,17 @@ Result<Json> step_json(leaf::Grammar const& grammar, leaf::Leaf& leaf)
     return step;
 }
 
+leaf::Leaf::Options leaf_options(LeavesArguments const& arguments)
+{
+    return { .final_step = arguments.final_step.value_or(arguments.steps),
+             .age = arguments.age,
+             .seed = arguments.seed };
+}
+
 Result<void> count_cells(LeavesArguments const& arguments)
 {
     auto const grammar = TRY(load_grammar(arguments.grammar));
-    leaf::Leaf::Options const options { .final_step
-                                        = arguments.final_step.value_or(arguments.steps),
-                                        .age = arguments.age,
-                                        .seed = arguments.seed };
-    auto leaf = TRY(leaf::Leaf::begin(grammar, options));
+    auto leaf = TRY(leaf::Leaf::begin(grammar, leaf_options(arguments)));
     Json steps = Json::array();
     steps.push_back(TRY(step_json(grammar, leaf)));
     while (leaf.step() < arguments.steps) {
@@ -117,11 +124,47 @@ Result<void> check_grammar(LeavesArguments const& arguments)
                                  grammar.variables.size()));
 }
 
+Result<void> draw_leaf(LeavesArguments const& arguments)
+{
+    auto const grammar = TRY(load_grammar(arguments.grammar));
+    auto leaf = TRY(leaf::Leaf::begin(grammar, leaf_options(arguments)));
+    while (leaf.step() < arguments.steps)
+        TRY(leaf.derive());
+    TRY(leaf.fill());
+    auto const triangles = leaf::triangles_of(leaf);
+    auto const mesh = TRY(leaf_mesh(triangles, arguments.size_mm));
+    TRY(write_mesh_file(mesh, arguments.grammar.stem().string(), arguments.output));
+    if (triangles.overlapping_faces > 0)
+        print_error(fmt::format("{}: parts of the limb overlap themselves: {}\n", grammar.name,
+                                triangles.overlapping_faces));
+    return print_out(
+        fmt::format("wrote {}: {} triangles\n", arguments.output.string(), mesh.triangle_count()));
+}
+
 void add_grammar_argument(CLI::App& verb, LeavesArguments& arguments)
 {
     verb.add_option("FILE", arguments.grammar, "A leaf grammar (.leaf)")
         ->type_name("FILE.leaf")
         ->required();
+}
+
+void add_growth_options(CLI::App& verb, LeavesArguments& arguments)
+{
+    verb.add_option("--steps", arguments.steps, "How many steps to derive")
+        ->type_name("N")
+        ->check(whole_number(0, kMostSteps))
+        ->required();
+    verb.add_option("--finalstep", arguments.final_step,
+                    "What the grammar reads as finalstep; without it, N")
+        ->type_name("M")
+        ->check(whole_number(0, kMostSteps));
+    verb.add_option("--age", arguments.age, "What the grammar reads as age")
+        ->type_name("AGE")
+        ->check(number(0, 1))
+        ->capture_default_str();
+    verb.add_option("--seed", arguments.seed, "Which random numbers ran and nran give")
+        ->type_name("SEED")
+        ->capture_default_str();
 }
 
 } // namespace
@@ -141,27 +184,26 @@ void add_leaves_command(CLI::App& root, Action& action)
     auto* const count = verb->add_subcommand(
         "count", "Print as JSON how many faces, edges and vertices a leaf has after each step");
     add_grammar_argument(*count, *counted);
-    count->add_option("--steps", counted->steps, "How many steps to derive")
-        ->type_name("N")
-        ->check(whole_number(0, kMostSteps))
-        ->required();
-    count
-        ->add_option("--finalstep", counted->final_step,
-                     "What the grammar reads as finalstep; without it, N")
-        ->type_name("M")
-        ->check(whole_number(0, kMostSteps));
-    count->add_option("--age", counted->age, "What the grammar reads as age")
-        ->type_name("AGE")
-        ->check(number(0, 1))
-        ->capture_default_str();
-    count->add_option("--seed", counted->seed, "Which random numbers ran and nran give")
-        ->type_name("SEED")
-        ->capture_default_str();
+    add_growth_options(*count, *counted);
     count->footer(
         "A grammar (Peyrat, Terraz, Mérillou, Galin 2008) grows a leaf's veins as faces,\n"
         "splits and glues them, and fills the limb between them. Counted are the veins\n"
         "by themselves, the limb, and both together.");
     count->callback([counted, &action] { action = [counted] { return count_cells(*counted); }; });
+
+    auto drawn = std::make_shared<LeavesArguments>();
+    auto* const draw = verb->add_subcommand("draw", "Write a leaf as a picture, or as triangles");
+    add_grammar_argument(*draw, *drawn);
+    add_growth_options(*draw, *drawn);
+    draw->add_option("-o,--output", drawn->output, "A picture (.png), or triangles (.glb, .obj)")
+        ->type_name("FILE")
+        ->check(name_ending_in({ ".png", ".glb", ".obj" }))
+        ->required();
+    draw->add_option("--size", drawn->size_mm, "The longer side of the flat leaf, in mm")
+        ->type_name("MM")
+        ->check(number(0.1, 10'000))
+        ->capture_default_str();
+    draw->callback([drawn, &action] { action = [drawn] { return draw_leaf(*drawn); }; });
 }
 
 } // namespace tractus

@@ -94,17 +94,39 @@ Result<Attributes> Leaf::attributes_of(char face, Fields const& fields, TextPlac
 }
 
 // The child's O runs against the parent's edge; x points out of it, z as the parent's.
-Leaf::Stand Leaf::stand_on(Dart edge) const
+Leaf::Stand Leaf::stand_on(Dart edge, Shape shape) const
 {
     auto const& parent = faces_[static_cast<std::size_t>(map_.face(edge))];
     Stand stand;
-    stand.left = map_.position_of(LeafMap::a0(edge));
-    stand.right = map_.position_of(edge);
+    stand.left = place_of(LeafMap::a0(edge), shape);
+    stand.right = place_of(edge, shape);
+    Vec3 const upper = shape == Shape::Flat ? Vec3(Vec3::UnitZ()) : parent.frame.z;
     Vec3 const across
         = stand.left == stand.right ? Vec3(Vec3::UnitY()) : unit_or_x(stand.left - stand.right);
-    stand.frame.x = unit_or_x(across.cross(parent.frame.z));
+    stand.frame.x = unit_or_x(across.cross(upper));
     stand.frame.z = unit_or_x(stand.frame.x.cross(across));
     stand.frame.y = stand.frame.z.cross(stand.frame.x);
+    return stand;
+}
+
+Vec3 Leaf::place_of(Dart d, Shape shape) const
+{
+    if (shape == Shape::Grown)
+        return map_.position_of(d);
+    auto const& flat = map_.flat_of(d);
+    return { flat.x(), flat.y(), 0 };
+}
+
+Leaf::Stand Leaf::stand_for(Attributes const& attributes, std::optional<Dart> on, Shape shape) const
+{
+    auto const [count, along, alpha, beta, gamma, length, width] = attributes;
+    bool const is_flat = shape == Shape::Flat;
+    auto stand = on ? stand_on(*on, shape) : Stand {};
+    stand.frame.turn(is_flat ? 0 : alpha, is_flat ? 0 : beta, gamma);
+    if (!on) {
+        stand.left = 0.5 * width * stand.frame.y;
+        stand.right = -stand.left;
+    }
     return stand;
 }
 
@@ -135,14 +157,9 @@ Result<FaceId> Leaf::make_face(char name, Fields const& fields, std::optional<Da
     if (faces_.size() >= kMostFaces)
         return fail_at(place, fmt::format("the leaf would have more than {} faces", kMostFaces));
     auto const attributes = TRY(attributes_of(name, fields, place));
-    auto const [count, along, alpha, beta, gamma, length, width] = attributes;
-    auto stand = on ? stand_on(*on) : Stand {};
-    stand.frame.turn(alpha, beta, gamma);
-    if (!on) {
-        stand.left = 0.5 * width * stand.frame.y;
-        stand.right = -stand.left;
-    }
+    auto const stand = stand_for(attributes, on, Shape::Grown);
     auto const corners = corners_of(attributes, stand);
+    auto const flat = corners_of(attributes, stand_for(attributes, on, Shape::Flat));
     if (map_.dart_count() + 2 * corners.size() > kMostDarts)
         return fail_at(place, "the leaf would have more than a million edges");
     TRY(spend(corners.size()));
@@ -150,16 +167,18 @@ Result<FaceId> Leaf::make_face(char name, Fields const& fields, std::optional<Da
     if (on)
         vertices = { map_.vertex(LeafMap::a0(*on)), map_.vertex(*on) };
     while (vertices.size() < corners.size())
-        vertices.push_back(map_.add_vertex(corners[vertices.size()]));
+        vertices.push_back(
+            map_.add_vertex(corners[vertices.size()], flat[vertices.size()].head<2>()));
     auto const face = static_cast<FaceId>(faces_.size());
-    auto const first = map_.add_face(vertices, face, edge_labels(static_cast<int>(count)));
+    auto const edge_count = static_cast<int>(attributes[kEdgeCount]);
+    auto const first = map_.add_face(vertices, face, edge_labels(edge_count));
     if (on)
         map_.sew_in_place(first, LeafMap::a0(*on));
     faces_.push_back({ .name = name,
                        .attributes = attributes,
                        .frame = stand.frame,
                        .first = first,
-                       .edge_count = static_cast<int>(count) });
+                       .edge_count = edge_count });
     return face;
 }
 

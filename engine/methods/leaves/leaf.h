@@ -84,7 +84,11 @@ private:
 
     tl::unexpected<Error> fail_at(TextPlace const& place, std::string const& what) const;
     Result<Attributes> attributes_of(char face, Fields const& fields, TextPlace const& place);
-    Stand stand_on(Dart edge) const;
+    // As it grows, or as if it neither bent nor twisted.
+    enum class Shape { Grown, Flat };
+    Vec3 place_of(Dart d, Shape shape) const;
+    Stand stand_on(Dart edge, Shape shape) const;
+    Stand stand_for(Attributes const& attributes, std::optional<Dart> on, Shape shape) const;
     Result<FaceId> make_face(char name, Fields const& fields, std::optional<Dart> on,
                              TextPlace const& place);
     std::vector<Vec3> corners_of(Attributes const& attributes, Stand const& stand) const;

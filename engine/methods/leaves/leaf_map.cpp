@@ -41,9 +41,10 @@ bool has_edge(int edge_count, EdgeLabel label)
         || label <= side_label(edge_count - 2);
 }
 
-Vertex LeafMap::add_vertex(Vec3 const& position)
+Vertex LeafMap::add_vertex(Vec3 const& position, Vec2 const& flat)
 {
     positions_.push_back(position);
+    flat_.push_back(flat);
     return static_cast<Vertex>(positions_.size() - 1);
 }
 
@@ -112,6 +113,7 @@ void LeafMap::merge(Dart d, Dart e)
     if (kept == lost)
         return;
     positions_[index(kept)] = 0.5 * (position(kept) + position(lost));
+    flat_[index(kept)] = 0.5 * (flat(kept) + flat(lost));
     visit_cell(e, kA1 | kA2,
                [&](Dart x) { return std::exchange(vertex_[index(x)], kept) != kept; });
 }
@@ -157,7 +159,8 @@ Dart LeafMap::halve(Dart d, Vertex middle)
 
 Dart LeafMap::insert_vertex(Dart d, double share)
 {
-    auto const middle = add_vertex(position_of(d) + share * (position_of(a0(d)) - position_of(d)));
+    auto const middle = add_vertex(position_of(d) + share * (position_of(a0(d)) - position_of(d)),
+                                   flat_of(d) + share * (flat_of(a0(d)) - flat_of(d)));
     auto const other = a2(d);
     bool const is_sewn = !is_free(d);
     auto const rest = halve(d, middle);

@@ -54,7 +54,8 @@ struct MapCounts {
 // Each edge of a face has two darts: 2i, where it starts counter-clockwise round the face, and
 // 2i + 1, where it ends; so a0 needs no array. a1 leads to the neighbouring edge's dart at the same
 // vertex of the face, a2 to the dart at the same vertex of the face on the other side, or to itself
-// on the border. Positions are millimetres.
+// on the border. Each vertex has its place in space and in the flat leaf, which neither bends nor
+// twists.
 class LeafMap {
 public:
     static Dart a0(Dart d) { return d ^ 1; }
@@ -65,11 +66,15 @@ public:
     EdgeLabel label(Dart d) const { return label_[index(d)]; }
     Vec3 const& position(Vertex v) const { return positions_[index(v)]; }
     Vec3 const& position_of(Dart d) const { return position(vertex(d)); }
+    Vec2 const& flat(Vertex v) const { return flat_[index(v)]; }
+    Vec2 const& flat_of(Dart d) const { return flat(vertex(d)); }
     bool is_free(Dart d) const { return a2(d) == d; }
     std::size_t dart_count() const { return a1_.size(); }
     std::size_t vertex_count() const { return positions_.size(); } // Merged ones counted as well.
 
-    Vertex add_vertex(Vec3 const& position);
+    // `flat` is its place in the flat leaf.
+    Vertex add_vertex(Vec3 const& position, Vec2 const& flat);
+    Vertex add_vertex(Vec3 const& position) { return add_vertex(position, position.head<2>()); }
 
     // A face with these corners, counter-clockwise; edge i starts at corner i. Gives the dart that
     // starts edge 0; the others follow it.
@@ -126,6 +131,7 @@ private:
     std::vector<FaceId> face_;
     std::vector<EdgeLabel> label_;
     std::vector<Vec3> positions_;
+    std::vector<Vec2> flat_;
 };
 
 } // namespace tractus::leaf

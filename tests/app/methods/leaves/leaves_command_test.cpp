@@ -3,6 +3,7 @@
 #include "tests/corpus.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -123,6 +124,27 @@ TEST(LeavesCommand, TheManualsGrammarIsUnderstood)
     EXPECT_EQ(leaf->face_counts(),
               (std::map<char, std::size_t> {
                   { 'K', 4 }, { 'L', 4 }, { 'M', 5 }, { 'R', 4 }, { 'S', 1 } }));
+}
+
+TEST(LeavesCommand, DrawWritesTrianglesOfTheWantedSize)
+{
+    auto const folder
+        = fs::temp_directory_path() / ("tractus_leaves_draw." + std::to_string(getpid()));
+    auto const file = folder / "hand.obj";
+    auto const outcome = run({ "leaves", "draw", (shipped("leaves") / "hand.leaf").string(),
+                               "--steps", "7", "--size", "80", "-o", file.string() });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::ifstream lines(file);
+    std::size_t triangles = 0;
+    Eigen::AlignedBox2d texture;
+    for (std::string line; std::getline(lines, line);) {
+        triangles += line.starts_with("f ");
+        if (Vec2 at; std::sscanf(line.c_str(), "vt %lf %lf", &at.x(), &at.y()) == 2)
+            texture.extend(at);
+    }
+    EXPECT_EQ(triangles, 96U);
+    EXPECT_NEAR(texture.sizes().maxCoeff(), 1, 1e-4);
+    fs::remove_all(folder);
 }
 
 TEST(LeavesCommand, AFileThatIsNotThereIsSaid)

@@ -1,0 +1,110 @@
+#include "app/methods/leaves/leaf_mesh.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+// The grammar's y, along which leaves grow by custom, points up.
+Vec3f upright(Vec3 const& position)
+{
+    return Vec3(position.x(), -position.z(), position.y()).cast<float>();
+}
+
+// By the areas of the triangles round each vertex.
+std::vector<Vec3f> find_normals(leaf::LeafTriangles const& leaf)
+{
+    std::vector<Vec3> sums(leaf.positions.size(), Vec3::Zero());
+    for (auto const& triangles : { std::span(leaf.veins), std::span(leaf.limb) })
+        for (auto const& [a, b, c] : triangles) {
+            Vec3 const area = (leaf.positions[b] - leaf.positions[a])
+                                  .cross(leaf.positions[c] - leaf.positions[a]);
+            for (auto const corner : { a, b, c })
+                sums[corner] += area;
+        }
+    std::vector<Vec3f> normals;
+    for (auto const& sum : sums) {
+        double const length = sum.norm();
+        normals.push_back(upright(length > 0 ? Vec3(sum / length) : Vec3(Vec3::UnitZ())));
+    }
+    return normals;
+}
+
+// The vertices that a part uses, in the order in which it first does.
+class PartMaker {
+public:
+    PartMaker(leaf::LeafTriangles const& leaf, double size_mm)
+        : leaf_(leaf)
+        , normals_(find_normals(leaf))
+    {
+        for (auto const& flat : leaf.flat)
+            box_.extend(flat);
+        scale_ = size_mm / box_.sizes().maxCoeff();
+    }
+
+    TriangleMesh part(std::span<Triangle const> triangles, MaterialId material) const
+    {
+        constexpr auto kUnused = ~std::uint32_t { 0 };
+        TriangleMesh mesh;
+        mesh.material = material;
+        std::vector<std::uint32_t> number(leaf_.positions.size(), kUnused);
+        for (auto const& triangle : triangles)
+            for (auto const corner : triangle) {
+                if (number[corner] == kUnused) {
+                    number[corner] = static_cast<std::uint32_t>(mesh.positions_mm.size());
+                    mesh.positions_mm.push_back(upright(scale_ * leaf_.positions[corner]));
+                    mesh.normals.push_back(normals_[corner]);
+                    mesh.texture_coordinates.push_back(texture_at(leaf_.flat[corner]));
+                }
+                mesh.indices.push_back(number[corner]);
+            }
+        return mesh;
+    }
+
+private:
+    Vec2f texture_at(Vec2 const& flat) const
+    {
+        double const side = box_.sizes().maxCoeff();
+        return { static_cast<float>(0.5 + (flat.x() - box_.center().x()) / side),
+                 static_cast<float>((flat.y() - box_.min().y()) / side) };
+    }
+
+    leaf::LeafTriangles const& leaf_;
+    std::vector<Vec3f> normals_;
+    Eigen::AlignedBox2d box_;
+    double scale_ = 1;
+};
+
+} // namespace
+
+Result<Mesh> leaf_mesh(leaf::LeafTriangles const& leaf, double size_mm)
+{
+    Eigen::AlignedBox2d box;
+    for (auto const& flat : leaf.flat)
+        box.extend(flat);
+    if (!(box.sizes().maxCoeff() > 0))
+        return fail(Fault::User, "the leaf has no extent: its faces have no length and no width");
+    PartMaker const maker(leaf, size_mm);
+    Mesh mesh;
+    mesh.materials.push_back({ .name = "veins",
+                               .kind = Material::Kind::Petal,
+                               .base_color = { 0.66f, 0.74f, 0.42f },
+                               .roughness = 0.6f,
+                               .translucency = 0.2f });
+    mesh.materials.push_back({ .name = "limb",
+                               .kind = Material::Kind::Petal,
+                               .base_color = { 0.28f, 0.47f, 0.17f },
+                               .roughness = 0.55f,
+                               .translucency = 0.4f });
+    mesh.surfaces.push_back(maker.part(leaf.veins, 0));
+    if (!leaf.limb.empty())
+        mesh.surfaces.push_back(maker.part(leaf.limb, 1));
+    return mesh;
+}
+
+} // namespace tractus
