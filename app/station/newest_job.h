@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/base/background_thread.h"
+#include "engine/base/urgency.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -20,7 +20,7 @@ namespace tractus {
 // `make` takes a stop token: then it is told to stop when this goes, or when a newer wish comes and
 // it has been at work for kPatience; what it gives after that is dropped, too.
 //
-// What nobody waits for from one frame to the next is made in the background (BackgroundThread).
+// The thread that shows ink is never interrupted for it (urgency.h).
 //
 // Everything here is called from one thread; `make` runs on the other. What a wish refers to must
 // not change.
@@ -29,11 +29,9 @@ public:
     // So that a person who moves a slider sees what can be made as fast.
     static constexpr std::chrono::milliseconds kPatience { 200 };
 
-    enum class Priority { Usual, Background };
-
     // `make` is called with what is wanted, and with a std::stop_token if it takes one.
     template<typename Make>
-    explicit NewestJob(Make make, Priority priority = Priority::Usual)
+    explicit NewestJob(Make make, Urgency urgency = Urgency::Soon)
         : may_stop_(std::is_invocable_v<Make&, Wanted const&, std::stop_token const&>)
     {
         if constexpr (std::is_invocable_v<Make&, Wanted const&, std::stop_token const&>)
@@ -43,7 +41,7 @@ public:
                 return make(wanted);
             };
         try {
-            thread_ = std::thread([this, priority] { run(priority); });
+            thread_ = std::thread([this, urgency] { run(urgency); });
         } catch (std::system_error const&) {
             // The system gives none: see catch_up().
         }
@@ -101,11 +99,9 @@ public:
 private:
     using Lock = std::unique_lock<std::mutex>;
 
-    void run(Priority priority)
+    void run(Urgency urgency)
     {
-        std::optional<BackgroundThread> background;
-        if (priority == Priority::Background)
-            background.emplace();
+        set_urgency(urgency);
         Lock lock(mutex_);
         for (;;) {
             changed_.wait(lock, [&] { return stop_ || wanted_; });

@@ -38,10 +38,9 @@ PlantGrower::PlantGrower()
     : plant_([shaper = std::make_shared<SceneShaper>()](
                  WantedPlant const& wanted,
                  std::stop_token const& stop) { return grow_mesh(wanted, *shaper, {}, stop); },
-             decltype(plant_)::Priority::Background)
-    , variation_(make_variation, decltype(variation_)::Priority::Background)
-    , worn_out_([](std::unique_ptr<Mesh const> const&) { return true; },
-                decltype(worn_out_)::Priority::Background)
+             Urgency::Later)
+    , variation_(make_variation, Urgency::Later)
+    , worn_out_([](std::unique_ptr<Mesh const> const&) { return true; }, Urgency::Later)
 {
 }
 

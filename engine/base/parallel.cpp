@@ -1,5 +1,7 @@
 #include "engine/base/parallel.h"
 
+#include "engine/base/urgency.h"
+
 #include <algorithm>
 #include <atomic>
 #include <tbb/blocked_range.h>
@@ -45,10 +47,12 @@ void parallel_for(std::size_t count, std::size_t grain,
         return work(0, count);
     char begun = 0; // Their addresses stand for the loop's two points of synchronisation.
     char done = 0;
+    auto const urgency = present_urgency();
     release(&begun);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
                       [&](tbb::blocked_range<std::size_t> const& range) {
                           acquire(&begun);
+                          PieceOfWork const piece(urgency);
                           work(range.begin(), range.end());
                           release(&done);
                       });
@@ -63,6 +67,7 @@ void parallel_in_order(std::size_t slots, OrderedWork const& work)
     char use_order = 0;
     std::atomic<bool> ended = false;
     std::size_t count = 0;
+    auto const urgency = present_urgency();
     auto const ordered = [](char& own, char& of_slot, auto const& stage) {
         acquire(&own);
         acquire(&of_slot);
@@ -81,6 +86,7 @@ void parallel_in_order(std::size_t slots, OrderedWork const& work)
     };
     auto const make = [&](std::size_t slot) {
         acquire(&slot_order[slot]);
+        PieceOfWork const piece(urgency);
         if (!ended)
             work.make(slot);
         release(&slot_order[slot]);

@@ -1,4 +1,4 @@
-#include "engine/base/background_thread.h"
+#include "engine/base/urgency.h"
 
 #include "engine/base/parallel.h"
 
@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <mutex>
+#include <sched.h>
 #include <sys/resource.h>
 #include <thread>
 #include <unistd.h>
@@ -18,13 +19,13 @@ int priority_here()
     return ::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()));
 }
 
-TEST(BackgroundThread, ItAndItsHelpersAreBelowTheOthers)
+TEST(Urgency, WhatMayComeLaterIsBelowTheOthersWithItsHelpers)
 {
     int const usual = priority_here();
     std::mutex mutex;
     std::map<pid_t, int> priorities; // Of the threads that took part.
     std::thread([&] {
-        BackgroundThread const background;
+        set_urgency(Urgency::Later);
         // Workers come when they wake: a hundred loops wait for one another's pieces.
         for (int i = 0; i < 100 && (i < 1 || priorities.size() < 2); ++i) {
             std::atomic<int> begun = 0;
@@ -40,6 +41,36 @@ TEST(BackgroundThread, ItAndItsHelpersAreBelowTheOthers)
     ASSERT_FALSE(priorities.empty());
     for (auto const& [thread, priority] : priorities)
         EXPECT_GT(priority, usual) << thread;
+    EXPECT_EQ(priority_here(), usual);
+}
+
+TEST(Urgency, WhatIsSeenSoonDoesNotInterruptWhoWakesIt)
+{
+    int const usual = priority_here();
+    std::thread([&] {
+        set_urgency(Urgency::Soon);
+        EXPECT_EQ(::sched_getscheduler(0), SCHED_BATCH);
+        EXPECT_EQ(priority_here(), usual);
+    }).join();
+    EXPECT_EQ(::sched_getscheduler(0), SCHED_OTHER);
+}
+
+// The library's workers help everybody: one that has helped with what may come later must not make
+// the next one's loops, and whoever waits for them, less urgent.
+TEST(Urgency, LoopsOfOthersStayWhereTheyAre)
+{
+    int const usual = priority_here();
+    std::thread([] {
+        set_urgency(Urgency::Later);
+        parallel_for(100, 1, [](std::size_t, std::size_t) {});
+    }).join();
+    std::atomic<int> less_urgent = 0;
+    parallel_for(100, 1, [&](std::size_t, std::size_t) {
+        parallel_for(10, 1, [&](std::size_t, std::size_t) {
+            less_urgent += present_urgency() != Urgency::Now;
+        });
+    });
+    EXPECT_EQ(less_urgent, 0);
     EXPECT_EQ(priority_here(), usual);
 }
 
