@@ -6,11 +6,13 @@
 
 namespace tractus {
 
-// The number of axis `id` among those that stand on the same segment, or on the ground.
+// The number of axis `id` among those that stand on the same segment, or on the ground. All of them
+// come after their parent.
 static std::uint32_t number_among_siblings(Plant const& plant, AxisId id)
 {
+    auto const parent = plant.axes[id].parent_axis;
     std::uint32_t number = 0;
-    for (AxisId other = 0; other < id; ++other)
+    for (AxisId other = parent == kNone ? 0 : parent + 1; other < id; ++other)
         number += plant.axes[other].parent_segment == plant.axes[id].parent_segment;
     return number;
 }

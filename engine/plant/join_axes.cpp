@@ -146,12 +146,18 @@ std::vector<AxisId> axes_in_drawing_order(Plant const& plant)
     length_mm.reserve(plant.axes.size());
     for (auto const& axis : plant.axes)
         length_mm.push_back(axis_length_mm(plant, axis));
+    return axes_in_drawing_order(plant, length_mm);
+}
+
+std::vector<AxisId> axes_in_drawing_order(Plant const& plant,
+                                          std::span<double const> axis_length_mm)
+{
     std::vector<AxisId> order(plant.axes.size());
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(), [&](AxisId a, AxisId b) {
         auto const order_a = plant.axes[a].order;
         auto const order_b = plant.axes[b].order;
-        return order_a != order_b ? order_a < order_b : length_mm[a] > length_mm[b];
+        return order_a != order_b ? order_a < order_b : axis_length_mm[a] > axis_length_mm[b];
     });
     return order;
 }

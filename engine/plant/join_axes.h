@@ -2,6 +2,7 @@
 
 #include "engine/plant/plant.h"
 
+#include <span>
 #include <vector>
 
 namespace tractus {
@@ -16,6 +17,10 @@ Plant join_axes(Plant const& plant);
 // The axes in the order in which a person would draw them: the trunks first, then the first order,
 // then the second, …; within an order the longest first, and of equals the one that comes first.
 std::vector<AxisId> axes_in_drawing_order(Plant const& plant);
+
+// For a caller that knows the axes' lengths along their segments.
+std::vector<AxisId> axes_in_drawing_order(Plant const& plant,
+                                          std::span<double const> axis_length_mm);
 
 // The segments of an axis from base to tip.
 std::vector<SegmentId> segments_of(Axis const& axis);

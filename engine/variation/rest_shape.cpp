@@ -1,5 +1,6 @@
 #include "engine/variation/rest_shape.h"
 
+#include "engine/plant/join_axes.h"
 #include "engine/stroke/frame_rotation.h"
 
 namespace tractus {
@@ -69,6 +70,7 @@ RestShape find_rest_shape(Plant const& plant)
         for (auto const id : axes)
             find_axis_shape(plant, id, shape);
     });
+    shape.drawing_order = axes_in_drawing_order(plant, shape.axis_length_mm);
     return shape;
 }
 

@@ -21,6 +21,7 @@ struct RestShape {
     std::vector<double> length_mm;
     std::vector<double> end_mm;         // From the axis' base along it to the segment's end.
     std::vector<double> axis_length_mm; // Per axis, along its segments.
+    std::vector<AxisId> drawing_order;  // See axes_in_drawing_order().
 };
 
 RestShape find_rest_shape(Plant const& plant);

@@ -5,7 +5,7 @@ namespace tractus {
 
 Result<std::vector<Edit>> draw_in_order_edits(Stroke const& stroke, Scene const& scene)
 {
-    auto const order = axes_in_drawing_order(*scene.base);
+    auto const& order = scene.rest->drawing_order;
     if (order.empty())
         return fail(Fault::User,
                     "the plant has no branches for a stroke to shape: load another model");
