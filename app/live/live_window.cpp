@@ -146,7 +146,8 @@ LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
 {
     view().state().is_live = true;
     view().state().playing = false;
-    view().state().status = "Draw: the station reads the pen";
+    if (view().state().status.empty()) // Else it says what of the session is unknown.
+        view().state().status = "Draw: the station reads the pen";
 }
 
 LiveWindow::~LiveWindow()

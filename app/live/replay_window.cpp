@@ -24,7 +24,8 @@ ReplayWindow::ReplayWindow(Log const& log, ReplayOptions options, LogReplay repl
     , now_(replay_.begin())
     , controller_(std::move(controller))
 {
-    view().state().status = "The hand begins";
+    if (view().state().status.empty()) // Else it says what of the session is unknown.
+        view().state().status = "The hand begins";
 }
 
 ReplayWindow::~ReplayWindow()

@@ -4,7 +4,6 @@
 #include "app/plants/glb_size.h"
 #include "app/plants/plant_file.h"
 #include "app/plants/session_plant.h"
-#include "app/session/describe_edit.h"
 #include "app/station/orphans.h"
 #include "drivers/file.h"
 
@@ -21,6 +20,8 @@ StationController::StationController(Station const& station, std::optional<Sessi
     , folder_(std::move(folder))
 {
     view_.state().has_session = keeper_.has_session();
+    if (keeper_.has_session())
+        view_.state().status = keeper_.session().unknown().sentence();
 }
 
 void StationController::show(Station& station, Timestamp now)
@@ -178,7 +179,7 @@ void StationController::perform(ChangeGrowth const& command, Station& station)
     }
     auto const set = [wanted = command.growth](SetGrowth growth) -> Result<WantedStep::Change> {
         growth = TRY(growth_set_to(wanted, std::move(growth)));
-        auto status = fmt::format("The plant {}", describe_edit(growth));
+        auto status = fmt::format("The plant {}", Edit(growth).describe());
         return WantedStep::Change { { growth }, std::move(status) };
     };
     set_growth(set, station);

@@ -189,7 +189,7 @@ Result<std::vector<Edit>> growing_plant_edits(std::filesystem::path const& model
     if (is_session_file(model)) {
         edits = TRY(session_edits(model));
         for (auto const& edit : edits)
-            if (auto const* const set = std::get_if<SetGrowth>(&edit))
+            if (auto const* const set = edit.get<SetGrowth>())
                 own = TRY(at_variability(set->parameters, set->variability));
     } else {
         edits.push_back(TRY(load_plant_edit(model)));

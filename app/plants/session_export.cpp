@@ -5,7 +5,6 @@
 #include "drivers/file.h"
 #include "engine/scene/scene.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
 
@@ -107,16 +106,13 @@ Result<std::vector<fs::path>> export_session(fs::path const& session, fs::path c
     auto const edits = TRY(session_edits(session));
     auto const scene = TRY(load_session_scene(session));
     FolderWriter out(folder);
-    auto const is_plant = [](Edit const& edit) {
-        return std::holds_alternative<LoadModel>(edit)
-            || std::holds_alternative<LoadSkeleton>(edit);
-    };
-    auto const plant = std::find_if(edits.rbegin(), edits.rend(), is_plant);
-    if (plant != edits.rend()) {
-        if (auto const* const model = std::get_if<LoadModel>(&*plant))
+    for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit) {
+        if (auto const* const model = edit->get<LoadModel>())
             TRY(write_plant(out, *model));
-        else
-            TRY(write_plant(out, std::get<LoadSkeleton>(*plant)));
+        else if (auto const* const skeleton = edit->get<LoadSkeleton>())
+            TRY(write_plant(out, *skeleton));
+        if (edit->kind().loads_plant)
+            break;
     }
     if (!scene.associations.empty())
         TRY(out.write("strokes.txt", strokes_text(scene)));

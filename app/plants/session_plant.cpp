@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <fmt/core.h>
 #include <span>
-#include <variant>
 
 namespace tractus {
 
@@ -17,9 +16,9 @@ std::string plant_name(std::vector<Edit> const& edits)
 {
     std::string name;
     for (auto const& edit : edits) {
-        if (auto const* const model = std::get_if<LoadModel>(&edit))
+        if (auto const* const model = edit.get<LoadModel>())
             name = model->source.name;
-        else if (auto const* const skeleton = std::get_if<LoadSkeleton>(&edit))
+        else if (auto const* const skeleton = edit.get<LoadSkeleton>())
             name = skeleton->name;
     }
     return std::filesystem::path(name).stem().string();
@@ -32,43 +31,45 @@ bool is_session_file(std::filesystem::path const& path)
     return path.extension() == ".tractus";
 }
 
-// The scene after a step; no value where one of its edits cannot be made.
+// The scene after a step, which does all that it says or nothing. What the session began with does
+// what it can: it has no step before it, and no scene without its plant.
 static Result<Scene> scene_after(Scene scene, std::span<SessionEdit const> step,
                                  ModelCost const& cost)
 {
-    for (auto const& edit : step)
-        scene = TRY(apply_edit(std::move(scene), edit.edit, load_options(cost)));
+    for (auto const& [number, edit, made, place] : step) {
+        auto next = apply_edit(scene, edit, load_options(cost));
+        if (!next && (number > 0 || edit.kind().loads_plant))
+            return next;
+        if (next)
+            scene = *std::move(next);
+    }
     return scene;
-}
-
-static bool loads_plant(std::span<SessionEdit const> step)
-{
-    return std::any_of(step.begin(), step.end(), [](SessionEdit const& edit) {
-        return std::holds_alternative<LoadModel>(edit.edit)
-            || std::holds_alternative<LoadSkeleton>(edit.edit);
-    });
 }
 
 Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost const& cost)
 {
     FoldedSession folded;
     std::span const all(contents.edits);
+    for (auto const& edit : all)
+        folded.unknown.add(edit);
     for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
-        while (end < all.size() && all[end].step == all[first].step)
-            ++end;
+        UnknownEdits unknown;
+        for (; end < all.size() && all[end].step == all[first].step; ++end)
+            unknown.add(all[end]);
         if (all[first].step > contents.step)
             break;
         auto const step = all.subspan(first, end - first);
         auto scene = scene_after(folded.scene, step, cost);
-        if (!scene && first == 0 && loads_plant(step))
+        if (!scene && first == 0)
             return tl::unexpected(scene.error());
         if (!scene) {
-            ++folded.skipped_steps;
+            folded.skipped_steps += unknown.count == 0;
             continue;
         }
         folded.scene = *std::move(scene);
         for (auto const& edit : step)
-            folded.edits.push_back(edit.edit);
+            if (!edit.edit.get<UnknownEdit>())
+                folded.edits.push_back(edit.edit);
     }
     return folded;
 }
@@ -80,6 +81,8 @@ static Result<FoldedSession> load_folded(std::filesystem::path const& path, Mode
     if (!folded)
         return fail(folded.error().fault,
                     fmt::format("{}: {}", path.string(), folded.error().message));
+    if (auto const said = folded->unknown.sentence(); !said.empty())
+        print_warning(fmt::format("{}: {}", path.string(), said));
     if (folded->skipped_steps > 0)
         print_warning(fmt::format("{}: {} steps need what was lost and change nothing",
                                   path.string(), folded->skipped_steps));

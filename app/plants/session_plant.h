@@ -29,7 +29,8 @@ Result<Scene> load_session_scene(std::filesystem::path const& path, ModelCost co
 struct FoldedSession {
     Scene scene;
     std::vector<Edit> edits;
-    std::size_t skipped_steps = 0;
+    UnknownEdits unknown;
+    std::size_t skipped_steps = 0; // That need what was lost; those with unknown edits apart.
 };
 Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost const& cost = {});
 

@@ -1,9 +1,11 @@
 #include "app/session/edit_fields.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <fmt/core.h>
 #include <limits>
+#include <variant>
 
 namespace tractus {
 
@@ -320,6 +322,37 @@ bool read_lines(std::string_view bytes, std::vector<SkeletonPiece>& lines)
         lines.push_back({ from_mm, in.vec3() });
     }
     return true;
+}
+
+void FieldWriter::field(char const* name, FieldRef value)
+{
+    json_[name] = std::visit([](auto const* typed) { return written(*typed); }, value);
+}
+
+void FieldWriter::word(char const* name, int& value, std::span<char const* const> words)
+{
+    json_[name] = words[static_cast<std::size_t>(value)];
+}
+
+void FieldReader::field(char const* name, FieldRef value)
+{
+    auto const* const json = find(name);
+    if (json && !std::visit([&](auto* typed) { return read(*json, *typed); }, value))
+        complain_of(name);
+}
+
+void FieldReader::word(char const* name, int& value, std::span<char const* const> words)
+{
+    auto const* const json = find(name);
+    if (!json)
+        return;
+    std::string text;
+    auto const found
+        = read(*json, text) ? std::find(words.begin(), words.end(), text) : words.end();
+    if (found == words.end())
+        complain_of(name);
+    else
+        value = static_cast<int>(found - words.begin());
 }
 
 Json const* FieldReader::find(char const* name)

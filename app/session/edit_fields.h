@@ -1,9 +1,8 @@
 #pragma once
 
 #include "engine/base/result.h"
-#include "engine/scene/edit.h"
+#include "engine/scene/fields.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -77,23 +76,13 @@ std::string written_lines(std::vector<SkeletonPiece> const& lines);
 bool read_tips(std::string_view bytes, Stroke& stroke);
 bool read_lines(std::string_view bytes, std::vector<SkeletonPiece>& lines);
 
-// Writes fields one after the other. The same calls on a FieldReader read them.
-class FieldWriter {
+// Writes fields one after the other.
+class FieldWriter final : public Fields {
 public:
-    template<typename T> void field(char const* name, T const& value)
-    {
-        json_[name] = written(value);
-    }
-
-    // An enumeration as one of these words, in its own order.
-    template<typename Enum, std::size_t N>
-    void word(char const* name, Enum value, std::array<char const*, N> const& words)
-    {
-        json_[name] = words[static_cast<std::size_t>(value)];
-    }
-
-    void numbers(Stroke const& stroke) { numbers_ = written_tips(stroke); }
-    void numbers(std::vector<SkeletonPiece> const& lines) { numbers_ = written_lines(lines); }
+    void field(char const* name, FieldRef value) override;
+    void word(char const* name, int& value, std::span<char const* const> words) override;
+    void numbers(Stroke& stroke) override { numbers_ = written_tips(stroke); }
+    void numbers(std::vector<SkeletonPiece>& lines) override { numbers_ = written_lines(lines); }
 
     std::string json() const { return json_.dump(); }
     std::string take_numbers() { return std::move(numbers_); }
@@ -103,7 +92,8 @@ private:
     std::string numbers_;
 };
 
-class FieldReader {
+// Reads them back; what is missing stays as it is.
+class FieldReader final : public Fields {
 public:
     // Both must outlive the reader.
     FieldReader(Json const& json, std::string_view numbers)
@@ -112,28 +102,13 @@ public:
     {
     }
 
-    template<typename T> void field(char const* name, T& value)
+    void field(char const* name, FieldRef value) override;
+    void word(char const* name, int& value, std::span<char const* const> words) override;
+    void numbers(Stroke& stroke) override { take_numbers(read_tips(numbers_, stroke)); }
+    void numbers(std::vector<SkeletonPiece>& lines) override
     {
-        if (auto const* const json = find(name); json && !read(*json, value))
-            complain_of(name);
+        take_numbers(read_lines(numbers_, lines));
     }
-
-    template<typename Enum, std::size_t N>
-    void word(char const* name, Enum& value, std::array<char const*, N> const& words)
-    {
-        std::string text;
-        field(name, text);
-        for (std::size_t i = 0; i < N; ++i)
-            if (text == words[i]) {
-                value = static_cast<Enum>(i);
-                return;
-            }
-        if (json_.contains(name))
-            complain_of(name);
-    }
-
-    void numbers(Stroke& stroke) { take_numbers(read_tips(numbers_, stroke)); }
-    void numbers(std::vector<SkeletonPiece>& lines) { take_numbers(read_lines(numbers_, lines)); }
 
     // Fails if anything had another form, or is left over. Call it last.
     Result<void> finish() const;

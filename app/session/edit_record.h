@@ -10,7 +10,7 @@ namespace tractus {
 // An edit as a session keeps it: the same bytes on every machine, and every number exactly.
 struct EditRecord {
     std::string kind;   // "load_model", "select", …
-    std::string fields; // A JSON object: the edit's fields by the names that they have in edit.h.
+    std::string fields; // A JSON object: the edit's fields by the names that its kind gives them.
 
     // What there is too much of for JSON, one after the other, little-endian, floating-point
     // numbers as IEEE 754 has them. Of a stroke each tip: its time in nanoseconds as int64, x, y, z
@@ -23,11 +23,15 @@ struct EditRecord {
 // In the JSON, numbers that are not finite are strings of 16 hexadecimal digits: their bits. A
 // string that is no UTF-8, as texts and names of files may be, is {"bytes": "…"} with a character
 // U+0000 to U+00FF for each byte.
-EditRecord record_of(Edit edit);
+EditRecord record_of(Edit const& edit);
 
 // Refuses, in a sentence without the file's name, a kind or a field that this program does not know
 // and what does not have its form. Fields that are missing are as they are by default, as they were
 // before a newer program knew them.
 Result<Edit> edit_of(EditRecord const& record);
+
+// The edit of a record, or where edit_of() refuses it the record itself, as an UnknownEdit: a
+// session may come from a newer program, or from one with more methods.
+Edit edit_or_unknown(EditRecord const& record);
 
 } // namespace tractus

@@ -51,7 +51,7 @@ Result<Session> Session::create(fs::path const& path, SessionOrigin const& origi
     auto history = TRY(SessionHistory::create({}, read_beginning, options.load_options));
     TRY(write_new_session(path, origin, beginning_rows(edits, origin.created), 0));
     auto database = TRY(open_to_write(path));
-    return Session({ path, std::move(database) }, std::move(options), std::move(history));
+    return Session({ path, std::move(database) }, std::move(options), std::move(history), {});
 }
 
 Result<Session> Session::open(fs::path const& path, SessionOptions options)
@@ -66,13 +66,15 @@ Result<Session> Session::open(fs::path const& path, SessionOptions options)
     if (!history)
         return fail(history.error().fault,
                     fmt::format("{}: {}", path.string(), history.error().message));
-    return Session(std::move(store), std::move(options), *std::move(history));
+    return Session(std::move(store), std::move(options), *std::move(history), summary.unknown);
 }
 
-Session::Session(SessionStore store, SessionOptions options, SessionHistory history)
+Session::Session(SessionStore store, SessionOptions options, SessionHistory history,
+                 UnknownEdits unknown)
     : store_(std::move(store))
     , options_(std::move(options))
     , history_(std::move(history))
+    , unknown_(std::move(unknown))
 {
 }
 
@@ -80,7 +82,8 @@ Result<std::vector<Edit>> Session::beginning() const
 {
     std::vector<Edit> edits;
     for (auto& edit : TRY(store_.read_step(0)))
-        edits.push_back(std::move(edit.edit));
+        if (!edit.edit.get<UnknownEdit>())
+            edits.push_back(std::move(edit.edit));
     return edits;
 }
 

@@ -43,7 +43,11 @@ public:
     // The tips of its strokes are not in memory: see SessionStore.
     Scene const& scene() const { return history_.scene(); }
 
-    // What it began with: step 0. Fails where the file was damaged since it was opened.
+    // What of it this program did not know when it was opened.
+    UnknownEdits const& unknown() const { return unknown_; }
+
+    // What it began with: step 0, without what is unknown. Fails where the file was damaged since
+    // it was opened.
     Result<std::vector<Edit>> beginning() const;
 
     std::size_t step() const { return history_.step(); } // The last that counts.
@@ -60,13 +64,15 @@ public:
     Result<void> redo();
 
 private:
-    Session(SessionStore store, SessionOptions options, SessionHistory history);
+    Session(SessionStore store, SessionOptions options, SessionHistory history,
+            UnknownEdits unknown);
 
     Result<void> go_to(std::size_t step);
 
     SessionStore store_;
     SessionOptions options_;
     SessionHistory history_;
+    UnknownEdits unknown_;
 };
 
 } // namespace tractus

@@ -109,13 +109,8 @@ Result<std::size_t> read_edits(Database const& database, std::string const& name
             return damaged(name, fmt::format("edit {} is missing", count));
         if (row.place.checksum != checksum(row.step, row.record))
             return damaged(name, fmt::format("edit {} is not as it was written", count));
-        auto edit = edit_of(row.record);
-        if (!edit)
-            return fail(
-                Fault::User,
-                fmt::format("{}: edit {} cannot be read: {}", name, count, edit.error().message));
         last_step = row.step;
-        take({ row.step, *std::move(edit), row.made, row.place });
+        take({ row.step, edit_or_unknown(row.record), row.made, row.place });
         return {};
     };
     TRY(for_each_row(database, format, read));
@@ -127,7 +122,11 @@ Result<std::size_t> read_edits(Database const& database, std::string const& name
 Result<SessionSummary> read_all(Database const& database, std::string const& name,
                                 TakeEdit const& take)
 {
-    SessionSummary summary { .last_step = TRY(read_edits(database, name, take)) };
+    SessionSummary summary;
+    summary.last_step = TRY(read_edits(database, name, [&](SessionEdit&& edit) {
+        summary.unknown.add(edit);
+        take(std::move(edit));
+    }));
     auto meta = TRY(database.prepare("SELECT key, value FROM meta"));
     std::int64_t step = -1;
     while (TRY(meta.step())) {
@@ -181,7 +180,7 @@ Result<Edit> checked_edit(EditRow const& row)
 {
     if (row.place.checksum != checksum(row.step, row.record))
         return changed_since(row.place.number);
-    return edit_of(row.record);
+    return edit_or_unknown(row.record);
 }
 
 Result<void> write_meta(Database const& database, char const* key, std::int64_t value)
@@ -197,6 +196,22 @@ Result<void> write_meta(Database const& database, char const* key, std::string c
 }
 
 } // namespace
+
+void UnknownEdits::add(SessionEdit const& edit)
+{
+    auto const* const unknown = edit.edit.get<UnknownEdit>();
+    if (unknown && count++ == 0)
+        first = fmt::format("edit {}: {}", edit.place.number, unknown->why);
+}
+
+std::string UnknownEdits::sentence() const
+{
+    if (count == 0)
+        return {};
+    return fmt::format("{} of its edits {} unknown to this tractus and {} without effect ({}{})",
+                       count, count == 1 ? "is" : "are", count == 1 ? "stays" : "stay",
+                       count == 1 ? "" : "the first is ", first);
+}
 
 std::int64_t checksum_of(EditRow const& row)
 {

@@ -19,7 +19,7 @@ namespace tractus {
 //
 //   edits  number   1, 2, …: the edits in the order in which they were made
 //          step     what undo takes back at once; 0: what the session began with
-//          kind, fields, numbers  an EditRecord
+//          kind, fields, numbers  an EditRecord; of any kind, since other programs may know more
 //          made     when, in Unix seconds; 0 where nobody knows
 //          checksum CRC-32 of what stands before, so that damage does not pass for a drawing
 //   meta   key, value: "plant", "program", "created" (Unix seconds), and "step", the last that
@@ -44,9 +44,22 @@ struct EditPlace {
 
 struct SessionEdit {
     std::size_t step = 0; // Those of one step stand together, and no step is without.
-    Edit edit {};
+    Edit edit;
     std::chrono::sys_seconds made {}; // By the clock on the wall; 0 where nobody knows.
     EditPlace place {};
+};
+
+// What another tractus has drawn in a session, a newer one or one with more methods, and this
+// program does not know (UnknownEdit). It stays in the file as it is, and what belongs to the same
+// step changes nothing, either.
+struct UnknownEdits {
+    std::size_t count = 0;
+    std::string first {}; // "edit 4: its kind …".
+
+    void add(SessionEdit const& edit);
+
+    // A sentence that says so without the file's name; empty where all is known.
+    std::string sentence() const;
 };
 
 // All that a session's file holds.
@@ -63,6 +76,7 @@ struct SessionSummary {
     SessionOrigin origin {};
     std::size_t step = 0; // The last that counts.
     std::size_t last_step = 0;
+    UnknownEdits unknown {};
 };
 
 // Reads a session and changes nothing; another program may be drawing in it. Fails, as the user's

@@ -1,12 +1,10 @@
 #include "app/session/session_history.h"
 
-#include "app/session/session_store.h"
 #include "engine/base/check.h"
 
 #include <fmt/core.h>
 #include <iterator>
 #include <utility>
-#include <variant>
 
 namespace tractus {
 
@@ -49,29 +47,9 @@ SessionHistory::SessionHistory(SessionExtent const& extent, MakeLoadOptions load
 {
 }
 
-// What has been redrawn or erased in part has a source, too, if what it was made of has.
 Result<Scene> SessionHistory::apply(Scene scene, Edit const& edit) const
 {
-    auto const* const over = std::get_if<Oversketch>(&edit);
-    auto const* const erased = std::get_if<EraseTips>(&edit);
-    if (!over && !erased)
-        return apply_edit(std::move(scene), edit, load_options_());
-    auto changed = TRY(apply_edit(scene, edit, load_options_()));
-    Stroke made; // The one before without source and with it: several branches may share it.
-    Stroke sourced;
-    for (auto const number : over ? over->associations : erased->associations) {
-        auto association = changed.associations[number];
-        if (association.stroke.tips.id() != made.tips.id()) {
-            auto const& source = scene.associations[number].stroke.tips.source();
-            made = association.stroke;
-            sourced.tips = { made.tips.vector(),
-                             over ? redrawn_source(source, over->over.tips.source())
-                                  : erased_source(source, erased->ranges) };
-        }
-        association.stroke = sourced;
-        changed.associations.replace(number, std::move(association));
-    }
-    return changed;
+    return apply_edit(std::move(scene), edit, load_options_());
 }
 
 Result<Scene> SessionHistory::after(std::span<Edit const> edits) const
@@ -113,18 +91,17 @@ Result<Scene> SessionHistory::begin(std::span<SessionEdit const> edits) const
     Scene scene;
     for (auto const& [step, edit, made, place] : edits) {
         auto applied = apply(scene, edit);
-        bool const loads_plant
-            = std::holds_alternative<LoadModel>(edit) || std::holds_alternative<LoadSkeleton>(edit);
         if (applied)
             scene = *std::move(applied);
-        else if (loads_plant)
+        else if (edit.kind().loads_plant)
             return fail(applied.error().fault,
                         fmt::format("edit {}: {}", place.number, applied.error().message));
     }
     return scene;
 }
 
-// A step that needs something which was lost changes nothing, and stays in the file.
+// A step that needs something which was lost, or that is unknown, changes nothing and stays in the
+// file.
 Scene SessionHistory::apply_step(Scene scene, std::span<SessionEdit const> edits) const
 {
     auto next = scene;

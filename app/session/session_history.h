@@ -32,8 +32,8 @@ struct SessionExtent {
 class SessionHistory {
 public:
     // Of a session that has a beginning. Fails where an edit of that does, saying which, and where
-    // reading does. A later step whose edits cannot be made, since what they need was lost when the
-    // session was damaged, changes nothing.
+    // reading does. A later step whose edits cannot be made changes nothing: what they need was
+    // lost when the session was damaged, or this program does not know one of them.
     static Result<SessionHistory> create(SessionExtent const& extent, ReadStep const& read,
                                          MakeLoadOptions load_options);
 

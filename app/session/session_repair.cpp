@@ -115,8 +115,7 @@ SessionContents contents_of(SalvagedSession const& session)
     SessionContents contents { .origin = session.origin, .edits = {}, .step = 0 };
     auto const anew = numbered_anew(session.rows, 0);
     for (auto const& row : anew)
-        if (auto edit = edit_of(row.record))
-            contents.edits.push_back({ row.step, *std::move(edit), row.made, row.place });
+        contents.edits.push_back({ row.step, edit_or_unknown(row.record), row.made, row.place });
     contents.step = step_anew(session, anew);
     return contents;
 }

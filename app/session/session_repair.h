@@ -27,8 +27,8 @@ struct SalvagedSession {
 // for a file that cannot be read or is larger than 4 GiB.
 Result<SalvagedSession> salvage_session(std::filesystem::path const& path);
 
-// Those edits as a session contents, numbered anew without gaps. Those of a kind that this program
-// does not know are left out.
+// Those edits as a session contents, numbered anew without gaps. Those that this program does
+// not know are UnknownEdits.
 SessionContents contents_of(SalvagedSession const& session);
 
 // Writes what was salvaged as a new session, which appears whole. `beginning` comes before it: a

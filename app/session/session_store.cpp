@@ -1,7 +1,6 @@
 #include "app/session/session_store.h"
 
 #include "engine/base/check.h"
-#include "engine/stroke/oversketch.h"
 
 #include <fmt/core.h>
 #include <mutex>
@@ -60,15 +59,35 @@ private:
     std::optional<Database> database_; // No value once the store is gone.
 };
 
-// The stroke that an edit brings, or null.
-static Stroke* stroke_of(Edit& edit)
-{
-    if (auto* const associate = std::get_if<Associate>(&edit))
-        return &associate->stroke;
-    if (auto* const oversketch = std::get_if<Oversketch>(&edit))
-        return &oversketch->over;
-    return nullptr;
-}
+namespace {
+
+// Looks for the stroke that an edit brings, and gives it a source if there is one to give.
+class StrokeVisitor final : public Fields {
+public:
+    explicit StrokeVisitor(Tips::Source source = nullptr)
+        : source_(std::move(source))
+    {
+    }
+
+    // No value where the edit brings none.
+    std::optional<Tips> const& tips() const { return tips_; }
+
+    void field(char const*, FieldRef) override { }
+    void word(char const*, int&, std::span<char const* const>) override { }
+    void numbers(std::vector<SkeletonPiece>&) override { }
+    void numbers(Stroke& stroke) override
+    {
+        if (source_)
+            stroke.tips = Tips(stroke.tips.vector(), source_);
+        tips_ = stroke.tips;
+    }
+
+private:
+    Tips::Source source_;
+    std::optional<Tips> tips_;
+};
+
+} // namespace
 
 // A stroke that stands in an edit.
 class SessionStore::StoredStroke final : public ElementSource<TipSample> {
@@ -87,72 +106,16 @@ public:
             return fail(edit.error().fault,
                         fmt::format("the stroke of edit {} cannot be read: {}", place_.number,
                                     edit.error().message));
-        auto const* const stroke = stroke_of(*edit);
-        CHECK(stroke != nullptr); // Its checksum is that of one which has.
-        return stroke->tips.vector();
+        StrokeVisitor visitor;
+        edit->show(visitor);
+        CHECK(visitor.tips().has_value()); // Its checksum is that of one which has.
+        return visitor.tips()->vector();
     }
 
 private:
     std::shared_ptr<File const> file_;
     EditPlace place_;
 };
-
-namespace {
-
-class RedrawnStroke final : public ElementSource<TipSample> {
-public:
-    RedrawnStroke(Tips::Source drawn, Tips::Source over)
-        : drawn_(std::move(drawn))
-        , over_(std::move(over))
-    {
-    }
-
-    Result<std::vector<TipSample>> read() const override
-    {
-        auto drawn = TRY(drawn_->read());
-        auto over = TRY(over_->read());
-        return TRY(oversketch({ std::move(drawn) }, { std::move(over) })).tips.vector();
-    }
-
-private:
-    Tips::Source drawn_;
-    Tips::Source over_;
-};
-
-class ErasedStroke final : public ElementSource<TipSample> {
-public:
-    ErasedStroke(Tips::Source drawn, std::vector<TipRange> ranges)
-        : drawn_(std::move(drawn))
-        , ranges_(std::move(ranges))
-    {
-    }
-
-    Result<std::vector<TipSample>> read() const override
-    {
-        auto drawn = TRY(drawn_->read());
-        return TRY(erase_tips({ std::move(drawn) }, ranges_)).tips.vector();
-    }
-
-private:
-    Tips::Source drawn_;
-    std::vector<TipRange> ranges_;
-};
-
-} // namespace
-
-Tips::Source redrawn_source(Tips::Source drawn, Tips::Source over)
-{
-    if (!drawn || !over)
-        return nullptr;
-    return std::make_shared<RedrawnStroke>(std::move(drawn), std::move(over));
-}
-
-Tips::Source erased_source(Tips::Source drawn, std::vector<TipRange> ranges)
-{
-    if (!drawn)
-        return nullptr;
-    return std::make_shared<ErasedStroke>(std::move(drawn), std::move(ranges));
-}
 
 SessionStore::SessionStore(std::filesystem::path path, Database database)
     : file_(std::make_shared<File>(std::move(path), std::move(database)))
@@ -178,8 +141,8 @@ std::filesystem::path const& SessionStore::path() const
 
 void SessionStore::give_source(Edit& edit, EditPlace const& place) const
 {
-    if (auto* const stroke = stroke_of(edit))
-        stroke->tips = Tips(stroke->tips.vector(), std::make_shared<StoredStroke>(file_, place));
+    StrokeVisitor visitor(std::make_shared<StoredStroke>(file_, place));
+    edit = edit.changed_by(visitor);
 }
 
 Result<std::vector<SessionEdit>> SessionStore::read_step(std::size_t step) const

@@ -53,13 +53,4 @@ private:
     std::shared_ptr<File> file_; // Shared with the sources of strokes; null when moved from.
 };
 
-// Where a stroke can be read again that was redrawn in part: what was drawn, and what over it. Null
-// if one of them has no source.
-SharedVector<TipSample>::Source redrawn_source(SharedVector<TipSample>::Source drawn,
-                                               SharedVector<TipSample>::Source over);
-
-// Where a stroke can be read again that was erased in part. Null if what was drawn has no source.
-SharedVector<TipSample>::Source erased_source(SharedVector<TipSample>::Source drawn,
-                                              std::vector<TipRange> ranges);
-
 } // namespace tractus

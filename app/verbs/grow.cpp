@@ -148,9 +148,11 @@ Result<Scene> load_session(GrowArguments const& arguments, std::filesystem::path
 Result<Scene> load_model_scene(GrowArguments const& arguments, std::filesystem::path const& path)
 {
     auto edit = TRY(load_plant_edit(path));
-    if (auto* const model = std::get_if<LoadModel>(&edit)) {
-        model->steps = arguments.model.steps;
-        model->seed = arguments.model.seed.value_or(1);
+    if (auto const* const model = edit.get<LoadModel>()) {
+        auto with_options = *model;
+        with_options.steps = arguments.model.steps;
+        with_options.seed = arguments.model.seed.value_or(1);
+        edit = std::move(with_options);
     }
     auto scene = TRY(apply_edit({}, edit, load_options(arguments.cost)));
     for (auto const& warning : scene.model_warnings)

@@ -4,7 +4,6 @@
 #include "app/plants/session_export.h"
 #include "app/plants/session_plant.h"
 #include "app/resources.h"
-#include "app/session/describe_edit.h"
 #include "app/session/session_repair.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
@@ -62,7 +61,7 @@ Result<ReadSession> read_what_is_whole(std::filesystem::path const& file)
 Result<void> print_info(SessionArguments const& arguments)
 {
     auto const [contents, whole] = TRY(read_what_is_whole(arguments.file));
-    auto const [scene, edits, skipped_steps] = TRY(fold_session(contents));
+    auto const [scene, edits, unknown, skipped_steps] = TRY(fold_session(contents));
     std::set<Timestamp> strokes; // One that shapes several branches counts once.
     std::size_t orphans = 0;
     for (auto const& association : scene.associations) {
@@ -90,6 +89,8 @@ Result<void> print_info(SessionArguments const& arguments)
     line("branches with strokes", scene.associations.size());
     line("motion indicators", scene.indicators.size());
     line("without a branch", orphans);
+    if (unknown.count > 0)
+        line("edits not known", fmt::format("{} ({})", unknown.count, unknown.first));
     if (skipped_steps > 0)
         line("steps that need more", skipped_steps);
     TRY(print_out(text));
@@ -102,7 +103,7 @@ Result<void> print_log(SessionArguments const& arguments)
     std::string text;
     for (auto const& [step, edit, made, place] : contents.edits)
         text += fmt::format("{:>5}  step {:<5} {:<23}  {}{}\n", place.number, step, date_text(made),
-                            describe_edit(edit), step > contents.step ? " (undone)" : "");
+                            edit.describe(), step > contents.step ? " (undone)" : "");
     TRY(print_out(text));
     return whole;
 }

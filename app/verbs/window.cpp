@@ -86,8 +86,13 @@ Result<std::vector<Edit>> model_edits(std::filesystem::path const& model)
 Result<Session> keep_in(std::filesystem::path const& file, std::filesystem::path const& model)
 {
     std::error_code ignored;
-    if (std::filesystem::exists(file, ignored))
-        return Session::open(file, session_by_the_clock([] { return load_options(); }));
+    if (std::filesystem::exists(file, ignored)) {
+        auto session
+            = TRY(Session::open(file, session_by_the_clock([] { return load_options(); })));
+        if (auto const said = session.unknown().sentence(); !said.empty())
+            print_warning(fmt::format("{}: {}", file.string(), said));
+        return session;
+    }
     auto edits = is_session_file(model) ? session_edits(model) : model_edits(model);
     return begin_session(file, TRY(edits));
 }

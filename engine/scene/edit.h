@@ -2,6 +2,7 @@
 
 #include "engine/lsystem/model.h"
 #include "engine/plant/skeleton_lines.h"
+#include "engine/scene/edit_kind.h"
 #include "engine/stroke/erase_tips.h"
 #include "engine/stroke/stroke.h"
 #include "engine/variation/association.h"
@@ -14,13 +15,13 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace tractus {
 
 // What the user did, as values. A scene is the fold of its edits, so an edit holds all that is
-// needed to do it again: the model's text, the pen's tips, the chosen segments.
+// needed to do it again: the model's text, the pen's tips, the chosen segments. Each struct is a
+// kind of edit (edit_kind.h).
 
 // What becomes of what was drawn when the plant changes.
 enum class Drawn {
@@ -32,6 +33,8 @@ enum class Drawn {
 
 // Takes a base plant from an L-system.
 struct LoadModel {
+    static EditKind const kKind;
+
     ModelSource source;
     std::map<std::string, std::string> includes {}; // What the model includes, by name: the texts.
     std::optional<int> steps {};                    // Derivation steps; no value: the model's own.
@@ -41,6 +44,8 @@ struct LoadModel {
 
 // Takes a base plant from the lines that another program drew of it (skeleton_lines.h).
 struct LoadSkeleton {
+    static EditKind const kKind;
+
     std::string name {};
     std::vector<SkeletonPiece> lines {};
     Drawn drawn = Drawn::Forget;
@@ -49,11 +54,15 @@ struct LoadSkeleton {
 // Chooses what the next associations go to, in place of what was chosen. Usually one path, or one
 // for each branch that the pen left undetermined (Streit 2006, section 4.1); none chooses nothing.
 struct Select {
+    static EditKind const kKind;
+
     Selection paths;
 };
 
 // Lets a stroke shape each selected path, its descendants, or both (Streit 2006, section 4.3).
 struct Associate {
+    static EditKind const kKind;
+
     Stroke stroke;
     Propagation propagation = Propagation::Selected;
     StrokeFit fit = StrokeFit::Start;
@@ -65,53 +74,79 @@ struct Associate {
 
 // Redraws a part of them (oversketch.h).
 struct Oversketch {
+    static EditKind const kKind;
+
     std::vector<std::size_t> associations;
     Stroke over;
 };
 
 // From here on keeps so much of the hand in them, 0 (smooth) to 1 (as drawn).
 struct SmoothStroke {
+    static EditKind const kKind;
+
     std::vector<std::size_t> associations;
     double detail_weight = 0;
 };
 
 // Takes them away; what they overrode counts again.
 struct DeleteStroke {
+    static EditKind const kKind;
+
     std::vector<std::size_t> associations;
 };
 
 // Takes these tips of each of them away (erase_tips.h); where none would be left that shape
 // anything, DeleteStroke takes the whole.
 struct EraseTips {
+    static EditKind const kKind;
+
     std::vector<std::size_t> associations;
     std::vector<TipRange> ranges; // Of its tips as they are now, in order.
 };
 
 // Adds one motion indicator (Streit 2006, section 4.4).
 struct Indicate {
+    static EditKind const kKind;
+
     MotionIndicator indicator;
 };
 
 // Puts another in the place of the indicator with this number in Scene::indicators.
 struct ChangeIndicator {
+    static EditKind const kKind;
+
     std::size_t number = 0;
     MotionIndicator indicator;
 };
 
 struct DeleteIndicator {
+    static EditKind const kKind;
+
     std::size_t number = 0;
 };
 
 // Sets how plants grow from here on.
 struct SetGrowth {
+    static EditKind const kKind;
+
     GrowthParameters parameters;
     std::uint64_t seed = 1; // Of the variations.
     double variability = 1; // At which the parameters count; see at_variability().
     double age = 1;         // See Grower::grow().
 };
 
-using Edit
-    = std::variant<LoadModel, Select, Associate, Indicate, SetGrowth, LoadSkeleton, Oversketch,
-                   SmoothStroke, DeleteStroke, ChangeIndicator, DeleteIndicator, EraseTips>;
+// An edit that another tractus has made, a newer one or one with more methods, in the words of its
+// record (app/session/edit_record.h). It is kept as it is, and refused when it is to be applied.
+struct UnknownEdit {
+    static EditKind const kKind;
+
+    std::string word;
+    std::string fields;
+    std::string numbers;
+    std::string why; // A sentence: what of it is unknown.
+};
+
+// The kinds above but for the last, which stands for all that are not in a table.
+EditKinds core_edit_kinds();
 
 } // namespace tractus

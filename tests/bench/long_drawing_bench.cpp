@@ -82,7 +82,7 @@ public:
             return false;
         std::int64_t stroke = 0;
         for (auto const& edit : session->edits) {
-            auto const* const drawn = std::get_if<Associate>(&edit.edit);
+            auto const* const drawn = edit.edit.get<Associate>();
             if (!drawn || edit.step > session->step)
                 continue;
             stroke += (stroke + 1) % kStrokesPerUndo == 0;

@@ -471,7 +471,7 @@ TEST_F(LiveWindowWithSession, KeepsGrowthAndTakesItBack)
     EXPECT_EQ(window.state().growth.age, 0.25);
     auto const kept = read_session(path_).value();
     EXPECT_EQ(kept.last_step(), 2u);
-    EXPECT_EQ(std::get<SetGrowth>(kept.edits.back().edit).seed, 2u);
+    EXPECT_EQ(kept.edits.back().edit.get<SetGrowth>()->seed, 2u);
     window.perform(Undo {});
     window.settle();
     EXPECT_EQ(window.state().seed, 1u);

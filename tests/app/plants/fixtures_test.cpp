@@ -1,7 +1,6 @@
 #include "app/plants/model_file.h"
 #include "app/plants/session_plant.h"
 #include "app/resources.h"
-#include "app/session/describe_edit.h"
 #include "app/session/session_file.h"
 #include "app/station/log_replay.h"
 #include "app/station/model_cost.h"
@@ -155,7 +154,7 @@ TEST_P(FixtureOfFormat, GivesItsPlantAndItsEdits)
     std::ifstream in(fixture(name + ".txt"));
     std::string line;
     for (auto const& made : contents->edits) {
-        auto const said = fmt::format("{} {}", made.step, describe_edit(made.edit));
+        auto const said = fmt::format("{} {}", made.step, made.edit.describe());
         EXPECT_TRUE(std::getline(in, line) && said == line) << said;
     }
     EXPECT_FALSE(std::getline(in, line)) << "left: " << line;

@@ -108,7 +108,7 @@ inline LoadSkeleton random_skeleton()
 inline Edit random_edit()
 {
     auto const numbers = [] { return *rc::gen::arbitrary<std::vector<std::size_t>>(); };
-    switch (*rc::gen::inRange<std::size_t>(0, std::variant_size_v<Edit>)) {
+    switch (*rc::gen::inRange<std::size_t>(0, core_edit_kinds().size())) {
     case 0:
         return random_model();
     case 1:

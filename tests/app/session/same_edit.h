@@ -136,14 +136,27 @@ inline bool same(SetGrowth const& one, SetGrowth const& other)
         && same(one.variability, other.variability) && same(one.age, other.age);
 }
 
+inline bool same(UnknownEdit const& one, UnknownEdit const& other)
+{
+    return one.word == other.word && one.fields == other.fields && one.numbers == other.numbers;
+}
+
+template<typename T> bool same_of(Edit const& one, Edit const& other)
+{
+    auto const* const a = one.get<T>();
+    auto const* const b = other.get<T>();
+    return a && b && same(*a, *b);
+}
+
 inline bool same(Edit const& one, Edit const& other)
 {
-    return one.index() == other.index()
-        && std::visit(
-               [&](auto const& kind) {
-                   return same(kind, std::get<std::decay_t<decltype(kind)>>(other));
-               },
-               one);
+    return same_of<LoadModel>(one, other) || same_of<LoadSkeleton>(one, other)
+        || same_of<Select>(one, other) || same_of<Associate>(one, other)
+        || same_of<Oversketch>(one, other) || same_of<SmoothStroke>(one, other)
+        || same_of<DeleteStroke>(one, other) || same_of<EraseTips>(one, other)
+        || same_of<Indicate>(one, other) || same_of<ChangeIndicator>(one, other)
+        || same_of<DeleteIndicator>(one, other) || same_of<SetGrowth>(one, other)
+        || same_of<UnknownEdit>(one, other);
 }
 
 } // namespace tractus

@@ -63,15 +63,6 @@ TEST_F(SessionDamage, ASessionOfANewerProgram)
                   + std::to_string(kSessionFormat) + "): open it with that one");
 }
 
-TEST_F(SessionDamage, AnEditThatANewerProgramMade)
-{
-    // Of a format without checksums, since nobody else would have it right.
-    EXPECT_EQ(
-        refusal_after(std::string(kToFormat1) + "UPDATE edits SET kind = 'graft' WHERE number = 4"),
-        ": edit 4 cannot be read: its kind \"graft\" is unknown to this tractus: a newer one "
-        "has written it");
-}
-
 TEST_F(SessionDamage, WhatDoesNotFitTogether)
 {
     EXPECT_EQ(refusal_after("DELETE FROM edits WHERE number = 3"),

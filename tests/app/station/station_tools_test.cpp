@@ -159,10 +159,10 @@ TEST(StationTools, ErasesWithThePensOtherEndAsItDidLast)
     ASSERT_EQ(live.strokes().size(), 6u);
     for (auto const& drawn : live.strokes())
         EXPECT_EQ(drawn.refusal, "");
-    EXPECT_TRUE(std::holds_alternative<DeleteStroke>(live.strokes()[1].edits[0]));
+    EXPECT_TRUE(live.strokes()[1].edits[0].get<DeleteStroke>());
     EXPECT_EQ(live.strokes()[3].tool, part);
-    EXPECT_TRUE(std::holds_alternative<EraseTips>(live.strokes()[3].edits[0]));
-    EXPECT_TRUE(std::holds_alternative<DeleteStroke>(live.strokes()[5].edits[0]));
+    EXPECT_TRUE(live.strokes()[3].edits[0].get<EraseTips>());
+    EXPECT_TRUE(live.strokes()[5].edits[0].get<DeleteStroke>());
 
     // The same again from the tool lines of a recording, to the last bit.
     std::vector<Station::ToolChange> recorded;

@@ -56,7 +56,7 @@ TEST(SelectTool, SelectsTheAxisThatThePenFollows)
     auto const edits = edits_of({ Tool::Kind::Select }, stroke, scene);
     ASSERT_TRUE(edits) << edits.error().message;
     ASSERT_EQ(edits->size(), 1u);
-    EXPECT_EQ(std::get<Select>((*edits)[0]).paths, Selection { segments_of(scene.base->axes[0]) });
+    EXPECT_EQ((*edits)[0].get<Select>()->paths, Selection { segments_of(scene.base->axes[0]) });
 }
 
 TEST(SelectTool, SaysThatAStrokeWentBesideThePlant)
@@ -76,15 +76,15 @@ TEST(DrawTool, ShapesWhatIsSelected)
     scene.selection = { segments_of(scene.base->axes[1]) };
     auto const edits = edits_of({ Tool::Kind::Draw, Propagation::Both }, stroke, scene);
     ASSERT_TRUE(edits);
-    EXPECT_EQ(std::get<Associate>((*edits)[0]).propagation, Propagation::Both);
+    EXPECT_EQ((*edits)[0].get<Associate>()->propagation, Propagation::Both);
 }
 
 TEST(IndicateTool, TakesTheEndsOfTheStroke)
 {
     auto const stroke = stroke_through({ { 0, 0, 100 }, { 30, 50, 100 }, { 80, 0, 120 } });
     auto const edits = edits_of({ Tool::Kind::Indicate }, stroke, small_scene()).value();
-    EXPECT_EQ(std::get<Indicate>(edits[0]).indicator.start_mm, Vec3(0, 0, 100));
-    EXPECT_EQ(std::get<Indicate>(edits[0]).indicator.end_mm, Vec3(80, 0, 120));
+    EXPECT_EQ(edits[0].get<Indicate>()->indicator.start_mm, Vec3(0, 0, 100));
+    EXPECT_EQ(edits[0].get<Indicate>()->indicator.end_mm, Vec3(80, 0, 120));
 }
 
 TEST(DrawInOrderTool, ShapesTheTrunkFirstAndThenTheLongestBranch)
@@ -96,7 +96,7 @@ TEST(DrawInOrderTool, ShapesTheTrunkFirstAndThenTheLongestBranch)
         auto const edits = edits_of({ Tool::Kind::DrawInOrder }, stroke, scene).value();
         for (auto const& edit : edits)
             scene = apply_edit(scene, edit).value();
-        drawn.push_back(axis_of(*scene.base, std::get<Select>(edits[0]).paths[0][0]));
+        drawn.push_back(axis_of(*scene.base, edits[0].get<Select>()->paths[0][0]));
     }
     auto const order = axes_in_drawing_order(*scene.base);
     EXPECT_EQ(drawn, (std::vector<AxisId> { order[0], order[1], order[2], order[0] }));
@@ -110,7 +110,7 @@ Selection selection_by(Selecting selecting, Stroke const& stroke, Scene const& s
     auto const edits
         = edits_of({ .kind = Tool::Kind::Select, .selecting = selecting }, stroke, scene);
     EXPECT_TRUE(edits) << edits.error().message;
-    return edits ? std::get<Select>((*edits)[0]).paths : Selection {};
+    return edits ? (*edits)[0].get<Select>()->paths : Selection {};
 }
 
 TEST(Tool, KnowsAllItsArguments)
@@ -171,11 +171,11 @@ TEST(IndicateTool, MayActOnTheSelectedBranchOrNearTheStroke)
     EXPECT_FALSE(edits_of(below, stroke, scene));
     scene.selection = { segments_of(scene.base->axes[1]) };
     auto const edits = edits_of(below, stroke, scene).value();
-    EXPECT_EQ(std::get<Indicate>(edits[0]).indicator.below,
+    EXPECT_EQ(edits[0].get<Indicate>()->indicator.below,
               std::vector<SegmentId> { scene.base->axes[1].first_segment });
     auto const near = edits_of(parse_tool("indicate", "near light").value(), stroke, scene).value();
-    EXPECT_NEAR(*std::get<Indicate>(near[0]).indicator.reach_mm, std::hypot(80, 20), 1e-9);
-    EXPECT_EQ(std::get<Indicate>(near[0]).indicator.kind, MotionIndicator::Kind::Light);
+    EXPECT_NEAR(*near[0].get<Indicate>()->indicator.reach_mm, std::hypot(80, 20), 1e-9);
+    EXPECT_EQ(near[0].get<Indicate>()->indicator.kind, MotionIndicator::Kind::Light);
 }
 
 TEST(IndicatorTools, MoveAndDeleteTheOneWhereTheyBegin)
@@ -239,7 +239,7 @@ TEST(EraseTool, TakesTheTopmostStrokeAsAWhole)
     auto const over = stroke_through({ { 0, -30, 100 }, { 0, -1, 100 }, { 0, 30, 100 } });
     auto const edits = edits_of({ Tool::Kind::Erase }, over, scene).value();
     ASSERT_EQ(edits.size(), 1u);
-    EXPECT_EQ(std::get<DeleteStroke>(edits[0]).associations, (std::vector<std::size_t> { 1, 2 }));
+    EXPECT_EQ(edits[0].get<DeleteStroke>()->associations, (std::vector<std::size_t> { 1, 2 }));
 }
 
 TEST(EraseTool, DoesNotReachWhatIsAboveTheSurface)
@@ -247,7 +247,7 @@ TEST(EraseTool, DoesNotReachWhatIsAboveTheSurface)
     auto const scene = scene_with_two_strokes();
     auto const over = stroke_through({ { 0, -1, 40 }, { 0, 1, 40 } });
     auto const edits = edits_of({ Tool::Kind::Erase }, over, scene).value();
-    EXPECT_EQ(std::get<DeleteStroke>(edits[0]).associations, (std::vector<std::size_t> { 0 }));
+    EXPECT_EQ(edits[0].get<DeleteStroke>()->associations, (std::vector<std::size_t> { 0 }));
     auto const below = stroke_through({ { 0, -1, 10 }, { 0, 1, 10 } });
     EXPECT_FALSE(edits_of({ Tool::Kind::Erase }, below, scene));
 }
@@ -262,8 +262,8 @@ TEST(EraseTool, TakesIndicatorsFromTheLastOneOn)
     auto const over = stroke_through({ { -30, 0, 10 }, { -20, 0, 10 }, { -1, 0, 10 } });
     auto const edits = edits_of({ Tool::Kind::Erase }, over, scene).value();
     ASSERT_EQ(edits.size(), 2u);
-    EXPECT_EQ(std::get<DeleteIndicator>(edits[0]).number, 1u);
-    EXPECT_EQ(std::get<DeleteIndicator>(edits[1]).number, 0u);
+    EXPECT_EQ(edits[0].get<DeleteIndicator>()->number, 1u);
+    EXPECT_EQ(edits[1].get<DeleteIndicator>()->number, 0u);
 }
 
 TEST(EraseTool, IsTheOtherEndOfThePen)
@@ -303,12 +303,12 @@ Scene scene_with(Stroke const& stroke, StrokeFit fit = StrokeFit::Start)
 std::vector<TipRange> erased(Scene const& scene, std::vector<Vec3> const& way_mm)
 {
     auto const edits = edits_of(kErasePart, stroke_through(way_mm), scene);
-    if (!edits || edits->size() != 1 || !std::holds_alternative<EraseTips>(edits->front())) {
+    if (!edits || edits->size() != 1 || !edits->front().get<EraseTips>()) {
         ADD_FAILURE() << "it is not one edit that erases tips";
         return {};
     }
-    EXPECT_EQ(std::get<EraseTips>(edits->front()).associations, (std::vector<std::size_t> { 0 }));
-    return std::get<EraseTips>(edits->front()).ranges;
+    EXPECT_EQ(edits->front().get<EraseTips>()->associations, (std::vector<std::size_t> { 0 }));
+    return edits->front().get<EraseTips>()->ranges;
 }
 
 TEST(ErasePartTool, TakesWhatItTouchesOfEndMiddleAndBegin)
@@ -346,7 +346,7 @@ TEST(ErasePartTool, TakesAStrokeWholeOfWhichNothingIsLeftThatShapes)
         auto const over = stroke_through({ { -60, 0, 30 }, { end_mm, 0, 30 } });
         auto const edits = edits_of(kErasePart, over, scene).value();
         ASSERT_EQ(edits.size(), 1u);
-        EXPECT_EQ(std::get<DeleteStroke>(edits[0]).associations, (std::vector<std::size_t> { 0 }));
+        EXPECT_EQ(edits[0].get<DeleteStroke>()->associations, (std::vector<std::size_t> { 0 }));
     }
     // Without its end the loop has no chord, by which it is fitted.
     Stroke loop;
@@ -360,7 +360,7 @@ TEST(ErasePartTool, TakesAStrokeWholeOfWhichNothingIsLeftThatShapes)
     auto const by_chord = scene_with(loop, StrokeFit::Chord);
     auto const over = stroke_through({ { 69, -10, 30 }, { 69, 10, 30 } });
     auto const edits = edits_of(kErasePart, over, by_chord).value();
-    EXPECT_TRUE(std::holds_alternative<DeleteStroke>(edits.at(0)));
+    EXPECT_TRUE(edits.at(0).get<DeleteStroke>());
     EXPECT_EQ(erased(scene_with(loop), { { 69, -10, 30 }, { 69, 10, 30 } }),
               (std::vector<TipRange> { { 73, 73 } }));
 }
@@ -371,7 +371,7 @@ TEST(ErasePartTool, TakesTheSameOfAllBranchesOfTheTopmostStroke)
     auto const drawn
         = draw(stroke_through({ { -20, -30, 100 }, { -20, 30, 100 } }), kErasePart, scene);
     ASSERT_EQ(drawn.edits.size(), 1u);
-    auto const& edit = std::get<EraseTips>(drawn.edits[0]);
+    auto const& edit = *drawn.edits[0].get<EraseTips>();
     EXPECT_EQ(edit.associations, (std::vector<std::size_t> { 1, 2 }));
     EXPECT_EQ(edit.ranges, (std::vector<TipRange> { { 3, 3 } }));
     ASSERT_EQ(scene.associations.size(), 3u);
@@ -406,9 +406,9 @@ TEST(ErasePartTool, TakesIndicatorsWhole)
         = stroke_through({ { -50, 0, 30 }, { -40, 0, 30 }, { 31, 60, 30 }, { 31, -5, 30 } });
     auto const edits = edits_of(kErasePart, over, scene).value();
     ASSERT_EQ(edits.size(), 2u);
-    EXPECT_EQ(std::get<EraseTips>(edits[0]).ranges, (std::vector<TipRange> { { 0, 15 } }))
+    EXPECT_EQ(edits[0].get<EraseTips>()->ranges, (std::vector<TipRange> { { 0, 15 } }))
         << "not below the indicator";
-    EXPECT_EQ(std::get<DeleteIndicator>(edits[1]).number, 0u);
+    EXPECT_EQ(edits[1].get<DeleteIndicator>()->number, 0u);
     auto const beside = stroke_through({ { -50, 30, 30 }, { 0, 30, 30 } });
     EXPECT_FALSE(edits_of(kErasePart, beside, scene));
 }

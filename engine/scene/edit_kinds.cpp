@@ -1,0 +1,64 @@
+#include "engine/scene/edit.h"
+#include "engine/scene/make_edit_kind.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/core.h>
+
+namespace tractus {
+
+namespace {
+
+void list(Fields&, UnknownEdit&) { }
+
+// NOLINTNEXTLINE(performance-unnecessary-value-param): as for all kinds.
+Result<Scene> applied(Scene, UnknownEdit const& edit, LoadOptions const&)
+{
+    return fail(Fault::User, edit.why);
+}
+
+std::string described(UnknownEdit const& edit)
+{
+    return fmt::format("does what this tractus does not know (\"{}\"): {}", edit.word, edit.why);
+}
+
+} // namespace
+
+constexpr EditKind UnknownEdit::kKind = make_edit_kind<UnknownEdit, list, applied, described>("");
+
+EditKinds core_edit_kinds()
+{
+    static constexpr std::array kKinds {
+        &LoadModel::kKind,  &LoadSkeleton::kKind,    &Select::kKind,          &Associate::kKind,
+        &Oversketch::kKind, &SmoothStroke::kKind,    &DeleteStroke::kKind,    &EraseTips::kKind,
+        &Indicate::kKind,   &ChangeIndicator::kKind, &DeleteIndicator::kKind, &SetGrowth::kKind
+    };
+    return kKinds;
+}
+
+EditKind const* find_edit_kind(EditKinds kinds, std::string_view word)
+{
+    auto const found = std::find_if(kinds.begin(), kinds.end(), [&](EditKind const* kind) {
+        return std::string_view(kind->word) == word;
+    });
+    return found == kinds.end() ? nullptr : *found;
+}
+
+void Edit::show(Fields& visitor) const
+{
+    static_cast<void>(changed_by(visitor));
+}
+
+Edit Edit::changed_by(Fields& visitor) const
+{
+    auto const copy = kind_->copy(fields_.get());
+    kind_->fields(visitor, copy.get());
+    return { *kind_, copy };
+}
+
+Result<Scene> apply_edit(Scene scene, Edit const& edit, LoadOptions const& options)
+{
+    return edit.kind_->apply(std::move(scene), edit.fields_.get(), options);
+}
+
+} // namespace tractus

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "engine/plant/skeleton_lines.h"
+#include "engine/stroke/erase_tips.h"
+#include "engine/stroke/stroke.h"
+#include "engine/variation/select_branches.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace tractus {
+
+// A field of any type that edits have. Another type of field is another alternative here, and a way
+// to write it in each visitor.
+using FieldRef
+    = std::variant<bool*, int*, std::uint64_t*, double*, std::string*, Vec3*, std::optional<int>*,
+                   std::optional<double>*, std::vector<std::uint32_t>*, std::vector<std::uint64_t>*,
+                   Selection*, std::vector<TipRange>*, std::map<std::string, std::string>*>;
+
+// Visits the fields of a value in their order. What an edit consists of is said once, in a function
+// that hands its fields to a visitor; visitors write them as JSON, read them back, look for strokes
+// or give them random values.
+class Fields {
+public:
+    virtual ~Fields() = default;
+
+    // `name` identifies the field in sessions: it never changes.
+    virtual void field(char const* name, FieldRef value) = 0;
+
+    // A choice among words; the value is the word's number.
+    virtual void word(char const* name, int& value, std::span<char const* const> words) = 0;
+
+    // Bulk numbers, of which a value has at most one: they have no name.
+    virtual void numbers(Stroke& stroke) = 0;
+    virtual void numbers(std::vector<SkeletonPiece>& lines) = 0;
+
+    // An enumeration as words in the order of its values.
+    template<typename Enum, std::size_t N>
+    void word(char const* name, Enum& value, std::array<char const*, N> const& words)
+    {
+        int number = static_cast<int>(value);
+        word(name, number, std::span<char const* const>(words));
+        value = static_cast<Enum>(number);
+    }
+};
+
+} // namespace tractus

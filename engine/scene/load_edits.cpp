@@ -1,0 +1,148 @@
+#include "engine/lsystem/derive.h"
+#include "engine/lsystem/interpret.h"
+#include "engine/plant/join_axes.h"
+#include "engine/scene/edit_words.h"
+#include "engine/scene/make_edit_kind.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/core.h>
+#include <map>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+// In the order of the enumerations' values.
+constexpr std::array kDrawn { "forget", "keep" };
+
+// Finds the branches that something was drawn for again, by where they were.
+void keep_drawn(Scene before, Scene& now)
+{
+    now.places = std::move(before.places);
+    std::map<PathAddress const*, SharedVector<SegmentId>> paths; // Empty: there is none.
+    for (std::size_t i = 0; i < now.places.size(); ++i) {
+        auto const& place = now.places[i];
+        auto const [found, is_new] = paths.try_emplace(place.get());
+        if (is_new)
+            if (auto path = find_path(*now.base, *place))
+                found->second = *std::move(path);
+        auto association = before.associations[i];
+        association.path = found->second;
+        association.is_orphaned = association.path.empty();
+        now.associations.push_back(std::move(association));
+    }
+    now.indicator_places = std::move(before.indicator_places);
+    now.indicators = std::move(before.indicators);
+    for (std::size_t i = 0; i < now.indicators.size(); ++i) {
+        auto& indicator = now.indicators[i];
+        indicator.below.clear();
+        for (auto const& place : now.indicator_places[i])
+            if (auto const segment = find_segment(*now.base, place))
+                indicator.below.push_back(*segment);
+        indicator.is_orphaned = indicator.below.empty() && !now.indicator_places[i].empty();
+    }
+}
+
+// The scene with another base plant.
+Scene with_plant(Scene scene, std::string const& name, Plant plant, Drawn drawn)
+{
+    Scene loaded;
+    loaded.model_name = name;
+    loaded.placement = place_on_desk(plant);
+    loaded.base = std::make_shared<Plant const>(std::move(plant));
+    loaded.rest = std::make_shared<RestShape const>(find_rest_shape(*loaded.base));
+    loaded.growth = std::move(scene.growth);
+    if (drawn == Drawn::Keep)
+        keep_drawn(std::move(scene), loaded);
+    return loaded;
+}
+
+std::string file_name(std::string const& path)
+{
+    return std::filesystem::path(path).filename().string();
+}
+
+char const* describe_drawn(Drawn drawn)
+{
+    return drawn == Drawn::Keep ? ", and keeps what was drawn" : "";
+}
+
+void list(Fields& fields, LoadModel& edit)
+{
+    fields.field("name", &edit.source.name);
+    fields.field("text", &edit.source.text);
+    fields.field("view_name", &edit.source.view_name);
+    fields.field("view_text", &edit.source.view_text);
+    fields.field("includes", &edit.includes);
+    fields.field("steps", &edit.steps);
+    fields.field("seed", &edit.seed);
+    fields.word("drawn", edit.drawn, kDrawn);
+}
+
+Result<Scene> applied(Scene scene, LoadModel const& edit, LoadOptions const& options)
+{
+    auto const include = [&](std::string const& name) -> Result<std::string> {
+        auto const found = edit.includes.find(name);
+        if (found == edit.includes.end())
+            return fail(Fault::User,
+                        fmt::format("{} includes {}, which is missing", edit.source.name, name));
+        return found->second;
+    };
+    auto const model = TRY(compile_model(edit.source, include));
+    auto const string = TRY(derive(model,
+                                   { .steps = edit.steps,
+                                     .seed = edit.seed,
+                                     .limits = options.limits,
+                                     .print = options.print }));
+    auto turtle = TRY(interpret_with_warnings(
+        model, string, { .time = options.limits.time, .print = options.print }));
+    auto loaded
+        = with_plant(std::move(scene), edit.source.name, join_axes(turtle.plant), edit.drawn);
+    loaded.model_warnings = model.warnings;
+    loaded.model_warnings.insert(loaded.model_warnings.end(), turtle.warnings.begin(),
+                                 turtle.warnings.end());
+    return loaded;
+}
+
+std::string described(LoadModel const& edit)
+{
+    auto text = fmt::format("takes the model {}: {} of rules", file_name(edit.source.name),
+                            counted(edit.source.text.size(), "byte"));
+    if (!edit.includes.empty())
+        text += fmt::format(", {}", counted(edit.includes.size(), "more file"));
+    if (edit.steps)
+        text += fmt::format(
+            ", {}", counted(static_cast<std::size_t>(std::max(*edit.steps, 0)), "derivation step"));
+    return fmt::format("{}, seed {}{}", text, edit.seed, describe_drawn(edit.drawn));
+}
+
+void list(Fields& fields, LoadSkeleton& edit)
+{
+    fields.field("name", &edit.name);
+    fields.word("drawn", edit.drawn, kDrawn);
+    fields.numbers(edit.lines);
+}
+
+Result<Scene> applied(Scene scene, LoadSkeleton const& edit, LoadOptions const&)
+{
+    auto plant = TRY(plant_from_lines(edit.name, edit.lines));
+    return with_plant(std::move(scene), edit.name, std::move(plant), edit.drawn);
+}
+
+std::string described(LoadSkeleton const& edit)
+{
+    return fmt::format("takes the skeleton {}: {}{}", file_name(edit.name),
+                       counted(edit.lines.size(), "line"), describe_drawn(edit.drawn));
+}
+
+} // namespace
+
+constexpr EditKind LoadModel::kKind
+    = make_edit_kind<LoadModel, list, applied, described>("load_model", true);
+
+constexpr EditKind LoadSkeleton::kKind
+    = make_edit_kind<LoadSkeleton, list, applied, described>("load_skeleton", true);
+
+} // namespace tractus

@@ -1,0 +1,139 @@
+#include "app/session/session_repair.h"
+#include "tests/app/session/small_session.h"
+
+#include <utility>
+
+namespace tractus {
+namespace {
+
+// As another tractus would write them, with more methods than this one.
+EditRecord graft()
+{
+    return { "graft", R"({"on":[3,0.5],"height":1e999})", std::string("\0\x01\xff", 3) };
+}
+
+EditRecord select_with_more()
+{
+    return { "select", R"({"paths":[[0]],"by":"lasso"})", "" };
+}
+
+class UnknownEditsTest : public SessionFolder {
+protected:
+    // Step 1 is known, step 2 has an edit of each kind that is not and one that is known, step 3 is
+    // known.
+    void SetUp() override
+    {
+        SessionFolder::SetUp();
+        {
+            auto session = create().value();
+            ASSERT_TRUE(session.append(drawing_step(1)));
+        }
+        auto const known = record_of(SetGrowth { .parameters = {}, .seed = 77 });
+        write_step_of({ graft(), known, select_with_more() });
+        auto session = open().value();
+        ASSERT_TRUE(session.append(drawing_step(3)));
+    }
+
+    void write_step_of(std::vector<EditRecord> const& records) const
+    {
+        auto const database = Database::open(path(), Database::Access::Write).value();
+        std::vector<EditRow> rows;
+        for (auto const& record : records) {
+            auto& row = rows.emplace_back();
+            row.step = 2;
+            row.record = record;
+            row.place.number = 4 + std::ssize(rows);
+            row.place.checksum = checksum_of(row);
+        }
+        ASSERT_TRUE(write_step(database, rows));
+    }
+
+    // Edits 5 and 7 of a file are what was written, byte for byte.
+    void expect_kept(std::string const& name) const
+    {
+        auto const database = Database::open(path(name), Database::Access::Read).value();
+        for (auto const& [number, record] :
+             { std::pair(5, graft()), std::pair(7, select_with_more()) }) {
+            auto row = database.prepare("SELECT kind, fields, numbers FROM edits WHERE number = ?")
+                           .value();
+            row.bind(0, number);
+            ASSERT_TRUE(row.step().value()) << number;
+            EXPECT_EQ(row.bytes(0), record.kind);
+            EXPECT_EQ(row.bytes(1), record.fields);
+            EXPECT_EQ(row.bytes(2), record.numbers);
+        }
+    }
+};
+
+TEST_F(UnknownEditsTest, StayAsTheyAreAndNothingOfTheirStepIsDone)
+{
+    {
+        auto session = open().value();
+        EXPECT_EQ(session.step(), 3u);
+        EXPECT_EQ(session.scene().associations.size(), 2u);
+        EXPECT_EQ(session.scene().growth.seed, 1u);
+        ASSERT_TRUE(session.append(drawing_step(4)));
+        EXPECT_EQ(session.scene().associations.size(), 3u);
+    }
+    expect_kept("a.tractus");
+}
+
+TEST_F(UnknownEditsTest, AreNamed)
+{
+    auto const session = open().value();
+    EXPECT_EQ(session.unknown().count, 2u);
+    EXPECT_EQ(session.unknown().sentence(),
+              "2 of its edits are unknown to this tractus and stay without effect (the first is "
+              "edit 5: its kind \"graft\" is unknown to this tractus: a newer one has written it)");
+    EXPECT_EQ(UnknownEdits {}.sentence(), "");
+    auto const contents = read_session(path()).value();
+    EXPECT_EQ(contents.edits[4].edit.describe(),
+              "does what this tractus does not know (\"graft\"): its kind \"graft\" is unknown to "
+              "this tractus: a newer one has written it");
+}
+
+TEST_F(UnknownEditsTest, UndoAndRedoGoOnAroundThem)
+{
+    auto session = open().value();
+    auto const all = session.scene();
+    for (std::size_t const strokes : { 1u, 1u, 0u }) {
+        ASSERT_TRUE(session.undo());
+        EXPECT_EQ(session.scene().associations.size(), strokes);
+    }
+    EXPECT_FALSE(session.can_undo());
+    for (int i = 0; i < 3; ++i)
+        ASSERT_TRUE(session.redo());
+    EXPECT_TRUE(same_scene(session.scene(), all));
+    expect_kept("a.tractus");
+}
+
+TEST_F(UnknownEditsTest, AreRepairedWithTheOthers)
+{
+    auto const salvaged = salvage_session(path()).value();
+    EXPECT_TRUE(salvaged.missing.empty());
+    ASSERT_TRUE(write_repaired(salvaged, {}, path("b.tractus")));
+    expect_kept("b.tractus");
+    EXPECT_TRUE(same_scene(open("b.tractus")->scene(), open()->scene()));
+}
+
+TEST_F(UnknownEditsTest, OfTheBeginningLeaveItsPlant)
+{
+    auto const database = Database::open(path(), Database::Access::Write).value();
+    ASSERT_TRUE(database.execute("UPDATE edits SET kind = 'climate' WHERE number = 2"));
+    EditRow row;
+    row.record = record_of(beginning()[1]);
+    row.record.kind = "climate";
+    ASSERT_TRUE(database.execute("UPDATE edits SET checksum = " + std::to_string(checksum_of(row))
+                                 + " WHERE number = 2"));
+    auto session = open().value();
+    EXPECT_EQ(session.unknown().count, 3u);
+    EXPECT_EQ(session.scene().associations.size(), 2u);
+    // Beginning again does what can be done.
+    auto const again = session.beginning().value();
+    EXPECT_EQ(again.size(), 1u);
+    ASSERT_TRUE(session.append(again));
+    EXPECT_TRUE(session.scene().associations.empty());
+}
+
+} // namespace
+} // namespace tractus
