@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <fmt/core.h>
@@ -16,8 +17,13 @@ namespace {
 
 using Captures = std::span<HeightCapture const>;
 
-constexpr double kGreatestChance = 0.01;
+constexpr double kGreatestChance = 0.01; // Of a monotone curve's gain.
+// Of a string's. A string where a line would do costs a tenth of a millimetre, and a line where the
+// string is aslant costs many, so that it takes less to believe in the string.
+constexpr double kChanceOfAslant = 0.05;
 constexpr double kSlipDeviations = 4;
+constexpr double kRarityOfSlips = 9.2;       // -2 ln of one slip in a hundred captures.
+constexpr std::size_t kFreedomThatTells = 3; // As few captures over tell a model's variance.
 constexpr std::size_t kMostKnots = 12;
 constexpr std::array<std::string_view, 3> kNames { "linear", "string", "monotone" };
 
@@ -157,6 +163,30 @@ double chance_of_gain(RobustFit const& simple, RobustFit const& rich, double rul
     return boost::math::cdf(boost::math::complement(distribution, f));
 }
 
+// How ill a line or a string fits captures of a known error, in the measure of chi squared. A slip
+// is a parameter, and a rare thing besides.
+double misfit(RobustFit const& fit, double variance_mm2)
+{
+    return fit.fit.sum_of_squares_mm2 / variance_mm2
+        + static_cast<double>(fit.slipped.size())
+        * (kSlipDeviations * kSlipDeviations + kRarityOfSlips);
+}
+
+// The chance that a string would gain as much over a line by the ruler's error alone. The ruler is
+// known better than a few captures tell it; where many are left over, they have their say, too.
+double chance_of_aslant(RobustFit const& line, RobustFit const& string, double ruler_error_mm)
+{
+    double variance_mm2 = ruler_error_mm * ruler_error_mm;
+    if (string.freedom() >= kFreedomThatTells)
+        variance_mm2 = std::max(variance_mm2, string.variance_mm2());
+    double const gain = misfit(line, variance_mm2) - misfit(string, variance_mm2);
+    if (!(gain > 0))
+        return 1;
+    auto const extra = static_cast<double>(string.parameters() - line.parameters());
+    return boost::math::cdf(
+        boost::math::complement(boost::math::chi_squared_distribution<double>(extra), gain));
+}
+
 struct Choice {
     RobustFit fit {};
     std::vector<HeightCandidate> candidates {};
@@ -184,8 +214,9 @@ std::string reason_for(Choice const& choice)
     if (choice.fit.kind == HeightModelKind::Linear)
         return fmt::format("linear: what richer models gain may be chance (F test, p = {:.2g})",
                            p_value);
-    return fmt::format("{}: it gains more than chance over simpler ones (F test, p = {:.2g})", name,
-                       p_value);
+    return fmt::format(
+        "{}: it gains more than chance over simpler ones ({}, p = {:.2g})", name,
+        choice.fit.kind == HeightModelKind::String ? "by the ruler's error" : "F test", p_value);
 }
 
 Result<Choice> choose_model(Captures captures, HeightFitOptions const& options)
@@ -202,8 +233,11 @@ Result<Choice> choose_model(Captures captures, HeightFitOptions const& options)
             continue;
         candidates.push_back(candidate_of(*fit));
         if (choice)
-            candidates.back().p_value = chance_of_gain(choice->fit, *fit, options.ruler_error_mm);
-        if (!choice || *candidates.back().p_value < kGreatestChance)
+            candidates.back().p_value = kind == HeightModelKind::String
+                ? chance_of_aslant(choice->fit, *fit, options.ruler_error_mm)
+                : chance_of_gain(choice->fit, *fit, options.ruler_error_mm);
+        double const enough = kind == HeightModelKind::String ? kChanceOfAslant : kGreatestChance;
+        if (!choice || *candidates.back().p_value < enough)
             choice = Choice { .fit = *fit };
     }
     if (!choice)

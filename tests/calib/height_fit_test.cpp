@@ -60,6 +60,21 @@ TEST(HeightFit, FindsAString)
     EXPECT_NE(fit.reason.find("string: it gains more than chance"), std::string::npos);
 }
 
+// Most of what tells it lies in one capture, which is no slip.
+TEST(HeightFit, TakesFiveCapturesOfAStringForAString)
+{
+    auto captures = captures_of(kFittedString, { 0, 60, 160, 280, 400 });
+    double const errors[] { 0.2, -0.3, 0.1, 0.25, -0.15 };
+    for (std::size_t i = 0; i < captures.size(); ++i)
+        captures[i].ruler_mm += errors[i];
+    auto const fit = fit_height(captures).value();
+    EXPECT_EQ(name_of(fit.model), "string");
+    EXPECT_TRUE(fit.slipped.empty());
+    for (double height = 0; height <= 400; height += 10)
+        EXPECT_NEAR(height_mm(fit.model, *counts_at_height(kFittedString, height)).value(), height,
+                    0.8);
+}
+
 // The same captures with the potentiometer's outer wires swapped.
 std::vector<HeightCapture> counting_down(std::vector<HeightCapture> captures)
 {
