@@ -1,7 +1,12 @@
 #include "app/methods/leaves/leaf_mesh.h"
 
+#include "engine/export/png.h"
+
 #include <array>
+#include <cmath>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tractus {
@@ -104,6 +109,57 @@ Result<Mesh> leaf_mesh(leaf::LeafTriangles const& leaf, double size_mm)
     mesh.surfaces.push_back(maker.part(leaf.veins, 0));
     if (!leaf.limb.empty())
         mesh.surfaces.push_back(maker.part(leaf.limb, 1));
+    return mesh;
+}
+
+namespace {
+
+template<std::size_t N> TextureSlot texture(std::vector<std::array<std::uint8_t, N>> const& pixels)
+{
+    auto const side = static_cast<int>(std::lround(std::sqrt(double(pixels.size()))));
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(pixels.size() * N);
+    for (auto const& pixel : pixels)
+        bytes.insert(bytes.end(), pixel.begin(), pixel.end());
+    return std::make_shared<TexturePicture const>(
+        TexturePicture { .png = png_bytes({ .width = side,
+                                            .height = side,
+                                            .channels = static_cast<int>(N),
+                                            .pixels = bytes,
+                                            .packing = PngPicture::Packing::Fast }),
+                         .edges = TexturePicture::Edges::Clamp });
+}
+
+} // namespace
+
+Result<Mesh> painted_leaf_mesh(leaf::LeafTriangles const& leaf, leaf::LeafPicture const& picture,
+                               double size_mm)
+{
+    auto mesh = TRY(leaf_mesh(leaf, size_mm));
+    std::vector<Triangle> all = leaf.veins;
+    all.insert(all.end(), leaf.limb.begin(), leaf.limb.end());
+    auto surface = PartMaker(leaf, size_mm).part(all, 0);
+    // The pictures' rows begin at v = 0, at the leaf's tip.
+    leaf::PictureFrame const frame(leaf, picture.side);
+    std::vector<bool> is_placed(leaf.positions.size());
+    std::size_t next = 0;
+    for (auto const& triangle : all)
+        for (auto const corner : triangle)
+            if (!is_placed[corner]) {
+                is_placed[corner] = true;
+                surface.texture_coordinates[next++]
+                    = (frame.pixel(leaf.flat[corner]) / picture.side).cast<float>();
+            }
+    mesh.surfaces = { std::move(surface) };
+    mesh.materials = { { .name = "leaf",
+                         .kind = Material::Kind::Petal,
+                         .base_color = { 1, 1, 1 },
+                         .roughness = 1,
+                         .translucency = 0.4f,
+                         .textures = { .base_color = texture(picture.color),
+                                       .normal = texture(picture.normal),
+                                       .occlusion_roughness = texture(picture.roughness),
+                                       .alpha = MaterialTextures::Alpha::Mask } } };
     return mesh;
 }
 

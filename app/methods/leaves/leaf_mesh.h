@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "engine/mesh/mesh.h"
+#include "engine/methods/leaves/leaf_paint.h"
 #include "engine/methods/leaves/leaf_triangles.h"
 
 namespace tractus {
@@ -12,5 +13,9 @@ namespace tractus {
 // Normals do not break between veins and limb. Fails, as the user's fault, if the leaf has no
 // extent.
 Result<Mesh> leaf_mesh(leaf::LeafTriangles const& leaf, double size_mm);
+
+// The same with pictures on it, as one material that is cut out along the pictures' alpha.
+Result<Mesh> painted_leaf_mesh(leaf::LeafTriangles const& leaf, leaf::LeafPicture const& picture,
+                               double size_mm);
 
 } // namespace tractus

@@ -1,6 +1,8 @@
 #include "app/methods/leaves/leaves_command.h"
 
+#include "app/methods/leaves/leaf_library.h"
 #include "app/methods/leaves/leaf_mesh.h"
+#include "app/methods/leaves/paint_command.h"
 #include "app/plants/plant_file.h"
 #include "app/terminal/console.h"
 #include "app/verbs/checks.h"
@@ -28,18 +30,18 @@ constexpr int kMostSteps = 1000;
 
 struct LeavesArguments {
     fs::path grammar;
-    int steps = 0;
+    std::optional<int> steps;
     std::optional<int> final_step;
-    double age = 1;
+    std::optional<double> age;
     std::uint64_t seed = 1;
     fs::path output;
     double size_mm = 100;
+    std::optional<int> paint; // The side of its pictures, in pixels.
 };
 
 Result<leaf::Grammar> load_grammar(fs::path const& path)
 {
-    constexpr std::size_t kMostBytes = std::size_t { 1 } << 20;
-    return leaf::parse_grammar(TRY(read_text_file(path, kMostBytes)), path.string());
+    return load_leaf_grammar(path.string());
 }
 
 Json counts_json(leaf::MapCounts const& counts)
@@ -95,10 +97,16 @@ Result<Json> step_json(leaf::Grammar const& grammar, leaf::Leaf& leaf)
     return step;
 }
 
+double usual_age(LeavesArguments const& arguments)
+{
+    constexpr double kAdult = 0.5;
+    return arguments.age.value_or(kAdult);
+}
+
 leaf::Leaf::Options leaf_options(LeavesArguments const& arguments)
 {
-    return { .final_step = arguments.final_step.value_or(arguments.steps),
-             .age = arguments.age,
+    return { .final_step = arguments.final_step.value_or(arguments.steps.value_or(0)),
+             .age = arguments.age.value_or(1),
              .seed = arguments.seed };
 }
 
@@ -108,7 +116,7 @@ Result<void> count_cells(LeavesArguments const& arguments)
     auto leaf = TRY(leaf::Leaf::begin(grammar, leaf_options(arguments)));
     Json steps = Json::array();
     steps.push_back(TRY(step_json(grammar, leaf)));
-    while (leaf.step() < arguments.steps) {
+    while (leaf.step() < arguments.steps.value_or(0)) {
         TRY(leaf.derive());
         steps.push_back(TRY(step_json(grammar, leaf)));
     }
@@ -124,15 +132,50 @@ Result<void> check_grammar(LeavesArguments const& arguments)
                                  grammar.variables.size()));
 }
 
+// With a number of steps, after so many; else as old as the leaf is to be.
+Result<GrownLeaf> leaf_to_draw(leaf::Grammar const& grammar, LeavesArguments const& arguments)
+{
+    if (!arguments.steps)
+        return grow_leaf(grammar, { .age = usual_age(arguments), .seed = arguments.seed });
+    auto leaf = TRY(leaf::Leaf::begin(grammar, leaf_options(arguments)));
+    while (leaf.step() < *arguments.steps)
+        TRY(leaf.derive());
+    TRY(leaf.fill());
+    auto triangles = leaf::triangles_of(leaf);
+    return GrownLeaf { std::move(leaf), std::move(triangles) };
+}
+
+Result<Mesh> mesh_to_draw(leaf::Grammar const& grammar, GrownLeaf const& grown,
+                          LeavesArguments const& arguments)
+{
+    if (!arguments.paint) {
+        auto mesh = TRY(leaf_mesh(grown.triangles, arguments.size_mm));
+        if (!arguments.steps && mesh.materials.size() > 1) {
+            double const share = color_age(usual_age(arguments));
+            mesh.materials[1].base_color
+                = (grammar.young + share * (grammar.old - grammar.young)).cast<float>();
+        }
+        return mesh;
+    }
+    if (arguments.output.extension() == ".png")
+        return fail(Fault::User,
+                    "a .png of a leaf in space shows no painting: write .glb or .obj, or use "
+                    "\"tractus leaves paint\", which paints the flat leaf");
+    auto const picture = leaf::paint_leaf(grown.leaf, grown.triangles,
+                                          { .side = *arguments.paint,
+                                            .age = color_age(usual_age(arguments)),
+                                            .young = grammar.young,
+                                            .old = grammar.old,
+                                            .seed = arguments.seed });
+    return painted_leaf_mesh(grown.triangles, picture, arguments.size_mm);
+}
+
 Result<void> draw_leaf(LeavesArguments const& arguments)
 {
     auto const grammar = TRY(load_grammar(arguments.grammar));
-    auto leaf = TRY(leaf::Leaf::begin(grammar, leaf_options(arguments)));
-    while (leaf.step() < arguments.steps)
-        TRY(leaf.derive());
-    TRY(leaf.fill());
-    auto const triangles = leaf::triangles_of(leaf);
-    auto const mesh = TRY(leaf_mesh(triangles, arguments.size_mm));
+    auto const grown = TRY(leaf_to_draw(grammar, arguments));
+    auto const& triangles = grown.triangles;
+    auto const mesh = TRY(mesh_to_draw(grammar, grown, arguments));
     TRY(write_mesh_file(mesh, arguments.grammar.stem().string(), arguments.output));
     if (triangles.overlapping_faces > 0)
         print_error(fmt::format("{}: parts of the limb overlap themselves: {}\n", grammar.name,
@@ -152,16 +195,15 @@ void add_growth_options(CLI::App& verb, LeavesArguments& arguments)
 {
     verb.add_option("--steps", arguments.steps, "How many steps to derive")
         ->type_name("N")
-        ->check(whole_number(0, kMostSteps))
-        ->required();
+        ->check(whole_number(0, kMostSteps));
     verb.add_option("--finalstep", arguments.final_step,
                     "What the grammar reads as finalstep; without it, N")
         ->type_name("M")
         ->check(whole_number(0, kMostSteps));
-    verb.add_option("--age", arguments.age, "What the grammar reads as age")
+    verb.add_option("--age", arguments.age,
+                    "What the grammar reads as age, 0 to 1; without --steps, how old it is")
         ->type_name("AGE")
-        ->check(number(0, 1))
-        ->capture_default_str();
+        ->check(number(0, 1));
     verb.add_option("--seed", arguments.seed, "Which random numbers ran and nran give")
         ->type_name("SEED")
         ->capture_default_str();
@@ -185,6 +227,7 @@ void add_leaves_command(CLI::App& root, Action& action)
         "count", "Print as JSON how many faces, edges and vertices a leaf has after each step");
     add_grammar_argument(*count, *counted);
     add_growth_options(*count, *counted);
+    count->get_option("--steps")->required();
     count->footer(
         "A grammar (Peyrat, Terraz, Mérillou, Galin 2008) grows a leaf's veins as faces,\n"
         "splits and glues them, and fills the limb between them. Counted are the veins\n"
@@ -203,7 +246,12 @@ void add_leaves_command(CLI::App& root, Action& action)
         ->type_name("MM")
         ->check(number(0.1, 10'000))
         ->capture_default_str();
+    draw->add_option("--paint", drawn->paint,
+                     "Paint it with its grammar's colours, in pictures so wide and high")
+        ->type_name("PIXELS")
+        ->check(whole_number(16, 4096));
     draw->callback([drawn, &action] { action = [drawn] { return draw_leaf(*drawn); }; });
+    add_paint_commands(*verb, action);
 }
 
 } // namespace tractus

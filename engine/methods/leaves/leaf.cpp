@@ -46,11 +46,31 @@ Result<Leaf> Leaf::begin(Grammar const& grammar, Options const& options)
     return leaf;
 }
 
+namespace {
+
+constexpr std::uint32_t kOutlineStream = 1;
+constexpr std::uint32_t kPoseStream = 4;
+
+Outline make_outline(Grammar const& grammar, Leaf::Options const& options)
+{
+    Random random({ .seed = options.seed, .stream = kOutlineStream });
+    Outline::Variation const usual;
+    return { grammar.outline,
+             { .width = options.variation * usual.width, .point = options.variation * usual.point },
+             random };
+}
+
+} // namespace
+
 Leaf::Leaf(Grammar const& grammar, Options const& options)
     : grammar_(&grammar)
     , values_(grammar.names.count(), std::nan(""))
     , random_({ .seed = options.seed })
+    , outline_(make_outline(grammar, options))
+    , pose_(options.pose)
+    , unevenness_({ .seed = options.seed, .stream = kPoseStream })
 {
+    values_[NameTable::kBlade] = 1;
     for (auto const& [name, value] : grammar.variables)
         values_[name] = value;
     values_[NameTable::kStep] = 0;
@@ -156,9 +176,16 @@ Result<FaceId> Leaf::make_face(char name, Fields const& fields, std::optional<Da
 {
     if (faces_.size() >= kMostFaces)
         return fail_at(place, fmt::format("the leaf would have more than {} faces", kMostFaces));
-    auto const attributes = TRY(attributes_of(name, fields, place));
-    auto const stand = stand_for(attributes, on, Shape::Grown);
-    auto const corners = corners_of(attributes, stand);
+    auto attributes = TRY(attributes_of(name, fields, place));
+    if (grammar_->reaching.contains(name) && !outline_.empty()) {
+        auto const start = stand_for(attributes, on, Shape::Flat);
+        attributes[kLength] *= TRY(reach(start, blade_on(on)));
+    }
+    auto grown = attributes;
+    if (on && !outline_.empty() && !grammar_->bare.contains(name))
+        pose(grown, on);
+    auto const stand = stand_for(grown, on, Shape::Grown);
+    auto const corners = corners_of(grown, stand);
     auto const flat = corners_of(attributes, stand_for(attributes, on, Shape::Flat));
     if (map_.dart_count() + 2 * corners.size() > kMostDarts)
         return fail_at(place, "the leaf would have more than a million edges");
@@ -178,8 +205,106 @@ Result<FaceId> Leaf::make_face(char name, Fields const& fields, std::optional<Da
                        .attributes = attributes,
                        .frame = stand.frame,
                        .first = first,
-                       .edge_count = edge_count });
+                       .edge_count = edge_count,
+                       .order = order_on(on),
+                       .blade = blade_on(on) });
+    if (!on || grammar_->bare.contains(name))
+        begin_blade(face);
     return face;
+}
+
+Vec2 Leaf::Blade::to_outline(Vec2 const& flat) const
+{
+    Vec2 const at = (flat - base) / scale;
+    return { at.x() * axis.y() - at.y() * axis.x(), at.dot(axis) };
+}
+
+Vec2 Leaf::Blade::to_flat(Vec2 const& on_outline) const
+{
+    return base + scale * (on_outline.x() * Vec2(axis.y(), -axis.x()) + on_outline.y() * axis);
+}
+
+// As large as the grammar's variable `blade` says by now.
+void Leaf::begin_blade(FaceId stalk)
+{
+    auto& face = faces_[static_cast<std::size_t>(stalk)];
+    auto const vein = vein_of(face);
+    Blade blade { .base = vein ? vein->to : map_.flat_of(face.first) };
+    if (vein && (vein->to - vein->from).norm() > 0)
+        blade.axis = (vein->to - vein->from).normalized();
+    if (auto const scale = values_[NameTable::kBlade]; scale > 0 && std::isfinite(scale))
+        blade.scale = scale;
+    face.blade = blades_.size();
+    blades_.push_back(blade);
+}
+
+std::size_t Leaf::blade_on(std::optional<Dart> edge) const
+{
+    return edge ? faces_[static_cast<std::size_t>(map_.face(*edge))].blade : 0;
+}
+
+void Leaf::pose(Attributes& attributes, std::optional<Dart> on)
+{
+    double const length = blades_[blade_on(on)].scale * grammar_->outline.points.back().at.y();
+    double const share = attributes[kTranslation] * attributes[kLength] / length;
+    if (order_on(on) == 1) {
+        attributes[kBend] += share * pose_.bend_deg;
+        attributes[kTwist] += share * pose_.twist_deg;
+    } else {
+        attributes[kBend] -= share * pose_.curl_deg;
+        attributes[kTwist] += pose_.uneven_deg * unevenness_.normal();
+    }
+}
+
+// How far the outline is from where a face starts.
+Result<double> Leaf::reach(Stand const& start, std::size_t blade)
+{
+    if (blades_.empty())
+        return 0;
+    auto const& on = blades_[blade];
+    Vec2 const flat = (0.5 * (start.left + start.right)).head<2>();
+    Vec2 const from = on.to_outline(flat);
+    Vec2 const way = on.to_outline(flat + on.scale * start.frame.x.head<2>()) - from;
+    TRY(spend(outline_.line().size()));
+    return on.scale * outline_.reach(from, way);
+}
+
+// A vein that goes on at another's end is of its order, and so are those round a hub.
+int Leaf::order_on(std::optional<Dart> edge) const
+{
+    if (!edge)
+        return 1;
+    constexpr int kLeastHub = 5; // Edges.
+    auto const& parent = faces_[static_cast<std::size_t>(map_.face(*edge))];
+    bool const goes_on
+        = map_.label(*edge) == EdgeLabel::Extremity || parent.edge_count >= kLeastHub;
+    return goes_on ? parent.order : parent.order + 1;
+}
+
+// No value for a part that has no end.
+std::optional<Leaf::Vein> Leaf::vein_of(Face const& face) const
+{
+    auto const half_width
+        = [&](Dart d) { return 0.5 * (map_.flat_of(d) - map_.flat_of(LeafMap::a0(d))).norm(); };
+    auto const middle
+        = [&](Dart d) -> Vec2 { return 0.5 * (map_.flat_of(d) + map_.flat_of(LeafMap::a0(d))); };
+    for (auto const d : map_.cycle(face.first))
+        if (map_.label(d) == EdgeLabel::Extremity)
+            return Vein { .from = middle(face.first),
+                          .to = middle(d),
+                          .half_width_from = half_width(face.first),
+                          .half_width_to = half_width(d),
+                          .order = face.order };
+    return std::nullopt;
+}
+
+std::vector<Leaf::Vein> Leaf::veins() const
+{
+    std::vector<Vein> made;
+    for (auto const& face : faces_)
+        if (auto const vein = vein_of(face))
+            made.push_back(*vein);
+    return made;
 }
 
 // The first one counter-clockwise from the face's first edge.
@@ -209,7 +334,7 @@ void Leaf::run(std::vector<Statement> const& block)
 Result<bool> Leaf::apply(Rule const& rule, FaceId face)
 {
     auto const& attributes = faces_[static_cast<std::size_t>(face)].attributes;
-    for (std::size_t name = NameTable::kAge + 1; name < values_.size(); ++name)
+    for (std::size_t name = NameTable::kBlade + 1; name < values_.size(); ++name)
         if (!grammar_->variables.contains(name))
             values_[name] = std::nan("");
     for (std::size_t i = 0; i < rule.formal.size(); ++i)

@@ -21,10 +21,24 @@ namespace tractus::leaf {
 // of its edge O is the origin. Lengths are the grammar's.
 class Leaf {
 public:
+    // How the blade stands in space besides what its grammar says: in degrees, each spread over the
+    // veins by their share of the outline's length. Without an outline it changes nothing.
+    struct Pose {
+        double bend_deg = 0;   // Downwards along main veins.
+        double curl_deg = 0;   // Upwards along the veins on their sides.
+        double twist_deg = 0;  // About main veins.
+        double uneven_deg = 0; // Standard deviation of each side vein's own twist.
+
+        bool operator==(Pose const&) const = default;
+    };
+
     struct Options {
         int final_step = 0; // What the grammar reads as `finalstep`.
         double age = 1;     // And as `age`, 0 to 1.
         std::uint64_t seed = 1;
+        // How far the outline differs from the grammar's: 1 as leaves of a tree do, 0 not at all.
+        double variation = 1;
+        Pose pose {};
     };
 
     // More faces than that are refused.
@@ -57,6 +71,17 @@ public:
     };
     Limb const& limb() const { return limb_; }
 
+    // A vein in the flat leaf, as one of its faces: along its middle, and half its width.
+    struct Vein {
+        Vec2 from = Vec2::Zero();
+        Vec2 to = Vec2::Zero();
+        double half_width_from = 0;
+        double half_width_to = 0;
+        int order = 1; // 1: main veins; one more where a vein leaves another's side.
+    };
+    std::vector<Vein> veins() const;
+    Outline const& outline() const { return outline_; }
+
 private:
     struct Frame {
         Vec3 x = Vec3::UnitX();
@@ -72,6 +97,17 @@ private:
         Dart first = 0;       // Starts an edge; of one that was not split, its O.
         int edge_count = 0;   // As made: neighbours that are split may add to its edges.
         bool is_part = false; // Of one that was split: it may lack edges.
+        int order = 1;        // As a vein.
+        std::size_t blade = 0;
+    };
+    // Where an outline lies in the flat leaf: it begins at a stalk's end.
+    struct Blade {
+        Vec2 base = Vec2::Zero();
+        Vec2 axis = Vec2::UnitY(); // The outline's y.
+        double scale = 1;
+
+        Vec2 to_outline(Vec2 const& flat) const;
+        Vec2 to_flat(Vec2 const& on_outline) const;
     };
     // A child's place on its parent: the way across the edge's end.
     struct Stand {
@@ -107,6 +143,14 @@ private:
     Result<void> fill_way(std::vector<Dart> const& way);
     void add_limb_face(std::span<Dart const> way);
     void remove_limb();
+    void begin_blade(FaceId stalk);
+    std::size_t blade_on(std::optional<Dart> edge) const;
+    void pose(Attributes& attributes, std::optional<Dart> on);
+    Result<double> reach(Stand const& start, std::size_t blade);
+    std::optional<Vein> vein_of(Face const& face) const;
+    int order_on(std::optional<Dart> edge) const;
+    void add_margin(std::span<Dart const> way, std::vector<Vertex>& corners,
+                    std::vector<EdgeLabel>& labels);
 
     Grammar const* grammar_;
     LeafMap map_;
@@ -115,6 +159,10 @@ private:
     // Variables that a face's attributes of the same names hide while a rule is at work.
     std::map<std::size_t, double> hidden_;
     Random random_;
+    Outline outline_;
+    Pose pose_;
+    Random unevenness_; // Its own, so that a pose changes nothing in the flat leaf.
+    std::vector<Blade> blades_;
     int step_ = 0;
     std::size_t work_ = 0;                  // So far, in darts looked at.
     std::optional<std::size_t> limb_begin_; // The first of its darts, if it is filled.

@@ -3,6 +3,7 @@
 #include "engine/base/result.h"
 #include "engine/methods/leaves/leaf_expression.h"
 #include "engine/methods/leaves/leaf_map.h"
+#include "engine/methods/leaves/leaf_outline.h"
 
 #include <array>
 #include <cstddef>
@@ -27,6 +28,10 @@ struct TextPlace {
 constexpr std::size_t kAttributes = 7;
 using Attributes = std::array<double, kAttributes>;
 constexpr std::size_t kEdgeCount = 0;
+constexpr std::size_t kTranslation = 1;
+constexpr std::size_t kTwist = 2;
+constexpr std::size_t kBend = 3;
+constexpr std::size_t kLength = 5;
 
 // What overloads attributes; empty expressions leave them as they are. May be fewer than all.
 using Fields = std::vector<Expression>;
@@ -98,6 +103,16 @@ struct Grammar {
     bool has_base = false;
     // Faces whose edges no limb is fastened to: #bare.
     std::set<char> bare;
+    // Faces whose length is a share of the way from where they start to the outline: #reach.
+    std::set<char> reaching;
+    // The margin between vein tips, in the frame of the stalk's end: #outline and #margin.
+    HalfOutline outline;
+    // What the leaf is as an adult: #steps, #size. 0: the text says nothing.
+    int steps = 0;
+    double size_mm = 0; // The blade's length.
+    // sRGB, 0 to 1: #young and #old.
+    Vec3 young { 0.36, 0.54, 0.22 };
+    Vec3 old { 0.72, 0.50, 0.16 };
 };
 
 // Fails, as the user's fault, with file, line and column and one sentence. Any text is safe to

@@ -54,15 +54,17 @@ Result<void> Leaf::fill_way(std::vector<Dart> const& way)
     while (!pending.empty()) {
         auto const part = pending.back();
         pending.pop_back();
-        if (part.size() < 2)
+        if (part.size() < 2 && (outline_.empty() || part.empty()))
             continue;
         TRY(spend(part.size()));
-        Vec3 const from = map_.position_of(part.front());
-        Vec3 const chord = map_.position_of(LeafMap::a0(part.back())) - from;
+        // With an outline, in the flat leaf, where it lies: leaves that curl keep their limb.
+        auto const shape = outline_.empty() ? Shape::Grown : Shape::Flat;
+        Vec3 const from = place_of(part.front(), shape);
+        Vec3 const chord = place_of(LeafMap::a0(part.back()), shape) - from;
         std::size_t worst = 0;
         double worst_side = 0;
         for (std::size_t i = 1; i < part.size(); ++i) {
-            Vec3 const corner = map_.position_of(part[i]) - from;
+            Vec3 const corner = place_of(part[i], shape) - from;
             double const side = chord.x() * corner.y() - chord.y() * corner.x();
             if (worst == 0 || side < worst_side) {
                 worst = i;
@@ -80,10 +82,48 @@ Result<void> Leaf::fill_way(std::vector<Dart> const& way)
     return {};
 }
 
+// What follows the outline from one end of the way to the other. In space it keeps its place beside
+// the line between the two.
+void Leaf::add_margin(std::span<Dart const> way, std::vector<Vertex>& corners,
+                      std::vector<EdgeLabel>& labels)
+{
+    constexpr double kTolerance = 0.03; // Of the blade's length: tips have a width.
+    auto const& line = outline_.line();
+    if (line.empty())
+        return;
+    auto const first = way.front();
+    auto const last = LeafMap::a0(way.back());
+    Vec2 const from = map_.flat_of(first);
+    Vec2 const chord = map_.flat_of(last) - from;
+    double const length = chord.norm();
+    if (!(length > 0))
+        return;
+    double const tolerance = kTolerance * grammar_->outline.points.back().at.y();
+    auto const& blade = blades_[blade_on(first)];
+    Vec3 const begin = map_.position_of(first);
+    Vec3 const step = map_.position_of(last) - begin;
+    auto const& upper = faces_[static_cast<std::size_t>(map_.face(first))].frame.z;
+    Vec3 const left = upper.cross(step).normalized();
+    for (auto const& place : outline_.between(blade.to_outline(from),
+                                              blade.to_outline(map_.flat_of(last)), tolerance)) {
+        Vec2 const flat = blade.to_flat(place);
+        Vec2 const at = flat - from;
+        double const along = at.dot(chord) / (length * length);
+        double const aside = (chord.x() * at.y() - chord.y() * at.x()) / length;
+        corners.push_back(map_.add_vertex(begin + along * step + aside * left, flat));
+        labels.push_back(EdgeLabel::LimbEnd);
+    }
+}
+
 void Leaf::add_limb_face(std::span<Dart const> way)
 {
-    std::vector<Vertex> corners { map_.vertex(way.front()), map_.vertex(LeafMap::a0(way.back())) };
+    std::vector<Vertex> corners { map_.vertex(way.front()) };
     std::vector<EdgeLabel> labels { EdgeLabel::LimbEnd };
+    add_margin(way, corners, labels);
+    corners.push_back(map_.vertex(LeafMap::a0(way.back())));
+    if (corners.size() + way.size() < 4) // Nothing lies between a single edge and its chord.
+        return;
+    auto const closing = static_cast<Dart>(labels.size());
     for (std::size_t i = way.size(); i-- > 0;) {
         labels.push_back(EdgeLabel::LimbSide);
         if (i > 0)
@@ -92,7 +132,7 @@ void Leaf::add_limb_face(std::span<Dart const> way)
     auto const face = static_cast<FaceId>(faces_.size()) + limb_faces_++;
     auto const first = map_.add_face(corners, face, labels);
     for (std::size_t i = 0; i < way.size(); ++i)
-        map_.sew_in_place(first + static_cast<Dart>(2 * (i + 1)),
+        map_.sew_in_place(first + static_cast<Dart>(2 * i) + 2 * closing,
                           LeafMap::a0(way[way.size() - 1 - i]));
     limb_.sizes.push_back(static_cast<int>(labels.size()));
 }

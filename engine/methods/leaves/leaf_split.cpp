@@ -91,17 +91,23 @@ Result<bool> Leaf::split(Splitting const& splitting, FaceId face, TextPlace cons
         = map_.insert_edge(next_cut, previous_cut, far, *near_label, splitting.edge);
     auto& near = faces_[static_cast<std::size_t>(face)];
     auto const frame = near.frame;
+    auto const order = near.order;
+    auto const blade = near.blade;
     near = { .name = splitting.near,
              .attributes = grammar_->faces.at(splitting.near),
              .frame = frame,
              .first = ring.front(),
              .edge_count = near.edge_count,
-             .is_part = true };
+             .is_part = true,
+             .order = order,
+             .blade = blade };
     faces_.push_back({ .name = splitting.far,
                        .attributes = grammar_->faces.at(splitting.far),
                        .frame = frame,
                        .first = far_first,
-                       .is_part = true });
+                       .is_part = true,
+                       .order = order,
+                       .blade = blade });
     return true;
 }
 

@@ -107,7 +107,7 @@ private:
     Result<void> directive()
     {
         auto const place = text_.place();
-        auto const word = TRY(text_.word("define, axiom, base, bare or margin"));
+        auto const word = TRY(text_.word("define, axiom, base or another directive"));
         if (word == "define")
             return define();
         if (word == "axiom" || word == "axiome")
@@ -117,11 +117,22 @@ private:
             return {};
         }
         if (word == "bare")
-            return bare();
+            return faces(grammar_.bare);
+        if (word == "reach")
+            return faces(grammar_.reaching);
+        if (word == "outline")
+            return outline();
+        if (word == "young" || word == "old")
+            return color(word == "young" ? grammar_.young : grammar_.old);
+        if (word == "steps" || word == "size")
+            return adult(word);
         if (word == "margin")
             return margin();
-        return text_.fail_at(place,
-                             fmt::format("#{} is none of define, axiom, base, bare, margin", word));
+        return text_.fail_at(
+            place,
+            fmt::format("#{} is none of define, axiom, base, bare, margin, outline, "
+                        "reach, steps, size, young, old",
+                        word));
     }
 
     Result<void> define()
@@ -190,16 +201,32 @@ private:
         return {};
     }
 
-    Result<void> bare()
+    Result<void> faces(std::set<char>& to)
     {
         TRY(text_.expect(":"));
         do
-            grammar_.bare.insert(TRY(known_face()));
+            to.insert(TRY(known_face()));
         while (text_.take(","));
         return {};
     }
 
-    // What a margin is like changes no face: it is read, and is for whoever draws the leaf.
+    // So many numbers in parentheses, all of which have values by now.
+    Result<std::vector<double>> numbers(std::size_t least, std::size_t most, std::string_view what)
+    {
+        auto const place = text_.place();
+        auto const expressions = TRY(fields());
+        if (expressions.size() < least || expressions.size() > most)
+            return text_.fail_at(place, fmt::format("{}", what));
+        std::vector<double> made;
+        for (auto const& expression : expressions) {
+            if (expression.empty())
+                return text_.fail_at(place, fmt::format("{}", what));
+            made.push_back(TRY(constant(expression, place)));
+        }
+        return made;
+    }
+
+    // A margin shapes the outline; where there is none it changes nothing.
     Result<void> margin()
     {
         TRY(text_.expect(":"));
@@ -208,9 +235,67 @@ private:
         if (kind != "teeth" && kind != "scallops" && kind != "sinus")
             return text_.fail_at(place,
                                  fmt::format("\"{}\" is none of teeth, scallops, sinus", kind));
-        auto const numbers = TRY(fields());
-        if (numbers.size() < 2 || numbers.size() > 3)
-            return text_.fail_at(place, "a margin has a number, a depth and, if wanted, a lean");
+        auto const values
+            = TRY(numbers(2, 3, "a margin has a number, a depth and, if wanted, a lean"));
+        auto& outline = grammar_.outline;
+        outline.margin
+            = kind == "teeth" ? HalfOutline::Margin::Teeth : HalfOutline::Margin::Scallops;
+        constexpr double kMostTeeth = 500;
+        outline.count = static_cast<int>(std::clamp(values[0], 0.0, kMostTeeth));
+        outline.depth = kind == "sinus" ? -values[1] : values[1];
+        outline.lean = values.size() > 2 ? values[2] : 0;
+        return {};
+    }
+
+    // "(0.1,0.2) (0.3,0.5,1)": from the stalk's end, which is (0,0), to the tip; 1 is a corner.
+    Result<void> outline()
+    {
+        constexpr std::size_t kMostPoints = 500;
+        auto const place = text_.place();
+        TRY(text_.expect(":"));
+        auto& points = grammar_.outline.points;
+        points = { { .is_corner = true } };
+        while (text_.next_is("(")) {
+            auto const values = TRY(numbers(2, 3, "a point is (x,y), or (x,y,1) at a corner"));
+            points.push_back({ .at = { values[0], values[1] },
+                               .is_corner = values.size() > 2 && values[2] != 0 });
+            if (points.size() > kMostPoints)
+                return text_.fail_here(
+                    fmt::format("an outline has no more than {} points", kMostPoints));
+        }
+        if (points.size() < 3 || points.back().at.x() != 0 || points.back().at.y() <= 0)
+            return text_.fail_at(place,
+                                 "an outline has two points and more; the last is the tip, whose x "
+                                 "is 0 and whose y is above 0");
+        return {};
+    }
+
+    Result<void> color(Vec3& to)
+    {
+        auto const place = text_.place();
+        auto const values = TRY(numbers(3, 3, "a colour is (red,green,blue), each 0 to 255"));
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            double const value = values[static_cast<std::size_t>(i)];
+            if (value < 0 || value > 255)
+                return text_.fail_at(place, "a colour is (red,green,blue), each 0 to 255");
+            to[i] = value / 255;
+        }
+        return {};
+    }
+
+    // What an adult leaf is like: "#steps(9)", "#size(80)".
+    Result<void> adult(std::string_view what)
+    {
+        constexpr double kMost = 1000;
+        auto const place = text_.place();
+        auto const message = fmt::format("#{} has one number above 0 and up to {}", what, kMost);
+        auto const values = TRY(numbers(1, 1, message));
+        if (!(values[0] > 0 && values[0] <= kMost))
+            return text_.fail_at(place, message);
+        if (what == "steps")
+            grammar_.steps = static_cast<int>(values[0]);
+        else
+            grammar_.size_mm = values[0];
         return {};
     }
 
@@ -422,7 +507,8 @@ private:
     Result<void> check_names(Rule const& rule) const
     {
         std::vector<bool> has_value(grammar_.names.count());
-        for (auto const name : { NameTable::kStep, NameTable::kFinalStep, NameTable::kAge })
+        for (auto const name :
+             { NameTable::kStep, NameTable::kFinalStep, NameTable::kAge, NameTable::kBlade })
             has_value[name] = true;
         for (auto const& [name, value] : grammar_.variables)
             has_value[name] = true;

@@ -1,0 +1,105 @@
+#include "app/methods/leaves/leaf_library.h"
+
+#include "app/resources.h"
+#include "drivers/file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <system_error>
+#include <utility>
+
+namespace tractus {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kGrownUp = 0.35; // Ages.
+constexpr double kDecays = 0.65;
+
+double ease(double x)
+{
+    x = std::clamp(x, 0.0, 1.0);
+    return x * x * (3 - 2 * x);
+}
+
+} // namespace
+
+std::vector<std::string> leaf_names()
+{
+    std::vector<std::string> names;
+    std::error_code error;
+    auto const folder = find_resource("leaves");
+    if (!folder)
+        return names;
+    for (auto const& entry : fs::directory_iterator(*folder, error))
+        if (entry.path().extension() == ".leaf")
+            names.push_back(entry.path().stem().string());
+    std::ranges::sort(names);
+    return names;
+}
+
+Result<leaf::Grammar> load_leaf_grammar(std::string const& name)
+{
+    constexpr std::size_t kMostBytes = std::size_t { 1 } << 20;
+    std::error_code error;
+    fs::path path(name);
+    bool const is_name = name.find_first_of("/.") == std::string::npos;
+    if (is_name && !fs::exists(path, error)) {
+        auto const ours = leaf_names();
+        if (std::ranges::find(ours, name) == ours.end())
+            return fail(Fault::User,
+                        fmt::format("there is no leaf {}: give the path of a leaf grammar, or one "
+                                    "of {}",
+                                    name, fmt::join(ours, ", ")));
+        path = TRY(find_resource("leaves")) / (name + ".leaf");
+    }
+    return leaf::parse_grammar(TRY(read_text_file(path, kMostBytes)), path.string());
+}
+
+Result<GrownLeaf> grow_leaf(leaf::Grammar const& grammar, LeafLife const& life)
+{
+    int const adult = life.steps.value_or(grammar.steps);
+    if (adult < 1)
+        return fail(Fault::User,
+                    fmt::format("{}: how many steps does it take? \"#steps(9)\" says so in the "
+                                "grammar, --steps 9 here",
+                                grammar.name));
+    double const growth = ease(life.age / kGrownUp);
+    int const least = std::min(adult, std::max(1, (adult + 1) / 2));
+    int const steps = least + static_cast<int>(std::lround((adult - least) * growth));
+    auto leaf = TRY(leaf::Leaf::begin(grammar,
+                                      { .final_step = steps,
+                                        .age = life.age,
+                                        .seed = life.seed,
+                                        .variation = life.variation,
+                                        .pose = pose_at(life.age) }));
+    while (leaf.step() < steps)
+        TRY(leaf.derive());
+    TRY(leaf.fill());
+    auto triangles = leaf::triangles_of(leaf);
+    return GrownLeaf { std::move(leaf), std::move(triangles) };
+}
+
+leaf::Leaf::Pose pose_at(double age)
+{
+    double const growth = ease(age / kGrownUp);
+    double const decay = ease((age - kDecays) / (1 - kDecays));
+    // A bud's blade is bent over its upper side.
+    return { .bend_deg = -60 * (1 - growth) + 20 * growth * (1 - decay) + 70 * decay,
+             .curl_deg = 25 * growth + 95 * decay,
+             .twist_deg = 40 * decay,
+             .uneven_deg = 15 * decay };
+}
+
+double color_age(double age)
+{
+    constexpr double kBegins = 0.55;
+    constexpr double kTakes = 0.4;
+    return ease((age - kBegins) / kTakes);
+}
+
+} // namespace tractus

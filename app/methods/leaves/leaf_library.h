@@ -1,0 +1,47 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/methods/leaves/leaf.h"
+#include "engine/methods/leaves/leaf_grammar.h"
+#include "engine/methods/leaves/leaf_paint.h"
+#include "engine/methods/leaves/leaf_triangles.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tractus {
+
+// The species whose leaf grammars come with the program, in alphabetical order.
+std::vector<std::string> leaf_names();
+
+// A grammar that the user named: a file as it is, or else one of ours by its name alone ("oak").
+// Fails, as the user's fault, listing ours, or with what is wrong in the text.
+Result<leaf::Grammar> load_leaf_grammar(std::string const& name);
+
+// How one leaf is to be. Its life goes from bud, 0, over the adult, 0.35 to 0.65, to old age, 1.
+struct LeafLife {
+    double age = 0.5;
+    std::uint64_t seed = 1;
+    double variation = 1;        // From leaf to leaf: 0 is none.
+    std::optional<int> steps {}; // Of an adult; else the grammar's own.
+};
+
+// A leaf and its triangles. `grammar` must outlive it.
+struct GrownLeaf {
+    leaf::Leaf leaf;
+    leaf::LeafTriangles triangles;
+};
+// Fails, as the user's fault, where the grammar names no steps and `life` does not either.
+Result<GrownLeaf> grow_leaf(leaf::Grammar const& grammar, LeafLife const& life);
+
+// How the blade of a leaf of that age stands: folded up in the bud, slightly bent as a grown-up,
+// hanging, twisted and rolled up in old age.
+leaf::Leaf::Pose pose_at(double age);
+
+// How old the colours of a leaf of that age are, 0 to 1.
+double color_age(double age);
+
+} // namespace tractus

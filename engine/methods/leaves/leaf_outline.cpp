@@ -1,0 +1,193 @@
+#include "engine/methods/leaves/leaf_outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace tractus::leaf {
+
+namespace {
+
+constexpr int kPerSpan = 10; // Points of the line for each span of the outline.
+
+double cross(Vec2 const& a, Vec2 const& b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+// Catmull and Rom's curve; at corners it leaves towards the next point.
+std::vector<Vec2> curve_through(std::vector<HalfOutline::Point> const& points)
+{
+    auto const slope
+        = [&](std::size_t i) -> Vec2 { return 0.5 * (points[i + 1].at - points[i - 1].at); };
+    std::vector<Vec2> line;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        auto const& a = points[i];
+        auto const& b = points[i + 1];
+        Vec2 const chord = b.at - a.at;
+        bool const is_straight_at_a = a.is_corner || i == 0;
+        bool const is_straight_at_b = b.is_corner || i + 2 == points.size();
+        // Neighbours that are far away must not throw a short span out of its way.
+        auto const held = [&](Vec2 const& tangent) -> Vec2 {
+            double const most = 1.5 * chord.norm();
+            return tangent.norm() > most ? Vec2(tangent * (most / tangent.norm())) : tangent;
+        };
+        Vec2 const from = is_straight_at_a ? chord : held(slope(i));
+        Vec2 const to = is_straight_at_b ? chord : held(slope(i + 1));
+        for (int k = 0; k < kPerSpan; ++k) {
+            double const t = double(k) / kPerSpan;
+            double const s = 1 - t;
+            line.push_back((1 + 2 * t) * s * s * a.at + t * s * s * from
+                           + t * t * (3 - 2 * t) * b.at - t * t * s * to);
+        }
+    }
+    line.push_back(points.back().at);
+    return line;
+}
+
+class ByLength {
+public:
+    explicit ByLength(std::vector<Vec2> const& line)
+        : line_(line)
+    {
+        lengths_.push_back(0);
+        for (std::size_t i = 1; i < line.size(); ++i)
+            lengths_.push_back(lengths_.back() + (line[i] - line[i - 1]).norm());
+    }
+
+    struct At {
+        Vec2 place;
+        Vec2 outwards; // To the right of the way from base to tip.
+    };
+    At at(double share) const
+    {
+        double const length = share * lengths_.back();
+        auto const above = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, length);
+        auto const i = static_cast<std::size_t>(above - lengths_.begin());
+        Vec2 const step = line_[i] - line_[i - 1];
+        double const gap = lengths_[i] - lengths_[i - 1];
+        double const part = gap > 0 ? (length - lengths_[i - 1]) / gap : 0;
+        Vec2 const along = gap > 0 ? Vec2(step / gap) : Vec2(Vec2::UnitY());
+        return { line_[i - 1] + part * step, { along.y(), -along.x() } };
+    }
+
+private:
+    std::vector<Vec2> const& line_;
+    std::vector<double> lengths_;
+};
+
+std::vector<Vec2> with_margin(std::vector<Vec2> const& line, HalfOutline const& half)
+{
+    if (half.margin == HalfOutline::Margin::Entire || half.count < 1)
+        return line;
+    ByLength const by_length(line);
+    bool const has_teeth = half.margin == HalfOutline::Margin::Teeth;
+    double const peak = 0.5 + 0.4 * std::clamp(half.lean, 0.0, 1.0);
+    std::vector<double> phases; // Of a tooth: its foot, its point, and what is between.
+    if (has_teeth)
+        phases = { 0, 0.35 * peak, 0.7 * peak, peak, 0.5 + 0.5 * peak };
+    else
+        phases = { 0, 0.06, 0.2, 0.4, 0.6, 0.8, 0.94 };
+    std::vector<Vec2> made;
+    auto const add = [&](double share, double tooth) {
+        double const fade = std::min({ 1.0, 8 * share, 6 * (1 - share) });
+        auto const at = by_length.at(share);
+        made.push_back(at.place + tooth * fade * half.depth * at.outwards);
+    };
+    for (int i = 0; i < half.count; ++i)
+        for (double const phase : phases)
+            add((i + phase) / half.count,
+                has_teeth ? (phase <= peak ? phase / peak : (1 - phase) / (1 - peak))
+                          : std::sqrt(std::max(0.0, 1 - (2 * phase - 1) * (2 * phase - 1))));
+    add(1, 0);
+    return made;
+}
+
+HalfOutline varied(HalfOutline half, Outline::Variation const& variation, double width,
+                   Random& random)
+{
+    // Narrow leaves vary less.
+    double size = 0;
+    for (auto const& point : half.points)
+        size = std::max(size, 3 * point.at.x());
+    size = std::min(size, half.points.back().at.y());
+    for (std::size_t i = 1; i < half.points.size(); ++i) {
+        auto& at = half.points[i].at;
+        at.x() *= width;
+        double const spread = variation.point * size;
+        if (i + 1 < half.points.size()) // The halves meet at both ends.
+            at += spread * Vec2(random.normal(), random.normal());
+        at.x() = std::max(0.0, at.x());
+    }
+    return half;
+}
+
+} // namespace
+
+Outline::Outline(HalfOutline const& half, Variation const& variation, Random& random)
+{
+    if (half.points.size() < 2)
+        return;
+    double const width = std::clamp(1 + variation.width * random.normal(), 0.7, 1.3);
+    auto const right = varied(half, variation, width, random);
+    auto const left = varied(half, variation, width, random);
+    line_ = with_margin(curve_through(right.points), right);
+    auto other = with_margin(curve_through(left.points), left);
+    for (std::size_t i = other.size() - 1; i-- > 1;)
+        line_.emplace_back(-other[i].x(), other[i].y());
+}
+
+double Outline::reach(Vec2 const& from, Vec2 const& direction) const
+{
+    double best = 0;
+    for (std::size_t i = 0; i < line_.size(); ++i) {
+        Vec2 const a = line_[i] - from;
+        Vec2 const side = line_[(i + 1) % line_.size()] - line_[i];
+        double const across = cross(direction, side);
+        if (across == 0)
+            continue;
+        double const far = cross(a, side) / across;
+        double const part = cross(a, direction) / across;
+        if (part >= 0 && part <= 1 && far > 1e-6 && (best == 0 || far < best))
+            best = far;
+    }
+    return best;
+}
+
+Outline::Place Outline::nearest(Vec2 const& point) const
+{
+    Place best { 0, std::numeric_limits<double>::infinity() };
+    for (std::size_t i = 0; i < line_.size(); ++i) {
+        Vec2 const side = line_[(i + 1) % line_.size()] - line_[i];
+        double const length2 = side.squaredNorm();
+        double const part
+            = length2 > 0 ? std::clamp((point - line_[i]).dot(side) / length2, 0.0, 1.0) : 0;
+        double const distance = (point - line_[i] - part * side).norm();
+        if (distance < best.distance)
+            best = { double(i) + part, distance };
+    }
+    return best;
+}
+
+std::vector<Vec2> Outline::between(Vec2 const& from, Vec2 const& to, double tolerance) const
+{
+    std::vector<Vec2> made;
+    if (empty())
+        return made;
+    auto const a = nearest(from);
+    auto const b = nearest(to);
+    auto const count = double(line_.size());
+    double const span = b.along > a.along ? b.along - a.along : b.along - a.along + count;
+    if (a.distance > tolerance || b.distance > tolerance || span > 0.7 * count)
+        return made;
+    for (double i = std::floor(a.along) + 1; i < a.along + span; ++i)
+        made.push_back(line_[static_cast<std::size_t>(i) % line_.size()]);
+    double const least = 1e-6; // Points on the ends themselves would make edges without length.
+    std::erase_if(made, [&](Vec2 const& point) {
+        return (point - from).norm() < least || (point - to).norm() < least;
+    });
+    return made;
+}
+
+} // namespace tractus::leaf
