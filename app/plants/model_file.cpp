@@ -3,32 +3,44 @@
 #include "drivers/file.h"
 #include "engine/export/glb_lines.h"
 #include "engine/lsystem/color_files.h"
+#include "engine/lsystem/environment_choice.h"
 #include "engine/plant/skeleton_lines.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/core.h>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace tractus {
 
 static constexpr std::size_t kMaxFileSize = std::size_t { 16 } << 20;
 
-// The only file with this ending in a folder.
-static std::optional<std::filesystem::path> only_file(std::filesystem::path const& folder,
-                                                      std::string const& ending)
+// Files with an ending in the model's folder, in the order of their names.
+static std::vector<std::filesystem::path> files_beside(std::filesystem::path const& path,
+                                                       std::string const& ending)
 {
     std::error_code ignored;
-    std::optional<std::filesystem::path> only;
-    for (auto const& entry : std::filesystem::directory_iterator(folder, ignored)) {
-        if (entry.path().extension() != ending || !entry.is_regular_file(ignored))
-            continue;
-        if (only)
-            return std::nullopt;
-        only = entry.path();
-    }
-    return only;
+    std::vector<std::filesystem::path> files;
+    auto const folder = path.has_parent_path() ? path.parent_path() : ".";
+    for (auto const& entry : std::filesystem::directory_iterator(folder, ignored))
+        if (entry.path().extension() == ending && entry.is_regular_file(ignored))
+            files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+// Models say Lsystem: where other files of the same ending, such as control panels, do not.
+static bool is_model(std::filesystem::path const& path)
+{
+    auto text = read_text_file(path, kMaxFileSize);
+    if (!text)
+        return true;
+    std::transform(text->begin(), text->end(), text->begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text->find("lsystem:") != std::string::npos;
 }
 
 // The file beside the model with its name and this ending; where there is none, the only one with
@@ -41,17 +53,43 @@ static std::optional<std::filesystem::path> find_beside(std::filesystem::path co
     std::error_code ignored;
     if (std::filesystem::is_regular_file(beside, ignored))
         return beside;
-    auto const folder = path.has_parent_path() ? path.parent_path() : ".";
-    return only_file(folder, path.extension()) ? only_file(folder, ending) : std::nullopt;
+    auto const files = files_beside(path, ending);
+    auto const models = files_beside(path, path.extension());
+    bool const is_alone = std::count_if(models.begin(), models.end(), is_model) == 1;
+    return files.size() == 1 && is_alone ? std::optional(files.front()) : std::nullopt;
+}
+
+// The file that gives the view, if any does.
+static std::optional<std::filesystem::path> view_of(std::filesystem::path const& path,
+                                                    ModelCompanions const& companions)
+{
+    if (!companions.view.empty())
+        return companions.view;
+    auto beside = path;
+    beside.replace_extension(".v");
+    std::error_code ignored;
+    if (beside == path || !std::filesystem::exists(beside, ignored))
+        return std::nullopt;
+    return beside;
+}
+
+// The file of colours with this ending, if there is one.
+static std::optional<std::filesystem::path> colors_of(std::filesystem::path const& path,
+                                                      ModelCompanions const& companions,
+                                                      std::string const& ending)
+{
+    if (companions.colors.empty())
+        return find_beside(path, ending);
+    return companions.colors.extension() == ending ? std::optional(companions.colors)
+                                                   : std::nullopt;
 }
 
 // Appends what a file of colours beside the model says, if there is one, to the view.
-static Result<void> add_colors(std::filesystem::path const& path, std::string const& ending,
+static Result<void> add_colors(std::optional<std::filesystem::path> const& file,
                                Result<std::string> (*statements)(std::string const& name,
                                                                  std::string_view bytes),
                                std::string& view_text)
 {
-    auto const file = find_beside(path, ending);
     if (!file)
         return {};
     auto const bytes = TRY(read_file(*file, kMaxFileSize));
@@ -59,7 +97,8 @@ static Result<void> add_colors(std::filesystem::path const& path, std::string co
     return {};
 }
 
-Result<ModelSource> load_model_source(std::filesystem::path const& path)
+Result<ModelSource> load_model_source(std::filesystem::path const& path,
+                                      ModelCompanions const& companions)
 {
     ModelSource source;
     source.name = path.string();
@@ -67,13 +106,49 @@ Result<ModelSource> load_model_source(std::filesystem::path const& path)
     auto view_path = path;
     view_path.replace_extension(".v");
     source.view_name = view_path.string();
-    std::error_code ignored;
-    if (view_path != path && std::filesystem::exists(view_path, ignored))
-        source.view_text = TRY(read_text_file(view_path, kMaxFileSize));
+    if (auto const view = view_of(path, companions)) {
+        source.view_name = view->string();
+        source.view_text = TRY(read_text_file(*view, kMaxFileSize));
+    }
+    auto const& colors = companions.colors;
+    if (!colors.empty() && colors.extension() != ".mat" && colors.extension() != ".map")
+        return fail(Fault::User,
+                    fmt::format("{}: colours are in .mat or .map files", colors.string()));
     // What cpfg is given on its command line. The first that names a colour counts: materials.
-    TRY(add_colors(path, ".mat", material_file_statements, source.view_text));
-    TRY(add_colors(path, ".map", color_map_statements, source.view_text));
+    TRY(add_colors(colors_of(path, companions, ".mat"), material_file_statements,
+                   source.view_text));
+    TRY(add_colors(colors_of(path, companions, ".map"), color_map_statements, source.view_text));
+    if (!companions.environment.empty()) {
+        TRY(parse_environment(companions.environment));
+        source.view_text += "\nenvironment: " + companions.environment + '\n';
+    }
     return source;
+}
+
+std::vector<std::string> unused_companions(std::filesystem::path const& path,
+                                           ModelCompanions const& companions)
+{
+    std::vector<std::string> result;
+    auto const note = [&](std::string const& ending,
+                          std::optional<std::filesystem::path> const& used, char const* option) {
+        if (used)
+            return;
+        for (auto const& file : files_beside(path, ending)) {
+            auto model = file;
+            std::error_code ignored;
+            if (std::filesystem::exists(model.replace_extension(path.extension()), ignored))
+                continue; // Another model's.
+            result.push_back(fmt::format("{} is not used, since its name is not the model's; "
+                                         "{} {} uses it",
+                                         file.string(), option, file.string()));
+        }
+    };
+    note(".v", view_of(path, companions), "--view");
+    if (!companions.colors.empty())
+        return result;
+    note(".mat", colors_of(path, companions, ".mat"), "--colors");
+    note(".map", colors_of(path, companions, ".map"), "--colors");
+    return result;
 }
 
 bool leads_out_of_folder(std::filesystem::path const& name)
@@ -91,10 +166,11 @@ IncludeReader model_includes(std::filesystem::path const& path)
     };
 }
 
-Result<LoadModel> load_model_edit(std::filesystem::path const& path)
+Result<LoadModel> load_model_edit(std::filesystem::path const& path,
+                                  ModelCompanions const& companions)
 {
     LoadModel edit;
-    edit.source = TRY(load_model_source(path));
+    edit.source = TRY(load_model_source(path, companions));
     auto const from_files = model_includes(path);
     // Compiling it is how to learn what it includes.
     auto const record = [&](std::string const& name) -> Result<std::string> {
@@ -122,19 +198,19 @@ static Result<std::vector<SkeletonPiece>> load_lines(std::filesystem::path const
     return std::vector<SkeletonPiece>();
 }
 
-Result<Edit> load_plant_edit(std::filesystem::path const& path)
+Result<Edit> load_plant_edit(std::filesystem::path const& path, ModelCompanions const& companions)
 {
     auto lines = TRY(load_lines(path));
     if (!lines.empty())
         return LoadSkeleton { path.string(), std::move(lines) };
     // By way of a name: g++ 14 warns wrongly of what it would destroy otherwise.
-    LoadModel model = TRY(load_model_edit(path));
+    LoadModel model = TRY(load_model_edit(path, companions));
     return model;
 }
 
-Result<Model> load_model(std::filesystem::path const& path)
+Result<Model> load_model(std::filesystem::path const& path, ModelCompanions const& companions)
 {
-    auto const source = TRY(load_model_source(path));
+    auto const source = TRY(load_model_source(path, companions));
     return compile_model(source, model_includes(path));
 }
 

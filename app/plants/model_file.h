@@ -5,14 +5,28 @@
 #include "engine/scene/edit.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace tractus {
 
+// What cpfg is given beside the rules on its command line; without it, what lies beside the model.
+struct ModelCompanions {
+    std::filesystem::path view;
+    std::filesystem::path colors; // .mat or .map
+    std::string environment;      // For parse_environment(); the view's without it.
+};
+
 // Reads a model: the rules at `path` and the view beside them (MODEL.v for MODEL.l) where there is
 // one. Colours that cpfg has in files of their own are read into the view: MODEL.mat and MODEL.map,
-// or the only ones in a folder that has no other model. Fails, as the user's fault, if the rules
-// cannot be read or such a file holds no colours.
-Result<ModelSource> load_model_source(std::filesystem::path const& path);
+// or the only ones in a folder that has no other model (a file without Lsystem: is none). Fails, as
+// the user's fault, if the rules cannot be read or such a file holds no colours.
+Result<ModelSource> load_model_source(std::filesystem::path const& path,
+                                      ModelCompanions const& companions = {});
+
+// Views and colours beside the model that it does not use, one sentence each.
+std::vector<std::string> unused_companions(std::filesystem::path const& path,
+                                           ModelCompanions const& companions = {});
 
 // True for names of files, as models include them, that lead out of the model's folder.
 bool leads_out_of_folder(std::filesystem::path const& name);
@@ -22,14 +36,16 @@ bool leads_out_of_folder(std::filesystem::path const& name);
 IncludeReader model_includes(std::filesystem::path const& path);
 
 // All of it as an edit, so that a scene holds the model's texts and needs no file again.
-Result<LoadModel> load_model_edit(std::filesystem::path const& path);
+Result<LoadModel> load_model_edit(std::filesystem::path const& path,
+                                  ModelCompanions const& companions = {});
 
 // A plant as an edit: a model as above, or the skeleton that another program has drawn as lines, in
 // a Wavefront OBJ file (skeleton_lines.h) or a binary glTF file (glb_lines.h), if the name ends in
 // .obj or .glb.
-Result<Edit> load_plant_edit(std::filesystem::path const& path);
+Result<Edit> load_plant_edit(std::filesystem::path const& path,
+                             ModelCompanions const& companions = {});
 
 // Both, compiled.
-Result<Model> load_model(std::filesystem::path const& path);
+Result<Model> load_model(std::filesystem::path const& path, ModelCompanions const& companions = {});
 
 } // namespace tractus

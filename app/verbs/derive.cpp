@@ -7,6 +7,7 @@
 #include "app/verbs/checks.h"
 #include "app/verbs/model_options.h"
 #include "engine/lsystem/derive.h"
+#include "engine/lsystem/homomorphism.h"
 #include "engine/lsystem/print.h"
 
 #include <fmt/core.h>
@@ -20,6 +21,8 @@ namespace {
 struct DeriveArguments {
     ModelOptions model;
     ModelCost cost;
+    ModelCompanions companions;
+    bool homomorphism = false;
     bool counts = false;
     bool string = false;
 };
@@ -27,7 +30,8 @@ struct DeriveArguments {
 Result<void> run(DeriveArguments const& arguments)
 {
     auto const path = TRY(find_model(arguments.model.model));
-    auto const model = TRY(load_model(path));
+    warn_of_unused_companions(path, arguments.companions);
+    auto const model = TRY(load_model(path, arguments.companions));
     for (auto const& warning : model.warnings)
         print_warning(warning);
     DeriveOptions options;
@@ -36,7 +40,14 @@ Result<void> run(DeriveArguments const& arguments)
     auto const run = load_options(arguments.cost);
     options.limits = run.limits;
     options.print = run.print;
-    auto const string = TRY(derive(model, options));
+    auto string = TRY(derive(model, options));
+    if (arguments.homomorphism) {
+        HomomorphismOptions how;
+        how.limit = { run.limits.max_modules, run.limits.max_memory_bytes };
+        how.time = run.limits.time;
+        how.print = run.print;
+        string = TRY(apply_homomorphism(model, string, how));
+    }
     if (arguments.counts)
         return print_out(nlohmann::json(count_symbols(model, string)).dump() + "\n");
     return print_out(to_string(model, string) + "\n");
@@ -55,6 +66,9 @@ void add_derive_verb(CLI::App& root, Action& action)
         "angles, materials and organs. The same model and seed always give the same string.");
     add_model_options(*verb, arguments->model);
     add_cost_options(*verb, arguments->cost);
+    add_companion_options(*verb, arguments->companions);
+    verb->add_flag("--homomorphism", arguments->homomorphism,
+                   "Apply the homomorphism rules first: what the turtle reads");
     auto* const counts
         = verb->add_flag("--count", arguments->counts,
                          "Print how often each symbol stands in the string, as a JSON object");

@@ -31,6 +31,7 @@ namespace {
 struct GrowArguments {
     ModelOptions model;
     ModelCost cost;
+    ModelCompanions companions;
     GrowthOptions growth;
     DrawingArguments drawing;
     std::filesystem::path output;
@@ -147,8 +148,9 @@ Result<Scene> load_session(GrowArguments const& arguments, std::filesystem::path
 // A model grows as drawn, and not as it might have grown, unless it is said how.
 Result<Scene> load_model_scene(GrowArguments const& arguments, std::filesystem::path const& path)
 {
-    auto edit = TRY(load_plant_edit(path));
+    auto edit = TRY(load_plant_edit(path, arguments.companions));
     if (auto const* const model = edit.get<LoadModel>()) {
+        warn_of_unused_companions(path, arguments.companions);
         auto with_options = *model;
         with_options.steps = arguments.model.steps;
         with_options.seed = arguments.model.seed.value_or(1);
@@ -236,6 +238,7 @@ void add_grow_verb(CLI::App& root, Action& action)
         = root.add_subcommand("grow", "Grow a model and write it as glTF, OBJ or a picture");
     add_model_options(*verb, arguments->model);
     add_cost_options(*verb, arguments->cost);
+    add_companion_options(*verb, arguments->companions);
     verb->add_option("-o,--output", arguments->output,
                      "What to write: its ending, .glb, .obj or .png, says in which format")
         ->type_name("FILE")

@@ -5,12 +5,16 @@
 #include "app/terminal/console.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/model_options.h"
+#include "drivers/file.h"
 #include "engine/lsystem/derive.h"
 #include "engine/lsystem/features.h"
 #include "engine/lsystem/interpret.h"
 
+#include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <string>
+#include <string_view>
 
 namespace tractus {
 
@@ -19,6 +23,7 @@ namespace {
 struct LsystemArguments {
     ModelOptions model;
     ModelCost cost;
+    ModelCompanions companions;
 };
 
 std::string features_text(Model const& model)
@@ -33,8 +38,12 @@ std::string features_text(Model const& model)
 Result<std::string> drawing_text(Model const& model, ModuleString const& string,
                                  LoadOptions const& run)
 {
-    auto const drawn = TRY(
-        interpret_with_warnings(model, string, { .time = run.limits.time, .print = run.print }));
+    auto const drawn
+        = TRY(interpret_with_warnings(model, string,
+                                      { .max_modules = run.limits.max_modules,
+                                        .max_memory_bytes = run.limits.max_memory_bytes,
+                                        .time = run.limits.time,
+                                        .print = run.print }));
     auto const& plant = drawn.plant;
     std::string text = fmt::format("\nDraws {} segments on {} axes, {} organs, {} polygons\n",
                                    plant.segment_count(), plant.axes.size(), plant.organs.size(),
@@ -50,7 +59,8 @@ Result<std::string> drawing_text(Model const& model, ModuleString const& string,
 Result<void> check(LsystemArguments const& arguments)
 {
     auto const path = TRY(find_model(arguments.model.model));
-    auto const model = TRY(load_model(path));
+    warn_of_unused_companions(path, arguments.companions);
+    auto const model = TRY(load_model(path, arguments.companions));
     TRY(print_out(features_text(model) + "\nStep      modules   parameters\n"));
     DeriveOptions options;
     options.steps = arguments.model.steps;
@@ -70,11 +80,43 @@ Result<void> check(LsystemArguments const& arguments)
     return print_out(drawing);
 }
 
+// A plant of a few lines, each of which says what it does.
+constexpr std::string_view kNewModel = R"(/* A young tree. Change a number, save, and look again:
+     tractus grow THIS.l -o tree.png */
+#define STEPS 7     /* of growth */
+#define ANGLE 30    /* between a branch and what bears it, degrees */
+#define SHORTER 0.8 /* a branch than the one before */
+
+Lsystem: 1
+derivation length: STEPS
+Axiom: !(1.2)F(12)A(10) /* a trunk of 12, and a bud for 10 more */
+
+/* A bud makes two branches, each with a smaller bud at its end; the second is turned a quarter. */
+A(s) --> [+(ANGLE)!(s / 16)F(s)A(s * SHORTER)]/(90)[-(ANGLE)!(s / 16)F(s)A(s * SHORTER)]/(90)
+
+/* What the turtle draws for a bud: a plain leaf, until a view, THIS.v, says what ~l is. */
+homomorphism
+A(s) --> ~l(4)
+endlsystem
+)";
+
+Result<void> write_new(std::filesystem::path const& path)
+{
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored))
+        return fail(Fault::User,
+                    fmt::format("{} is there already; choose another name", path.string()));
+    TRY(write_file(path, kNewModel));
+    return print_out(fmt::format("{} is written: change it, and see it with\n  tractus grow {} -o "
+                                 "tree.png\n",
+                                 path.string(), path.string()));
+}
+
 } // namespace
 
 void add_lsystem_verb(CLI::App& root, Action& action)
 {
-    auto* const verb = root.add_subcommand("lsystem", "Check an L-system");
+    auto* const verb = root.add_subcommand("lsystem", "Check an L-system, or begin one");
     verb->require_subcommand(1);
     auto* const check_verb = verb->add_subcommand(
         "check", "List what a model uses, its warnings, and the modules after each step");
@@ -82,8 +124,14 @@ void add_lsystem_verb(CLI::App& root, Action& action)
     auto const arguments = std::make_shared<LsystemArguments>();
     add_model_options(*check_verb, arguments->model);
     add_cost_options(*check_verb, arguments->cost);
+    add_companion_options(*check_verb, arguments->companions);
     check_verb->callback(
         [&action, arguments] { action = [arguments] { return check(*arguments); }; });
+    auto const new_path = std::make_shared<std::string>(); // Shared with the callback.
+    auto* const new_verb = verb->add_subcommand("new", "Write a commented L-system to begin with");
+    new_verb->add_option("FILE.l", *new_path, "Where to; it must not be there yet")->required();
+    new_verb->callback(
+        [&action, new_path] { action = [new_path] { return write_new(*new_path); }; });
 }
 
 } // namespace tractus

@@ -1,5 +1,6 @@
 #include "app/verbs/model_options.h"
 
+#include "app/terminal/error_text.h"
 #include "app/verbs/checks.h"
 
 namespace tractus {
@@ -19,16 +20,41 @@ void add_model_options(CLI::App& verb, ModelOptions& options)
         ->check(seed_number());
 }
 
+void add_companion_options(CLI::App& verb, ModelCompanions& companions)
+{
+    verb.add_option("--view", companions.view,
+                    "The model's view; without it, MODEL.v beside MODEL.l")
+        ->type_name("FILE")
+        ->check(CLI::ExistingFile);
+    verb.add_option("--colors", companions.colors,
+                    "The model's colours, .mat or .map; without it, those beside it")
+        ->type_name("FILE")
+        ->check(CLI::ExistingFile);
+    verb.add_option("--environment", companions.environment,
+                    "What answers the model's ?E modules: light, space, terrain or water, and its "
+                    "numbers, such as light:cell=2,shade=0.1; the manual names them")
+        ->type_name("NAME[:KEY=NUMBER,...]");
+}
+
+void warn_of_unused_companions(std::filesystem::path const& path, ModelCompanions const& companions)
+{
+    for (auto const& warning : unused_companions(path, companions))
+        print_warning(warning);
+}
+
 void add_cost_options(CLI::App& verb, ModelCost& cost)
 {
-    verb.add_option("--max-modules", cost.max_modules,
-                    "Stop with an error when the model's string has more than this many modules")
+    verb.add_option(
+            "--max-modules", cost.max_modules,
+            "Stop with an error when the model's string, or what is drawn of it, has more than "
+            "this many modules")
         ->type_name("N")
         ->check(whole_number(1, 1'000'000'000))
         ->capture_default_str();
-    verb.add_option("--max-memory", cost.max_memory_mb,
-                    "Stop with an error when its string needs more than this many megabytes; "
-                    "without it, half of what the machine has")
+    verb.add_option(
+            "--max-memory", cost.max_memory_mb,
+            "Stop with an error when its string, or what is drawn of it, needs more than this "
+            "many megabytes; without it, half of what the machine has")
         ->type_name("MB")
         ->check(whole_number(1, 1'000'000'000));
     verb.add_option("--max-seconds", cost.max_seconds,

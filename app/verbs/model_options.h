@@ -1,9 +1,11 @@
 #pragma once
 
-#include "app/station/model_cost.h"
+#include "app/document/model_cost.h"
+#include "app/plants/model_file.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -15,6 +17,13 @@ struct ModelOptions {
     std::optional<int> steps;
     std::optional<std::uint64_t> seed; // Without it 1, or what a session has.
 };
+
+// --view, --colors and --environment. `companions` must live as long as the verb.
+void add_companion_options(CLI::App& verb, ModelCompanions& companions);
+
+// Prints a warning for each file beside the model that it might want and does not use.
+void warn_of_unused_companions(std::filesystem::path const& path,
+                               ModelCompanions const& companions);
 
 // Adds them to a verb. `options` must live as long as the verb.
 void add_model_options(CLI::App& verb, ModelOptions& options);

@@ -14,6 +14,7 @@ CallStack::CallStack(Model const& model, VirtualMachine& main)
         auto machine = std::make_unique<VirtualMachine>(model, subsystem, main.seed());
         machine->set_printer(main.printer());
         machine->set_time_limit(main.time_limit());
+        machine->set_memory_limit(main.memory_limit());
         machines_.push_back(machine.get());
         subsystem_machines_.push_back(std::move(machine));
     }

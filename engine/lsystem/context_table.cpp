@@ -37,6 +37,14 @@ std::optional<ContextTable> ContextTable::create(Model const& model)
     bool const has_contexts = std::any_of(rules.begin(), rules.end(), [](Rule const& rule) {
         return !rule.left.empty() || !rule.right.empty();
     });
+    // Branches stand out in right contexts unless both brackets are ignored.
+    auto const is_ignored = [&](char symbol) {
+        auto const kind = find_kind(model.alphabet, { symbol, 0 });
+        return kind && model.ignored[*kind];
+    };
+    if (find_kind(model.alphabet, { '[', 0 }) && find_kind(model.alphabet, { ']', 0 })
+        && is_ignored('[') != is_ignored(']'))
+        return std::nullopt;
     if (!is_small || !is_simple || !has_plain_kinds || !has_plain_rules || !has_contexts)
         return std::nullopt;
     return ContextTable(model);
@@ -53,6 +61,7 @@ ContextTable::ContextTable(Model const& model)
             : symbol == ']'       ? Role::Closing
             : model.ignored[i]    ? Role::Ignored
                                   : Role::Seen;
+        sees_branches_ = sees_branches_ && !(symbol == '[' && model.ignored[i]);
         is_row_ = is_row_ && roles_[i] == Role::Seen;
         successors_.push_back(FixedSuccessor::copy(static_cast<KindId>(i), 0));
     }
@@ -95,6 +104,8 @@ void ContextTable::find_right_neighbours(Column<KindId> const& in)
         right_[i] = neighbour;
         auto const kind = in[i];
         auto const role = roles_[kind];
+        if (!sees_branches_ && (role == Role::Closing || role == Role::Opening))
+            continue;
         if (role == Role::Closing) {
             stack_[depth++] = neighbour;
             neighbour = none_;

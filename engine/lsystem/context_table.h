@@ -45,6 +45,7 @@ private:
     KindId none_ = 0; // Stands for "no neighbour".
     std::array<Role, 256> roles_ {};
     bool is_row_ = true;
+    bool sees_branches_ = true;        // In right contexts.
     bool is_one_to_one_ = true;        // Every successor is one module.
     std::vector<std::uint16_t> table_; // Of successors_.
     std::vector<KindId> one_to_one_;   // The successors themselves, if is_one_to_one_.

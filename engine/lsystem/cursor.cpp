@@ -1,5 +1,7 @@
 #include "engine/lsystem/cursor.h"
 
+#include "engine/lsystem/user_text.h"
+
 #include <algorithm>
 #include <fmt/core.h>
 
@@ -69,7 +71,7 @@ tl::unexpected<Error> Cursor::unexpected(std::string_view expected)
     char const c = peek();
     auto const found = c == '\0' ? std::string("the end of the file")
         : c == '\n'              ? std::string("the end of the line")
-                                 : fmt::format("'{}'", c);
+                                 : fmt::format("'{}'", shown(first_character(rest())));
     return error_at(at_, fmt::format("found {}, expected {}", found, expected));
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/parallel.h"
 #include "engine/lsystem/context_table.h"
+#include "engine/lsystem/environments.h"
 #include "engine/lsystem/range_rewriter.h"
 #include "engine/lsystem/subsystem_rewriter.h"
 
@@ -48,8 +49,11 @@ public:
     {
         machine_.set_printer(&options.print);
         machine_.set_time_limit(&options.limits.time);
+        machine_.set_memory_limit(options.limits.max_memory_bytes);
         if (!model.subsystems.empty())
             subsystems_.emplace(model, machine_, branches_);
+        environment_
+            = options.environment ? options.environment : make_environment(model.view.environment);
         has_queries_ = has_queries(model) || keeps_cuts(model);
     }
 
@@ -85,6 +89,7 @@ private:
     Branches branches_; // Of in_, where rules have contexts.
     RangeRewriter rewriter_;
     std::optional<SubsystemRewriter> subsystems_;
+    Environment environment_;
     bool has_queries_ = false;
     int step_ = 0;
     ModuleString in_;
@@ -121,7 +126,7 @@ Result<void> Derivation::answer()
 {
     if (!has_queries_)
         return {};
-    return answer_queries(model_, in_, machine_, step_, options_.environment);
+    return answer_queries(model_, in_, machine_, step_, environment_);
 }
 
 // How many steps there are, as far as the model has decided by now.

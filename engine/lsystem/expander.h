@@ -69,6 +69,10 @@ public:
             level.next += count;
             if (inner)
                 push(*inner); // Invalidates level and rest.
+            if (inner && buffer_.byte_size() > machine_.memory_limit()) {
+                machine_.stop_too(VirtualMachine::Stop::Memory);
+                return 0;
+            }
         }
         return rule->predecessor.size();
     }

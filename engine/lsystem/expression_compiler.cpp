@@ -67,23 +67,9 @@ std::optional<std::string> ExpressionCompiler::name(Cursor& cursor)
 std::optional<Register> ExpressionCompiler::add_parameter(std::string const& name)
 {
     auto const reg = frame_.add();
-    if (!reg || !locals_.emplace(name, *reg).second)
+    if (!reg || !locals_.emplace(name, Local { *reg, true }).second)
         return std::nullopt;
     return *reg;
-}
-
-void ExpressionCompiler::prepend_reset(Program& program)
-{
-    Program result;
-    auto const zero = reset_.empty() ? Register { 0 } : frame_.constant(0).value();
-    for (auto const reg : reset_)
-        result.push_back({ .op = Op::Copy, .target = reg, .left = zero, .right = 0 });
-    for (auto instruction : program) {
-        if (instruction.op == Op::Jump || instruction.op == Op::JumpIfZero)
-            instruction.target = static_cast<std::uint16_t>(instruction.target + reset_.size());
-        result.push_back(instruction);
-    }
-    program = std::move(result);
 }
 
 Result<Register> ExpressionCompiler::expression(Program& program)
@@ -216,23 +202,25 @@ Result<Register> ExpressionCompiler::number()
 Result<Register> ExpressionCompiler::variable(std::string const& name, std::size_t position,
                                               Program& program)
 {
-    if (auto const found = locals_.find(name); found != locals_.end())
-        return found->second;
+    if (auto const found = locals_.find(name); found != locals_.end()) {
+        if (!found->second.first_read)
+            found->second.first_read = position;
+        return found->second.value;
+    }
     if (auto const global = names_.find_variable(name)) {
         auto const target = TRY(frame_.temporary());
         TRY(frame_.label(program));
         program.push_back({ .op = Op::LoadGlobal, .target = target, .left = *global, .right = 0 });
         return target;
     }
-    names_.warn_of(name,
-                   fmt::format("{}: {} is not defined; its value is 0",
-                               cursor_.source().place(position), name));
-    if (new_names_ == NewNames::Global)
+    if (new_names_ == NewNames::Global) {
+        names_.warn_of(name,
+                       fmt::format("{}: {} is not defined; its value is 0",
+                                   cursor_.source().place(position), name));
         return frame_.constant(0);
+    }
     auto const reg = TRY(frame_.add());
-    TRY(frame_.constant(0));
-    locals_.emplace(name, reg);
-    reset_.push_back(reg);
+    locals_.emplace(name, Local { reg, false, false, position });
     return reg;
 }
 
@@ -262,7 +250,7 @@ Result<ExpressionCompiler::Element> ExpressionCompiler::element(std::string cons
     return Element { static_cast<std::uint16_t>(array - names_.arrays.begin()), *index };
 }
 
-Result<void> ExpressionCompiler::assign(std::string const& variable, Register value, Stored stored,
+Result<void> ExpressionCompiler::assign(std::string const& variable, Register value,
                                         Program& program)
 {
     TRY(frame_.label(program));
@@ -270,14 +258,12 @@ Result<void> ExpressionCompiler::assign(std::string const& variable, Register va
     auto const global = names_.find_variable(variable);
     if (local == locals_.end() && !global && new_names_ == NewNames::Local) {
         auto const reg = TRY(frame_.add());
-        local = locals_.emplace(variable, reg).first;
-        if (stored == Stored::Sometimes) {
-            TRY(frame_.constant(0));
-            reset_.push_back(reg);
-        }
+        local = locals_.emplace(variable, Local { reg }).first;
     }
     if (local != locals_.end()) {
-        program.push_back({ .op = Op::Copy, .target = local->second, .left = value, .right = 0 });
+        local->second.is_assigned = true;
+        program.push_back(
+            { .op = Op::Copy, .target = local->second.value, .left = value, .right = 0 });
         return {};
     }
     auto const index = global ? *global : TRY(names_.add_variable(variable, cursor_));

@@ -51,14 +51,16 @@ public:
     };
     Result<Element> element(std::string const& array, Program& program);
 
-    // Stores a value. A local that is stored only `Sometimes`, under a condition, is 0 otherwise.
-    enum class Stored { Always, Sometimes };
-    Result<void> assign(std::string const& variable, Register value, Stored stored,
-                        Program& program);
+    Result<void> assign(std::string const& variable, Register value, Program& program);
 
-    // Puts in front of `program`, the first that a match runs, what sets to 0 the locals that it
-    // could otherwise find with the value of the last match.
-    void prepend_reset(Program& program);
+    // A local variable of a rule.
+    struct Local {
+        Register value = 0;
+        bool is_parameter = false;
+        bool is_assigned = false;
+        std::optional<std::size_t> first_read {}; // In the text.
+    };
+    std::map<std::string, Local, std::less<>> const& locals() const { return locals_; }
 
     Cursor& cursor() { return cursor_; }
     FrameBuilder& frame() { return frame_; }
@@ -85,8 +87,7 @@ private:
     Names& names_;
     NewNames new_names_;
     FrameBuilder frame_;
-    std::map<std::string, Register, std::less<>> locals_; // And parameters.
-    std::vector<Register> reset_;
+    std::map<std::string, Local, std::less<>> locals_;
     int depth_ = 0;
 };
 

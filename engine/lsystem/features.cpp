@@ -65,7 +65,9 @@ void add_modules(Model const& model, std::vector<std::string>& features)
     if (has_queries(model) && any_kind(model, [](ModuleKind const& kind) {
             return kind.symbol == 'E' && kind.parameter_count > 0;
         }))
-        features.emplace_back("an environment, if somebody answers ?E");
+        features.push_back(model.view.environment.name.empty()
+                               ? "an environment, if somebody answers ?E (--environment)"
+                               : "the environment " + model.view.environment.name);
 }
 
 void add_rules(LSystem const& model, std::vector<std::string>& features)

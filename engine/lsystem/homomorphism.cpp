@@ -60,6 +60,7 @@ Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& 
     using Cuts = HomomorphismOptions::Cuts;
     VirtualMachine machine(model, string);
     machine.set_time_limit(&options.time);
+    machine.set_memory_limit(options.limit.bytes);
     machine.set_printer(&options.print);
     HomomorphismWalk walk(model, string, machine);
     ModuleString result;

@@ -24,8 +24,8 @@ bool is_divisible(Model const& model)
 {
     auto const& rules = model.homomorphism.rules;
     return std::none_of(rules.begin(), rules.end(), [](Rule const& rule) {
-        return has_effects(rule.condition) || has_effects(rule.successor_program)
-            || has_effects(rule.probability);
+        return rule.keeps_locals || has_effects(rule.condition)
+            || has_effects(rule.successor_program) || has_effects(rule.probability);
     });
 }
 
@@ -87,6 +87,7 @@ std::optional<DrawnString> draw_in_pieces(DrawingJob& job, BranchIndex const& in
 std::optional<DrawnString> draw_as_planned(DrawingJob& job, std::vector<PlannedPiece> const& plan)
 {
     job.parts = plan[0].segment_count;
+    job.bytes = job.parts * (sizeof(Vec3) + sizeof(float) + sizeof(std::uint8_t));
     if (job.is_over_limit())
         return std::nullopt;
     DrawnString result { std::vector<Piece>(plan.size()) };
@@ -123,15 +124,22 @@ std::optional<DrawnString> draw_divided(DrawingJob& job, ParameterRange const& p
 
 Result<DrawnString> draw_at_once(DrawingJob& job)
 {
-    job.drawn = job.parts = 0;
+    job.drawn = job.parts = job.bytes = 0;
     std::vector<Piece> pieces { whole(job) };
     PieceTurtle turtle(job, nullptr);
     turtle.draw(pieces.front());
     TRY(turtle.machine().check());
     if (job.drawn > job.options.max_modules)
+        return fail(
+            Fault::User,
+            fmt::format("{}: the homomorphism makes more than {} modules; derive fewer steps "
+                        "or raise the limit",
+                        job.model.name, job.options.max_modules));
+    if (job.bytes > job.options.max_memory_bytes)
         return fail(Fault::User,
-                    fmt::format("{}: the homomorphism makes more than {} modules", job.model.name,
-                                job.options.max_modules));
+                    fmt::format("{}: the plant needs more than {} MB; derive fewer steps or raise "
+                                "the limit of memory",
+                                job.model.name, job.options.max_memory_bytes >> 20));
     if (job.parts > job.options.max_parts)
         return fail(Fault::User,
                     fmt::format("{}: the plant has more than {} segments, organs and polygons; "
@@ -195,6 +203,7 @@ Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString con
     // Each sub-L-system has a homomorphism of its own.
     HomomorphismOptions how;
     how.limit.modules = options.max_modules;
+    how.limit.bytes = options.max_memory_bytes;
     how.time = options.time;
     how.print = options.print;
     how.cuts = HomomorphismOptions::Cuts::KeepThoseOfTheString;

@@ -3,6 +3,8 @@
 #include "engine/base/result.h"
 #include "engine/lsystem/placed_text.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -10,8 +12,10 @@
 
 namespace tractus {
 
-// The macros that #define makes, with and without parameters. Errors are the user's, with their
-// place.
+// The macros that #define makes, with and without parameters, replaced as C11 6.10.3 says: `#` and
+// `##`, arguments that are macros, and results that are read again together with what follows.
+// `#` stands for itself where no parameter follows, as it is a turtle symbol. Errors are the
+// user's, with their place.
 class MacroTable {
 public:
     // `files` are the names of the files that places are in; they must outlive the table.
@@ -20,42 +24,81 @@ public:
     {
     }
 
-    // What stands behind #define in `line`.
+    // What stands behind #define in `line`, of which `rest` is a part.
     Result<void> define(PlacedText const& line, std::string_view rest);
     void undefine(std::string_view name);
     bool is_defined(std::string_view name) const { return macros_.find(name) != macros_.end(); }
-    // What a macro without parameters stands for; the name itself for others.
-    std::string_view body(std::string_view name) const;
 
-    // Appends the text with its macros replaced. A macro within what it stands for is left alone,
-    // as in C.
-    Result<void> expand(PlacedText const& text, PlacedText& out) const;
+    // Appends the text with its macros replaced.
+    Result<void> expand(PlacedText const& text, PlacedText& out);
+
+    // Whether the text ends inside a macro's call, or perhaps before its parentheses.
+    bool ends_in_call(PlacedText const& text) const;
 
 private:
-    struct Macro {
-        bool has_parameters = false;
-        std::vector<std::string> parameters;
-        std::string body;
-    };
-    using Active = std::vector<std::string>; // Macros that are being replaced.
+    using HiddenId = std::uint32_t; // Of a set of macros, in hidden_; 0 is the empty one.
 
-    Result<void> expand(PlacedText const& text, PlacedText& out, Active& active) const;
-    Result<void> expand_body(std::string const& name, PlacedText const& body, PlacedText& out,
-                             Active& active) const;
-    Result<std::size_t> expand_call(Macro const& macro, std::string const& name,
-                                    PlacedText const& text, std::size_t open, PlacedText& out,
-                                    Active& active) const;
-    Result<std::size_t> find_arguments(PlacedText const& text, std::size_t open,
-                                       std::string const& name,
-                                       std::vector<PlacedText>& arguments) const;
+    // A preprocessing token, or one blank.
+    struct Token {
+        std::string characters;
+        SourcePlace place;       // Of its first character.
+        bool is_in_body = false; // Then all its characters are at the call's place.
+        bool is_paste = false;   // The operator ##, in a body.
+        HiddenId hidden = 0;     // The macros that it came from, which do not replace it again.
+    };
+    using Tokens = std::vector<Token>;
+
+    struct Macro {
+        std::uint32_t number = 0;
+        bool has_parameters = false;
+        bool is_variadic = false; // The last parameter takes the rest of the arguments.
+        std::vector<std::string> parameters;
+        Tokens body;
+    };
+    struct Call {
+        std::vector<Tokens> arguments;
+        std::vector<Tokens> expanded; // The same, with macros replaced; filled where asked for.
+        std::vector<bool> is_expanded;
+        SourcePlace place;
+        int depth = 0; // Of calls in arguments of calls.
+    };
+
+    static Tokens tokens_of(PlacedText const& text);
+    static std::size_t parameter_index(Macro const& macro, Token const& token);
+    Result<void> set_body(Macro& macro, PlacedText const& line, std::string_view text);
+    Result<std::string_view> set_parameters(Macro& macro, PlacedText const& line,
+                                            std::string_view rest);
+    Macro const* macro_for(Token const& token) const;
+
+    template<typename Sink> Result<void> expand(Tokens& rest, int depth, Sink const& sink);
+    Result<bool> take_call(Macro const& macro, Token const& name, Tokens& rest, Call& call,
+                           HiddenId& hidden);
+    Result<void> check_arguments(Macro const& macro, Token const& name, Call& call) const;
+    Result<Tokens> substitute(Macro const& macro, Call& call);
+    Result<void> substitute_token(Macro const& macro, Call& call, std::size_t at, Tokens& result);
+    Result<void> expand_argument(Call& call, std::size_t index);
+    static std::string quoted(Tokens const& argument);
+    static void paste(Tokens& result, Tokens const& next);
+
+    Result<HiddenId> hidden_id(std::vector<std::uint32_t> set, SourcePlace const& place);
+    Result<HiddenId> hidden_in_both(HiddenId a, HiddenId b, SourcePlace const& place);
+    Result<HiddenId> hidden_in_any(HiddenId a, HiddenId b, SourcePlace const& place);
+    Result<HiddenId> hidden_with(HiddenId set, std::uint32_t macro, SourcePlace const& place);
+    Result<void> spend(std::size_t size, SourcePlace const& place);
+
     tl::unexpected<Error> error(PlacedText const& text, std::size_t index,
                                 std::string const& what) const
     {
         return error_in(text, index, files_, what);
     }
+    tl::unexpected<Error> error(SourcePlace const& place, std::string const& what) const;
 
     std::vector<std::string> const& files_;
     std::map<std::string, Macro, std::less<>> macros_;
+    std::uint32_t next_number_ = 0;
+    std::vector<std::vector<std::uint32_t>> hidden_ { {} }; // Sorted.
+    std::map<std::vector<std::uint32_t>, HiddenId> hidden_ids_ { { {}, 0 } };
+    std::size_t spent_ = 0;
 };
 
 } // namespace tractus

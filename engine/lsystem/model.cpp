@@ -1,10 +1,13 @@
 #include "engine/lsystem/model.h"
 
 #include "engine/lsystem/expression_compiler.h"
+#include "engine/lsystem/placed_text.h"
 #include "engine/lsystem/rule_parser.h"
 #include "engine/lsystem/statement_compiler.h"
+#include "engine/lsystem/user_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <fmt/core.h>
@@ -21,6 +24,15 @@ constexpr std::size_t kMaxArrayElements = 10'000'000; // Of all arrays.
 constexpr std::size_t kMaxRules = 65'000;
 constexpr std::size_t kMaxSystems = 1'000;
 
+// What begins a line, for those who misspell it.
+constexpr std::array<std::string_view, 18> kStatements {
+    "Lsystem:",       "Axiom:",       "derivation length:", "Seed:",
+    "maximum depth:", "ignore:",      "consider:",          "ring L-system",
+    "define:",        "Start:",       "StartEach:",         "EndEach:",
+    "End:",           "homomorphism", "decomposition",      "homomorphism:",
+    "decomposition:", "endlsystem",
+};
+
 struct SymbolList {
     bool is_consider = false;
     std::string symbols;
@@ -34,6 +46,7 @@ public:
     {
         model_.name = source.name;
         model_.view = std::move(view);
+        names_.warnings = text.warnings;
         for (auto const& function : model_.view.functions)
             names_.functions.push_back(function.name);
         for (auto const& curve : model_.view.curves)
@@ -60,6 +73,8 @@ private:
     Result<void> external_definition();
     Result<void> new_array(std::string const& name);
     Result<void> end_line();
+    Result<void> rule_or_misspelt_statement();
+    tl::unexpected<Error> no_statement(std::string_view expected);
     bool take_word(std::string_view word);
     bool sees_word(std::string_view word);
     bool is_main() const { return ignored_.empty(); }
@@ -99,6 +114,33 @@ bool Parser::sees_word(std::string_view word)
     bool const found = take_word(word);
     cursor_.set_position(begin);
     return found;
+}
+
+// What is no rule and looks like none is taken for a statement.
+Result<void> Parser::rule_or_misspelt_statement()
+{
+    auto const begin = cursor_.position();
+    auto result = rule();
+    auto const text = std::string_view(cursor_.source().text).substr(begin);
+    auto const line = text.substr(0, text.find('\n'));
+    auto const has = [&](std::string_view part) { return line.find(part) != line.npos; };
+    auto const next = text.substr(std::min(line.size() + 1, text.size()), 1);
+    if (result || has("-->") || has("-o>") || has("{") || next == " " || next == "\t")
+        return result;
+    cursor_.set_position(begin);
+    return no_statement("a rule, which has -->, or a statement");
+}
+
+// The line here is none of the language's.
+tl::unexpected<Error> Parser::no_statement(std::string_view expected)
+{
+    auto const line = trimmed_line(cursor_.rest().substr(0, cursor_.rest().find('\n')));
+    auto const colon = line.find(':');
+    auto const word = colon == std::string_view::npos ? line : line.substr(0, colon + 1);
+    auto const nearest = nearest_word(word, kStatements);
+    return cursor_.error(
+        nearest.empty() ? fmt::format("found '{}', expected {}", shown(line), expected)
+                        : fmt::format("found '{}', expected '{}', perhaps", shown(line), nearest));
 }
 
 Result<void> Parser::end_line()
@@ -150,7 +192,7 @@ Result<void> Parser::header()
 {
     skip_blank_lines();
     if (!take_word("lsystem:"))
-        return cursor_.unexpected("'Lsystem:'");
+        return cursor_.at_end() ? cursor_.unexpected("'Lsystem:'") : no_statement("'Lsystem:'");
     auto const position = cursor_.position();
     cursor_.skip();
     auto const label = cursor_.take_line();
@@ -183,9 +225,9 @@ Result<void> Parser::items()
         if (!found)
             found = TRY(section());
         if (!found && !has_axiom_ && is_main())
-            return cursor_.unexpected("'Axiom:' or another statement of the header");
+            return no_statement("'Axiom:' or another statement of the header");
         if (!found)
-            TRY(rule());
+            TRY(rule_or_misspelt_statement());
         TRY(end_line());
     }
     names_.warn(fmt::format("{}: the file ends without endlsystem",
@@ -412,8 +454,7 @@ void Parser::set_ignored(LSystem& system, SymbolList const& list)
     for (std::size_t i = 0; i < model_.alphabet.kinds.size(); ++i) {
         char const symbol = model_.alphabet.kinds[i].symbol;
         bool const listed = list.symbols.find(symbol) != std::string::npos;
-        bool const is_bracket = symbol == '[' || symbol == ']'; // Structure, whatever is listed.
-        system.ignored[i] = listed != list.is_consider && !is_bracket;
+        system.ignored[i] = listed != list.is_consider;
     }
 }
 

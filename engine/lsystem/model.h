@@ -73,7 +73,8 @@ struct Rule {
     bool has_probability = false;
 
     RegisterFile frame;
-    std::uint32_t line = 0; // Of the arrow, for messages.
+    bool keeps_locals = false; // It may find its local variables as its last match left them.
+    std::uint32_t line = 0;    // Of the arrow, for messages.
 };
 
 // Rules in the order in which they are tried.
@@ -117,7 +118,9 @@ struct LSystem {
     bool stochastic = false;
     std::uint64_t seed = 0; // The model's own; 0 when it has none.
     bool ring = false;
-    std::array<bool, 256> ignored {}; // By kind: contexts look past these.
+    // By kind: contexts look past these. Right contexts look past brackets as well, as in cpfg:
+    // where they are ignored, branches are no different from what bears them.
+    std::array<bool, 256> ignored {};
 
     Block start;
     Block start_each;
@@ -155,7 +158,8 @@ struct Model : LSystem {
 // expected".
 //
 // A name that is assigned in a block of statements of the model is a global variable; one that only
-// a rule assigns is local to the rule and starts as 0 each time.
+// a rule assigns is local to the rule, starts as 0 and, as in cpfg, keeps its value from one match
+// of the rule to the next.
 Result<Model> compile_model(ModelSource const& source, IncludeReader const& include = {});
 
 } // namespace tractus

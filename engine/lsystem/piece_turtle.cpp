@@ -23,6 +23,7 @@ PieceTurtle::PieceTurtle(DrawingJob& job, BranchIndex const* index)
     if (index)
         cutter_.emplace(*index);
     machine_.set_time_limit(&job.options.time);
+    machine_.set_memory_limit(job.options.max_memory_bytes);
     machine_.set_printer(&job.options.print);
     for (std::size_t i = 0; i < model_.alphabet.kinds.size(); ++i) {
         has_rules_[i] = !job.is_expanded && homomorphism_.has_rules(static_cast<KindId>(i));
@@ -39,7 +40,7 @@ void PieceTurtle::begin(Piece const& piece)
     turtle_.begin(piece.start, drawing_);
     at_ = piece.begin;
     parameter_ = piece.parameter;
-    counted_parts_ = 0;
+    counted_parts_ = counted_bytes_ = 0;
 }
 
 void PieceTurtle::end(Piece& piece)
@@ -101,6 +102,7 @@ void PieceTurtle::count()
 {
     job_.drawn += std::exchange(drawn_, 0);
     job_.parts += drawing_.part_count() - std::exchange(counted_parts_, drawing_.part_count());
+    job_.bytes += drawing_.byte_size() - std::exchange(counted_bytes_, drawing_.byte_size());
 }
 
 // Draws modules that need nothing but the turtle, up to `end` or the first that does, but not too
@@ -145,9 +147,11 @@ std::size_t PieceTurtle::draw_one()
                                 parameter_, at_ + 1,        parameter_ + parameter_counts_[kind] };
     auto const read = homomorphism_.expand(rest, around, [&](Modules const& modules) {
         ++drawn_;
-        // One module alone may become more than the limit.
-        if (drawn_ % kDrawnBatch == 0 && job_.drawn + drawn_ > job_.options.max_modules)
-            return std::size_t { 0 };
+        if (drawn_ >= kDrawnBatch) { // One module alone may become more than the limit.
+            count();
+            if (job_.is_over_limit())
+                return std::size_t { 0 };
+        }
         return turtle_.draw(modules, at_, modules.kinds != rest.kinds);
     });
     return std::max<std::size_t>(read, 1);

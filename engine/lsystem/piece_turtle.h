@@ -41,8 +41,13 @@ struct DrawingJob {
     Arena memory {};          // What pieces have drawn.
     std::atomic<std::size_t> drawn { 0 };
     std::atomic<std::size_t> parts { 0 };
+    std::atomic<std::size_t> bytes { 0 }; // Of those in pieces.
 
-    bool is_over_limit() const { return drawn > options.max_modules || parts > options.max_parts; }
+    bool is_over_limit() const
+    {
+        return drawn > options.max_modules || parts > options.max_parts
+            || bytes > options.max_memory_bytes;
+    }
 };
 
 // Draws pieces, one after the other. Each thread needs its own.
@@ -91,6 +96,7 @@ private:
     std::size_t look_from_ = 0; // Branches that begin before it are drawn here.
     std::size_t drawn_ = 0;     // Not counted yet.
     std::size_t counted_parts_ = 0;
+    std::size_t counted_bytes_ = 0;
 };
 
 } // namespace tractus

@@ -49,7 +49,8 @@ std::size_t token_end(std::string_view text, std::size_t begin)
     return end;
 }
 
-PlacedText without_comments(std::string_view source, std::uint32_t file)
+PlacedText without_comments(std::string_view source, std::uint32_t file,
+                            std::optional<SourcePlace>& open_comment)
 {
     PlacedText result;
     SourcePlace place { file, 1, 1 };
@@ -68,7 +69,10 @@ PlacedText without_comments(std::string_view source, std::uint32_t file)
                 advance();
         } else if (source.substr(i, 2) == "/*") {
             result.push(' ', place);
-            auto const end = std::min(source.find("*/", i + 2), source.size() - 2) + 2;
+            auto const close = source.find("*/", i + 2);
+            if (close == std::string_view::npos)
+                open_comment = place;
+            auto const end = std::min(close, source.size() - 2) + 2;
             while (i < end)
                 advance();
         } else {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,8 +30,9 @@ tl::unexpected<Error> error_in(PlacedText const& text, std::size_t index,
                                std::vector<std::string> const& files, std::string const& what);
 
 // The text of a file, its number `file`, without comments: each becomes one blank, so a rule may go
-// on behind one that spans lines.
-PlacedText without_comments(std::string_view source, std::uint32_t file);
+// on behind one that spans lines. `open_comment` becomes the beginning of one that does not end.
+PlacedText without_comments(std::string_view source, std::uint32_t file,
+                            std::optional<SourcePlace>& open_comment);
 
 // What the preprocessor's tokens are made of.
 bool is_name_start(char c);

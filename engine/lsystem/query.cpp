@@ -179,7 +179,7 @@ Result<void> answer_queries(Model const& model, ModuleString& string, VirtualMac
     TRY(questioning.run());
     auto const& queries = questioning.environment_queries();
     if (environment && !queries.empty())
-        environment(step, queries);
+        return environment(step, queries);
     return {};
 }
 

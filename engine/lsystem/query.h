@@ -30,8 +30,9 @@ struct EnvironmentQuery {
 };
 
 // Answers all ?E of a string at once, in the order of the string: an environment in which plants
-// compete must see them together. `step` is 0 for the axiom.
-using Environment = std::function<void(int step, std::span<EnvironmentQuery const> queries)>;
+// compete must see them together. `step` is 0 for the axiom. An error ends the derivation.
+using Environment
+    = std::function<Result<void>(int step, std::span<EnvironmentQuery const> queries)>;
 
 // Whether strings of the model can have query modules, ?P ?H ?L ?U ?Q or ?E.
 bool has_queries(Model const& model);

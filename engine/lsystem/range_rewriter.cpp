@@ -26,7 +26,7 @@ static void copy_run(T const* from, std::size_t count, bool is_wide, T*& to)
 static bool is_divisible(RuleSet const& rules)
 {
     return std::all_of(rules.rules.begin(), rules.rules.end(), [](Rule const& rule) {
-        return rule.predecessor.size() == 1 && !has_effects(rule.condition)
+        return rule.predecessor.size() == 1 && !rule.keeps_locals && !has_effects(rule.condition)
             && !has_effects(rule.successor_program) && !has_effects(rule.probability);
     });
 }

@@ -1,5 +1,6 @@
 #include "engine/lsystem/rule_parser.h"
 
+#include "engine/lsystem/local_variables.h"
 #include "engine/lsystem/statement_compiler.h"
 
 #include <algorithm>
@@ -158,6 +159,25 @@ Result<void> RuleParser::successor(Rule& rule, ExpressionCompiler& compiler)
     return {};
 }
 
+// A local variable keeps its value from match to match, as in cpfg; where a rule may notice that,
+// the order of matches matters.
+void RuleParser::check_locals(Rule& rule, ExpressionCompiler const& compiler)
+{
+    for (auto const& [name, local] : compiler.locals()) {
+        if (local.is_parameter || !local.first_read)
+            continue;
+        auto const place = cursor_.source().place(*local.first_read);
+        if (!local.is_assigned) {
+            names_.warn_of(name, fmt::format("{}: {} is not defined; its value is 0", place, name));
+        } else if (is_read_before_set(rule, local.value)) {
+            rule.keeps_locals = true;
+            names_.warn(fmt::format("{}: {} is used before it is set; it then has the value that "
+                                    "this rule gave it last, or 0",
+                                    place, name));
+        }
+    }
+}
+
 Result<Rule> RuleParser::rule()
 {
     Rule rule;
@@ -170,7 +190,7 @@ Result<Rule> RuleParser::rule()
         return cursor_.unexpected("'-->'");
     cursor_.set_arrow_seen(true);
     TRY(successor(rule, compiler));
-    compiler.prepend_reset(rule.condition);
+    check_locals(rule, compiler);
     rule.frame = compiler.frame().take_frame();
     return rule;
 }

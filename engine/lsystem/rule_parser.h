@@ -40,6 +40,7 @@ private:
                                 ExpressionCompiler& compiler);
     Result<void> condition(Rule& rule, ExpressionCompiler& compiler);
     Result<void> successor(Rule& rule, ExpressionCompiler& compiler);
+    void check_locals(Rule& rule, ExpressionCompiler const& compiler);
     Result<std::vector<FormalModule>> formal_modules();
     Result<FormalModule> formal_module();
     Result<KindId> kind(char symbol, std::size_t parameter_count);

@@ -1,10 +1,14 @@
 #include "engine/lsystem/source_text.h"
 
+#include "engine/lsystem/condition.h"
 #include "engine/lsystem/macro_table.h"
 #include "engine/lsystem/placed_text.h"
+#include "engine/lsystem/user_text.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <fmt/core.h>
+#include <optional>
 
 namespace tractus {
 
@@ -20,6 +24,15 @@ std::string beside(std::string const& file, std::string const& name)
     return file.substr(0, file.rfind('/') + 1) + name;
 }
 
+// One #if that is open.
+struct Condition {
+    bool is_on = false;  // Its part that is being read is to be read.
+    bool was_on = false; // One of its parts was.
+    bool has_else = false;
+    bool is_possible = true; // What is around it is read.
+    SourcePlace place;
+};
+
 class Preprocessor {
 public:
     explicit Preprocessor(IncludeReader const& include)
@@ -31,14 +44,21 @@ public:
     SourceText finish();
 
 private:
+    Result<void> add_lines(PlacedText const& text, int nesting);
     Result<void> add_line(PlacedText const& line, int nesting);
+    PlacedText take_line(PlacedText const& text, std::size_t& begin);
+    void warn_of_joined_line(PlacedText const& definition, PlacedText const& line);
     Result<bool> directive(PlacedText const& line, int nesting);
     Result<void> include_file(PlacedText const& line, std::string_view rest, int nesting);
-    Result<void> condition(PlacedText const& line, std::string_view word, std::string_view rest);
+    Result<bool> condition(PlacedText const& line, std::string_view word, std::string_view rest);
+    Result<void> next_part(PlacedText const& line, std::string_view word, std::string_view rest);
+    Result<bool> value(PlacedText const& line, std::string_view rest);
+    Result<bool> is_defined(PlacedText const& line, std::string_view rest,
+                            std::string_view word) const;
 
     bool active() const
     {
-        return std::all_of(conditions_.begin(), conditions_.end(), [](bool on) { return on; });
+        return conditions_.empty() || (conditions_.back().is_possible && conditions_.back().is_on);
     }
     tl::unexpected<Error> error(PlacedText const& text, std::size_t index,
                                 std::string const& what) const
@@ -49,9 +69,31 @@ private:
     IncludeReader const& include_;
     std::vector<std::string> files_;
     MacroTable macros_ { files_ };
-    std::vector<bool> conditions_; // One per open #if.
+    std::vector<Condition> conditions_;
+    std::vector<std::string> warnings_;
     PlacedText out_;
 };
+
+bool is_directive(std::string_view line)
+{
+    return trimmed_line(line).substr(0, 1) == "#";
+}
+
+void append(PlacedText& text, PlacedText const& other, std::size_t begin, std::size_t end)
+{
+    text.characters.append(other.characters, begin, end - begin);
+    text.places.insert(text.places.end(), other.places.begin() + static_cast<std::ptrdiff_t>(begin),
+                       other.places.begin() + static_cast<std::ptrdiff_t>(end));
+}
+
+// A part of a line, which a view into it names.
+PlacedText part_of(PlacedText const& line, std::string_view view)
+{
+    PlacedText result;
+    auto const begin = static_cast<std::size_t>(view.data() - line.characters.data());
+    append(result, line, begin, begin + view.size());
+    return result;
+}
 
 Result<void> Preprocessor::add_file(std::string const& name, std::string_view source, int nesting)
 {
@@ -64,27 +106,84 @@ Result<void> Preprocessor::add_file(std::string const& name, std::string_view so
             Fault::User,
             fmt::format("{}: there are more than {} includes before this one", name, kMaxFiles));
     files_.push_back(name);
-    auto const text = without_comments(source, static_cast<std::uint32_t>(files_.size() - 1));
+    auto const file = static_cast<std::uint32_t>(files_.size() - 1);
+    std::optional<SourcePlace> open_comment;
+    auto const text = without_comments(source, file, open_comment);
+    if (open_comment)
+        return fail(Fault::User,
+                    fmt::format("{}:{}:{}: the comment that begins here has no */", name,
+                                open_comment->line, open_comment->column));
     auto const open_conditions = conditions_.size();
-    std::size_t begin = 0;
-    while (begin < text.size()) {
-        auto end = std::min(text.characters.find('\n', begin), text.size() - 1) + 1;
-        // A definition goes on behind a backslash at the line's end; elsewhere \ is a turtle
-        // symbol.
-        auto const is_definition
-            = trimmed_line(text.characters.substr(begin, end - begin)).substr(0, 1) == "#";
-        while (is_definition && end < text.size() && end >= 2 && text.characters[end - 2] == '\\')
-            end = std::min(text.characters.find('\n', end), text.size() - 1) + 1;
-        PlacedText line;
-        line.characters = text.characters.substr(begin, end - begin);
-        line.places.assign(text.places.begin() + static_cast<std::ptrdiff_t>(begin),
-                           text.places.begin() + static_cast<std::ptrdiff_t>(end));
+    TRY(add_lines(text, nesting));
+    if (conditions_.size() != open_conditions)
+        return fail(Fault::User,
+                    fmt::format("{}:{}:{}: this #if has no #endif", name,
+                                conditions_.back().place.line, conditions_.back().place.column));
+    return {};
+}
+
+// A line that calls a macro goes on to where the call ends, as in C, but not beyond a directive.
+Result<void> Preprocessor::add_lines(PlacedText const& text, int nesting)
+{
+    constexpr int kMaxCallLines = 1000;
+    for (std::size_t begin = 0; begin < text.size();) {
+        auto line = take_line(text, begin);
+        if (active() && !is_directive(line.characters))
+            for (int i = 0; i < kMaxCallLines && begin < text.size() && macros_.ends_in_call(line);
+                 ++i) {
+                auto next = begin;
+                auto const more = take_line(text, next);
+                if (is_directive(more.characters))
+                    break;
+                append(line, more, 0, more.size());
+                begin = next;
+            }
         TRY(add_line(line, nesting));
+    }
+    return {};
+}
+
+// A definition goes on behind a backslash at the line's end; elsewhere \ is a turtle symbol.
+PlacedText Preprocessor::take_line(PlacedText const& text, std::size_t& begin)
+{
+    auto const line_end
+        = [&] { return std::min(text.characters.find('\n', begin), text.size() - 1) + 1; };
+    PlacedText line;
+    auto end = line_end();
+    append(line, text, begin, end);
+    begin = end;
+    if (!is_directive(line.characters))
+        return line;
+    for (auto size = line.size();
+         size >= 2 && line.characters.compare(size - 2, 2, "\\\n") == 0 && begin < text.size();
+         size = line.size()) {
+        line.characters.resize(size - 2);
+        line.places.resize(size - 2);
+        end = line_end();
+        PlacedText next;
+        append(next, text, begin, end);
+        if (active())
+            warn_of_joined_line(line, next);
+        append(line, text, begin, end);
         begin = end;
     }
-    if (conditions_.size() != open_conditions)
-        return error(text, text.size() - 1, "the file ends inside #if, expected #endif");
-    return {};
+    return line;
+}
+
+// A definition whose last symbol is a \ takes the next line in, as in C, which is seldom meant.
+void Preprocessor::warn_of_joined_line(PlacedText const& definition, PlacedText const& line)
+{
+    auto const rest = trimmed_line(line.characters);
+    bool const is_statement = rest.find("-->") != std::string_view::npos
+        || rest.find("xiom:") != std::string_view::npos || rest.substr(0, 1) == "#";
+    if (!rest.empty() && !is_statement)
+        return;
+    auto const& at = definition.places.front();
+    auto const next = rest.empty() ? "an empty one" : fmt::format("'{}'", shown(rest));
+    warnings_.push_back(fmt::format(
+        "{}:{}:{}: the \\ at the end of this definition joins the next line to it ({}); for the "
+        "turtle symbol, write another one behind it, such as \\(a)",
+        files_[at.file], at.line, at.column, next));
 }
 
 Result<void> Preprocessor::add_line(PlacedText const& line, int nesting)
@@ -108,14 +207,14 @@ Result<bool> Preprocessor::directive(PlacedText const& line, int nesting)
     rest = trimmed_line(rest.substr(1));
     auto const word = first_name(rest);
     rest = trimmed_line(rest.substr(word.size()));
-    if (word == "ifdef" || word == "ifndef" || word == "if" || word == "else" || word == "endif") {
-        TRY(condition(line, word, rest));
+    if (TRY(condition(line, word, rest)))
         return true;
-    }
-    if (word != "define" && word != "undef" && word != "include")
+    if (word != "define" && word != "undef" && word != "include" && word != "error")
         return false;
     if (!active())
         return true;
+    if (word == "error")
+        return error(line, 0, fmt::format("#error {}", shown(rest)));
     if (word == "define")
         TRY(macros_.define(line, rest));
     else if (word == "undef")
@@ -125,28 +224,95 @@ Result<bool> Preprocessor::directive(PlacedText const& line, int nesting)
     return true;
 }
 
-Result<void> Preprocessor::condition(PlacedText const& line, std::string_view word,
+// Whether the line was #if or what belongs to it. What is not read is not computed, either.
+Result<bool> Preprocessor::condition(PlacedText const& line, std::string_view word,
                                      std::string_view rest)
 {
-    if (word == "else" || word == "endif") {
-        if (conditions_.empty())
-            return error(line, 0, fmt::format("found #{} without #if", word));
-        if (word == "else")
-            conditions_.back() = !conditions_.back();
-        else
-            conditions_.pop_back();
+    if (word == "elif" || word == "else" || word == "endif") {
+        TRY(next_part(line, word, rest));
+        return true;
+    }
+    if (word != "if" && word != "ifdef" && word != "ifndef")
+        return false;
+    Condition opened;
+    opened.is_possible = active();
+    opened.place = line.places[line.characters.find('#')];
+    if (opened.is_possible)
+        opened.is_on = word == "if" ? TRY(value(line, rest))
+                                    : TRY(is_defined(line, rest, word)) == (word == "ifdef");
+    opened.was_on = opened.is_on;
+    conditions_.push_back(opened);
+    return true;
+}
+
+Result<bool> Preprocessor::is_defined(PlacedText const& line, std::string_view rest,
+                                      std::string_view word) const
+{
+    auto const name = first_name(rest);
+    if (name.empty() || !is_name_start(name.front()))
+        return error(line, 0, fmt::format("found #{} {}, expected a name", word, shown(rest)));
+    return macros_.is_defined(name);
+}
+
+Result<void> Preprocessor::next_part(PlacedText const& line, std::string_view word,
+                                     std::string_view rest)
+{
+    if (conditions_.empty())
+        return error(line, 0, fmt::format("found #{} without #if", word));
+    auto& open = conditions_.back();
+    if (word == "endif") {
+        conditions_.pop_back();
         return {};
     }
-    if (word == "if") {
-        auto const value = macros_.body(rest);
-        if (value.empty() || !std::all_of(value.begin(), value.end(), is_digit))
-            return error(line, 0, fmt::format("found #if {}, expected an integer", rest));
-        conditions_.push_back(value.find_first_not_of('0') != std::string_view::npos);
-        return {};
-    }
-    bool const defined = macros_.is_defined(first_name(rest));
-    conditions_.push_back(defined == (word == "ifdef"));
+    if (open.has_else)
+        return error(
+            line, 0,
+            fmt::format("found #{} behind the #else of the #if at line {}", word, open.place.line));
+    bool const is_open = open.is_possible && !open.was_on;
+    open.has_else = word == "else";
+    open.is_on = is_open && (open.has_else || TRY(value(line, rest)));
+    open.was_on = open.was_on || open.is_on;
     return {};
+}
+
+// Of an #if's expression. `defined` is replaced before macros are.
+Result<bool> Preprocessor::value(PlacedText const& line, std::string_view rest)
+{
+    auto const text = part_of(line, rest);
+    PlacedText ready;
+    std::string_view const characters = text.characters;
+    auto const skip_blanks = [&](std::size_t from) {
+        return std::min(characters.find_first_not_of(" \t\r\n", from), characters.size());
+    };
+    for (std::size_t i = 0; i < characters.size();) {
+        auto const begin = i;
+        i = token_end(characters, i);
+        if (characters.substr(begin, i - begin) != "defined") {
+            append(ready, text, begin, i);
+            continue;
+        }
+        auto name_at = skip_blanks(i);
+        bool const is_enclosed = characters.substr(name_at, 1) == "(";
+        if (is_enclosed)
+            name_at = skip_blanks(name_at + 1);
+        auto const name = first_name(characters.substr(name_at));
+        i = name_at + name.size();
+        if (is_enclosed)
+            i = skip_blanks(i);
+        if (name.empty() || !is_name_start(name.front())
+            || (is_enclosed && characters.substr(i, 1) != ")"))
+            return error(text, begin, "found 'defined', expected a name or (NAME) behind it");
+        i += is_enclosed;
+        ready.push(macros_.is_defined(name) ? '1' : '0', text.places[begin]);
+    }
+    PlacedText expanded;
+    TRY(macros_.expand(ready, expanded));
+    auto const end_place = line.places.back();
+    expanded.push(' ', end_place);
+    auto const result = TRY(condition_value(expanded.characters, [&](auto index, auto const& what) {
+        return error(expanded, std::min(index, expanded.size() - 1), what);
+    }));
+    return result != 0;
 }
 
 Result<void> Preprocessor::include_file(PlacedText const& line, std::string_view rest, int nesting)
@@ -154,7 +320,7 @@ Result<void> Preprocessor::include_file(PlacedText const& line, std::string_view
     auto const close = rest.empty() ? '"' : rest.front() == '<' ? '>' : rest.front();
     if (rest.size() < 3 || (close != '"' && close != '>')
         || rest.find(close, 1) == std::string_view::npos)
-        return error(line, 0, fmt::format("found #include {}, expected \"FILE\"", rest));
+        return error(line, 0, fmt::format("found #include {}, expected \"FILE\"", shown(rest)));
     auto const name = std::string(rest.substr(1, rest.find(close, 1) - 1));
     if (!include_)
         return error(line, 0, fmt::format("cannot include {}: this model has no folder", name));
@@ -169,6 +335,7 @@ SourceText Preprocessor::finish()
     SourceText result;
     auto const end = out_.places.empty() ? SourcePlace {} : out_.places.back();
     result.files = std::move(files_);
+    result.warnings = std::move(warnings_);
     result.text = std::move(out_.characters);
     result.places = std::move(out_.places);
     result.places.push_back(end);

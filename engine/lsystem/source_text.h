@@ -25,14 +25,15 @@ struct SourceText {
     std::vector<std::string> files; // Names, for messages; the model's own first.
     std::string text;
     std::vector<SourcePlace> places; // One per character, and one for the end.
+    std::vector<std::string> warnings;
 
     // "FILE:LINE:COLUMN" of a character.
     std::string place(std::size_t index) const;
 };
 
-// A small C preprocessor with what L-system models use: comments of both kinds, #define with and
-// without parameters, #undef, #include, #ifdef, #ifndef, #if with an integer, #else, #endif.
-// A line that starts with `#` and none of these words is left alone, since # is a turtle symbol.
+// C's preprocessor: comments of both kinds, #define with and without parameters and with # and ##,
+// #undef, #include, #if, #ifdef, #ifndef, #elif, #else, #endif, #error. A line that starts with `#`
+// and none of these words is left alone, since # is a turtle symbol.
 Result<SourceText> preprocess(std::string const& name, std::string_view text,
                               IncludeReader const& include);
 

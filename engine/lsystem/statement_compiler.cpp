@@ -44,10 +44,7 @@ Result<void> StatementCompiler::statement(Program& program)
 
 Result<void> StatementCompiler::statement_or_block(Program& program)
 {
-    ++conditional_depth_;
-    TRY(cursor_.peek() == '{' ? block(program) : statement(program));
-    --conditional_depth_;
-    return {};
+    return cursor_.peek() == '{' ? block(program) : statement(program);
 }
 
 // Reads a condition in parentheses; the instruction whose target is where to go on without it.
@@ -125,9 +122,7 @@ Result<bool> StatementCompiler::assignment(Program& program)
     }
     cursor_.take("=");
     auto const value = TRY(expressions_.expression(program));
-    auto const stored = conditional_depth_ > 0 ? ExpressionCompiler::Stored::Sometimes
-                                               : ExpressionCompiler::Stored::Always;
-    TRY(expressions_.assign(*variable, value, stored, program));
+    TRY(expressions_.assign(*variable, value, program));
     frame_.release(value);
     return true;
 }

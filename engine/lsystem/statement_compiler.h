@@ -35,7 +35,6 @@ private:
     Cursor& cursor_;
     FrameBuilder& frame_;
     int depth_ = 0;
-    int conditional_depth_ = 0;
 };
 
 } // namespace tractus

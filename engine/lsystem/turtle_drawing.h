@@ -101,6 +101,14 @@ struct TurtleDrawing {
     // Drops what was drawn and keeps the memory.
     void clear();
 
+    // Of the arrays that grow with the string.
+    std::size_t byte_size() const
+    {
+        return segments.size() * sizeof(Segment) + axes.size() * sizeof(Axis)
+            + organs.size() * sizeof(Organ) + polygons.size() * sizeof(Polygon)
+            + polygon_vertices_mm.size() * sizeof(Vec3) + patches.size() * sizeof(BezierPatch)
+            + sections.size() * sizeof(AxisSection) + warnings.size() * sizeof(Warning);
+    }
     std::size_t part_count() const { return segments.size() + organs.size() + polygons.size(); }
 
     // Draws a segment from `base_mm` at `place` and moves the place to its end. Inlined, so that

@@ -1,5 +1,6 @@
 #include "engine/lsystem/view.h"
 
+#include "engine/lsystem/user_text.h"
 #include "engine/lsystem/view_files.h"
 #include "engine/lsystem/view_organs.h"
 #include "engine/lsystem/view_reader.h"
@@ -164,6 +165,21 @@ Result<void> read_polygonization_level(ViewReader& reader, std::string_view valu
     return {};
 }
 
+Result<void> read_environment(ViewReader& reader, std::string_view text)
+{
+    if (!names_environment(text)) {
+        reader.warn(fmt::format("the environment '{}' is not read: nothing is run that a model "
+                                "names; there are light, space, terrain and water",
+                                shown(text)));
+        return {};
+    }
+    auto choice = parse_environment(text);
+    if (!choice)
+        return reader.error(choice.error().message);
+    reader.view.environment = *std::move(choice);
+    return {};
+}
+
 struct Statement {
     std::string_view key;
     ReadStatement read;
@@ -200,6 +216,7 @@ constexpr std::array kStatements {
     Statement { "material", read_material },
     Statement { "organ", read_organ },
     Statement { "radii", read_radii },
+    Statement { "environment", read_environment },
 };
 
 // How cpfg shows a model, which is not our business.
@@ -273,6 +290,7 @@ Result<View> parse_view(std::string const& name, std::string_view text,
 {
     auto const source = TRY(preprocess(name, text, include));
     ViewReader reader { source, include };
+    reader.view.warnings = source.warnings;
     std::string_view const all = source.text;
     for (std::size_t begin = 0; begin < all.size();) {
         auto const end = std::min(all.find('\n', begin), all.size());

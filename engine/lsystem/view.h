@@ -3,6 +3,7 @@
 #include "engine/base/result.h"
 #include "engine/base/vectors.h"
 #include "engine/lsystem/curve_file.h"
+#include "engine/lsystem/environment_choice.h"
 #include "engine/lsystem/source_text.h"
 #include "engine/lsystem/surface_file.h"
 #include "engine/plant/contour.h"
@@ -43,7 +44,7 @@ struct OrganDefinition {
 
 // What a view file (.v) says about geometry. Angles in degrees, lengths in turtle units.
 //
-// Besides cpfg's statements there are four of our own, which cpfg reports and skips:
+// Besides cpfg's statements there are five of our own, which cpfg reports and skips:
 //   material: INDEX NAME kind=bark|stem|leaf|petal|solid color=R,G,B [roughness=] [translucency=]
 //     INDEX is the turtle's colour, as ; and , set it. color is sRGB, 0 to 1.
 //   color: INDEX R,G,B [roughness=] [translucency=]
@@ -54,6 +55,8 @@ struct OrganDefinition {
 //     drawn by ~LETTER; lengths at scale 1. See engine/plant/organ_shape.h for the others.
 //   radii: pipe EXPONENT TIP_RADIUS
 //     radii by the pipe model instead of the turtle's line width.
+//   environment: light|space|terrain|water [KEY=NUMBER…]
+//     answers the model's ?E modules (environments.h); cpfg's files of environments are not read.
 struct View {
     double angle_increment_deg = 45;
     double line_width = 0.1;
@@ -76,6 +79,7 @@ struct View {
     std::map<char, BezierSurface> surfaces; // By the letter that ~ names.
     std::map<int, Material> materials;      // By turtle colour.
     std::vector<OrganDefinition> organs;
+    EnvironmentChoice environment; // Of the model's ?E modules.
     bool pipe_model = false;
     double pipe_exponent = 2;
     double pipe_tip_radius = 0.05;

@@ -49,6 +49,11 @@ Result<void> VirtualMachine::check() const
                     fmt::format("{}: in {} a loop did not end within 10 million rounds; look "
                                 "whether its condition ever becomes 0",
                                 model_.name, where));
+    if (stop_ == Stop::Memory)
+        return fail(Fault::User,
+                    fmt::format("{}: in {} rules that rewrite each other's modules need more than "
+                                "{} MB; lower the maximum depth, or raise the limit of memory",
+                                model_.name, where, memory_limit_ >> 20));
     return fail(Fault::User,
                 fmt::format("{}: {} was not done when {} s had passed; derive fewer steps, or "
                             "raise the limit of time",

@@ -51,6 +51,9 @@ public:
     void set_time_limit(TimeLimit const* limit) { time_limit_ = limit; }
     Printer const* printer() const { return printer_; }
     TimeLimit const* time_limit() const { return time_limit_; }
+    // What the rules of one module may hold while they rewrite each other's modules.
+    void set_memory_limit(std::size_t bytes) { memory_limit_ = bytes; }
+    std::size_t memory_limit() const { return memory_limit_; }
 
     // The numbers drawn from here on belong to this module of this step.
     void begin_module(std::uint32_t step, std::uint64_t position)
@@ -74,8 +77,9 @@ public:
     // Why programs, and those who run them, must end at once.
     enum class Stop : std::uint8_t {
         None,
-        Loop, // One did not end within ten million rounds.
-        Time, // The time limit has passed.
+        Loop,   // One did not end within ten million rounds.
+        Time,   // The time limit has passed.
+        Memory, // Rules within rules need more than the limit of memory.
     };
     Stop stop() const { return stop_; }
     bool has_stopped() const { return stop_ != Stop::None; }
@@ -119,6 +123,7 @@ private:
     Model const& model_;
     Printer const* printer_ = nullptr;      // Not owned.
     TimeLimit const* time_limit_ = nullptr; // Not owned.
+    std::size_t memory_limit_ = ModelLimits().max_memory_bytes;
     std::uint64_t first_seed_ = 0;
     std::uint64_t seed_ = 0;
     std::uint32_t step_ = 0;

@@ -96,8 +96,11 @@ Result<Scene> applied(Scene scene, LoadModel const& edit, LoadOptions const& opt
                                      .seed = edit.seed,
                                      .limits = options.limits,
                                      .print = options.print }));
-    auto turtle = TRY(interpret_with_warnings(
-        model, string, { .time = options.limits.time, .print = options.print }));
+    auto turtle = TRY(interpret_with_warnings(model, string,
+                                              { .max_modules = options.limits.max_modules,
+                                                .max_memory_bytes = options.limits.max_memory_bytes,
+                                                .time = options.limits.time,
+                                                .print = options.print }));
     auto loaded
         = with_plant(std::move(scene), edit.source.name, join_axes(turtle.plant), edit.drawn);
     loaded.model_warnings = model.warnings;

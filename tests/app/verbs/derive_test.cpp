@@ -198,5 +198,67 @@ TEST_F(DeriveVerb, ChecksOurModelsWithoutWarnings)
     EXPECT_NE(outcome.out.find("\nNo warnings\n"), std::string::npos) << outcome.out;
 }
 
+TEST_F(DeriveVerb, PrintsWhatTheTurtleReads)
+{
+    auto const model
+        = write("m.l", "Lsystem: 1\nAxiom: A(2)\nhomomorphism\nA(x) --> F(x)F(x/2)\nendlsystem\n");
+    EXPECT_EQ(run({ "derive", model, "--string" }).out, "A(2)\n");
+    EXPECT_EQ(run({ "derive", model, "--string", "--homomorphism" }).out, "F(2)F(1)\n");
+}
+
+TEST_F(DeriveVerb, AsksAnEnvironment)
+{
+    auto const model = write("m.l", "Lsystem: 1\nAxiom: ?E(0,1)?E(0,1)\nendlsystem\n");
+    EXPECT_EQ(run({ "derive", model, "--string" }).out, "?E(0,1)?E(0,1)\n");
+    EXPECT_EQ(run({ "derive", model, "--string", "--environment", "space" }).out,
+              "?E(1,1)?E(1,1)\n"); // At one place, as one organ that asks again.
+    EXPECT_EQ(run({ "derive", model, "--string", "--environment", "light:shade=0.25" }).out,
+              "?E(0.75,1)?E(0.75,1)\n");
+    auto const wrong = run({ "derive", model, "--string", "--environment", "sun" });
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_EQ(wrong.err,
+              "error: there is no environment 'sun'; there are light, space, terrain and water\n");
+}
+
+// A panel's file is no model, so the folder is the model's alone.
+TEST_F(DeriveVerb, WarnsOfColoursThatItDoesNotUse)
+{
+    auto const model = write("m.l", kRules);
+    auto const colors = write("other.map", std::string(768, 'c'));
+    write("panel.l", "control panel:\nbackground: 1,2,3\n");
+    EXPECT_EQ(run({ "derive", model, "--string" }).err, "");
+    write("second.l", kRules);
+    auto const unused = run({ "derive", model, "--string" });
+    EXPECT_EQ(unused.exit_code, 0);
+    EXPECT_EQ(unused.err,
+              "warning: " + colors + " is not used, since its name is not the model's; --colors "
+                  + colors + " uses it\n");
+    EXPECT_EQ(run({ "derive", model, "--string", "--colors", colors }).err, "");
+    EXPECT_EQ(run({ "derive", model, "--string", "--colors", model }).exit_code, 1);
+}
+
+TEST_F(DeriveVerb, TakesTheViewThatItIsGiven)
+{
+    auto const model = write("m.l", "Lsystem: 1\nAxiom: ?E(0)\nendlsystem\n");
+    auto const view = write("other.v", "environment: terrain\n");
+    EXPECT_NE(run({ "derive", model, "--string" }).err.find("--view"), std::string::npos);
+    write("m.v", "environment: light\n");
+    EXPECT_EQ(run({ "derive", model, "--string" }).out, "?E(1)\n");
+    EXPECT_EQ(run({ "derive", model, "--string", "--view", view }).out, "?E(0)\n");
+}
+
+TEST_F(DeriveVerb, DerivesTheModelThatIsWrittenToBeginWith)
+{
+    auto const path = (folder_ / "mine.l").string();
+    EXPECT_EQ(run({ "lsystem", "new", path }).exit_code, 0);
+    auto const derived = run({ "derive", path, "--count" });
+    EXPECT_EQ(derived.exit_code, 0);
+    EXPECT_EQ(derived.err, "");
+    EXPECT_NE(derived.out.find("\"F\":255"), std::string::npos) << derived.out;
+    auto const again = run({ "lsystem", "new", path });
+    EXPECT_EQ(again.exit_code, 1);
+    EXPECT_NE(again.err.find("is there already"), std::string::npos);
+}
+
 } // namespace
 } // namespace tractus

@@ -104,9 +104,9 @@ TEST(Statements, KeepGlobalsAndArrays)
         "B(11,11,2,1,1)");
 }
 
-TEST(Statements, StartLocalsAtZeroEachTime)
+TEST(Statements, KeepLocalsFromMatchToMatch)
 {
-    EXPECT_EQ(derived("Axiom: A(1)A(0)\nA(x) : {if (x) {y=5;}} 1 --> B(y)"), "B(5)B(0)");
+    EXPECT_EQ(derived("Axiom: A(1)A(0)\nA(x) : {if (x) {y=5;}} 1 --> B(y)"), "B(5)B(5)");
 }
 
 TEST(Statements, StopALoopThatDoesNotEnd)

@@ -114,5 +114,60 @@ TEST(MemoryLimit, StopsOneModuleThatBecomesMany)
               "limit of memory");
 }
 
+// What one module becomes, deep within rules that never end, is drawn until a limit is reached.
+TEST(DrawingLimits, HoldWithinOneModule)
+{
+    auto const model = compiled(with_header("Axiom: A\nhomomorphism\nmaximum depth: 100000\n"
+                                            "A --> F A A",
+                                            0));
+    auto const string = derive(model);
+    ASSERT_TRUE(string);
+    auto const message = [&](TurtleOptions const& options) {
+        auto const plant = interpret(model, *string, options);
+        return plant ? std::string("no error") : plant.error().message;
+    };
+    EXPECT_EQ(message({ .max_modules = 100'000 }),
+              "model.l: the homomorphism makes more than 100000 modules; derive fewer steps or "
+              "raise the limit");
+    EXPECT_EQ(message({ .max_parts = 50'000 }),
+              "model.l: the plant has more than 50000 segments, organs and polygons; derive fewer "
+              "steps");
+    EXPECT_EQ(message({ .max_memory_bytes = std::size_t { 8 } << 20 }),
+              "model.l: the plant needs more than 8 MB; derive fewer steps or raise the limit of "
+              "memory");
+    EXPECT_EQ(message({ .time = soon() }),
+              "model.l: the homomorphism was not done when 60 s had passed; derive fewer steps, or "
+              "raise the limit of time");
+}
+
+TEST(DrawingLimits, HoldForWhatIsPlanned)
+{
+    auto const model = compiled(with_header("Axiom: F\nF --> FF", 18));
+    auto const string = derive(model);
+    ASSERT_TRUE(string);
+    EXPECT_TRUE(interpret(model, *string, {}));
+    auto const plant = interpret(model, *string, { .max_memory_bytes = std::size_t { 2 } << 20 });
+    ASSERT_FALSE(plant);
+    EXPECT_NE(plant.error().message.find("needs more than 2 MB"), std::string::npos);
+}
+
+// Nothing comes of these rules but what they hold.
+TEST(MemoryLimit, CountsRulesThatRewriteEachOthersModules)
+{
+    DeriveOptions options;
+    options.limits.max_memory_bytes = std::size_t { 8 } << 20;
+    std::string const wide(1000, 'C');
+    EXPECT_EQ(error_of("Axiom: A(1)\ndecomposition\nmaximum depth: 1000000\nA(n) --> A(n+1)" + wide,
+                       options),
+              "model.l: in step 1 rules that rewrite each other's modules need more than 8 MB; "
+              "lower the maximum depth, or raise the limit of memory");
+    auto const model = compiled(
+        with_header("Axiom: A\nhomomorphism\nmaximum depth: 1000000\nA --> A" + wide, 0));
+    auto const plant
+        = interpret(model, *derive(model), { .max_memory_bytes = std::size_t { 8 } << 20 });
+    ASSERT_FALSE(plant);
+    EXPECT_NE(plant.error().message.find("need more than 8 MB"), std::string::npos);
+}
+
 } // namespace
 } // namespace tractus

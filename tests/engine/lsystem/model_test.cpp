@@ -11,8 +11,8 @@ namespace {
 TEST(ModelErrors, NameTheLineAndColumn)
 {
     EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A\nA -> B\n"),
-              "model.l:3:7: found the end of the line, expected '-->'");
-    EXPECT_EQ(compile_error("Axiom: A\n"), "model.l:1:1: found 'A', expected 'Lsystem:'");
+              "model.l:3:1: found 'A -> B', expected a rule, which has -->, or a statement");
+    EXPECT_EQ(compile_error("Axiom: A\n"), "model.l:1:1: found 'Axiom: A', expected 'Lsystem:'");
     EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A(1\n"),
               "model.l:2:11: found the end of the line, expected ',' or ')'");
     EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A\nA(x) : x>>1 --> B\n"),
@@ -43,7 +43,7 @@ TEST(ModelErrors, NameTheIncludedFile)
     auto const model = compile_model(
         source, [](std::string const&) -> Result<std::string> { return "\nhello\n"; });
     ASSERT_FALSE(model);
-    EXPECT_EQ(model.error().message, "constants.h:2:1: found 'h', expected 'Lsystem:'");
+    EXPECT_EQ(model.error().message, "constants.h:2:1: found 'hello', expected 'Lsystem:'");
     EXPECT_EQ(compile_error(source.text),
               "model.l:1:1: cannot include constants.h: this model has no folder");
 }
@@ -166,6 +166,40 @@ TEST(Model, LooksUpCurvesByNumberAndName)
     EXPECT_NEAR(static_cast<double>(string->parameters[4]), std::sqrt(90), 1e-4); // (3, 0, 9) long.
     EXPECT_EQ(string->parameters[5], string->parameters[4]);
     EXPECT_EQ(string->parameters[6], 0.0f);
+}
+
+TEST(Messages, NameTheStatementThatWasMeant)
+{
+    EXPECT_EQ(compile_error("Lsystem: 1\nderivation lenght: 5\nAxiom: A\nendlsystem\n"),
+              "model.l:2:1: found 'derivation lenght: 5', expected 'derivation length:', perhaps");
+    EXPECT_EQ(compile_error("Lsytem: 1\nAxiom: A\n"),
+              "model.l:1:1: found 'Lsytem: 1', expected 'Lsystem:', perhaps");
+    EXPECT_EQ(compile_error(with_header("Axoim: A\nA --> B")),
+              "model.l:3:1: found 'Axoim: A', expected 'Axiom:', perhaps");
+    EXPECT_EQ(compile_error(with_header("Axiom: A\nA --> B\nhomomorphsim\nB --> F")),
+              "model.l:5:1: found 'homomorphsim', expected 'homomorphism', perhaps");
+    EXPECT_EQ(compile_error(with_header("Axiom: A\nmaximum deph: 3\nA --> B")),
+              "model.l:4:1: found 'maximum deph: 3', expected 'maximum depth:', perhaps");
+    EXPECT_EQ(
+        compile_error(with_header("Axiom: A\nwhatever I mean")),
+        "model.l:4:1: found 'whatever I mean', expected a rule, which has -->, or a statement");
+    EXPECT_EQ(compile_error("whatever: 3\n"),
+              "model.l:1:1: found 'whatever: 3', expected 'Lsystem:'");
+}
+
+TEST(Messages, EscapeWhatIsNoText)
+{
+    EXPECT_EQ(compile_error("Lsystem: 1\n\x1b[31mred\nAxiom: A\n"),
+              "model.l:2:1: found '\\x1b[31mred', expected 'Axiom:' or another statement of the "
+              "header");
+    EXPECT_EQ(compile_error(with_header("Axiom: A(\x01)")),
+              "model.l:3:10: found '\\x01', expected a number, a name or '('");
+    EXPECT_EQ(compile_error(with_header("Axiom: A(\xc3\xa4)")),
+              "model.l:3:10: found '\xc3\xa4', expected a number, a name or '('");
+    EXPECT_EQ(compile_error(with_header("Axiom: A(\xff)")),
+              "model.l:3:10: found '\\xff', expected a number, a name or '('");
+    EXPECT_EQ(compile_error("#if \x07\n#endif\n"),
+              "model.l:1:5: found '\\x07' in #if, expected an integer");
 }
 
 } // namespace

@@ -189,7 +189,10 @@ TEST(Turtle, StopsARunawayHomomorphism)
         = compiled(with_header("Axiom: A\nhomomorphism\nmaximum depth: 50\nA --> AA", 0));
     auto const plant = interpret(model, *derive(model), { .unit_mm = 10, .max_modules = 10000 });
     ASSERT_FALSE(plant);
-    EXPECT_EQ(plant.error().message, "model.l: the homomorphism makes more than 10000 modules");
+    EXPECT_EQ(
+        plant.error().message,
+        "model.l: the homomorphism makes more than 10000 modules; derive fewer steps or raise the "
+        "limit");
 }
 
 std::vector<std::string> warnings_of(std::string const& axiom, std::string const& view = {})
