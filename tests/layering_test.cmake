@@ -16,13 +16,16 @@ set(drivers          engine/base)
 set(calib            engine/base engine/stroke drivers)
 set(sim              engine/base engine/stroke drivers calib)
 set(app/session      engine drivers)
+set(app/tools        engine)
 set(app/terminal     engine/base drivers)
-set(app/station      engine drivers calib app/session app/terminal app/render app/diagnosis app/calibration)
+set(app/document     engine app/session app/tools app/terminal)
+set(app/station      engine drivers calib app/tools app/document app/terminal app/render app/diagnosis
+                     app/calibration)
 set(app              engine drivers calib sim)
 
 set(layers engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh
            engine/scene engine/export engine/methods/construction_lines engine/methods/leaves engine/methods/sketch_lsystem
-           drivers calib sim app/session app/terminal app/station app)
+           drivers calib sim app/session app/tools app/terminal app/document app/station app)
 
 foreach(layer IN LISTS layers)
     set(allowed ${layer} ${${layer}})

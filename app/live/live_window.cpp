@@ -1,6 +1,7 @@
 #include "app/live/live_window.h"
 
 #include "app/calibration/save_calibration.h"
+#include "app/document/logged_step.h"
 #include "calib/rig_file.h"
 #include "drivers/height_decoder.h"
 #include "engine/base/check.h"
@@ -112,7 +113,6 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
     bool const lacks_calibration = tractus::lacks_calibration(devices, options);
     auto const mouse = TRY(add_mouse(devices, options));
     station_options.rig = TRY(choose_rig(devices, options, mouse));
-    station_options.scene = options.session ? options.session->scene() : options.scene;
     if (!mouse.height && (options.height_mm || !has_sensor || lacks_calibration))
         station_options.scripted_height = ScriptedHeight {
             .scenario = { .kind = HeightScenario::Kind::Constant,
@@ -141,7 +141,8 @@ LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
     , options_(std::move(options))
     , station_options_(std::move(station_options))
     , station_(std::move(station))
-    , controller_(station_, std::exchange(options_.session, std::nullopt), options_.folder)
+    , controller_(station_, std::exchange(options_.session, std::nullopt),
+                  std::exchange(options_.scene, {}), options_.folder)
     , states_(devices_.infos().size(), LiveDevices::State::Connected)
 {
     view().state().is_live = true;
@@ -161,7 +162,9 @@ Result<void> LiveWindow::finish()
     take_reports();
     station_.finish();
     record_tool_changes();
-    return controller_.finish(station_, options_.now());
+    auto const kept = controller_.finish(station_, options_.now());
+    record_steps();
+    return kept;
 }
 
 Result<void> LiveWindow::close()
@@ -182,6 +185,7 @@ void LiveWindow::advance(Duration real_step)
         *options_.counted_time += real_step;
     take_reports();
     controller_.show(station_, options_.now());
+    record_steps();
     view().show_pen(station_.take_moments());
     calibrate();
     show_devices();
@@ -213,6 +217,18 @@ void LiveWindow::record_tool_changes()
         auto const words = words_for(tool);
         if (recorder_)
             recorder_->write_tool(time, words.name, words.arguments);
+    }
+}
+
+// Each with the number of strokes of the recording that came before it, since it is known later
+// that it was done than strokes may have begun that come after it.
+void LiveWindow::record_steps()
+{
+    for (auto const& step : controller_.take_done()) {
+        if (!recorder_)
+            continue;
+        auto const words = words_for(step, step.strokes_before - recorded_from_stroke_);
+        recorder_->write_tool(options_.now(), words.name, words.arguments);
     }
 }
 
@@ -267,6 +283,9 @@ Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
                                          { .devices = devices_.infos(),
                                            .rig_text = print_rig(station_options_.rig),
                                            .start = now }));
+    (void)controller_.finish(station_, now);
+    (void)controller_.take_done(); // What was done before is not of the recording.
+    recorded_from_stroke_ = controller_.document().stroke_count();
     auto const tools = station_.tools_to_go_on_with();
     if (tools != std::vector { station_options_.tool })
         for (auto const& tool : tools) {
@@ -310,6 +329,8 @@ void LiveWindow::perform_kind(SetRecording const& command)
         status = begun ? fmt::format("Recording into {}", path.string()) : begun.error().message;
         return;
     }
+    (void)controller_.finish(station_, options_.now()); // What was asked for is part of it.
+    record_steps();
     auto const stopped = stop_recording();
     auto const& [is_on, file, bytes] = view().state().recording;
     status = stopped ? fmt::format("Recorded {}, {:.1f} kB", file, static_cast<double>(bytes) / 1e3)
@@ -323,21 +344,7 @@ void LiveWindow::perform(WindowCommand const& command)
 
 void LiveWindow::perform_kind(Restart const&)
 {
-    if (controller_.keeper().has_session())
-        controller_.perform(Restart {}, station_);
-    else
-        restart_without_session();
-}
-
-void LiveWindow::restart_without_session()
-{
-    auto again = Station::create(devices_.infos(), station_options_);
-    if (!again) {
-        view().state().status = again.error().message;
-        return;
-    }
-    go_on_with(*std::move(again));
-    controller_.show_again(station_, "The plant is as its model gives it");
+    controller_.begin_again(station_, "The plant is as its model gives it");
 }
 
 // In the present one's place, with what is in the hand.
@@ -459,8 +466,8 @@ void LiveWindow::use_rig(Rig const& rig)
         return;
     }
     station_.finish();
-    auto const kept = controller_.finish(station_, options_.now());
-    station->take_drawing_from(station_); // With what could not be kept, which is tried again.
+    record_tool_changes();
+    auto const kept = controller_.finish(station_, options_.now()); // Else it is tried again.
     station_options_ = std::move(options);
     go_on_with(*std::move(station));
     controller_.show_again(station_,

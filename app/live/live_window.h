@@ -65,6 +65,7 @@ public:
     CalibrationModel* calibration() override { return calibration_ ? &*calibration_ : nullptr; }
 
     Station const& station() const { return station_; }
+    Scene const& scene() const { return *controller_.view().grown_scene(); } // That is shown.
 
 private:
     LiveWindow(LiveDevices devices, LiveWindowOptions options, StationOptions station_options,
@@ -94,8 +95,8 @@ private:
     void calibrate();
     void use_rig(Rig const& rig);
     void go_on_with(Station station);
-    void restart_without_session();
     void record_tool_changes();
+    void record_steps();
     void tell_device_changes();
     void tell_who_is_away();
     void tell_what_is_lost();
@@ -109,8 +110,9 @@ private:
     Station station_;
     StationController controller_;
     std::optional<LiveRecorder> recorder_;
-    std::optional<LiveDiagnosis> diagnosis_;                // While the devices are watched.
-    Timestamp next_look_ {};                                // At what it found.
+    std::size_t recorded_from_stroke_ = 0;   // Of the document's, the first of the recording.
+    std::optional<LiveDiagnosis> diagnosis_; // While the devices are watched.
+    Timestamp next_look_ {};                 // At what it found.
     std::optional<CalibrationPanelController> calibration_; // While a person calibrates.
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
     std::vector<LiveReport> reports_;        // Kept for its memory.

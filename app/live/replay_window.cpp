@@ -5,14 +5,13 @@
 
 namespace tractus {
 
-Result<ReplayWindow> ReplayWindow::create(Log const& log, ReplayOptions options,
+Result<ReplayWindow> ReplayWindow::create(Log const& log, ReplayOptions options, Scene scene,
                                           std::filesystem::path pictures,
                                           std::optional<Session> session)
 {
-    if (session)
-        options.scene = session->scene();
     auto replay = TRY(LogReplay::create(log, options));
-    StationController controller(replay.station(), std::move(session), std::move(pictures));
+    StationController controller(replay.station(), std::move(session), std::move(scene),
+                                 std::move(pictures));
     return ReplayWindow(log, std::move(options), std::move(replay), std::move(controller));
 }
 
@@ -25,7 +24,8 @@ ReplayWindow::ReplayWindow(Log const& log, ReplayOptions options, LogReplay repl
     , controller_(std::move(controller))
 {
     if (view().state().status.empty()) // Else it says what of the session is unknown.
-        view().state().status = "The hand begins";
+        view().state().status
+            = replay_.left_out().empty() ? "The hand begins" : replay_.left_out().front();
 }
 
 ReplayWindow::~ReplayWindow()
@@ -55,6 +55,7 @@ void ReplayWindow::advance(Duration real_step)
     }
     now_ += from_seconds(to_seconds(real_step) * state.speed);
     bool const goes_on = replay_.advance_to(now_);
+    replay_.hand_over(controller_.document());
     controller_.show(replay_.station(), now_);
     if (!goes_on) {
         auto const kept = replay_.outcome() ? finish() : replay_.outcome();
@@ -97,19 +98,13 @@ void ReplayWindow::perform_kind(Restart const&)
         state.status = again.error().message;
         return;
     }
-    // The growth stays as a person has set it; but a session is as it began.
-    auto& station = again->station();
-    auto scene = station.scene();
-    scene.growth = replay_.station().scene().growth;
-    station.set_scene(std::move(scene));
     replay_ = *std::move(again);
     now_ = replay_.begin();
     state.playing = true;
     state.progress = 0;
-    if (controller_.keeper().has_session())
-        controller_.perform(Restart {}, replay_.station());
-    else
-        controller_.show_again(replay_.station(), "The hand begins again");
+    view().begin_again(replay_.station(), controller_.document());
+    // The growth stays as a person has set it; but a session is as it began.
+    controller_.begin_again(replay_.station(), "The hand begins again", Document::Growth::AsItIs);
 }
 
 } // namespace tractus

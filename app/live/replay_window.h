@@ -16,9 +16,9 @@ namespace tractus {
 class ReplayWindow final : public WindowModel {
 public:
     // The log must outlive the window. `pictures` is the folder in which saved pictures appear. A
-    // session keeps what is drawn, on its scene in place of that of the options. Fails like
+    // session keeps what is drawn, on its scene in place of `scene`. Fails like
     // LogReplay::create.
-    static Result<ReplayWindow> create(Log const& log, ReplayOptions options,
+    static Result<ReplayWindow> create(Log const& log, ReplayOptions options, Scene scene,
                                        std::filesystem::path pictures,
                                        std::optional<Session> session = {});
 

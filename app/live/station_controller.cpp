@@ -13,41 +13,52 @@
 
 namespace tractus {
 
+static std::unique_ptr<Document> document_of(std::optional<Session> session, Scene scene)
+{
+    constexpr auto kWorking = Document::Working::OnItsThread;
+    if (session)
+        return std::make_unique<Document>(*std::move(session), kWorking);
+    return std::make_unique<Document>(std::move(scene), kWorking);
+}
+
 StationController::StationController(Station const& station, std::optional<Session> session,
-                                     std::filesystem::path folder)
-    : keeper_(std::move(session))
-    , view_(station)
+                                     Scene scene, std::filesystem::path folder)
+    : document_(document_of(std::move(session), std::move(scene)))
+    , view_(station, *document_)
     , folder_(std::move(folder))
 {
-    view_.state().has_session = keeper_.has_session();
-    if (keeper_.has_session())
-        view_.state().status = keeper_.session().unknown().sentence();
+    view_.state().has_session = document_->session().is_in_file();
+    view_.state().status = document_->session().unknown().sentence();
 }
 
 void StationController::show(Station& station, Timestamp now)
 {
-    show_kept(station, now);
+    show_document(station, now);
     show_files();
 }
 
-void StationController::show_kept(Station& station, Timestamp now)
+void StationController::take_strokes(Station& station)
+{
+    for (auto& stroke : station.take_strokes())
+        document_->draw(std::move(stroke));
+}
+
+void StationController::show_document(Station& station, Timestamp now)
 {
     now_ = now;
-    keeper_.advance(station, now);
-    while (auto const done = keeper_.take_done()) {
-        if (done->of == WantedStep::Of::Growth) {
-            view_.show_growth(station); // Where it was refused, what a slider previewed is gone.
-            view_.state().status = done->status ? *done->status : done->status.error().message;
-        } else if (done->status) {
-            show_again(station, *done->status);
-        } else {
-            view_.state().status = done->status.error().message;
-        }
+    take_strokes(station);
+    document_->pass_time(now);
+    for (auto const& drawn : document_->take_drawn())
+        view_.tell(drawn);
+    while (auto done = document_->take_done()) {
+        if (!done->status && done->of == WantedStep::Of::Growth)
+            view_.show_growth();
+        view_.state().status = done->status ? *done->status : done->status.error().message;
+        if (done->status)
+            done_.push_back(*std::move(done));
     }
-    view_.show(station,
-               keeper_.is_settled() ? StationView::Strokes::Kept : StationView::Strokes::AsInk);
-    keeper_.forget_kept(station);
-    if (auto const& why = keeper_.not_kept(); !why.empty())
+    view_.show(station, *document_);
+    if (auto const& why = document_->newest()->not_kept; !why.empty())
         view_.state().trouble = fmt::format("What is drawn is not kept: {}", why);
 }
 
@@ -67,22 +78,19 @@ void StationController::show_files()
 
 Result<void> StationController::finish(Station& station, Timestamp now)
 {
-    if (!keeper_.has_session())
+    if (!document_) // Moved from.
         return {};
-    keeper_.try_again();
-    keeper_.settle(station, now);
-    keeper_.forget_kept(station);
-    if (keeper_.not_kept().empty()) {
-        Result<void> done;
-        while (auto const step = keeper_.take_done())
-            if (done && !step->status)
-                done = tl::unexpected(step->status.error());
-        return done;
-    }
-    auto const count = keeper_.unkept_strokes();
-    auto const what = count == 1 ? std::string("the last stroke is")
-                                 : fmt::format("the last {} strokes are", count);
-    return fail(Fault::User, fmt::format("{} not kept: {}", what, keeper_.not_kept()));
+    take_strokes(station);
+    document_->try_again();
+    document_->settle();
+    show_document(station, now);
+    auto const snapshot = document_->newest();
+    if (snapshot->unkept == 0)
+        return {};
+    auto const what = snapshot->unkept == 1
+        ? std::string("the last stroke is")
+        : fmt::format("the last {} strokes are", snapshot->unkept);
+    return fail(Fault::User, fmt::format("{} not kept: {}", what, snapshot->not_kept));
 }
 
 bool StationController::may_close(Result<void> const& finished)
@@ -110,8 +118,9 @@ Result<void> StationController::finish_files()
 
 void StationController::settle(Station& station, Timestamp now)
 {
-    keeper_.settle(station, now);
-    show_kept(station, now);
+    take_strokes(station);
+    document_->settle();
+    show_document(station, now);
     view_.settle();
     files_->settle();
     show_files();
@@ -124,20 +133,20 @@ std::filesystem::path StationController::new_file(std::string_view ending) const
 
 void StationController::show_again(Station const& station, std::string const& status)
 {
-    view_.begin_again(station);
+    view_.begin_again(station, *document_);
     view_.state().status = status;
 }
 
 void StationController::perform(Undo const&, Station& station)
 {
-    keeper_.undo();
-    show_kept(station, now_);
+    document_->undo();
+    show_document(station, now_);
 }
 
 void StationController::perform(Redo const&, Station& station)
 {
-    keeper_.redo();
-    show_kept(station, now_);
+    document_->redo();
+    show_document(station, now_);
 }
 
 void StationController::perform(TakeOrphansAway const&, Station& station)
@@ -148,14 +157,16 @@ void StationController::perform(TakeOrphansAway const&, Station& station)
             return fail(Fault::User, "nothing waits for a branch that the plant has lost");
         return WantedStep::Change { std::move(edits), "What had lost its branch is gone" };
     };
-    keeper_.make({ without, WantedStep::Of::Scene });
-    show_kept(station, now_);
+    document_->make({ without, WantedStep::Of::Scene });
+    show_document(station, now_);
 }
 
-void StationController::perform(Restart const&, Station& station)
+void StationController::begin_again(Station& station, std::string const& status,
+                                    Document::Growth growth)
 {
-    keeper_.begin_again("The session is as it began");
-    show_kept(station, now_);
+    document_->begin_again(
+        document_->session().is_in_file() ? "The session is as it began" : status, growth);
+    show_document(station, now_);
 }
 
 void StationController::perform(NextVariation const&, Station& station)
@@ -170,7 +181,7 @@ void StationController::perform(NextVariation const&, Station& station)
 void StationController::perform(ChangeGrowth const& command, Station& station)
 {
     if (command.slider == ChangeGrowth::Slider::Moving) {
-        auto const seen = growth_set_to(command.growth, station.scene().growth);
+        auto const seen = growth_set_to(command.growth, document_->newest()->scene.growth);
         if (seen)
             view_.preview(*seen);
         else
@@ -203,9 +214,9 @@ void StationController::perform(PickVariation const& command, Station& station)
 void StationController::set_growth(
     std::function<Result<WantedStep::Change>(SetGrowth growth)> const& change, Station& station)
 {
-    keeper_.make(
+    document_->make(
         { [=](Scene const& scene) { return change(scene.growth); }, WantedStep::Of::Growth });
-    show_kept(station, now_);
+    show_document(station, now_);
 }
 
 void StationController::perform(SavePicture const& command, Station&)

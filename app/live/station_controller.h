@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/document/document.h"
 #include "app/live/file_queue.h"
-#include "app/station/session_keeper.h"
 #include "app/station/station.h"
 #include "app/station/station_view.h"
 #include "app/station/window_model.h"
@@ -11,24 +11,27 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace tractus {
 
-// What a person does to a drawing beside drawing, wherever its station's reports come from: what is
-// drawn and done is kept, shown, and can be undone.
+// What a person does to a drawing, wherever its station's reports come from: finished strokes go to
+// the document, and what is drawn and done is shown and can be undone.
 class StationController {
 public:
-    // `folder` is where saved pictures and exports appear.
-    StationController(Station const& station, std::optional<Session> session,
+    // Strokes work on the session's scene if there is one, else on `scene`. `folder` is where saved
+    // pictures and exports appear.
+    StationController(Station const& station, std::optional<Session> session, Scene scene,
                       std::filesystem::path folder);
 
     StationView& view() { return view_; }
     StationView const& view() const { return view_; }
-    SessionKeeper& keeper() { return keeper_; }
-    SessionKeeper const& keeper() const { return keeper_; }
+    Document& document() { return *document_; }
+    Document const& document() const { return *document_; }
 
-    // Keeps what has been drawn, shows it once it is kept, and until then as ink; lets the station
-    // forget its strokes; and shows what has been done in the background meanwhile.
+    // Hands the station's finished strokes to the document, shows what has become of earlier ones,
+    // and what has been done in the background meanwhile.
     void show(Station& station, Timestamp now);
 
     // The same when all that is under way is done, or cannot be done for now.
@@ -46,6 +49,9 @@ public:
     // could not be.
     Result<void> finish_files();
 
+    // The steps beside drawing that were done since the last call, for a recording.
+    std::vector<DoneStep> take_done() { return std::exchange(done_, {}); }
+
     // A new file's name in the folder.
     std::filesystem::path new_file(std::string_view ending) const;
 
@@ -58,21 +64,26 @@ public:
     void perform(Undo const&, Station& station);
     void perform(Redo const&, Station& station);
     void perform(TakeOrphansAway const&, Station& station);
-    void perform(Restart const&, Station& station); // There must be a session.
 
-    // Shows another scene of the station, and what led to it.
+    // The document is as it began; where it is in no file `status` says so.
+    void begin_again(Station& station, std::string const& status,
+                     Document::Growth growth = Document::Growth::AsItBegan);
+
+    // Shows another station, and what led to it.
     void show_again(Station const& station, std::string const& status);
 
 private:
     void save(std::string_view ending,
               std::function<Result<std::string>(std::filesystem::path const&)> write);
-    void show_kept(Station& station, Timestamp now);
+    void take_strokes(Station& station);
+    void show_document(Station& station, Timestamp now);
     void show_files();
     void set_growth(std::function<Result<WantedStep::Change>(SetGrowth growth)> const& change,
                     Station& station);
 
-    SessionKeeper keeper_;
+    std::unique_ptr<Document> document_; // On the heap, as this moves.
     StationView view_;
+    std::vector<DoneStep> done_;      // Not taken yet.
     Timestamp now_ {};                // Of the last show().
     bool knows_what_is_lost_ = false; // A person who has asked to leave.
     std::filesystem::path folder_;

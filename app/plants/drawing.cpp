@@ -1,11 +1,11 @@
 #include "app/plants/drawing.h"
 
+#include "app/document/document.h"
 #include "app/plants/model_file.h"
 #include "app/plants/session_plant.h"
 #include "app/plants/stroke_file.h"
 #include "app/play/paced_log.h"
 #include "app/station/log_replay.h"
-#include "app/station/model_cost.h"
 #include "calib/rig_file.h"
 #include "drivers/log.h"
 #include "engine/variation/growth_preset.h"
@@ -39,73 +39,77 @@ void note_heights(FuserCounts const& counts, std::vector<std::string>& notes)
 
 class DrawingReader {
 public:
-    DrawingReader(DrawingOptions const& options, Progress& progress, DrawingReport& report)
+    DrawingReader(DrawingOptions const& options, Document& document, Progress& progress,
+                  DrawingReport& report)
         : options_(options)
+        , document_(document)
         , progress_(progress)
         , report_(report)
     {
     }
 
-    Result<Drawing> read(Scene scene);
+    Result<Drawing> read();
     void note_drawing(Drawing const& drawing);
 
 private:
-    Result<Drawing> read_strokes(Scene scene);
-    Result<Station> replay(Scene scene);
-    Result<void> play(LogReplay& replay) const;
-    Result<void> tell(DrawnStroke const& drawn) const;
+    Result<void> read_strokes();
+    Result<void> replay();
+    Result<void> play(LogReplay& replay);
+    Result<void> take_drawn();
     void note_replay(Station const& station);
 
     DrawingOptions const& options_;
+    Document& document_;
     Progress& progress_;
     DrawingReport& report_;
+    std::vector<DrawnStroke> strokes_;
 };
 
-Result<Drawing> DrawingReader::read(Scene scene)
+Result<Drawing> DrawingReader::read()
 {
-    if (is_stroke_file(options_.log))
-        return read_strokes(std::move(scene));
-    auto const station = TRY(replay(std::move(scene)));
-    note_replay(station);
-    return Drawing { station.scene(), station.strokes() };
+    TRY(is_stroke_file(options_.log) ? read_strokes() : replay());
+    return Drawing { document_.newest()->scene, std::move(strokes_) };
 }
 
 // A file of strokes says nothing about branches, so they go to these in drawing order.
-Result<Drawing> DrawingReader::read_strokes(Scene scene)
+Result<void> DrawingReader::read_strokes()
 {
     progress_.begin("reading the strokes");
-    Drawing drawing { std::move(scene), {} };
     for (auto& stroke : TRY(load_strokes(options_.log))) {
-        if (drawing.strokes.size() == drawing.scene.base->axes.size()) {
+        if (strokes_.size() == document_.newest()->scene.base->axes.size()) {
             report_.notes.push_back("there are more strokes than branches: the rest is left out");
             break;
         }
-        drawing.strokes.push_back(
-            draw(std::move(stroke), { .kind = Tool::Kind::DrawInOrder }, drawing.scene));
-        TRY(tell(drawing.strokes.back()));
+        document_.draw({ std::move(stroke), { .kind = Tool::Kind::DrawInOrder } });
+        TRY(take_drawn());
     }
     report_.log = options_.log.string();
-    report_.strokes = drawing.strokes.size();
-    return drawing;
+    report_.strokes = strokes_.size();
+    return {};
 }
 
-Result<void> DrawingReader::tell(DrawnStroke const& drawn) const
+Result<void> DrawingReader::take_drawn()
 {
-    return options_.on_stroke ? options_.on_stroke(drawn) : Result<void>();
+    for (auto& drawn : document_.take_drawn())
+        strokes_.push_back(std::move(drawn));
+    while (auto const done = document_.take_done())
+        if (!done->status)
+            report_.notes.push_back(done->status.error().message);
+    if (auto const& why = document_.newest()->not_kept; !why.empty())
+        return fail(Fault::User, why);
+    return {};
 }
 
 // All of it, at a multiple of the hand's pace or at once.
-Result<void> DrawingReader::play(LogReplay& replay) const
+Result<void> DrawingReader::play(LogReplay& replay)
 {
     constexpr Duration kStep = std::chrono::milliseconds(10);
     auto const pace = pace_from_now(replay.begin(), options_.speed.value_or(1));
-    auto const& strokes = replay.station().strokes();
-    std::size_t told = 0;
     for (bool goes_on = true; goes_on;) {
         auto const time = options_.speed ? pace.data_time(pace.now()) : Timestamp::max();
         bool const is_stroke_end = replay.advance_to_stroke(time);
-        for (; told < strokes.size(); ++told)
-            TRY(tell(strokes[told]));
+        replay.hand_over(document_);
+        TRY(take_drawn());
         goes_on = !replay.is_over();
         if (goes_on && !is_stroke_end)
             pace.wait(kStep);
@@ -113,7 +117,7 @@ Result<void> DrawingReader::play(LogReplay& replay) const
     return replay.outcome();
 }
 
-Result<Station> DrawingReader::replay(Scene scene)
+Result<void> DrawingReader::replay()
 {
     progress_.begin("reading the log");
     auto const log = TRY(read_log(options_.log));
@@ -123,12 +127,11 @@ Result<Station> DrawingReader::replay(Scene scene)
 
     progress_.begin("replaying the log");
     ReplayOptions replay_options;
-    replay_options.scene = std::move(scene);
     if (options_.rig)
         replay_options.rig = TRY(load_rig(*options_.rig));
     if (options_.height)
         replay_options.height = TRY(parse_height_scenario(*options_.height));
-    auto replay = TRY(LogReplay::create(log, std::move(replay_options)));
+    auto replay = TRY(LogReplay::create(log, replay_options));
     TRY(play(replay));
     auto const& counts = replay.station().counts();
     if (counts.pen_samples == 0 && counts.broken_reports > 0)
@@ -136,7 +139,9 @@ Result<Station> DrawingReader::replay(Scene scene)
                     fmt::format("{}: the reports are not what the report descriptors say, the "
                                 "first: {}",
                                 log.name, counts.first_broken));
-    return std::move(replay).take_station();
+    note_replay(replay.station());
+    report_.notes.insert(report_.notes.end(), replay.left_out().begin(), replay.left_out().end());
+    return {};
 }
 
 void DrawingReader::note_replay(Station const& station)
@@ -202,9 +207,7 @@ Result<std::vector<Edit>> growing_plant_edits(std::filesystem::path const& model
 
 Result<Scene> growing_plant(std::filesystem::path const& model, std::vector<Edit> const& edits)
 {
-    Scene scene;
-    for (auto const& edit : edits)
-        scene = TRY(apply_edit(std::move(scene), edit, load_options()));
+    auto scene = TRY(scene_after({}, edits));
     if (scene.base->segment_count() == 0)
         return fail(Fault::User,
                     fmt::format("{}: the plant has no branch that a stroke could shape: its "
@@ -222,8 +225,15 @@ Result<Scene> load_growing_plant(std::filesystem::path const& model, GrowthOptio
 Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene, Progress& progress,
                              DrawingReport& report)
 {
-    DrawingReader reader(options, progress, report);
-    auto drawing = TRY(reader.read(std::move(scene)));
+    Document document(std::move(scene), Document::Working::AtOnce);
+    return read_drawing(options, document, progress, report);
+}
+
+Result<Drawing> read_drawing(DrawingOptions const& options, Document& document, Progress& progress,
+                             DrawingReport& report)
+{
+    DrawingReader reader(options, document, progress, report);
+    auto drawing = TRY(reader.read());
     reader.note_drawing(drawing);
     return drawing;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/station/station.h"
+#include "app/document/document.h"
+#include "app/document/draw.h"
 #include "app/terminal/progress.h"
 #include "engine/base/result.h"
 #include "engine/scene/scene.h"
@@ -8,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,9 +47,6 @@ struct DrawingOptions {
     std::optional<std::filesystem::path> rig {}; // A calibration in place of the log's own.
     std::optional<std::string> height {};        // A height scenario in place of the height sensor.
     std::optional<double> speed {}; // Times the pace of the hand; no value: as fast as it is read.
-
-    // Is told each stroke as soon as it is drawn; where it fails, reading does. May be empty.
-    std::function<Result<void>(DrawnStroke const&)> on_stroke {};
 };
 
 // What was read of it.
@@ -75,6 +72,11 @@ struct Drawing {
 // Draws it on `scene`, whose base plant is loaded. Tells `report` what was read, and adds to its
 // notes. Fails, as the user's or a device's fault, if it cannot be read.
 Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene, Progress& progress,
+                             DrawingReport& report);
+
+// The same in a document that works at once. Fails, as the user's fault, too, where its session
+// cannot keep something.
+Result<Drawing> read_drawing(DrawingOptions const& options, Document& document, Progress& progress,
                              DrawingReport& report);
 
 } // namespace tractus

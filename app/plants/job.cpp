@@ -95,10 +95,10 @@ Result<Scene> Job::load_plant()
 
 Result<Drawing> Job::read_drawing(Scene scene)
 {
-    auto options = options_.drawing;
-    if (session_)
-        options.on_stroke = [&](DrawnStroke const& drawn) { return session_->append(drawn.edits); };
-    return tractus::read_drawing(options, std::move(scene), progress_, report_);
+    if (!session_)
+        return tractus::read_drawing(options_.drawing, std::move(scene), progress_, report_);
+    Document document(*std::exchange(session_, std::nullopt), Document::Working::AtOnce);
+    return tractus::read_drawing(options_.drawing, document, progress_, report_);
 }
 
 Result<void> Job::write_picture(std::string const& name, Image const& picture)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/document/draw.h"
 #include "app/render/camera.h"
 #include "app/render/image.h"
 #include "app/render/offscreen_context.h"

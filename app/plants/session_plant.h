@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/document/model_cost.h"
 #include "app/session/session.h"
-#include "app/station/model_cost.h"
 #include "engine/base/result.h"
 #include "engine/plant/plant.h"
 #include "engine/scene/scene.h"

@@ -1,6 +1,6 @@
 #include "app/play/simulated_recording.h"
 
-#include "app/station/tools/tool.h"
+#include "app/tools/tool.h"
 #include "calib/rig_file.h"
 #include "drivers/log_writer.h"
 #include "engine/plant/join_axes.h"

@@ -28,6 +28,17 @@ ReadStep read_from(SessionStore const& store)
     return [&store](std::size_t step) { return store.read_step(step); };
 }
 
+// The same of steps in memory, of which the first is step 1.
+ReadStep read_from(std::vector<std::vector<Edit>> const& steps)
+{
+    return [&steps](std::size_t step) -> Result<std::vector<SessionEdit>> {
+        std::vector<SessionEdit> edits;
+        for (auto const& edit : steps[step - 1])
+            edits.push_back({ step, edit });
+        return edits;
+    };
+}
+
 } // namespace
 
 SessionOptions session_by_the_clock(MakeLoadOptions load_options)
@@ -51,7 +62,14 @@ Result<Session> Session::create(fs::path const& path, SessionOrigin const& origi
     auto history = TRY(SessionHistory::create({}, read_beginning, options.load_options));
     TRY(write_new_session(path, origin, beginning_rows(edits, origin.created), 0));
     auto database = TRY(open_to_write(path));
-    return Session({ path, std::move(database) }, std::move(options), std::move(history), {});
+    return Session(SessionStore(path, std::move(database)), std::move(options), std::move(history),
+                   {});
+}
+
+Session Session::in_memory(Scene beginning, SessionOptions options)
+{
+    SessionHistory history(std::move(beginning), options.load_options);
+    return Session(std::nullopt, std::move(options), std::move(history), {});
 }
 
 Result<Session> Session::open(fs::path const& path, SessionOptions options)
@@ -69,7 +87,7 @@ Result<Session> Session::open(fs::path const& path, SessionOptions options)
     return Session(std::move(store), std::move(options), *std::move(history), summary.unknown);
 }
 
-Session::Session(SessionStore store, SessionOptions options, SessionHistory history,
+Session::Session(std::optional<SessionStore> store, SessionOptions options, SessionHistory history,
                  UnknownEdits unknown)
     : store_(std::move(store))
     , options_(std::move(options))
@@ -80,8 +98,10 @@ Session::Session(SessionStore store, SessionOptions options, SessionHistory hist
 
 Result<std::vector<Edit>> Session::beginning() const
 {
+    if (!store_)
+        return std::vector<Edit> { BeginAgain {} };
     std::vector<Edit> edits;
-    for (auto& edit : TRY(store_.read_step(0)))
+    for (auto& edit : TRY(store_->read_step(0)))
         if (!edit.edit.get<UnknownEdit>())
             edits.push_back(std::move(edit.edit));
     return edits;
@@ -91,10 +111,29 @@ Result<void> Session::append(std::span<Edit const> edits)
 {
     if (edits.empty())
         return {};
-    auto const prepared = TRY(store_.prepare({ step() + 1, edits, options_.now() }));
-    auto scene = TRY(history_.after(prepared.edits));
-    TRY(store_.write(prepared));
-    history_.push(std::move(scene));
+    return keep(TRY(prepare(edits)));
+}
+
+Result<Session::Prepared> Session::prepare(std::span<Edit const> edits) const
+{
+    SessionStore::NewStep stored;
+    if (store_)
+        stored = TRY(store_->prepare({ step() + 1, edits, options_.now() }));
+    else
+        stored.edits.assign(edits.begin(), edits.end());
+    auto scene = TRY(history_.after(stored.edits));
+    return Prepared { std::move(stored), std::move(scene) };
+}
+
+Result<void> Session::keep(Prepared prepared)
+{
+    if (store_) {
+        TRY(store_->write(prepared.stored));
+    } else {
+        steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(step()), steps_.end());
+        steps_.push_back(std::move(prepared.stored.edits));
+    }
+    history_.push(std::move(prepared.scene));
     return {};
 }
 
@@ -114,8 +153,9 @@ Result<void> Session::redo()
 
 Result<void> Session::go_to(std::size_t step)
 {
-    auto scene = TRY(history_.at(step, read_from(store_)));
-    TRY(store_.write_cursor(step));
+    auto scene = TRY(history_.at(step, store_ ? read_from(*store_) : read_from(steps_)));
+    if (store_)
+        TRY(store_->write_cursor(step));
     history_.go_to(step, std::move(scene));
     return {};
 }

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,8 @@ SessionOptions session_by_the_clock(MakeLoadOptions load_options);
 // What somebody draws, kept in a file (session_file.h) as it is drawn. When a call here returns
 // what it did is on the disk, whatever becomes of the program or the machine; when it fails nothing
 // has changed. One program at a time draws in a session; others may read it meanwhile.
+//
+// A session without a file keeps its steps in memory, and ends with the program.
 class Session {
 public:
     // Begins a session in a new file, which appears whole. `edits` are what it begins with, at
@@ -38,16 +41,20 @@ public:
     // in it or it may not be written.
     static Result<Session> open(std::filesystem::path const& path, SessionOptions options);
 
-    std::filesystem::path const& path() const { return store_.path(); }
+    // Without a file, on from a scene, where undo ends.
+    static Session in_memory(Scene beginning, SessionOptions options);
 
-    // The tips of its strokes are not in memory: see SessionStore.
+    bool is_in_file() const { return store_.has_value(); }
+    std::filesystem::path const& path() const { return store_->path(); } // Of the file.
+
+    // Of one in a file the tips of its strokes are not in memory: see SessionStore.
     Scene const& scene() const { return history_.scene(); }
 
     // What of it this program did not know when it was opened.
     UnknownEdits const& unknown() const { return unknown_; }
 
-    // What it began with: step 0, without what is unknown. Fails where the file was damaged since
-    // it was opened.
+    // Edits that lead from any scene of it to the one that it began with: those of step 0, without
+    // what is unknown. Fails where its file was damaged since it was opened.
     Result<std::vector<Edit>> beginning() const;
 
     std::size_t step() const { return history_.step(); } // The last that counts.
@@ -57,6 +64,15 @@ public:
     // cannot be redone any more. No edits are no step.
     Result<void> append(std::span<Edit const> edits);
 
+    // The same in two parts, for who shows what a step makes before the disk has it. Between them
+    // nothing else is done with the session.
+    struct Prepared {
+        SessionStore::NewStep stored;
+        Scene scene; // After the step.
+    };
+    Result<Prepared> prepare(std::span<Edit const> edits) const; // At least one edit.
+    Result<void> keep(Prepared prepared);
+
     // Take the last step back, or do the next one again. Without limit, but for the beginning.
     bool can_undo() const { return step() > 0; }
     bool can_redo() const { return step() < last_step(); }
@@ -64,12 +80,13 @@ public:
     Result<void> redo();
 
 private:
-    Session(SessionStore store, SessionOptions options, SessionHistory history,
+    Session(std::optional<SessionStore> store, SessionOptions options, SessionHistory history,
             UnknownEdits unknown);
 
     Result<void> go_to(std::size_t step);
 
-    SessionStore store_;
+    std::optional<SessionStore> store_;
+    std::vector<std::vector<Edit>> steps_ {}; // Without a store: those after the beginning.
     SessionOptions options_;
     SessionHistory history_;
     UnknownEdits unknown_;

@@ -1,6 +1,7 @@
 #include "app/session/session_history.h"
 
 #include "engine/base/check.h"
+#include "engine/scene/make_edit_kind.h"
 
 #include <fmt/core.h>
 #include <iterator>
@@ -19,6 +20,21 @@ static std::size_t distance(std::size_t one, std::size_t other)
 {
     return one < other ? other - one : one - other;
 }
+
+static void list(Fields&, BeginAgain&) { }
+
+// NOLINTNEXTLINE(performance-unnecessary-value-param): as for all kinds.
+static Result<Scene> applied(Scene, BeginAgain const&, LoadOptions const&)
+{
+    return fail(Fault::Station, "only its history knows how a drawing began");
+}
+
+static std::string described(BeginAgain const&)
+{
+    return "begins again";
+}
+
+constexpr EditKind BeginAgain::kKind = make_edit_kind<BeginAgain, list, applied, described>("");
 
 // What is in the file leaves memory.
 static void park_tips(Scene& scene)
@@ -47,8 +63,17 @@ SessionHistory::SessionHistory(SessionExtent const& extent, MakeLoadOptions load
 {
 }
 
+SessionHistory::SessionHistory(Scene beginning, MakeLoadOptions load_options)
+    : load_options_(std::move(load_options))
+    , scene_(std::move(beginning))
+{
+    keep(0, scene_);
+}
+
 Result<Scene> SessionHistory::apply(Scene scene, Edit const& edit) const
 {
+    if (edit.get<BeginAgain>())
+        return kept_.at(0);
     return apply_edit(std::move(scene), edit, load_options_());
 }
 
@@ -57,7 +82,6 @@ Result<Scene> SessionHistory::after(std::span<Edit const> edits) const
     auto scene = scene_;
     for (auto const& edit : edits)
         scene = TRY(apply(std::move(scene), edit));
-    park_tips(scene);
     return scene;
 }
 
@@ -116,6 +140,7 @@ Scene SessionHistory::apply_step(Scene scene, std::span<SessionEdit const> edits
 
 void SessionHistory::push(Scene scene)
 {
+    park_tips(scene);
     auto const before = extent_.step++;
     extent_.last_step = extent_.step;
     keep(before, std::exchange(scene_, std::move(scene)));

@@ -24,6 +24,12 @@ struct SessionExtent {
     std::size_t last_step = 0;
 };
 
+// Takes everything back to the scene that a history began with. For steps in memory alone: a
+// session's file has the edits of its beginning.
+struct BeginAgain {
+    static EditKind const kKind;
+};
+
 // The scene that the steps of a session amount to. The steps themselves are read when they are
 // needed; so that undo and redo need not begin at the first, some scenes on the way are kept, the
 // newest ones and a few of old. The tips of strokes are left to their source, if they have one
@@ -37,17 +43,21 @@ public:
     static Result<SessionHistory> create(SessionExtent const& extent, ReadStep const& read,
                                          MakeLoadOptions load_options);
 
+    // Of a session without steps, whose beginning is a scene.
+    SessionHistory(Scene beginning, MakeLoadOptions load_options);
+
     Scene const& scene() const { return scene_; }
     std::size_t step() const { return extent_.step; }
     std::size_t last_step() const { return extent_.last_step; }
 
-    // What the scene would be after one more step. Fails where an edit does.
+    // What the scene would be after one more step, whose tips are in memory. Fails where an edit
+    // does.
     Result<Scene> after(std::span<Edit const> edits) const;
 
     // The scene as it is, or was, at another step. Fails where reading does.
     Result<Scene> at(std::size_t wanted, ReadStep const& read);
 
-    // The next step has been made, and leads to `scene`. What was undone is gone.
+    // The next step is in the file, and leads to `scene`. What was undone is gone.
     void push(Scene scene);
 
     // Makes `step` the last that counts; `scene` is what at() gives.

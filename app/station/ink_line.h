@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/station/tools/tool.h"
 #include "app/station/window_model.h"
+#include "app/tools/tool.h"
 #include "engine/stroke/tip_sample.h"
 
 #include <vector>

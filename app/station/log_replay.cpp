@@ -1,9 +1,11 @@
 #include "app/station/log_replay.h"
 
+#include "app/document/logged_step.h"
 #include "calib/rig_file.h"
 #include "drivers/pen_decoder.h"
 
 #include <fmt/core.h>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -74,44 +76,98 @@ Result<ScriptedHeight> script_height(Log const& log, LogPen const& pen,
 
 } // namespace
 
-Result<LogReplay> LogReplay::create(Log const& log, ReplayOptions options)
+Result<LogReplay> LogReplay::create(Log const& log, ReplayOptions const& options)
 {
     auto const pen = find_pen(log);
     StationOptions station_options;
     station_options.rig = TRY(choose_rig(log, pen, options));
     if (options.height)
         station_options.scripted_height = TRY(script_height(log, pen, *options.height));
-    station_options.scene = std::move(options.scene);
 
-    std::vector<Tool> tools;
-    for (auto const& line : log.tools) {
-        auto tool = parse_tool(line.tool, line.arguments);
-        if (!tool)
-            return fail(Fault::User,
-                        fmt::format("{}: tool line at {:.6f} s: {}", log.name,
-                                    to_seconds(line.time), tool.error().message));
-        tools.push_back(*tool);
-    }
-    auto station = Station::create(log.devices, std::move(station_options));
+    std::vector<std::string> left_out;
+    auto lines = TRY(read_lines(log, left_out));
+    auto station = Station::create(log.devices, station_options);
     if (!station)
         return fail(station.error().fault,
                     fmt::format("{}: {}", log.name, station.error().message));
-    return LogReplay(log, *std::move(station), std::move(tools));
+    return LogReplay(log, *std::move(station), std::move(lines), std::move(left_out));
 }
 
-LogReplay::LogReplay(Log const& log, Station station, std::vector<Tool> tools)
+// What no tool or step of this program is called was written by another one, with more of them.
+Result<std::vector<LogReplay::Line>> LogReplay::read_lines(Log const& log,
+                                                           std::vector<std::string>& left_out)
+{
+    std::vector<Line> lines;
+    for (auto const& [time, word, arguments, position] : log.tools) {
+        auto const place = fmt::format("{}: tool line at {:.6f} s", log.name, to_seconds(time));
+        if (auto step = parse_step(word, arguments)) {
+            if (!*step)
+                return fail(Fault::User, fmt::format("{}: {}", place, step->error().message));
+            lines.push_back({ position, time, **std::move(step) });
+        } else if (auto const tool = parse_tool(word, arguments)) {
+            lines.push_back({ position, time, *tool });
+        } else if (is_tool_name(word)) {
+            return fail(Fault::User, fmt::format("{}: {}", place, tool.error().message));
+        } else {
+            left_out.push_back(
+                fmt::format("{}: {}; its strokes are left out", place, tool.error().message));
+            lines.push_back({ position, time, Tool { .kind = Tool::Kind::Unknown } });
+        }
+    }
+    return lines;
+}
+
+LogReplay::LogReplay(Log const& log, Station station, std::vector<Line> lines,
+                     std::vector<std::string> left_out)
     : log_(&log)
     , station_(std::move(station))
-    , tools_(std::move(tools))
+    , lines_(std::move(lines))
+    , left_out_(std::move(left_out))
     , cursor_(log)
 {
 }
 
-void LogReplay::push_tools()
+void LogReplay::push_lines()
 {
-    for (; next_tool_ < tools_.size() && log_->tools[next_tool_].position <= cursor_.position();
-         ++next_tool_)
-        station_.set_tool(log_->tools[next_tool_].time, tools_[next_tool_]);
+    for (; next_line_ < lines_.size() && lines_[next_line_].position <= cursor_.position();
+         ++next_line_)
+        if (auto const* const tool = std::get_if<Tool>(&lines_[next_line_].what))
+            station_.set_tool(lines_[next_line_].time, *tool);
+}
+
+// A step comes after as many strokes as when the log was made: its line may stand later in the log
+// than the reports of strokes that came after it.
+void LogReplay::hand_over(Document& document)
+{
+    auto const hand_steps_over = [&](std::size_t end, std::size_t strokes_before) {
+        for (; next_step_ < end; ++next_step_) {
+            auto const* const step = std::get_if<LoggedStep>(&lines_[next_step_].what);
+            if (!step)
+                continue;
+            if (step->strokes_before > strokes_before)
+                return;
+            document.make(*step);
+        }
+    };
+    for (auto& stroke : station_.take_strokes()) {
+        hand_steps_over(lines_.size(), handed_strokes_);
+        document.draw(std::move(stroke));
+        ++handed_strokes_;
+    }
+    constexpr auto kAll = std::numeric_limits<std::size_t>::max();
+    if (finished_)
+        hand_steps_over(lines_.size(), kAll);
+    else
+        hand_steps_over(next_line_, handed_strokes_);
+}
+
+void LogReplay::run(Document& document)
+{
+    bool goes_on = true;
+    while (goes_on) {
+        goes_on = advance_to_stroke(Timestamp::max());
+        hand_over(document);
+    }
 }
 
 bool LogReplay::advance_to(Timestamp time)
@@ -131,7 +187,7 @@ bool LogReplay::advance_to_stroke(Timestamp time)
             break;
         if ((*report)->time > time)
             return false;
-        push_tools();
+        push_lines();
         station_.push((*report)->device, (*report)->time, (*report)->bytes);
         cursor_.skip();
         if (station_.counts().strokes != strokes)

@@ -1,31 +1,41 @@
 #pragma once
 
+#include "app/document/document.h"
 #include "app/station/station.h"
 #include "calib/height_scenario.h"
 #include "calib/rig.h"
 #include "drivers/log.h"
 #include "engine/base/result.h"
-#include "engine/scene/scene.h"
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace tractus {
 
 struct ReplayOptions {
     std::optional<Rig> rig;               // No value: the log's own, else one of the tablet's size.
     std::optional<HeightScenario> height; // In place of the log's height sensor.
-    Scene scene;                          // What the strokes work on; its base plant is loaded.
 };
 
 // Feeds a log to a station of its own, in the file's order, as fast as it is asked to: the same log
-// gives the same scene, bit for bit. The log must outlive the replay.
+// gives the same strokes, bit for bit. The log must outlive the replay.
 class LogReplay {
 public:
     // Fails, as the user's fault, if the log has no pen, neither a height sensor nor a scenario, a
     // height sensor without a calibration, or a tool that does not exist.
-    static Result<LogReplay> create(Log const& log, ReplayOptions options);
+    static Result<LogReplay> create(Log const& log, ReplayOptions const& options);
+
+    // Gives what has been drawn, and what was done beside drawing, since the last call to a
+    // document, in the order in which it was done when the log was made.
+    void hand_over(Document& document);
+
+    // Lines of the log that mean nothing to this program, and what is left out for it: a sentence
+    // each.
+    std::vector<std::string> const& left_out() const { return left_out_; }
 
     // Everything up to and including `time` of the log. False when there is nothing left, and then
     // the station has finished.
@@ -40,8 +50,8 @@ public:
     // Fails if the log could not be read to its end, which ends the replay.
     Result<void> const& outcome() const { return outcome_; }
 
-    // Everything that is left.
-    void run() { advance_to(Timestamp::max()); }
+    // Everything that is left, drawn in the document.
+    void run(Document& document);
 
     Station const& station() const { return station_; }
     Station& station() { return station_; }
@@ -52,15 +62,27 @@ public:
     Timestamp end() const;
 
 private:
-    LogReplay(Log const& log, Station station, std::vector<Tool> tools);
+    // A line of the log about tools, or what was done beside drawing.
+    struct Line {
+        std::size_t position = 0; // See LogTool.
+        Timestamp time {};
+        std::variant<Tool, LoggedStep> what;
+    };
 
-    void push_tools();
+    LogReplay(Log const& log, Station station, std::vector<Line> lines,
+              std::vector<std::string> left_out);
+
+    static Result<std::vector<Line>> read_lines(Log const& log, std::vector<std::string>& left_out);
+    void push_lines();
 
     Log const* log_; // Not owned.
     Station station_;
-    std::vector<Tool> tools_; // One per tool line of the log.
+    std::vector<Line> lines_;
+    std::vector<std::string> left_out_;
     LogCursor cursor_;
-    std::size_t next_tool_ = 0;
+    std::size_t next_line_ = 0; // Not reached yet.
+    std::size_t next_step_ = 0; // The next line that may be a step to be handed over.
+    std::size_t handed_strokes_ = 0;
     bool finished_ = false;
     Result<void> outcome_ {};
 };

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/station/tools/shown_skeleton.h"
 #include "app/station/window_model.h"
+#include "app/tools/shown_skeleton.h"
 #include "engine/plant/plant.h"
 #include "engine/scene/scene.h"
 

@@ -1,36 +1,10 @@
 #include "app/station/station.h"
 
-#include "app/station/model_cost.h"
 #include <algorithm>
 #include <fmt/core.h>
 #include <utility>
 
 namespace tractus {
-
-static Result<Scene> scene_after(Scene scene, std::vector<Edit> const& edits)
-{
-    for (auto const& edit : edits)
-        scene = TRY(apply_edit(std::move(scene), edit, load_options()));
-    return scene;
-}
-
-DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene)
-{
-    DrawnStroke drawn { std::move(stroke), tool };
-    auto edits = edits_of(tool, drawn.stroke, scene);
-    if (!edits) {
-        drawn.refusal = edits.error().message;
-        return drawn;
-    }
-    auto next = scene_after(scene, *edits);
-    if (!next) {
-        drawn.refusal = next.error().message;
-        return drawn;
-    }
-    scene = *std::move(next);
-    drawn.edits = *std::move(edits);
-    return drawn;
-}
 
 static Bounds volume_of(StationOptions const& options)
 {
@@ -58,11 +32,10 @@ Station::Station(StationOptions const& options)
 {
 }
 
-Result<Station> Station::create(std::span<DeviceInfo const> devices, StationOptions options)
+Result<Station> Station::create(std::span<DeviceInfo const> devices, StationOptions const& options)
 {
     Station station(options);
     TRY(station.add_pens(devices, options));
-    station.scene_ = std::move(options.scene);
     for (std::size_t i = 0; i < devices.size() && !station.height_decoder_; ++i) {
         if (station.find_pen(i))
             continue;
@@ -302,7 +275,8 @@ void Station::set_tool(Timestamp time, Tool const& tool)
 {
     if (tool.at_once) {
         new_tool_changes_.push_back({ time, tool });
-        mean({}, tool);
+        ++counts_.strokes;
+        strokes_.push_back({ {}, tool });
         return;
     }
     bool const is_press = tool.kind == Tool::Kind::Press;
@@ -360,40 +334,10 @@ Tool Station::meaning_of(std::vector<TipSample> const& tips) const
 void Station::finish_stroke(Stroke stroke)
 {
     auto const tool = meaning_of(stroke.tips);
-    if (tool.kind != Tool::Kind::Press)
-        mean(std::move(stroke), tool);
-}
-
-void Station::mean(Stroke stroke, Tool const& tool)
-{
-    if (hold_ == Hold::On) {
-        waiting_strokes_.push_back(std::move(stroke));
-        waiting_tools_.push_back(tool);
+    if (tool.kind == Tool::Kind::Press)
         return;
-    }
     ++counts_.strokes;
-    strokes_.push_back(draw(std::move(stroke), tool, scene_));
-}
-
-void Station::take_drawing_from(Station& earlier)
-{
-    scene_ = earlier.scene_;
-    hold_ = earlier.hold_;
-    strokes_ = std::exchange(earlier.strokes_, {});
-    waiting_strokes_ = std::exchange(earlier.waiting_strokes_, {});
-    waiting_tools_ = std::exchange(earlier.waiting_tools_, {});
-    counts_.strokes = earlier.counts_.strokes;
-}
-
-void Station::hold(Hold hold)
-{
-    hold_ = hold;
-    if (hold == Hold::On)
-        return;
-    auto strokes = std::exchange(waiting_strokes_, {});
-    auto const tools = std::exchange(waiting_tools_, {});
-    for (std::size_t i = 0; i < strokes.size(); ++i)
-        mean(std::move(strokes[i]), tools[i]);
+    strokes_.push_back({ std::move(stroke), tool });
 }
 
 void Station::count_broken(Error const& error)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/station/tools/tool.h"
+#include "app/tools/tool.h"
 #include "calib/fuser.h"
 #include "calib/height_monitor.h"
 #include "calib/rig.h"
@@ -8,7 +8,7 @@
 #include "drivers/height_decoder.h"
 #include "drivers/pen_decoder.h"
 #include "engine/base/result.h"
-#include "engine/scene/scene.h"
+#include "engine/plant/plant.h"
 #include "engine/stroke/stroke_builder.h"
 
 #include <Eigen/Geometry>
@@ -25,8 +25,7 @@ namespace tractus {
 struct StationOptions {
     Rig rig;
     std::optional<ScriptedHeight> scripted_height; // In place of a height sensor.
-    Scene scene; // What the pen works on; its base plant is loaded.
-    Tool tool;   // What the pen means until a tool line says otherwise.
+    Tool tool; // What the pen means until a tool line says otherwise.
 };
 
 // What came in and what became of it.
@@ -40,18 +39,6 @@ struct StationCounts {
     std::string first_broken;
 };
 
-// A finished stroke and what it meant.
-struct DrawnStroke {
-    Stroke stroke;
-    Tool tool;
-    std::string refusal {};     // Why it changed nothing; empty if it did.
-    std::vector<Edit> edits {}; // What it changed; none if it was refused.
-};
-
-// What a stroke in the hand of a tool does to a scene, which is changed by all of its edits, or by
-// none if one is refused.
-DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene);
-
 // The pen at one moment, as a window wants it that the pen works.
 struct PenMoment {
     bool in_range = false;
@@ -63,9 +50,10 @@ struct PenMoment {
     Vec3 position_mm = Vec3::Zero(); // World frame; the last known one when out of range.
 };
 
-// The whole way of the data, from reports to the scene: decode, fuse, stroke, mean. The only class
-// that knows it. Reports and tool changes go in as they come, from devices or from a log, and the
-// scene is what they amount to. Not thread-safe: it lives on the main thread.
+// The way of the data from reports to strokes: decode, fuse, stroke, and the tool that each is for.
+// The only class that knows it. Reports and tool changes go in as they come, from devices or from a
+// log, and finished strokes come out; what they mean is the document's (app/document). Not
+// thread-safe: it lives on the main thread.
 //
 // Several tablets may be drawn on at once, each with its own pen and strokes. The rig is the first
 // one's; others lie with their centre where the first one's is.
@@ -73,7 +61,8 @@ class Station {
 public:
     // Takes all devices that decode as pens, and the first that decodes as a height sensor. Fails,
     // as the user's fault, if there is no pen, or neither height sensor nor scripted height.
-    static Result<Station> create(std::span<DeviceInfo const> devices, StationOptions options);
+    static Result<Station> create(std::span<DeviceInfo const> devices,
+                                  StationOptions const& options);
 
     // One report of one of the devices. A report that its decoder refuses is counted and forgotten.
     // An empty report says that the device went away: a stroke that it was drawing, or whose height
@@ -82,7 +71,7 @@ public:
 
     // From the pen's samples at `time` on, strokes belong to `tool`, or, where they are drawn with
     // the pen's other end, to its eraser (other_end_of()), which erases as the last tool that did.
-    // One that is done at once is done now, and changes nothing in the hand.
+    // One that is done at once is a stroke without tips, and changes nothing in the hand.
     void set_tool(Timestamp time, Tool const& tool);
 
     // Where a touch presses what the window shows there, from its beginning to its end, and draws
@@ -108,21 +97,6 @@ public:
     // Those since the last call, for a recording.
     std::vector<ToolChange> take_tool_changes() { return std::exchange(new_tool_changes_, {}); }
 
-    // Another scene to go on with, as undo leaves it. Strokes under way will work on it.
-    void set_scene(Scene scene) { scene_ = std::move(scene); }
-
-    // Goes on with what another station has drawn, strokes that nobody has dealt with among it; the
-    // other is left without them.
-    void take_drawing_from(Station& earlier);
-
-    // While it is on, strokes that are finished wait, and so does what is done at once; then they
-    // do what they mean.
-    enum class Hold { Off, On };
-    void hold(Hold hold);
-
-    // Those that wait, in order.
-    std::vector<Stroke> const& waiting_strokes() const { return waiting_strokes_; }
-
     // Time has passed without a report: some pens leave by falling silent. Each report passes time
     // by itself; live, call this when all that have come are pushed.
     void pass_time(Timestamp now);
@@ -130,12 +104,9 @@ public:
     // No more reports come: settles and finishes what is under way.
     void finish();
 
-    Scene const& scene() const { return scene_; }
+    // The strokes that were finished since the last call, in order.
+    std::vector<ToolStroke> take_strokes() { return std::exchange(strokes_, {}); }
 
-    // The finished strokes since the last forget_strokes(): who draws for hours forgets what has
-    // been dealt with. counts().strokes counts all.
-    std::vector<DrawnStroke> const& strokes() const { return strokes_; }
-    void forget_strokes() { strokes_.clear(); }
     StationCounts const& counts() const { return counts_; }
     FuserCounts fuser_counts() const; // Of all pens.
 
@@ -178,7 +149,7 @@ private:
         std::optional<Timestamp> touches_since {}; // On arrival; no value while it does not touch.
     };
 
-    explicit Station(StationOptions const& options); // Without the scene.
+    explicit Station(StationOptions const& options); // Without devices.
 
     Result<void> add_pens(std::span<DeviceInfo const> devices, StationOptions const& options);
     Pen* find_pen(std::size_t device);
@@ -192,7 +163,6 @@ private:
     void take_settled(Pen& pen);
     void finish(Pen& pen);
     void finish_stroke(Stroke stroke);
-    void mean(Stroke stroke, Tool const& tool);
     using ToolChanges = std::vector<ToolChange>;
     Tool::Erasing erasing_before(ToolChanges::const_iterator end) const;
     void count_broken(Error const& error);
@@ -215,12 +185,8 @@ private:
     Tool::Erasing forgotten_erasing_ = Tool::Erasing::Whole; // Before the first of tool_changes_.
     Tool tool_in_hand_;                                      // When it does not press.
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
-    std::vector<PenMoment> moments_; // Not taken yet.
-    Scene scene_;
-    Hold hold_ = Hold::Off;
-    std::vector<Stroke> waiting_strokes_;
-    std::vector<Tool> waiting_tools_; // One for each.
-    std::vector<DrawnStroke> strokes_;
+    std::vector<PenMoment> moments_;  // Not taken yet.
+    std::vector<ToolStroke> strokes_; // Not taken yet.
     std::optional<TipSample> newest_tip_;
     bool pen_in_range_ = false;
     StationCounts counts_;

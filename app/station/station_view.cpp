@@ -2,7 +2,7 @@
 
 #include "app/station/ink_line.h"
 #include "app/station/orphans.h"
-#include "app/station/tools/tool.h"
+#include "app/tools/tool.h"
 #include "engine/variation/growth_preset.h"
 
 #include <algorithm>
@@ -39,6 +39,8 @@ std::string describe(Tool const& tool)
                                                    : "Erase whole strokes";
     case Tool::Kind::Press:
         return "Press";
+    case Tool::Kind::Unknown:
+        return "A tool that this tractus does not know";
     case Tool::Kind::Draw:
         break;
     }
@@ -73,6 +75,7 @@ std::string describe(DrawnStroke const& drawn)
     case Tool::Kind::Erase:
         return "It is erased";
     case Tool::Kind::Press: // Is no stroke.
+    case Tool::Kind::Unknown:
         break;
     case Tool::Kind::Draw:
     case Tool::Kind::DrawInOrder:
@@ -83,7 +86,7 @@ std::string describe(DrawnStroke const& drawn)
 
 } // namespace
 
-StationView::StationView(Station const& station)
+StationView::StationView(Station const& station, Document const& document)
     : preview_(std::make_unique<NewestJob<WantedPreview, Preview>>(
         // Shared by the copies of the function, of which one is called.
         [preview = std::make_shared<StrokePreview>()](WantedPreview const& wanted) {
@@ -91,30 +94,38 @@ StationView::StationView(Station const& station)
         }))
 {
     state_.volume_mm = station.volume_mm();
-    auto const& scene = station.scene();
+    auto const snapshot = document.newest();
     state_.T_world_plant
-        = Eigen::Affine3f(Eigen::Scaling(static_cast<float>(scene.placement.scale)));
-    show_scene(station);
+        = Eigen::Affine3f(Eigen::Scaling(static_cast<float>(snapshot->scene.placement.scale)));
+    show_scene(snapshot);
 }
 
-void StationView::show(Station const& station, Strokes strokes)
+void StationView::show(Station const& station, Document const& document)
 {
+    finished_strokes_ = station.counts().strokes;
     show_grown();
-    show_live(station, strokes);
-    if (strokes == Strokes::AsInk || station.counts().strokes == shown_strokes_)
-        return;
-    if (!station.strokes().empty())
-        state_.status = describe(station.strokes().back());
-    show_scene(station);
+    show_live(station, document);
+    auto const snapshot = document.newest(); // After what waits: no stroke is seen in neither.
+    state_.unkept_steps = snapshot->unkept;
+    if (snapshot->drawn_revision != shown_drawn_revision_)
+        show_scene(snapshot);
+    else if (snapshot->revision != shown_revision_)
+        grow_plant(snapshot);
 }
 
-void StationView::begin_again(Station const& station)
+void StationView::tell(DrawnStroke const& drawn)
+{
+    state_.status = describe(drawn);
+}
+
+void StationView::begin_again(Station const& station, Document const& document)
 {
     shown_pen_samples_ = 0;
+    finished_strokes_ = station.counts().strokes;
     state_.volume_mm = station.volume_mm();
     ++state_.live_revision;
-    show_live(station, Strokes::Kept);
-    show_scene(station);
+    show_live(station, document);
+    show_scene(document.newest());
 }
 
 void StationView::show_pen(std::vector<PenMoment> const& moments)
@@ -154,26 +165,22 @@ void StationView::show_surface(Station const& station)
         ++state_.live_revision;
 }
 
-// Under way, and finished but not yet kept.
-void StationView::show_ink(Station const& station, Strokes strokes)
+// Under way, and finished but not yet in the scene.
+void StationView::show_ink(Station const& station, std::vector<ToolStroke> const& waiting)
 {
     state_.live_ink.clear();
-    if (strokes == Strokes::AsInk) {
-        for (auto const& drawn : station.strokes())
-            if (!drawn.edits.empty())
-                state_.live_ink.push_back(ink_line(drawn.stroke.tips, drawn.tool));
-        for (auto const& stroke : station.waiting_strokes())
-            state_.live_ink.push_back(ink_line(stroke.tips, station.meaning_of(stroke.tips)));
-    }
-    auto const unkept = state_.live_ink.size();
-    if (std::exchange(shown_unkept_, unkept) != unkept)
+    for (auto const& [stroke, tool] : waiting)
+        if (!stroke.tips.empty())
+            state_.live_ink.push_back(ink_line(stroke.tips, tool));
+    auto const count = state_.live_ink.size();
+    if (std::exchange(shown_waiting_, count) != count)
         ++state_.live_revision;
     if (!station.is_pressing())
         for (auto const& ink : station.inks())
             state_.live_ink.push_back(ink_line(ink, station.meaning_of(ink)));
 }
 
-void StationView::show_live(Station const& station, Strokes strokes)
+void StationView::show_live(Station const& station, Document const& document)
 {
     // Without a sample of the pen there is nothing new to see: the hand rests, or is away.
     if (std::exchange(shown_pen_samples_, station.counts().pen_samples)
@@ -184,7 +191,7 @@ void StationView::show_live(Station const& station, Strokes strokes)
     state_.erasing = station.erasing();
     auto const fault = station.height_monitor().present();
     state_.trouble = fault ? describe_fault(*fault) : "";
-    show_ink(station, strokes);
+    show_ink(station, document.waiting());
     show_selecting(station);
     show_surface(station);
     show_preview(station);
@@ -199,14 +206,14 @@ void StationView::show_preview(Station const& station)
         set_preview({});
     else if (std::exchange(previewed_live_, state_.live_revision) != state_.live_revision)
         preview_->want({ grown_scene_, station.meaning_of(inks.front()), inks.front(),
-                         skeleton_.orders(), station.counts().strokes });
+                         skeleton_.orders(), finished_strokes_ });
     is_drawing_ = !inks.empty();
     take_preview();
 }
 
 void StationView::take_preview()
 {
-    if (auto made = preview_->take(); made && is_drawing_ && made->stroke == shown_strokes_)
+    if (auto made = preview_->take(); made && is_drawing_ && made->stroke == finished_strokes_)
         set_preview(std::move(made->lines));
 }
 
@@ -233,8 +240,8 @@ void StationView::show_selecting(Station const& station)
         shown_touched_.reset();
         return;
     }
-    if (!shown_skeleton_ || shown_plant_ != station.scene().base || shown_angle_ != tool.angle) {
-        shown_plant_ = station.scene().base;
+    if (!shown_skeleton_ || shown_plant_ != grown_scene_->base || shown_angle_ != tool.angle) {
+        shown_plant_ = grown_scene_->base;
         shown_angle_ = tool.angle;
         shown_skeleton_.emplace(*shown_plant_, shown_angle_);
     }
@@ -245,15 +252,14 @@ void StationView::show_selecting(Station const& station)
     shown_touched_ = std::move(touched);
 }
 
-void StationView::show_scene(Station const& station)
+void StationView::show_scene(std::shared_ptr<Snapshot const> const& snapshot)
 {
-    shown_strokes_ = station.counts().strokes;
-    auto const& scene = station.scene();
-    show_strokes(scene);
-    grow_plant(scene);
+    shown_drawn_revision_ = snapshot->drawn_revision;
+    show_strokes(snapshot->scene);
+    grow_plant(snapshot);
     show_skeleton();
     shown_touched_.reset();
-    list_orphans(scene);
+    list_orphans(snapshot->scene);
 }
 
 // Those that were shown before keep their ink: their tips need not be read again.
@@ -309,11 +315,12 @@ void StationView::show_skeleton(ShownSkeleton::Touched const& touched)
     ++state_.skeleton_revision;
 }
 
-void StationView::grow_plant(Scene const& scene)
+void StationView::grow_plant(std::shared_ptr<Snapshot const> const& snapshot)
 {
-    grown_scene_ = std::make_shared<Scene const>(scene);
+    shown_revision_ = snapshot->revision;
+    grown_scene_ = { snapshot, &snapshot->scene };
     skeleton_.set_scene(grown_scene_);
-    preview(scene.growth);
+    preview(grown_scene_->growth);
 }
 
 void StationView::preview(SetGrowth const& growth)
@@ -325,9 +332,9 @@ void StationView::preview(SetGrowth const& growth)
     state_.is_growing = true;
 }
 
-void StationView::show_growth(Station const& station)
+void StationView::show_growth()
 {
-    grow_plant(station.scene());
+    preview(grown_scene_->growth);
 }
 
 void StationView::collect(std::size_t count)

@@ -1,11 +1,12 @@
 #pragma once
 
+#include "app/document/document.h"
 #include "app/station/plant_grower.h"
 #include "app/station/skeleton_picture.h"
 #include "app/station/station.h"
 #include "app/station/stroke_preview.h"
-#include "app/station/tools/shown_skeleton.h"
 #include "app/station/window_model.h"
+#include "app/tools/shown_skeleton.h"
 #include "engine/mesh/mesh.h"
 #include "engine/scene/scene.h"
 
@@ -16,21 +17,21 @@
 
 namespace tractus {
 
-// A station as the window shows it, wherever its reports come from: the hand, its strokes, what is
-// selected, and the plant, which is grown anew in the background after each stroke. Whoever owns it
-// says in state() what else is to be seen.
+// A station and the document that its strokes go to as the window shows them, wherever the reports
+// come from: the hand, its strokes, what is selected, and the plant, which is grown anew in the
+// background after each stroke. Whoever owns it says in state() what else is to be seen.
 class StationView {
 public:
-    explicit StationView(Station const& station);
+    StationView(Station const& station, Document const& document);
 
     WindowState& state() { return state_; }
     WindowState const& state() const { return state_; }
 
-    // Whether the station's finished strokes are seen as what they have become, or are not yet.
-    enum class Strokes { Kept, AsInk };
+    // What has changed since the last call.
+    void show(Station const& station, Document const& document);
 
-    // What has changed since the last call. A new stroke that is kept is named in the status.
-    void show(Station const& station, Strokes strokes);
+    // What a stroke has done, in the status.
+    void tell(DrawnStroke const& drawn);
 
     // Waits for the plant as it was wanted last, and for all variations, and shows them.
     void settle();
@@ -39,10 +40,10 @@ public:
     void show_pen(std::vector<PenMoment> const& moments);
 
     // Another station in place of the one before, or one that has begun again.
-    void begin_again(Station const& station);
+    void begin_again(Station const& station, Document const& document);
 
-    // The station's scene grows in another way, and nothing else of it has changed.
-    void show_growth(Station const& station);
+    // What other growth was previewed is gone.
+    void show_growth();
 
     // What other growth would give.
     void preview(SetGrowth const& growth);
@@ -61,10 +62,10 @@ private:
     };
 
     void show_grown();
-    void show_live(Station const& station, Strokes strokes);
-    void show_ink(Station const& station, Strokes strokes);
+    void show_live(Station const& station, Document const& document);
+    void show_ink(Station const& station, std::vector<ToolStroke> const& waiting);
     void show_surface(Station const& station);
-    void show_scene(Station const& station);
+    void show_scene(std::shared_ptr<Snapshot const> const& snapshot);
     void show_strokes(Scene const& scene);
     void show_variations();
     void show_preview(Station const& station);
@@ -73,20 +74,22 @@ private:
     void list_orphans(Scene const& scene);
     void show_selecting(Station const& station);
     void show_skeleton(ShownSkeleton::Touched const& touched = {});
-    void grow_plant(Scene const& scene);
+    void grow_plant(std::shared_ptr<Snapshot const> const& snapshot);
 
     // On the heap, since a thread knows it.
     std::unique_ptr<PlantGrower> grower_ = std::make_unique<PlantGrower>();
-    std::shared_ptr<Scene const> grown_scene_; // Shared with the grower.
+    std::shared_ptr<Scene const> grown_scene_; // Of a snapshot; shared with the grower.
+    std::uint64_t shown_revision_ = 0;         // Of that snapshot,
+    std::uint64_t shown_drawn_revision_ = 0;   // and of what is seen as drawn.
     // The strokes that state_.strokes begins with, in its order: they need not be in memory.
     std::vector<SharedVector<TipSample>> inked_;
-    std::size_t shown_strokes_ = 0;
+    std::size_t finished_strokes_ = 0;
     std::size_t shown_pen_samples_ = 0;
     double shown_surface_mm_ = 0; // That the last picture of the pad was made for.
     // What a selecting pen is drawn over, and the plant that it was made of; none before it is
     // needed.
     std::optional<ShownSkeleton> shown_skeleton_;
-    std::shared_ptr<Plant const> shown_plant_; // Shared with the station's scene, which may go on.
+    std::shared_ptr<Plant const> shown_plant_; // Shared with the document's scene, which may go on.
     std::optional<ShownSkeleton::Touched> shown_touched_; // As the skeleton shows it.
     SkeletonPicture skeleton_;
     SelectionAngle shown_angle_;
@@ -94,7 +97,7 @@ private:
     std::unique_ptr<NewestJob<WantedPreview, Preview>> preview_; // On the heap, as the grower.
     std::uint64_t previewed_live_ = 0;                           // The ink's revision.
     bool is_drawing_ = false;
-    std::size_t shown_unkept_ = 0; // Strokes as ink.
+    std::size_t shown_waiting_ = 0; // Strokes as ink.
     // On the heap, since the state points to it when this moves.
     std::unique_ptr<Mesh const> plant_;
     WindowState state_;

@@ -1,6 +1,6 @@
 #include "app/station/stroke_preview.h"
 
-#include "app/station/station.h"
+#include "app/document/draw.h"
 #include "engine/variation/place_nodes.h"
 
 #include <utility>
@@ -22,6 +22,7 @@ static bool shapes_branches(Tool const& tool)
     case Tool::Kind::MoveIndicator:
     case Tool::Kind::DeleteIndicator:
     case Tool::Kind::Press:
+    case Tool::Kind::Unknown:
         break;
     }
     return false;

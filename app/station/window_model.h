@@ -4,7 +4,7 @@
 #include "app/diagnosis/device_monitor.h"
 #include "app/diagnosis/finding.h"
 #include "app/render/image.h"
-#include "app/station/tools/tool.h"
+#include "app/tools/tool.h"
 #include "engine/base/time.h"
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/mesh.h"
@@ -170,10 +170,10 @@ struct WindowState {
     // Pictures and exports are being written in the background; the status will say where to, or
     // why not.
     bool is_saving = false;
-    bool may_calibrate = false; // There is a height sensor: see OpenCalibration.
-    // What is drawn is kept in a session: it can be undone.
-    bool has_session = false;
-    double progress = 0; // Of the recording, 0 to 1.
+    bool may_calibrate = false;   // There is a height sensor: see OpenCalibration.
+    bool has_session = false;     // What is drawn is kept in a file. Undo works without one, too.
+    std::size_t unkept_steps = 0; // Of what is seen: not on the disk yet.
+    double progress = 0;          // Of the recording, 0 to 1.
     bool playing = true;
     double speed = 1;       // Of the recording, 1 as it was made.
     std::uint64_t seed = 0; // Of the present variation.

@@ -1,9 +1,9 @@
 #include "app/verbs/sim_play.h"
 
+#include "app/document/model_cost.h"
 #include "app/plants/model_file.h"
 #include "app/play/simulated_recording.h"
 #include "app/resources.h"
-#include "app/station/model_cost.h"
 #include "app/terminal/console.h"
 #include "drivers/file.h"
 #include "drivers/log_source.h"

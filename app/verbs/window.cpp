@@ -1,6 +1,7 @@
 #include "app/verbs/window.h"
 
 #include "app/devices/live_devices.h"
+#include "app/document/model_cost.h"
 #include "app/live/live_window.h"
 #include "app/live/replay_window.h"
 #include "app/live/unnamed_session.h"
@@ -9,7 +10,6 @@
 #include "app/plants/session_plant.h"
 #include "app/resources.h"
 #include "app/station/log_replay.h"
-#include "app/station/model_cost.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "app/user_folder.h"
@@ -101,7 +101,7 @@ Result<void> show_replay(WindowArguments const& arguments)
 {
     auto const model = TRY(find_model(arguments.model));
     ReplayOptions options;
-    options.scene = TRY(load_scene(model));
+    auto scene = TRY(load_scene(model));
     if (!arguments.rig.empty())
         options.rig = TRY(load_rig(arguments.rig));
     if (!arguments.height.empty())
@@ -111,8 +111,8 @@ Result<void> show_replay(WindowArguments const& arguments)
     if (!arguments.session.empty())
         session = TRY(keep_in(arguments.session, model));
     ClosingSignals const signals; // Until the window is closed and all is kept.
-    auto window = TRY(
-        ReplayWindow::create(log, options, std::filesystem::current_path(), std::move(session)));
+    auto window = TRY(ReplayWindow::create(log, options, std::move(scene),
+                                           std::filesystem::current_path(), std::move(session)));
     auto const name = std::filesystem::path(log.name).filename().string();
     return run_window(window, window_options(arguments, name, model));
 }
@@ -198,10 +198,14 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
     if (!clock.counted)
         options.mouse.emplace(options.now); // On threads of their own, by the machine's clock.
     auto const name = devices.infos().empty() ? "mouse" : devices.infos().front().name;
-    auto const done = draw_in_window(std::move(devices), std::move(options),
-                                     window_options(arguments, name, model));
-    if (!unnamed.empty())
-        remove_if_nothing_was_drawn(unnamed);
+    auto how = window_options(arguments, name, model);
+    auto const tidy_up = [&unnamed] {
+        if (!unnamed.empty())
+            remove_if_nothing_was_drawn(unnamed);
+    };
+    how.when_display_has_gone = tidy_up;
+    auto const done = draw_in_window(std::move(devices), std::move(options), how);
+    tidy_up();
     return done;
 }
 

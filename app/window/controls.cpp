@@ -106,6 +106,10 @@ void Controls::show_status(WindowState const& state) const
     else
         ImGui::TextColored(theme::imgui_color(theme::palette().indicator), "%s",
                            state.trouble.c_str());
+    if (state.unkept_steps > 0) {
+        ImGui::SameLine();
+        ImGui::TextDisabled("not on the disk yet");
+    }
     if (state.recording.is_on)
         show_recording(state.recording);
 }

@@ -31,8 +31,6 @@ void take_escape(Workbench& bench, ToolRing& ring)
 
 void take_undo_key(WindowModel& model, bool is_redo)
 {
-    if (!model.state().has_session)
-        return;
     if (is_redo)
         model.perform(Redo {});
     else

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/station/tools/tool.h"
+#include "app/tools/tool.h"
 
 #include <array>
 #include <vector>

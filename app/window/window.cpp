@@ -74,7 +74,8 @@ public:
         bool const same_trouble = std::exchange(trouble_, state.trouble) == state.trouble;
         auto const recorded = state.recording.is_on ? 1 + state.recording.bytes / 100'000 : 0;
         bool const same_recording = std::exchange(recorded_, recorded) == recorded; // As shown.
-        return !same_revisions || !same_status || !same_trouble || !same_recording;
+        bool const same_unkept = std::exchange(unkept_, state.unkept_steps) == state.unkept_steps;
+        return !same_revisions || !same_status || !same_trouble || !same_recording || !same_unkept;
     }
 
 private:
@@ -82,6 +83,7 @@ private:
     std::string status_;
     std::string trouble_;
     std::uint64_t recorded_ = 0;
+    std::size_t unkept_ = 0;
 };
 
 // What `which` names; without a name the tablet's own display, else the one that the window is on.
@@ -165,7 +167,12 @@ static Result<void> show_window(Host& host, WindowModel& model, WindowOptions co
 
 Result<void> run_window(WindowModel& model, WindowOptions const& options)
 {
-    on_lost_display([&model] { return model.close(); });
+    on_lost_display([&] {
+        auto const closed = model.close();
+        if (options.when_display_has_gone)
+            options.when_display_has_gone();
+        return closed;
+    });
     Result<void> shown;
     {
         Host host;

@@ -29,6 +29,10 @@ struct WindowOptions {
     // Asked before each frame: true closes the window.
     std::function<bool()> should_close {};
 
+    // Called when the display has gone and the model is closed: the last thing that the program
+    // does. May be empty.
+    std::function<void()> when_display_has_gone {};
+
     // Where a PNG of the last frame is written; empty: nowhere.
     std::filesystem::path screenshot {};
 };

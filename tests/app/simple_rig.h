@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/station/station.h"
+#include "tests/app/drawing_station.h"
 #include "tests/app/small_model.h"
 #include "tests/drivers/devices.h"
 
@@ -47,7 +48,7 @@ inline std::vector<std::byte> height_report(int counts)
 }
 
 // A station with the simple pen, whose surface stays at 100 mm.
-inline Station station_on(Scene scene, Tool const& tool = {})
+inline Station flat_station(Tool const& tool = {})
 {
     StationOptions options;
     options.scripted_height = ScriptedHeight {
@@ -55,14 +56,19 @@ inline Station station_on(Scene scene, Tool const& tool = {})
         .first_pen = {},
         .last_pen = {},
     };
-    options.scene = std::move(scene);
     options.tool = tool;
     return Station::create(std::vector { simple_pen() }, options).value();
 }
 
+// The same, and what it draws on.
+inline DrawingStation station_on(Scene scene, Tool const& tool = {})
+{
+    return { flat_station(tool), std::move(scene) };
+}
+
 // A stroke of the simple pen across the middle of the tablet: twenty samples, 5 ms apart, from
 // `start_ms`, and one above the surface after them.
-inline void draw_across(Station& station, std::int64_t start_ms)
+template<typename AnyStation> void draw_across(AnyStation& station, std::int64_t start_ms)
 {
     for (int i = 0; i < 20; ++i)
         station.push(kPen, at_ms(start_ms + 5 * i), pen_report(50 + 5 * i, 50, true));

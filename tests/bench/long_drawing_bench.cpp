@@ -39,7 +39,7 @@ double resident_mb()
 class Day {
 public:
     explicit Day(fs::path const& path)
-        : controller_(station_, begin_session(path, { model() }).value(), ".")
+        : controller_(station_, begin_session(path, { model() }).value(), {}, ".")
     {
     }
 
@@ -72,7 +72,7 @@ public:
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
 
-    std::size_t kept() const { return station_.scene().associations.size(); }
+    std::size_t kept() const { return controller_.document().newest()->scene.associations.size(); }
 
     // Whether the session has each stroke that was not taken back, and no other.
     bool has_lost_nothing(fs::path const& path) const
@@ -96,12 +96,7 @@ public:
 private:
     static Edit model() { return load_plant_edit(find_model("broadleaf").value()).value(); }
 
-    static Station new_station()
-    {
-        StationOptions options;
-        options.scene = apply_edit({}, model()).value();
-        return Station::create(simple_rig(), options).value();
-    }
+    static Station new_station() { return Station::create(simple_rig(), {}).value(); }
 
     Station station_ = new_station();
     StationController controller_;

@@ -73,8 +73,8 @@ Scene scene_of(std::size_t segments)
 class Drawing {
 public:
     explicit Drawing(Scene scene)
-        : station_(station_on(std::move(scene)))
-        , view_(station_)
+        : document_(std::move(scene), Document::Working::OnItsThread)
+        , view_(station_, document_)
     {
         return_large_blocks(); // As the window does.
     }
@@ -91,7 +91,10 @@ public:
         auto const begin = Clock::now();
         double const begin_s = cpu_s();
         push_reports();
-        view_.show(station_, StationView::Strokes::Kept);
+        for (auto& stroke : station_.take_strokes())
+            document_.draw(std::move(stroke));
+        (void)document_.take_drawn();
+        view_.show(station_, document_);
         benchmark::DoNotOptimize(pad_live_curves(view_.state()).data());
         std::chrono::duration<double> const ink = Clock::now() - begin;
         if (follow(view_.state().strokes_revision, strokes_))
@@ -104,18 +107,10 @@ public:
             benchmark::DoNotOptimize(pad_skeleton_curves(view_.state()).data());
             benchmark::DoNotOptimize(skeleton_curves(view_.state()).data());
         }
-        station_.forget_strokes();
         return { ink.count(), cpu_s() - begin_s };
     }
 
 private:
-    static Station station_on(Scene scene)
-    {
-        StationOptions options;
-        options.scene = std::move(scene);
-        return Station::create(simple_rig(), options).value();
-    }
-
     static double cpu_s()
     {
         timespec time {};
@@ -142,7 +137,8 @@ private:
         }
     }
 
-    Station station_;
+    Station station_ = Station::create(simple_rig(), {}).value();
+    Document document_;
     StationView view_;
     std::int64_t now_us_ = 0;
     std::int64_t samples_ = 0;

@@ -54,11 +54,10 @@ Result<Duration> clock_offset(Log const& sent, Log const& got)
 Result<std::vector<DrawnStroke>> strokes_of_recording(Log const& log, std::string const& model)
 {
     auto const edit = TRY(load_model_edit(model));
-    ReplayOptions options;
-    options.scene = TRY(apply_edit({}, edit));
-    auto replay = TRY(LogReplay::create(log, std::move(options)));
-    replay.run();
-    return replay.station().strokes();
+    Document document(TRY(apply_edit({}, edit)), Document::Working::AtOnce);
+    auto replay = TRY(LogReplay::create(log, {}));
+    replay.run(document);
+    return document.take_drawn();
 }
 
 } // namespace

@@ -1,11 +1,11 @@
 #include "app/methods/construction_lines/construct_command.h"
 
+#include "app/document/model_cost.h"
 #include "app/methods/construction_lines/construct_report.h"
 #include "app/methods/construction_lines/line_drawing.h"
 #include "app/methods/construction_lines/line_sketch_file.h"
 #include "app/plants/plant_file.h"
 #include "app/plants/session_plant.h"
-#include "app/station/model_cost.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "app/verbs/checks.h"

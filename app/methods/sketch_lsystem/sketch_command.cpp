@@ -1,5 +1,6 @@
 #include "app/methods/sketch_lsystem/sketch_command.h"
 
+#include "app/document/model_cost.h"
 #include "app/methods/sketch_lsystem/rule_file.h"
 #include "app/methods/sketch_lsystem/sketch_report.h"
 #include "app/methods/sketch_lsystem/upright_sheet.h"
@@ -7,7 +8,6 @@
 #include "app/plants/plant_file.h"
 #include "app/plants/session_plant.h"
 #include "app/plants/stroke_file.h"
-#include "app/station/model_cost.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "app/verbs/checks.h"

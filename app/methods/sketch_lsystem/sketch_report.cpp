@@ -1,6 +1,6 @@
 #include "app/methods/sketch_lsystem/sketch_report.h"
 
-#include "app/station/model_cost.h"
+#include "app/document/model_cost.h"
 #include "engine/lsystem/derive.h"
 #include "engine/lsystem/print.h"
 

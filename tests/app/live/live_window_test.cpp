@@ -10,6 +10,8 @@
 #include "drivers/file.h"
 #include "engine/export/glb_reader.h"
 #include "tests/app/full_disk.h"
+#include "tests/app/replayed.h"
+#include "tests/app/session/same_edit.h"
 #include "tests/app/simple_rig.h"
 
 #include <algorithm>
@@ -94,7 +96,7 @@ TEST(LiveWindow, ShowsWhatTheDevicesDraw)
     advance_to_end(window);
     window.settle();
     ASSERT_EQ(window.station().counts().strokes, 1u);
-    EXPECT_EQ(window.station().scene().associations.size(), 1u);
+    EXPECT_EQ(window.scene().associations.size(), 1u);
     EXPECT_EQ(window.state().strokes.size(), 1u);
     EXPECT_EQ(window.state().plant_revision, plants + 1);
     EXPECT_FALSE(window.state().pen.touching);
@@ -104,6 +106,7 @@ TEST(LiveWindow, KeepsTheStrokeOfATabletThatIsUnplugged)
 {
     auto window = LiveWindow::create(drawing_devices(true), options_for_tests()).value();
     advance_to_end(window);
+    window.settle();
     EXPECT_EQ(window.station().counts().strokes, 1u);
     EXPECT_TRUE(window.state().live_ink.empty());
     EXPECT_FALSE(window.state().pen.in_range); // The mouse counts again.
@@ -128,6 +131,47 @@ TEST(LiveWindow, RecordsWhatReplaysToTheSame)
     ASSERT_EQ(log.tools.size(), 1u);
     EXPECT_EQ(log.tools[0].tool, "indicate");
     EXPECT_TRUE(parse_rig(log.rig_text, "log"));
+    fs::remove(path);
+}
+
+// Undo, growth and all else that no stroke does.
+TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
+{
+    auto const path
+        = fs::temp_directory_path() / fmt::format("tractus_steps_{}.tractus-log", ::getpid());
+    fs::remove(path);
+    auto options = options_for_tests();
+    options.recording = path;
+    options.now = [] { return at_ms(0); }; // No report is older.
+    Scene drawn;
+    {
+        auto window = LiveWindow::create(drawing_devices(true), std::move(options)).value();
+        window.perform(NextVariation {});
+        window.perform(ChangeGrowth { { "windy hillside", 0.5, 0.75 } });
+        advance_to_end(window);
+        window.perform(NextVariation {});
+        window.perform(Undo {});
+        window.perform(Undo {}); // The stroke,
+        window.perform(Redo {}); // which comes back.
+        window.perform(PickVariation { 42 });
+        window.settle();
+        drawn = window.scene();
+    }
+    EXPECT_EQ(drawn.growth.seed, 42u);
+    ASSERT_EQ(drawn.associations.size(), 1u);
+    auto const log = read_log(path).value();
+    ASSERT_EQ(log.tools.size(), 7u);
+    EXPECT_EQ(log.tools[0].tool, "step");
+    EXPECT_EQ(log.tools[3].tool, "undo");
+    EXPECT_EQ(log.tools[3].arguments, "1");
+    ReplayOptions replay_options;
+    replay_options.height = parse_height_scenario("0").value();
+    auto const [counts, scene, strokes] = replayed(log, replay_options);
+    ASSERT_EQ(strokes.size(), 1u);
+    EXPECT_EQ(strokes[0].refusal, "");
+    EXPECT_TRUE(same(scene.growth, drawn.growth));
+    ASSERT_EQ(scene.associations.size(), 1u);
+    EXPECT_TRUE(same(scene.associations[0].stroke, drawn.associations[0].stroke));
     fs::remove(path);
 }
 
@@ -394,9 +438,10 @@ TEST(LiveWindow, BeginsAgainWithTheSameTool)
     window.perform(ChooseTool { { Tool::Kind::Indicate } });
     advance_to_end(window);
     window.perform(Restart {});
+    window.settle();
     EXPECT_TRUE(window.state().strokes.empty());
+    EXPECT_TRUE(window.state().indicators.empty());
     EXPECT_EQ(window.state().tool, "Motion indicator");
-    EXPECT_EQ(window.station().counts().strokes, 0u);
 }
 
 // A session, gone on with if it is there.
@@ -416,7 +461,6 @@ TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
     {
         auto window
             = LiveWindow::create(drawing_devices(false), options_with_session(path)).value();
-        EXPECT_TRUE(window.state().has_session);
         advance_to_end(window);
         window.settle();
         EXPECT_EQ(read_session(path).value().step, 1u); // While the window is open.
@@ -441,7 +485,7 @@ TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
     EXPECT_EQ(again.state().strokes.size(), 1u);
     advance_to_end(again);
     again.settle();
-    EXPECT_EQ(again.station().scene().associations.size(), 2u);
+    EXPECT_EQ(again.scene().associations.size(), 2u);
     EXPECT_EQ(read_session(path).value().step, 2u);
     EXPECT_EQ(read_session(path).value().last_step(), 2u); // What was undone is gone.
     fs::remove(path);
@@ -463,8 +507,8 @@ TEST_F(LiveWindowWithSession, KeepsGrowthAndTakesItBack)
     window.perform(ChangeGrowth { { "weeping", 0.5, 0.25 } });
     window.settle();
     EXPECT_EQ(window.state().growth.preset, "weeping");
-    EXPECT_EQ(window.station().scene().growth.variability, 0.5);
-    EXPECT_EQ(window.station().scene().growth.age, 0.25);
+    EXPECT_EQ(window.scene().growth.variability, 0.5);
+    EXPECT_EQ(window.scene().growth.age, 0.25);
     window.perform(NextVariation {});
     window.settle();
     EXPECT_EQ(window.state().seed, 2u);

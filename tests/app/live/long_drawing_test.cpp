@@ -1,6 +1,8 @@
 #include "app/live/station_controller.h"
 #include "app/plants/session_plant.h"
 #include "app/station/ink_line.h"
+#include "tests/app/document/step_of.h"
+#include "tests/app/full_disk.h"
 #include "tests/app/session/same_edit.h"
 #include "tests/app/simple_rig.h"
 
@@ -20,8 +22,7 @@ namespace fs = std::filesystem;
 class LongDrawing : public testing::Test {
 protected:
     LongDrawing()
-        : station_(new_station())
-        , controller_(station_, session_at(path_), ".")
+        : controller_(station_, session_at(path_), {}, ".")
     {
     }
     ~LongDrawing() override { fs::remove(path_); }
@@ -37,10 +38,12 @@ protected:
         }
     }
 
+    Scene const& scene() const { return *controller_.view().grown_scene(); } // That is seen.
+
     fs::path const path_
         = fs::temp_directory_path() / fmt::format("tractus_long_{}.tractus", ::getpid());
     std::int64_t now_ms_ = 1000;
-    Station station_;
+    Station station_ = flat_station();
     StationController controller_;
 
 private:
@@ -48,18 +51,6 @@ private:
     {
         fs::remove(path);
         return begin_session(path, { small_model() }).value();
-    }
-
-    static Station new_station()
-    {
-        StationOptions options;
-        options.scripted_height = ScriptedHeight {
-            .scenario = { .kind = HeightScenario::Kind::Constant, .constant_mm = 100 },
-            .first_pen = {},
-            .last_pen = {},
-        };
-        options.scene = small_scene();
-        return Station::create(std::vector { simple_pen() }, options).value();
     }
 };
 
@@ -83,66 +74,81 @@ TEST_F(LongDrawing, LeavesWhatIsKeptToTheFile)
 {
     constexpr std::size_t kStrokes = 150;
     draw(kStrokes);
-    EXPECT_TRUE(station_.strokes().empty());
     EXPECT_EQ(station_.counts().strokes, kStrokes);
-    EXPECT_EQ(strokes_in_memory(controller_.keeper().session().scene()), 0);
-    EXPECT_EQ(strokes_in_memory(station_.scene()), 0);
-    EXPECT_EQ(station_.scene().associations.size(), kStrokes);
+    EXPECT_EQ(strokes_in_memory(controller_.document().session().scene()), 0);
+    EXPECT_EQ(strokes_in_memory(scene()), 0);
+    EXPECT_EQ(scene().associations.size(), kStrokes);
     EXPECT_EQ(read_session(path_).value().last_step(), kStrokes) << "no lost edit";
 }
 
 TEST_F(LongDrawing, ReadsStrokesBackThatCountAgain)
 {
     draw(1);
-    Stroke const first { station_.scene().associations[0].stroke.tips.vector() };
+    Stroke const first { scene().associations[0].stroke.tips.vector() };
     draw(6); // Three branches: numbers 3 and 6 are the trunk's, too.
-    EXPECT_FALSE(station_.scene().associations[0].stroke.tips.is_in_memory());
-    controller_.keeper().make({ [](Scene const&) -> Result<WantedStep::Change> {
-        return WantedStep::Change { { DeleteStroke { { 3, 6 } } }, "" };
-    } });
+    EXPECT_FALSE(scene().associations[0].stroke.tips.is_in_memory());
+    controller_.document().make(step_of({ DeleteStroke { { 3, 6 } } }));
     controller_.settle(station_, at_ms(now_ms_));
-    ASSERT_EQ(station_.scene().associations.size(), 5u);
+    ASSERT_EQ(scene().associations.size(), 5u);
     auto const& shown = controller_.view().state().strokes;
     ASSERT_EQ(shown.size(), 3u);
     EXPECT_TRUE(is_ink_of(first, shown[0]));
-    EXPECT_TRUE(same(station_.scene().associations[0].stroke, first));
+    EXPECT_TRUE(same(scene().associations[0].stroke, first));
 }
 
 TEST_F(LongDrawing, ReadsAStrokeBackThatWasErasedInPart)
 {
     auto const make = [&](Edit const& edit) {
-        controller_.keeper().make({ [=](Scene const&) -> Result<WantedStep::Change> {
-            return WantedStep::Change { { edit }, "" };
-        } });
+        controller_.document().make(step_of({ edit }));
         controller_.settle(station_, at_ms(now_ms_));
     };
     draw(1);
-    auto const count = station_.scene().associations[0].stroke.tips.size();
+    auto const count = scene().associations[0].stroke.tips.size();
     make(EraseTips { { 0 }, { { 3, 5 } } });
     make(EraseTips { { 0 }, { { 0, 0 } } });
-    Stroke const rest { station_.scene().associations[0].stroke.tips.vector() };
+    Stroke const rest { scene().associations[0].stroke.tips.vector() };
     EXPECT_EQ(rest.tips.size(), count - 4);
     draw(6); // Three branches: numbers 3 and 6 are the trunk's, too.
-    EXPECT_FALSE(station_.scene().associations[0].stroke.tips.is_in_memory());
+    EXPECT_FALSE(scene().associations[0].stroke.tips.is_in_memory());
     make(DeleteStroke { { 3, 6 } });
     ASSERT_EQ(controller_.view().state().strokes.size(), 3u);
     EXPECT_TRUE(is_ink_of(rest, controller_.view().state().strokes[0]));
-    EXPECT_TRUE(same(station_.scene().associations[0].stroke, rest));
+    EXPECT_TRUE(same(scene().associations[0].stroke, rest));
 }
 
-TEST_F(LongDrawing, ShowsAStrokeAsDoneOnlyWhenItIsKept)
+TEST_F(LongDrawing, ShowsInkUntilTheStrokeIsInThePlant)
 {
     draw_across(station_, now_ms_);
     controller_.show(station_, at_ms(now_ms_));
-    EXPECT_FALSE(controller_.keeper().is_settled());
-    EXPECT_TRUE(controller_.view().state().strokes.empty());
-    EXPECT_EQ(controller_.view().state().live_ink.size(), 1u) << "the ink stays meanwhile";
-    draw_across(station_, now_ms_ + 1000); // It ends before the first one is kept.
-    EXPECT_EQ(station_.counts().strokes, 1u);
+    auto const& state = controller_.view().state();
+    EXPECT_GE(state.live_ink.size() + state.strokes.size(), 1u) << "it is seen all the time";
+    draw_across(station_, now_ms_ + 1000); // It may end before the first one is kept.
+    controller_.show(station_, at_ms(now_ms_));
+    EXPECT_GE(state.live_ink.size() + state.strokes.size(), 2u);
     controller_.settle(station_, at_ms(now_ms_ + 2000));
     EXPECT_EQ(read_session(path_).value().last_step(), 2u);
-    EXPECT_EQ(controller_.view().state().strokes.size(), 2u);
-    EXPECT_TRUE(controller_.view().state().live_ink.empty());
+    EXPECT_EQ(state.strokes.size(), 2u);
+    EXPECT_TRUE(state.live_ink.empty());
+    EXPECT_EQ(state.unkept_steps, 0u);
+}
+
+TEST_F(LongDrawing, ANewStationLosesNothingThatAFullDiskCouldNotKeep)
+{
+    draw(1);
+    {
+        FullDisk const disk(1);
+        draw(1);
+        EXPECT_EQ(controller_.view().state().unkept_steps, 1u);
+        EXPECT_NE(controller_.view().state().trouble.find("is not kept"), std::string::npos);
+        station_ = flat_station(); // As another calibration makes one.
+        controller_.show_again(station_, "");
+        draw(1);
+        EXPECT_FALSE(controller_.finish(station_, at_ms(now_ms_)));
+        EXPECT_EQ(scene().associations.size(), 3u);
+    }
+    ASSERT_TRUE(controller_.finish(station_, at_ms(now_ms_)));
+    EXPECT_EQ(controller_.view().state().unkept_steps, 0u);
+    EXPECT_EQ(read_session(path_).value().last_step(), 3u);
 }
 
 TEST_F(LongDrawing, ShowsAndGrowsWhatStillCounts)
@@ -150,10 +156,10 @@ TEST_F(LongDrawing, ShowsAndGrowsWhatStillCounts)
     draw(30);
     EXPECT_EQ(controller_.view().state().strokes.size(), 3u)
         << "one for each of the three branches";
-    EXPECT_EQ(shaping_associations(station_.scene()).size(), 3u);
+    EXPECT_EQ(shaping_associations(scene()).size(), 3u);
     controller_.perform(Undo {}, station_);
     controller_.settle(station_, at_ms(now_ms_));
-    EXPECT_EQ(station_.scene().associations.size(), 29u);
+    EXPECT_EQ(scene().associations.size(), 29u);
     EXPECT_EQ(controller_.view().state().strokes.size(), 3u) << "the one before counts again";
 }
 
@@ -163,13 +169,13 @@ TEST_F(LongDrawing, TakesBackEveryStepAndDoesItAgain)
     draw(kStrokes);
     for (std::size_t left = kStrokes; left-- > 0;) {
         controller_.perform(Undo {}, station_);
-        ASSERT_TRUE(controller_.finish(station_, at_ms(now_ms_)));
-        ASSERT_EQ(station_.scene().associations.size(), left);
+        controller_.settle(station_, at_ms(now_ms_));
+        ASSERT_EQ(scene().associations.size(), left);
     }
     for (std::size_t i = 0; i < kStrokes; ++i)
         controller_.perform(Redo {}, station_);
     ASSERT_TRUE(controller_.finish(station_, at_ms(now_ms_)));
-    EXPECT_EQ(station_.scene().associations.size(), kStrokes);
+    EXPECT_EQ(scene().associations.size(), kStrokes);
 }
 
 } // namespace

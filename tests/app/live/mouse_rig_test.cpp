@@ -143,9 +143,9 @@ TEST(LiveWindow, LetsAMouseDrawWhereThereIsNothingElse)
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
         window.advance(std::chrono::milliseconds(16));
     }
-    advance_until(window, [&] { return !window.station().scene().indicators.empty(); });
-    ASSERT_EQ(window.station().scene().indicators.size(), 1u);
-    auto const& indicator = window.station().scene().indicators[0];
+    advance_until(window, [&] { return !window.scene().indicators.empty(); });
+    ASSERT_EQ(window.scene().indicators.size(), 1u);
+    auto const& indicator = window.scene().indicators[0];
     EXPECT_NEAR((indicator.start_mm - Vec3(-50, 20, 150)).norm(), 0, 0.3);
     EXPECT_NEAR((indicator.end_mm - Vec3(40, 20, 150)).norm(), 0, 0.3);
 }

@@ -17,9 +17,7 @@ class ReplayedWindow : public testing::Test {
 protected:
     ReplayWindow open(fs::path const& pictures = ".") const
     {
-        ReplayOptions options;
-        options.scene = small_scene();
-        auto window = ReplayWindow::create(log_, options, pictures).value();
+        auto window = ReplayWindow::create(log_, {}, small_scene(), pictures).value();
         window.settle();
         return window;
     }
@@ -115,11 +113,14 @@ TEST_F(ReplayedWindow, PlaysAgainFromTheBeginning)
     window.perform(Restart {});
     EXPECT_TRUE(window.state().playing);
     EXPECT_EQ(window.state().progress, 0);
+    window.settle();
     EXPECT_TRUE(window.state().strokes.empty());
     EXPECT_TRUE(window.state().indicators.empty());
+    EXPECT_EQ(window.state().status, "The hand begins again");
     play(window);
     EXPECT_EQ(window.state().strokes.size(), 2u);
     window.perform(SetPlaying { true }); // At the end this, too, begins again.
+    window.settle();
     EXPECT_TRUE(window.state().strokes.empty());
 }
 
@@ -141,9 +142,8 @@ TEST_F(ReplayedWindow, KeepsWhatIsDrawnInASession)
         = fs::temp_directory_path() / fmt::format("tractus_replay_{}.tractus", ::getpid());
     fs::remove(path);
     auto window
-        = ReplayWindow::create(log_, {}, ".", begin_session(path, { small_model() }).value())
+        = ReplayWindow::create(log_, {}, {}, ".", begin_session(path, { small_model() }).value())
               .value();
-    EXPECT_TRUE(window.state().has_session);
     play(window);
     EXPECT_EQ(read_session(path)->last_step(), 3u); // What selects, too.
     EXPECT_EQ(window.state().indicators.size(), 1u);

@@ -1,9 +1,9 @@
 #include "app/plants/model_file.h"
 #include "app/play/simulated_recording.h"
 #include "app/resources.h"
-#include "app/station/log_replay.h"
 #include "drivers/file.h"
 #include "engine/plant/join_axes.h"
+#include "tests/app/replayed.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -43,12 +43,7 @@ TEST_P(Demo, IsRecordedFromItsScriptByteForByte)
 TEST_P(Demo, SelectsTheBranchesThatItsScriptTraces)
 {
     auto const log = read_log(file("tractus-log")).value();
-    ReplayOptions options;
-    options.scene = scene();
-    auto replay = LogReplay::create(log, options).value();
-    replay.run();
-
-    auto const& scene = replay.station().scene();
+    auto const [counts, scene, strokes] = replayed(log, {}, this->scene());
     auto const order = axes_in_drawing_order(*scene.base);
     std::size_t association = 0;
     AxisId traced = 0;
@@ -65,7 +60,7 @@ TEST_P(Demo, SelectsTheBranchesThatItsScriptTraces)
     }
     EXPECT_EQ(association, scene.associations.size());
     EXPECT_EQ(scene.indicators.size(), 1u);
-    for (auto const& drawn : replay.station().strokes())
+    for (auto const& drawn : strokes)
         EXPECT_EQ(drawn.refusal, "");
 }
 

@@ -1,9 +1,9 @@
+#include "app/document/model_cost.h"
 #include "app/plants/model_file.h"
 #include "app/plants/session_plant.h"
 #include "app/resources.h"
 #include "app/session/session_file.h"
-#include "app/station/log_replay.h"
-#include "app/station/model_cost.h"
+#include "tests/app/replayed.h"
 
 #include <cmath>
 #include <fmt/core.h>
@@ -117,11 +117,8 @@ void expect_digest(std::string const& name, Scene const& scene)
 Scene scene_of_log(fs::path const& log_path, fs::path const& model)
 {
     auto const log = read_log(log_path).value();
-    ReplayOptions options;
-    options.scene = apply_edit({}, load_plant_edit(model).value(), load_options()).value();
-    auto replay = LogReplay::create(log, options).value();
-    replay.run();
-    return replay.station().scene();
+    return replayed(log, {}, apply_edit({}, load_plant_edit(model).value(), load_options()).value())
+        .scene;
 }
 
 TEST(Fixtures, EveryToolsLogGivesItsPlant)

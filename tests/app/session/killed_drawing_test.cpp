@@ -102,15 +102,14 @@ protected:
         auto const edits = growing_plant_edits(folder_ / "small.l", {}, 1).value();
         auto session = begin_session(path, edits).value();
         auto const log = read_log(this->log()).value();
-        ReplayOptions options;
-        options.scene = session.scene();
-        auto replay = LogReplay::create(log, std::move(options)).value();
+        auto replay = LogReplay::create(log, {}).value();
         auto& station = replay.station();
-        StationController controller(station, std::move(session), folder_);
+        StationController controller(station, std::move(session), {}, folder_);
         int done = -1;
         auto const say_done = [&] {
             auto const strokes = static_cast<int>(station.counts().strokes);
-            if (controller.keeper().is_settled() && strokes > done)
+            if (controller.document().is_settled() && controller.view().state().unkept_steps == 0
+                && strokes > done)
                 say(done = strokes);
         };
         auto now = replay.begin();
@@ -118,7 +117,7 @@ protected:
             goes_on = replay.advance_to(now);
             controller.show(station, now);
             say_done();
-            if (!controller.keeper().is_settled()) // A frame takes longer.
+            if (!controller.document().is_settled()) // A frame takes longer.
                 std::this_thread::sleep_for(std::chrono::microseconds(100));
         }
         static_cast<void>(controller.finish(station, now)); // Is killed somewhere in here.

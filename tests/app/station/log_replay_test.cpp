@@ -2,6 +2,7 @@
 
 #include "calib/rig_file.h"
 #include "engine/plant/join_axes.h"
+#include "tests/app/replayed.h"
 #include "tests/app/simulated_drawing.h"
 
 #include <gtest/gtest.h>
@@ -9,47 +10,38 @@
 namespace tractus {
 namespace {
 
-ReplayOptions on_small_model()
+std::string refusal(Log const& log)
 {
-    ReplayOptions options;
-    options.scene = small_scene();
-    return options;
-}
-
-std::string refusal(Log const& log, ReplayOptions options = on_small_model())
-{
-    auto const replay = LogReplay::create(log, std::move(options));
+    auto const replay = LogReplay::create(log, {});
     return replay ? "" : replay.error().message;
 }
 
 TEST(LogReplay, DoesWhatTheHandDid)
 {
     auto const log = recorded_log();
-    auto replay = LogReplay::create(log, on_small_model()).value();
-    replay.run();
-    auto const& scene = replay.station().scene();
+    auto const [counts, scene, strokes] = replayed(log);
     ASSERT_EQ(scene.associations.size(), 1u);
     EXPECT_EQ(scene.associations[0].path, segments_of(scene.base->axes[0]));
     EXPECT_EQ(scene.associations[0].propagation, Propagation::Both);
     ASSERT_EQ(scene.indicators.size(), 1u);
     EXPECT_NEAR((scene.indicators[0].end_mm - Vec3(30, 0, 110)).norm(), 0, 3);
-    EXPECT_EQ(replay.station().counts().reports, log.records.size());
-    EXPECT_EQ(replay.station().counts().broken_reports, 0u);
+    EXPECT_EQ(counts.reports, log.records.size());
+    EXPECT_EQ(counts.broken_reports, 0u);
 }
 
 TEST(LogReplay, GivesTheSameInStepsAsAtOnce)
 {
     auto const log = recorded_log();
-    auto at_once = LogReplay::create(log, on_small_model()).value();
-    at_once.run();
-    auto in_steps = LogReplay::create(log, on_small_model()).value();
-    auto time = in_steps.begin();
-    while (in_steps.advance_to(time))
+    auto const at_once = replayed(log).strokes;
+    auto replay = LogReplay::create(log, {}).value();
+    auto time = replay.begin();
+    while (replay.advance_to(time))
         time += std::chrono::milliseconds(17);
-    ASSERT_EQ(in_steps.station().strokes().size(), at_once.station().strokes().size());
-    for (std::size_t i = 0; i < at_once.station().strokes().size(); ++i) {
-        auto const& one = at_once.station().strokes()[i].stroke.tips;
-        auto const& other = in_steps.station().strokes()[i].stroke.tips;
+    auto const in_steps = replay.station().take_strokes();
+    ASSERT_EQ(in_steps.size(), at_once.size());
+    for (std::size_t i = 0; i < at_once.size(); ++i) {
+        auto const& one = at_once[i].stroke.tips;
+        auto const& other = in_steps[i].stroke.tips;
         ASSERT_EQ(other.size(), one.size());
         EXPECT_EQ(other.back().position_mm, one.back().position_mm);
         EXPECT_EQ(other.back().time, one.back().time);
@@ -59,7 +51,7 @@ TEST(LogReplay, GivesTheSameInStepsAsAtOnce)
 TEST(LogReplay, FinishesOnce)
 {
     auto const log = recorded_log();
-    auto replay = LogReplay::create(log, on_small_model()).value();
+    auto replay = LogReplay::create(log, {}).value();
     EXPECT_TRUE(replay.advance_to(replay.begin()));
     EXPECT_FALSE(replay.advance_to(replay.end()));
     EXPECT_FALSE(replay.advance_to(replay.end()));
@@ -70,20 +62,17 @@ TEST(LogReplay, WithoutToolsTheStrokesBendBranchAfterBranch)
 {
     auto log = recorded_log();
     log.tools.clear();
-    auto replay = LogReplay::create(log, on_small_model()).value();
-    replay.run();
-    EXPECT_EQ(replay.station().scene().associations.size(), 3u);
-    EXPECT_TRUE(replay.station().scene().indicators.empty());
+    auto const scene = replayed(log).scene;
+    EXPECT_EQ(scene.associations.size(), 3u);
+    EXPECT_TRUE(scene.indicators.empty());
 }
 
 TEST(LogReplay, TakesAGivenHeightInPlaceOfTheSensors)
 {
     auto const log = recorded_log();
-    auto options = on_small_model();
+    ReplayOptions options;
     options.height = parse_height_scenario("90").value();
-    auto replay = LogReplay::create(log, options).value();
-    replay.run();
-    for (auto const& drawn : replay.station().strokes())
+    for (auto const& drawn : replayed(log, options).strokes)
         for (auto const& tip : drawn.stroke.tips)
             ASSERT_NEAR(tip.position_mm.z(), 90, 1e-9);
 }
@@ -91,16 +80,13 @@ TEST(LogReplay, TakesAGivenHeightInPlaceOfTheSensors)
 TEST(LogReplay, TakesAGivenRigInPlaceOfTheLogs)
 {
     auto const log = recorded_log();
-    auto options = on_small_model();
+    ReplayOptions options;
     options.rig = parse_rig(log.rig_text, "rig").value();
     options.rig->height_model = LinearHeight { .mm_per_count = 0.1, .zero_counts = 1000 };
-    auto replay = LogReplay::create(log, options).value();
-    replay.run();
-    ASSERT_FALSE(replay.station().strokes().empty());
-    auto as_recorded = LogReplay::create(log, on_small_model()).value();
-    as_recorded.run();
-    EXPECT_GT(as_recorded.station().strokes()[0].stroke.tips.front().position_mm.z(),
-              replay.station().strokes()[0].stroke.tips.front().position_mm.z() + 1);
+    auto const strokes = replayed(log, options).strokes;
+    ASSERT_FALSE(strokes.empty());
+    EXPECT_GT(replayed(log).strokes[0].stroke.tips.front().position_mm.z(),
+              strokes[0].stroke.tips.front().position_mm.z() + 1);
 }
 
 TEST(LogReplay, SaysWhatALogLacks)
@@ -109,12 +95,55 @@ TEST(LogReplay, SaysWhatALogLacks)
     auto without_rig = log;
     without_rig.rig_text.clear();
     EXPECT_NE(refusal(without_rig).find("no calibration: give one with --rig"), std::string::npos);
-    auto with_odd_tool = log;
-    with_odd_tool.tools[1].tool = "hammer";
-    EXPECT_NE(refusal(with_odd_tool).find("there is no tool \"hammer\""), std::string::npos);
+    auto with_odd_argument = log;
+    with_odd_argument.tools[1].arguments = "twice";
+    EXPECT_NE(refusal(with_odd_argument).find("twice"), std::string::npos);
+    auto with_odd_step = log;
+    with_odd_step.tools[1] = { log.tools[1].time, "undo", "often", log.tools[1].position };
+    EXPECT_NE(refusal(with_odd_step).find("is not a step"), std::string::npos);
     auto with_odd_rig = log;
     with_odd_rig.rig_text = "version = 1\n";
     EXPECT_NE(refusal(with_odd_rig), "");
+}
+
+// Of a program with more tools: its strokes change nothing, and the others do as before.
+TEST(LogReplay, LeavesOutWhatItDoesNotKnowAndNamesIt)
+{
+    auto log = recorded_log();
+    log.tools[1].tool = "hammer";
+    auto replay = LogReplay::create(log, {}).value();
+    ASSERT_EQ(replay.left_out().size(), 1u);
+    EXPECT_NE(replay.left_out()[0].find("there is no tool \"hammer\""), std::string::npos);
+    auto const [counts, scene, strokes] = replayed(log);
+    EXPECT_EQ(counts.strokes, 3u);
+    EXPECT_TRUE(scene.associations.empty());
+    EXPECT_EQ(scene.indicators.size(), 1u);
+    EXPECT_NE(strokes[1].refusal.find("does not know the tool"), std::string::npos);
+}
+
+LogTool undo_after(std::size_t strokes, Log const& log, std::size_t position)
+{
+    return { log.end(), "undo", std::to_string(strokes), position };
+}
+
+// Their lines may stand in the log after reports of later strokes, or before the end of earlier
+// ones is known.
+TEST(LogReplay, DoesStepsBetweenTheStrokesWhereTheyWereDone)
+{
+    auto log = recorded_log();
+    auto const all = log.records.size();
+    auto early = log;
+    early.tools.push_back(undo_after(3, log, all / 2));
+    EXPECT_TRUE(replayed(early).scene.indicators.empty()) << "the third stroke's";
+    EXPECT_EQ(replayed(early).scene.associations.size(), 1u);
+    auto late = log;
+    late.tools.push_back(undo_after(2, log, all));
+    EXPECT_TRUE(replayed(late).scene.associations.empty()) << "the second stroke's";
+    EXPECT_EQ(replayed(late).scene.indicators.size(), 1u);
+    auto twice = late;
+    twice.tools.push_back({ log.end(), "redo", "2", all });
+    EXPECT_EQ(replayed(twice).scene.associations.size(), 1u);
+    EXPECT_EQ(replayed(twice).scene.indicators.size(), 1u);
 }
 
 TEST(LogReplay, OfAnEmptyLogIsOverAtOnce)
@@ -122,10 +151,10 @@ TEST(LogReplay, OfAnEmptyLogIsOverAtOnce)
     auto log = recorded_log();
     log.records.clear();
     log.tools.clear();
-    auto replay = LogReplay::create(log, on_small_model()).value();
+    auto replay = LogReplay::create(log, {}).value();
     EXPECT_EQ(replay.begin(), replay.end());
     EXPECT_FALSE(replay.advance_to(replay.begin()));
-    EXPECT_TRUE(replay.station().strokes().empty());
+    EXPECT_TRUE(replay.station().take_strokes().empty());
 }
 
 } // namespace

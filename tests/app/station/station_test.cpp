@@ -9,7 +9,7 @@ namespace tractus {
 namespace {
 
 // At a height of 100 mm that no sensor measures.
-Station flat_station(Tool const& tool = {})
+DrawingStation low_station(Tool const& tool = {})
 {
     StationOptions options;
     options.rig.tablet_size_mm = { 200, 100 };
@@ -18,14 +18,13 @@ Station flat_station(Tool const& tool = {})
         .first_pen = {},
         .last_pen = {},
     };
-    options.scene = small_scene();
     options.tool = tool;
-    return Station::create(simple_rig(), std::move(options)).value();
+    return DrawingStation(Station::create(simple_rig(), options).value(), small_scene());
 }
 
 TEST(Station, KnowsWhatThePenReaches)
 {
-    auto const volume = flat_station().volume_mm();
+    auto const volume = low_station().volume_mm();
     EXPECT_LT((volume.min_mm - Vec3(-100, -50, 0)).norm(), 1e-9);
     EXPECT_LT((volume.max_mm - Vec3(100, 50, 300)).norm(), 1e-9);
     StationOptions options;
@@ -41,7 +40,7 @@ TEST(Station, KnowsWhatThePenReaches)
 
 TEST(Station, MakesAStrokeOfWhatThePenTouches)
 {
-    auto station = flat_station();
+    auto station = low_station();
     draw_across(station, 0);
     station.finish();
     ASSERT_EQ(station.strokes().size(), 1u);
@@ -72,9 +71,8 @@ TEST(Station, ScalesAPenThatDoesNotTellItsSizeToTheMeasuredSurface)
         .first_pen = {},
         .last_pen = {},
     };
-    options.scene = small_scene();
     std::vector const devices { pen };
-    auto station = Station::create(devices, std::move(options)).value();
+    auto station = DrawingStation(Station::create(devices, options).value(), small_scene());
     station.push(0, at_ms(0), bytes("01 ff 7f 00 00")); // The right edge, the far one.
     auto const moments = station.take_moments();
     ASSERT_FALSE(moments.empty());
@@ -84,7 +82,7 @@ TEST(Station, ScalesAPenThatDoesNotTellItsSizeToTheMeasuredSurface)
 
 TEST(Station, FinishesTheStrokeUnderWay)
 {
-    auto station = flat_station();
+    auto station = low_station();
     for (int i = 0; i < 20; ++i)
         station.push(kPen, at_ms(5 * i), pen_report(50 + 5 * i, 50, true));
     EXPECT_EQ(station.strokes().size(), 0u);
@@ -97,7 +95,7 @@ TEST(Station, FinishesTheStrokeUnderWay)
 
 TEST(Station, KeepsTheStrokeOfAPenThatIsUnplugged)
 {
-    auto station = flat_station();
+    auto station = low_station();
     for (int i = 0; i < 10; ++i)
         station.push(kPen, at_ms(5 * i), pen_report(50 + 5 * i, 50, true));
     station.push(kPen, at_ms(50), {});
@@ -118,8 +116,7 @@ TEST(Station, KeepsTheStrokeWhoseHeightSensorIsUnplugged)
 {
     StationOptions options;
     options.rig.tablet_size_mm = { 200, 100 };
-    options.scene = small_scene();
-    auto station = Station::create(simple_rig(), std::move(options)).value();
+    auto station = DrawingStation(Station::create(simple_rig(), options).value(), small_scene());
     auto const draw = [&](std::int64_t from_ms, bool with_height) {
         for (int i = 0; i < 20; ++i) {
             if (with_height)
@@ -149,11 +146,8 @@ TEST(Station, TakesTwoTabletsAtOnce)
         .first_pen = {},
         .last_pen = {},
     };
-    options.scene = small_scene();
-    auto station
-        = Station::create(std::vector { simple_pen(), simple_height_sensor(), simple_pen() },
-                          std::move(options))
-              .value();
+    std::vector const devices { simple_pen(), simple_height_sensor(), simple_pen() };
+    DrawingStation station(Station::create(devices, options).value(), small_scene());
     constexpr std::size_t kSecondPen = 2;
     for (int i = 0; i < 20; ++i) {
         station.push(kPen, at_ms(5 * i), pen_report(50 + 5 * i, 50, true));
@@ -173,7 +167,7 @@ TEST(Station, TakesTwoTabletsAtOnce)
 
 TEST(Station, GivesAStrokeTheToolInHandWhenItBegan)
 {
-    auto station = flat_station({ Tool::Kind::DrawInOrder });
+    auto station = low_station({ Tool::Kind::DrawInOrder });
     station.set_tool(at_ms(50), { Tool::Kind::Indicate }); // In the middle of the first stroke.
     draw_across(station, 0);
     draw_across(station, 200);
@@ -187,7 +181,7 @@ TEST(Station, GivesAStrokeTheToolInHandWhenItBegan)
 
 TEST(Station, KeepsTheReasonWhyAStrokeChangedNothing)
 {
-    auto station = flat_station({ Tool::Kind::Draw });
+    auto station = low_station({ Tool::Kind::Draw });
     draw_across(station, 0);
     station.finish();
     ASSERT_EQ(station.strokes().size(), 1u);
@@ -197,7 +191,7 @@ TEST(Station, KeepsTheReasonWhyAStrokeChangedNothing)
 
 TEST(Station, CountsBrokenReportsAndGoesOn)
 {
-    auto station = flat_station();
+    auto station = low_station();
     station.push(kPen, at_ms(0), bytes("02 21 00"));
     station.push(kPen, at_ms(1), bytes("09 00 00"));
     draw_across(station, 5);
@@ -209,12 +203,11 @@ TEST(Station, CountsBrokenReportsAndGoesOn)
 }
 
 // Draws for 400 ms; the sensor's cable is open between 200 and 350 ms.
-Station station_with_an_open_cable()
+DrawingStation station_with_an_open_cable()
 {
     StationOptions options;
     options.rig.tablet_size_mm = { 200, 100 };
-    options.scene = small_scene();
-    auto station = Station::create(simple_rig(), std::move(options)).value();
+    auto station = DrawingStation(Station::create(simple_rig(), options).value(), small_scene());
     for (int ms = 0; ms < 400; ms += 2) {
         bool const is_open = ms >= 200 && ms < 350;
         station.push(kHeight, at_ms(ms), height_report(is_open ? 4095 : 1000 + ms % 3));
@@ -244,8 +237,7 @@ TEST(Station, SaysWhatIsWrongWithTheHeightSensor)
 TEST(Station, TellsWhenTheHeightSensorSaysNothing)
 {
     StationOptions options;
-    options.scene = small_scene();
-    auto station = Station::create(simple_rig(), std::move(options)).value();
+    auto station = DrawingStation(Station::create(simple_rig(), options).value(), small_scene());
     draw_across(station, 0);
     draw_across(station, 500);
     ASSERT_TRUE(station.height_monitor().present());
@@ -254,7 +246,7 @@ TEST(Station, TellsWhenTheHeightSensorSaysNothing)
 
 TEST(Station, DoesNotMissASensorWhereTheHeightIsScripted)
 {
-    auto station = flat_station();
+    auto station = low_station();
     draw_across(station, 0);
     draw_across(station, 500);
     EXPECT_FALSE(station.height_monitor().present());
@@ -262,7 +254,7 @@ TEST(Station, DoesNotMissASensorWhereTheHeightIsScripted)
 
 TEST(Station, LeavesOtherDevicesAside)
 {
-    auto station = flat_station();
+    auto station = low_station();
     station.push(7, at_ms(0), bytes("02 21 00"));
     EXPECT_EQ(station.counts().reports, 1u);
     EXPECT_EQ(station.counts().ignored_reports, 1u);
@@ -274,8 +266,7 @@ TEST(Station, TakesHeightsFromTheSensorBetweenThePensReports)
     StationOptions options;
     options.rig.tablet_size_mm = { 200, 100 };
     options.rig.height_model = LinearHeight { .mm_per_count = 0.1, .zero_counts = -200 };
-    options.scene = small_scene();
-    auto station = Station::create(simple_rig(), std::move(options)).value();
+    auto station = DrawingStation(Station::create(simple_rig(), options).value(), small_scene());
     station.push(kHeight, at_ms(-1), height_report(1000));
     for (int i = 0; i < 20; ++i) {
         station.push(kPen, at_ms(5 * i), pen_report(50 + 5 * i, 50, true));
@@ -302,17 +293,16 @@ DeviceInfo mouse_with_pressure()
     };
 }
 
-Station station_with_mouse()
+DrawingStation station_with_mouse()
 {
     StationOptions options;
     options.scripted_height = ScriptedHeight {};
-    options.scene = small_scene();
     std::vector const devices { mouse_with_pressure() };
-    return Station::create(devices, std::move(options)).value();
+    return DrawingStation(Station::create(devices, options).value(), small_scene());
 }
 
 // Twenty reports of the mouse's tip, 5 ms apart, and not another word.
-void touch_with_mouse(Station& station, std::int64_t start_ms)
+void touch_with_mouse(DrawingStation& station, std::int64_t start_ms)
 {
     for (int i = 0; i < 20; ++i) {
         auto report = bytes("01 01 00 00 32 00 ff 0f");
@@ -344,7 +334,6 @@ TEST(Station, ReportsPassTheTimeOfTheData)
 TEST(Station, NeedsAPenAndAHeight)
 {
     StationOptions options;
-    options.scene = small_scene();
     auto const without_pen = Station::create(std::vector { simple_height_sensor() }, options);
     ASSERT_FALSE(without_pen);
     EXPECT_NE(without_pen.error().message.find("no pen"), std::string::npos);

@@ -6,13 +6,14 @@
 namespace tractus {
 namespace {
 
-Station station_in_hand(Tool const& tool = {})
+DrawingStation station_in_hand(Tool const& tool = {})
 {
     return station_on(small_scene(), tool);
 }
 
 // The pen from one place to another, down all the way, then up; x and y of the tablet.
-void touch_along(Station& station, std::int64_t start_ms, Vec2 const& from_mm, Vec2 const& to_mm)
+void touch_along(DrawingStation& station, std::int64_t start_ms, Vec2 const& from_mm,
+                 Vec2 const& to_mm)
 {
     for (int i = 0; i < 20; ++i) {
         Vec2 const at_mm = from_mm + (to_mm - from_mm) * i / 19;
@@ -123,7 +124,7 @@ TEST(StationTools, DoesAtOnceWhatNeedsNoStroke)
 }
 
 // Ten samples of the pen's other end across a line, 1 mm and 5 ms apart.
-void erase_across(Station& station, std::int64_t start_ms, double x_mm, double y_mm)
+void erase_across(DrawingStation& station, std::int64_t start_ms, double x_mm, double y_mm)
 {
     for (int i = 0; i < 10; ++i) {
         auto report = pen_report(x_mm, y_mm + i, true);
@@ -134,7 +135,7 @@ void erase_across(Station& station, std::int64_t start_ms, double x_mm, double y
 }
 
 // Strokes and what the pen's other end erases of them, before and after that is chosen.
-Station drawn_and_erased(std::vector<Station::ToolChange> const& changes)
+DrawingStation drawn_and_erased(std::vector<Station::ToolChange> const& changes)
 {
     auto station = station_in_hand();
     for (std::int64_t second = 0; second < 6; ++second) {

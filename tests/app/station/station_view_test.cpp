@@ -2,6 +2,7 @@
 
 #include "app/station/orphans.h"
 #include "engine/plant/join_axes.h"
+#include "tests/app/document/step_of.h"
 #include "tests/app/simple_rig.h"
 
 #include <gtest/gtest.h>
@@ -10,13 +11,13 @@ namespace tractus {
 namespace {
 
 // It bends: a straight one would leave the straight trunk as it is.
-void begin_stroke(Station& station)
+void begin_stroke(DrawingStation& station)
 {
     for (int i = 0; i < 10; ++i)
         station.push(kPen, at_ms(5 * i), pen_report(50 + 5 * i, 50 - 0.4 * i * i, true));
 }
 
-void end_stroke(Station& station)
+void end_stroke(DrawingStation& station)
 {
     station.push(kPen, at_ms(60), pen_report(110, 50, false));
 }
@@ -24,11 +25,11 @@ void end_stroke(Station& station)
 TEST(StationView, LetsTheBranchFollowThePen)
 {
     auto station = station_on(small_scene(), { Tool::Kind::DrawInOrder });
-    StationView view(station);
-    view.show(station, StationView::Strokes::Kept);
+    StationView view(station, station.document());
+    view.show(station, station.document());
     EXPECT_TRUE(view.state().preview.empty());
     begin_stroke(station);
-    view.show(station, StationView::Strokes::Kept);
+    view.show(station, station.document());
     view.settle();
     // The trunk, and the two branches that it carries along.
     ASSERT_EQ(view.state().preview.size(), 3u);
@@ -37,11 +38,11 @@ TEST(StationView, LetsTheBranchFollowThePen)
     EXPECT_EQ(trunk.points_mm.size(), 7u);
     auto const revision = view.state().preview_revision;
     auto const skeletons = view.state().skeleton_revision;
-    view.show(station, StationView::Strokes::Kept); // Nothing new has come.
+    view.show(station, station.document()); // Nothing new has come.
     view.settle();
     EXPECT_EQ(view.state().preview_revision, revision);
     end_stroke(station);
-    view.show(station, StationView::Strokes::Kept);
+    view.show(station, station.document());
     view.settle();
     EXPECT_TRUE(view.state().preview.empty());
     EXPECT_GT(view.state().preview_revision, revision);
@@ -51,9 +52,9 @@ TEST(StationView, LetsTheBranchFollowThePen)
 TEST(StationView, PreviewsWhatTheStrokeWillBe)
 {
     auto station = station_on(small_scene(), { Tool::Kind::DrawInOrder });
-    StationView view(station);
+    StationView view(station, station.document());
     begin_stroke(station);
-    view.show(station, StationView::Strokes::Kept);
+    view.show(station, station.document());
     view.settle();
     auto const preview = view.state().preview.front().points_mm;
     station.finish();
@@ -73,9 +74,9 @@ TEST(StationView, PreviewsNothingForAPenThatShapesNothing)
     for (auto const& tool : { Tool { Tool::Kind::Select }, Tool { Tool::Kind::Indicate },
                               Tool { Tool::Kind::Draw } /* Nothing is selected. */ }) {
         auto station = station_on(small_scene(), tool);
-        StationView view(station);
+        StationView view(station, station.document());
         begin_stroke(station);
-        view.show(station, StationView::Strokes::Kept);
+        view.show(station, station.document());
         EXPECT_FALSE(view.state().live_ink.empty());
         EXPECT_TRUE(view.state().preview.empty());
     }
@@ -85,10 +86,10 @@ TEST(StationView, PreviewsNothingForAPenThatShapesNothing)
 TEST(StationView, LetsTheBranchGoBackWhileItsStrokeIsErased)
 {
     auto station = station_on(small_scene(), { Tool::Kind::DrawInOrder });
-    StationView view(station);
+    StationView view(station, station.document());
     begin_stroke(station);
     end_stroke(station);
-    view.show(station, StationView::Strokes::Kept);
+    view.show(station, station.document());
     auto const erase = [&](int number) {
         auto report = pen_report(80 + number, 40, true);
         report[1] = std::byte { 0x38 }; // In range, eraser, invert.
@@ -96,7 +97,7 @@ TEST(StationView, LetsTheBranchGoBackWhileItsStrokeIsErased)
     };
     for (int i = 0; i < 15; ++i)
         erase(i);
-    view.show(station, StationView::Strokes::Kept);
+    view.show(station, station.document());
     view.settle();
     ASSERT_EQ(view.state().live_ink.size(), 1u);
     EXPECT_EQ(view.state().live_ink[0].kind, InkLine::Kind::Eraser);
@@ -114,7 +115,8 @@ TEST(StationView, ShowsAStrokeOfSeveralBranchesTwiceOnlyWhereTheyDiffer)
         = apply_edit(std::move(scene), Associate { stroke_through({ { 0, 0, 0 }, { 0, 40, 60 } }) })
               .value();
     auto const shown = [](Scene const& shown_scene) {
-        return StationView(station_on(shown_scene)).state().strokes.size();
+        auto const station = station_on(shown_scene);
+        return StationView(station, station.document()).state().strokes.size();
     };
     EXPECT_EQ(shown(scene), 1u);
     EXPECT_EQ(shown(apply_edit(scene, EraseTips { { 0, 1 }, { { 9, 10 } } }).value()), 1u);
@@ -135,9 +137,9 @@ Scene bushy_scene(int branches)
 TEST(StationView, LeavesTheTwigsOfLargePlantsOutOfTheSkeleton)
 {
     auto const small = station_on(bushy_scene(100), {});
-    EXPECT_EQ(StationView(small).state().skeleton.size(), 1u + 2 * 100);
+    EXPECT_EQ(StationView(small, small.document()).state().skeleton.size(), 1u + 2 * 100);
     auto const large = station_on(bushy_scene(500), {});
-    EXPECT_EQ(StationView(large).state().skeleton.size(), 1u + 500);
+    EXPECT_EQ(StationView(large, large.document()).state().skeleton.size(), 1u + 500);
 }
 
 TEST(StationView, ListsWhatHasLostItsBranch)
@@ -148,10 +150,10 @@ TEST(StationView, ListsWhatHasLostItsBranch)
     std::vector<Edit> edits { small_model(), Select { { { 0, 1, 2 } } },
                               Associate { stroke_through({ { 0, 0, 0 }, { 10, 5, 100 } }) } };
     auto station = station_on(fold(edits).value(), {});
-    StationView view(station);
+    StationView view(station, station.document());
     EXPECT_TRUE(view.state().orphans.empty());
-    station.set_scene(apply_edit(station.scene(), bare).value());
-    view.begin_again(station);
+    station.document().make(step_of({ bare }));
+    view.show(station, station.document());
     ASSERT_EQ(view.state().orphans.size(), 1u);
     EXPECT_EQ(view.state().orphans[0].name, "stroke 1");
     EXPECT_EQ(view.state().orphans[0].place, "up to segment 3 of stem 1");
@@ -159,25 +161,23 @@ TEST(StationView, ListsWhatHasLostItsBranch)
     ASSERT_EQ(edits_away.size(), 1u);
     EXPECT_TRUE(apply_edit(station.scene(), edits_away[0]).value().associations.empty());
     EXPECT_NE(view.state().status.find("has lost 1 of the branches"), std::string::npos);
-    station.set_scene(fold(edits).value());
-    view.begin_again(station);
+    station.document().begin_again("");
+    view.show(station, station.document());
     EXPECT_TRUE(view.state().orphans.empty());
 }
 
 TEST(StationView, ShowsTheSurfaceMoveUnderAPenThatRests)
 {
-    StationOptions options;
-    options.scene = small_scene();
-    auto station = Station::create(simple_rig(), options).value();
-    StationView view(station);
+    DrawingStation station(Station::create(simple_rig(), {}).value(), small_scene());
+    StationView view(station, station.document());
     auto const move_surface = [&](int from_ms, int counts) {
         for (int i = 0; i < 10; ++i)
             station.push(kHeight, at_ms(from_ms + 10 * i), height_report(counts));
-        view.show(station, StationView::Strokes::Kept);
+        view.show(station, station.document());
     };
     move_surface(0, 1000);
     station.push(kPen, at_ms(100), pen_report(50, 50, false));
-    view.show(station, StationView::Strokes::Kept);
+    view.show(station, station.document());
     auto const before = view.state().live_revision;
     double const low_mm = view.state().surface_height_mm;
     EXPECT_NEAR(static_cast<double>(view.state().pen.tip_mm.z()), low_mm, 1e-4);
@@ -193,7 +193,7 @@ TEST(StationView, ShowsTheSurfaceMoveUnderAPenThatRests)
 TEST(StationView, GrowsACollectionOneByOne)
 {
     auto const station = station_on(small_scene(), {});
-    StationView view(station);
+    StationView view(station, station.document());
     view.collect(3);
     EXPECT_EQ(view.state().collection_wanted, 3u);
     view.settle();

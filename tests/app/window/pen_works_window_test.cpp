@@ -1,9 +1,9 @@
 #include "app/live/live_window.h"
-#include "app/station/log_replay.h"
 #include "app/window/window.h"
 #include "drivers/file.h"
 #include "drivers/log_writer.h"
 #include "tests/app/render/read_png.h"
+#include "tests/app/replayed.h"
 #include "tests/app/session/same_edit.h"
 #include "tests/app/simple_rig.h"
 
@@ -179,8 +179,8 @@ TEST_F(PenWorksWindow, ChoosesAToolInTheRingAndDrawsWithIt)
     run(window, script);
     EXPECT_EQ(window.state().hand.kind, Tool::Kind::Indicate);
     ASSERT_EQ(window.station().counts().strokes, 1u) << "what presses draws nothing";
-    ASSERT_EQ(window.station().scene().indicators.size(), 1u);
-    auto const& indicator = window.station().scene().indicators[0];
+    ASSERT_EQ(window.scene().indicators.size(), 1u);
+    auto const& indicator = window.scene().indicators[0];
     EXPECT_NEAR(indicator.start_mm.x(), (350 - 500) / kPxPerMm, 0.1);
     EXPECT_NEAR(indicator.start_mm.y(), (280 - 195) / kPxPerMm, 0.1);
     EXPECT_NEAR(indicator.end_mm.x(), (600 - 500) / kPxPerMm, 0.1);
@@ -201,7 +201,7 @@ TEST_F(PenWorksWindow, OpensTheRingForATouchThatRests)
     run(window, script);
     EXPECT_EQ(window.state().hand.kind, Tool::Kind::Erase);
     ASSERT_EQ(window.station().counts().strokes, 2u);
-    EXPECT_TRUE(window.station().scene().indicators.empty()) << "the eraser ran over it";
+    EXPECT_TRUE(window.scene().indicators.empty()) << "the eraser ran over it";
 }
 
 TEST_F(PenWorksWindow, SelectsWhereTheSkeletonIsShown)
@@ -213,7 +213,7 @@ TEST_F(PenWorksWindow, SelectsWhereTheSkeletonIsShown)
     run(window, script);
     EXPECT_EQ(window.state().hand.kind, Tool::Kind::Select);
     ASSERT_EQ(window.station().counts().strokes, 1u);
-    EXPECT_FALSE(window.station().scene().selection.empty());
+    EXPECT_FALSE(window.scene().selection.empty());
 }
 
 TEST_F(PenWorksWindow, RecordsWhatReplaysTheSame)
@@ -225,16 +225,12 @@ TEST_F(PenWorksWindow, RecordsWhatReplaysTheSame)
     run(window, script);
     auto const log = read_log(folder_ / "again.tractus-log").value();
     ReplayOptions options;
-    options.scene = small_scene();
     options.height = parse_height_scenario("100").value();
-    auto replay = LogReplay::create(log, options);
-    ASSERT_TRUE(replay) << replay.error().message;
-    replay->advance_to(Timestamp::max());
-    auto const& again = replay->station().scene().indicators;
+    auto const replay = replayed(log, options);
+    auto const& again = replay.scene.indicators;
     ASSERT_EQ(again.size(), 1u);
-    EXPECT_LT((again[0].start_mm - window.station().scene().indicators.at(0).start_mm).norm(),
-              1e-9);
-    EXPECT_EQ(replay->station().strokes().size(), 1u);
+    EXPECT_LT((again[0].start_mm - window.scene().indicators.at(0).start_mm).norm(), 1e-9);
+    EXPECT_EQ(replay.strokes.size(), 1u);
 }
 
 // By a button, and from then on with the pen's other end, also when the recording is replayed.
@@ -252,21 +248,18 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
     EXPECT_EQ(window.state().hand.kind, Tool::Kind::DrawInOrder);
     EXPECT_EQ(window.state().erasing, Tool::Erasing::Part);
     ASSERT_EQ(window.station().counts().strokes, 3u);
-    ASSERT_EQ(window.station().scene().associations.size(), 1u);
-    auto const& tips = window.station().scene().associations[0].stroke.tips;
+    ASSERT_EQ(window.scene().associations.size(), 1u);
+    auto const& tips = window.scene().associations[0].stroke.tips;
     EXPECT_NEAR(tips.front().position_mm.x(), -36,
                 0.1); // A tip every 4 mm.
     EXPECT_NEAR(tips.back().position_mm.x(), 36, 0.1);
 
     auto const log = read_log(folder_ / "again.tractus-log").value();
     ReplayOptions options;
-    options.scene = small_scene();
     options.height = parse_height_scenario("100").value();
-    auto replay = LogReplay::create(log, options).value();
-    replay.advance_to(Timestamp::max());
-    ASSERT_EQ(replay.station().scene().associations.size(), 1u);
-    EXPECT_TRUE(same(replay.station().scene().associations[0].stroke,
-                     window.station().scene().associations[0].stroke));
+    auto const scene = replayed(log, options).scene;
+    ASSERT_EQ(scene.associations.size(), 1u);
+    EXPECT_TRUE(same(scene.associations[0].stroke, window.scene().associations[0].stroke));
 }
 
 // A table whose height sensor nobody has calibrated yet, and a person without keyboard and mouse.
@@ -280,7 +273,7 @@ TEST_F(PenWorksWindow, LeavesCalibratingForDrawing)
     EXPECT_NE(window.calibration(), nullptr);
     run(window, script);
     EXPECT_EQ(window.calibration(), nullptr);
-    EXPECT_EQ(window.station().scene().indicators.size(), 1u) << "the surface lies on the desk";
+    EXPECT_EQ(window.scene().indicators.size(), 1u) << "the surface lies on the desk";
 }
 
 TEST_F(PenWorksWindow, RestsOnTheTabletToCapture)

@@ -10,7 +10,7 @@ namespace {
 // Notes what is asked for.
 class AskedModel : public WindowModel {
 public:
-    AskedModel() { state_.is_live = state_.has_session = true; }
+    AskedModel() { state_.is_live = true; }
 
     void advance(Duration) override { }
     WindowState const& state() const override { return state_; }

@@ -26,6 +26,7 @@ struct Tool {
         Erase, // "erase": strokes and indicators go that the stroke runs over, as the pad shows
                // them, or parts of strokes. What the pen's other end does.
         Press, // "press": the touch pressed what the window showed; it means nothing to the plant.
+        Unknown, // Of a log that another program has made, with more tools: means nothing.
     };
     Kind kind = Kind::DrawInOrder;
 
@@ -84,12 +85,21 @@ Tool other_end_of(Tool const& tool, Tool::Erasing erasing);
 // arguments there are.
 Result<Tool> parse_tool(std::string_view name, std::string_view arguments);
 
+// Whether parse_tool() knows a tool of this name, with whatever arguments.
+bool is_tool_name(std::string_view name);
+
 // The words for a tool, as parse_tool reads them.
 struct ToolWords {
     std::string name;
     std::string arguments;
 };
 ToolWords words_for(Tool const& tool);
+
+// A finished stroke in the hand of a tool; without tips something that the tool does at once.
+struct ToolStroke {
+    Stroke stroke;
+    Tool tool;
+};
 
 // What a finished stroke says in the hand of each tool, as edits of `scene`, to be applied in
 // order. Fails, as the user's fault, when it says nothing: a stroke beside the plant, nothing

@@ -1,4 +1,4 @@
-#include "app/station/tools/tool.h"
+#include "app/tools/tool.h"
 
 #include "engine/base/check.h"
 
@@ -146,11 +146,17 @@ Result<void> take_argument(Tool& tool, std::string_view name, std::string_view w
 
 Tool other_end_of(Tool const& tool, Tool::Erasing erasing)
 {
-    if (tool.kind == Tool::Kind::Press)
+    if (tool.kind == Tool::Kind::Press || tool.kind == Tool::Kind::Unknown)
         return tool;
     if (tool.kind == Tool::Kind::Select)
         return { .kind = Tool::Kind::Select, .selecting = Selecting::Take };
     return { .kind = Tool::Kind::Erase, .erasing = erasing };
+}
+
+bool is_tool_name(std::string_view name)
+{
+    return std::any_of(kTools.begin(), kTools.end(),
+                       [&](auto const& tool) { return tool.first == name; });
 }
 
 Result<Tool> parse_tool(std::string_view name, std::string_view arguments)
@@ -223,6 +229,8 @@ Result<std::vector<Edit>> edits_of(Tool const& tool, Stroke const& stroke, Scene
         return erase_edits(tool.erasing, stroke, scene);
     case Tool::Kind::Press:
         return std::vector<Edit> {};
+    case Tool::Kind::Unknown:
+        return fail(Fault::User, "this tractus does not know the tool that the stroke was for");
     }
     CHECK(false);
 }

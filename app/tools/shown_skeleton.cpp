@@ -1,4 +1,4 @@
-#include "app/station/tools/shown_skeleton.h"
+#include "app/tools/shown_skeleton.h"
 
 #include "engine/variation/selection.h"
 

@@ -1,6 +1,6 @@
-#include "app/station/tools/tool.h"
+#include "app/tools/tool.h"
 
-#include "app/station/station.h"
+#include "app/document/draw.h"
 #include "engine/plant/join_axes.h"
 #include "tests/app/small_model.h"
 

@@ -1,4 +1,4 @@
-#include "app/station/model_cost.h"
+#include "app/document/model_cost.h"
 
 #include "app/terminal/console.h"
 

@@ -1,4 +1,4 @@
-#include "app/station/tools/tool.h"
+#include "app/tools/tool.h"
 
 #include <algorithm>
 

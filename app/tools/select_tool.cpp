@@ -1,5 +1,5 @@
-#include "app/station/tools/shown_skeleton.h"
-#include "app/station/tools/tool.h"
+#include "app/tools/shown_skeleton.h"
+#include "app/tools/tool.h"
 #include "engine/base/check.h"
 
 namespace tractus {

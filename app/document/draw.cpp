@@ -1,0 +1,34 @@
+#include "app/document/draw.h"
+
+#include "app/document/model_cost.h"
+
+#include <utility>
+
+namespace tractus {
+
+Result<Scene> scene_after(Scene scene, std::vector<Edit> const& edits)
+{
+    for (auto const& edit : edits)
+        scene = TRY(apply_edit(std::move(scene), edit, load_options()));
+    return scene;
+}
+
+DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene)
+{
+    DrawnStroke drawn { std::move(stroke), tool };
+    auto edits = edits_of(tool, drawn.stroke, scene);
+    if (!edits) {
+        drawn.refusal = edits.error().message;
+        return drawn;
+    }
+    auto next = scene_after(scene, *edits);
+    if (!next) {
+        drawn.refusal = next.error().message;
+        return drawn;
+    }
+    scene = *std::move(next);
+    drawn.edits = *std::move(edits);
+    return drawn;
+}
+
+} // namespace tractus

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "app/tools/tool.h"
+#include "engine/base/result.h"
+#include "engine/scene/edit.h"
+#include "engine/scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// A finished stroke and what it meant.
+struct DrawnStroke {
+    Stroke stroke;
+    Tool tool;
+    std::string refusal {};     // Why it changed nothing; empty if it did.
+    std::vector<Edit> edits {}; // What it changed; none if it was refused.
+};
+
+// What a stroke in the hand of a tool does to a scene, which is changed by all of its edits, or by
+// none if one is refused.
+DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene);
+
+// The scene after edits that belong together; models cost what load_options() says. Fails where one
+// of them does.
+Result<Scene> scene_after(Scene scene, std::vector<Edit> const& edits);
+
+} // namespace tractus

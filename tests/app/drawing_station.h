@@ -1,0 +1,64 @@
+#pragma once
+
+#include "app/document/document.h"
+#include "app/station/station.h"
+
+#include <iterator>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+// A station and the document that its strokes go to, at once: what a log or a hand amounts to.
+class DrawingStation : public Station {
+public:
+    DrawingStation(Station station, Scene scene)
+        : Station(std::move(station))
+        , document_(std::make_unique<Document>(std::move(scene), Document::Working::AtOnce))
+    {
+    }
+
+    void push(std::size_t device, Timestamp received, std::span<std::byte const> report)
+    {
+        Station::push(device, received, report);
+        draw_finished();
+    }
+    void set_tool(Timestamp time, Tool const& tool)
+    {
+        Station::set_tool(time, tool);
+        draw_finished();
+    }
+    void pass_time(Timestamp now)
+    {
+        Station::pass_time(now);
+        draw_finished();
+    }
+    void finish()
+    {
+        Station::finish();
+        draw_finished();
+    }
+
+    Document& document() { return *document_; }
+    Document const& document() const { return *document_; }
+    Scene const& scene() const { return document_->newest()->scene; }
+    std::vector<DrawnStroke> const& strokes() const { return strokes_; }
+
+private:
+    void draw_finished()
+    {
+        for (auto& stroke : take_strokes())
+            document_->draw(std::move(stroke));
+        auto drawn = document_->take_drawn();
+        strokes_.insert(strokes_.end(), std::move_iterator(drawn.begin()),
+                        std::move_iterator(drawn.end()));
+    }
+
+    std::unique_ptr<Document> document_; // On the heap, as this moves.
+    std::vector<DrawnStroke> strokes_;
+};
+
+} // namespace tractus

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/station/log_replay.h"
+#include "tests/app/small_model.h"
+
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+// What a log amounts to.
+struct Replayed {
+    StationCounts counts;
+    Scene scene;
+    std::vector<DrawnStroke> strokes;
+};
+
+inline Replayed replayed(Log const& log, ReplayOptions const& options = {},
+                         Scene scene = small_scene())
+{
+    auto replay = LogReplay::create(log, options).value();
+    Document document(std::move(scene), Document::Working::AtOnce);
+    replay.run(document);
+    return { replay.station().counts(), document.newest()->scene, document.take_drawn() };
+}
+
+} // namespace tractus
