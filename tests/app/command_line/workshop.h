@@ -26,6 +26,8 @@ class Workshop : public testing::Test {
 protected:
     void SetUp() override
     {
+        // A process that was killed may have had the same number.
+        std::filesystem::remove_all(folder_);
         std::filesystem::create_directories(folder_);
         write("small.l",
               "Lsystem: 1\nderivation length: 1\n"
