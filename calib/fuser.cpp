@@ -38,6 +38,16 @@ static double pressure(PenSample const& pen)
     return pen.pressure ? std::clamp(*pen.pressure, 0.0, 1.0) : (pen.touching ? 1.0 : 0.0);
 }
 
+// The way the pen's shaft points, turned as the tablet is mounted.
+static std::optional<Vec2> tilt_rad(PenSample const& pen, Eigen::Affine3d const& T_world_tablet)
+{
+    if (!pen.tilt_rad)
+        return std::nullopt;
+    Vec3 const shaft(std::tan(pen.tilt_rad->x()), std::tan(pen.tilt_rad->y()), 1);
+    Vec3 const turned = T_world_tablet.linear() * shaft;
+    return Vec2(std::atan2(turned.x(), turned.z()), std::atan2(turned.y(), turned.z()));
+}
+
 TipSample Fuser::tip(PenSample const& pen, HeightTrack::Estimate const& height) const
 {
     Vec3 const tablet_mm(pen.position_mm.x(), pen.position_mm.y(), height.height_mm);
@@ -45,6 +55,7 @@ TipSample Fuser::tip(PenSample const& pen, HeightTrack::Estimate const& height) 
         .time = instant(pen),
         .position_mm = T_world_tablet_ * tablet_mm,
         .pressure = pressure(pen),
+        .tilt_rad = tilt_rad(pen, T_world_tablet_),
         .touching = pen.touching,
         .eraser = pen.eraser,
         .height_source = height.kind,

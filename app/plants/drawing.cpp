@@ -170,7 +170,7 @@ void DrawingReader::note_drawing(Drawing const& drawing)
     report_.indicators = drawing.scene.indicators.size();
     std::set<std::vector<SegmentId>> paths;
     for (auto const& association : drawing.scene.associations)
-        paths.insert(association.path);
+        paths.insert(association.what.path);
     report_.branches_selected = paths.size();
     for (auto const& drawn : drawing.strokes)
         if (!drawn.refusal.empty())

@@ -85,8 +85,8 @@ std::string strokes_text(Scene const& scene)
 {
     std::string text = "# x y z in mm, pressure, time in ms\n";
     Stroke const* last = nullptr;
-    for (auto const& [path, stroke, propagation, fit, detail_weight, is_orphaned] :
-         scene.associations) {
+    for (auto const& association : scene.associations) {
+        auto const& stroke = association.what.stroke;
         if (last && last->tips.front().time == stroke.tips.front().time)
             continue;
         last = &stroke;

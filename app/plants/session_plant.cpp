@@ -1,6 +1,7 @@
 #include "app/plants/session_plant.h"
 
 #include "app/terminal/error_text.h"
+#include "engine/scene/edit_ids.h"
 #include "engine/variation/growth.h"
 
 #include <algorithm>
@@ -42,6 +43,8 @@ static Result<Scene> scene_after(Scene scene, std::span<SessionEdit const> step,
             return next;
         if (next)
             scene = *std::move(next);
+        else
+            ++scene.last_edit; // A program that knows it counts it.
     }
     return scene;
 }
@@ -64,12 +67,14 @@ Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost co
             return tl::unexpected(scene.error());
         if (!scene) {
             folded.skipped_steps += unknown.count == 0;
+            folded.scene.last_edit += step.size();
             continue;
         }
         folded.scene = *std::move(scene);
         for (auto const& edit : step)
             if (!edit.edit.get<UnknownEdit>())
-                folded.edits.push_back(edit.edit);
+                folded.edits.push_back(
+                    with_id(edit.edit, static_cast<std::uint64_t>(edit.place.number)));
     }
     return folded;
 }

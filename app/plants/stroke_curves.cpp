@@ -80,7 +80,7 @@ std::vector<Curve> skeleton_curves(Scene const& scene)
     // What a stroke shapes is drawn once, in the stroke's colour.
     std::vector<bool> is_shaped(scene.base->segment_count(), false);
     for (auto const& association : scene.associations)
-        for (auto const segment : association.path)
+        for (auto const segment : association.what.path)
             is_shaped[segment] = true;
 
     std::vector<Curve> curves;
@@ -108,14 +108,14 @@ std::vector<Curve> skeleton_curves(Scene const& scene)
             curves.push_back(std::move(curve));
     }
     for (std::size_t i = 0; i < scene.associations.size(); ++i)
-        curves.push_back(path_curve(scene, scene.associations[i].path, stroke_color(i)));
+        curves.push_back(path_curve(scene, scene.associations[i].what.path, stroke_color(i)));
     return curves;
 }
 
 std::vector<Curve> indicator_curves(Scene const& scene)
 {
     std::vector<Curve> curves;
-    for (auto const& indicator : scene.indicators) {
+    for (auto const& [id, indicator, at] : scene.indicators) {
         auto curve = line(indicator.start_mm, indicator.end_mm, kIndicatorColor, 4);
         curve.look = Curve::Look::Round;
         curve.end = Curve::End::Arrow;

@@ -12,7 +12,8 @@ namespace tractus {
 namespace {
 
 constexpr char const* kBytes = "bytes";
-constexpr std::size_t kTipSize = 5 * 8 + 1;
+constexpr std::size_t kTipSize = 5 * 8 + 1; // Without its tilt.
+constexpr std::size_t kTiltSize = 2 * 8;
 constexpr std::size_t kLineSize = 6 * 8;
 
 // A tip's flags.
@@ -20,7 +21,8 @@ constexpr int kTouching = 1;
 constexpr int kEraser = 2;
 constexpr int kExtrapolated = 4;
 constexpr int kOutside = 8;
-constexpr int kAllFlags = 15;
+constexpr int kTilted = 16;
+constexpr int kAllFlags = 31;
 
 // Whether JSON can hold the text as it is: UTF-8 without overlong forms and surrogates.
 bool is_utf8(std::string const& text)
@@ -88,6 +90,7 @@ public:
     }
 
     bool at_end() const { return at_ == bytes_.size(); }
+    std::size_t left() const { return bytes_.size() - at_; }
     std::uint8_t u8() { return static_cast<std::uint8_t>(bytes_[at_++]); }
     std::uint64_t u64()
     {
@@ -165,6 +168,11 @@ Json written(Vec3 const& value)
     return Json::array({ written(value.x()), written(value.y()), written(value.z()) });
 }
 
+Json written(PathAddress const& value)
+{
+    return Json::array({ written(value.first), written(value.last) });
+}
+
 Json written(TipRange const& value)
 {
     return Json::array({ written(value.first), written(value.last) });
@@ -238,6 +246,13 @@ bool read(Json const& json, Vec3& value)
     return read(json[0], value.x()) && read(json[1], value.y()) && read(json[2], value.z());
 }
 
+bool read(Json const& json, PathAddress& value)
+{
+    if (!json.is_array() || json.size() != 2)
+        return false;
+    return read(json[0], value.first) && read(json[1], value.last);
+}
+
 bool read(Json const& json, TipRange& value)
 {
     if (!json.is_array() || json.size() != 2)
@@ -272,7 +287,12 @@ std::string written_tips(Stroke const& stroke)
         bool const is_extrapolated = tip.height_source == TipSample::HeightSource::Extrapolated;
         bytes += static_cast<char>((tip.touching ? kTouching : 0) | (tip.eraser ? kEraser : 0)
                                    | (is_extrapolated ? kExtrapolated : 0)
-                                   | (tip.outside_calibration ? kOutside : 0));
+                                   | (tip.outside_calibration ? kOutside : 0)
+                                   | (tip.tilt_rad ? kTilted : 0));
+        if (tip.tilt_rad) {
+            put(bytes, tip.tilt_rad->x());
+            put(bytes, tip.tilt_rad->y());
+        }
     }
     return bytes;
 }
@@ -293,9 +313,9 @@ bool read_tips(std::string_view bytes, Stroke& stroke)
     stroke.tips.clear();
     auto& tips = stroke.tips.own();
     tips.reserve(bytes.size() / kTipSize);
-    if (bytes.size() % kTipSize != 0)
-        return false;
     for (NumberReader in(bytes); !in.at_end();) {
+        if (in.left() < kTipSize)
+            return false;
         auto& tip = tips.emplace_back();
         tip.time = timestamp_ns(static_cast<std::int64_t>(in.u64()));
         tip.position_mm = in.vec3();
@@ -308,6 +328,12 @@ bool read_tips(std::string_view bytes, Stroke& stroke)
         if ((flags & kExtrapolated) != 0)
             tip.height_source = TipSample::HeightSource::Extrapolated;
         tip.outside_calibration = (flags & kOutside) != 0;
+        if ((flags & kTilted) != 0 && in.left() < kTiltSize)
+            return false;
+        if ((flags & kTilted) != 0) {
+            double const x_rad = in.f64();
+            tip.tilt_rad = Vec2(x_rad, in.f64());
+        }
     }
     return true;
 }
@@ -327,6 +353,14 @@ bool read_lines(std::string_view bytes, std::vector<SkeletonPiece>& lines)
 void FieldWriter::field(char const* name, FieldRef value)
 {
     json_[name] = std::visit([](auto const* typed) { return written(*typed); }, value);
+}
+
+void FieldWriter::sparse_field(char const* name, FieldRef value)
+{
+    auto const json = std::visit([](auto const* typed) { return written(*typed); }, value);
+    bool const is_zero = json.is_number() && json == 0;
+    if (!is_zero && !(json.is_array() && json.empty()))
+        json_[name] = json;
 }
 
 void FieldWriter::word(char const* name, int& value, std::span<char const* const> words)

@@ -26,6 +26,7 @@ Json written(std::uint64_t value);
 Json written(double value);
 Json written(std::string const& value);
 Json written(Vec3 const& value);
+Json written(PathAddress const& value);
 Json written(TipRange const& value);
 Json written(std::map<std::string, std::string> const& texts);
 
@@ -50,6 +51,7 @@ bool read(Json const& json, std::uint64_t& value);
 bool read(Json const& json, double& value);
 bool read(Json const& json, std::string& value);
 bool read(Json const& json, Vec3& value);
+bool read(Json const& json, PathAddress& value);
 bool read(Json const& json, TipRange& value);
 bool read(Json const& json, std::map<std::string, std::string>& texts);
 
@@ -80,6 +82,7 @@ bool read_lines(std::string_view bytes, std::vector<SkeletonPiece>& lines);
 class FieldWriter final : public Fields {
 public:
     void field(char const* name, FieldRef value) override;
+    void sparse_field(char const* name, FieldRef value) override;
     void word(char const* name, int& value, std::span<char const* const> words) override;
     void numbers(Stroke& stroke) override { numbers_ = written_tips(stroke); }
     void numbers(std::vector<SkeletonPiece>& lines) override { numbers_ = written_lines(lines); }

@@ -15,8 +15,9 @@ struct EditRecord {
     // What there is too much of for JSON, one after the other, little-endian, floating-point
     // numbers as IEEE 754 has them. Of a stroke each tip: its time in nanoseconds as int64, x, y, z
     // and pressure as float64, and a byte of flags (1 touching, 2 eraser, 4 height extrapolated, 8
-    // outside the calibration). Of a skeleton each line: x, y and z of both ends as float64. Of
-    // other edits nothing.
+    // outside the calibration, 16 tilted), and behind that, if it is tilted, the tilt towards x and
+    // y as float64. Of a skeleton each line: x, y and z of both ends as float64. Of other edits
+    // nothing.
     std::string numbers;
 };
 

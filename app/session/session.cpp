@@ -1,6 +1,7 @@
 #include "app/session/session.h"
 
 #include "engine/base/check.h"
+#include "engine/scene/edit_ids.h"
 
 #include <fmt/core.h>
 #include <functional>
@@ -37,6 +38,16 @@ ReadStep read_from(std::vector<std::vector<Edit>> const& steps)
             edits.push_back({ step, edit });
         return edits;
     };
+}
+
+// The edits with the numbers that they have after the scene: so what they make keeps its ids
+// whatever a repair takes out of the file.
+std::vector<Edit> with_ids(std::span<Edit const> edits, Scene const& before)
+{
+    std::vector<Edit> given;
+    for (auto const& edit : edits)
+        given.push_back(with_id(edit, before.last_edit + given.size() + 1));
+    return given;
 }
 
 } // namespace
@@ -117,10 +128,11 @@ Result<void> Session::append(std::span<Edit const> edits)
 Result<Session::Prepared> Session::prepare(std::span<Edit const> edits) const
 {
     SessionStore::NewStep stored;
+    auto given = with_ids(edits, scene());
     if (store_)
-        stored = TRY(store_->prepare({ step() + 1, edits, options_.now() }));
+        stored = TRY(store_->prepare({ step() + 1, given, options_.now() }));
     else
-        stored.edits.assign(edits.begin(), edits.end());
+        stored.edits = std::move(given);
     auto scene = TRY(history_.after(stored.edits));
     return Prepared { std::move(stored), std::move(scene) };
 }

@@ -26,8 +26,9 @@ namespace tractus {
 //          counts: later ones are undone.
 //
 // The file's application_id is "TRAC", its user_version the format's version: 1 had neither made
-// nor checksum, 2 no edit of the kind "erase_tips".
-constexpr std::int64_t kSessionFormat = 3;
+// nor checksum, 2 no edit of the kind "erase_tips", 3 named strokes and indicators by their numbers
+// in a list and selected branches by their segments, and strokes had no tilt.
+constexpr std::int64_t kSessionFormat = 4;
 
 // Where a session comes from.
 struct SessionOrigin {

@@ -40,11 +40,11 @@ constexpr EditKind BeginAgain::kKind = make_edit_kind<BeginAgain, list, applied,
 static void park_tips(Scene& scene)
 {
     for (std::size_t i = 0; i < scene.associations.size(); ++i) {
-        auto const& tips = scene.associations[i].stroke.tips;
+        auto const& tips = scene.associations[i].what.stroke.tips;
         if (!tips.source() || !tips.is_in_memory())
             continue;
         auto association = scene.associations[i];
-        association.stroke.tips = tips.parked();
+        association.what.stroke.tips = tips.parked();
         scene.associations.replace(i, std::move(association));
     }
 }
@@ -72,8 +72,11 @@ SessionHistory::SessionHistory(Scene beginning, MakeLoadOptions load_options)
 
 Result<Scene> SessionHistory::apply(Scene scene, Edit const& edit) const
 {
-    if (edit.get<BeginAgain>())
-        return kept_.at(0);
+    if (edit.get<BeginAgain>()) {
+        auto beginning = kept_.at(0);
+        beginning.last_edit += scene.last_edit; // No edit has the number of an earlier one.
+        return beginning;
+    }
     return apply_edit(std::move(scene), edit, load_options_());
 }
 
@@ -120,19 +123,23 @@ Result<Scene> SessionHistory::begin(std::span<SessionEdit const> edits) const
         else if (edit.kind().loads_plant)
             return fail(applied.error().fault,
                         fmt::format("edit {}: {}", place.number, applied.error().message));
+        else
+            ++scene.last_edit;
     }
     return scene;
 }
 
 // A step that needs something which was lost, or that is unknown, changes nothing and stays in the
-// file.
+// file. Its edits are counted, for a program that knows them does so, too.
 Scene SessionHistory::apply_step(Scene scene, std::span<SessionEdit const> edits) const
 {
     auto next = scene;
     for (auto const& edit : edits) {
         auto applied = apply(std::move(next), edit.edit);
-        if (!applied)
+        if (!applied) {
+            scene.last_edit += edits.size();
             return scene;
+        }
         next = *std::move(applied);
     }
     return next;

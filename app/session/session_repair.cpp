@@ -2,6 +2,7 @@
 
 #include "app/session/page_scan.h"
 #include "drivers/file.h"
+#include "engine/scene/edit_ids.h"
 
 #include <algorithm>
 #include <charconv>
@@ -48,6 +49,14 @@ std::vector<std::int64_t> missing_numbers(std::vector<EditRow> const& rows)
     return missing;
 }
 
+// What an edit of an older session makes is known by the edit's number, which it is about to lose.
+void give_id(EditRow& row)
+{
+    auto const edit = edit_of(row.record);
+    if (edit && row.place.number > 0)
+        row.record = record_of(with_id(*edit, static_cast<std::uint64_t>(row.place.number)));
+}
+
 // The rows with numbers and steps without gaps, behind `first` edits of the beginning.
 std::vector<EditRow> numbered_anew(std::vector<EditRow> rows, std::size_t first)
 {
@@ -59,6 +68,7 @@ std::vector<EditRow> numbered_anew(std::vector<EditRow> rows, std::size_t first)
         // A beginning that is put in front is step 0, and so is what is left of the old one.
         if (is_first)
             step = first > 0 && old_step > 0 ? 1 : 0;
+        give_id(rows[i]);
         rows[i].place.number = ++number;
         bool const step_ends = i + 1 < rows.size() && rows[i + 1].step != old_step;
         rows[i].step = step;

@@ -19,15 +19,14 @@ static std::string place_in_words(SegmentAddress const& address)
 std::vector<OrphanView> orphans_of(Scene const& scene)
 {
     std::vector<OrphanView> orphans;
-    for (std::size_t i = 0; i < scene.associations.size(); ++i)
-        if (scene.associations[i].is_orphaned)
-            orphans.push_back({ OrphanView::Kind::Stroke, i, fmt::format("stroke {}", i + 1),
-                                "up to " + place_in_words(scene.places[i]->last) });
-    for (std::size_t i = 0; i < scene.indicators.size(); ++i)
-        if (scene.indicators[i].is_orphaned)
-            orphans.push_back({ OrphanView::Kind::Indicator, i,
-                                fmt::format("motion indicator {}", i + 1),
-                                place_in_words(scene.indicator_places[i].front()) });
+    for (auto const& [id, association, at] : scene.associations)
+        if (association.is_orphaned)
+            orphans.push_back({ OrphanView::Kind::Stroke, id, "stroke " + name_of(id),
+                                "up to " + place_in_words(at.front().last) });
+    for (auto const& [id, indicator, at] : scene.indicators)
+        if (indicator.is_orphaned)
+            orphans.push_back({ OrphanView::Kind::Indicator, id, "motion indicator " + name_of(id),
+                                place_in_words(at.front().last) });
     return orphans;
 }
 
@@ -37,10 +36,10 @@ std::vector<Edit> edits_without_orphans(Scene const& scene)
     DeleteStroke strokes;
     for (auto const& orphan : orphans_of(scene))
         if (orphan.kind == OrphanView::Kind::Stroke)
-            strokes.associations.push_back(orphan.number);
-        else // The last first: the others keep their numbers.
-            edits.insert(edits.begin(), DeleteIndicator { orphan.number });
-    if (!strokes.associations.empty())
+            strokes.strokes.ids.push_back(orphan.id);
+        else
+            edits.push_back(DeleteIndicator { orphan.id });
+    if (!strokes.strokes.empty())
         edits.push_back(std::move(strokes));
     return edits;
 }

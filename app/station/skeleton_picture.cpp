@@ -65,7 +65,7 @@ void SkeletonPicture::mark(std::span<SegmentId const> segments, State state)
 std::vector<SkeletonLine> SkeletonPicture::lines(ShownSkeleton::Touched const& touched)
 {
     for (auto const number : shaping_numbers(*scene_)) // The others are for the same branches.
-        mark(scene_->associations[number].path, State::Assigned);
+        mark(scene_->associations[number].what.path, State::Assigned);
     for (auto const& path : scene_->selection)
         mark(path, State::Selected);
     mark(touched.selected, State::Selected);

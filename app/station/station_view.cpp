@@ -271,7 +271,7 @@ void StationView::show_strokes(Scene const& scene)
     std::vector<SharedVector<TipSample>> inked;
     std::vector<InkLine> lines;
     for (auto const number : shaping_numbers(scene)) {
-        auto const& tips = scene.associations[number].stroke.tips;
+        auto const& tips = scene.associations[number].what.stroke.tips;
         if (!inked.empty() && inked.back().id() == tips.id())
             continue; // One that shapes several branches is shown once.
         auto const found = before.find(tips.id());
@@ -286,7 +286,7 @@ void StationView::show_strokes(Scene const& scene)
         inked.push_back(tips);
     }
     for (auto const& indicator : scene.indicators)
-        lines.push_back(indicator_line(indicator));
+        lines.push_back(indicator_line(indicator.what));
     inked_ = std::move(inked);
     state_.strokes = std::move(lines);
     ++state_.strokes_revision;
@@ -308,7 +308,7 @@ void StationView::show_skeleton(ShownSkeleton::Touched const& touched)
     state_.skeleton = skeleton_.lines(touched);
     state_.skeleton_box_mm = skeleton_.box_mm();
     state_.indicators.clear();
-    for (auto const& indicator : scene.indicators)
+    for (auto const& [id, indicator, at] : scene.indicators)
         state_.indicators.push_back(
             { scene.placement.plant_of_world(indicator.start_mm).cast<float>(),
               scene.placement.plant_of_world(indicator.end_mm).cast<float>() });

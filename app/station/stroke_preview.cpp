@@ -61,8 +61,9 @@ Scene const& StrokePreview::readable_scene(Tool const& tool)
         readable_ = *scene_;
         for (auto const number : shaping_numbers(*scene_)) {
             auto association = scene_->associations[number];
-            if (auto tips = association.stroke.tips.in_memory())
-                association.stroke.tips = *std::move(tips); // Else the stroke itself will say why.
+            auto& tips = association.what.stroke.tips;
+            if (auto read = tips.in_memory())
+                tips = *std::move(read); // Else the stroke itself will say why.
             readable_->associations.replace(number, std::move(association));
         }
     }

@@ -52,10 +52,10 @@ struct SkeletonLine {
 // Something that was drawn on a branch that the plant has lost.
 struct OrphanView {
     enum class Kind { Stroke, Indicator } kind = Kind::Stroke;
-    std::size_t number = 0; // As edits count them (edit.h).
-    std::string name;       // "stroke 3": as people count them.
-    std::string place;      // Where its branch was: "up to segment 6 of branch 2 at segment 4 of
-                            // stem 1".
+    ItemId id = 0;
+    std::string name; // "stroke 3".
+    std::string
+        place; // Where its branch was: "up to segment 6 of branch 2 at segment 4 of stem 1".
 };
 
 // A direction in which the plant is made to lean. Plant frame.

@@ -13,7 +13,7 @@ Result<std::vector<Edit>> draw_in_order_edits(Stroke const& stroke, Scene const&
     // trunk's turn comes again.
     auto const turn = order[scene.associations.size() % order.size()];
     return std::vector<Edit> {
-        Select { { segments_of(scene.base->axes[turn]) } },
+        select_paths(scene, { segments_of(scene.base->axes[turn]) }),
         Associate { stroke, Propagation::Selected },
     };
 }

@@ -66,8 +66,8 @@ std::optional<double> height_under(Vec3 const& eraser_mm, MotionIndicator const&
     return under.height_mm();
 }
 
-// A stroke that can be erased: its association, its tips for as long as that takes, and where the
-// eraser can touch it.
+// A stroke that can be erased: its number among the scene's, its tips for as long as that takes,
+// and where the eraser can touch it.
 struct SeenStroke {
     std::size_t number = 0;
     SharedVector<TipSample> tips;
@@ -81,7 +81,7 @@ Result<std::vector<SeenStroke>> strokes_on_pad(Scene const& scene)
     for (auto const number : shaping_numbers(scene)) { // The pad shows no others.
         auto& stroke = strokes.emplace_back();
         stroke.number = number;
-        stroke.tips = TRY(scene.associations[number].stroke.tips.in_memory());
+        stroke.tips = TRY(scene.associations[number].what.stroke.tips.in_memory());
         for (auto const& tip : stroke.tips) {
             Vec2 const place_mm = tip.position_mm.head<2>();
             stroke.reach_mm.extend(place_mm + Vec2::Constant(kEraserRadius_mm));
@@ -91,8 +91,8 @@ Result<std::vector<SeenStroke>> strokes_on_pad(Scene const& scene)
     return strokes;
 }
 
-// What the eraser has touched: associations by their numbers, and which of their tips if only these
-// go, and numbers of indicators.
+// What the eraser has touched: associations by their numbers in the scene, and which of their tips
+// if only these go, and numbers of indicators.
 struct Touched {
     std::map<std::size_t, std::vector<bool>> associations;
     std::vector<std::size_t> indicators;
@@ -155,7 +155,7 @@ void touch(Vec3 const& eraser_mm, Scene const& scene, std::span<SeenStroke const
         if (strokes[i].reach_mm.contains(place_mm))
             take(height_under(eraser_mm, strokes[i].tips), seen, i);
     for (std::size_t i = 0; i < scene.indicators.size(); ++i)
-        take(height_under(eraser_mm, scene.indicators[i]), indicators, i);
+        take(height_under(eraser_mm, scene.indicators[i].what), indicators, i);
     for (auto const i : seen)
         touch_tips(eraser_mm, *top_mm, strokes[i].tips, touched.associations[strokes[i].number]);
     for (auto const number : indicators)
@@ -191,8 +191,7 @@ Result<bool> shapes_without(Scene const& scene, Association association,
     return check_association(*scene.base, association).has_value();
 }
 
-// Those that lose the same tips together, then those that go whole: so all keep their numbers as
-// long as these are needed.
+// Those that lose the same tips together, then those that go whole.
 Result<std::vector<Edit>> stroke_edits_of(Touched const& touched, Tool::Erasing erasing,
                                           Scene const& scene)
 {
@@ -200,24 +199,25 @@ Result<std::vector<Edit>> stroke_edits_of(Touched const& touched, Tool::Erasing 
     DeleteStroke whole;
     for (auto const& [number, tips] : touched.associations) {
         auto ranges = ranges_of(tips);
+        auto const id = scene.associations[number].id;
         if (erasing == Tool::Erasing::Whole) {
-            whole.associations.push_back(number);
+            whole.strokes.ids.push_back(id);
         } else if (ranges.empty()) { // Between two of its tips, where it goes straight anyway.
             continue;
-        } else if (!TRY(shapes_without(scene, scene.associations[number], ranges))) {
-            whole.associations.push_back(number);
+        } else if (!TRY(shapes_without(scene, scene.associations[number].what, ranges))) {
+            whole.strokes.ids.push_back(id);
         } else {
             auto const same = std::find_if(parts.begin(), parts.end(), [&](EraseTips const& part) {
                 return part.ranges == ranges;
             });
             if (same != parts.end())
-                same->associations.push_back(number);
+                same->strokes.ids.push_back(id);
             else
-                parts.push_back({ { number }, std::move(ranges) });
+                parts.push_back({ { { id } }, std::move(ranges) });
         }
     }
     std::vector<Edit> edits(parts.begin(), parts.end());
-    if (!whole.associations.empty())
+    if (!whole.strokes.empty())
         edits.push_back(std::move(whole));
     return edits;
 }
@@ -232,10 +232,8 @@ Result<std::vector<Edit>> erase_edits(Tool::Erasing erasing, Stroke const& strok
     for (auto const& place_mm : way_of(stroke))
         touch(place_mm, scene, strokes, touched);
     auto edits = TRY(stroke_edits_of(touched, erasing, scene));
-    // The last first: the others keep their numbers.
-    std::sort(touched.indicators.begin(), touched.indicators.end(), std::greater<>());
     for (auto const number : touched.indicators)
-        edits.push_back(DeleteIndicator { number });
+        edits.push_back(DeleteIndicator { scene.indicators[number].id });
     if (edits.empty())
         return fail(Fault::User,
                     "the eraser touched nothing: move it over a stroke or an indicator that is "

@@ -43,7 +43,7 @@ Result<std::vector<Edit>> select_edits(Tool const& tool, Stroke const& stroke, S
 {
     CHECK(!stroke.tips.empty() || tool.selecting == Tool::Selecting::Nothing
           || tool.selecting == Tool::Selecting::Invert);
-    return std::vector<Edit> { Select { TRY(selection_of(tool, stroke, scene)) } };
+    return std::vector<Edit> { select_paths(scene, TRY(selection_of(tool, stroke, scene))) };
 }
 
 } // namespace tractus

@@ -64,12 +64,12 @@ Result<void> print_info(SessionArguments const& arguments)
     auto const [scene, edits, unknown, skipped_steps] = TRY(fold_session(contents));
     std::set<Timestamp> strokes; // One that shapes several branches counts once.
     std::size_t orphans = 0;
-    for (auto const& association : scene.associations) {
+    for (auto const& [id, association, at] : scene.associations) {
         strokes.insert(association.stroke.tips.front().time);
         orphans += association.is_orphaned;
     }
     for (auto const& indicator : scene.indicators)
-        orphans += indicator.is_orphaned;
+        orphans += indicator.what.is_orphaned;
     std::error_code ignored;
     std::string text;
     auto const line = [&](char const* name, auto const& value) {

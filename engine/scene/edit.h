@@ -2,6 +2,7 @@
 
 #include "engine/lsystem/model.h"
 #include "engine/plant/skeleton_lines.h"
+#include "engine/scene/anchored.h"
 #include "engine/scene/edit_kind.h"
 #include "engine/stroke/erase_tips.h"
 #include "engine/stroke/stroke.h"
@@ -56,8 +57,12 @@ struct LoadSkeleton {
 struct Select {
     static EditKind const kKind;
 
-    Selection paths;
+    Selection paths {};             // By segments of the plant as it was, or
+    std::vector<PathAddress> at {}; // by where they are.
 };
+
+// Paths of a scene's plant, said by where they are.
+Select select_paths(Scene const& scene, Selection const& paths);
 
 // Lets a stroke shape each selected path, its descendants, or both (Streit 2006, section 4.3).
 struct Associate {
@@ -67,16 +72,25 @@ struct Associate {
     Propagation propagation = Propagation::Selected;
     StrokeFit fit = StrokeFit::Start;
     double detail_weight = 1; // See Association.
+    ItemId id = 0;            // Of the stroke of the first path; 0: it has none yet.
 };
 
-// The next ones edit strokes that shape something already: those with these numbers in
-// Scene::associations, at least one.
+// Which of the things drawn so far an edit is about.
+struct Items {
+    std::vector<ItemId> ids {};
+    // Sessions before format 4 say it by the numbers in the list of that time.
+    std::vector<std::uint64_t> numbers {};
+
+    bool empty() const { return ids.empty() && numbers.empty(); }
+};
+
+// The next ones edit strokes that shape something already, at least one.
 
 // Redraws a part of them (oversketch.h).
 struct Oversketch {
     static EditKind const kKind;
 
-    std::vector<std::size_t> associations;
+    Items strokes;
     Stroke over;
 };
 
@@ -84,7 +98,7 @@ struct Oversketch {
 struct SmoothStroke {
     static EditKind const kKind;
 
-    std::vector<std::size_t> associations;
+    Items strokes;
     double detail_weight = 0;
 };
 
@@ -92,7 +106,7 @@ struct SmoothStroke {
 struct DeleteStroke {
     static EditKind const kKind;
 
-    std::vector<std::size_t> associations;
+    Items strokes;
 };
 
 // Takes these tips of each of them away (erase_tips.h); where none would be left that shape
@@ -100,7 +114,7 @@ struct DeleteStroke {
 struct EraseTips {
     static EditKind const kKind;
 
-    std::vector<std::size_t> associations;
+    Items strokes;
     std::vector<TipRange> ranges; // Of its tips as they are now, in order.
 };
 
@@ -109,20 +123,25 @@ struct Indicate {
     static EditKind const kKind;
 
     MotionIndicator indicator;
+    std::vector<SegmentAddress> below {}; // What it acts below, if `indicator` does not say it.
+    ItemId id = 0;                        // 0: it has none yet.
 };
 
-// Puts another in the place of the indicator with this number in Scene::indicators.
+// Puts another in the place of an indicator. One that is named by its id stays at the segments that
+// it acts below.
 struct ChangeIndicator {
     static EditKind const kKind;
 
-    std::size_t number = 0;
+    ItemId which = 0; // 0, in sessions before format 4: the one with this number in their list.
+    std::uint64_t number = 0;
     MotionIndicator indicator;
 };
 
 struct DeleteIndicator {
     static EditKind const kKind;
 
-    std::size_t number = 0;
+    ItemId which = 0; // As of ChangeIndicator.
+    std::uint64_t number = 0;
 };
 
 // Sets how plants grow from here on.

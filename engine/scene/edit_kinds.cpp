@@ -58,6 +58,7 @@ Edit Edit::changed_by(Fields& visitor) const
 
 Result<Scene> apply_edit(Scene scene, Edit const& edit, LoadOptions const& options)
 {
+    ++scene.last_edit;
     return edit.kind_->apply(std::move(scene), edit.fields_.get(), options);
 }
 

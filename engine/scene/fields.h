@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/plant/branch_address.h"
 #include "engine/plant/skeleton_lines.h"
 #include "engine/stroke/erase_tips.h"
 #include "engine/stroke/stroke.h"
@@ -22,7 +23,8 @@ namespace tractus {
 using FieldRef
     = std::variant<bool*, int*, std::uint64_t*, double*, std::string*, Vec3*, std::optional<int>*,
                    std::optional<double>*, std::vector<std::uint32_t>*, std::vector<std::uint64_t>*,
-                   Selection*, std::vector<TipRange>*, std::map<std::string, std::string>*>;
+                   Selection*, std::vector<PathAddress>*, std::vector<TipRange>*,
+                   std::map<std::string, std::string>*>;
 
 // Visits the fields of a value in their order. What an edit consists of is said once, in a function
 // that hands its fields to a visitor; visitors write them as JSON, read them back, look for strokes
@@ -33,6 +35,12 @@ public:
 
     // `name` identifies the field in sessions: it never changes.
     virtual void field(char const* name, FieldRef value) = 0;
+
+    // A field that is not written where it is 0 or empty.
+    virtual void sparse_field(char const* name, FieldRef value) { field(name, value); }
+
+    // The id of the first item that the edit makes; 0 as long as it has none.
+    virtual void id(std::uint64_t& id) { sparse_field("id", &id); }
 
     // A choice among words; the value is the word's number.
     virtual void word(char const* name, int& value, std::span<char const* const> words) = 0;

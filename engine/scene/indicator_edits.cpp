@@ -1,6 +1,7 @@
 #include "engine/scene/edit_words.h"
 #include "engine/scene/make_edit_kind.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
 
@@ -21,33 +22,49 @@ void list(Fields& fields, MotionIndicator& indicator)
     fields.field("is_orphaned", &indicator.is_orphaned);
 }
 
-std::vector<SegmentAddress> places_of(Scene const& scene, MotionIndicator const& indicator)
+std::vector<PathAddress> places_of(Scene const& scene, MotionIndicator const& indicator)
 {
-    std::vector<SegmentAddress> places;
-    for (auto const segment : indicator.below)
-        places.push_back(address_of(*scene.base, segment));
+    std::vector<PathAddress> places;
+    for (auto const segment : indicator.below) {
+        auto const address = scene.rest->addresses.address_of(*scene.base, segment);
+        places.push_back({ address, address });
+    }
     return places;
 }
 
-Result<void> check_number(Scene const& scene, std::size_t indicator)
+// Its number in the scene's list; `number` is what older sessions say in place of an id.
+Result<std::size_t> find_indicator(Scene const& scene, ItemId id, std::uint64_t number)
 {
-    if (indicator >= scene.indicators.size())
+    auto const& all = scene.indicators;
+    if (id != 0) {
+        auto const found = std::find_if(all.begin(), all.end(),
+                                        [&](auto const& indicator) { return indicator.id == id; });
+        if (found == all.end())
+            return fail(Fault::User,
+                        fmt::format("there is no motion indicator {} any more", name_of(id)));
+        return static_cast<std::size_t>(found - all.begin());
+    }
+    if (number >= all.size())
         return fail(Fault::User,
-                    fmt::format("there is no motion indicator {}: the scene has {}", indicator + 1,
-                                scene.indicators.size()));
-    return {};
+                    fmt::format("there is no motion indicator {}: the scene has {}", number + 1,
+                                all.size()));
+    return number;
 }
 
-std::string describe_indicator(MotionIndicator const& indicator)
+std::string name_of_indicator(ItemId id, std::uint64_t number)
+{
+    return id != 0 ? name_of(id) : std::to_string(number + 1);
+}
+
+std::string describe_indicator(MotionIndicator const& indicator, std::size_t places)
 {
     Vec3 const way_mm = indicator.end_mm - indicator.start_mm;
     auto const whole = [](double mm) { return std::round(mm) + 0.0; }; // Never -0.
     auto text
         = fmt::format("({}, {}, {}) mm{}", whole(way_mm.x()), whole(way_mm.y()), whole(way_mm.z()),
                       indicator.kind == MotionIndicator::Kind::Light ? ", light" : "");
-    if (!indicator.below.empty())
-        text += fmt::format(", on {} and what they bear",
-                            counted(indicator.below.size(), "segment"));
+    if (auto const below = indicator.below.size() + places; below > 0)
+        text += fmt::format(", on {} and what they bear", counted(below, "segment"));
     if (indicator.reach_mm)
         text += fmt::format(", as far as {:.0f} mm", *indicator.reach_mm);
     return text;
@@ -56,61 +73,80 @@ std::string describe_indicator(MotionIndicator const& indicator)
 void list(Fields& fields, Indicate& edit)
 {
     list(fields, edit.indicator);
+    fields.sparse_field("at", &edit.below);
+    fields.id(edit.id);
 }
 
 Result<Scene> applied(Scene scene, Indicate const& edit, LoadOptions const&)
 {
-    TRY(check_indicator(*scene.base, edit.indicator));
-    scene.indicators.push_back(edit.indicator);
-    scene.indicator_places.push_back(places_of(scene, edit.indicator));
+    auto indicator = edit.indicator;
+    for (auto const& address : edit.below) {
+        auto const segment = scene.rest->addresses.find_segment(*scene.base, address);
+        if (!segment)
+            return fail(Fault::User,
+                        "the motion indicator acts on nothing: the plant has no branch there");
+        indicator.below.push_back(*segment);
+    }
+    TRY(check_indicator(*scene.base, indicator));
+    auto const id = take_id(scene, edit.id);
+    auto places = places_of(scene, indicator);
+    scene.indicators.push_back({ id, std::move(indicator), std::move(places) });
     return scene;
 }
 
 std::string described(Indicate const& edit)
 {
-    return fmt::format("leans the plant by {}", describe_indicator(edit.indicator));
+    return fmt::format("leans the plant by {}",
+                       describe_indicator(edit.indicator, edit.below.size()));
 }
 
 void list(Fields& fields, ChangeIndicator& edit)
 {
-    fields.field("number", &edit.number);
+    fields.sparse_field("which", &edit.which);
+    fields.sparse_field("number", &edit.number);
     list(fields, edit.indicator);
 }
 
 Result<Scene> applied(Scene scene, ChangeIndicator const& edit, LoadOptions const&)
 {
-    TRY(check_number(scene, edit.number));
-    TRY(check_indicator(*scene.base, edit.indicator));
+    auto& changed = scene.indicators[TRY(find_indicator(scene, edit.which, edit.number))];
+    auto indicator = edit.indicator;
+    if (edit.which != 0) {
+        indicator.below = changed.what.below;
+        indicator.is_orphaned = changed.what.is_orphaned;
+    }
+    TRY(check_indicator(*scene.base, indicator));
     // An orphan that is only moved still waits for its branch.
-    if (!edit.indicator.is_orphaned)
-        scene.indicator_places[edit.number] = places_of(scene, edit.indicator);
-    scene.indicators[edit.number] = edit.indicator;
+    if (edit.which == 0 && !indicator.is_orphaned)
+        changed.at = places_of(scene, indicator);
+    changed.what = std::move(indicator);
     return scene;
 }
 
 std::string described(ChangeIndicator const& edit)
 {
-    return fmt::format("changes motion indicator {}: {}", edit.number + 1,
-                       describe_indicator(edit.indicator));
+    return fmt::format("changes motion indicator {}: {}",
+                       name_of_indicator(edit.which, edit.number),
+                       describe_indicator(edit.indicator, 0));
 }
 
 void list(Fields& fields, DeleteIndicator& edit)
 {
-    fields.field("number", &edit.number);
+    fields.sparse_field("which", &edit.which);
+    fields.sparse_field("number", &edit.number);
 }
 
 Result<Scene> applied(Scene scene, DeleteIndicator const& edit, LoadOptions const&)
 {
-    TRY(check_number(scene, edit.number));
-    auto const at = static_cast<std::ptrdiff_t>(edit.number);
-    scene.indicators.erase(scene.indicators.begin() + at);
-    scene.indicator_places.erase(scene.indicator_places.begin() + at);
+    auto const number = TRY(find_indicator(scene, edit.which, edit.number));
+    scene.indicators.erase(scene.indicators.begin() + static_cast<std::ptrdiff_t>(number));
     return scene;
 }
 
 std::string described(DeleteIndicator const& edit)
 {
-    return fmt::format("takes motion indicator {} away", edit.number + 1);
+    return fmt::format("takes motion indicator {} away",
+                       name_of_indicator(edit.which, edit.number));
 }
 
 } // namespace

@@ -20,28 +20,24 @@ constexpr std::array kDrawn { "forget", "keep" };
 // Finds the branches that something was drawn for again, by where they were.
 void keep_drawn(Scene before, Scene& now)
 {
-    now.places = std::move(before.places);
-    std::map<PathAddress const*, SharedVector<SegmentId>> paths; // Empty: there is none.
-    for (std::size_t i = 0; i < now.places.size(); ++i) {
-        auto const& place = now.places[i];
-        auto const [found, is_new] = paths.try_emplace(place.get());
+    // By their places, which those for the same branch share. Empty: there is none.
+    std::map<PathAddress const*, SharedVector<SegmentId>> paths;
+    for (auto drawn : before.associations) {
+        auto const [found, is_new] = paths.try_emplace(drawn.at.data());
         if (is_new)
-            if (auto path = find_path(*now.base, *place))
+            if (auto path = now.rest->addresses.find_path(*now.base, drawn.at.front()))
                 found->second = *std::move(path);
-        auto association = before.associations[i];
-        association.path = found->second;
-        association.is_orphaned = association.path.empty();
-        now.associations.push_back(std::move(association));
+        drawn.what.path = found->second;
+        drawn.what.is_orphaned = drawn.what.path.empty();
+        now.associations.push_back(std::move(drawn));
     }
-    now.indicator_places = std::move(before.indicator_places);
     now.indicators = std::move(before.indicators);
-    for (std::size_t i = 0; i < now.indicators.size(); ++i) {
-        auto& indicator = now.indicators[i];
+    for (auto& [id, indicator, at] : now.indicators) {
         indicator.below.clear();
-        for (auto const& place : now.indicator_places[i])
-            if (auto const segment = find_segment(*now.base, place))
+        for (auto const& place : at)
+            if (auto const segment = now.rest->addresses.find_segment(*now.base, place.last))
                 indicator.below.push_back(*segment);
-        indicator.is_orphaned = indicator.below.empty() && !now.indicator_places[i].empty();
+        indicator.is_orphaned = indicator.below.empty() && !at.empty();
     }
 }
 
@@ -54,6 +50,7 @@ Scene with_plant(Scene scene, std::string const& name, Plant plant, Drawn drawn)
     loaded.base = std::make_shared<Plant const>(std::move(plant));
     loaded.rest = std::make_shared<RestShape const>(find_rest_shape(*loaded.base));
     loaded.growth = std::move(scene.growth);
+    loaded.last_edit = scene.last_edit;
     if (drawn == Drawn::Keep)
         keep_drawn(std::move(scene), loaded);
     return loaded;

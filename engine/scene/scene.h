@@ -3,11 +3,12 @@
 #include "engine/base/result.h"
 #include "engine/base/shared_list.h"
 #include "engine/lsystem/limits.h"
-#include "engine/plant/branch_address.h"
+#include "engine/scene/anchored.h"
 #include "engine/scene/desk_placement.h"
 #include "engine/scene/edit.h"
 #include "engine/variation/growth_plan.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -29,13 +30,20 @@ struct Scene {
 
     DeskPlacement placement; // Where the base plant is shown in the drawing volume.
     Selection selection;
-    SharedList<Association> associations; // In order: a later one overrides an earlier one.
-    // One per association: by which it is found again. Shared by those for the same branch.
-    SharedList<std::shared_ptr<PathAddress const>> places;
-    std::vector<MotionIndicator> indicators;
-    std::vector<std::vector<SegmentAddress>> indicator_places; // Of what each acts below.
+    // In order: a later one overrides an earlier one. Each is at one path.
+    SharedList<Anchored<Association>> associations;
+    std::vector<Anchored<MotionIndicator>> indicators; // Each at the segments that it acts below.
     SetGrowth growth;
+
+    std::uint64_t last_edit = 0; // The number of edits so far: of it, ids of items are made.
 };
+
+// The id of the first item that the edit at work makes: the one that it has already or, where that
+// is 0, one that tells its number.
+ItemId take_id(Scene& scene, ItemId own);
+
+// Without their anchors.
+std::vector<MotionIndicator> motion_indicators(Scene const& scene);
 
 // The associations that some branch may still have its shape from, in order: neither orphaned nor
 // followed by one for the same path and propagation. After hours of drawing they are few among all.

@@ -25,7 +25,7 @@ Result<GrowthPlan> plan_growth(Scene const& scene, SceneShaper& shaper, std::sto
     auto const& shape = shaper.shape();
     std::vector<Vec3> nodes_mm;
     place_nodes(*scene.base, *scene.rest, shape, nodes_mm);
-    auto influence = TRY(influence_of(*scene.base, nodes_mm, scene.indicators,
+    auto influence = TRY(influence_of(*scene.base, nodes_mm, motion_indicators(scene),
                                       { scene.placement.shown_height_mm, scene.placement.scale }));
     auto const growth = TRY(at_variability(scene.growth.parameters, scene.growth.variability));
     if (stop.stop_requested())

@@ -7,8 +7,7 @@
 #include <array>
 #include <fmt/core.h>
 #include <functional>
-#include <memory>
-#include <span>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -21,57 +20,72 @@ constexpr std::array kPropagations { "selected", "descendants", "both" };
 constexpr std::array kFits { "start", "chord", "world" };
 
 // After hours of drawing each branch has been drawn many times: its path and place are held once.
-void share_with_earlier(Scene const& scene, Association& association,
-                        std::shared_ptr<PathAddress const>& place)
+void share_with_earlier(Scene const& scene, Anchored<Association>& drawn)
 {
     for (auto i = scene.associations.size(); i-- > 0;) {
-        auto const& earlier = *scene.places[i];
-        if (scene.associations[i].path != association.path || earlier.first != place->first
-            || earlier.last != place->last)
+        auto const& earlier = scene.associations[i];
+        if (earlier.what.path != drawn.what.path || earlier.at != drawn.at)
             continue;
-        association.path = scene.associations[i].path;
-        place = scene.places[i];
+        drawn.what.path = earlier.what.path;
+        drawn.at = earlier.at;
         return;
     }
 }
 
-// Refuses numbers that no association has, and none at all.
-Result<void> check_numbers(Scene const& scene, std::span<std::size_t const> numbers)
+// Their numbers in the scene's list, each once, the last first: the others keep theirs when it
+// goes. Refuses strokes that are not there, and none at all.
+Result<std::vector<std::size_t>> find_strokes(Scene const& scene, Items const& strokes)
 {
-    if (numbers.empty())
+    if (strokes.empty())
         return fail(Fault::User, "no stroke is chosen: select a branch that has been drawn");
-    for (auto const number : numbers)
+    std::vector<std::size_t> found(strokes.numbers.begin(), strokes.numbers.end());
+    for (auto const number : found)
         if (number >= scene.associations.size())
             return fail(Fault::User,
                         fmt::format("there is no stroke {}: the scene has {}", number + 1,
                                     scene.associations.size()));
-    return {};
+    std::map<ItemId, std::size_t> numbers; // Looked through once, however many are wanted.
+    for (std::size_t i = 0; i < scene.associations.size() && !strokes.ids.empty(); ++i)
+        numbers.emplace(scene.associations[i].id, i);
+    for (auto const id : strokes.ids) {
+        auto const number = numbers.find(id);
+        if (number == numbers.end())
+            return fail(Fault::User, fmt::format("there is no stroke {} any more", name_of(id)));
+        found.push_back(number->second);
+    }
+    std::sort(found.begin(), found.end(), std::greater<> {});
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
 }
 
-// Each once, the last first: the others keep their numbers when it goes.
-std::vector<std::size_t> each_once(std::vector<std::size_t> numbers)
+// As find_strokes() understands them: what older sessions count from 0, people count from 1.
+std::string names_of(Items const& strokes)
 {
-    std::sort(numbers.begin(), numbers.end(), std::greater<> {});
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    return numbers;
+    return strokes.ids.empty() ? list_numbers(strokes.numbers) : list_names(strokes.ids);
 }
 
-// Puts what `change` makes of them in the place of the strokes with these numbers. One stroke for
-// several branches stays one: its tips are held once.
-Result<Scene> with_changed_strokes(Scene scene, std::vector<std::size_t> const& numbers,
+void list(Fields& fields, Items& strokes)
+{
+    fields.sparse_field("strokes", &strokes.ids);
+    fields.sparse_field("associations", &strokes.numbers);
+}
+
+// Puts what `change` makes of them in the place of strokes. One stroke for several branches stays
+// one: its tips are held once.
+Result<Scene> with_changed_strokes(Scene scene, Items const& strokes,
                                    std::function<Result<Stroke>(Stroke const& drawn)> const& change)
 {
-    TRY(check_numbers(scene, numbers));
+    auto const numbers = TRY(find_strokes(scene, strokes));
     Stroke drawn;
     Stroke changed;
-    for (auto const number : each_once(numbers)) {
+    for (auto const number : numbers) {
         auto association = scene.associations[number];
-        if (association.stroke.tips.id() != drawn.tips.id()) {
-            drawn = association.stroke;
+        if (association.what.stroke.tips.id() != drawn.tips.id()) {
+            drawn = association.what.stroke;
             changed = TRY(change(drawn));
         }
-        association.stroke = changed;
-        TRY(check_association(*scene.base, association));
+        association.what.stroke = changed;
+        TRY(check_association(*scene.base, association.what));
         scene.associations.replace(number, std::move(association));
     }
     return scene;
@@ -82,6 +96,7 @@ void list(Fields& fields, Associate& edit)
     fields.word("propagation", edit.propagation, kPropagations);
     fields.word("fit", edit.fit, kFits);
     fields.field("kept_hand", &edit.detail_weight);
+    fields.id(edit.id);
     fields.numbers(edit.stroke);
 }
 
@@ -90,18 +105,21 @@ Result<Scene> applied(Scene scene, Associate const& edit, LoadOptions const&)
     if (scene.selection.empty())
         return fail(Fault::User,
                     "nothing is selected for the stroke to shape: select a branch first");
+    auto const edit_number = edit_of_item(take_id(scene, edit.id));
+    std::size_t item = 0;
     for (auto const& path : scene.selection) {
-        Association association { .path = path,
-                                  .stroke = edit.stroke,
-                                  .propagation = edit.propagation,
-                                  .fit = edit.fit,
-                                  .detail_weight = edit.detail_weight };
+        Anchored<Association> drawn;
+        drawn.id = item_id(edit_number, item++);
+        drawn.what = { .path = path,
+                       .stroke = edit.stroke,
+                       .propagation = edit.propagation,
+                       .fit = edit.fit,
+                       .detail_weight = edit.detail_weight };
+        drawn.at.push_back(scene.rest->addresses.address_of(*scene.base, path));
         // Refused here, at its own edit, rather than later when the plant is grown.
-        TRY(check_association(*scene.base, association));
-        auto place = std::make_shared<PathAddress const>(address_of(*scene.base, path));
-        share_with_earlier(scene, association, place);
-        scene.associations.push_back(std::move(association));
-        scene.places.push_back(std::move(place));
+        TRY(check_association(*scene.base, drawn.what));
+        share_with_earlier(scene, drawn);
+        scene.associations.push_back(std::move(drawn));
     }
     return scene;
 }
@@ -118,14 +136,14 @@ std::string described(Associate const& edit)
 
 void list(Fields& fields, Oversketch& edit)
 {
-    fields.field("associations", &edit.associations);
+    list(fields, edit.strokes);
     fields.numbers(edit.over);
 }
 
 Result<Scene> applied(Scene scene, Oversketch const& edit, LoadOptions const&)
 {
     return with_changed_strokes(
-        std::move(scene), edit.associations, [&](Stroke const& drawn) -> Result<Stroke> {
+        std::move(scene), edit.strokes, [&](Stroke const& drawn) -> Result<Stroke> {
             auto const tips = TRY(drawn.tips.in_memory());
             auto const redrawn = TRY(oversketch({ tips }, edit.over));
             return Stroke { { redrawn.tips.vector(),
@@ -135,23 +153,22 @@ Result<Scene> applied(Scene scene, Oversketch const& edit, LoadOptions const&)
 
 std::string described(Oversketch const& edit)
 {
-    return fmt::format("redraws a part of stroke {}: {}", list_numbers(edit.associations),
+    return fmt::format("redraws a part of stroke {}: {}", names_of(edit.strokes),
                        describe_stroke(edit.over));
 }
 
 void list(Fields& fields, SmoothStroke& edit)
 {
-    fields.field("associations", &edit.associations);
+    list(fields, edit.strokes);
     fields.field("kept_hand", &edit.detail_weight);
 }
 
 Result<Scene> applied(Scene scene, SmoothStroke const& edit, LoadOptions const&)
 {
-    TRY(check_numbers(scene, edit.associations));
-    for (auto const number : edit.associations) {
+    for (auto const number : TRY(find_strokes(scene, edit.strokes))) {
         auto association = scene.associations[number];
-        association.detail_weight = edit.detail_weight;
-        TRY(check_association(*scene.base, association));
+        association.what.detail_weight = edit.detail_weight;
+        TRY(check_association(*scene.base, association.what));
         scene.associations.replace(number, std::move(association));
     }
     return scene;
@@ -159,40 +176,37 @@ Result<Scene> applied(Scene scene, SmoothStroke const& edit, LoadOptions const&)
 
 std::string described(SmoothStroke const& edit)
 {
-    return fmt::format("smooths stroke {}, keeping {:.0f} % of the hand",
-                       list_numbers(edit.associations), 100 * edit.detail_weight);
+    return fmt::format("smooths stroke {}, keeping {:.0f} % of the hand", names_of(edit.strokes),
+                       100 * edit.detail_weight);
 }
 
 void list(Fields& fields, DeleteStroke& edit)
 {
-    fields.field("associations", &edit.associations);
+    list(fields, edit.strokes);
 }
 
 Result<Scene> applied(Scene scene, DeleteStroke const& edit, LoadOptions const&)
 {
-    TRY(check_numbers(scene, edit.associations));
-    for (auto const number : each_once(edit.associations)) {
+    for (auto const number : TRY(find_strokes(scene, edit.strokes)))
         scene.associations.erase(number);
-        scene.places.erase(number);
-    }
     return scene;
 }
 
 std::string described(DeleteStroke const& edit)
 {
-    return fmt::format("takes stroke {} away", list_numbers(edit.associations));
+    return fmt::format("takes stroke {} away", names_of(edit.strokes));
 }
 
 void list(Fields& fields, EraseTips& edit)
 {
-    fields.field("associations", &edit.associations);
+    list(fields, edit.strokes);
     fields.field("ranges", &edit.ranges);
 }
 
 Result<Scene> applied(Scene scene, EraseTips const& edit, LoadOptions const&)
 {
     return with_changed_strokes(
-        std::move(scene), edit.associations, [&](Stroke const& drawn) -> Result<Stroke> {
+        std::move(scene), edit.strokes, [&](Stroke const& drawn) -> Result<Stroke> {
             auto const tips = TRY(drawn.tips.in_memory());
             auto const rest = TRY(erase_tips({ tips }, edit.ranges));
             return Stroke { { rest.tips.vector(),
@@ -205,8 +219,7 @@ std::string described(EraseTips const& edit)
     std::size_t count = 0;
     for (auto const& [first, last] : edit.ranges)
         count += last + 1 - first;
-    return fmt::format("erases {} of stroke {}", counted(count, "tip"),
-                       list_numbers(edit.associations));
+    return fmt::format("erases {} of stroke {}", counted(count, "tip"), names_of(edit.strokes));
 }
 
 } // namespace

@@ -3,6 +3,8 @@
 #include "engine/base/time.h"
 #include "engine/base/vectors.h"
 
+#include <optional>
+
 namespace tractus {
 
 // Where the pen's tip was at one instant.
@@ -13,6 +15,8 @@ struct TipSample {
     Timestamp time {}; // When the pen was there: the tablet's latency is already taken off.
     Vec3 position_mm = Vec3::Zero(); // World frame.
     double pressure = 0;             // 0 to 1; 1 while touching where the tablet measures none.
+    std::optional<Vec2> tilt_rad {}; // Of the pen from upright towards +x and towards +y of the
+                                     // world; no value where the tablet tells none.
     bool touching = false;           // The tip (or the eraser's end) is down.
     bool eraser = false;             // The eraser's end points at the tablet.
 

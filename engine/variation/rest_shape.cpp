@@ -70,6 +70,7 @@ RestShape find_rest_shape(Plant const& plant)
         for (auto const id : axes)
             find_axis_shape(plant, id, shape);
     });
+    shape.addresses = AddressIndex(plant);
     shape.drawing_order = axes_in_drawing_order(plant, shape.axis_length_mm);
     return shape;
 }

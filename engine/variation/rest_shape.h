@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/plant/branch_address.h"
 #include "engine/plant/plant.h"
 #include "engine/variation/axis_levels.h"
 
@@ -22,6 +23,7 @@ struct RestShape {
     std::vector<double> end_mm;         // From the axis' base along it to the segment's end.
     std::vector<double> axis_length_mm; // Per axis, along its segments.
     std::vector<AxisId> drawing_order;  // See axes_in_drawing_order().
+    AddressIndex addresses;             // Of what was drawn.
 };
 
 RestShape find_rest_shape(Plant const& plant);

@@ -60,6 +60,21 @@ TEST(Fuser, TakesBothLatenciesOff)
     EXPECT_EQ(tip->height_source, TipSample::HeightSource::Interpolated);
 }
 
+// A quarter turn of the tablet takes a pen that leans to the right away from the user.
+TEST(Fuser, TurnsThePensTiltWithTheTablet)
+{
+    auto rig = kRig;
+    rig.rotation_deg = 90;
+    Fuser fuser(rig);
+    fuser.push(height(8ms, 1000));
+    EXPECT_FALSE(fuser.push(pen(10ms))->tilt_rad) << "the tablet tells none";
+    auto leaning = pen(11ms);
+    leaning.tilt_rad = Vec2(0.4, 0.1);
+    auto const tip = fuser.push(leaning);
+    ASSERT_TRUE(tip && tip->tilt_rad);
+    EXPECT_NEAR((*tip->tilt_rad - Vec2(-0.1, 0.4)).norm(), 0, 1e-12);
+}
+
 TEST(Fuser, PutsTheTipInTheWorld)
 {
     auto rig = kRig;

@@ -69,8 +69,8 @@ TEST_F(DocumentTest, GivesAStrokeItsMeaningAfterAllEarlierOnes)
         document.draw(stroke_number(i));
     document.settle();
     auto const& associations = document.newest()->scene.associations;
-    EXPECT_NE(associations[0].path, associations[1].path);
-    EXPECT_NE(associations[1].path, associations[2].path);
+    EXPECT_NE(associations[0].what.path, associations[1].what.path);
+    EXPECT_NE(associations[1].what.path, associations[2].what.path);
 }
 
 TEST_F(DocumentTest, EveryStrokeIsSeenUntilItIsInTheScene)

@@ -2,6 +2,7 @@
 
 #include "tests/app/session/random_edits.h"
 #include "tests/app/session/same_edit.h"
+#include "tests/engine/scene/edits.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -34,7 +35,8 @@ RC_GTEST_PROP(LoggedStep, EditsComeBackBitForBit, ())
 
 TEST(LoggedStep, IsReadableByEye)
 {
-    auto const grown = words_for({ .status = "", .edits = { SmoothStroke { { 4 }, 0.5 } } }, 3);
+    auto const grown
+        = words_for({ .status = "", .edits = { SmoothStroke { numbered({ 4 }), 0.5 } } }, 3);
     EXPECT_EQ(grown.name, "step");
     EXPECT_EQ(grown.arguments,
               R"(3 [{"kind":"smooth_stroke","fields":{"associations":[4],"kept_hand":0.5},)"

@@ -171,7 +171,7 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     EXPECT_EQ(strokes[0].refusal, "");
     EXPECT_TRUE(same(scene.growth, drawn.growth));
     ASSERT_EQ(scene.associations.size(), 1u);
-    EXPECT_TRUE(same(scene.associations[0].stroke, drawn.associations[0].stroke));
+    EXPECT_TRUE(same(scene.associations[0].what.stroke, drawn.associations[0].what.stroke));
     fs::remove(path);
 }
 

@@ -5,6 +5,7 @@
 #include "tests/app/full_disk.h"
 #include "tests/app/session/same_edit.h"
 #include "tests/app/simple_rig.h"
+#include "tests/engine/scene/edits.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -56,9 +57,8 @@ private:
 
 std::ptrdiff_t strokes_in_memory(Scene const& scene)
 {
-    return std::count_if(
-        scene.associations.begin(), scene.associations.end(),
-        [](Association const& association) { return association.stroke.tips.is_in_memory(); });
+    return std::count_if(scene.associations.begin(), scene.associations.end(),
+                         [](auto const& drawn) { return drawn.what.stroke.tips.is_in_memory(); });
 }
 
 bool is_ink_of(Stroke const& stroke, InkLine const& shown)
@@ -84,16 +84,16 @@ TEST_F(LongDrawing, LeavesWhatIsKeptToTheFile)
 TEST_F(LongDrawing, ReadsStrokesBackThatCountAgain)
 {
     draw(1);
-    Stroke const first { scene().associations[0].stroke.tips.vector() };
+    Stroke const first { scene().associations[0].what.stroke.tips.vector() };
     draw(6); // Three branches: numbers 3 and 6 are the trunk's, too.
-    EXPECT_FALSE(scene().associations[0].stroke.tips.is_in_memory());
-    controller_.document().make(step_of({ DeleteStroke { { 3, 6 } } }));
+    EXPECT_FALSE(scene().associations[0].what.stroke.tips.is_in_memory());
+    controller_.document().make(step_of({ DeleteStroke { numbered({ 3, 6 }) } }));
     controller_.settle(station_, at_ms(now_ms_));
     ASSERT_EQ(scene().associations.size(), 5u);
     auto const& shown = controller_.view().state().strokes;
     ASSERT_EQ(shown.size(), 3u);
     EXPECT_TRUE(is_ink_of(first, shown[0]));
-    EXPECT_TRUE(same(scene().associations[0].stroke, first));
+    EXPECT_TRUE(same(scene().associations[0].what.stroke, first));
 }
 
 TEST_F(LongDrawing, ReadsAStrokeBackThatWasErasedInPart)
@@ -103,17 +103,17 @@ TEST_F(LongDrawing, ReadsAStrokeBackThatWasErasedInPart)
         controller_.settle(station_, at_ms(now_ms_));
     };
     draw(1);
-    auto const count = scene().associations[0].stroke.tips.size();
-    make(EraseTips { { 0 }, { { 3, 5 } } });
-    make(EraseTips { { 0 }, { { 0, 0 } } });
-    Stroke const rest { scene().associations[0].stroke.tips.vector() };
+    auto const count = scene().associations[0].what.stroke.tips.size();
+    make(EraseTips { numbered({ 0 }), { { 3, 5 } } });
+    make(EraseTips { numbered({ 0 }), { { 0, 0 } } });
+    Stroke const rest { scene().associations[0].what.stroke.tips.vector() };
     EXPECT_EQ(rest.tips.size(), count - 4);
     draw(6); // Three branches: numbers 3 and 6 are the trunk's, too.
-    EXPECT_FALSE(scene().associations[0].stroke.tips.is_in_memory());
-    make(DeleteStroke { { 3, 6 } });
+    EXPECT_FALSE(scene().associations[0].what.stroke.tips.is_in_memory());
+    make(DeleteStroke { numbered({ 3, 6 }) });
     ASSERT_EQ(controller_.view().state().strokes.size(), 3u);
     EXPECT_TRUE(is_ink_of(rest, controller_.view().state().strokes[0]));
-    EXPECT_TRUE(same(scene().associations[0].stroke, rest));
+    EXPECT_TRUE(same(scene().associations[0].what.stroke, rest));
 }
 
 TEST_F(LongDrawing, ShowsInkUntilTheStrokeIsInThePlant)

@@ -145,7 +145,7 @@ TEST(LiveWindow, LetsAMouseDrawWhereThereIsNothingElse)
     }
     advance_until(window, [&] { return !window.scene().indicators.empty(); });
     ASSERT_EQ(window.scene().indicators.size(), 1u);
-    auto const& indicator = window.scene().indicators[0];
+    auto const& indicator = window.scene().indicators[0].what;
     EXPECT_NEAR((indicator.start_mm - Vec3(-50, 20, 150)).norm(), 0, 0.3);
     EXPECT_NEAR((indicator.end_mm - Vec3(40, 20, 150)).norm(), 0, 0.3);
 }

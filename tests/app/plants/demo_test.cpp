@@ -53,7 +53,7 @@ TEST_P(Demo, SelectsTheBranchesThatItsScriptTraces)
         if (gesture.tool != GestureTool::Draw)
             continue;
         ASSERT_LT(association, scene.associations.size());
-        auto const& path = scene.associations[association++].path;
+        auto const& path = scene.associations[association++].what.path;
         EXPECT_EQ(axis_of(*scene.base, path.front()), traced);
         EXPECT_EQ(axis_of(*scene.base, path.back()), traced);
         EXPECT_GE(path.size() + 2, scene.base->axes[traced].segment_count); // All but its ends.

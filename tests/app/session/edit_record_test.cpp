@@ -2,6 +2,7 @@
 
 #include "tests/app/session/random_edits.h"
 #include "tests/app/session/same_edit.h"
+#include "tests/engine/scene/edits.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -47,16 +48,30 @@ TEST(EditRecord, IsReadableByEyeAndStaysAsItIs)
         record_of(Indicate { { .start_mm = { 0, 0.1, -0.0 }, .end_mm = { 1, 2, 3 } } }).fields,
         R"({"start_mm":[0.0,0.1,-0.0],"end_mm":[1.0,2.0,3.0],"kind":"push","below":[],)"
         R"("reach_mm":null,"is_orphaned":false})");
-    EXPECT_EQ(record_of(EraseTips { { 4, 5 }, { { 0, 2 }, { 9, 9 } } }).fields,
+    EXPECT_EQ(record_of(EraseTips { numbered({ 4, 5 }), { { 0, 2 }, { 9, 9 } } }).fields,
               R"({"associations":[4,5],"ranges":[[0,2],[9,9]]})");
-    auto const drawn = record_of(
-        Associate { { { { .time = timestamp_ns(258), .touching = true } } }, Propagation::Both });
+    Associate stroke;
+    stroke.propagation = Propagation::Both;
+    auto& tip = stroke.stroke.tips.own().emplace_back();
+    tip.time = timestamp_ns(258);
+    tip.touching = true;
+    auto const drawn = record_of(stroke);
     EXPECT_EQ(drawn.fields, R"({"propagation":"both","fit":"start","kept_hand":1.0})");
     std::string numbers(41, '\0');
     numbers[0] = 2;
     numbers[1] = 1;
     numbers[40] = 1;
     EXPECT_EQ(drawn.numbers, numbers);
+    Associate leaning;
+    leaning.id = 5;
+    leaning.stroke.tips.own().emplace_back().tilt_rad = Vec2(0, 2);
+    auto const tilted = record_of(leaning);
+    EXPECT_EQ(tilted.fields, R"({"propagation":"selected","fit":"start","kept_hand":1.0,"id":5})");
+    EXPECT_EQ(tilted.numbers, std::string(40, '\0') + '\x10' + std::string(15, '\0') + '\x40');
+    EXPECT_FALSE(edit_of({ "associate", "{}", tilted.numbers.substr(0, 56) }));
+    EXPECT_EQ(record_of(Select { .at = { { { 0, 1 }, { 0, 4 } } } }).fields,
+              R"({"at":[[[0,1],[0,4]]]})");
+    EXPECT_EQ(record_of(DeleteStroke { { .ids = { 7, 9 } } }).fields, R"({"strokes":[7,9]})");
     EXPECT_EQ(record_of(LoadModel { .source = { .name = "\xff.l" } }).fields.substr(0, 24),
               "{\"name\":{\"bytes\":\"\xc3\xbf.l\"}");
 }

@@ -48,6 +48,8 @@ inline Stroke random_stroke()
         tip.eraser = *rc::gen::arbitrary<bool>();
         tip.height_source = random_enum<TipSample::HeightSource>(2);
         tip.outside_calibration = *rc::gen::arbitrary<bool>();
+        if (*rc::gen::arbitrary<bool>())
+            tip.tilt_rad = Vec2(random_double(), random_double());
     }
     return stroke;
 }
@@ -104,6 +106,26 @@ inline LoadSkeleton random_skeleton()
     return edit;
 }
 
+inline ItemId random_id()
+{
+    return *rc::gen::arbitrary<ItemId>();
+}
+
+// By ids, or as sessions before format 4 say it.
+inline Items random_items()
+{
+    auto const numbers = *rc::gen::arbitrary<std::vector<std::uint64_t>>();
+    return *rc::gen::arbitrary<bool>() ? Items { .numbers = numbers } : Items { .ids = numbers };
+}
+
+inline std::vector<PathAddress> random_paths()
+{
+    std::vector<PathAddress> paths(*rc::gen::inRange<std::size_t>(0, 3));
+    for (auto& path : paths)
+        path = { *rc::gen::arbitrary<SegmentAddress>(), *rc::gen::arbitrary<SegmentAddress>() };
+    return paths;
+}
+
 // An edit of any kind with any values, whether or not a scene takes it.
 inline Edit random_edit()
 {
@@ -114,24 +136,26 @@ inline Edit random_edit()
     case 1:
         return random_skeleton();
     case 2:
-        return Select { *rc::gen::arbitrary<Selection>() };
+        return Select { *rc::gen::arbitrary<Selection>(), random_paths() };
     case 3:
         return Associate { random_stroke(), random_enum<Propagation>(3), random_enum<StrokeFit>(3),
-                           random_double() };
+                           random_double(), random_id() };
     case 4:
-        return Oversketch { numbers(), random_stroke() };
+        return Oversketch { random_items(), random_stroke() };
     case 5:
-        return SmoothStroke { numbers(), random_double() };
+        return SmoothStroke { random_items(), random_double() };
     case 6:
-        return DeleteStroke { numbers() };
+        return DeleteStroke { random_items() };
     case 7:
-        return Indicate { random_indicator() };
+        return Indicate { random_indicator(), *rc::gen::arbitrary<std::vector<SegmentAddress>>(),
+                          random_id() };
     case 8:
-        return ChangeIndicator { *rc::gen::arbitrary<std::size_t>(), random_indicator() };
+        return ChangeIndicator { random_id(), *rc::gen::arbitrary<std::uint64_t>(),
+                                 random_indicator() };
     case 9:
-        return DeleteIndicator { *rc::gen::arbitrary<std::size_t>() };
+        return DeleteIndicator { random_id(), *rc::gen::arbitrary<std::uint64_t>() };
     case 10: {
-        EraseTips edit { numbers(), {} };
+        EraseTips edit { random_items(), {} };
         for (auto const number : numbers())
             edit.ranges.push_back({ number, *rc::gen::arbitrary<std::size_t>() });
         return edit;

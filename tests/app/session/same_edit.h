@@ -32,6 +32,9 @@ inline bool same(Stroke const& one, Stroke const& other)
         auto const& b = other.tips[i];
         if (a.time != b.time || !same(a.position_mm, b.position_mm) || !same(a.pressure, b.pressure)
             || a.touching != b.touching || a.eraser != b.eraser
+            || a.tilt_rad.has_value() != b.tilt_rad.has_value()
+            || (a.tilt_rad && !same(a.tilt_rad->x(), b.tilt_rad->x()))
+            || (a.tilt_rad && !same(a.tilt_rad->y(), b.tilt_rad->y()))
             || a.height_source != b.height_source || a.outside_calibration != b.outside_calibration)
             return false;
     }
@@ -84,50 +87,57 @@ inline bool same(LoadSkeleton const& one, LoadSkeleton const& other)
     return true;
 }
 
+inline bool same(Items const& one, Items const& other)
+{
+    return one.ids == other.ids && one.numbers == other.numbers;
+}
+
 inline bool same(Select const& one, Select const& other)
 {
-    return one.paths == other.paths;
+    return one.paths == other.paths && one.at == other.at;
 }
 
 inline bool same(Associate const& one, Associate const& other)
 {
     return same(one.stroke, other.stroke) && one.propagation == other.propagation
-        && one.fit == other.fit && same(one.detail_weight, other.detail_weight);
+        && one.fit == other.fit && same(one.detail_weight, other.detail_weight)
+        && one.id == other.id;
 }
 
 inline bool same(Oversketch const& one, Oversketch const& other)
 {
-    return one.associations == other.associations && same(one.over, other.over);
+    return same(one.strokes, other.strokes) && same(one.over, other.over);
 }
 
 inline bool same(SmoothStroke const& one, SmoothStroke const& other)
 {
-    return one.associations == other.associations && same(one.detail_weight, other.detail_weight);
+    return same(one.strokes, other.strokes) && same(one.detail_weight, other.detail_weight);
 }
 
 inline bool same(DeleteStroke const& one, DeleteStroke const& other)
 {
-    return one.associations == other.associations;
+    return same(one.strokes, other.strokes);
 }
 
 inline bool same(EraseTips const& one, EraseTips const& other)
 {
-    return one.associations == other.associations && one.ranges == other.ranges;
+    return same(one.strokes, other.strokes) && one.ranges == other.ranges;
 }
 
 inline bool same(Indicate const& one, Indicate const& other)
 {
-    return same(one.indicator, other.indicator);
+    return same(one.indicator, other.indicator) && one.below == other.below && one.id == other.id;
 }
 
 inline bool same(ChangeIndicator const& one, ChangeIndicator const& other)
 {
-    return one.number == other.number && same(one.indicator, other.indicator);
+    return one.which == other.which && one.number == other.number
+        && same(one.indicator, other.indicator);
 }
 
 inline bool same(DeleteIndicator const& one, DeleteIndicator const& other)
 {
-    return one.number == other.number;
+    return one.which == other.which && one.number == other.number;
 }
 
 inline bool same(SetGrowth const& one, SetGrowth const& other)

@@ -1,6 +1,7 @@
 #include "app/session/session_history.h"
 
 #include "tests/app/session/small_session.h"
+#include "tests/engine/scene/edits.h"
 
 #include <rapidcheck/gtest.h>
 
@@ -51,12 +52,12 @@ std::vector<Edit> erasing_step(Scene const& scene)
     if (scene.associations.empty())
         return drawing_step(1);
     auto const number = *rc::gen::inRange<std::size_t>(0, scene.associations.size());
-    auto const count = scene.associations[number].stroke.tips.size();
+    auto const count = scene.associations[number].what.stroke.tips.size();
     if (count < 3)
         return drawing_step(2);
     auto const erased = *rc::gen::inRange<std::size_t>(1, count - 1);
     auto const first = *rc::gen::inRange<std::size_t>(0, count - erased + 1);
-    return { EraseTips { { number }, { { first, first + erased - 1 } } } };
+    return { EraseTips { numbered({ number }), { { first, first + erased - 1 } } } };
 }
 
 // A step that the scene, of the small model, takes.
@@ -161,7 +162,8 @@ TEST(SessionHistory, GoesOnWithoutAStepThatCannotBeMade)
     SetGrowth const seven { {}, 7 };
     SetGrowth const eight { {}, 8 };
     auto const history
-        = Steps({ { small_model() }, { seven }, { eight, DeleteIndicator { 3 } } }).history();
+        = Steps({ { small_model() }, { seven }, { eight, DeleteIndicator { .number = 3 } } })
+              .history();
     ASSERT_TRUE(history) << history.error().message;
     EXPECT_EQ(history->scene().growth.seed, 7u) << "all of a step, or nothing";
     EXPECT_EQ(history->last_step(), 2u);

@@ -223,6 +223,33 @@ TEST_F(SessionRepair, NamesWhatIsLostAndGoesOnWithoutIt)
     EXPECT_EQ(session->last_step(), 120u);
 }
 
+// The edits before stroke 20 are numbered anew when one of them is lost, also those of an older
+// session, which have no ids.
+TEST_F(SessionRepair, WhatIsLeftKeepsItsName)
+{
+    Anchored<Association> erased;
+    {
+        auto session = open().value();
+        erased = session.scene().associations[20];
+        ASSERT_TRUE(
+            session.append(std::vector<Edit> { DeleteStroke { { .ids = { erased.id } } } }));
+    }
+    auto salvaged = salvage_session(path()).value();
+    for (auto& row : salvaged.rows)
+        if (auto const edit = edit_of(row.record).value();
+            auto const* const drawn = edit.get<Associate>()) {
+            auto without_id = *drawn;
+            without_id.id = 0;
+            row.record = record_of(without_id);
+        }
+    salvaged.rows.erase(salvaged.rows.begin() + 10, salvaged.rows.begin() + 12);
+    ASSERT_TRUE(write_repaired(salvaged, {}, path("new.tractus")));
+    auto const session = open("new.tractus").value();
+    EXPECT_EQ(session.scene().associations.size(), 118u);
+    for (auto const& [id, association, at] : session.scene().associations)
+        EXPECT_NE(association.stroke.tips.front().time, erased.what.stroke.tips.front().time);
+}
+
 TEST_F(SessionRepair, TakesAnotherPlantInThePlaceOfALostOne)
 {
     auto salvaged = salvage_session(path()).value();
@@ -245,7 +272,7 @@ TEST_F(SessionRepair, AStrokeThatCannotBeReadIsReadAgain)
     SharedVector<TipSample> tips;
     {
         auto const session = open().value();
-        tips = session.scene().associations[0].stroke.tips.parked();
+        tips = session.scene().associations[0].what.stroke.tips.parked();
     }
     std::filesystem::rename(path(), path("away.tractus"));
     auto const failed = tips.in_memory();

@@ -1,6 +1,7 @@
 #include "app/session/session.h"
 
 #include "tests/app/session/small_session.h"
+#include "tests/engine/scene/edits.h"
 
 #include <cstdlib>
 
@@ -68,7 +69,8 @@ TEST_F(SessionTest, AStrokeAfterUndoReplacesWhatWasUndone)
     }
     auto const session = open().value();
     ASSERT_EQ(session.scene().associations.size(), 2u);
-    EXPECT_NEAR(session.scene().associations[1].stroke.tips.back().position_mm.x(), 70.7, 1e-9);
+    EXPECT_NEAR(session.scene().associations[1].what.stroke.tips.back().position_mm.x(), 70.7,
+                1e-9);
     EXPECT_EQ(read_session(path()).value().edits.size(), 6u);
 }
 
@@ -76,7 +78,7 @@ TEST_F(SessionTest, AStepThatIsRefusedChangesNothing)
 {
     auto session = create().value();
     ASSERT_TRUE(session.append(drawing_step(1)));
-    EXPECT_FALSE(session.append(std::vector<Edit> { Select {}, DeleteIndicator { 9 } }));
+    EXPECT_FALSE(session.append(std::vector<Edit> { Select {}, DeleteIndicator { .number = 9 } }));
     EXPECT_EQ(session.scene().selection.size(), 1u);
     EXPECT_EQ(read_session(path()).value().edits.size(), 4u);
     ASSERT_TRUE(session.append({}));
@@ -140,7 +142,8 @@ TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
             EXPECT_EQ(session.scene().associations.size(), 3u);
             EXPECT_EQ(read_session(path(name)).value().edits.back().made.time_since_epoch().count(),
                       made);
-            ASSERT_TRUE(session.append(std::vector<Edit> { EraseTips { { 2 }, { { 0, 3 } } } }));
+            ASSERT_TRUE(
+                session.append(std::vector<Edit> { EraseTips { numbered({ 2 }), { { 0, 3 } } } }));
         }
         EXPECT_EQ(file_count(), count_before + 2);
         auto const format = [&](std::string const& file) {
@@ -158,10 +161,11 @@ TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
 
 TEST_F(SessionTest, KeepsAStrokeThatIsErasedInPart)
 {
-    auto const tips
-        = [](Session const& session) { return session.scene().associations[0].stroke.tips.size(); };
-    std::vector<Edit> const middle { EraseTips { { 0 }, { { 3, 5 } } } };
-    std::vector<Edit> const end { EraseTips { { 0 }, { { 6, 7 } } } };
+    auto const tips = [](Session const& session) {
+        return session.scene().associations[0].what.stroke.tips.size();
+    };
+    std::vector<Edit> const middle { EraseTips { numbered({ 0 }), { { 3, 5 } } } };
+    std::vector<Edit> const end { EraseTips { numbered({ 0 }), { { 6, 7 } } } };
     {
         auto session = create().value();
         ASSERT_TRUE(session.append(drawing_step(1)));

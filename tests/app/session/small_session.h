@@ -50,14 +50,14 @@ inline bool same_scene(Scene const& one, Scene const& other)
         && one.associations.size() == other.associations.size()
         && one.indicators.size() == other.indicators.size();
     for (std::size_t i = 0; equal && i < one.associations.size(); ++i) {
-        auto const& a = one.associations[i];
-        auto const& b = other.associations[i];
-        equal = a.path == b.path && same(a.stroke, b.stroke) && a.propagation == b.propagation
-            && a.fit == b.fit && same(a.detail_weight, b.detail_weight)
-            && a.is_orphaned == b.is_orphaned;
+        auto const& a = one.associations[i].what;
+        auto const& b = other.associations[i].what;
+        equal = one.associations[i].id == other.associations[i].id && a.path == b.path
+            && same(a.stroke, b.stroke) && a.propagation == b.propagation && a.fit == b.fit
+            && same(a.detail_weight, b.detail_weight) && a.is_orphaned == b.is_orphaned;
     }
     for (std::size_t i = 0; equal && i < one.indicators.size(); ++i)
-        equal = same(one.indicators[i], other.indicators[i]);
+        equal = same(one.indicators[i].what, other.indicators[i].what);
     return equal;
 }
 

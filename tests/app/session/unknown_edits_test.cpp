@@ -92,6 +92,17 @@ TEST_F(UnknownEditsTest, AreNamed)
               "this tractus: a newer one has written it");
 }
 
+// Whoever knows the unknown edits counts them: so the ids of what is drawn later are the same to
+// both.
+TEST_F(UnknownEditsTest, AreCountedForTheIdsOfLaterStrokes)
+{
+    auto const session = open().value();
+    EXPECT_EQ(session.scene().associations[0].id, item_id(4, 0));
+    EXPECT_EQ(session.scene().associations[1].id, item_id(9, 0)) << "of edit 9 in the file";
+    auto const contents = read_session(path()).value();
+    EXPECT_EQ(contents.edits[8].edit.get<Associate>()->id, item_id(9, 0));
+}
+
 TEST_F(UnknownEditsTest, UndoAndRedoGoOnAroundThem)
 {
     auto session = open().value();

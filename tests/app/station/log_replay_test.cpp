@@ -21,10 +21,10 @@ TEST(LogReplay, DoesWhatTheHandDid)
     auto const log = recorded_log();
     auto const [counts, scene, strokes] = replayed(log);
     ASSERT_EQ(scene.associations.size(), 1u);
-    EXPECT_EQ(scene.associations[0].path, segments_of(scene.base->axes[0]));
-    EXPECT_EQ(scene.associations[0].propagation, Propagation::Both);
+    EXPECT_EQ(scene.associations[0].what.path, segments_of(scene.base->axes[0]));
+    EXPECT_EQ(scene.associations[0].what.propagation, Propagation::Both);
     ASSERT_EQ(scene.indicators.size(), 1u);
-    EXPECT_NEAR((scene.indicators[0].end_mm - Vec3(30, 0, 110)).norm(), 0, 3);
+    EXPECT_NEAR((scene.indicators[0].what.end_mm - Vec3(30, 0, 110)).norm(), 0, 3);
     EXPECT_EQ(counts.reports, log.records.size());
     EXPECT_EQ(counts.broken_reports, 0u);
 }

@@ -175,8 +175,8 @@ TEST(StationTools, ErasesWithThePensOtherEndAsItDidLast)
     auto const replayed = drawn_and_erased(recorded);
     ASSERT_EQ(replayed.scene().associations.size(), live.scene().associations.size());
     for (std::size_t i = 0; i < live.scene().associations.size(); ++i) {
-        auto const& one = live.scene().associations[i].stroke.tips;
-        auto const& other = replayed.scene().associations[i].stroke.tips;
+        auto const& one = live.scene().associations[i].what.stroke.tips;
+        auto const& other = replayed.scene().associations[i].what.stroke.tips;
         ASSERT_EQ(one.size(), other.size());
         for (std::size_t tip = 0; tip < one.size(); ++tip)
             EXPECT_EQ(one[tip].position_mm, other[tip].position_mm);

@@ -4,6 +4,7 @@
 #include "engine/plant/join_axes.h"
 #include "tests/app/document/step_of.h"
 #include "tests/app/simple_rig.h"
+#include "tests/engine/scene/edits.h"
 
 #include <gtest/gtest.h>
 
@@ -62,7 +63,7 @@ TEST(StationView, PreviewsWhatTheStrokeWillBe)
     auto const lines
         = StrokePreview().moved_by({ std::make_shared<Scene const>(small_scene()),
                                      { Tool::Kind::DrawInOrder },
-                                     station.scene().associations[0].stroke.tips.vector(),
+                                     station.scene().associations[0].what.stroke.tips.vector(),
                                      9 });
     ASSERT_FALSE(lines.empty());
     for (std::size_t i = 0; i < preview.size(); ++i)
@@ -119,8 +120,9 @@ TEST(StationView, ShowsAStrokeOfSeveralBranchesTwiceOnlyWhereTheyDiffer)
         return StationView(station, station.document()).state().strokes.size();
     };
     EXPECT_EQ(shown(scene), 1u);
-    EXPECT_EQ(shown(apply_edit(scene, EraseTips { { 0, 1 }, { { 9, 10 } } }).value()), 1u);
-    EXPECT_EQ(shown(apply_edit(scene, EraseTips { { 1 }, { { 9, 10 } } }).value()), 2u);
+    EXPECT_EQ(shown(apply_edit(scene, EraseTips { numbered({ 0, 1 }), { { 9, 10 } } }).value()),
+              1u);
+    EXPECT_EQ(shown(apply_edit(scene, EraseTips { numbered({ 1 }), { { 9, 10 } } }).value()), 2u);
 }
 
 // A trunk of so many segments that bear a branch each, which bears a twig of a hundred.
@@ -155,7 +157,7 @@ TEST(StationView, ListsWhatHasLostItsBranch)
     station.document().make(step_of({ bare }));
     view.show(station, station.document());
     ASSERT_EQ(view.state().orphans.size(), 1u);
-    EXPECT_EQ(view.state().orphans[0].name, "stroke 1");
+    EXPECT_EQ(view.state().orphans[0].name, "stroke 3") << "the third edit's";
     EXPECT_EQ(view.state().orphans[0].place, "up to segment 3 of stem 1");
     auto const edits_away = edits_without_orphans(station.scene());
     ASSERT_EQ(edits_away.size(), 1u);

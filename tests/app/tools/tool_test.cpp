@@ -3,6 +3,7 @@
 #include "app/document/draw.h"
 #include "engine/plant/join_axes.h"
 #include "tests/app/small_model.h"
+#include "tests/engine/scene/edits.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -56,7 +57,7 @@ TEST(SelectTool, SelectsTheAxisThatThePenFollows)
     auto const edits = edits_of({ Tool::Kind::Select }, stroke, scene);
     ASSERT_TRUE(edits) << edits.error().message;
     ASSERT_EQ(edits->size(), 1u);
-    EXPECT_EQ((*edits)[0].get<Select>()->paths, Selection { segments_of(scene.base->axes[0]) });
+    EXPECT_EQ(after(*edits, scene).selection, Selection { segments_of(scene.base->axes[0]) });
 }
 
 TEST(SelectTool, SaysThatAStrokeWentBesideThePlant)
@@ -96,7 +97,7 @@ TEST(DrawInOrderTool, ShapesTheTrunkFirstAndThenTheLongestBranch)
         auto const edits = edits_of({ Tool::Kind::DrawInOrder }, stroke, scene).value();
         for (auto const& edit : edits)
             scene = apply_edit(scene, edit).value();
-        drawn.push_back(axis_of(*scene.base, edits[0].get<Select>()->paths[0][0]));
+        drawn.push_back(axis_of(*scene.base, scene.selection[0][0]));
     }
     auto const order = axes_in_drawing_order(*scene.base);
     EXPECT_EQ(drawn, (std::vector<AxisId> { order[0], order[1], order[2], order[0] }));
@@ -110,7 +111,7 @@ Selection selection_by(Selecting selecting, Stroke const& stroke, Scene const& s
     auto const edits
         = edits_of({ .kind = Tool::Kind::Select, .selecting = selecting }, stroke, scene);
     EXPECT_TRUE(edits) << edits.error().message;
-    return edits ? (*edits)[0].get<Select>()->paths : Selection {};
+    return edits ? after(*edits, scene).selection : Selection {};
 }
 
 TEST(Tool, KnowsAllItsArguments)
@@ -171,7 +172,7 @@ TEST(IndicateTool, MayActOnTheSelectedBranchOrNearTheStroke)
     EXPECT_FALSE(edits_of(below, stroke, scene));
     scene.selection = { segments_of(scene.base->axes[1]) };
     auto const edits = edits_of(below, stroke, scene).value();
-    EXPECT_EQ(edits[0].get<Indicate>()->indicator.below,
+    EXPECT_EQ(after(edits, scene).indicators[0].what.below,
               std::vector<SegmentId> { scene.base->axes[1].first_segment });
     auto const near = edits_of(parse_tool("indicate", "near light").value(), stroke, scene).value();
     EXPECT_NEAR(*near[0].get<Indicate>()->indicator.reach_mm, std::hypot(80, 20), 1e-9);
@@ -181,12 +182,12 @@ TEST(IndicateTool, MayActOnTheSelectedBranchOrNearTheStroke)
 TEST(IndicatorTools, MoveAndDeleteTheOneWhereTheyBegin)
 {
     auto scene = small_scene();
-    scene.indicators = { { .start_mm = { 0, 0, 100 }, .end_mm = { 100, 0, 100 } } };
-    scene.indicator_places.resize(1);
+    scene.indicators
+        = { { item_id(1, 0), { .start_mm = { 0, 0, 100 }, .end_mm = { 100, 0, 100 } } } };
     auto const move = stroke_through({ { 50, 5, 100 }, { 50, 5, 160 } });
     auto const moved = edits_of({ Tool::Kind::MoveIndicator }, move, scene).value();
     scene = apply_edit(scene, moved[0]).value();
-    EXPECT_EQ(scene.indicators[0].start_mm, Vec3(0, 0, 160));
+    EXPECT_EQ(scene.indicators[0].what.start_mm, Vec3(0, 0, 160));
     EXPECT_FALSE(edits_of({ Tool::Kind::DeleteIndicator }, move, scene)); // It begins beside it.
     auto const there = stroke_through({ { 90, 0, 161 }, { 95, 0, 161 } });
     scene = apply_edit(scene, edits_of({ Tool::Kind::DeleteIndicator }, there, scene).value()[0])
@@ -205,9 +206,9 @@ TEST(StrokeTools, EditTheStrokesOfTheSelectedBranch)
     EXPECT_TRUE(
         draw(stroke_through({ { 0, 0, 50 }, { 60, 0, 90 } }), { Tool::Kind::Oversketch }, scene)
             .refusal.empty());
-    EXPECT_EQ(scene.associations[0].stroke.tips.back().position_mm, Vec3(60, 0, 90));
+    EXPECT_EQ(scene.associations[0].what.stroke.tips.back().position_mm, Vec3(60, 0, 90));
     EXPECT_TRUE(draw(up, { Tool::Kind::Smooth }, scene).refusal.empty());
-    EXPECT_EQ(scene.associations[0].detail_weight, 0);
+    EXPECT_EQ(scene.associations[0].what.detail_weight, 0);
     EXPECT_TRUE(draw(up, { Tool::Kind::Delete }, scene).refusal.empty());
     EXPECT_TRUE(scene.associations.empty());
     EXPECT_FALSE(draw(up, { Tool::Kind::Delete }, scene).refusal.empty());
@@ -239,7 +240,7 @@ TEST(EraseTool, TakesTheTopmostStrokeAsAWhole)
     auto const over = stroke_through({ { 0, -30, 100 }, { 0, -1, 100 }, { 0, 30, 100 } });
     auto const edits = edits_of({ Tool::Kind::Erase }, over, scene).value();
     ASSERT_EQ(edits.size(), 1u);
-    EXPECT_EQ(edits[0].get<DeleteStroke>()->associations, (std::vector<std::size_t> { 1, 2 }));
+    EXPECT_EQ(edits[0].get<DeleteStroke>()->strokes.ids, ids_of(scene, { 1, 2 }));
 }
 
 TEST(EraseTool, DoesNotReachWhatIsAboveTheSurface)
@@ -247,12 +248,12 @@ TEST(EraseTool, DoesNotReachWhatIsAboveTheSurface)
     auto const scene = scene_with_two_strokes();
     auto const over = stroke_through({ { 0, -1, 40 }, { 0, 1, 40 } });
     auto const edits = edits_of({ Tool::Kind::Erase }, over, scene).value();
-    EXPECT_EQ(edits[0].get<DeleteStroke>()->associations, (std::vector<std::size_t> { 0 }));
+    EXPECT_EQ(edits[0].get<DeleteStroke>()->strokes.ids, ids_of(scene, { 0 }));
     auto const below = stroke_through({ { 0, -1, 10 }, { 0, 1, 10 } });
     EXPECT_FALSE(edits_of({ Tool::Kind::Erase }, below, scene));
 }
 
-TEST(EraseTool, TakesIndicatorsFromTheLastOneOn)
+TEST(EraseTool, TakesAllIndicatorsThatItRunsOver)
 {
     auto scene = small_scene();
     for (double const x : { -20.0, 0.0, 20.0 })
@@ -262,8 +263,9 @@ TEST(EraseTool, TakesIndicatorsFromTheLastOneOn)
     auto const over = stroke_through({ { -30, 0, 10 }, { -20, 0, 10 }, { -1, 0, 10 } });
     auto const edits = edits_of({ Tool::Kind::Erase }, over, scene).value();
     ASSERT_EQ(edits.size(), 2u);
-    EXPECT_EQ(edits[0].get<DeleteIndicator>()->number, 1u);
-    EXPECT_EQ(edits[1].get<DeleteIndicator>()->number, 0u);
+    auto const left = after(edits, scene);
+    ASSERT_EQ(left.indicators.size(), 1u);
+    EXPECT_EQ(left.indicators[0].id, scene.indicators[2].id);
 }
 
 TEST(EraseTool, IsTheOtherEndOfThePen)
@@ -307,7 +309,7 @@ std::vector<TipRange> erased(Scene const& scene, std::vector<Vec3> const& way_mm
         ADD_FAILURE() << "it is not one edit that erases tips";
         return {};
     }
-    EXPECT_EQ(edits->front().get<EraseTips>()->associations, (std::vector<std::size_t> { 0 }));
+    EXPECT_EQ(edits->front().get<EraseTips>()->strokes.ids, ids_of(scene, { 0 }));
     return edits->front().get<EraseTips>()->ranges;
 }
 
@@ -331,7 +333,7 @@ TEST(ErasePartTool, ShapesTheBranchByWhatIsLeft)
     auto scene = scene_with(level_stroke());
     auto const drawn = draw(stroke_through({ { 0.5, 0, 30 }, { 60, 0, 30 } }), kErasePart, scene);
     ASSERT_EQ(drawn.refusal, "");
-    auto const& tips = scene.associations[0].stroke.tips;
+    auto const& tips = scene.associations[0].what.stroke.tips;
     EXPECT_EQ(tips.size(), 47u);
     EXPECT_NEAR(tips.back().position_mm.x(), -4, 1e-9);
     // What the person sees now is what is erased next.
@@ -346,7 +348,7 @@ TEST(ErasePartTool, TakesAStrokeWholeOfWhichNothingIsLeftThatShapes)
         auto const over = stroke_through({ { -60, 0, 30 }, { end_mm, 0, 30 } });
         auto const edits = edits_of(kErasePart, over, scene).value();
         ASSERT_EQ(edits.size(), 1u);
-        EXPECT_EQ(edits[0].get<DeleteStroke>()->associations, (std::vector<std::size_t> { 0 }));
+        EXPECT_EQ(edits[0].get<DeleteStroke>()->strokes.ids, ids_of(scene, { 0 }));
     }
     // Without its end the loop has no chord, by which it is fitted.
     Stroke loop;
@@ -372,12 +374,12 @@ TEST(ErasePartTool, TakesTheSameOfAllBranchesOfTheTopmostStroke)
         = draw(stroke_through({ { -20, -30, 100 }, { -20, 30, 100 } }), kErasePart, scene);
     ASSERT_EQ(drawn.edits.size(), 1u);
     auto const& edit = *drawn.edits[0].get<EraseTips>();
-    EXPECT_EQ(edit.associations, (std::vector<std::size_t> { 1, 2 }));
+    EXPECT_EQ(edit.strokes.ids, ids_of(scene, { 1, 2 }));
     EXPECT_EQ(edit.ranges, (std::vector<TipRange> { { 3, 3 } }));
     ASSERT_EQ(scene.associations.size(), 3u);
-    EXPECT_EQ(scene.associations[0].stroke.tips.size(), 11u) << "it lies below";
-    EXPECT_EQ(scene.associations[1].stroke.tips.size(), 10u);
-    EXPECT_EQ(scene.associations[2].stroke.tips.size(), 10u);
+    EXPECT_EQ(scene.associations[0].what.stroke.tips.size(), 11u) << "it lies below";
+    EXPECT_EQ(scene.associations[1].what.stroke.tips.size(), 10u);
+    EXPECT_EQ(scene.associations[2].what.stroke.tips.size(), 10u);
 }
 
 TEST(ErasePartTool, DoesNotDigBelowItselfIntoAStrokeThatWasDrawnUpwards)

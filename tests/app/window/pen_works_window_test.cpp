@@ -180,7 +180,7 @@ TEST_F(PenWorksWindow, ChoosesAToolInTheRingAndDrawsWithIt)
     EXPECT_EQ(window.state().hand.kind, Tool::Kind::Indicate);
     ASSERT_EQ(window.station().counts().strokes, 1u) << "what presses draws nothing";
     ASSERT_EQ(window.scene().indicators.size(), 1u);
-    auto const& indicator = window.scene().indicators[0];
+    auto const& indicator = window.scene().indicators[0].what;
     EXPECT_NEAR(indicator.start_mm.x(), (350 - 500) / kPxPerMm, 0.1);
     EXPECT_NEAR(indicator.start_mm.y(), (280 - 195) / kPxPerMm, 0.1);
     EXPECT_NEAR(indicator.end_mm.x(), (600 - 500) / kPxPerMm, 0.1);
@@ -229,7 +229,8 @@ TEST_F(PenWorksWindow, RecordsWhatReplaysTheSame)
     auto const replay = replayed(log, options);
     auto const& again = replay.scene.indicators;
     ASSERT_EQ(again.size(), 1u);
-    EXPECT_LT((again[0].start_mm - window.scene().indicators.at(0).start_mm).norm(), 1e-9);
+    EXPECT_LT((again[0].what.start_mm - window.scene().indicators.at(0).what.start_mm).norm(),
+              1e-9);
     EXPECT_EQ(replay.strokes.size(), 1u);
 }
 
@@ -249,7 +250,7 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
     EXPECT_EQ(window.state().erasing, Tool::Erasing::Part);
     ASSERT_EQ(window.station().counts().strokes, 3u);
     ASSERT_EQ(window.scene().associations.size(), 1u);
-    auto const& tips = window.scene().associations[0].stroke.tips;
+    auto const& tips = window.scene().associations[0].what.stroke.tips;
     EXPECT_NEAR(tips.front().position_mm.x(), -36,
                 0.1); // A tip every 4 mm.
     EXPECT_NEAR(tips.back().position_mm.x(), 36, 0.1);
@@ -259,7 +260,8 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
     options.height = parse_height_scenario("100").value();
     auto const scene = replayed(log, options).scene;
     ASSERT_EQ(scene.associations.size(), 1u);
-    EXPECT_TRUE(same(scene.associations[0].stroke, window.scene().associations[0].stroke));
+    EXPECT_TRUE(
+        same(scene.associations[0].what.stroke, window.scene().associations[0].what.stroke));
 }
 
 // A table whose height sensor nobody has calibrated yet, and a person without keyboard and mouse.

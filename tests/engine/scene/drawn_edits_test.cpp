@@ -3,6 +3,7 @@
 #include "engine/plant/join_axes.h"
 #include "engine/plant/skeleton_lines.h"
 #include "engine/variation/growth.h"
+#include "tests/engine/scene/edits.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -34,17 +35,6 @@ Stroke stroke_to(Vec3 const& end)
     return stroke;
 }
 
-Scene after(std::vector<Edit> const& edits, Scene scene = {})
-{
-    for (auto const& edit : edits) {
-        auto next = apply_edit(scene, edit);
-        EXPECT_TRUE(next) << next.error().message;
-        if (next)
-            scene = *std::move(next);
-    }
-    return scene;
-}
-
 // The branch is selected and drawn.
 Scene drawn_branch()
 {
@@ -68,11 +58,11 @@ TEST(DrawnEdits, AStrokeIsOrphanedWithItsBranchAndFoundAgain)
 
     auto const without = after({ model(false) }, scene);
     ASSERT_EQ(without.associations.size(), 1u);
-    EXPECT_TRUE(without.associations[0].is_orphaned);
+    EXPECT_TRUE(without.associations[0].what.is_orphaned);
     EXPECT_EQ(plant_of(without).node_position_mm.size(), 7u);
 
     auto const again = after({ model(true) }, without);
-    EXPECT_FALSE(again.associations[0].is_orphaned);
+    EXPECT_FALSE(again.associations[0].what.is_orphaned);
     EXPECT_EQ(plant_of(again).node_position_mm, drawn.node_position_mm);
     EXPECT_TRUE(after({ model(true, false, Drawn::Forget) }, scene).associations.empty());
 }
@@ -80,9 +70,9 @@ TEST(DrawnEdits, AStrokeIsOrphanedWithItsBranchAndFoundAgain)
 TEST(DrawnEdits, AStrokeStaysWithItsBranchWhenOthersCome)
 {
     auto const scene = after({ model(true, true) }, drawn_branch());
-    ASSERT_FALSE(scene.associations[0].is_orphaned);
+    ASSERT_FALSE(scene.associations[0].what.is_orphaned);
     // The new branch comes first now; the stroke is still on the one of two internodes.
-    auto const path = scene.associations[0].path;
+    auto const path = scene.associations[0].what.path;
     ASSERT_EQ(path.size(), 2u);
     EXPECT_EQ(scene.base->axes[axis_of(*scene.base, path[0])].segment_count, 2u);
 }
@@ -94,13 +84,13 @@ TEST(DrawnEdits, AnIndicatorOnABranchIsOrphanedToo)
         { Indicate { { .end_mm = { 0, 100, 0 }, .below = { scene.selection[0].front() } } } },
         scene);
     auto const without = after({ model(false) }, scene);
-    EXPECT_TRUE(without.indicators[0].is_orphaned);
+    EXPECT_TRUE(without.indicators[0].what.is_orphaned);
     for (auto const& node : plant_of(without).node_position_mm) // It does not act on everything.
         EXPECT_EQ(node.y(), 0);
-    auto const moved
-        = after({ ChangeIndicator { 0, without.indicators[0] }, model(true) }, without);
-    EXPECT_FALSE(moved.indicators[0].is_orphaned);
-    EXPECT_EQ(moved.indicators[0].below, scene.indicators[0].below);
+    auto const moved = after(
+        { ChangeIndicator { .indicator = without.indicators[0].what }, model(true) }, without);
+    EXPECT_FALSE(moved.indicators[0].what.is_orphaned);
+    EXPECT_EQ(moved.indicators[0].what.below, scene.indicators[0].what.below);
 }
 
 TEST(DrawnEdits, TakingAStrokeAwayBringsTheEarlierBack)
@@ -110,11 +100,10 @@ TEST(DrawnEdits, TakingAStrokeAwayBringsTheEarlierBack)
     EXPECT_EQ(selected_associations(second), (std::vector<std::size_t> { 1 }))
         << "the earlier one shapes nothing now";
     EXPECT_NE(plant_of(second).node_position_mm, plant_of(first).node_position_mm);
-    auto const back = after({ DeleteStroke { { 1 } } }, second);
+    auto const back = after({ DeleteStroke { numbered({ 1 }) } }, second);
     EXPECT_EQ(plant_of(back).node_position_mm, plant_of(first).node_position_mm);
-    auto const none = after({ DeleteStroke { { 1, 0, 1 } } }, second);
+    auto const none = after({ DeleteStroke { numbered({ 1, 0, 1 }) } }, second);
     EXPECT_TRUE(none.associations.empty());
-    EXPECT_TRUE(none.places.empty());
 }
 
 TEST(DrawnEdits, RedrawingAPartMovesThePlant)
@@ -125,33 +114,33 @@ TEST(DrawnEdits, RedrawingAPartMovesThePlant)
         over.tips.push_back({ .time = timestamp_ns(i * 5'000'000),
                               .position_mm = Vec3(15, 10, 75) + i * Vec3(-5, 2, 0),
                               .touching = true });
-    auto const redrawn = after({ Oversketch { { 0 }, over } }, scene);
-    EXPECT_GT(redrawn.associations[0].stroke.tips.size(), 30u);
+    auto const redrawn = after({ Oversketch { numbered({ 0 }), over } }, scene);
+    EXPECT_GT(redrawn.associations[0].what.stroke.tips.size(), 30u);
     EXPECT_GT((plant_of(redrawn).node_position_mm.back() - plant_of(scene).node_position_mm.back())
                   .norm(),
               1);
     for (auto& tip : over.tips.own())
         tip.position_mm.x() += 500;
-    EXPECT_FALSE(apply_edit(scene, Oversketch { { 0 }, over }));
+    EXPECT_FALSE(apply_edit(scene, Oversketch { numbered({ 0 }), over }));
 }
 
 TEST(DrawnEdits, SmoothingTakesTheHandOut)
 {
-    auto const scene = after({ SmoothStroke { { 0 }, 0.25 } }, drawn_branch());
-    EXPECT_EQ(scene.associations[0].detail_weight, 0.25);
-    EXPECT_FALSE(apply_edit(scene, SmoothStroke { { 0 }, 7 }));
+    auto const scene = after({ SmoothStroke { numbered({ 0 }), 0.25 } }, drawn_branch());
+    EXPECT_EQ(scene.associations[0].what.detail_weight, 0.25);
+    EXPECT_FALSE(apply_edit(scene, SmoothStroke { numbered({ 0 }), 7 }));
 }
 
 TEST(DrawnEdits, ErasingTheEndLaysTheBranchAlongWhatIsLeft)
 {
     auto const scene = drawn_branch();
-    auto const erased = after({ EraseTips { { 0 }, { { 21, 40 } } } }, scene);
+    auto const erased = after({ EraseTips { numbered({ 0 }), { { 21, 40 } } } }, scene);
     ASSERT_EQ(erased.associations.size(), 1u);
-    ASSERT_EQ(erased.associations[0].stroke.tips.size(), 21u);
+    ASSERT_EQ(erased.associations[0].what.stroke.tips.size(), 21u);
     auto short_stroke = stroke_to({ 60, 40, 0 });
     short_stroke.tips.own().resize(21);
-    auto const drawn_short = after(
-        { model(true), Select { { scene.associations[0].path } }, Associate { short_stroke } });
+    auto const drawn_short = after({ model(true), Select { { scene.associations[0].what.path } },
+                                     Associate { short_stroke } });
     EXPECT_EQ(plant_of(erased).node_position_mm, plant_of(drawn_short).node_position_mm);
     EXPECT_NE(plant_of(erased).node_position_mm, plant_of(scene).node_position_mm);
 }
@@ -159,37 +148,39 @@ TEST(DrawnEdits, ErasingTheEndLaysTheBranchAlongWhatIsLeft)
 TEST(DrawnEdits, AllBranchesOfAStrokeLoseTheSameTipsAndShareWhatIsLeft)
 {
     auto scene = after({ model(true, true) });
-    scene
-        = after({ Select { { segments_of(scene.base->axes[1]), segments_of(scene.base->axes[2]) } },
-                  Associate { stroke_to({ 60, 40, 0 }) }, SmoothStroke { { 0, 1 }, 0.5 } },
-                scene);
-    auto const erased = after({ EraseTips { { 1, 0, 1 }, { { 0, 4 }, { 10, 12 } } } }, scene);
+    scene = after(
+        { Select { { segments_of(scene.base->axes[1]), segments_of(scene.base->axes[2]) } },
+          Associate { stroke_to({ 60, 40, 0 }) }, SmoothStroke { numbered({ 0, 1 }), 0.5 } },
+        scene);
+    auto const erased
+        = after({ EraseTips { numbered({ 1, 0, 1 }), { { 0, 4 }, { 10, 12 } } } }, scene);
     ASSERT_EQ(erased.associations.size(), 2u);
-    for (auto const& association : erased.associations) {
+    for (auto const& [id, association, at] : erased.associations) {
         EXPECT_EQ(association.stroke.tips.size(), 33u);
         EXPECT_EQ(association.detail_weight, 0.5);
     }
-    EXPECT_EQ(erased.associations[0].stroke.tips.data(), erased.associations[1].stroke.tips.data());
-    EXPECT_EQ(scene.associations[0].stroke.tips.size(), 41u) << "an earlier scene stays";
+    EXPECT_EQ(erased.associations[0].what.stroke.tips.data(),
+              erased.associations[1].what.stroke.tips.data());
+    EXPECT_EQ(scene.associations[0].what.stroke.tips.size(), 41u) << "an earlier scene stays";
 }
 
 TEST(DrawnEdits, ErasingRefusesToLeaveWhatShapesNothing)
 {
     auto const scene = drawn_branch();
-    EXPECT_FALSE(apply_edit(scene, EraseTips { { 0 }, { { 0, 40 } } }));
-    EXPECT_FALSE(apply_edit(scene, EraseTips { { 0 }, { { 1, 40 } } }));
-    EXPECT_FALSE(apply_edit(scene, EraseTips { { 0 }, { { 30, 41 } } }));
-    EXPECT_FALSE(apply_edit(scene, EraseTips { { 0 }, {} }));
-    EXPECT_FALSE(apply_edit(scene, EraseTips { { 1 }, { { 0, 1 } } }));
-    EXPECT_FALSE(apply_edit(scene, EraseTips { {}, { { 0, 1 } } }));
+    EXPECT_FALSE(apply_edit(scene, EraseTips { numbered({ 0 }), { { 0, 40 } } }));
+    EXPECT_FALSE(apply_edit(scene, EraseTips { numbered({ 0 }), { { 1, 40 } } }));
+    EXPECT_FALSE(apply_edit(scene, EraseTips { numbered({ 0 }), { { 30, 41 } } }));
+    EXPECT_FALSE(apply_edit(scene, EraseTips { numbered({ 0 }), {} }));
+    EXPECT_FALSE(apply_edit(scene, EraseTips { numbered({ 1 }), { { 0, 1 } } }));
+    EXPECT_FALSE(apply_edit(scene, EraseTips { numbered({}), { { 0, 1 } } }));
     // A stroke that comes back to where it began, but for its last tips, has no chord without them.
     Stroke loop;
     for (double const x : { 0.0, 10.0, 20.0, 10.0, 0.0, -10.0 })
         loop.tips.push_back({ .position_mm = { x, std::abs(x - 5), 0 }, .touching = true });
     loop.tips.own()[4].position_mm = loop.tips[0].position_mm;
     auto const by_chord = after({ Associate { .stroke = loop, .fit = StrokeFit::Chord } }, scene);
-    EXPECT_FALSE(apply_edit(by_chord, EraseTips { { 1 }, { { 5, 5 } } }));
-    EXPECT_TRUE(apply_edit(by_chord, EraseTips { { 1 }, { { 4, 5 } } }));
+    EXPECT_FALSE(apply_edit(by_chord, EraseTips { numbered({ 1 }), { { 5, 5 } } }));
+    EXPECT_TRUE(apply_edit(by_chord, EraseTips { numbered({ 1 }), { { 4, 5 } } }));
 }
 
 TEST(DrawnEdits, IndicatorsAreMovedAndDeleted)
@@ -197,22 +188,23 @@ TEST(DrawnEdits, IndicatorsAreMovedAndDeleted)
     auto scene = after(
         { Indicate { { .end_mm = { 100, 0, 0 } } }, Indicate { { .end_mm = { 0, 100, 0 } } } },
         drawn_branch());
-    scene = after({ ChangeIndicator { 1, { .end_mm = { 0, 0, 50 } } } }, scene);
-    EXPECT_EQ(scene.indicators[1].end_mm, Vec3(0, 0, 50));
-    scene = after({ DeleteIndicator { 0 } }, scene);
+    scene = after({ ChangeIndicator { .number = 1, .indicator = { .end_mm = { 0, 0, 50 } } } },
+                  scene);
+    EXPECT_EQ(scene.indicators[1].what.end_mm, Vec3(0, 0, 50));
+    scene = after({ DeleteIndicator { .number = 0 } }, scene);
     ASSERT_EQ(scene.indicators.size(), 1u);
-    EXPECT_EQ(scene.indicators[0].end_mm, Vec3(0, 0, 50));
-    EXPECT_EQ(scene.indicator_places.size(), 1u);
+    EXPECT_EQ(scene.indicators[0].what.end_mm, Vec3(0, 0, 50));
 }
 
 TEST(DrawnEdits, RefuseNumbersThatNothingHas)
 {
     auto const scene = drawn_branch();
     auto const error = [&](Edit const& edit) { return apply_edit(scene, edit).error().message; };
-    EXPECT_EQ(error(DeleteStroke { { 1 } }), "there is no stroke 2: the scene has 1");
+    EXPECT_EQ(error(DeleteStroke { numbered({ 1 }) }), "there is no stroke 2: the scene has 1");
     EXPECT_EQ(error(DeleteStroke {}), "no stroke is chosen: select a branch that has been drawn");
-    EXPECT_EQ(error(SmoothStroke { { 3 } }), "there is no stroke 4: the scene has 1");
-    EXPECT_EQ(error(DeleteIndicator { 0 }), "there is no motion indicator 1: the scene has 0");
+    EXPECT_EQ(error(SmoothStroke { numbered({ 3 }) }), "there is no stroke 4: the scene has 1");
+    EXPECT_EQ(error(DeleteIndicator { .number = 0 }),
+              "there is no motion indicator 1: the scene has 0");
     EXPECT_FALSE(apply_edit(scene, Indicate { { .below = { 99 } } }));
 }
 

@@ -77,7 +77,7 @@ TEST(Scene, LetsAStrokeShapeEverySelectedPath)
     scene = apply_edit(scene, Select { { trunk(scene)[0], branch } }).value();
     scene = apply_edit(scene, Associate { bent_stroke() }).value();
     ASSERT_EQ(scene.associations.size(), 2u);
-    EXPECT_EQ(scene.associations[1].path, branch);
+    EXPECT_EQ(scene.associations[1].what.path, branch);
 }
 
 TEST(Scene, IsTheFoldOfItsEdits)
@@ -141,8 +141,10 @@ TEST(Scene, KnowsTheStrokesThatStillShapeSomething)
     ASSERT_EQ(shaping.size(), 2u);
     EXPECT_EQ(shaping[0].propagation, Propagation::Descendants);
     EXPECT_EQ(shaping[1].propagation, Propagation::Selected);
-    auto const of_all
-        = resolve_associations(*scene.base, *scene.rest, scene.associations.vector()).value();
+    std::vector<Association> all;
+    for (auto const& association : scene.associations)
+        all.push_back(association.what);
+    auto const of_all = resolve_associations(*scene.base, *scene.rest, all).value();
     auto const of_shaping = resolve_associations(*scene.base, *scene.rest, shaping).value();
     for (std::size_t i = 0; i < of_all.frame.size(); ++i)
         EXPECT_EQ(of_shaping.frame[i].coeffs(), of_all.frame[i].coeffs()) << i;
