@@ -1,10 +1,13 @@
 #include "app/command_line.h"
 #include "app/terminal/console.h"
 #include "drivers/file.h"
+#include "engine/base/worker_threads.h"
 
 int main(int argc, char** argv)
 {
     tractus::prepare_console();
     tractus::remove_unfinished_file_on_signals();
-    return tractus::run_command_line(argc, argv);
+    int const exit_code = tractus::run_command_line(argc, argv);
+    tractus::end_worker_threads();
+    return exit_code;
 }

@@ -1,9 +1,11 @@
 #include "engine/base/parallel.h"
 
 #include "engine/base/urgency.h"
+#include "engine/base/worker_threads.h"
 
 #include <algorithm>
 #include <atomic>
+#include <new>
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -36,6 +38,12 @@ static void release(void*) { }
 #endif
 
 namespace tractus {
+
+void end_worker_threads()
+{
+    tbb::task_scheduler_handle handle { tbb::attach {} };
+    (void)tbb::finalize(handle, std::nothrow);
+}
 
 void parallel_for(std::size_t count, std::size_t grain,
                   std::function<void(std::size_t, std::size_t)> const& work)

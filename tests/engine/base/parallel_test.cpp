@@ -1,9 +1,15 @@
 #include "engine/base/parallel.h"
 
+#include "engine/base/worker_threads.h"
+
+#include <atomic>
+#include <filesystem>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <numeric>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
+#include <thread>
 #include <vector>
 
 namespace tractus {
@@ -60,6 +66,32 @@ TEST(ParallelInOrder, EndsWhenAUserHasEnough)
 TEST(ParallelInOrder, DoesNothingWhereThereIsNothing)
 {
     EXPECT_TRUE(squares(0, 2, 1).empty());
+}
+
+std::ptrdiff_t thread_count()
+{
+    return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {});
+}
+
+TEST(WorkerThreads, AreGoneWhenTheyAreEnded)
+{
+    end_worker_threads(); // Those of other tests.
+    auto const before = thread_count();
+    bool were_there = false;
+    for (int round = 0; round < 20; ++round) {
+        std::atomic<std::size_t> sum = 0;
+        parallel_for(10'000, 1, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i)
+                sum += i;
+        });
+        were_there |= thread_count() > before;
+        end_worker_threads();
+        // The kernel still lists a thread for a moment after it is joined.
+        for (int looks = 0; looks < 100'000 && thread_count() > before; ++looks)
+            std::this_thread::yield();
+        EXPECT_EQ(thread_count(), before) << "round " << round;
+    }
+    EXPECT_TRUE(were_there || std::thread::hardware_concurrency() < 2);
 }
 
 } // namespace
