@@ -8,9 +8,7 @@ namespace tractus {
 
 Result<Scene> scene_after(Scene scene, std::vector<Edit> const& edits)
 {
-    for (auto const& edit : edits)
-        scene = TRY(apply_edit(std::move(scene), edit, load_options()));
-    return scene;
+    return apply_edits(std::move(scene), edits, make_load_options());
 }
 
 DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene)

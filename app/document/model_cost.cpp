@@ -61,4 +61,9 @@ LoadOptions load_options(ModelCost const& cost)
     return options;
 }
 
+MakeLoadOptions make_load_options(ModelCost const& cost)
+{
+    return [cost] { return load_options(cost); };
+}
+
 } // namespace tractus

@@ -32,26 +32,23 @@ bool is_session_file(std::filesystem::path const& path)
     return path.extension() == ".tractus";
 }
 
-// The scene after a step, which does all that it says or nothing. What the session began with does
-// what it can: it has no step before it, and no scene without its plant.
-static Result<Scene> scene_after(Scene scene, std::span<SessionEdit const> step,
-                                 ModelCost const& cost)
+// The state after a step, which does all that it says or nothing. What the session began with does
+// what it can: it has no step before it.
+static Result<DocumentState> state_after(DocumentState state, std::span<SessionEdit const> step,
+                                         SceneBuilder& builder)
 {
-    for (auto const& [number, edit, made, place] : step) {
-        auto next = apply_edit(scene, edit, load_options(cost));
-        if (!next && (number > 0 || edit.kind().loads_plant))
-            return next;
-        if (next)
-            scene = *std::move(next);
-        else
-            ++scene.last_edit; // A program that knows it counts it.
-    }
-    return scene;
+    if (step.front().step == 0)
+        return begin_document(step, builder);
+    for (auto const& edit : step)
+        state = TRY(apply_edit(std::move(state), edit.edit, builder));
+    return state;
 }
 
 Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost const& cost)
 {
     FoldedSession folded;
+    SceneBuilder builder(make_load_options(cost));
+    DocumentState state;
     std::span const all(contents.edits);
     for (auto const& edit : all)
         folded.unknown.add(edit);
@@ -62,20 +59,21 @@ Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost co
         if (all[first].step > contents.step)
             break;
         auto const step = all.subspan(first, end - first);
-        auto scene = scene_after(folded.scene, step, cost);
-        if (!scene && first == 0)
-            return tl::unexpected(scene.error());
-        if (!scene) {
+        auto after = state_after(state, step, builder);
+        if (!after && first == 0)
+            return tl::unexpected(after.error());
+        if (!after) {
             folded.skipped_steps += unknown.count == 0;
-            folded.scene.last_edit += step.size();
+            state.last_edit += step.size();
             continue;
         }
-        folded.scene = *std::move(scene);
+        state = *std::move(after);
         for (auto const& edit : step)
             if (!edit.edit.get<UnknownEdit>())
                 folded.edits.push_back(
                     with_id(edit.edit, static_cast<std::uint64_t>(edit.place.number)));
     }
+    folded.scene = TRY(build_scene(builder, std::move(state)));
     return folded;
 }
 
@@ -104,12 +102,12 @@ Result<Scene> load_session_scene(std::filesystem::path const& path, ModelCost co
     return TRY(load_folded(path, cost)).scene;
 }
 
-Result<Plant> shown_plant(Scene const& scene)
+Result<Plant> shown_plant(BuiltPlant const& built)
 {
-    auto const plan = TRY(plan_growth(scene));
+    auto const plan = TRY(plan_growth(built));
     Grower grower(plan);
-    auto const& plant = grower.grow({ scene.growth.seed, 0 }, scene.growth.age);
-    return scene.growth.age < 1 ? without_unborn(plant) : plant;
+    auto const& plant = grower.grow({ built.growth.seed, 0 }, built.growth.age);
+    return built.growth.age < 1 ? without_unborn(plant) : plant;
 }
 
 Result<Session> begin_session(std::filesystem::path const& path, std::vector<Edit> const& edits)

@@ -34,8 +34,8 @@ struct FoldedSession {
 };
 Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost const& cost = {});
 
-// The plant as the station's window shows it: as drawn, grown as the scene says, at its age.
-Result<Plant> shown_plant(Scene const& scene);
+// A plant as the station's window shows it: as drawn, grown as is set, at its age.
+Result<Plant> shown_plant(BuiltPlant const& built);
 
 // Begins a session that this program, at this time, begins with `edits`. Fails like
 // Session::create().

@@ -46,7 +46,7 @@ std::vector<Edit> with_ids(std::span<Edit const> edits, Scene const& before)
 {
     std::vector<Edit> given;
     for (auto const& edit : edits)
-        given.push_back(with_id(edit, before.last_edit + given.size() + 1));
+        given.push_back(with_id(edit, before.state.last_edit + given.size() + 1));
     return given;
 }
 
@@ -70,17 +70,21 @@ Result<Session> Session::create(fs::path const& path, SessionOrigin const& origi
                 { 0, edit, origin.created, { .number = std::ssize(beginning) + 1 } });
         return Result<std::vector<SessionEdit>>(std::move(beginning));
     };
-    auto history = TRY(SessionHistory::create({}, read_beginning, options.load_options));
+    SceneBuilder builder(options.load_options);
+    auto history = TRY(SessionHistory::create({}, read_beginning, builder));
+    auto scene = TRY(build_scene(builder, history.state()));
     TRY(write_new_session(path, origin, beginning_rows(edits, origin.created), 0));
     auto database = TRY(open_to_write(path));
     return Session(SessionStore(path, std::move(database)), std::move(options), std::move(history),
-                   {});
+                   std::move(builder), std::move(scene));
 }
 
 Session Session::in_memory(Scene beginning, SessionOptions options)
 {
-    SessionHistory history(std::move(beginning), options.load_options);
-    return Session(std::nullopt, std::move(options), std::move(history), {});
+    SceneBuilder builder(beginning, options.load_options);
+    SessionHistory history(beginning.state);
+    return Session(std::nullopt, std::move(options), std::move(history), std::move(builder),
+                   std::move(beginning));
 }
 
 Result<Session> Session::open(fs::path const& path, SessionOptions options)
@@ -90,20 +94,30 @@ Result<Session> Session::open(fs::path const& path, SessionOptions options)
     TRY(database.execute("COMMIT; BEGIN IMMEDIATE"));
     auto const summary = TRY(check_session(database, path.string()));
     SessionStore store(path, std::move(database));
-    auto history = SessionHistory::create({ summary.step, summary.last_step }, read_from(store),
-                                          options.load_options);
-    if (!history)
-        return fail(history.error().fault,
-                    fmt::format("{}: {}", path.string(), history.error().message));
-    return Session(std::move(store), std::move(options), *std::move(history), summary.unknown);
+    SceneBuilder builder(options.load_options);
+    auto const build = [&]() -> Result<std::pair<SessionHistory, Scene>> {
+        auto history = TRY(
+            SessionHistory::create({ summary.step, summary.last_step }, read_from(store), builder));
+        auto scene = TRY(build_scene(builder, history.state()));
+        return std::pair { std::move(history), std::move(scene) };
+    };
+    auto built = build();
+    if (!built)
+        return fail(built.error().fault,
+                    fmt::format("{}: {}", path.string(), built.error().message));
+    Session session(std::move(store), std::move(options), std::move(built->first),
+                    std::move(builder), std::move(built->second));
+    session.unknown_ = summary.unknown;
+    return session;
 }
 
 Session::Session(std::optional<SessionStore> store, SessionOptions options, SessionHistory history,
-                 UnknownEdits unknown)
+                 SceneBuilder builder, Scene scene)
     : store_(std::move(store))
     , options_(std::move(options))
     , history_(std::move(history))
-    , unknown_(std::move(unknown))
+    , builder_(std::move(builder))
+    , scene_(std::move(scene))
 {
 }
 
@@ -125,7 +139,7 @@ Result<void> Session::append(std::span<Edit const> edits)
     return keep(TRY(prepare(edits)));
 }
 
-Result<Session::Prepared> Session::prepare(std::span<Edit const> edits) const
+Result<Session::Prepared> Session::prepare(std::span<Edit const> edits)
 {
     SessionStore::NewStep stored;
     auto given = with_ids(edits, scene());
@@ -133,7 +147,8 @@ Result<Session::Prepared> Session::prepare(std::span<Edit const> edits) const
         stored = TRY(store_->prepare({ step() + 1, given, options_.now() }));
     else
         stored.edits = std::move(given);
-    auto scene = TRY(history_.after(stored.edits));
+    auto state = TRY(history_.after(stored.edits, builder_));
+    auto scene = TRY(builder_.build(std::move(state)));
     return Prepared { std::move(stored), std::move(scene) };
 }
 
@@ -145,7 +160,8 @@ Result<void> Session::keep(Prepared prepared)
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(step()), steps_.end());
         steps_.push_back(std::move(prepared.stored.edits));
     }
-    history_.push(std::move(prepared.scene));
+    history_.push(std::move(prepared.scene.state));
+    scene_ = TRY(builder_.build(history_.state())); // Without the tips that the file has now.
     return {};
 }
 
@@ -165,10 +181,12 @@ Result<void> Session::redo()
 
 Result<void> Session::go_to(std::size_t step)
 {
-    auto scene = TRY(history_.at(step, store_ ? read_from(*store_) : read_from(steps_)));
+    auto state = TRY(history_.at(step, store_ ? read_from(*store_) : read_from(steps_), builder_));
+    auto scene = TRY(builder_.build(std::move(state)));
     if (store_)
         TRY(store_->write_cursor(step));
-    history_.go_to(step, std::move(scene));
+    history_.go_to(step, scene.state);
+    scene_ = std::move(scene);
     return {};
 }
 

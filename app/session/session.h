@@ -5,6 +5,7 @@
 #include "app/session/session_store.h"
 #include "engine/base/result.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/scene_builder.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -47,8 +48,9 @@ public:
     bool is_in_file() const { return store_.has_value(); }
     std::filesystem::path const& path() const { return store_->path(); } // Of the file.
 
-    // Of one in a file the tips of its strokes are not in memory: see SessionStore.
-    Scene const& scene() const { return history_.scene(); }
+    // Its plants are built once, from what all of its steps amount to. Of one in a file the tips of
+    // its strokes are not in memory: see SessionStore.
+    Scene const& scene() const { return scene_; }
 
     // What of it this program did not know when it was opened.
     UnknownEdits const& unknown() const { return unknown_; }
@@ -70,7 +72,7 @@ public:
         SessionStore::NewStep stored;
         Scene scene; // After the step.
     };
-    Result<Prepared> prepare(std::span<Edit const> edits) const; // At least one edit.
+    Result<Prepared> prepare(std::span<Edit const> edits); // At least one edit.
     Result<void> keep(Prepared prepared);
 
     // Take the last step back, or do the next one again. Without limit, but for the beginning.
@@ -81,7 +83,7 @@ public:
 
 private:
     Session(std::optional<SessionStore> store, SessionOptions options, SessionHistory history,
-            UnknownEdits unknown);
+            SceneBuilder builder, Scene scene);
 
     Result<void> go_to(std::size_t step);
 
@@ -89,6 +91,8 @@ private:
     std::vector<std::vector<Edit>> steps_ {}; // Without a store: those after the beginning.
     SessionOptions options_;
     SessionHistory history_;
+    SceneBuilder builder_;
+    Scene scene_; // Of the history's state.
     UnknownEdits unknown_;
 };
 

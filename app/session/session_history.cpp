@@ -2,14 +2,16 @@
 
 #include "engine/base/check.h"
 #include "engine/scene/make_edit_kind.h"
+#include "engine/scene/scene.h"
 
+#include <algorithm>
 #include <fmt/core.h>
 #include <iterator>
 #include <utility>
 
 namespace tractus {
 
-// Which scenes are kept: those of so many steps around the last that counts, and of every so many
+// Which states are kept: those of so many steps around the last that counts, and of every so many
 // farther away, up to a distance. Few, since each has a list of all strokes, though their tips are
 // shared; and making a step again costs next to nothing.
 static constexpr std::size_t kNear = 2;
@@ -24,7 +26,7 @@ static std::size_t distance(std::size_t one, std::size_t other)
 static void list(Fields&, BeginAgain&) { }
 
 // NOLINTNEXTLINE(performance-unnecessary-value-param): as for all kinds.
-static Result<Scene> applied(Scene, BeginAgain const&, LoadOptions const&)
+static Result<DocumentState> applied(DocumentState, BeginAgain const&, SceneBuilder&)
 {
     return fail(Fault::Station, "only its history knows how a drawing began");
 }
@@ -37,136 +39,156 @@ static std::string described(BeginAgain const&)
 constexpr EditKind BeginAgain::kKind = make_edit_kind<BeginAgain, list, applied, described>("");
 
 // What is in the file leaves memory.
-static void park_tips(Scene& scene)
+static void park_tips(DocumentState& state)
 {
-    for (std::size_t i = 0; i < scene.associations.size(); ++i) {
-        auto const& tips = scene.associations[i].what.stroke.tips;
-        if (!tips.source() || !tips.is_in_memory())
+    auto const is_in_both = [](auto const& tips) { return tips.source() && tips.is_in_memory(); };
+    for (std::size_t number = 0; number < state.plants.size(); ++number) {
+        auto const& strokes = state.plants[number]->strokes;
+        if (std::none_of(strokes.begin(), strokes.end(),
+                         [&](auto const& stroke) { return is_in_both(stroke.what.stroke.tips); }))
             continue;
-        auto association = scene.associations[i];
-        association.what.stroke.tips = tips.parked();
-        scene.associations.replace(i, std::move(association));
+        change_plant(state, number, [&](PlantState& plant) {
+            for (std::size_t i = 0; i < plant.strokes.size(); ++i) {
+                if (!is_in_both(plant.strokes[i].what.stroke.tips))
+                    continue;
+                auto stroke = plant.strokes[i];
+                stroke.what.stroke.tips = stroke.what.stroke.tips.parked();
+                plant.strokes.replace(i, std::move(stroke));
+            }
+        });
     }
 }
 
 Result<SessionHistory> SessionHistory::create(SessionExtent const& extent, ReadStep const& read,
-                                              MakeLoadOptions load_options)
+                                              SceneBuilder& builder)
 {
-    SessionHistory history(extent, std::move(load_options));
-    history.scene_ = TRY(history.fold({}, 0, history.step(), read));
+    SessionHistory history(extent);
+    history.state_ = TRY(history.fold({}, 0, history.step(), read, builder));
     return history;
 }
 
-SessionHistory::SessionHistory(SessionExtent const& extent, MakeLoadOptions load_options)
+SessionHistory::SessionHistory(SessionExtent const& extent)
     : extent_(extent)
-    , load_options_(std::move(load_options))
 {
 }
 
-SessionHistory::SessionHistory(Scene beginning, MakeLoadOptions load_options)
-    : load_options_(std::move(load_options))
-    , scene_(std::move(beginning))
+SessionHistory::SessionHistory(DocumentState beginning)
+    : state_(std::move(beginning))
 {
-    keep(0, scene_);
+    keep(0, state_);
 }
 
-Result<Scene> SessionHistory::apply(Scene scene, Edit const& edit) const
+Result<DocumentState> SessionHistory::apply(DocumentState state, Edit const& edit,
+                                            SceneBuilder& builder) const
 {
     if (edit.get<BeginAgain>()) {
         auto beginning = kept_.at(0);
-        beginning.last_edit += scene.last_edit; // No edit has the number of an earlier one.
+        beginning.last_edit += state.last_edit; // No edit has the number of an earlier one.
         return beginning;
     }
-    return apply_edit(std::move(scene), edit, load_options_());
+    return apply_edit(std::move(state), edit, builder);
 }
 
-Result<Scene> SessionHistory::after(std::span<Edit const> edits) const
+Result<DocumentState> SessionHistory::after(std::span<Edit const> edits,
+                                            SceneBuilder& builder) const
 {
-    auto scene = scene_;
+    auto state = state_;
     for (auto const& edit : edits)
-        scene = TRY(apply(std::move(scene), edit));
-    return scene;
+        state = TRY(apply(std::move(state), edit, builder));
+    return state;
 }
 
-Result<Scene> SessionHistory::at(std::size_t wanted, ReadStep const& read)
+Result<DocumentState> SessionHistory::at(std::size_t wanted, ReadStep const& read,
+                                         SceneBuilder& builder)
 {
     CHECK(wanted <= last_step());
-    // From the nearest scene before it that is known; that of the beginning always is.
-    auto const& [kept_step, kept_scene] = *std::prev(kept_.upper_bound(wanted));
+    // From the nearest state before it that is known; that of the beginning always is.
+    auto const& [kept_step, kept_state] = *std::prev(kept_.upper_bound(wanted));
     if (step() <= wanted && step() >= kept_step)
-        return fold(scene_, step() + 1, wanted, read);
-    return fold(kept_scene, kept_step + 1, wanted, read);
+        return fold(state_, step() + 1, wanted, read, builder);
+    return fold(kept_state, kept_step + 1, wanted, read, builder);
 }
 
-Result<Scene> SessionHistory::fold(Scene scene, std::size_t first, std::size_t last,
-                                   ReadStep const& read)
+Result<DocumentState> SessionHistory::fold(DocumentState state, std::size_t first, std::size_t last,
+                                           ReadStep const& read, SceneBuilder& builder)
 {
     for (auto next = first; next <= last; ++next) {
         auto const edits = TRY(read(next));
-        scene = next == 0 ? TRY(begin(edits)) : apply_step(std::move(scene), edits);
+        state = next == 0 ? TRY(begin_document(edits, builder))
+                          : apply_step(std::move(state), edits, builder);
         // Not after each, since it looks at all strokes.
         if (is_worth_keeping(next) || next % kEvery == 0 || next == last)
-            park_tips(scene);
+            park_tips(state);
         if (is_worth_keeping(next))
-            keep(next, scene);
+            keep(next, state);
     }
-    return scene;
+    return state;
 }
 
-Result<Scene> SessionHistory::begin(std::span<SessionEdit const> edits) const
+Result<DocumentState> begin_document(std::span<SessionEdit const> edits, SceneBuilder& builder)
 {
-    Scene scene;
+    DocumentState state;
     for (auto const& [step, edit, made, place] : edits) {
-        auto applied = apply(scene, edit);
+        auto applied = apply_edit(state, edit, builder);
         if (applied)
-            scene = *std::move(applied);
+            state = *std::move(applied);
         else if (edit.kind().loads_plant)
             return fail(applied.error().fault,
                         fmt::format("edit {}: {}", place.number, applied.error().message));
         else
-            ++scene.last_edit;
+            ++state.last_edit; // A program that knows it counts it.
     }
+    return state;
+}
+
+Result<Scene> build_scene(SceneBuilder& builder, DocumentState state)
+{
+    auto scene = builder.build(std::move(state));
+    if (!scene)
+        return fail(scene.error().fault,
+                    fmt::format("edit {}: {}", builder.failed_edit(), scene.error().message));
     return scene;
 }
 
 // A step that needs something which was lost, or that is unknown, changes nothing and stays in the
 // file. Its edits are counted, for a program that knows them does so, too.
-Scene SessionHistory::apply_step(Scene scene, std::span<SessionEdit const> edits) const
+DocumentState SessionHistory::apply_step(DocumentState state, std::span<SessionEdit const> edits,
+                                         SceneBuilder& builder) const
 {
-    auto next = scene;
+    auto next = state;
     for (auto const& edit : edits) {
-        auto applied = apply(std::move(next), edit.edit);
+        auto applied = apply(std::move(next), edit.edit, builder);
         if (!applied) {
-            scene.last_edit += edits.size();
-            return scene;
+            state.last_edit += edits.size();
+            return state;
         }
         next = *std::move(applied);
     }
     return next;
 }
 
-void SessionHistory::push(Scene scene)
+void SessionHistory::push(DocumentState state)
 {
-    park_tips(scene);
+    park_tips(state);
     auto const before = extent_.step++;
     extent_.last_step = extent_.step;
-    keep(before, std::exchange(scene_, std::move(scene)));
+    keep(before, std::exchange(state_, std::move(state)));
     kept_.erase(kept_.lower_bound(extent_.step), kept_.end());
 }
 
-void SessionHistory::go_to(std::size_t step, Scene scene)
+void SessionHistory::go_to(std::size_t step, DocumentState state)
 {
     auto const left = std::exchange(extent_.step, step);
-    keep(left, std::exchange(scene_, std::move(scene)));
+    keep(left, std::exchange(state_, std::move(state)));
 }
 
-void SessionHistory::keep(std::size_t step, Scene scene)
+void SessionHistory::keep(std::size_t step, DocumentState state)
 {
-    kept_.insert_or_assign(step, std::move(scene));
+    kept_.insert_or_assign(step, std::move(state));
     std::erase_if(kept_, [&](auto const& entry) { return !is_worth_keeping(entry.first); });
 }
 
-// The beginning always is: its plant takes longest.
+// The beginning always is: a drawing without a file begins there again.
 bool SessionHistory::is_worth_keeping(std::size_t step) const
 {
     auto const away = distance(step, extent_.step);

@@ -2,7 +2,8 @@
 
 #include "app/session/session_file.h"
 #include "engine/base/result.h"
-#include "engine/scene/scene.h"
+#include "engine/scene/document_state.h"
+#include "engine/scene/scene_builder.h"
 
 #include <cstddef>
 #include <functional>
@@ -11,9 +12,6 @@
 #include <vector>
 
 namespace tractus {
-
-// Gives what each model may cost from that moment on.
-using MakeLoadOptions = std::function<LoadOptions()>;
 
 // The edits of a step, which somebody keeps.
 using ReadStep = std::function<Result<std::vector<SessionEdit>>(std::size_t step)>;
@@ -24,60 +22,70 @@ struct SessionExtent {
     std::size_t last_step = 0;
 };
 
-// Takes everything back to the scene that a history began with. For steps in memory alone: a
+// Takes everything back to the state that a history began with. For steps in memory alone: a
 // session's file has the edits of its beginning.
 struct BeginAgain {
     static EditKind const kKind;
 };
 
-// The scene that the steps of a session amount to. The steps themselves are read when they are
-// needed; so that undo and redo need not begin at the first, some scenes on the way are kept, the
-// newest ones and a few of old. The tips of strokes are left to their source, if they have one
-// (SharedVector), and read again by who needs them. So memory stays bounded however long the
-// session is, but for some 200 bytes for each stroke that still counts.
+// What the steps of a session amount to. The steps themselves are read when they are needed; so
+// that undo and redo need not begin at the first, some states on the way are kept, the newest ones
+// and a few of old. The tips of strokes are left to their source, if they have one (SharedVector),
+// and read again by who needs them. So memory stays bounded however long the session is, but for
+// some 200 bytes for each stroke that still counts. No plant is built, but for edits of sessions
+// before format 4.
 class SessionHistory {
 public:
-    // Of a session that has a beginning. Fails where an edit of that does, saying which, and where
-    // reading does. A later step whose edits cannot be made changes nothing: what they need was
-    // lost when the session was damaged, or this program does not know one of them.
+    // Of a session that has a beginning. Fails where an edit of that which brings a plant does,
+    // saying which, and where reading does. A later step whose edits cannot be made changes
+    // nothing: what they need was lost when the session was damaged, or this program does not know
+    // one of them.
     static Result<SessionHistory> create(SessionExtent const& extent, ReadStep const& read,
-                                         MakeLoadOptions load_options);
+                                         SceneBuilder& builder);
 
-    // Of a session without steps, whose beginning is a scene.
-    SessionHistory(Scene beginning, MakeLoadOptions load_options);
+    // Of a session without steps, whose beginning is a state.
+    explicit SessionHistory(DocumentState beginning);
 
-    Scene const& scene() const { return scene_; }
+    DocumentState const& state() const { return state_; }
     std::size_t step() const { return extent_.step; }
     std::size_t last_step() const { return extent_.last_step; }
 
-    // What the scene would be after one more step, whose tips are in memory. Fails where an edit
+    // What the state would be after one more step, whose tips are in memory. Fails where an edit
     // does.
-    Result<Scene> after(std::span<Edit const> edits) const;
+    Result<DocumentState> after(std::span<Edit const> edits, SceneBuilder& builder) const;
 
-    // The scene as it is, or was, at another step. Fails where reading does.
-    Result<Scene> at(std::size_t wanted, ReadStep const& read);
+    // The state as it is, or was, at another step. Fails where reading does.
+    Result<DocumentState> at(std::size_t wanted, ReadStep const& read, SceneBuilder& builder);
 
-    // The next step is in the file, and leads to `scene`. What was undone is gone.
-    void push(Scene scene);
+    // The next step is in the file, and leads to `state`. What was undone is gone.
+    void push(DocumentState state);
 
-    // Makes `step` the last that counts; `scene` is what at() gives.
-    void go_to(std::size_t step, Scene scene);
+    // Makes `step` the last that counts; `state` is what at() gives.
+    void go_to(std::size_t step, DocumentState state);
 
 private:
-    SessionHistory(SessionExtent const& extent, MakeLoadOptions load_options);
+    explicit SessionHistory(SessionExtent const& extent);
 
-    // On from the scene before step `first`.
-    Result<Scene> fold(Scene scene, std::size_t first, std::size_t last, ReadStep const& read);
-    Result<Scene> begin(std::span<SessionEdit const> edits) const;
-    Scene apply_step(Scene scene, std::span<SessionEdit const> edits) const;
-    Result<Scene> apply(Scene scene, Edit const& edit) const;
-    void keep(std::size_t step, Scene scene);
+    // On from the state before step `first`.
+    Result<DocumentState> fold(DocumentState state, std::size_t first, std::size_t last,
+                               ReadStep const& read, SceneBuilder& builder);
+    Result<DocumentState> apply(DocumentState state, Edit const& edit, SceneBuilder& builder) const;
+    DocumentState apply_step(DocumentState state, std::span<SessionEdit const> edits,
+                             SceneBuilder& builder) const;
+    void keep(std::size_t step, DocumentState state);
     bool is_worth_keeping(std::size_t step) const;
 
     SessionExtent extent_;
-    MakeLoadOptions load_options_;
-    Scene scene_;
-    std::map<std::size_t, Scene> kept_; // By step.
+    DocumentState state_;
+    std::map<std::size_t, DocumentState> kept_; // By step.
 };
+
+// The state after the edits that a session begins with. Each does what it can, since there is no
+// step before it. Fails where one that brings a plant does.
+Result<DocumentState> begin_document(std::span<SessionEdit const> edits, SceneBuilder& builder);
+
+// Builds the scene of a session's state. Fails in a sentence that names the edit whose plant cannot
+// be built.
+Result<Scene> build_scene(SceneBuilder& builder, DocumentState state);
 
 } // namespace tractus

@@ -1,25 +1,75 @@
 #include "app/station/plant_grower.h"
 
+#include "engine/mesh/join_meshes.h"
 #include "engine/mesh/make_mesh.h"
 #include "engine/scene/scene_shaper.h"
 #include "engine/variation/growth.h"
 
+#include <map>
+
 namespace tractus {
 
+namespace {
+
 // What it gives after `stop` has asked it to end is dropped.
-static Result<Mesh> grow_mesh(WantedPlant const& wanted, SceneShaper& shaper,
-                              MeshOptions const& options, std::stop_token const& stop)
+Result<Mesh> grow_mesh(BuiltPlant const& built, SetGrowth const& growth, SceneShaper& shaper,
+                       MeshOptions const& options, std::stop_token const& stop)
 {
-    auto const scene = TRY(apply_edit(*wanted.scene, wanted.growth));
-    auto const plan = TRY(plan_growth(scene, shaper, stop));
+    auto wanted = built;
+    wanted.growth = growth;
+    auto const plan = TRY(plan_growth(wanted, shaper, stop));
     if (stop.stop_requested())
         return Mesh {};
     Grower grower(plan);
-    auto const& plant = grower.grow({ wanted.growth.seed, 0 }, wanted.growth.age, stop);
+    auto const& plant = grower.grow({ growth.seed, 0 }, growth.age, stop);
     if (stop.stop_requested())
         return Mesh {};
     return make_mesh(plant, options, stop);
 }
+
+// Grows the plants of scenes that follow each other: only those that have changed are grown anew.
+class SceneGrower {
+public:
+    Result<Mesh> grow(WantedPlant const& wanted, std::stop_token const& stop)
+    {
+        auto const& scene = *wanted.scene;
+        bool const is_hidden = scene.drawn->is_hidden && !scene.plants.empty();
+        auto mesh = is_hidden ? Result<Mesh>(Mesh {})
+                              : grow_mesh(scene, wanted.growth, active_, {}, stop);
+        if (!mesh)
+            return mesh;
+        std::map<ItemId, Other> still_there;
+        for (auto const& plant : scene.plants) {
+            if (plant->drawn == scene.drawn || plant->drawn->is_hidden)
+                continue;
+            auto& other = still_there[plant->drawn->id] = std::move(others_[plant->drawn->id]);
+            if (other.plant != plant)
+                other = { plant, TRY(grow_mesh(*plant, plant->growth, other_, {}, stop)) };
+            if (stop.stop_requested())
+                break;
+            Vec3 const moved_mm
+                = scene.placement.plant_of_world(plant->placement.world_of_plant(Vec3::Zero()));
+            append_mesh(*mesh, other.mesh, moved_mm.cast<float>());
+        }
+        if (!stop.stop_requested()) // Else what was given up counts for nothing.
+            others_ = std::move(still_there);
+        else
+            others_.clear();
+        return mesh;
+    }
+
+private:
+    struct Other {
+        std::shared_ptr<BuiltPlant const> plant; // Shared with the scenes that have it.
+        Mesh mesh;
+    };
+
+    SceneShaper active_;
+    SceneShaper other_;
+    std::map<ItemId, Other> others_;
+};
+
+} // namespace
 
 // What a picture of a few hundred pixels shows.
 static MeshOptions coarse()
@@ -35,9 +85,9 @@ static MeshOptions coarse()
 
 PlantGrower::PlantGrower()
     // Shared by the copies of the function, of which one is called.
-    : plant_([shaper = std::make_shared<SceneShaper>()](
+    : plant_([grower = std::make_shared<SceneGrower>()](
                  WantedPlant const& wanted,
-                 std::stop_token const& stop) { return grow_mesh(wanted, *shaper, {}, stop); },
+                 std::stop_token const& stop) { return grower->grow(wanted, stop); },
              Urgency::Later)
     , variation_(make_variation, Urgency::Later)
     , worn_out_([](std::unique_ptr<Mesh const> const&) { return true; }, Urgency::Later)
@@ -48,7 +98,7 @@ PlantGrower::MadeVariation PlantGrower::make_variation(WantedVariation const& wa
                                                        std::stop_token const& stop)
 {
     SceneShaper shaper;
-    auto mesh = grow_mesh(wanted.plant, shaper, coarse(), stop);
+    auto mesh = grow_mesh(*wanted.plant.scene, wanted.plant.growth, shaper, coarse(), stop);
     if (!mesh)
         return { tl::unexpected(std::move(mesh).error()), wanted.wish };
     return { Variation { wanted.plant.growth.seed, *std::move(mesh) }, wanted.wish };

@@ -15,14 +15,14 @@
 
 namespace tractus {
 
-// A plant that somebody wants to see.
+// The plants of a document as somebody wants to see them.
 struct WantedPlant {
     std::shared_ptr<Scene const>
         scene;           // Shared with whoever shows it meanwhile; nobody changes it.
-    SetGrowth growth {}; // In place of the scene's own.
+    SetGrowth growth {}; // Of the active plant, in place of its own.
 };
 
-// Others like it: `count` of them, of this seed and those that follow.
+// Variations of the active plant alone: `count` of them, of this seed and those that follow.
 struct WantedVariations {
     WantedPlant like;
     std::size_t count = 0;
@@ -47,7 +47,8 @@ public:
     // A plant was wanted that take() has not given yet.
     bool is_growing() const { return plant_.is_busy(); }
 
-    // The newest plant, if one has been finished since the last call. Fails like plan_growth().
+    // All plants that are not hidden, in the active one's frame, if they have been finished since
+    // the last call. Fails like plan_growth().
     std::optional<Result<Mesh>> take() { return plant_.take(); }
 
     // A plant that nobody looks at any more. A large one takes so long to go that a window would

@@ -94,10 +94,7 @@ StationView::StationView(Station const& station, Document const& document)
         }))
 {
     state_.volume_mm = station.volume_mm();
-    auto const snapshot = document.newest();
-    state_.T_world_plant
-        = Eigen::Affine3f(Eigen::Scaling(static_cast<float>(snapshot->scene.placement.scale)));
-    show_scene(snapshot);
+    show_scene(document.newest());
 }
 
 void StationView::show(Station const& station, Document const& document)
@@ -255,6 +252,9 @@ void StationView::show_selecting(Station const& station)
 void StationView::show_scene(std::shared_ptr<Snapshot const> const& snapshot)
 {
     shown_drawn_revision_ = snapshot->drawn_revision;
+    auto const& placement = snapshot->scene.placement;
+    state_.T_world_plant = Eigen::Translation3f(placement.origin_mm.cast<float>())
+        * Eigen::Scaling(static_cast<float>(placement.scale));
     show_strokes(snapshot->scene);
     grow_plant(snapshot);
     show_skeleton();

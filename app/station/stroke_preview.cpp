@@ -1,6 +1,7 @@
 #include "app/station/stroke_preview.h"
 
 #include "app/document/draw.h"
+#include "engine/scene/scene_builder.h"
 #include "engine/variation/place_nodes.h"
 
 #include <utility>
@@ -32,7 +33,7 @@ void StrokePreview::lay(std::shared_ptr<Scene const> scene)
 {
     scene_ = std::move(scene);
     readable_.reset();
-    (void)shaper_.set_scene(*scene_); // Each stroke was checked when it was made.
+    (void)shaper_.set_plant(*scene_); // Each stroke was checked when it was made.
     place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), before_mm_);
 }
 
@@ -44,7 +45,7 @@ std::vector<SkeletonLine> StrokePreview::moved_by(WantedPreview const& wanted)
         lay(wanted.scene);
     auto scene = readable_scene(wanted.tool);
     if (!draw(Stroke { wanted.ink }, wanted.tool, scene).refusal.empty()
-        || !shaper_.set_scene(scene))
+        || !shaper_.set_plant(scene))
         return {};
     place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), after_mm_);
     return moved_lines(wanted.orders);
@@ -58,14 +59,18 @@ Scene const& StrokePreview::readable_scene(Tool const& tool)
         return *scene_;
     }
     if (!readable_) {
-        readable_ = *scene_;
-        for (auto const number : shaping_numbers(*scene_)) {
-            auto association = scene_->associations[number];
-            auto& tips = association.what.stroke.tips;
-            if (auto read = tips.in_memory())
-                tips = *std::move(read); // Else the stroke itself will say why.
-            readable_->associations.replace(number, std::move(association));
-        }
+        auto state = scene_->state;
+        if (auto const active = find_plant(state, state.active))
+            change_plant(state, *active, [&](PlantState& plant) {
+                for (auto const number : shaping_numbers(*scene_)) {
+                    auto stroke = plant.strokes[number];
+                    auto& tips = stroke.what.stroke.tips;
+                    if (auto read = tips.in_memory())
+                        tips = *std::move(read); // Else the stroke itself will say why.
+                    plant.strokes.replace(number, std::move(stroke));
+                }
+            });
+        readable_ = SceneBuilder(*scene_, {}).build(std::move(state)).value_or(*scene_);
     }
     return *readable_;
 }

@@ -141,8 +141,9 @@ Result<Scene> load_session(GrowArguments const& arguments, std::filesystem::path
                                 "--steps out",
                                 path.string()));
     auto scene = TRY(load_session_scene(path, arguments.cost));
-    scene.growth.seed = arguments.model.seed.value_or(scene.growth.seed);
-    return scene;
+    auto growth = scene.growth;
+    growth.seed = arguments.model.seed.value_or(growth.seed);
+    return apply_edit(std::move(scene), growth);
 }
 
 // A model grows as drawn, and not as it might have grown, unless it is said how.
@@ -156,21 +157,22 @@ Result<Scene> load_model_scene(GrowArguments const& arguments, std::filesystem::
         with_options.seed = arguments.model.seed.value_or(1);
         edit = std::move(with_options);
     }
-    auto scene = TRY(apply_edit({}, edit, load_options(arguments.cost)));
+    auto scene = TRY(apply_edit({}, edit, make_load_options(arguments.cost)));
     for (auto const& warning : scene.model_warnings)
         print_warning(warning);
-    scene.growth.parameters = TRY(growth_preset("as drawn"));
-    scene.growth.seed = arguments.model.seed.value_or(1);
-    return scene;
+    return apply_edit(
+        std::move(scene),
+        SetGrowth { TRY(growth_preset("as drawn")), arguments.model.seed.value_or(1) });
 }
 
 // A variability that is given counts on top of what a session has.
-Result<void> set_growth(GrowthOptions const& options, SetGrowth& growth)
+Result<Scene> with_growth(GrowthOptions const& options, Scene scene)
 {
+    auto growth = scene.growth;
     growth.parameters = TRY(options.preset ? growth_preset(*options.preset)
                                            : at_variability(growth.parameters, growth.variability));
     growth.variability = options.variability;
-    return {};
+    return apply_edit(std::move(scene), growth);
 }
 
 Result<Scene> add_drawing(DrawingOptions const& options, Scene scene, std::string const& name)
@@ -195,7 +197,7 @@ Result<void> grow_model(GrowArguments const& arguments)
     bool const is_session = is_session_file(path);
     auto scene
         = TRY(is_session ? load_session(arguments, path) : load_model_scene(arguments, path));
-    TRY(set_growth(arguments.growth, scene.growth));
+    scene = TRY(with_growth(arguments.growth, std::move(scene)));
     if (auto const drawing = drawing_options(arguments.drawing))
         scene = TRY(add_drawing(*drawing, std::move(scene), name));
     if (arguments.ages > 0)

@@ -57,7 +57,7 @@ Result<Scene> load_scene(std::filesystem::path const& model)
     if (is_session_file(model))
         return load_session_scene(model);
     auto const edit = TRY(load_model_edit(model));
-    return apply_edit({}, edit, load_options());
+    return apply_edit({}, edit, make_load_options());
 }
 
 WindowOptions window_options(WindowArguments const& arguments, std::string const& what,

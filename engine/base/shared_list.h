@@ -97,10 +97,33 @@ public:
 
     void clear() { *this = {}; }
 
+    // What `make` gives for each element. Where `before` shares a block with this list, what was
+    // made of that block is taken from `made`, the list that this call gave for `before`.
+    template<typename U, typename Make>
+    SharedList<U> map(SharedList const& before, SharedList<U> const& made, Make const& make) const
+    {
+        SharedList<U> result;
+        result.size_ = size_;
+        for (std::size_t i = 0; i < blocks_.size(); ++i) {
+            if (i < before.blocks_.size() && before.blocks_[i] == blocks_[i]) {
+                result.blocks_.push_back(made.blocks_[i]);
+                continue;
+            }
+            std::vector<U> block;
+            block.reserve(kBlock);
+            for (auto const& element : *blocks_[i])
+                block.push_back(make(element));
+            result.blocks_.push_back(std::make_shared<std::vector<U> const>(std::move(block)));
+        }
+        return result;
+    }
+
     // All of them, in order.
     std::vector<T> vector() const { return { begin(), end() }; }
 
 private:
+    template<typename U> friend class SharedList;
+
     // Nobody changes one: whoever wants to makes another. All are full but the last. Shared between
     // the copies of the list.
     std::vector<std::shared_ptr<Block const>> blocks_;

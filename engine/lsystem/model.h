@@ -22,6 +22,8 @@ struct ModelSource {
     std::string text {};
     std::string view_name = "model.v";
     std::string view_text {};
+
+    bool operator==(ModelSource const&) const = default;
 };
 
 // A symbol with a number of parameters: what a module of a string is, but for its values. cpfg's

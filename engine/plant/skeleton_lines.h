@@ -14,6 +14,8 @@ namespace tractus {
 struct SkeletonPiece {
     Vec3 from_mm = Vec3::Zero(); // Plant frame.
     Vec3 to_mm = Vec3::Zero();
+
+    bool operator==(SkeletonPiece const&) const = default;
 };
 
 struct SkeletonOptions {

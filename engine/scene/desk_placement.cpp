@@ -47,6 +47,14 @@ DeskPlacement place_on_desk(Plant const& plant, DrawingVolume const& volume)
     return { .scale = scale, .shown_height_mm = std::max(scale * height_mm, 1.0) };
 }
 
+void rescale(DeskPlacement& placement, double scale)
+{
+    if (scale == placement.scale)
+        return;
+    placement.shown_height_mm = std::max(placement.shown_height_mm * scale / placement.scale, 1.0);
+    placement.scale = scale;
+}
+
 SelectionView fit_selection_view(Bounds const& box, SelectionAngle const& angle)
 {
     // Of the tablet's area on each side, so that tips can be passed.

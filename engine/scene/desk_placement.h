@@ -13,22 +13,26 @@ struct DrawingVolume {
     double height_mm = 300; // Along z: most of the surface's travel.
 };
 
-// Where the plant is shown in the drawing volume, its base at the world's origin: the largest
-// upright size at which its height fits and its spread, to all sides alike, fits the volume's
-// width. Strokes live in world millimetres, plants in their own frame at natural size; this joins
-// the two.
+// Where and how large a plant is shown in the drawing volume. Strokes live in world millimetres,
+// plants in their own frame at natural size; this joins the two.
 struct DeskPlacement {
-    double scale = 1; // World millimetres per plant millimetre.
+    double scale = 1;              // World millimetres per plant millimetre.
+    Vec3 origin_mm = Vec3::Zero(); // Of the plant's frame: its base. World frame.
 
-    Vec3 world_of_plant(Vec3 const& plant_mm) const { return scale * plant_mm; }
-    Vec3 plant_of_world(Vec3 const& world_mm) const { return world_mm / scale; }
+    Vec3 world_of_plant(Vec3 const& plant_mm) const { return origin_mm + scale * plant_mm; }
+    Vec3 plant_of_world(Vec3 const& world_mm) const { return (world_mm - origin_mm) / scale; }
 
     // The plant's height as it stands in the volume: what a motion indicator's length is measured
     // by.
     double shown_height_mm = 1;
 };
 
+// The plant alone, its base at the world's origin, in the largest size at which its height fits and
+// its spread, to all sides alike, fits the volume's width.
 DeskPlacement place_on_desk(Plant const& plant, DrawingVolume const& volume = {});
+
+// Shows it in another size.
+void rescale(DeskPlacement& placement, double scale);
 
 // From where the selection view looks at the skeleton, and how near.
 struct SelectionAngle {

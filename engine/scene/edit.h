@@ -20,7 +20,9 @@
 
 namespace tractus {
 
-// What the user did, as values. A scene is the fold of its edits, so an edit holds all that is
+struct BuiltPlant;
+
+// What the user did, as values. A document is the fold of its edits, so an edit holds all that is
 // needed to do it again: the model's text, the pen's tips, the chosen segments. Each struct is a
 // kind of edit (edit_kind.h).
 
@@ -30,6 +32,7 @@ enum class Drawn {
     Keep,   // The same plant, edited: what was drawn on branches goes to those at the same place
           // (branch_address.h). Where there is none it is orphaned: kept without effect, and found
           // again when a later edit brings the branch back.
+    Beside, // The plant is one more, beside those that are there.
 };
 
 // Takes a base plant from an L-system.
@@ -41,6 +44,10 @@ struct LoadModel {
     std::optional<int> steps {};                    // Derivation steps; no value: the model's own.
     std::uint64_t seed = 1;                         // Of the model's stochastic rules.
     Drawn drawn = Drawn::Forget;
+    Vec3 stands_at_mm = Vec3::Zero(); // With Drawn::Beside: the base of the plant. World frame.
+    ItemId id = 0;                    // Likewise: of the plant; 0: it has none yet.
+
+    bool operator==(LoadModel const&) const = default;
 };
 
 // Takes a base plant from the lines that another program drew of it (skeleton_lines.h).
@@ -50,6 +57,10 @@ struct LoadSkeleton {
     std::string name {};
     std::vector<SkeletonPiece> lines {};
     Drawn drawn = Drawn::Forget;
+    Vec3 stands_at_mm = Vec3::Zero(); // As of LoadModel, as the next one.
+    ItemId id = 0;
+
+    bool operator==(LoadSkeleton const&) const = default;
 };
 
 // Chooses what the next associations go to, in place of what was chosen. Usually one path, or one
@@ -57,12 +68,12 @@ struct LoadSkeleton {
 struct Select {
     static EditKind const kKind;
 
-    Selection paths {};             // By segments of the plant as it was, or
+    Selection paths {};             // By their segments, as sessions before format 4 say it, or
     std::vector<PathAddress> at {}; // by where they are.
 };
 
-// Paths of a scene's plant, said by where they are.
-Select select_paths(Scene const& scene, Selection const& paths);
+// Paths of a plant, said by where they are.
+Select select_paths(BuiltPlant const& plant, Selection const& paths);
 
 // Lets a stroke shape each selected path, its descendants, or both (Streit 2006, section 4.3).
 struct Associate {
@@ -152,6 +163,62 @@ struct SetGrowth {
     std::uint64_t seed = 1; // Of the variations.
     double variability = 1; // At which the parameters count; see at_variability().
     double age = 1;         // See Grower::grow().
+};
+
+// The plants of a document. Their kinds are in plant_edits.cpp.
+
+// From here on what is drawn goes to this plant.
+struct ActivatePlant {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+};
+
+// Puts the base of a plant somewhere else in the drawing volume.
+struct MovePlant {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    Vec3 to_mm = Vec3::Zero(); // World frame.
+};
+
+// Adds a plant that is like another in all that was drawn and set; it becomes the active one.
+struct CopyPlant {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    Vec3 stands_at_mm = Vec3::Zero(); // World frame.
+    ItemId id = 0;                    // Of the copy; 0: it has none yet.
+};
+
+// A hidden plant is neither shown nor exported, until it is shown again.
+struct HidePlant {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    bool hidden = true;
+};
+
+struct NamePlant {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    std::string name {};
+};
+
+// Takes a plant away with all that was drawn on it. The plant before it becomes the active one if
+// it was that.
+struct RemovePlant {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+};
+
+// The size in which all plants of the document are shown.
+struct SetScale {
+    static EditKind const kKind;
+
+    double scale = 0.1; // World millimetres per plant millimetre; above 0.
 };
 
 // An edit that another tractus has made, a newer one or one with more methods, in the words of its

@@ -12,19 +12,19 @@
 
 namespace tractus {
 
-struct Scene;
-struct LoadOptions;
+struct DocumentState;
+class SceneBuilder;
 
 // All that the program knows of a kind of edit: a row of the table of kinds. Sessions, their log
 // and their repair, undo, export and tests work by it and know no kind by name.
 struct EditKind {
     char const* word;                // In sessions: "associate". Never changes.
-    bool loads_plant;                // Another base plant takes the place of the one before.
+    bool loads_plant;                // It brings a source for a plant.
     std::shared_ptr<void> (*make)(); // An edit as it is by default.
     std::shared_ptr<void> (*copy)(void const* edit);
     void (*fields)(Fields& visitor, void* edit);
     // See apply_edit().
-    Result<Scene> (*apply)(Scene scene, void const* edit, LoadOptions const& options);
+    Result<DocumentState> (*apply)(DocumentState state, void const* edit, SceneBuilder& builder);
     // What it does, for people: "selects 1 path, 3 segments".
     std::string (*describe)(void const* edit);
 };
@@ -71,7 +71,8 @@ public:
     Edit changed_by(Fields& visitor) const;
 
 private:
-    friend Result<Scene> apply_edit(Scene scene, Edit const& edit, LoadOptions const& options);
+    friend Result<DocumentState> apply_edit(DocumentState state, Edit const& edit,
+                                            SceneBuilder& builder);
 
     EditKind const* kind_;
     std::shared_ptr<void const> fields_; // Shared between copies.

@@ -12,7 +12,7 @@ namespace {
 void list(Fields&, UnknownEdit&) { }
 
 // NOLINTNEXTLINE(performance-unnecessary-value-param): as for all kinds.
-Result<Scene> applied(Scene, UnknownEdit const& edit, LoadOptions const&)
+Result<DocumentState> applied(DocumentState, UnknownEdit const& edit, SceneBuilder&)
 {
     return fail(Fault::User, edit.why);
 }
@@ -29,9 +29,11 @@ constexpr EditKind UnknownEdit::kKind = make_edit_kind<UnknownEdit, list, applie
 EditKinds core_edit_kinds()
 {
     static constexpr std::array kKinds {
-        &LoadModel::kKind,  &LoadSkeleton::kKind,    &Select::kKind,          &Associate::kKind,
-        &Oversketch::kKind, &SmoothStroke::kKind,    &DeleteStroke::kKind,    &EraseTips::kKind,
-        &Indicate::kKind,   &ChangeIndicator::kKind, &DeleteIndicator::kKind, &SetGrowth::kKind
+        &LoadModel::kKind,     &LoadSkeleton::kKind,    &Select::kKind,          &Associate::kKind,
+        &Oversketch::kKind,    &SmoothStroke::kKind,    &DeleteStroke::kKind,    &EraseTips::kKind,
+        &Indicate::kKind,      &ChangeIndicator::kKind, &DeleteIndicator::kKind, &SetGrowth::kKind,
+        &ActivatePlant::kKind, &MovePlant::kKind,       &CopyPlant::kKind,       &HidePlant::kKind,
+        &NamePlant::kKind,     &RemovePlant::kKind,     &SetScale::kKind
     };
     return kKinds;
 }
@@ -56,10 +58,10 @@ Edit Edit::changed_by(Fields& visitor) const
     return { *kind_, copy };
 }
 
-Result<Scene> apply_edit(Scene scene, Edit const& edit, LoadOptions const& options)
+Result<DocumentState> apply_edit(DocumentState state, Edit const& edit, SceneBuilder& builder)
 {
-    ++scene.last_edit;
-    return edit.kind_->apply(std::move(scene), edit.fields_.get(), options);
+    ++state.last_edit;
+    return edit.kind_->apply(std::move(state), edit.fields_.get(), builder);
 }
 
 } // namespace tractus

@@ -33,7 +33,7 @@ void list(Fields& fields, SetGrowth& edit)
     fields.field("age", &edit.age);
 }
 
-Result<Scene> applied(Scene scene, SetGrowth const& edit, LoadOptions const&)
+Result<DocumentState> applied(DocumentState state, SetGrowth const& edit, SceneBuilder&)
 {
     TRY(check_growth_parameters(edit.parameters));
     TRY(at_variability(edit.parameters, edit.variability));
@@ -42,8 +42,8 @@ Result<Scene> applied(Scene scene, SetGrowth const& edit, LoadOptions const&)
                     fmt::format("a plant cannot be {} of its age: give 0 (a seed) to "
                                 "1 (full-grown)",
                                 edit.age));
-    scene.growth = edit;
-    return scene;
+    change_active(state, [&](PlantState& plant) { plant.growth = edit; });
+    return state;
 }
 
 std::string described(SetGrowth const& edit)

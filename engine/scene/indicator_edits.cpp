@@ -1,9 +1,11 @@
 #include "engine/scene/edit_words.h"
 #include "engine/scene/make_edit_kind.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/core.h>
+#include <utility>
+#include <vector>
 
 namespace tractus {
 
@@ -22,33 +24,54 @@ void list(Fields& fields, MotionIndicator& indicator)
     fields.field("is_orphaned", &indicator.is_orphaned);
 }
 
-std::vector<PathAddress> places_of(Scene const& scene, MotionIndicator const& indicator)
+// Where an indicator acts that says it by segments, as sessions before format 4 do.
+Result<std::vector<PathAddress>> places_of(MotionIndicator const& indicator,
+                                           DocumentState const& state, SceneBuilder& builder)
 {
     std::vector<PathAddress> places;
+    if (indicator.below.empty())
+        return places;
+    auto const base = TRY(builder.active_base(state));
+    TRY(check_indicator(*base->plant, indicator));
     for (auto const segment : indicator.below) {
-        auto const address = scene.rest->addresses.address_of(*scene.base, segment);
+        auto const address = base->rest->addresses.address_of(*base->plant, segment);
         places.push_back({ address, address });
     }
     return places;
 }
 
-// Its number in the scene's list; `number` is what older sessions say in place of an id.
-Result<std::size_t> find_indicator(Scene const& scene, ItemId id, std::uint64_t number)
+// As a document keeps it: its places say what it acts below.
+Result<MotionIndicator> placeless(MotionIndicator indicator)
 {
-    auto const& all = scene.indicators;
+    indicator.below.clear();
+    indicator.is_orphaned = false;
+    TRY(check_indicator({}, indicator));
+    return indicator;
+}
+
+// An indicator by its plant's number, and its own among those of that plant.
+using IndicatorNumber = std::pair<std::size_t, std::size_t>;
+
+// `number` is what older sessions say in place of an id.
+Result<IndicatorNumber> find_indicator(DocumentState const& state, ItemId id, std::uint64_t number)
+{
     if (id != 0) {
-        auto const found = std::find_if(all.begin(), all.end(),
-                                        [&](auto const& indicator) { return indicator.id == id; });
-        if (found == all.end())
-            return fail(Fault::User,
-                        fmt::format("there is no motion indicator {} any more", name_of(id)));
-        return static_cast<std::size_t>(found - all.begin());
-    }
-    if (number >= all.size())
+        for (std::size_t i = 0; i < state.plants.size(); ++i) {
+            auto const& all = state.plants[i]->indicators;
+            for (std::size_t k = 0; k < all.size(); ++k)
+                if (all[k].id == id)
+                    return IndicatorNumber(i, k);
+        }
         return fail(Fault::User,
-                    fmt::format("there is no motion indicator {}: the scene has {}", number + 1,
-                                all.size()));
-    return number;
+                    fmt::format("there is no motion indicator {} any more", name_of(id)));
+    }
+    auto const active = find_plant(state, state.active);
+    auto const count = active ? state.plants[*active]->indicators.size() : 0;
+    if (number >= count)
+        return fail(
+            Fault::User,
+            fmt::format("there is no motion indicator {}: the scene has {}", number + 1, count));
+    return IndicatorNumber(*active, number);
 }
 
 std::string name_of_indicator(ItemId id, std::uint64_t number)
@@ -77,21 +100,15 @@ void list(Fields& fields, Indicate& edit)
     fields.id(edit.id);
 }
 
-Result<Scene> applied(Scene scene, Indicate const& edit, LoadOptions const&)
+Result<DocumentState> applied(DocumentState state, Indicate const& edit, SceneBuilder& builder)
 {
-    auto indicator = edit.indicator;
-    for (auto const& address : edit.below) {
-        auto const segment = scene.rest->addresses.find_segment(*scene.base, address);
-        if (!segment)
-            return fail(Fault::User,
-                        "the motion indicator acts on nothing: the plant has no branch there");
-        indicator.below.push_back(*segment);
-    }
-    TRY(check_indicator(*scene.base, indicator));
-    auto const id = take_id(scene, edit.id);
-    auto places = places_of(scene, indicator);
-    scene.indicators.push_back({ id, std::move(indicator), std::move(places) });
-    return scene;
+    auto places = TRY(places_of(edit.indicator, state, builder));
+    for (auto const& address : edit.below)
+        places.push_back({ address, address });
+    Anchored<MotionIndicator> drawn { 0, TRY(placeless(edit.indicator)), std::move(places) };
+    drawn.id = take_id(state, edit.id);
+    change_active(state, [&](PlantState& plant) { plant.indicators.push_back(std::move(drawn)); });
+    return state;
 }
 
 std::string described(Indicate const& edit)
@@ -107,20 +124,18 @@ void list(Fields& fields, ChangeIndicator& edit)
     list(fields, edit.indicator);
 }
 
-Result<Scene> applied(Scene scene, ChangeIndicator const& edit, LoadOptions const&)
+Result<DocumentState> applied(DocumentState state, ChangeIndicator const& edit,
+                              SceneBuilder& builder)
 {
-    auto& changed = scene.indicators[TRY(find_indicator(scene, edit.which, edit.number))];
-    auto indicator = edit.indicator;
-    if (edit.which != 0) {
-        indicator.below = changed.what.below;
-        indicator.is_orphaned = changed.what.is_orphaned;
-    }
-    TRY(check_indicator(*scene.base, indicator));
+    auto const number = TRY(find_indicator(state, edit.which, edit.number));
+    auto changed = state.plants[number.first]->indicators[number.second];
     // An orphan that is only moved still waits for its branch.
-    if (edit.which == 0 && !indicator.is_orphaned)
-        changed.at = places_of(scene, indicator);
-    changed.what = std::move(indicator);
-    return scene;
+    if (edit.which == 0 && !edit.indicator.is_orphaned)
+        changed.at = TRY(places_of(edit.indicator, state, builder));
+    changed.what = TRY(placeless(edit.indicator));
+    change_plant(state, number.first,
+                 [&](PlantState& plant) { plant.indicators[number.second] = std::move(changed); });
+    return state;
 }
 
 std::string described(ChangeIndicator const& edit)
@@ -136,11 +151,14 @@ void list(Fields& fields, DeleteIndicator& edit)
     fields.sparse_field("number", &edit.number);
 }
 
-Result<Scene> applied(Scene scene, DeleteIndicator const& edit, LoadOptions const&)
+Result<DocumentState> applied(DocumentState state, DeleteIndicator const& edit, SceneBuilder&)
 {
-    auto const number = TRY(find_indicator(scene, edit.which, edit.number));
-    scene.indicators.erase(scene.indicators.begin() + static_cast<std::ptrdiff_t>(number));
-    return scene;
+    auto const number = TRY(find_indicator(state, edit.which, edit.number));
+    change_plant(state, number.first, [&](PlantState& plant) {
+        plant.indicators.erase(plant.indicators.begin()
+                               + static_cast<std::ptrdiff_t>(number.second));
+    });
+    return state;
 }
 
 std::string described(DeleteIndicator const& edit)

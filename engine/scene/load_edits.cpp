@@ -5,9 +5,9 @@
 #include "engine/scene/make_edit_kind.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fmt/core.h>
-#include <map>
 #include <utility>
 
 namespace tractus {
@@ -15,46 +15,7 @@ namespace tractus {
 namespace {
 
 // In the order of the enumerations' values.
-constexpr std::array kDrawn { "forget", "keep" };
-
-// Finds the branches that something was drawn for again, by where they were.
-void keep_drawn(Scene before, Scene& now)
-{
-    // By their places, which those for the same branch share. Empty: there is none.
-    std::map<PathAddress const*, SharedVector<SegmentId>> paths;
-    for (auto drawn : before.associations) {
-        auto const [found, is_new] = paths.try_emplace(drawn.at.data());
-        if (is_new)
-            if (auto path = now.rest->addresses.find_path(*now.base, drawn.at.front()))
-                found->second = *std::move(path);
-        drawn.what.path = found->second;
-        drawn.what.is_orphaned = drawn.what.path.empty();
-        now.associations.push_back(std::move(drawn));
-    }
-    now.indicators = std::move(before.indicators);
-    for (auto& [id, indicator, at] : now.indicators) {
-        indicator.below.clear();
-        for (auto const& place : at)
-            if (auto const segment = now.rest->addresses.find_segment(*now.base, place.last))
-                indicator.below.push_back(*segment);
-        indicator.is_orphaned = indicator.below.empty() && !at.empty();
-    }
-}
-
-// The scene with another base plant.
-Scene with_plant(Scene scene, std::string const& name, Plant plant, Drawn drawn)
-{
-    Scene loaded;
-    loaded.model_name = name;
-    loaded.placement = place_on_desk(plant);
-    loaded.base = std::make_shared<Plant const>(std::move(plant));
-    loaded.rest = std::make_shared<RestShape const>(find_rest_shape(*loaded.base));
-    loaded.growth = std::move(scene.growth);
-    loaded.last_edit = scene.last_edit;
-    if (drawn == Drawn::Keep)
-        keep_drawn(std::move(scene), loaded);
-    return loaded;
-}
+constexpr std::array kDrawn { "forget", "keep", "beside" };
 
 std::string file_name(std::string const& path)
 {
@@ -63,7 +24,23 @@ std::string file_name(std::string const& path)
 
 char const* describe_drawn(Drawn drawn)
 {
-    return drawn == Drawn::Keep ? ", and keeps what was drawn" : "";
+    static constexpr std::array kWords { "", ", and keeps what was drawn",
+                                         ", beside what is there" };
+    return kWords[static_cast<std::size_t>(drawn)];
+}
+
+// After the field "drawn": only a plant that is added stands somewhere and has an id of its own.
+template<typename T> void list_plant(Fields& fields, T& edit)
+{
+    if (edit.drawn != Drawn::Beside)
+        return;
+    fields.field("stands_at_mm", &edit.stands_at_mm);
+    fields.id(edit.id);
+}
+
+template<typename T> NewSource new_source(T const& edit, std::string name, SourceKind const& kind)
+{
+    return { std::move(name), PlantSource(kind, edit), edit.drawn, edit.stands_at_mm, edit.id };
 }
 
 void list(Fields& fields, LoadModel& edit)
@@ -76,9 +53,10 @@ void list(Fields& fields, LoadModel& edit)
     fields.field("steps", &edit.steps);
     fields.field("seed", &edit.seed);
     fields.word("drawn", edit.drawn, kDrawn);
+    list_plant(fields, edit);
 }
 
-Result<Scene> applied(Scene scene, LoadModel const& edit, LoadOptions const& options)
+Result<BuiltSource> build_model(LoadModel const& edit, LoadOptions const& options)
 {
     auto const include = [&](std::string const& name) -> Result<std::string> {
         auto const found = edit.includes.find(name);
@@ -98,12 +76,16 @@ Result<Scene> applied(Scene scene, LoadModel const& edit, LoadOptions const& opt
                                                 .max_memory_bytes = options.limits.max_memory_bytes,
                                                 .time = options.limits.time,
                                                 .print = options.print }));
-    auto loaded
-        = with_plant(std::move(scene), edit.source.name, join_axes(turtle.plant), edit.drawn);
-    loaded.model_warnings = model.warnings;
-    loaded.model_warnings.insert(loaded.model_warnings.end(), turtle.warnings.begin(),
-                                 turtle.warnings.end());
-    return loaded;
+    BuiltSource built { join_axes(turtle.plant), model.warnings };
+    built.warnings.insert(built.warnings.end(), turtle.warnings.begin(), turtle.warnings.end());
+    return built;
+}
+
+constexpr SourceKind kLSystem = make_source_kind<LoadModel, build_model>("lsystem");
+
+Result<DocumentState> applied(DocumentState state, LoadModel const& edit, SceneBuilder&)
+{
+    return with_source(std::move(state), new_source(edit, edit.source.name, kLSystem));
 }
 
 std::string described(LoadModel const& edit)
@@ -122,13 +104,20 @@ void list(Fields& fields, LoadSkeleton& edit)
 {
     fields.field("name", &edit.name);
     fields.word("drawn", edit.drawn, kDrawn);
+    list_plant(fields, edit);
     fields.numbers(edit.lines);
 }
 
-Result<Scene> applied(Scene scene, LoadSkeleton const& edit, LoadOptions const&)
+Result<BuiltSource> build_skeleton(LoadSkeleton const& edit, LoadOptions const&)
 {
-    auto plant = TRY(plant_from_lines(edit.name, edit.lines));
-    return with_plant(std::move(scene), edit.name, std::move(plant), edit.drawn);
+    return BuiltSource { TRY(plant_from_lines(edit.name, edit.lines)) };
+}
+
+constexpr SourceKind kLines = make_source_kind<LoadSkeleton, build_skeleton>("lines");
+
+Result<DocumentState> applied(DocumentState state, LoadSkeleton const& edit, SceneBuilder&)
+{
+    return with_source(std::move(state), new_source(edit, edit.name, kLines));
 }
 
 std::string described(LoadSkeleton const& edit)

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "engine/scene/document_state.h"
 #include "engine/scene/edit_kind.h"
-#include "engine/scene/scene.h"
+#include "engine/scene/scene_builder.h"
 
 #include <memory>
 #include <string>
@@ -11,7 +12,7 @@ namespace tractus {
 
 // The row for edits of type T, from functions on T.
 template<typename T, void (*fields)(Fields&, T&),
-         Result<Scene> (*apply)(Scene, T const&, LoadOptions const&),
+         Result<DocumentState> (*apply)(DocumentState, T const&, SceneBuilder&),
          std::string (*describe)(T const&)>
 constexpr EditKind make_edit_kind(char const* word, bool loads_plant = false)
 {
@@ -25,8 +26,8 @@ constexpr EditKind make_edit_kind(char const* word, bool loads_plant = false)
                  },
              .fields = [](Fields& visitor, void* edit) { fields(visitor, *static_cast<T*>(edit)); },
              .apply =
-                 [](Scene scene, void const* edit, LoadOptions const& options) {
-                     return apply(std::move(scene), *static_cast<T const*>(edit), options);
+                 [](DocumentState state, void const* edit, SceneBuilder& builder) {
+                     return apply(std::move(state), *static_cast<T const*>(edit), builder);
                  },
              .describe = [](void const* edit) { return describe(*static_cast<T const*>(edit)); } };
 }

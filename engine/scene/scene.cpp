@@ -1,75 +1,81 @@
 #include "engine/scene/scene.h"
 
+#include "engine/scene/scene_builder.h"
+
 #include <algorithm>
 #include <set>
 #include <utility>
 
 namespace tractus {
 
-ItemId take_id(Scene& scene, ItemId own)
-{
-    if (own == 0)
-        return item_id(scene.last_edit, 0);
-    scene.last_edit = std::max(scene.last_edit, edit_of_item(own));
-    return own;
-}
-
-std::vector<MotionIndicator> motion_indicators(Scene const& scene)
+std::vector<MotionIndicator> motion_indicators(BuiltPlant const& plant)
 {
     std::vector<MotionIndicator> indicators;
-    for (auto const& indicator : scene.indicators)
+    for (auto const& indicator : plant.indicators)
         indicators.push_back(indicator.what);
     return indicators;
 }
 
-std::vector<std::size_t> shaping_numbers(Scene const& scene)
+std::vector<std::size_t> shaping_numbers(BuiltPlant const& plant)
 {
     // Whether two are for the same path and propagation; most that are share the path itself.
     auto const before = [&](std::size_t one, std::size_t other) {
-        auto const& a = scene.associations[one].what;
-        auto const& b = scene.associations[other].what;
+        auto const& a = plant.associations[one].what;
+        auto const& b = plant.associations[other].what;
         if (a.propagation != b.propagation)
             return a.propagation < b.propagation;
         return a.path.data() != b.path.data() && a.path.vector() < b.path.vector();
     };
     std::set<std::size_t, decltype(before)> later(before);
     std::vector<std::size_t> numbers;
-    for (auto i = scene.associations.size(); i-- > 0;)
-        if (!scene.associations[i].what.is_orphaned && later.insert(i).second)
+    for (auto i = plant.associations.size(); i-- > 0;)
+        if (!plant.associations[i].what.is_orphaned && later.insert(i).second)
             numbers.push_back(i);
     std::reverse(numbers.begin(), numbers.end());
     return numbers;
 }
 
-std::vector<Association> shaping_associations(Scene const& scene)
+std::vector<Association> shaping_associations(BuiltPlant const& plant)
 {
     std::vector<Association> shaping;
-    for (auto const number : shaping_numbers(scene))
-        shaping.push_back(scene.associations[number].what);
+    for (auto const number : shaping_numbers(plant))
+        shaping.push_back(plant.associations[number].what);
     return shaping;
 }
 
-std::vector<std::size_t> selected_associations(Scene const& scene)
+std::vector<std::size_t> selected_associations(BuiltPlant const& plant)
 {
-    std::vector<bool> is_selected(scene.base->segment_count());
-    for (auto const& path : scene.selection)
+    std::vector<bool> is_selected(plant.base->segment_count());
+    for (auto const& path : plant.selection)
         for (auto const segment : path)
             is_selected[segment] = true;
-    auto numbers = shaping_numbers(scene);
+    auto numbers = shaping_numbers(plant);
     std::erase_if(numbers, [&](std::size_t number) {
-        auto const& path = scene.associations[number].what.path;
+        auto const& path = plant.associations[number].what.path;
         return std::none_of(path.begin(), path.end(),
                             [&](SegmentId segment) { return is_selected[segment]; });
     });
     return numbers;
 }
 
+Result<Scene> apply_edits(Scene scene, std::span<Edit const> edits,
+                          MakeLoadOptions const& load_options)
+{
+    SceneBuilder builder(scene, load_options);
+    auto state = std::move(scene.state);
+    for (auto const& edit : edits)
+        state = TRY(apply_edit(std::move(state), edit, builder));
+    return builder.build(std::move(state));
+}
+
+Result<Scene> apply_edit(Scene scene, Edit const& edit, MakeLoadOptions const& load_options)
+{
+    return apply_edits(std::move(scene), std::span(&edit, 1), load_options);
+}
+
 Result<Scene> fold(std::span<Edit const> edits)
 {
-    Scene scene;
-    for (auto const& edit : edits)
-        scene = TRY(apply_edit(std::move(scene), edit));
-    return scene;
+    return apply_edits({}, edits);
 }
 
 } // namespace tractus

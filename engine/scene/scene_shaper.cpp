@@ -7,36 +7,42 @@
 
 namespace tractus {
 
-Result<void> SceneShaper::set_scene(Scene const& scene)
+Result<void> SceneShaper::set_plant(BuiltPlant const& plant)
 {
-    if (base_ != scene.base || rest_ != scene.rest) {
-        base_ = scene.base;
-        rest_ = scene.rest;
+    if (base_ != plant.base || rest_ != plant.rest) {
+        base_ = plant.base;
+        rest_ = plant.rest;
         shaper_.emplace(*base_, *rest_);
     }
-    return shaper_->set(shaping_associations(scene));
+    return shaper_->set(shaping_associations(plant));
 }
 
-Result<GrowthPlan> plan_growth(Scene const& scene, SceneShaper& shaper, std::stop_token const& stop)
+Result<GrowthPlan> plan_growth(BuiltPlant const& plant, SceneShaper& shaper,
+                               std::stop_token const& stop)
 {
-    TRY(shaper.set_scene(scene));
+    TRY(shaper.set_plant(plant));
     if (stop.stop_requested())
         return GrowthPlan {};
     auto const& shape = shaper.shape();
     std::vector<Vec3> nodes_mm;
-    place_nodes(*scene.base, *scene.rest, shape, nodes_mm);
-    auto influence = TRY(influence_of(*scene.base, nodes_mm, motion_indicators(scene),
-                                      { scene.placement.shown_height_mm, scene.placement.scale }));
-    auto const growth = TRY(at_variability(scene.growth.parameters, scene.growth.variability));
+    place_nodes(*plant.base, *plant.rest, shape, nodes_mm);
+    auto indicators = motion_indicators(plant);
+    for (auto& indicator : indicators) { // As if the plant stood at the origin.
+        indicator.start_mm -= plant.placement.origin_mm;
+        indicator.end_mm -= plant.placement.origin_mm;
+    }
+    auto influence = TRY(influence_of(*plant.base, nodes_mm, indicators,
+                                      { plant.placement.shown_height_mm, plant.placement.scale }));
+    auto const growth = TRY(at_variability(plant.growth.parameters, plant.growth.variability));
     if (stop.stop_requested())
         return GrowthPlan {};
-    return plan_growth(*scene.base, *scene.rest, shape, growth, std::move(influence), stop);
+    return plan_growth(*plant.base, *plant.rest, shape, growth, std::move(influence), stop);
 }
 
-Result<GrowthPlan> plan_growth(Scene const& scene)
+Result<GrowthPlan> plan_growth(BuiltPlant const& plant)
 {
     SceneShaper shaper;
-    return plan_growth(scene, shaper);
+    return plan_growth(plant, shaper);
 }
 
 } // namespace tractus

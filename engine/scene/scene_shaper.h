@@ -11,15 +11,15 @@
 
 namespace tractus {
 
-// Keeps the shape that strokes give to a scene's plant, for scenes that follow each other: of the
+// Keeps the shape that strokes give to a plant, for states of it that follow each other: of the
 // next one only the strokes that are new are looked at and laid. Serves one caller at a time.
 class SceneShaper {
 public:
-    // From here on that of this scene. If one of its strokes is refused the shape stays as it was,
+    // From here on that of this plant. If one of its strokes is refused the shape stays as it was,
     // or is that without strokes for another plant than before.
-    Result<void> set_scene(Scene const& scene);
+    Result<void> set_plant(BuiltPlant const& plant);
 
-    // After set_scene().
+    // After set_plant().
     PredefinedShape const& shape() const { return shaper_->shape(); }
 
 private:
@@ -28,9 +28,9 @@ private:
     std::optional<StrokeShaper> shaper_;
 };
 
-// The same plan as plan_growth(scene), sooner where the shaper had a scene much like it. Ends early
+// The same plan as plan_growth(plant), sooner where the shaper had a plant much like it. Ends early
 // when `stop` asks for it; the plan is then without segments.
-Result<GrowthPlan> plan_growth(Scene const& scene, SceneShaper& shaper,
+Result<GrowthPlan> plan_growth(BuiltPlant const& plant, SceneShaper& shaper,
                                std::stop_token const& stop = {});
 
 } // namespace tractus

@@ -2,6 +2,8 @@
 #include "engine/scene/make_edit_kind.h"
 
 #include <fmt/core.h>
+#include <utility>
+#include <vector>
 
 namespace tractus {
 
@@ -13,22 +15,31 @@ void list(Fields& fields, Select& edit)
     fields.sparse_field("at", &edit.at);
 }
 
-Result<Scene> applied(Scene scene, Select const& edit, LoadOptions const&)
+// Paths that are said by their segments, by where they are.
+Result<std::vector<PathAddress>> places_of(Selection const& paths, BasePlant const& base)
 {
-    for (auto const& path : edit.paths)
+    std::vector<PathAddress> at;
+    for (auto const& path : paths) {
         for (auto const segment : path)
-            if (segment >= scene.base->segment_count())
+            if (segment >= base.plant->segment_count())
                 return fail(Fault::User,
                             fmt::format("segment {} cannot be selected: the plant has {}", segment,
-                                        scene.base->segment_count()));
-    scene.selection = edit.paths;
-    for (auto const& at : edit.at) {
-        auto path = scene.rest->addresses.find_path(*scene.base, at);
-        if (!path)
-            return fail(Fault::User, "a branch cannot be selected: the plant has none there");
-        scene.selection.push_back(*std::move(path));
+                                        base.plant->segment_count()));
+        if (!path.empty())
+            at.push_back(base.rest->addresses.address_of(*base.plant, path));
     }
-    return scene;
+    return at;
+}
+
+Result<DocumentState> applied(DocumentState state, Select const& edit, SceneBuilder& builder)
+{
+    auto at = edit.at;
+    if (!edit.paths.empty()) {
+        auto const base = TRY(builder.active_base(state));
+        at = TRY(places_of(edit.paths, *base));
+    }
+    change_active(state, [&](PlantState& plant) { plant.selection = std::move(at); });
+    return state;
 }
 
 std::string described(Select const& edit)
@@ -46,11 +57,11 @@ std::string described(Select const& edit)
 
 } // namespace
 
-Select select_paths(Scene const& scene, Selection const& paths)
+Select select_paths(BuiltPlant const& plant, Selection const& paths)
 {
     Select edit;
     for (auto const& path : paths)
-        edit.at.push_back(scene.rest->addresses.address_of(*scene.base, path));
+        edit.at.push_back(plant.rest->addresses.address_of(*plant.base, path));
     return edit;
 }
 

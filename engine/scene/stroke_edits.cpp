@@ -19,43 +19,71 @@ namespace {
 constexpr std::array kPropagations { "selected", "descendants", "both" };
 constexpr std::array kFits { "start", "chord", "world" };
 
-// After hours of drawing each branch has been drawn many times: its path and place are held once.
-void share_with_earlier(Scene const& scene, Anchored<Association>& drawn)
+// After hours of drawing each branch has been drawn many times: its place is held once.
+void share_with_earlier(PlantState const& plant, Anchored<ShapingStroke>& drawn)
 {
-    for (auto i = scene.associations.size(); i-- > 0;) {
-        auto const& earlier = scene.associations[i];
-        if (earlier.what.path != drawn.what.path || earlier.at != drawn.at)
-            continue;
-        drawn.what.path = earlier.what.path;
-        drawn.at = earlier.at;
-        return;
-    }
+    for (auto i = plant.strokes.size(); i-- > 0;)
+        if (plant.strokes[i].at == drawn.at) {
+            drawn.at = plant.strokes[i].at;
+            return;
+        }
 }
 
-// Their numbers in the scene's list, each once, the last first: the others keep theirs when it
-// goes. Refuses strokes that are not there, and none at all.
-Result<std::vector<std::size_t>> find_strokes(Scene const& scene, Items const& strokes)
+// A stroke by its number among those of a plant, and that plant's number.
+using StrokeNumber = std::pair<std::size_t, std::size_t>;
+
+Result<std::vector<StrokeNumber>> numbered_strokes(DocumentState const& state,
+                                                   std::vector<std::uint64_t> const& numbers)
+{
+    std::vector<StrokeNumber> found;
+    auto const active = find_plant(state, state.active);
+    auto const count = active ? state.plants[*active]->strokes.size() : 0;
+    for (auto const number : numbers) {
+        if (number >= count)
+            return fail(Fault::User,
+                        fmt::format("there is no stroke {}: the scene has {}", number + 1, count));
+        found.emplace_back(*active, number);
+    }
+    return found;
+}
+
+Result<std::vector<StrokeNumber>> named_strokes(DocumentState const& state,
+                                                std::vector<ItemId> const& ids)
+{
+    std::map<ItemId, StrokeNumber> all; // Looked through once, however many are wanted.
+    for (std::size_t i = 0; i < state.plants.size() && !ids.empty(); ++i)
+        for (std::size_t k = 0; k < state.plants[i]->strokes.size(); ++k)
+            all.emplace(state.plants[i]->strokes[k].id, StrokeNumber(i, k));
+    std::vector<StrokeNumber> found;
+    for (auto const id : ids) {
+        auto const stroke = all.find(id);
+        if (stroke == all.end())
+            return fail(Fault::User, fmt::format("there is no stroke {} any more", name_of(id)));
+        found.push_back(stroke->second);
+    }
+    return found;
+}
+
+// Each once, the last first: the others keep their numbers when it goes. Refuses strokes that are
+// not there, and none at all.
+Result<std::vector<StrokeNumber>> find_strokes(DocumentState const& state, Items const& strokes)
 {
     if (strokes.empty())
         return fail(Fault::User, "no stroke is chosen: select a branch that has been drawn");
-    std::vector<std::size_t> found(strokes.numbers.begin(), strokes.numbers.end());
-    for (auto const number : found)
-        if (number >= scene.associations.size())
-            return fail(Fault::User,
-                        fmt::format("there is no stroke {}: the scene has {}", number + 1,
-                                    scene.associations.size()));
-    std::map<ItemId, std::size_t> numbers; // Looked through once, however many are wanted.
-    for (std::size_t i = 0; i < scene.associations.size() && !strokes.ids.empty(); ++i)
-        numbers.emplace(scene.associations[i].id, i);
-    for (auto const id : strokes.ids) {
-        auto const number = numbers.find(id);
-        if (number == numbers.end())
-            return fail(Fault::User, fmt::format("there is no stroke {} any more", name_of(id)));
-        found.push_back(number->second);
-    }
+    auto found = TRY(numbered_strokes(state, strokes.numbers));
+    for (auto const& stroke : TRY(named_strokes(state, strokes.ids)))
+        found.push_back(stroke);
     std::sort(found.begin(), found.end(), std::greater<> {});
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
+}
+
+void replace_stroke(DocumentState& state, StrokeNumber const& number,
+                    Anchored<ShapingStroke> stroke)
+{
+    change_plant(state, number.first, [&](PlantState& plant) {
+        plant.strokes.replace(number.second, std::move(stroke));
+    });
 }
 
 // As find_strokes() understands them: what older sessions count from 0, people count from 1.
@@ -72,23 +100,23 @@ void list(Fields& fields, Items& strokes)
 
 // Puts what `change` makes of them in the place of strokes. One stroke for several branches stays
 // one: its tips are held once.
-Result<Scene> with_changed_strokes(Scene scene, Items const& strokes,
-                                   std::function<Result<Stroke>(Stroke const& drawn)> const& change)
+Result<DocumentState>
+with_changed_strokes(DocumentState state, Items const& strokes,
+                     std::function<Result<Stroke>(Stroke const& drawn)> const& change)
 {
-    auto const numbers = TRY(find_strokes(scene, strokes));
     Stroke drawn;
     Stroke changed;
-    for (auto const number : numbers) {
-        auto association = scene.associations[number];
-        if (association.what.stroke.tips.id() != drawn.tips.id()) {
-            drawn = association.what.stroke;
+    for (auto const& number : TRY(find_strokes(state, strokes))) {
+        auto stroke = state.plants[number.first]->strokes[number.second];
+        if (stroke.what.stroke.tips.id() != drawn.tips.id()) {
+            drawn = stroke.what.stroke;
             changed = TRY(change(drawn));
         }
-        association.what.stroke = changed;
-        TRY(check_association(*scene.base, association.what));
-        scene.associations.replace(number, std::move(association));
+        stroke.what.stroke = changed;
+        TRY(check_shaping_stroke(stroke.what));
+        replace_stroke(state, number, std::move(stroke));
     }
-    return scene;
+    return state;
 }
 
 void list(Fields& fields, Associate& edit)
@@ -100,28 +128,25 @@ void list(Fields& fields, Associate& edit)
     fields.numbers(edit.stroke);
 }
 
-Result<Scene> applied(Scene scene, Associate const& edit, LoadOptions const&)
+Result<DocumentState> applied(DocumentState state, Associate const& edit, SceneBuilder&)
 {
-    if (scene.selection.empty())
+    auto const* const active = active_plant(state);
+    if (!active || active->selection.empty())
         return fail(Fault::User,
                     "nothing is selected for the stroke to shape: select a branch first");
-    auto const edit_number = edit_of_item(take_id(scene, edit.id));
-    std::size_t item = 0;
-    for (auto const& path : scene.selection) {
-        Anchored<Association> drawn;
-        drawn.id = item_id(edit_number, item++);
-        drawn.what = { .path = path,
-                       .stroke = edit.stroke,
-                       .propagation = edit.propagation,
-                       .fit = edit.fit,
-                       .detail_weight = edit.detail_weight };
-        drawn.at.push_back(scene.rest->addresses.address_of(*scene.base, path));
-        // Refused here, at its own edit, rather than later when the plant is grown.
-        TRY(check_association(*scene.base, drawn.what));
-        share_with_earlier(scene, drawn);
-        scene.associations.push_back(std::move(drawn));
-    }
-    return scene;
+    ShapingStroke const stroke { edit.stroke, edit.propagation, edit.fit, edit.detail_weight };
+    // Refused here, at its own edit, rather than later when the plant is grown.
+    TRY(check_shaping_stroke(stroke));
+    auto const edit_number = edit_of_item(take_id(state, edit.id));
+    change_active(state, [&](PlantState& plant) {
+        std::size_t item = 0;
+        for (auto const& at : plant.selection) {
+            Anchored<ShapingStroke> drawn { item_id(edit_number, item++), stroke, { at } };
+            share_with_earlier(plant, drawn);
+            plant.strokes.push_back(std::move(drawn));
+        }
+    });
+    return state;
 }
 
 std::string described(Associate const& edit)
@@ -140,10 +165,10 @@ void list(Fields& fields, Oversketch& edit)
     fields.numbers(edit.over);
 }
 
-Result<Scene> applied(Scene scene, Oversketch const& edit, LoadOptions const&)
+Result<DocumentState> applied(DocumentState state, Oversketch const& edit, SceneBuilder&)
 {
     return with_changed_strokes(
-        std::move(scene), edit.strokes, [&](Stroke const& drawn) -> Result<Stroke> {
+        std::move(state), edit.strokes, [&](Stroke const& drawn) -> Result<Stroke> {
             auto const tips = TRY(drawn.tips.in_memory());
             auto const redrawn = TRY(oversketch({ tips }, edit.over));
             return Stroke { { redrawn.tips.vector(),
@@ -163,15 +188,15 @@ void list(Fields& fields, SmoothStroke& edit)
     fields.field("kept_hand", &edit.detail_weight);
 }
 
-Result<Scene> applied(Scene scene, SmoothStroke const& edit, LoadOptions const&)
+Result<DocumentState> applied(DocumentState state, SmoothStroke const& edit, SceneBuilder&)
 {
-    for (auto const number : TRY(find_strokes(scene, edit.strokes))) {
-        auto association = scene.associations[number];
-        association.what.detail_weight = edit.detail_weight;
-        TRY(check_association(*scene.base, association.what));
-        scene.associations.replace(number, std::move(association));
+    for (auto const& number : TRY(find_strokes(state, edit.strokes))) {
+        auto stroke = state.plants[number.first]->strokes[number.second];
+        stroke.what.detail_weight = edit.detail_weight;
+        TRY(check_shaping_stroke(stroke.what));
+        replace_stroke(state, number, std::move(stroke));
     }
-    return scene;
+    return state;
 }
 
 std::string described(SmoothStroke const& edit)
@@ -185,11 +210,12 @@ void list(Fields& fields, DeleteStroke& edit)
     list(fields, edit.strokes);
 }
 
-Result<Scene> applied(Scene scene, DeleteStroke const& edit, LoadOptions const&)
+Result<DocumentState> applied(DocumentState state, DeleteStroke const& edit, SceneBuilder&)
 {
-    for (auto const number : TRY(find_strokes(scene, edit.strokes)))
-        scene.associations.erase(number);
-    return scene;
+    for (auto const& number : TRY(find_strokes(state, edit.strokes)))
+        change_plant(state, number.first,
+                     [&](PlantState& plant) { plant.strokes.erase(number.second); });
+    return state;
 }
 
 std::string described(DeleteStroke const& edit)
@@ -203,10 +229,10 @@ void list(Fields& fields, EraseTips& edit)
     fields.field("ranges", &edit.ranges);
 }
 
-Result<Scene> applied(Scene scene, EraseTips const& edit, LoadOptions const&)
+Result<DocumentState> applied(DocumentState state, EraseTips const& edit, SceneBuilder&)
 {
     return with_changed_strokes(
-        std::move(scene), edit.strokes, [&](Stroke const& drawn) -> Result<Stroke> {
+        std::move(state), edit.strokes, [&](Stroke const& drawn) -> Result<Stroke> {
             auto const tips = TRY(drawn.tips.in_memory());
             auto const rest = TRY(erase_tips({ tips }, edit.ranges));
             return Stroke { { rest.tips.vector(),

@@ -32,6 +32,14 @@ enum class StrokeFit {
     World,
 };
 
+// A stroke that shapes branches, whichever they are.
+struct ShapingStroke {
+    Stroke stroke {}; // As those of Association, as the next ones.
+    Propagation propagation = Propagation::Selected;
+    StrokeFit fit = StrokeFit::Start;
+    double detail_weight = 1;
+};
+
 // "These branches shall have this shape."
 struct Association {
     // From root to tip, each the child of the one before. At least one.
@@ -56,6 +64,9 @@ struct PredefinedShape {
 // has no direction (stroke_points) or, for StrokeFit::Chord, ends where it began, and a
 // detail_weight outside of 0 to 1. An orphaned association is fine.
 Result<void> check_association(Plant const& plant, Association const& association);
+
+// Refuses of that what is the stroke's, whatever plant it is for.
+Result<void> check_shaping_stroke(ShapingStroke const& stroke);
 
 // Bends the branches of `plant`, of which `rest` is the shape, to the strokes. Topology and segment
 // lengths stay.

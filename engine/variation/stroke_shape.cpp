@@ -66,17 +66,16 @@ Vec3 direction_of(ArcLength const& curve, StrokeFit fit)
     return fit == StrokeFit::Chord ? Vec3(chord_of(curve).normalized()) : start_tangent(curve);
 }
 
-Result<ArcLength> curve_of(Association const& association)
+Result<ArcLength> curve_of(Stroke const& stroke, StrokeFit fit, double detail_weight)
 {
-    if (!(association.detail_weight >= 0 && association.detail_weight <= 1))
-        return fail(Fault::User,
-                    fmt::format("{} of the hand cannot be kept: give a share from 0 to 1",
-                                association.detail_weight));
-    auto const tips = TRY(association.stroke.tips.in_memory());
+    if (!(detail_weight >= 0 && detail_weight <= 1))
+        return fail(
+            Fault::User,
+            fmt::format("{} of the hand cannot be kept: give a share from 0 to 1", detail_weight));
+    auto const tips = TRY(stroke.tips.in_memory());
     auto const points = TRY(stroke_points({ tips }));
-    ArcLength curve(smooth_hand(points, association.detail_weight));
-    if (association.fit == StrokeFit::Chord
-        && chord_of(curve).norm() <= kNoChord * curve.length_mm())
+    ArcLength curve(smooth_hand(points, detail_weight));
+    if (fit == StrokeFit::Chord && chord_of(curve).norm() <= kNoChord * curve.length_mm())
         return fail(Fault::User,
                     "the stroke ends where it began, so it has no chord to lay along the "
                     "branch's: fit it by its start");
@@ -143,12 +142,18 @@ Quat laid(StrokeFit fit, Vec3 const& from, Vec3 const& to)
 
 } // namespace
 
+Result<void> check_shaping_stroke(ShapingStroke const& stroke)
+{
+    TRY(curve_of(stroke.stroke, stroke.fit, stroke.detail_weight));
+    return {};
+}
+
 Result<void> check_association(Plant const& plant, Association const& association)
 {
     if (association.is_orphaned)
         return {};
     TRY(check_path(plant, association.path));
-    TRY(curve_of(association));
+    TRY(curve_of(association.stroke, association.fit, association.detail_weight));
     return {};
 }
 
@@ -161,7 +166,7 @@ Result<StrokeShape> shape_of(Plant const& plant, RestShape const& rest,
         return stroke;
     auto const& path = association.path;
     TRY(check_path(plant, path));
-    auto curve = TRY(curve_of(association));
+    auto curve = TRY(curve_of(association.stroke, association.fit, association.detail_weight));
 
     Quat const& base = rest.frame[path.front()];
     Vec3 to = tangent_of(base);

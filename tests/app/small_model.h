@@ -19,6 +19,11 @@ inline Scene small_scene()
     return apply_edit({}, small_model()).value();
 }
 
+inline void select(Scene& scene, Selection const& paths)
+{
+    scene = apply_edit(scene, select_paths(scene, paths)).value();
+}
+
 // A stroke through the given places, ten tips from each to the next, 5 ms apart.
 inline Stroke stroke_through(std::vector<Vec3> const& places_mm)
 {

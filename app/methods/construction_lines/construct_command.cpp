@@ -100,7 +100,7 @@ Result<void> make_plant(ConstructArguments const& arguments, lines::Pattern cons
     auto const name = model_name(arguments.sketch);
     auto const model = lines::write_model(construction, pattern, name);
     LoadModel const load { .source = model.source, .includes = model.functions };
-    auto const scene = TRY(apply_edit({}, load, load_options()));
+    auto const scene = TRY(apply_edit({}, load, make_load_options()));
     auto written = arguments.output.string();
     if (to_file)
         TRY(write_plant_file(*scene.base, name, arguments.output));

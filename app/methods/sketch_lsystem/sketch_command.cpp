@@ -126,7 +126,7 @@ Result<void> sketch_plant(SketchArguments const& arguments)
     }
     warn_of_cut(rule, axis);
     LoadModel const load { .source = source };
-    auto const scene = TRY(apply_edit({}, load, load_options()));
+    auto const scene = TRY(apply_edit({}, load, make_load_options()));
     for (auto const* const ending : { ".png", ".glb" })
         TRY(write_plant_file(*scene.base, name, fs::path(base).concat(ending)));
     if (arguments.session)

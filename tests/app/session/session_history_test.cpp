@@ -39,11 +39,38 @@ public:
     Result<SessionHistory> history() const
     {
         auto const last = steps_.size() - 1;
-        return SessionHistory::create({ last, last }, read(), options_for_tests().load_options);
+        SceneBuilder builder;
+        return SessionHistory::create({ last, last }, read(), builder);
     }
 
 private:
     std::vector<std::vector<Edit>> steps_;
+};
+
+// The scene of a history, whose plants one builder builds.
+class Built {
+public:
+    explicit Built(SessionHistory history)
+        : history_(std::move(history))
+    {
+    }
+
+    SessionHistory& history() { return history_; }
+    Scene scene() { return builder_.build(history_.state()).value(); }
+
+    void push(std::vector<Edit> const& edits)
+    {
+        history_.push(history_.after(edits, builder_).value());
+    }
+
+    void go_to(std::size_t step, Steps const& steps)
+    {
+        history_.go_to(step, history_.at(step, steps.read(), builder_).value());
+    }
+
+private:
+    SessionHistory history_;
+    SceneBuilder builder_;
 };
 
 // Erases tips of a stroke; draws one if there is none with enough.
@@ -98,37 +125,37 @@ struct ModelOfHistory {
 };
 
 // Does one thing to both.
-void do_anything(SessionHistory& history, Steps& steps, ModelOfHistory& model)
+void do_anything(Built& built, Steps& steps, ModelOfHistory& model)
 {
     switch (*rc::gen::weightedElement<int>({ { 5, 0 }, { 4, 1 }, { 2, 2 } })) {
     case 0: {
-        auto const edits = random_step(history.scene());
-        history.push(history.after(edits).value());
-        steps.push(history.step(), edits);
+        auto const edits = random_step(built.scene());
+        built.push(edits);
+        steps.push(built.history().step(), edits);
         model.steps.resize(model.count++);
         model.steps.push_back(edits);
         break;
     }
     case 1:
         model.count -= model.count > 0;
-        history.go_to(model.count, history.at(model.count, steps.read()).value());
+        built.go_to(model.count, steps);
         break;
     default:
         model.count += model.count < model.steps.size();
-        history.go_to(model.count, history.at(model.count, steps.read()).value());
+        built.go_to(model.count, steps);
     }
 }
 
 RC_GTEST_PROP(SessionHistory, IsTheFoldOfTheStepsThatCount, ())
 {
     Steps steps({ beginning() });
-    auto history = steps.history().value();
+    Built built(steps.history().value());
     ModelOfHistory model;
     for (int i = *rc::gen::inRange(0, 40); i > 0; --i) {
-        do_anything(history, steps, model);
-        RC_ASSERT(history.step() == model.count);
-        RC_ASSERT(history.last_step() == model.steps.size());
-        RC_ASSERT(same_scene(history.scene(), model.scene()));
+        do_anything(built, steps, model);
+        RC_ASSERT(built.history().step() == model.count);
+        RC_ASSERT(built.history().last_step() == model.steps.size());
+        RC_ASSERT(same_scene(built.scene(), model.scene()));
     }
 }
 
@@ -136,15 +163,15 @@ TEST(SessionHistory, FindsEveryStepOfALongSession)
 {
     constexpr int kSteps = 400; // More than are kept.
     Steps steps({ beginning() });
-    auto history = steps.history().value();
+    Built built(steps.history().value());
     for (int i = 0; i < kSteps; ++i) {
         std::vector<Edit> const edits { SetGrowth { {}, static_cast<std::uint64_t>(i) } };
-        history.push(history.after(edits).value());
-        steps.push(history.step(), edits);
+        built.push(edits);
+        steps.push(built.history().step(), edits);
     }
     for (std::size_t step : { 399u, 398u, 100u, 17u, 1u, 0u, 250u, 400u }) {
-        history.go_to(step, history.at(step, steps.read()).value());
-        EXPECT_EQ(history.scene().growth.seed, step == 0 ? 1 : step - 1);
+        built.go_to(step, steps);
+        EXPECT_EQ(built.scene().growth.seed, step == 0 ? 1 : step - 1);
     }
 }
 
@@ -152,8 +179,11 @@ TEST(SessionHistory, SaysWhichPlantCannotBeLoaded)
 {
     auto const history
         = Steps({ { SetGrowth {}, LoadModel { { "bad.l", "Lsystem: 1\nAxiom: (" } } } }).history();
-    ASSERT_FALSE(history);
-    EXPECT_EQ(history.error().message.find("edit 2: bad.l:2:"), 0u) << history.error().message;
+    ASSERT_TRUE(history) << "no plant is needed to know what was drawn";
+    SceneBuilder builder;
+    auto const scene = build_scene(builder, history->state());
+    ASSERT_FALSE(scene);
+    EXPECT_EQ(scene.error().message.find("edit 2: bad.l:2:"), 0u) << scene.error().message;
 }
 
 // What an edit needs may have been lost when the file was damaged.
@@ -165,7 +195,7 @@ TEST(SessionHistory, GoesOnWithoutAStepThatCannotBeMade)
         = Steps({ { small_model() }, { seven }, { eight, DeleteIndicator { .number = 3 } } })
               .history();
     ASSERT_TRUE(history) << history.error().message;
-    EXPECT_EQ(history->scene().growth.seed, 7u) << "all of a step, or nothing";
+    EXPECT_EQ(active_plant(history->state())->growth.seed, 7u) << "all of a step, or nothing";
     EXPECT_EQ(history->last_step(), 2u);
 }
 

@@ -111,7 +111,7 @@ TEST(StationView, LetsTheBranchGoBackWhileItsStrokeIsErased)
 TEST(StationView, ShowsAStrokeOfSeveralBranchesTwiceOnlyWhereTheyDiffer)
 {
     auto scene = small_scene();
-    scene.selection = { segments_of(scene.base->axes[1]), segments_of(scene.base->axes[2]) };
+    select(scene, { segments_of(scene.base->axes[1]), segments_of(scene.base->axes[2]) });
     scene
         = apply_edit(std::move(scene), Associate { stroke_through({ { 0, 0, 0 }, { 0, 40, 60 } }) })
               .value();

@@ -74,7 +74,7 @@ TEST(DrawTool, ShapesWhatIsSelected)
     auto scene = small_scene();
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } });
     EXPECT_FALSE(edits_of({ Tool::Kind::Draw }, stroke, scene));
-    scene.selection = { segments_of(scene.base->axes[1]) };
+    select(scene, { segments_of(scene.base->axes[1]) });
     auto const edits = edits_of({ Tool::Kind::Draw, Propagation::Both }, stroke, scene);
     ASSERT_TRUE(edits);
     EXPECT_EQ((*edits)[0].get<Associate>()->propagation, Propagation::Both);
@@ -111,7 +111,7 @@ Selection selection_by(Selecting selecting, Stroke const& stroke, Scene const& s
     auto const edits
         = edits_of({ .kind = Tool::Kind::Select, .selecting = selecting }, stroke, scene);
     EXPECT_TRUE(edits) << edits.error().message;
-    return edits ? after(*edits, scene).selection : Selection {};
+    return edits ? after(*edits, scene).selection.vector() : Selection {};
 }
 
 TEST(Tool, KnowsAllItsArguments)
@@ -153,11 +153,11 @@ TEST(SelectTool, ChoosesInAllWays)
     auto const touch = along(tip_of(1) + Vec3(0, 0, 1), tip_of(1));
     EXPECT_EQ(selection_by(Selecting::Order, touch, scene), (Selection { first, second }));
     EXPECT_EQ(selection_by(Selecting::Alike, touch, scene), (Selection { first, second }));
-    scene.selection = { trunk };
+    select(scene, { trunk });
     EXPECT_EQ(selection_by(Selecting::Invert, touch, scene), (Selection { first, second }));
     EXPECT_EQ(selection_by(Selecting::Nothing, touch, scene), Selection {});
     EXPECT_EQ(selection_by(Selecting::Add, touch, scene).size(), 2u);
-    scene.selection = { first, second };
+    select(scene, { first, second });
     auto const taken
         = selection_by(Selecting::Take, along(plant.positions(plant.axes[1])[1], tip_of(1)), scene);
     EXPECT_EQ(taken.back(), second);
@@ -170,7 +170,7 @@ TEST(IndicateTool, MayActOnTheSelectedBranchOrNearTheStroke)
     auto const stroke = stroke_through({ { 0, 0, 100 }, { 80, 0, 120 } });
     Tool const below { .kind = Tool::Kind::Indicate, .reach = Tool::Reach::Below };
     EXPECT_FALSE(edits_of(below, stroke, scene));
-    scene.selection = { segments_of(scene.base->axes[1]) };
+    select(scene, { segments_of(scene.base->axes[1]) });
     auto const edits = edits_of(below, stroke, scene).value();
     EXPECT_EQ(after(edits, scene).indicators[0].what.below,
               std::vector<SegmentId> { scene.base->axes[1].first_segment });
@@ -182,8 +182,7 @@ TEST(IndicateTool, MayActOnTheSelectedBranchOrNearTheStroke)
 TEST(IndicatorTools, MoveAndDeleteTheOneWhereTheyBegin)
 {
     auto scene = small_scene();
-    scene.indicators
-        = { { item_id(1, 0), { .start_mm = { 0, 0, 100 }, .end_mm = { 100, 0, 100 } } } };
+    scene = after({ Indicate { { .start_mm = { 0, 0, 100 }, .end_mm = { 100, 0, 100 } } } }, scene);
     auto const move = stroke_through({ { 50, 5, 100 }, { 50, 5, 160 } });
     auto const moved = edits_of({ Tool::Kind::MoveIndicator }, move, scene).value();
     scene = apply_edit(scene, moved[0]).value();
@@ -201,7 +200,7 @@ TEST(StrokeTools, EditTheStrokesOfTheSelectedBranch)
     auto const up = stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } });
     for (auto const kind : { Tool::Kind::Oversketch, Tool::Kind::Smooth, Tool::Kind::Delete })
         EXPECT_FALSE(edits_of({ kind }, up, scene));
-    scene.selection = { segments_of(scene.base->axes[0]) };
+    select(scene, { segments_of(scene.base->axes[0]) });
     EXPECT_TRUE(draw(up, { Tool::Kind::Draw }, scene).refusal.empty());
     EXPECT_TRUE(
         draw(stroke_through({ { 0, 0, 50 }, { 60, 0, 90 } }), { Tool::Kind::Oversketch }, scene)
@@ -223,11 +222,11 @@ Associate association_of(Stroke stroke)
 Scene scene_with_two_strokes()
 {
     auto scene = small_scene();
-    scene.selection = { segments_of(scene.base->axes[0]) };
+    select(scene, { segments_of(scene.base->axes[0]) });
     scene = apply_edit(std::move(scene),
                        association_of(stroke_through({ { -50, 0, 20 }, { 50, 0, 20 } })))
                 .value();
-    scene.selection = { segments_of(scene.base->axes[1]), segments_of(scene.base->axes[2]) };
+    select(scene, { segments_of(scene.base->axes[1]), segments_of(scene.base->axes[2]) });
     return apply_edit(std::move(scene),
                       association_of(stroke_through({ { -50, 0, 70 }, { 50, 0, 70 } })))
         .value();
@@ -297,7 +296,7 @@ Stroke level_stroke(double height_mm = 20)
 Scene scene_with(Stroke const& stroke, StrokeFit fit = StrokeFit::Start)
 {
     auto scene = small_scene();
-    scene.selection = { segments_of(scene.base->axes[0]) };
+    select(scene, { segments_of(scene.base->axes[0]) });
     return apply_edit(std::move(scene), Associate { .stroke = stroke, .fit = fit }).value();
 }
 

@@ -25,6 +25,17 @@ inline std::vector<ItemId> ids_of(Scene const& scene, std::initializer_list<std:
     return ids;
 }
 
+// A stroke of 21 tips that rises by 100 mm and besides goes to `end_mm`.
+inline Stroke stroke_towards(Vec3 const& end_mm)
+{
+    Stroke stroke;
+    for (int i = 0; i <= 20; ++i)
+        stroke.tips.push_back({ .time = timestamp_ns(i * 5'000'000),
+                                .position_mm = Vec3(0, 0, 5.0 * i) + end_mm * i / 20,
+                                .touching = true });
+    return stroke;
+}
+
 // The scene after edits of which none may be refused.
 inline Scene after(std::vector<Edit> const& edits, Scene scene = {})
 {

@@ -7,16 +7,6 @@
 namespace tractus {
 namespace {
 
-Stroke stroke_towards(Vec3 const& end_mm)
-{
-    Stroke stroke;
-    for (int i = 0; i <= 20; ++i)
-        stroke.tips.push_back({ .time = timestamp_ns(i * 5'000'000),
-                                .position_mm = Vec3(0, 0, 5.0 * i) + end_mm * i / 20,
-                                .touching = true });
-    return stroke;
-}
-
 LoadModel trunk_with_branches(std::string const& below = "")
 {
     return { .source = { .name = "small.l",
@@ -129,13 +119,14 @@ TEST(Places, AreFoundInAPlantThatHasChangedElsewhere)
               scene.base->axes[0].first_segment + 2);
 }
 
-TEST(Places, ThatThePlantHasNotAreRefused)
+// As when a session was drawn on a model that is another by now.
+TEST(Places, ThatThePlantHasNotWait)
 {
-    auto const scene = after({ trunk_with_branches() });
-    Select const nowhere { .at = { { { 0, 0 }, { 0, 99 } } } };
-    auto const refused = apply_edit(scene, nowhere);
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().message, "a branch cannot be selected: the plant has none there");
+    auto const scene = after({ trunk_with_branches(), Select { .at = { { { 0, 0 }, { 0, 99 } } } },
+                               Associate { stroke_towards({ 40, 0, 0 }) } });
+    EXPECT_TRUE(scene.selection.empty());
+    ASSERT_EQ(scene.associations.size(), 1u);
+    EXPECT_TRUE(scene.associations[0].what.is_orphaned);
 }
 
 } // namespace

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/lsystem/limits.h"
+#include "engine/plant/plant.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+// How a plant is built from what was drawn or written. Not part of the document: the plant does not
+// depend on it, only whether there is one.
+struct LoadOptions {
+    ModelLimits limits {};
+    std::function<void(std::string_view text)> print {}; // What a model prints; nowhere without.
+};
+
+// Gives what each plant may cost that is built from that moment on.
+using MakeLoadOptions = std::function<LoadOptions()>;
+
+struct BuiltSource {
+    Plant plant {};
+    std::vector<std::string> warnings {}; // Once each: what was asked for and is not done.
+};
+
+// A way to make base plants from what was drawn or written: a row of functions on values of one
+// type, which edits put into a document and nobody changes.
+struct SourceKind {
+    char const* word; // "lsystem".
+    // Fails, in a sentence, for what gives no plant, or not within its limits.
+    Result<BuiltSource> (*build)(void const* drawn, LoadOptions const& options);
+    // Whether two give the same plant for certain.
+    bool (*same)(void const* one, void const* other);
+};
+
+// The row for sources of type T, which can be compared.
+template<typename T, Result<BuiltSource> (*build)(T const&, LoadOptions const&)>
+constexpr SourceKind make_source_kind(char const* word)
+{
+    return { .word = word,
+             .build =
+                 [](void const* drawn, LoadOptions const& options) {
+                     return build(*static_cast<T const*>(drawn), options);
+                 },
+             .same =
+                 [](void const* one, void const* other) {
+                     return *static_cast<T const*>(one) == *static_cast<T const*>(other);
+                 } };
+}
+
+// What a base plant is made from. A value: copies share what was drawn.
+class PlantSource {
+public:
+    PlantSource() = default; // Nothing yet: a plant without branches.
+
+    template<typename T>
+    PlantSource(SourceKind const& kind, T drawn)
+        : kind_(&kind)
+        , drawn_(std::make_shared<T const>(std::move(drawn)))
+    {
+    }
+
+    bool empty() const { return kind_ == nullptr; }
+
+    Result<BuiltSource> build(LoadOptions const& options) const
+    {
+        return empty() ? BuiltSource {} : kind_->build(drawn_.get(), options);
+    }
+
+    // Null for a source of another kind.
+    template<typename T> T const* get(SourceKind const& kind) const
+    {
+        return kind_ == &kind ? static_cast<T const*>(drawn_.get()) : nullptr;
+    }
+
+    bool operator==(PlantSource const& other) const
+    {
+        return kind_ == other.kind_
+            && (drawn_ == other.drawn_ || kind_->same(drawn_.get(), other.drawn_.get()));
+    }
+
+private:
+    SourceKind const* kind_ = nullptr;
+    std::shared_ptr<void const> drawn_; // Of the kind's type. Shared between copies.
+};
+
+} // namespace tractus

@@ -1,0 +1,188 @@
+#include "engine/scene/scene_builder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace tractus {
+
+// Base plants that no plant of the newest state has, kept since undo may bring them back.
+static constexpr std::size_t kOldBases = 2;
+
+static std::shared_ptr<BasePlant const> make_base(BuiltSource source)
+{
+    auto base = std::make_shared<BasePlant>();
+    base->fitted = place_on_desk(source.plant);
+    base->plant = std::make_shared<Plant const>(std::move(source.plant));
+    base->rest = std::make_shared<RestShape const>(find_rest_shape(*base->plant));
+    base->warnings = std::move(source.warnings);
+    return base;
+}
+
+SceneBuilder::SceneBuilder(MakeLoadOptions load_options)
+    : load_options_(std::move(load_options))
+{
+}
+
+SceneBuilder::SceneBuilder(Scene const& scene, MakeLoadOptions load_options)
+    : load_options_(std::move(load_options))
+    , plants_(scene.plants)
+{
+    for (auto const& plant : plants_) {
+        auto base = std::make_shared<BasePlant const>(
+            BasePlant { plant->base, plant->rest, plant->fitted, plant->model_warnings });
+        bases_.push_back({ plant->drawn->source, std::move(base) });
+        auto& found = found_[plant->drawn->id];
+        found.rest = plant->rest;
+        for (auto const& [id, association, at] : plant->associations)
+            found.paths.emplace(at.id(), std::pair(at, association.path));
+    }
+}
+
+Result<std::shared_ptr<BasePlant const>> SceneBuilder::base_of(PlantState const& plant)
+{
+    auto const known = std::find_if(bases_.begin(), bases_.end(), [&](KnownBase const& base) {
+        return base.source == plant.source;
+    });
+    if (known != bases_.end()) {
+        bases_.splice(bases_.begin(), bases_, known);
+        return known->base;
+    }
+    auto source = plant.source.build(load_options_ ? load_options_() : LoadOptions {});
+    if (!source) {
+        failed_edit_ = plant.source_edit;
+        return tl::unexpected(source.error());
+    }
+    bases_.push_front({ plant.source, make_base(*std::move(source)) });
+    return bases_.front().base;
+}
+
+Result<std::shared_ptr<BasePlant const>> SceneBuilder::active_base(DocumentState const& state)
+{
+    auto const* const plant = active_plant(state);
+    return plant ? base_of(*plant) : make_base({});
+}
+
+BuiltPlant const* SceneBuilder::built_before(PlantState const& plant) const
+{
+    auto const found = std::find_if(plants_.begin(), plants_.end(), [&](auto const& before) {
+        return before->drawn->id == plant.id;
+    });
+    return found == plants_.end() ? nullptr : found->get();
+}
+
+Result<Scene> SceneBuilder::build(DocumentState state)
+{
+    std::vector<std::shared_ptr<BasePlant const>> bases;
+    for (auto const& plant : state.plants)
+        bases.push_back(TRY(base_of(*plant)));
+
+    Scene scene;
+    for (std::size_t i = 0; i < bases.size(); ++i) {
+        auto const& drawn = state.plants[i];
+        auto placement = bases[i]->fitted;
+        rescale(placement, state.scale.value_or(bases.front()->fitted.scale));
+        placement.origin_mm = drawn->stands_at_mm;
+        auto const before = std::find_if(plants_.begin(), plants_.end(), [&](auto const& plant) {
+            return plant->drawn == drawn && plant->placement.scale == placement.scale;
+        });
+        scene.plants.push_back(before != plants_.end() ? *before
+                                                       : std::make_shared<BuiltPlant const>(
+                                                           build(drawn, *bases[i], placement)));
+    }
+    plants_ = scene.plants;
+    forget_old_bases(state);
+    if (auto const active = find_plant(state, state.active))
+        static_cast<BuiltPlant&>(scene) = *scene.plants[*active];
+    scene.state = std::move(state);
+    return scene;
+}
+
+void SceneBuilder::forget_old_bases(DocumentState const& state)
+{
+    std::size_t old = 0;
+    std::erase_if(bases_, [&](KnownBase const& base) {
+        bool const is_used
+            = std::any_of(state.plants.begin(), state.plants.end(),
+                          [&](auto const& plant) { return plant->source == base.source; });
+        return !is_used && ++old > kOldBases;
+    });
+    std::erase_if(found_, [&](auto const& found) { return !find_plant(state, found.first); });
+}
+
+BuiltPlant SceneBuilder::build(std::shared_ptr<PlantState const> const& drawn,
+                               BasePlant const& base, DeskPlacement const& placement)
+{
+    BuiltPlant plant;
+    plant.drawn = drawn;
+    plant.model_name = drawn->name;
+    plant.model_warnings = base.warnings;
+    plant.base = base.plant;
+    plant.rest = base.rest;
+    plant.fitted = base.fitted;
+    plant.placement = placement;
+    plant.growth = drawn->growth;
+    plant.indicators = drawn->indicators;
+    for (auto& [id, indicator, at] : plant.indicators) {
+        for (auto const& place : at)
+            if (auto const segment = plant.rest->addresses.find_segment(*plant.base, place.last))
+                indicator.below.push_back(*segment);
+        indicator.is_orphaned = indicator.below.empty() && !at.empty();
+    }
+    auto const* before = built_before(*drawn);
+    if (before && before->base != plant.base)
+        before = nullptr;
+    find_strokes(plant, before);
+    find_selection(plant, before);
+    return plant;
+}
+
+void SceneBuilder::find_strokes(BuiltPlant& plant, BuiltPlant const* before)
+{
+    auto const built = [&](Anchored<ShapingStroke> const& drawn) {
+        Anchored<Association> association { drawn.id, {}, drawn.at };
+        association.what = { .path = path_of(plant, drawn.at),
+                             .stroke = drawn.what.stroke,
+                             .propagation = drawn.what.propagation,
+                             .fit = drawn.what.fit,
+                             .detail_weight = drawn.what.detail_weight };
+        association.what.is_orphaned = association.what.path.empty();
+        return association;
+    };
+    static BuiltPlant const nothing;
+    if (!before)
+        before = &nothing;
+    plant.associations
+        = plant.drawn->strokes.map(before->drawn->strokes, before->associations, built);
+}
+
+void SceneBuilder::find_selection(BuiltPlant& plant, BuiltPlant const* before)
+{
+    auto const& wanted = plant.drawn->selection;
+    if (before && before->drawn->selection.id() == wanted.id()) {
+        plant.selection = before->selection;
+        return;
+    }
+    Selection paths;
+    for (auto const& at : wanted)
+        if (auto path = plant.rest->addresses.find_path(*plant.base, at))
+            paths.push_back(*std::move(path));
+    plant.selection = std::move(paths);
+}
+
+// Places for the same branch share their elements, and so do the paths that are found for them.
+SharedVector<SegmentId> SceneBuilder::path_of(BuiltPlant const& plant,
+                                              SharedVector<PathAddress> const& at)
+{
+    auto& found = found_[plant.drawn->id];
+    if (found.rest != plant.rest)
+        found = { plant.rest, {} };
+    auto const [entry, is_new] = found.paths.try_emplace(at.id());
+    if (is_new) {
+        entry->second.first = at;
+        if (auto path = plant.rest->addresses.find_path(*plant.base, at.front()))
+            entry->second.second = *std::move(path);
+    }
+    return entry->second.second;
+}
+
+} // namespace tractus
