@@ -21,6 +21,7 @@
 #include "app/verbs/replay.h"
 #include "app/verbs/session.h"
 #include "app/verbs/sim.h"
+#include "app/verbs/tools.h"
 #include "app/verbs/vary.h"
 #include "app/verbs/verb.h"
 #include "app/verbs/watch.h"
@@ -67,15 +68,15 @@ static Result<void> carry_out(Action const& action)
 }
 
 // Each verb registers itself here, in the order that --help lists them.
-static void add_verbs(CLI::App& root, Action& action)
+static void add_verbs(CLI::App& root, Action& action, Methods const& methods)
 {
-    add_demo_verb(root, action);
-    add_window_verb(root, action);
-    add_replay_verb(root, action);
+    add_demo_verb(root, action, methods);
+    add_window_verb(root, action, methods);
+    add_replay_verb(root, action, methods);
     add_session_verb(root, action);
-    add_vary_verb(root, action);
-    add_grow_verb(root, action);
-    add_sketch_command(root, action);
+    add_vary_verb(root, action, methods);
+    add_grow_verb(root, action, methods);
+    add_sketch_command(root, action, methods);
     add_construct_command(root, action);
     add_leaves_command(root, action);
     add_render_verb(root, action);
@@ -87,12 +88,13 @@ static void add_verbs(CLI::App& root, Action& action)
     add_calibrate_verb(root, action);
     add_record_verb(root, action);
     add_sim_verb(root, action);
+    add_tools_verb(root, action, methods);
     add_decode_verb(root, action);
     add_convert_verb(root, action);
     add_desktop_verbs(root, action);
 }
 
-int run_command_line(int argc, char const* const* argv)
+int run_command_line(int argc, char const* const* argv, Methods const& methods)
 {
     CLI::App root { "tractus: a 3D sketching station for plants", "tractus" };
     root.formatter(std::make_shared<HelpFormatter>());
@@ -100,7 +102,7 @@ int run_command_line(int argc, char const* const* argv)
     root.set_version_flag("--version", "tractus " TRACTUS_VERSION, "Print the version");
     root.require_subcommand(0, 1);
     Action action;
-    add_verbs(root, action);
+    add_verbs(root, action, methods);
     for (auto* const verb : root.get_subcommands({})) {
         verb->set_help_flag("-h,--help", "Print this help");
         if (!verb->get_group().empty()) // Those without are not listed.

@@ -1,4 +1,5 @@
 #include "app/command_line.h"
+#include "app/methods/all_methods.h"
 #include "app/terminal/console.h"
 #include "drivers/file.h"
 #include "engine/base/worker_threads.h"
@@ -7,7 +8,7 @@ int main(int argc, char** argv)
 {
     tractus::prepare_console();
     tractus::remove_unfinished_file_on_signals();
-    int const exit_code = tractus::run_command_line(argc, argv);
+    int const exit_code = tractus::run_command_line(argc, argv, tractus::all_methods());
     tractus::end_worker_threads();
     return exit_code;
 }

@@ -21,11 +21,13 @@ set(app/terminal     engine/base drivers)
 set(app/document     engine app/session app/tools app/terminal)
 set(app/station      engine drivers calib app/tools app/document app/terminal app/render app/diagnosis
                      app/calibration)
+set(app/methods/indicators engine app/tools)
 set(app              engine drivers calib sim)
 
 set(layers engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh
            engine/scene engine/export engine/methods/construction_lines engine/methods/leaves engine/methods/sketch_lsystem
-           drivers calib sim app/session app/tools app/terminal app/document app/station app)
+           drivers calib sim app/session app/tools app/terminal app/document app/station
+           app/methods/indicators app)
 
 foreach(layer IN LISTS layers)
     set(allowed ${layer} ${${layer}})

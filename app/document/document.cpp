@@ -205,7 +205,7 @@ void Document::settle()
 void Document::perform(ToolStroke const& stroke)
 {
     DrawnStroke drawn { stroke.stroke, stroke.tool };
-    auto edits = edits_of(stroke.tool, stroke.stroke, scene_);
+    auto edits = stroke.tool.mean(stroke.stroke, scene_);
     auto step = edits ? compute(*std::move(edits)) : tl::unexpected(edits.error());
     if (step)
         drawn.edits = step->edits;

@@ -14,7 +14,7 @@ Result<Scene> scene_after(Scene scene, std::vector<Edit> const& edits)
 DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene)
 {
     DrawnStroke drawn { std::move(stroke), tool };
-    auto edits = edits_of(tool, drawn.stroke, scene);
+    auto edits = tool.mean(drawn.stroke, scene);
     if (!edits) {
         drawn.refusal = edits.error().message;
         return drawn;

@@ -109,6 +109,7 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
 {
     CHECK(options.now);
     StationOptions station_options;
+    station_options.tools = options.methods.tools;
     bool const has_sensor = has_height_sensor(devices);
     bool const lacks_calibration = tractus::lacks_calibration(devices, options);
     auto const mouse = TRY(add_mouse(devices, options));
@@ -287,7 +288,7 @@ Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
     (void)controller_.take_done(); // What was done before is not of the recording.
     recorded_from_stroke_ = controller_.document().stroke_count();
     auto const tools = station_.tools_to_go_on_with();
-    if (tools != std::vector { station_options_.tool })
+    if (tools != std::vector { Tool(*station_options_.tools.front()) }) // As a replay begins.
         for (auto const& tool : tools) {
             auto const words = words_for(tool);
             recorder_->write_tool(now, words.name, words.arguments);

@@ -8,6 +8,7 @@
 #include "app/live/station_controller.h"
 #include "app/session/session.h"
 #include "app/station/window_model.h"
+#include "app/tools/methods.h"
 #include "calib/rig.h"
 #include "engine/base/result.h"
 #include "engine/scene/scene.h"
@@ -23,6 +24,7 @@
 namespace tractus {
 
 struct LiveWindowOptions {
+    Methods methods {};        // What can be done.
     std::optional<Rig> rig {}; // No value: that of a log among the devices, else see create().
     // Where calibrating keeps the rig; empty: nowhere, and there is no calibrating.
     std::filesystem::path rig_file {};

@@ -80,7 +80,7 @@ Result<void> DrawingReader::read_strokes()
             report_.notes.push_back("there are more strokes than branches: the rest is left out");
             break;
         }
-        document_.draw({ std::move(stroke), { .kind = Tool::Kind::DrawInOrder } });
+        document_.draw({ std::move(stroke), Tool(*options_.methods.tools.front()) });
         TRY(take_drawn());
     }
     report_.log = options_.log.string();
@@ -126,7 +126,7 @@ Result<void> DrawingReader::replay()
         report_.notes.push_back(warnings);
 
     progress_.begin("replaying the log");
-    ReplayOptions replay_options;
+    ReplayOptions replay_options { .methods = options_.methods };
     if (options_.rig)
         replay_options.rig = TRY(load_rig(*options_.rig));
     if (options_.height)

@@ -3,6 +3,7 @@
 #include "app/document/document.h"
 #include "app/document/draw.h"
 #include "app/terminal/progress.h"
+#include "app/tools/methods.h"
 #include "engine/base/result.h"
 #include "engine/scene/scene.h"
 
@@ -41,9 +42,10 @@ Result<Scene> load_growing_plant(std::filesystem::path const& model, GrowthOptio
 
 // A recorded drawing.
 struct DrawingOptions {
-    // A log, or a file of strokes (stroke_file.h), of which each shapes the next branch in drawing
-    // order.
+    // A log, or a file of strokes (stroke_file.h), which are drawn with the first of all tools:
+    // each shapes the next branch in drawing order.
     std::filesystem::path log {};
+    Methods methods {};                          // What a log may name; with at least one tool.
     std::optional<std::filesystem::path> rig {}; // A calibration in place of the log's own.
     std::optional<std::string> height {};        // A height scenario in place of the height sensor.
     std::optional<double> speed {}; // Times the pace of the hand; no value: as fast as it is read.

@@ -52,17 +52,14 @@ std::size_t straight_until(std::vector<InkLine::Point> const& points, std::size_
 InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool)
 {
     InkLine line;
-    bool const erases = tool.kind == Tool::Kind::Erase;
-    if (erases)
-        line.kind = InkLine::Kind::Eraser;
-    else if (tool.kind == Tool::Kind::Indicate)
-        line.kind = InkLine::Kind::Indicator;
+    auto const& style = tool.kind().ink;
+    line.look = style.look;
     line.points.reserve(tips.size());
     for (auto const& tip : tips) {
         double const share = 0.35 + 0.65 * tip.pressure;
         line.points.push_back(
             { tip.position_mm.cast<float>(),
-              static_cast<float>(erases ? 2 * kEraserRadius_mm : kInkWidth_mm * share) });
+              static_cast<float>(style.width_mm > 0 ? style.width_mm : kInkWidth_mm * share) });
     }
     return line;
 }
@@ -70,7 +67,7 @@ InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool)
 InkLine indicator_line(MotionIndicator const& indicator)
 {
     InkLine line;
-    line.kind = InkLine::Kind::Indicator;
+    line.look = InkStyle::Look::Arrow;
     for (auto const& place_mm : { indicator.start_mm, indicator.end_mm })
         line.points.push_back({ place_mm.cast<float>(), static_cast<float>(kInkWidth_mm) });
     return line;
@@ -80,7 +77,7 @@ InkLine thinned(InkLine const& line)
 {
     if (line.points.empty())
         return line;
-    InkLine thin { { line.points.front() }, line.kind };
+    InkLine thin { { line.points.front() }, line.look };
     for (std::size_t i = 0; i + 1 < line.points.size();) {
         i = straight_until(line.points, i);
         thin.points.push_back(line.points[i]);

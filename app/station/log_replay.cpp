@@ -80,12 +80,13 @@ Result<LogReplay> LogReplay::create(Log const& log, ReplayOptions const& options
 {
     auto const pen = find_pen(log);
     StationOptions station_options;
+    station_options.tools = options.methods.tools;
     station_options.rig = TRY(choose_rig(log, pen, options));
     if (options.height)
         station_options.scripted_height = TRY(script_height(log, pen, *options.height));
 
     std::vector<std::string> left_out;
-    auto lines = TRY(read_lines(log, left_out));
+    auto lines = TRY(read_lines(log, options.methods.tools, left_out));
     auto station = Station::create(log.devices, station_options);
     if (!station)
         return fail(station.error().fault,
@@ -94,7 +95,7 @@ Result<LogReplay> LogReplay::create(Log const& log, ReplayOptions const& options
 }
 
 // What no tool or step of this program is called was written by another one, with more of them.
-Result<std::vector<LogReplay::Line>> LogReplay::read_lines(Log const& log,
+Result<std::vector<LogReplay::Line>> LogReplay::read_lines(Log const& log, ToolKinds tools,
                                                            std::vector<std::string>& left_out)
 {
     std::vector<Line> lines;
@@ -104,14 +105,16 @@ Result<std::vector<LogReplay::Line>> LogReplay::read_lines(Log const& log,
             if (!*step)
                 return fail(Fault::User, fmt::format("{}: {}", place, step->error().message));
             lines.push_back({ position, time, **std::move(step) });
-        } else if (auto const tool = parse_tool(word, arguments)) {
+        } else if (word == pressing().kind().word) {
+            lines.push_back({ position, time, pressing() });
+        } else if (auto const tool = parse_tool(tools, word, arguments)) {
             lines.push_back({ position, time, *tool });
-        } else if (is_tool_name(word)) {
+        } else if (find_tool_kind(tools, word)) {
             return fail(Fault::User, fmt::format("{}: {}", place, tool.error().message));
         } else {
             left_out.push_back(
                 fmt::format("{}: {}; its strokes are left out", place, tool.error().message));
-            lines.push_back({ position, time, Tool { .kind = Tool::Kind::Unknown } });
+            lines.push_back({ position, time, Tool() });
         }
     }
     return lines;

@@ -2,6 +2,7 @@
 
 #include "app/document/document.h"
 #include "app/station/station.h"
+#include "app/tools/methods.h"
 #include "calib/height_scenario.h"
 #include "calib/rig.h"
 #include "drivers/log.h"
@@ -17,8 +18,9 @@
 namespace tractus {
 
 struct ReplayOptions {
-    std::optional<Rig> rig;               // No value: the log's own, else one of the tablet's size.
-    std::optional<HeightScenario> height; // In place of the log's height sensor.
+    Methods methods {};        // What the log may name.
+    std::optional<Rig> rig {}; // No value: the log's own, else one of the tablet's size.
+    std::optional<HeightScenario> height {}; // In place of the log's height sensor.
 };
 
 // Feeds a log to a station of its own, in the file's order, as fast as it is asked to: the same log
@@ -72,7 +74,8 @@ private:
     LogReplay(Log const& log, Station station, std::vector<Line> lines,
               std::vector<std::string> left_out);
 
-    static Result<std::vector<Line>> read_lines(Log const& log, std::vector<std::string>& left_out);
+    static Result<std::vector<Line>> read_lines(Log const& log, ToolKinds tools,
+                                                std::vector<std::string>& left_out);
     void push_lines();
 
     Log const* log_; // Not owned.

@@ -21,14 +21,35 @@ static Bounds volume_of(StationOptions const& options)
     return volume_mm;
 }
 
+static Tool first_tool(StationOptions const& options)
+{
+    if (options.tool)
+        return *options.tool;
+    return options.tools.empty() ? Tool() : Tool(*options.tools.front());
+}
+
+// Those that an other end of the pen is as it was chosen last.
+static std::vector<ToolKind const*> kinds_to_remember(ToolKinds tools)
+{
+    std::vector<ToolKind const*> kinds;
+    for (auto const* const tool : tools) {
+        auto const& [kind, options] = tool->other_end;
+        if (kind && !options && std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+            kinds.push_back(kind);
+    }
+    return kinds;
+}
+
 Station::Station(StationOptions const& options)
     : height_monitor_(options.rig)
     , volume_mm_(volume_of(options))
     , height_model_(options.rig.height_model)
     , is_height_measured_(!options.scripted_height)
     , tablet_latency_(options.rig.tablet_latency)
-    , tool_changes_ { { Timestamp::min(), options.tool } }
-    , tool_in_hand_(options.tool)
+    , tool_changes_ { { Timestamp::min(), first_tool(options) } }
+    , remembered_kinds_(kinds_to_remember(options.tools))
+    , tool_in_hand_(first_tool(options))
+    , tools_(options.tools)
 {
 }
 
@@ -157,14 +178,14 @@ void Station::follow_touch(Pen& pen, PenSample const& sample, TipSample const& t
     Vec2 const place_mm = tip.position_mm.head<2>();
     if (std::any_of(pressing_areas_.begin(), pressing_areas_.end(),
                     [&](Eigen::AlignedBox2d const& area) { return area.contains(place_mm); }))
-        change_tool(sample.time, { .kind = Tool::Kind::Press });
+        change_tool(sample.time, pressing());
 }
 
 void Station::press_instead()
 {
     for (auto const& pen : pens_)
         if (pen.touches_since && !is_pressing())
-            change_tool(*pen.touches_since, { .kind = Tool::Kind::Press });
+            change_tool(*pen.touches_since, pressing());
 }
 
 void Station::keep_moment(PenSample const& sample, TipSample const& tip)
@@ -273,13 +294,13 @@ FuserCounts Station::fuser_counts() const
 
 void Station::set_tool(Timestamp time, Tool const& tool)
 {
-    if (tool.at_once) {
+    if (tool.is_done_at_once()) {
         new_tool_changes_.push_back({ time, tool });
         ++counts_.strokes;
         strokes_.push_back({ {}, tool });
         return;
     }
-    bool const is_press = tool.kind == Tool::Kind::Press;
+    bool const is_press = tool == pressing();
     if (!is_press)
         tool_in_hand_ = tool;
     bool const touch_goes_on = std::any_of(
@@ -294,26 +315,56 @@ void Station::change_tool(Timestamp time, Tool const& tool)
     // Of hours of drawing only the last changes can still matter to a stroke.
     constexpr Duration kLongestStroke = std::chrono::hours(1);
     while (tool_changes_.size() > 1 && tool_changes_[1].time < time - kLongestStroke) {
-        forgotten_erasing_ = erasing_before(tool_changes_.begin() + 1);
+        forget(tool_changes_.front().tool);
         tool_changes_.erase(tool_changes_.begin());
     }
     tool_changes_.push_back({ std::max(time, tool_changes_.back().time), tool });
     new_tool_changes_.push_back(tool_changes_.back());
 }
 
-Tool::Erasing Station::erasing_before(ToolChanges::const_iterator end) const
+void Station::forget(Tool const& tool)
+{
+    auto const is_same = [&](Tool const& other) { return &other.kind() == &tool.kind(); };
+    forgotten_.erase(std::remove_if(forgotten_.begin(), forgotten_.end(), is_same),
+                     forgotten_.end());
+    if (std::find(remembered_kinds_.begin(), remembered_kinds_.end(), &tool.kind())
+        != remembered_kinds_.end())
+        forgotten_.push_back(tool);
+}
+
+Tool Station::chosen_before(ToolKind const& kind, ToolChanges::const_iterator end) const
 {
     while (end != tool_changes_.begin())
-        if (auto const& tool = (--end)->tool; tool.kind == Tool::Kind::Erase)
-            return tool.erasing;
-    return forgotten_erasing_;
+        if (auto const& tool = (--end)->tool; &tool.kind() == &kind)
+            return tool;
+    for (auto const& tool : forgotten_)
+        if (&tool.kind() == &kind)
+            return tool;
+    return Tool(kind);
+}
+
+Tool Station::other_end_of(Tool const& tool, ToolChanges::const_iterator before) const
+{
+    auto const& [kind, options] = tool.kind().other_end;
+    if (!kind)
+        return tool;
+    return options ? Tool(*kind, options()) : chosen_before(*kind, before);
+}
+
+std::vector<Tool> Station::remembered() const
+{
+    std::vector<Tool> tools;
+    for (auto const* const kind : remembered_kinds_)
+        tools.push_back(chosen_before(*kind, tool_changes_.end()));
+    return tools;
 }
 
 std::vector<Tool> Station::tools_to_go_on_with() const
 {
     std::vector<Tool> tools;
-    if (erasing() != Tool {}.erasing && tool_in_hand_.kind != Tool::Kind::Erase)
-        tools.push_back({ .kind = Tool::Kind::Erase, .erasing = erasing() });
+    for (auto& tool : remembered())
+        if (tool != Tool(tool.kind()) && &tool.kind() != &tool_in_hand_.kind())
+            tools.push_back(std::move(tool));
     tools.push_back(tool_in_hand_);
     return tools;
 }
@@ -328,13 +379,13 @@ Tool Station::meaning_of(std::vector<TipSample> const& tips) const
         tool_changes_.begin() + 1, tool_changes_.end(), tips.front().time + tablet_latency_,
         [](Timestamp value, ToolChange const& change) { return value < change.time; });
     auto const& tool = std::prev(after)->tool;
-    return tips.front().eraser ? other_end_of(tool, erasing_before(after)) : tool;
+    return tips.front().eraser ? other_end_of(tool, after) : tool;
 }
 
 void Station::finish_stroke(Stroke stroke)
 {
     auto const tool = meaning_of(stroke.tips);
-    if (tool.kind == Tool::Kind::Press)
+    if (tool == pressing())
         return;
     ++counts_.strokes;
     strokes_.push_back({ std::move(stroke), tool });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/station/pressing.h"
 #include "app/tools/tool.h"
 #include "calib/fuser.h"
 #include "calib/height_monitor.h"
@@ -25,7 +26,9 @@ namespace tractus {
 struct StationOptions {
     Rig rig;
     std::optional<ScriptedHeight> scripted_height; // In place of a height sensor.
-    Tool tool; // What the pen means until a tool line says otherwise.
+    ToolKinds tools {};                            // That there are.
+    // What the pen means until a tool line says otherwise; no value: the first of them.
+    std::optional<Tool> tool {};
 };
 
 // What came in and what became of it.
@@ -70,13 +73,13 @@ public:
     void push(std::size_t device, Timestamp received, std::span<std::byte const> report);
 
     // From the pen's samples at `time` on, strokes belong to `tool`, or, where they are drawn with
-    // the pen's other end, to its eraser (other_end_of()), which erases as the last tool that did.
-    // One that is done at once is a stroke without tips, and changes nothing in the hand.
+    // the pen's other end, to what that does then (ToolKind::other_end). One that is done at once
+    // is a stroke without tips, and changes nothing in the hand.
     void set_tool(Timestamp time, Tool const& tool);
 
     // Where a touch presses what the window shows there, from its beginning to its end, and draws
     // nothing: x and y of the world frame, millimetres. None at first. Such touches are tool
-    // changes (Tool::Kind::Press), so that a recording of them draws the same.
+    // changes (pressing()), so that a recording of them draws the same.
     void set_pressing_areas(std::vector<Eigen::AlignedBox2d> areas)
     {
         pressing_areas_ = std::move(areas);
@@ -128,14 +131,15 @@ public:
     // silent about a pen that rests. Never where heights are scripted.
     bool pen_rests() const;
     Tool const& tool() const { return tool_in_hand_; }
-    // How the pen's other end erases.
-    Tool::Erasing erasing() const { return erasing_before(tool_changes_.end()); }
+    ToolKinds tools() const { return tools_; } // That there are.
+    // The tools that other ends of the pen are, as they were chosen last.
+    std::vector<Tool> remembered() const;
     // What another station has to be given, in order, for both ends of the pen to mean the same.
     std::vector<Tool> tools_to_go_on_with() const;
     // What these tips of a stroke mean, whether it is finished or under way; without any, what the
     // hand holds.
     Tool meaning_of(std::vector<TipSample> const& tips) const;
-    bool is_pressing() const { return tool_changes_.back().tool.kind == Tool::Kind::Press; }
+    bool is_pressing() const { return tool_changes_.back().tool == pressing(); }
 
 private:
     // One tablet's pen, from its reports to its strokes.
@@ -157,6 +161,7 @@ private:
     void follow_touch(Pen& pen, PenSample const& sample, TipSample const& tip);
     void keep_moment(PenSample const& sample, TipSample const& tip);
     void change_tool(Timestamp time, Tool const& tool);
+    void forget(Tool const& tool);
     void push_pen(Pen& pen, Timestamp received, std::span<std::byte const> report);
     void push_height(Timestamp received, std::span<std::byte const> report);
     void end_with_height();
@@ -164,7 +169,8 @@ private:
     void finish(Pen& pen);
     void finish_stroke(Stroke stroke);
     using ToolChanges = std::vector<ToolChange>;
-    Tool::Erasing erasing_before(ToolChanges::const_iterator end) const;
+    Tool chosen_before(ToolKind const& kind, ToolChanges::const_iterator end) const;
+    Tool other_end_of(Tool const& tool, ToolChanges::const_iterator before) const;
     void count_broken(Error const& error);
 
     HeightMonitor height_monitor_;
@@ -182,8 +188,12 @@ private:
     std::vector<HeightSample> heights_; // Of one report; kept for its memory.
     ToolChanges tool_changes_;          // In time order; the first is from the beginning.
     ToolChanges new_tool_changes_;      // Not taken yet.
-    Tool::Erasing forgotten_erasing_ = Tool::Erasing::Whole; // Before the first of tool_changes_.
-    Tool tool_in_hand_;                                      // When it does not press.
+    // Kinds that an other end of the pen is, with the options that they were chosen with last; and
+    // as they were before the first of tool_changes_.
+    std::vector<ToolKind const*> remembered_kinds_;
+    std::vector<Tool> forgotten_;
+    Tool tool_in_hand_; // When it does not press.
+    ToolKinds tools_;
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
     std::vector<PenMoment> moments_;  // Not taken yet.
     std::vector<ToolStroke> strokes_; // Not taken yet.

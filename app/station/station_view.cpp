@@ -13,84 +13,24 @@
 
 namespace tractus {
 
-namespace {
-
-std::string describe(Tool const& tool)
+// A tool is mostly in hand for many strokes, and what shows them keeps something between them.
+std::vector<SkeletonLine> StationView::Previewing::lines(WantedPreview const& wanted)
 {
-    switch (tool.kind) {
-    case Tool::Kind::Select:
-        return "Select";
-    case Tool::Kind::Indicate:
-        return "Motion indicator";
-    case Tool::Kind::DrawInOrder:
-        return "Draw, branch by branch";
-    case Tool::Kind::Oversketch:
-        return "Redraw a part of the branch's stroke";
-    case Tool::Kind::Smooth:
-        return "Smooth the branch's strokes";
-    case Tool::Kind::Delete:
-        return "Take the branch's last stroke away";
-    case Tool::Kind::MoveIndicator:
-        return "Move a motion indicator";
-    case Tool::Kind::DeleteIndicator:
-        return "Take a motion indicator away";
-    case Tool::Kind::Erase:
-        return tool.erasing == Tool::Erasing::Part ? "Erase what the pen touches"
-                                                   : "Erase whole strokes";
-    case Tool::Kind::Press:
-        return "Press";
-    case Tool::Kind::Unknown:
-        return "A tool that this tractus does not know";
-    case Tool::Kind::Draw:
-        break;
+    auto* const make = wanted.tool.kind().previewer;
+    if (!make)
+        return {};
+    if (made_by != make) {
+        previewer = make();
+        made_by = make;
     }
-    switch (tool.propagation) {
-    case Propagation::Descendants:
-        return "Draw: all that the branch bears";
-    case Propagation::Both:
-        return "Draw: the branch and all that it bears";
-    case Propagation::Selected:
-        break;
-    }
-    return "Draw: the branch";
+    return previewer->show({ wanted.scene, wanted.tool, wanted.ink, wanted.orders });
 }
-
-std::string describe(DrawnStroke const& drawn)
-{
-    if (!drawn.refusal.empty())
-        return drawn.refusal;
-    switch (drawn.tool.kind) {
-    case Tool::Kind::Select:
-        return "A branch is selected";
-    case Tool::Kind::Indicate:
-    case Tool::Kind::MoveIndicator:
-        return "The plant leans with the indicator";
-    case Tool::Kind::Oversketch:
-    case Tool::Kind::Smooth:
-        return "The branch follows its stroke";
-    case Tool::Kind::Delete:
-        return "The stroke is gone";
-    case Tool::Kind::DeleteIndicator:
-        return "The motion indicator is gone";
-    case Tool::Kind::Erase:
-        return "It is erased";
-    case Tool::Kind::Press: // Is no stroke.
-    case Tool::Kind::Unknown:
-        break;
-    case Tool::Kind::Draw:
-    case Tool::Kind::DrawInOrder:
-        break;
-    }
-    return "The stroke shapes the branch";
-}
-
-} // namespace
 
 StationView::StationView(Station const& station, Document const& document)
     : preview_(std::make_unique<NewestJob<WantedPreview, Preview>>(
         // Shared by the copies of the function, of which one is called.
-        [preview = std::make_shared<StrokePreview>()](WantedPreview const& wanted) {
-            return Preview { preview->moved_by(wanted), wanted.stroke };
+        [previewing = std::make_shared<Previewing>()](WantedPreview const& wanted) {
+            return Preview { previewing->lines(wanted), wanted.stroke };
         }))
 {
     state_.volume_mm = station.volume_mm();
@@ -112,7 +52,7 @@ void StationView::show(Station const& station, Document const& document)
 
 void StationView::tell(DrawnStroke const& drawn)
 {
-    state_.status = describe(drawn);
+    state_.status = drawn.refusal.empty() ? drawn.tool.kind().done : drawn.refusal;
 }
 
 void StationView::begin_again(Station const& station, Document const& document)
@@ -183,9 +123,10 @@ void StationView::show_live(Station const& station, Document const& document)
     if (std::exchange(shown_pen_samples_, station.counts().pen_samples)
         != station.counts().pen_samples)
         ++state_.live_revision;
-    state_.tool = describe(station.tool());
+    state_.tool = station.tool().title();
+    state_.tools = station.tools();
     state_.hand = station.tool();
-    state_.erasing = station.erasing();
+    state_.remembered = station.remembered();
     auto const fault = station.height_monitor().present();
     state_.trouble = fault ? describe_fault(*fault) : "";
     show_ink(station, document.waiting());
@@ -223,23 +164,21 @@ void StationView::set_preview(std::vector<SkeletonLine> lines)
 // While a pen selects, its path so far, and what is undetermined, are seen in their own colours.
 void StationView::show_selecting(Station const& station)
 {
-    using Selecting = Tool::Selecting;
     auto const& tool = station.tool();
-    bool const chooses_path = tool.kind == Tool::Kind::Select
-        && (tool.selecting == Selecting::Path || tool.selecting == Selecting::Add
-            || tool.selecting == Selecting::Take);
+    auto* const marks = tool.kind().marks_branches;
+    bool const marks_branches = marks && marks(tool);
     auto const inks
         = station.is_pressing() ? std::vector<std::vector<TipSample>>() : station.inks();
-    bool const was_selecting = std::exchange(is_selecting_, chooses_path && !inks.empty());
+    bool const was_selecting = std::exchange(is_selecting_, marks_branches && !inks.empty());
     if (!is_selecting_) {
         if (was_selecting)
             show_skeleton();
         shown_touched_.reset();
         return;
     }
-    if (!shown_skeleton_ || shown_plant_ != grown_scene_->base || shown_angle_ != tool.angle) {
+    if (!shown_skeleton_ || shown_plant_ != grown_scene_->base || shown_angle_ != tool.angle()) {
         shown_plant_ = grown_scene_->base;
-        shown_angle_ = tool.angle;
+        shown_angle_ = tool.angle();
         shown_skeleton_.emplace(*shown_plant_, shown_angle_);
     }
     auto touched = shown_skeleton_->touched_by(inks.front());

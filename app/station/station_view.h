@@ -4,9 +4,9 @@
 #include "app/station/plant_grower.h"
 #include "app/station/skeleton_picture.h"
 #include "app/station/station.h"
-#include "app/station/stroke_preview.h"
 #include "app/station/window_model.h"
 #include "app/tools/shown_skeleton.h"
+#include "app/tools/stroke_previewer.h"
 #include "engine/mesh/mesh.h"
 #include "engine/scene/scene.h"
 
@@ -56,6 +56,20 @@ public:
     std::shared_ptr<Scene const> const& grown_scene() const { return grown_scene_; }
 
 private:
+    struct WantedPreview {
+        std::shared_ptr<Scene const> scene; // Shared with this; nobody changes it.
+        Tool tool {};
+        std::vector<TipSample> ink {};
+        std::uint32_t orders = 0; // Only branches of lower orders than this are looked at.
+        std::size_t stroke = 0;   // Which it is, by its number.
+    };
+    // What shows strokes under way, on the thread that does.
+    struct Previewing {
+        std::vector<SkeletonLine> lines(WantedPreview const& wanted);
+
+        std::unique_ptr<StrokePreviewer> (*made_by)() = nullptr;
+        std::unique_ptr<StrokePreviewer> previewer {};
+    };
     struct Preview {
         std::vector<SkeletonLine> lines;
         std::size_t stroke = 0; // Of which stroke, by its number.

@@ -4,6 +4,7 @@
 #include "app/diagnosis/device_monitor.h"
 #include "app/diagnosis/finding.h"
 #include "app/render/image.h"
+#include "app/tools/skeleton_line.h"
 #include "app/tools/tool.h"
 #include "engine/base/time.h"
 #include "engine/export/glb_writer.h"
@@ -27,26 +28,7 @@ struct InkLine {
         float width_mm = 1; // As wide as the pressure says.
     };
     std::vector<Point> points;
-    enum class Kind {
-        Shape,     // It shapes a branch, or chooses one.
-        Indicator, // It leans the plant.
-        Eraser,    // As wide as what it takes away.
-    } kind
-        = Kind::Shape;
-};
-
-// A piece of the plant's skeleton that has one state: an axis, or a part of one. Plant frame.
-struct SkeletonLine {
-    enum class State {
-        Unselected,
-        Undetermined, // Touched, but the pen has not yet shown whether it was meant.
-        Selected,
-        Assigned, // A stroke gives it its shape.
-    };
-
-    std::vector<Vec3f> points_mm;
-    float width_mm = 1; // Diameter at the base.
-    State state = State::Unselected;
+    InkStyle::Look look = InkStyle::Look::Line;
 };
 
 // Something that was drawn on a branch that the plant has lost.
@@ -152,10 +134,11 @@ struct WindowState {
     std::uint64_t devices_revision = 0;
     DevicesView devices; // Empty unless WatchDevices asks for it.
 
-    Tool hand;                                    // What the pen means now.
-    Tool::Erasing erasing = Tool::Erasing::Whole; // What erasing means, as it was chosen last.
-    std::string tool;                             // The same for people, for example "Draw".
-    std::string status;                           // One line: what is going on, or what was done.
+    ToolKinds tools {};              // That can be chosen.
+    Tool hand;                       // What the pen means now.
+    std::vector<Tool> remembered {}; // Tools that are chosen with the options that they had last.
+    std::string tool;                // What the pen means, for people, for example "Draw".
+    std::string status;              // One line: what is going on, or what was done.
     // One line: what is wrong with a device at this moment and what to do about it. Shown in place
     // of the status. Empty if nothing is.
     std::string trouble;

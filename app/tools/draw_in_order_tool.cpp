@@ -1,9 +1,14 @@
-#include "app/tools/tool.h"
+#include "app/tools/draw_in_order_tool.h"
+
+#include "app/tools/branch_previewer.h"
+#include "app/tools/erase_tool.h"
 #include "engine/plant/join_axes.h"
+#include "engine/scene/edit.h"
 
 namespace tractus {
 
-Result<std::vector<Edit>> draw_in_order_edits(Stroke const& stroke, Scene const& scene)
+static Result<std::vector<Edit>> draw_in_order(Tool const&, Stroke const& stroke,
+                                               Scene const& scene)
 {
     auto const& order = scene.rest->drawing_order;
     if (order.empty())
@@ -17,5 +22,20 @@ Result<std::vector<Edit>> draw_in_order_edits(Stroke const& stroke, Scene const&
         Associate { stroke, Propagation::Selected },
     };
 }
+
+constexpr ToolKind DrawInOrderTool::kKind {
+    .word = "draw_in_order",
+    .label = "Branch by branch",
+    .title = "Draw, branch by branch",
+    .done = "The stroke shapes the branch",
+    .help = "each stroke shapes the next branch, the trunk first",
+    .group = "Draw",
+    .icon = "19354279 7993 9381",
+    .key = 'D',
+    .options = options_type<DrawInOrderTool>(),
+    .mean = draw_in_order,
+    .previewer = branch_previewer,
+    .other_end = { &EraseTool::kKind },
+};
 
 } // namespace tractus

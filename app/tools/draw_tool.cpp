@@ -1,13 +1,59 @@
-#include "app/tools/tool.h"
+#include "app/tools/draw_tool.h"
+
+#include "app/tools/branch_previewer.h"
+#include "app/tools/erase_tool.h"
+#include "engine/scene/edit.h"
+
+#include <array>
 
 namespace tractus {
 
-Result<std::vector<Edit>> draw_edits(Tool const& tool, Stroke const& stroke, Scene const& scene)
+namespace {
+
+// In the order of Propagation,
+constexpr std::array<OptionWord, 3> kPropagationWords { {
+    { "selected", "Selected", "Draw: the branch" },
+    { "descendants", "All it bears", "Draw: all that the branch bears" },
+    { "both", "Both", "Draw: the branch and all that it bears" },
+} };
+
+// and of StrokeFit.
+constexpr std::array<OptionWord, 3> kFitWords { {
+    { "start", "From its base" },
+    { "chord", "Base to tip" },
+    { "world", "As it lies" },
+} };
+
+void visit(OptionVisitor& visitor, DrawTool& tool)
 {
+    visitor.choice({ kPropagationWords }, tool.propagation);
+    visitor.choice({ kFitWords, WordOption::Offered::InHand }, tool.fit);
+}
+
+Result<std::vector<Edit>> draw_selected(Tool const& tool, Stroke const& stroke, Scene const& scene)
+{
+    auto const& options = *tool.get<DrawTool>();
     if (scene.selection.empty())
         return fail(Fault::User,
                     "nothing is selected for the stroke to shape: select a branch first");
-    return std::vector<Edit> { Associate { stroke, tool.propagation, tool.fit } };
+    return std::vector<Edit> { Associate { stroke, options.propagation, options.fit } };
 }
+
+} // namespace
+
+constexpr ToolKind DrawTool::kKind {
+    .word = "draw",
+    .label = "Draw",
+    .title = "Draw",
+    .done = "The stroke shapes the branch",
+    .help = "shapes the selected branch, all that it bears, or both; the stroke is turned so that "
+            "it starts as the branch did, to lead from its first point to its last as the branch "
+            "did, or not at all",
+    .group = "Draw",
+    .options = options_type<DrawTool, visit>(),
+    .mean = draw_selected,
+    .previewer = branch_previewer,
+    .other_end = { &EraseTool::kKind },
+};
 
 } // namespace tractus

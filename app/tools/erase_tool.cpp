@@ -1,9 +1,13 @@
-#include "app/tools/tool.h"
+#include "app/tools/erase_tool.h"
+
+#include "app/tools/branch_previewer.h"
+#include "engine/scene/edit.h"
 #include "engine/stroke/erase_tips.h"
 #include "engine/stroke/polyline.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -16,11 +20,24 @@ namespace tractus {
 
 namespace {
 
+constexpr double kRadius_mm = EraseTool::kRadius_mm;
+
+// In the order of Erasing.
+constexpr std::array<OptionWord, 2> kErasingWords { {
+    { "whole", "Whole strokes", "Erase whole strokes" },
+    { "part", "What it touches", "Erase what the pen touches" },
+} };
+
+void visit(OptionVisitor& visitor, EraseTool& tool)
+{
+    visitor.choice({ kErasingWords }, tool.erasing);
+}
+
 // How far above the surface a line may lie that is still seen, and how far below the highest tip
 // under the eraser it takes others of the same stroke: about as far as it is wide, so that of a
 // stroke that was drawn straight up not all goes below the surface.
 constexpr double kSeenAbove_mm = 1;
-constexpr double kEraserDepth_mm = 2 * kEraserRadius_mm;
+constexpr double kEraserDepth_mm = 2 * kRadius_mm;
 
 // The height of a polyline where it passes under the eraser, the highest that is not above the
 // surface; no value if it passes beside it.
@@ -39,7 +56,7 @@ public:
         double const share = length2 > 0 ? std::clamp(to_eraser.dot(along) / length2, 0.0, 1.0) : 0;
         Vec3 const nearest_mm = from_mm + share * (to_mm - from_mm);
         bool const is_seen = nearest_mm.z() <= eraser_mm_.z() + kSeenAbove_mm;
-        bool const is_near = (nearest_mm - eraser_mm_).head<2>().norm() <= kEraserRadius_mm;
+        bool const is_near = (nearest_mm - eraser_mm_).head<2>().norm() <= kRadius_mm;
         if (is_seen && is_near)
             height_mm_ = std::max(height_mm_.value_or(nearest_mm.z()), nearest_mm.z());
     }
@@ -84,8 +101,8 @@ Result<std::vector<SeenStroke>> strokes_on_pad(Scene const& scene)
         stroke.tips = TRY(scene.associations[number].what.stroke.tips.in_memory());
         for (auto const& tip : stroke.tips) {
             Vec2 const place_mm = tip.position_mm.head<2>();
-            stroke.reach_mm.extend(place_mm + Vec2::Constant(kEraserRadius_mm));
-            stroke.reach_mm.extend(place_mm - Vec2::Constant(kEraserRadius_mm));
+            stroke.reach_mm.extend(place_mm + Vec2::Constant(kRadius_mm));
+            stroke.reach_mm.extend(place_mm - Vec2::Constant(kRadius_mm));
         }
     }
     return strokes;
@@ -107,8 +124,8 @@ std::vector<Vec3> way_of(Stroke const& eraser)
         Vec3 const from_mm = way_mm.empty() ? tip.position_mm : way_mm.back();
         Vec3 const step_mm = tip.position_mm - from_mm;
         constexpr double kMostSteps = 1000; // Whatever a broken device says.
-        int const steps = static_cast<int>(
-            std::clamp(std::ceil(step_mm.norm() / kEraserRadius_mm), 1.0, kMostSteps));
+        int const steps
+            = static_cast<int>(std::clamp(std::ceil(step_mm.norm() / kRadius_mm), 1.0, kMostSteps));
         for (int i = 1; i <= steps; ++i)
             way_mm.push_back(from_mm + step_mm * i / steps);
     }
@@ -124,7 +141,7 @@ void touch_tips(Vec3 const& eraser_mm, double top_mm, std::vector<TipSample> con
         auto const& tip_mm = tips[i].position_mm;
         bool const is_seen = tip_mm.z() <= eraser_mm.z() + kSeenAbove_mm;
         bool const is_on_top = tip_mm.z() >= top_mm - kEraserDepth_mm;
-        bool const is_near = (tip_mm - eraser_mm).head<2>().norm() <= kEraserRadius_mm;
+        bool const is_near = (tip_mm - eraser_mm).head<2>().norm() <= kRadius_mm;
         if (is_seen && is_on_top && is_near)
             touched[i] = true;
     }
@@ -185,14 +202,14 @@ Result<bool> shapes_without(Scene const& scene, Association association,
     if (!rest)
         return false;
     auto const points = stroke_points(*rest);
-    if (!points || polyline_length_mm(*points) < kEraserRadius_mm)
+    if (!points || polyline_length_mm(*points) < kRadius_mm)
         return false;
     association.stroke = *std::move(rest);
     return check_association(*scene.base, association).has_value();
 }
 
 // Those that lose the same tips together, then those that go whole.
-Result<std::vector<Edit>> stroke_edits_of(Touched const& touched, Tool::Erasing erasing,
+Result<std::vector<Edit>> stroke_edits_of(Touched const& touched, EraseTool::Erasing erasing,
                                           Scene const& scene)
 {
     std::vector<EraseTips> parts;
@@ -200,7 +217,7 @@ Result<std::vector<Edit>> stroke_edits_of(Touched const& touched, Tool::Erasing 
     for (auto const& [number, tips] : touched.associations) {
         auto ranges = ranges_of(tips);
         auto const id = scene.associations[number].id;
-        if (erasing == Tool::Erasing::Whole) {
+        if (erasing == EraseTool::Erasing::Whole) {
             whole.strokes.ids.push_back(id);
         } else if (ranges.empty()) { // Between two of its tips, where it goes straight anyway.
             continue;
@@ -222,16 +239,13 @@ Result<std::vector<Edit>> stroke_edits_of(Touched const& touched, Tool::Erasing 
     return edits;
 }
 
-} // namespace
-
-Result<std::vector<Edit>> erase_edits(Tool::Erasing erasing, Stroke const& stroke,
-                                      Scene const& scene)
+Result<std::vector<Edit>> erase(Tool const& tool, Stroke const& stroke, Scene const& scene)
 {
     Touched touched;
     auto const strokes = TRY(strokes_on_pad(scene));
     for (auto const& place_mm : way_of(stroke))
         touch(place_mm, scene, strokes, touched);
-    auto edits = TRY(stroke_edits_of(touched, erasing, scene));
+    auto edits = TRY(stroke_edits_of(touched, tool.get<EraseTool>()->erasing, scene));
     for (auto const number : touched.indicators)
         edits.push_back(DeleteIndicator { scene.indicators[number].id });
     if (edits.empty())
@@ -240,5 +254,24 @@ Result<std::vector<Edit>> erase_edits(Tool::Erasing erasing, Stroke const& strok
                     "seen on the pad");
     return edits;
 }
+
+} // namespace
+
+constexpr ToolKind EraseTool::kKind {
+    .word = "erase",
+    .label = "Erase",
+    .title = "Erase",
+    .done = "It is erased",
+    .help = "takes away what the stroke runs over, whole strokes or only their parts below it; the "
+            "pen's other end does as was chosen last",
+    .group = "Erase",
+    .icon = "37731555 1555 55913373 3355",
+    .key = 'E',
+    .ink = { InkStyle::Look::Eraser, 2 * EraseTool::kRadius_mm },
+    .options = options_type<EraseTool, visit>(),
+    .mean = erase,
+    .previewer = stroke_reading_previewer,
+    .other_end = { &EraseTool::kKind },
+};
 
 } // namespace tractus

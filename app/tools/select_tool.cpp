@@ -1,21 +1,43 @@
+#include "app/tools/select_tool.h"
+
 #include "app/tools/shown_skeleton.h"
-#include "app/tools/tool.h"
 #include "engine/base/check.h"
+#include "engine/scene/edit.h"
+
+#include <array>
 
 namespace tractus {
 
 namespace {
 
+using Selecting = SelectTool::Selecting;
+
+// In the order of Selecting.
+constexpr std::array<OptionWord, 8> kSelectingWords { {
+    { "path", "Path" },
+    { "ends", "By its ends" },
+    { "add", "Add" },
+    { "take", "Take" },
+    { "order", "Whole order" },
+    { "alike", "All alike" },
+    { .word = "invert", .label = "Invert", .at_once = true },
+    { .word = "nothing", .label = "Nothing", .at_once = true },
+} };
+
+void visit(OptionVisitor& visitor, SelectTool& tool)
+{
+    visitor.choice({ kSelectingWords }, tool.selecting);
+}
+
 Result<Selection> selection_of(Tool const& tool, Stroke const& stroke, Scene const& scene)
 {
-    auto const selecting = tool.selecting;
-    using Selecting = Tool::Selecting;
+    auto const selecting = tool.get<SelectTool>()->selecting;
     auto const& plant = *scene.base;
     if (selecting == Selecting::Nothing)
         return Selection {};
     if (selecting == Selecting::Invert)
         return inverted(plant, scene.selection);
-    ShownSkeleton const shown(plant, tool.angle);
+    ShownSkeleton const shown(plant, tool.angle());
     switch (selecting) {
     case Selecting::Ends: {
         auto const first = TRY(shown.segment_under(stroke.tips.front()));
@@ -37,13 +59,42 @@ Result<Selection> selection_of(Tool const& tool, Stroke const& stroke, Scene con
     }
 }
 
-} // namespace
-
-Result<std::vector<Edit>> select_edits(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<std::vector<Edit>> select(Tool const& tool, Stroke const& stroke, Scene const& scene)
 {
-    CHECK(!stroke.tips.empty() || tool.selecting == Tool::Selecting::Nothing
-          || tool.selecting == Tool::Selecting::Invert);
+    CHECK(!stroke.tips.empty() || tool.can_be_done_at_once());
     return std::vector<Edit> { select_paths(scene, TRY(selection_of(tool, stroke, scene))) };
 }
+
+bool selects_path(Tool const& tool)
+{
+    auto const selecting = tool.get<SelectTool>()->selecting;
+    return selecting == Selecting::Path || selecting == Selecting::Add
+        || selecting == Selecting::Take;
+}
+
+// Over the skeleton the other end has nothing to erase.
+std::shared_ptr<void> taking()
+{
+    return std::make_shared<SelectTool>(SelectTool { Selecting::Take });
+}
+
+} // namespace
+
+constexpr ToolKind SelectTool::kKind {
+    .word = "select",
+    .label = "Select",
+    .title = "Select",
+    .done = "A branch is selected",
+    .help = "chooses the path under the stroke, or all between two branches; adds the path to what "
+            "is chosen, takes it away; all of one order, of one look; the others; none",
+    .group = "Select",
+    .icon = "1949 4945 454141 4144 44594945",
+    .key = 'C',
+    .surface = Surface::Skeleton,
+    .options = options_type<SelectTool, visit>(),
+    .mean = select,
+    .marks_branches = selects_path,
+    .other_end = { &SelectTool::kKind, taking },
+};
 
 } // namespace tractus

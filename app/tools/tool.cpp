@@ -1,7 +1,5 @@
 #include "app/tools/tool.h"
 
-#include "engine/base/check.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -13,67 +11,146 @@ namespace tractus {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Tool::Kind>, 11> kTools { {
-    { "select", Tool::Kind::Select },
-    { "draw", Tool::Kind::Draw },
-    { "indicate", Tool::Kind::Indicate },
-    { "draw_in_order", Tool::Kind::DrawInOrder },
-    { "oversketch", Tool::Kind::Oversketch },
-    { "smooth", Tool::Kind::Smooth },
-    { "delete", Tool::Kind::Delete },
-    { "move_indicator", Tool::Kind::MoveIndicator },
-    { "delete_indicator", Tool::Kind::DeleteIndicator },
-    { "erase", Tool::Kind::Erase },
-    { "press", Tool::Kind::Press },
-} };
-
-// A word of a tool's arguments, and what it does to the tool. The first of those that do the same
-// kind of thing is what no word means.
-struct Argument {
-    Tool::Kind kind;
-    std::string_view word;
-    void (*set)(Tool&);
-};
-
-using Reach = Tool::Reach;
-using Selecting = Tool::Selecting;
-using Erasing = Tool::Erasing;
-using IndicatorKind = MotionIndicator::Kind;
-
-constexpr std::array<Argument, 21> kArguments { {
-    { Tool::Kind::Select, "path", [](Tool& tool) { tool.selecting = Selecting::Path; } },
-    { Tool::Kind::Select, "add", [](Tool& tool) { tool.selecting = Selecting::Add; } },
-    { Tool::Kind::Select, "take", [](Tool& tool) { tool.selecting = Selecting::Take; } },
-    { Tool::Kind::Select, "ends", [](Tool& tool) { tool.selecting = Selecting::Ends; } },
-    { Tool::Kind::Select, "order", [](Tool& tool) { tool.selecting = Selecting::Order; } },
-    { Tool::Kind::Select, "alike", [](Tool& tool) { tool.selecting = Selecting::Alike; } },
-    { Tool::Kind::Select, "invert", [](Tool& tool) { tool.selecting = Selecting::Invert; } },
-    { Tool::Kind::Select, "nothing", [](Tool& tool) { tool.selecting = Selecting::Nothing; } },
-    { Tool::Kind::Draw, "selected", [](Tool& tool) { tool.propagation = Propagation::Selected; } },
-    { Tool::Kind::Draw, "descendants",
-      [](Tool& tool) { tool.propagation = Propagation::Descendants; } },
-    { Tool::Kind::Draw, "both", [](Tool& tool) { tool.propagation = Propagation::Both; } },
-    { Tool::Kind::Draw, "start", [](Tool& tool) { tool.fit = StrokeFit::Start; } },
-    { Tool::Kind::Draw, "chord", [](Tool& tool) { tool.fit = StrokeFit::Chord; } },
-    { Tool::Kind::Draw, "world", [](Tool& tool) { tool.fit = StrokeFit::World; } },
-    { Tool::Kind::Indicate, "everywhere", [](Tool& tool) { tool.reach = Reach::Everywhere; } },
-    { Tool::Kind::Indicate, "below", [](Tool& tool) { tool.reach = Reach::Below; } },
-    { Tool::Kind::Indicate, "near", [](Tool& tool) { tool.reach = Reach::Near; } },
-    { Tool::Kind::Indicate, "push", [](Tool& tool) { tool.indicator = IndicatorKind::Push; } },
-    { Tool::Kind::Indicate, "light", [](Tool& tool) { tool.indicator = IndicatorKind::Light; } },
-    { Tool::Kind::Erase, "whole", [](Tool& tool) { tool.erasing = Erasing::Whole; } },
-    { Tool::Kind::Erase, "part", [](Tool& tool) { tool.erasing = Erasing::Part; } },
-} };
-
 constexpr std::string_view kNow = "now";
 constexpr std::string_view kView = "view=";
 
-bool can_be_done_at_once(Tool const& tool)
+struct NoOptions { };
+
+Result<std::vector<Edit>> refuse(Tool const&, Stroke const&, Scene const&)
 {
-    return tool.kind == Tool::Kind::Smooth || tool.kind == Tool::Kind::Delete
-        || (tool.kind == Tool::Kind::Select
-            && (tool.selecting == Selecting::Invert || tool.selecting == Selecting::Nothing));
+    return fail(Fault::User, "this tractus does not know the tool that the stroke was for");
 }
+
+constexpr ToolKind kNoTool { .word = "",
+                             .label = "",
+                             .title = "A tool that this tractus does not know",
+                             .done = "",
+                             .help = "",
+                             .group = "",
+                             .options = options_type<NoOptions>(),
+                             .mean = refuse };
+
+// All options as numbers, for comparing.
+class ValueReader final : public OptionVisitor {
+public:
+    void word(WordOption const&, int& value) override { values.push_back(value); }
+    void number(NumberOption const&, double& value) override { values.push_back(value); }
+
+    std::vector<double> values;
+};
+
+std::vector<double> values_of(Tool const& tool)
+{
+    ValueReader reader;
+    tool.show(reader);
+    return std::move(reader.values);
+}
+
+class WordReader final : public OptionVisitor {
+public:
+    void word(WordOption const& option, int& value) override { words.push_back({ option, value }); }
+    void number(NumberOption const&, double&) override { }
+
+    std::vector<ChosenWord> words;
+};
+
+class WordSetter final : public OptionVisitor {
+public:
+    WordSetter(std::size_t option, int value)
+        : option_(option)
+        , value_(value)
+    {
+    }
+
+    void word(WordOption const&, int& value) override
+    {
+        if (number_++ == option_)
+            value = value_;
+    }
+    void number(NumberOption const&, double&) override { }
+
+private:
+    std::size_t option_;
+    int value_;
+    std::size_t number_ = 0;
+};
+
+// Finds the option that a word of a log is about, and sets it.
+class ArgumentReader final : public OptionVisitor {
+public:
+    explicit ArgumentReader(std::string_view argument)
+        : argument_(argument)
+    {
+    }
+
+    void word(WordOption const& option, int& value) override
+    {
+        for (std::size_t i = 0; i < option.words.size(); ++i) {
+            known_.emplace_back(option.words[i].word);
+            if (argument_ == option.words[i].word) {
+                value = static_cast<int>(i);
+                is_taken_ = true;
+            }
+        }
+    }
+
+    void number(NumberOption const& option, double& value) override
+    {
+        auto const start = fmt::format("{}=", option.name);
+        known_.push_back(fmt::format("{} and a number of {} from {:g} to {:g}", start,
+                                     *option.unit ? option.unit : "no unit", option.least,
+                                     option.greatest));
+        if (!argument_.starts_with(start))
+            return;
+        double read = 0;
+        auto const* const end = argument_.data() + argument_.size();
+        auto const [at, error] = std::from_chars(argument_.data() + start.size(), end, read);
+        if (error != std::errc() || at != end || !(read >= option.least)
+            || !(read <= option.greatest))
+            return;
+        value = read;
+        is_taken_ = true;
+    }
+
+    bool is_taken() const { return is_taken_; }
+    std::vector<std::string> const& known() const { return known_; }
+
+private:
+    std::string_view argument_;
+    bool is_taken_ = false;
+    std::vector<std::string> known_;
+};
+
+// The words of a log for all options that differ from what no word means.
+class ArgumentWriter final : public OptionVisitor {
+public:
+    explicit ArgumentWriter(std::vector<double> plain)
+        : plain_(std::move(plain))
+    {
+    }
+
+    void word(WordOption const& option, int& value) override
+    {
+        if (value != plain_[number_++])
+            add(option.words[static_cast<std::size_t>(value)].word);
+    }
+    void number(NumberOption const& option, double& value) override
+    {
+        if (value != plain_[number_++])
+            add(fmt::format("{}={}", option.name, value));
+    }
+    void add(std::string_view argument)
+    {
+        arguments_ += fmt::format("{}{}", arguments_.empty() ? "" : " ", argument);
+    }
+
+    std::string take() { return std::move(arguments_); }
+
+private:
+    std::vector<double> plain_;
+    std::size_t number_ = 0;
+    std::string arguments_;
+};
 
 std::string view_word(SelectionAngle const& angle)
 {
@@ -104,135 +181,151 @@ Result<SelectionAngle> parse_view(std::string_view word)
     return SelectionAngle { azimuth, elevation, zoom, { x, y }, { width, depth } };
 }
 
-// "a, b or c" of the words that `is_listed` accepts.
-template<typename Entries, typename Accept>
-std::string list_words(Entries const& entries, Accept const& word_of)
+// "a, b or c".
+std::string list_words(std::vector<std::string> const& words)
 {
-    std::vector<std::string_view> words;
-    for (auto const& entry : entries)
-        if (auto const word = word_of(entry); !word.empty())
-            words.push_back(word);
     std::string list;
     for (std::size_t i = 0; i < words.size(); ++i)
         list += fmt::format("{}{}", i == 0 ? "" : i + 1 < words.size() ? ", " : " or ", words[i]);
     return list;
 }
 
-Result<void> take_argument(Tool& tool, std::string_view name, std::string_view word)
+Result<void> take_argument(Tool& tool, bool& is_now, std::string_view word)
 {
     if (word == kNow) {
-        tool.at_once = true;
+        is_now = true;
         return {};
     }
-    if (tool.kind == Tool::Kind::Select && word.starts_with(kView)) {
-        tool.angle = TRY(parse_view(word));
+    if (tool.kind().surface == Surface::Skeleton && word.starts_with(kView)) {
+        tool = tool.seen_from(TRY(parse_view(word)));
         return {};
     }
-    for (auto const& argument : kArguments)
-        if (argument.kind == tool.kind && argument.word == word) {
-            argument.set(tool);
-            return {};
-        }
-    auto const known = list_words(kArguments, [&](Argument const& argument) {
-        return argument.kind == tool.kind ? argument.word : std::string_view {};
-    });
-    return fail(Fault::User,
-                known.empty() ? fmt::format("the tool {} takes no \"{}\": leave it out", name, word)
-                              : fmt::format("the tool {} does not know \"{}\": it knows {}", name,
-                                            word, known));
+    ArgumentReader reader(word);
+    auto const changed = tool.changed_by(reader);
+    if (reader.is_taken()) {
+        tool = changed;
+        return {};
+    }
+    return fail(
+        Fault::User,
+        reader.known().empty()
+            ? fmt::format("the tool {} takes no \"{}\": leave it out", tool.kind().word, word)
+            : fmt::format("the tool {} does not know \"{}\": it knows {}", tool.kind().word, word,
+                          list_words(reader.known())));
 }
 
 } // namespace
 
-Tool other_end_of(Tool const& tool, Tool::Erasing erasing)
+Tool::Tool()
+    : Tool(kNoTool)
 {
-    if (tool.kind == Tool::Kind::Press || tool.kind == Tool::Kind::Unknown)
-        return tool;
-    if (tool.kind == Tool::Kind::Select)
-        return { .kind = Tool::Kind::Select, .selecting = Selecting::Take };
-    return { .kind = Tool::Kind::Erase, .erasing = erasing };
 }
 
-bool is_tool_name(std::string_view name)
+Tool::Tool(ToolKind const& kind)
+    : Tool(kind, kind.options.make())
 {
-    return std::any_of(kTools.begin(), kTools.end(),
-                       [&](auto const& tool) { return tool.first == name; });
 }
 
-Result<Tool> parse_tool(std::string_view name, std::string_view arguments)
+Tool Tool::changed_by(OptionVisitor& visitor) const
 {
-    for (auto const& [known, kind] : kTools) {
-        if (known != name)
-            continue;
-        Tool tool { .kind = kind };
-        while (!arguments.empty()) {
-            auto const word = arguments.substr(0, arguments.find(' '));
-            arguments.remove_prefix(std::min(word.size() + 1, arguments.size()));
-            if (!word.empty())
-                TRY(take_argument(tool, name, word));
-        }
-        if (tool.at_once && !can_be_done_at_once(tool))
-            return fail(Fault::User,
-                        fmt::format("the tool {} needs a stroke: leave out \"{}\"", name, kNow));
-        return tool;
+    auto const options = kind_->options.copy(options_.get());
+    kind_->options.visit(visitor, options.get());
+    auto changed = *this;
+    changed.options_ = options;
+    return changed;
+}
+
+bool Tool::can_be_done_at_once() const
+{
+    auto const words = chosen_words(*this);
+    return kind_->at_once || std::any_of(words.begin(), words.end(), [](ChosenWord const& chosen) {
+               return chosen.option.words[static_cast<std::size_t>(chosen.value)].at_once;
+           });
+}
+
+Tool Tool::done_at_once() const
+{
+    auto changed = *this;
+    changed.at_once_ = true;
+    return changed;
+}
+
+Tool Tool::seen_from(SelectionAngle const& angle) const
+{
+    auto changed = *this;
+    changed.angle_ = angle;
+    return changed;
+}
+
+std::string Tool::title() const
+{
+    char const* title = kind_->title;
+    for (auto const& [option, value] : chosen_words(*this))
+        if (auto const* const own = option.words[static_cast<std::size_t>(value)].title)
+            title = own;
+    return title;
+}
+
+bool Tool::operator==(Tool const& other) const
+{
+    return kind_ == other.kind_ && at_once_ == other.at_once_ && angle_ == other.angle_
+        && (options_ == other.options_ || values_of(*this) == values_of(other));
+}
+
+std::vector<ChosenWord> chosen_words(Tool const& tool)
+{
+    WordReader reader;
+    tool.show(reader);
+    return std::move(reader.words);
+}
+
+Tool with_word(Tool const& tool, std::size_t option, int value)
+{
+    WordSetter setter(option, value);
+    return tool.changed_by(setter);
+}
+
+ToolKind const* find_tool_kind(ToolKinds kinds, std::string_view word)
+{
+    auto const found = std::find_if(kinds.begin(), kinds.end(), [&](ToolKind const* kind) {
+        return std::string_view(kind->word) == word;
+    });
+    return found == kinds.end() ? nullptr : *found;
+}
+
+Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view arguments)
+{
+    auto const* const kind = find_tool_kind(kinds, name);
+    if (!kind) {
+        std::vector<std::string> words;
+        for (auto const* const known : kinds)
+            words.emplace_back(known->word);
+        return fail(Fault::User,
+                    fmt::format("there is no tool \"{}\": there are {}", name, list_words(words)));
     }
-    return fail(Fault::User,
-                fmt::format("there is no tool \"{}\": there are {}", name,
-                            list_words(kTools, [](auto const& tool) { return tool.first; })));
+    Tool tool(*kind);
+    bool is_now = false;
+    while (!arguments.empty()) {
+        auto const word = arguments.substr(0, arguments.find(' '));
+        arguments.remove_prefix(std::min(word.size() + 1, arguments.size()));
+        if (!word.empty())
+            TRY(take_argument(tool, is_now, word));
+    }
+    if (is_now && !tool.can_be_done_at_once())
+        return fail(Fault::User,
+                    fmt::format("the tool {} needs a stroke: leave out \"{}\"", name, kNow));
+    return is_now ? tool.done_at_once() : tool;
 }
 
 ToolWords words_for(Tool const& tool)
 {
-    ToolWords words;
-    for (auto const& [word, kind] : kTools)
-        if (kind == tool.kind)
-            words.name = word;
-    // Each word that changes the tool with none, but not the tool itself, belongs to it.
-    for (auto const& argument : kArguments) {
-        Tool plain { .kind = tool.kind };
-        Tool same = tool;
-        argument.set(plain);
-        argument.set(same);
-        if (argument.kind == tool.kind && same == tool && plain != Tool { .kind = tool.kind })
-            words.arguments
-                += fmt::format("{}{}", words.arguments.empty() ? "" : " ", argument.word);
-    }
-    auto const add = [&](std::string_view word) {
-        words.arguments += fmt::format("{}{}", words.arguments.empty() ? "" : " ", word);
-    };
-    if (tool.kind == Tool::Kind::Select && tool.angle != SelectionAngle {})
-        add(view_word(tool.angle));
-    if (tool.at_once)
-        add(kNow);
-    return words;
-}
-
-Result<std::vector<Edit>> edits_of(Tool const& tool, Stroke const& stroke, Scene const& scene)
-{
-    switch (tool.kind) {
-    case Tool::Kind::Select:
-        return select_edits(tool, stroke, scene);
-    case Tool::Kind::Draw:
-        return draw_edits(tool, stroke, scene);
-    case Tool::Kind::Indicate:
-        return indicate_edits(tool, stroke, scene);
-    case Tool::Kind::DrawInOrder:
-        return draw_in_order_edits(stroke, scene);
-    case Tool::Kind::Oversketch:
-    case Tool::Kind::Smooth:
-    case Tool::Kind::Delete:
-        return stroke_edits(tool.kind, stroke, scene);
-    case Tool::Kind::MoveIndicator:
-    case Tool::Kind::DeleteIndicator:
-        return indicator_edits(tool.kind, stroke, scene);
-    case Tool::Kind::Erase:
-        return erase_edits(tool.erasing, stroke, scene);
-    case Tool::Kind::Press:
-        return std::vector<Edit> {};
-    case Tool::Kind::Unknown:
-        return fail(Fault::User, "this tractus does not know the tool that the stroke was for");
-    }
-    CHECK(false);
+    ArgumentWriter writer(values_of(Tool(tool.kind())));
+    tool.show(writer);
+    if (tool.kind().surface == Surface::Skeleton && tool.angle() != SelectionAngle {})
+        writer.add(view_word(tool.angle()));
+    if (tool.is_done_at_once())
+        writer.add(kNow);
+    return { tool.kind().word, writer.take() };
 }
 
 } // namespace tractus

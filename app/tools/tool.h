@@ -1,92 +1,98 @@
 #pragma once
 
+#include "app/tools/tool_kind.h"
 #include "engine/base/result.h"
-#include "engine/scene/edit.h"
-#include "engine/scene/scene.h"
+#include "engine/scene/desk_placement.h"
+#include "engine/stroke/stroke.h"
 
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tractus {
 
-// What the pen means now. A log names it in its T lines: a word, and for some more words.
-struct Tool {
-    enum class Kind {
-        Select,        // "select": the stroke runs over the skeleton's picture and chooses a path.
-        Draw,          // "draw": the stroke shapes the selected path.
-        Indicate,      // "indicate": the stroke's two ends are a motion indicator.
-        DrawInOrder,   // "draw_in_order": each stroke shapes the next axis, the trunk first.
-        Oversketch,    // "oversketch": the stroke redraws a part of those of the selected branches.
-        Smooth,        // "smooth": takes the hand out of the selected branches' strokes.
-        Delete,        // "delete": takes the selected branches' last stroke away.
-        MoveIndicator, // "move_indicator": the indicator where the stroke begins goes along with
-                       // it.
-        DeleteIndicator, // "delete_indicator": that where the stroke begins goes.
-        Erase, // "erase": strokes and indicators go that the stroke runs over, as the pad shows
-               // them, or parts of strokes. What the pen's other end does.
-        Press, // "press": the touch pressed what the window showed; it means nothing to the plant.
-        Unknown, // Of a log that another program has made, with more tools: means nothing.
-    };
-    Kind kind = Kind::DrawInOrder;
+// What the pen means now: a kind of tool and its options. A value: copies share the options, which
+// nobody changes. A log names it in its T lines: a word, and for some more words.
+class Tool {
+public:
+    // None of this program's, as of a log that another one has made, with more tools: its strokes
+    // are refused.
+    Tool();
 
-    // For Draw, its arguments, in any order: "selected" (if none), "descendants" or "both"; "start"
-    // (if none), "chord" or "world".
-    Propagation propagation = Propagation::Selected;
-    StrokeFit fit = StrokeFit::Start;
+    explicit Tool(ToolKind const& kind); // With the options that it has by default.
 
-    // For Select, its argument: what is chosen.
-    enum class Selecting {
-        Path,    // None: the path under the stroke.
-        Add,     // "add": that path as well.
-        Take,    // "take": what was chosen but for that path.
-        Ends,    // "ends": all between the branches under the stroke's two ends.
-        Order,   // "order": all axes of the order of the one under the stroke's end.
-        Alike,   // "alike": that axis and all siblings that are like it.
-        Invert,  // "invert": what was not chosen; wherever the stroke is.
-        Nothing, // "nothing".
-    };
-    Selecting selecting = Selecting::Path;
+    // `options` point to the type that belongs to the kind.
+    Tool(ToolKind const& kind, std::shared_ptr<void const> options)
+        : kind_(&kind)
+        , options_(std::move(options))
+    {
+    }
 
-    // And from where its skeleton is shown under the pen: "view=", and seven numbers with commas
-    // between them: azimuth, elevation, zoom, moved to x and y, and the area's width and depth
-    // (SelectionAngle).
-    SelectionAngle angle {};
+    template<ToolFields T>
+    Tool(T options) // NOLINT(google-explicit-constructor): is one.
+        : kind_(&T::kKind)
+        , options_(std::make_shared<T const>(std::move(options)))
+    {
+    }
 
-    // For Indicate, its arguments, in any order: "everywhere" (if none), "below" (on the selected
-    // branches and what they bear) or "near" (falling off around the stroke); "push" (if none) or
-    // "light".
-    enum class Reach { Everywhere, Below, Near };
-    Reach reach = Reach::Everywhere;
-    MotionIndicator::Kind indicator = MotionIndicator::Kind::Push;
+    ToolKind const& kind() const { return *kind_; }
 
-    // For Erase, its argument: what goes of a stroke. Indicators have no parts, and go whole.
-    enum class Erasing {
-        Whole, // "whole" (if none): all of it.
-        Part,  // "part": the tips under the eraser; all where those that are left shape nothing.
-    };
-    Erasing erasing = Erasing::Whole;
+    // Null for a tool of another kind.
+    template<ToolFields T> T const* get() const
+    {
+        return kind_ == &T::kKind ? static_cast<T const*>(options_.get()) : nullptr;
+    }
 
-    // "now": it is done at once, without a stroke, and the tool in hand stays in hand. For Smooth,
-    // Delete, and Select's Invert and Nothing.
-    bool at_once = false;
+    // Lets the visitor look at the options, which it leaves as they are.
+    void show(OptionVisitor& visitor) const { static_cast<void>(changed_by(visitor)); }
 
-    bool operator==(Tool const&) const = default;
+    // The same tool after the visitor has changed its options.
+    Tool changed_by(OptionVisitor& visitor) const;
+
+    // It is done at once, without a stroke, and the tool in hand stays in hand: "now".
+    bool is_done_at_once() const { return at_once_; }
+    bool can_be_done_at_once() const;
+    Tool done_at_once() const;
+
+    // From where the skeleton is shown under the pen, for a tool that works on that: "view=", and
+    // seven numbers with commas between them: azimuth, elevation, zoom, moved to x and y, and the
+    // area's width and depth.
+    SelectionAngle const& angle() const { return angle_; }
+    Tool seen_from(SelectionAngle const& angle) const;
+
+    // What it is called, for people.
+    std::string title() const;
+
+    // See ToolKind::mean.
+    Result<std::vector<Edit>> mean(Stroke const& stroke, Scene const& scene) const
+    {
+        return kind_->mean(*this, stroke, scene);
+    }
+
+    bool operator==(Tool const& other) const;
+
+private:
+    ToolKind const* kind_;
+    std::shared_ptr<void const> options_; // Shared between copies.
+    SelectionAngle angle_ {};
+    bool at_once_ = false;
 };
 
-// How far beside a line the eraser may be and still touch it.
-constexpr double kEraserRadius_mm = 4;
+// The options of a tool that are words, with the number of the word that each has.
+struct ChosenWord {
+    WordOption option;
+    int value = 0;
+};
+std::vector<ChosenWord> chosen_words(Tool const& tool);
 
-// What the eraser's end of the pen means while its tip is `tool`: to erase, as was chosen last;
-// when selecting, to take branches from what is selected.
-Tool other_end_of(Tool const& tool, Tool::Erasing erasing);
+// The tool with another word for the option of this number among them.
+Tool with_word(Tool const& tool, std::size_t option, int value);
 
 // A tool from the words of a log or a script. Fails, as the user's fault, naming the tools or
 // arguments there are.
-Result<Tool> parse_tool(std::string_view name, std::string_view arguments);
-
-// Whether parse_tool() knows a tool of this name, with whatever arguments.
-bool is_tool_name(std::string_view name);
+Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view arguments);
 
 // The words for a tool, as parse_tool reads them.
 struct ToolWords {
@@ -100,22 +106,5 @@ struct ToolStroke {
     Stroke stroke;
     Tool tool;
 };
-
-// What a finished stroke says in the hand of each tool, as edits of `scene`, to be applied in
-// order. Fails, as the user's fault, when it says nothing: a stroke beside the plant, nothing
-// selected.
-Result<std::vector<Edit>> edits_of(Tool const& tool, Stroke const& stroke, Scene const& scene);
-
-// One file for each kind of thing that is edited; edits_of chooses.
-Result<std::vector<Edit>> select_edits(Tool const& tool, Stroke const& stroke, Scene const& scene);
-Result<std::vector<Edit>> draw_edits(Tool const& tool, Stroke const& stroke, Scene const& scene);
-Result<std::vector<Edit>> draw_in_order_edits(Stroke const& stroke, Scene const& scene);
-Result<std::vector<Edit>> stroke_edits(Tool::Kind kind, Stroke const& stroke, Scene const& scene);
-Result<std::vector<Edit>> indicate_edits(Tool const& tool, Stroke const& stroke,
-                                         Scene const& scene);
-Result<std::vector<Edit>> indicator_edits(Tool::Kind kind, Stroke const& stroke,
-                                          Scene const& scene);
-Result<std::vector<Edit>> erase_edits(Tool::Erasing erasing, Stroke const& stroke,
-                                      Scene const& scene);
 
 } // namespace tractus

@@ -14,7 +14,7 @@
 
 namespace tractus {
 
-void add_demo_verb(CLI::App& root, Action& action)
+void add_demo_verb(CLI::App& root, Action& action, Methods const& methods)
 {
     struct DemoArguments {
         JobOptions job;
@@ -34,9 +34,10 @@ void add_demo_verb(CLI::App& root, Action& action)
         ->check(one_of({ "broadleaf", "conifer", "daisy", "shrub" }))
         ->capture_default_str();
     add_seed_option(*verb, arguments->job.seed);
-    verb->callback([arguments, &action] {
-        action = [arguments]() -> Result<void> {
+    verb->callback([arguments, methods, &action] {
+        action = [arguments, methods]() -> Result<void> {
             auto job = arguments->job;
+            job.drawing.methods = methods;
             TRY(check_writable(job.folder / "report.txt"));
             job.model = TRY(find_model(arguments->plant));
             job.drawing.log

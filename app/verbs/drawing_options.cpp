@@ -16,11 +16,12 @@ void add_drawing_options(CLI::App& verb, DrawingArguments& drawing, std::string 
     add_height_option(verb, drawing.height)->needs(log);
 }
 
-std::optional<DrawingOptions> drawing_options(DrawingArguments const& drawing)
+std::optional<DrawingOptions> drawing_options(DrawingArguments const& drawing,
+                                              Methods const& methods)
 {
     if (drawing.log.empty())
         return std::nullopt;
-    DrawingOptions options { .log = drawing.log };
+    DrawingOptions options { .log = drawing.log, .methods = methods };
     if (!drawing.rig.empty())
         options.rig = drawing.rig;
     if (!drawing.height.empty())

@@ -20,6 +20,7 @@ struct DrawingArguments {
 void add_drawing_options(CLI::App& verb, DrawingArguments& drawing, std::string const& without);
 
 // No value where nothing was drawn.
-std::optional<DrawingOptions> drawing_options(DrawingArguments const& drawing);
+std::optional<DrawingOptions> drawing_options(DrawingArguments const& drawing,
+                                              Methods const& methods);
 
 } // namespace tractus

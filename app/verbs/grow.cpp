@@ -189,7 +189,7 @@ Result<Scene> add_drawing(DrawingOptions const& options, Scene scene, std::strin
     return std::move(drawing.scene);
 }
 
-Result<void> grow_model(GrowArguments const& arguments)
+Result<void> grow_model(GrowArguments const& arguments, Methods const& methods)
 {
     TRY(check_writable(arguments.output));
     auto const path = TRY(find_model(arguments.model.model));
@@ -198,7 +198,7 @@ Result<void> grow_model(GrowArguments const& arguments)
     auto scene
         = TRY(is_session ? load_session(arguments, path) : load_model_scene(arguments, path));
     scene = TRY(with_growth(arguments.growth, std::move(scene)));
-    if (auto const drawing = drawing_options(arguments.drawing))
+    if (auto const drawing = drawing_options(arguments.drawing, methods))
         scene = TRY(add_drawing(*drawing, std::move(scene), name));
     if (arguments.ages > 0)
         return write_animation(arguments, scene, name);
@@ -233,7 +233,7 @@ void add_animation_options(CLI::App& verb, GrowArguments& arguments)
 
 } // namespace
 
-void add_grow_verb(CLI::App& root, Action& action)
+void add_grow_verb(CLI::App& root, Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<GrowArguments>();
     auto* const verb
@@ -255,8 +255,9 @@ void add_grow_verb(CLI::App& root, Action& action)
         "a session (.tractus): then it is the plant as drawn, as the station's window shows\n"
         "it, or with --seed another variation. With --growth the seed also says how a model\n"
         "grows. The same model, drawing and seed always give the same file.");
-    verb->callback(
-        [arguments, &action] { action = [arguments] { return grow_model(*arguments); }; });
+    verb->callback([arguments, methods, &action] {
+        action = [arguments, methods] { return grow_model(*arguments, methods); };
+    });
 }
 
 } // namespace tractus

@@ -14,7 +14,7 @@
 
 namespace tractus {
 
-void add_replay_verb(CLI::App& root, Action& action)
+void add_replay_verb(CLI::App& root, Action& action, Methods const& methods)
 {
     struct ReplayArguments {
         JobOptions job;
@@ -52,9 +52,10 @@ void add_replay_verb(CLI::App& root, Action& action)
         ->type_name("FILE.tractus")
         ->check(name_ending_in({ ".tractus" }));
     verb->footer(job_footer());
-    verb->callback([arguments, &action] {
-        action = [arguments]() -> Result<void> {
+    verb->callback([arguments, methods, &action] {
+        action = [arguments, methods]() -> Result<void> {
             auto job = arguments->job;
+            job.drawing.methods = methods;
             TRY(check_writable(job.folder / "report.txt"));
             job.model = TRY(find_model(arguments->model));
             if (!arguments->rig.empty())

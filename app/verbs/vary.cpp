@@ -30,13 +30,13 @@ struct VaryArguments {
     bool nodes = false;
 };
 
-Result<void> vary(VaryArguments const& arguments)
+Result<void> vary(VaryArguments const& arguments, Methods const& methods)
 {
     auto options = arguments.collection;
     bool const is_one_file = options.output.extension() == ".glb";
     TRY(check_writable(is_one_file ? options.output : options.output / "plant.glb"));
     options.model = TRY(find_model(arguments.model));
-    options.drawing = drawing_options(arguments.drawing);
+    options.drawing = drawing_options(arguments.drawing, methods);
     auto const [youngest, oldest] = parse_range(arguments.ages).value();
     options.ages = { youngest, oldest };
     auto const [number, parts] = parse_part(arguments.shard).value();
@@ -98,7 +98,7 @@ void add_output_options(CLI::App& verb, VaryArguments& arguments)
 
 } // namespace
 
-void add_vary_verb(CLI::App& root, Action& action)
+void add_vary_verb(CLI::App& root, Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<VaryArguments>();
     auto* const verb = root.add_subcommand(
@@ -132,7 +132,9 @@ void add_vary_verb(CLI::App& root, Action& action)
         "The same arguments give the same files, and parts are exactly parts of the whole:\n"
         "a cluster makes a collection with one --shard for each of its jobs. Stopped with\n"
         "Ctrl-C, it leaves whole files.");
-    verb->callback([arguments, &action] { action = [arguments] { return vary(*arguments); }; });
+    verb->callback([arguments, methods, &action] {
+        action = [arguments, methods] { return vary(*arguments, methods); };
+    });
 }
 
 } // namespace tractus

@@ -35,6 +35,7 @@ namespace tractus {
 namespace {
 
 struct WindowArguments {
+    Methods methods;
     std::string file; // A log or a session: sort_out() makes it one of the next two.
     std::string log;
     std::vector<std::string> devices;
@@ -100,7 +101,7 @@ Result<Session> keep_in(std::filesystem::path const& file, std::filesystem::path
 Result<void> show_replay(WindowArguments const& arguments)
 {
     auto const model = TRY(find_model(arguments.model));
-    ReplayOptions options;
+    ReplayOptions options { .methods = arguments.methods };
     auto scene = TRY(load_scene(model));
     if (!arguments.rig.empty())
         options.rig = TRY(load_rig(arguments.rig));
@@ -179,7 +180,7 @@ Clock clock_for(WindowArguments const& arguments)
 Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices, Clock const& clock)
 {
     auto const model = TRY(find_model(arguments.model));
-    LiveWindowOptions options;
+    LiveWindowOptions options { .methods = arguments.methods };
     options.rig_file
         = arguments.rig.empty() ? user_rig_path() : std::filesystem::path(arguments.rig);
     std::error_code ignored;
@@ -254,9 +255,10 @@ Result<void> open_window(WindowArguments const& arguments)
 
 } // namespace
 
-void add_window_verb(CLI::App& root, Action& action)
+void add_window_verb(CLI::App& root, Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<WindowArguments>();
+    arguments->methods = methods;
     auto* const verb = root.add_subcommand(
         "window", "Open the station's window: a hand draws, and the plant changes");
     verb->alias("draw");

@@ -1,7 +1,7 @@
 #include "app/window/controls.h"
 
+#include "app/tools/tool_choices.h"
 #include "app/window/theme.h"
-#include "app/window/tool_choices.h"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +16,7 @@ constexpr float kProgressHeight_px = 10;
 constexpr float kBarAir_px = 8;
 constexpr float kGroupGap_px = 28;
 constexpr float kMostNarrowed = 0.8f;
+constexpr float kToolWidth_px = 96; // At least.
 
 using Shown = Workbench::Shown;
 constexpr std::array<std::pair<char const*, Shown>, 5> kViews { { { "All", Shown::All },
@@ -138,7 +139,7 @@ void Controls::show_recording(RecordingView const& recording)
 std::vector<BarButton> Controls::tool_meanings(WindowModel& model, Workbench& bench)
 {
     std::vector<BarButton> buttons;
-    for (auto const& meaning : meanings_of(model.state().hand))
+    for (auto const& meaning : meanings_of(model.state().tools, model.state().hand))
         buttons.push_back({ meaning.text, meaning.width, meaning.is_on,
                             buttons.empty() || meaning.begins_group,
                             [&model, &bench, tool = meaning.tool] { bench.choose(model, tool); } });
@@ -182,11 +183,12 @@ std::vector<BarButton> Controls::main_buttons(WindowModel& model, Workbench& ben
 std::vector<BarButton> Controls::tool_buttons(WindowModel& model, Workbench& bench)
 {
     std::vector<BarButton> buttons;
-    auto const hand = model.state().hand;
-    for (auto const& choice : tool_choices(model.state().erasing))
-        buttons.push_back({ choice.text, 96, !bench.turns_views && is_same_tool(choice.tool, hand),
-                            buttons.empty(),
-                            [&model, &bench, tool = choice.tool] { bench.choose(model, tool); } });
+    auto const& state = model.state();
+    for (auto const& choice : tool_choices(state.tools, state.remembered))
+        buttons.push_back(
+            { choice.text, std::max(kToolWidth_px, button_width(choice.text) - kGroupGap_px),
+              !bench.turns_views && is_same_group(choice.tool, state.hand), buttons.empty(),
+              [&model, &bench, tool = choice.tool] { bench.choose(model, tool); } });
     buttons.push_back(
         { "View", 96, bench.turns_views, false, [&bench] { bench.choose_view_tool(); } });
     return buttons;

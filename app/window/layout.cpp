@@ -1,9 +1,9 @@
 #include "app/window/layout.h"
 
+#include "app/tools/tool_choices.h"
 #include "app/window/height_gauge.h"
 #include "app/window/shortcuts.h"
 #include "app/window/skeleton_notes.h"
-#include "app/window/tool_choices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +73,7 @@ void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
     covered_.push_back(controls_.show(model, bench_, left, right));
     show_menu(model, renderer);
     if (bench_.keys_are_listed)
-        covered_.push_back(show_shortcuts(kPanelFlags, scale_));
+        covered_.push_back(show_shortcuts(model.state().tools, kPanelFlags, scale_));
     show_ring(model, pen);
     fulfil_view_wishes();
     follow_angle(model);
@@ -285,6 +285,21 @@ WindowPart Layout::room_for_menu() const
     return room;
 }
 
+// The tools, and what a person who draws wants as often.
+std::vector<RingEntry> Layout::ring_entries(WindowModel& model)
+{
+    std::vector<RingEntry> entries;
+    auto const& state = model.state();
+    for (auto const& choice : tool_choices(state.tools, state.remembered))
+        entries.push_back({ choice.text, choice.tool.kind().icon,
+                            [this, &model, tool = choice.tool] { bench_.choose(model, tool); } });
+    entries.push_back({ "View", "", [this] { bench_.choose_view_tool(); } });
+    entries.push_back({ "Undo", "", [&model] { model.perform(Undo {}); } });
+    entries.push_back({ "Redo", "", [&model] { model.perform(Redo {}); } });
+    entries.push_back({ "Next\nview", "", [this] { bench_.show_next(); } });
+    return entries;
+}
+
 void Layout::show_ring(WindowModel& model, PenPointer const& pen)
 {
     auto const& state = model.state();
@@ -298,36 +313,22 @@ void Layout::show_ring(WindowModel& model, PenPointer const& pen)
     }
     bool const let_go
         = pen.leads() ? pen.has_let_barrel_go() : ImGui::IsMouseReleased(ImGuiMouseButton_Right);
-    auto const chosen = ring_.show(let_go);
+    auto const entries = ring_entries(model);
+    auto const chosen = ring_.show(entries, let_go);
     if (ring_.is_open())
         covered_.push_back(whole_window());
-    if (!chosen)
-        return;
-    switch (*chosen) {
-    case RingChoice::View:
-        return bench_.choose_view_tool();
-    case RingChoice::Undo:
-        return model.perform(Undo {});
-    case RingChoice::Redo:
-        return model.perform(Redo {});
-    case RingChoice::NextView:
-        return bench_.show_next();
-    default:
-        bench_.choose(model,
-                      tool_choices(model.state().erasing)[static_cast<std::size_t>(*chosen)].tool);
-    }
+    if (chosen)
+        entries[*chosen].choose();
 }
 
 // Selecting goes by the skeleton as it is shown now.
 void Layout::follow_angle(WindowModel& model) const
 {
     auto const& state = model.state();
-    if (!state.is_live || !Workbench::selects(state) || state.hand.angle == bench_.angle
+    if (!state.is_live || !Workbench::selects(state) || state.hand.angle() == bench_.angle
         || state.pen.touching)
         return;
-    auto tool = state.hand;
-    tool.angle = bench_.angle;
-    model.perform(ChooseTool { tool });
+    model.perform(ChooseTool { state.hand.seen_from(bench_.angle) });
 }
 
 void Layout::tell_pressing_areas(WindowModel& model)

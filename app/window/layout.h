@@ -53,6 +53,7 @@ private:
     void show_collection(WindowModel& model, Renderer& renderer, WindowPart const& part);
     void show_title(WindowPart const& part, char const* title, char const* detail) const;
     void fulfil_view_wishes();
+    std::vector<RingEntry> ring_entries(WindowModel& model);
     void show_ring(WindowModel& model, PenPointer const& pen);
     void tell_pressing_areas(WindowModel& model);
     void follow_angle(WindowModel& model) const;

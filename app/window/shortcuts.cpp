@@ -1,10 +1,12 @@
 #include "app/window/shortcuts.h"
 
-#include "app/window/tool_choices.h"
+#include "app/tools/tool_choices.h"
 
 #include <algorithm>
 #include <array>
-#include <string_view>
+#include <fmt/core.h>
+#include <string>
+#include <utility>
 
 namespace tractus {
 
@@ -39,13 +41,27 @@ void take_undo_key(WindowModel& model, bool is_redo)
 
 void take_tool_key(char key, WindowModel& model, Workbench& bench)
 {
-    static constexpr std::string_view kToolKeys = "DCLE";
-    if (!model.state().is_live)
+    auto const& state = model.state();
+    if (!state.is_live)
         return;
     if (key == 'T')
-        bench.choose_view_tool();
-    else if (auto const i = kToolKeys.find(key); i != std::string_view::npos)
-        bench.choose(model, tool_choices(model.state().erasing)[i].tool);
+        return bench.choose_view_tool();
+    for (auto const* const kind : state.tools)
+        if (kind->key == key)
+            return bench.choose(model, chosen_anew(*kind, state.remembered));
+}
+
+// "D  C" and "Draw, Select" of those that have one.
+std::pair<std::string, std::string> tool_keys(ToolKinds tools)
+{
+    std::string keys;
+    std::string names;
+    for (auto const* const kind : tools)
+        if (kind->key) {
+            keys += fmt::format("{}{}", keys.empty() ? "" : "  ", kind->key);
+            names += fmt::format("{}{}", names.empty() ? "" : ", ", kind->group);
+        }
+    return { keys, names };
 }
 
 } // namespace
@@ -103,15 +119,14 @@ void move_surface_as_wished(WindowModel& model, HandInput const& input, bool whe
         model.perform(MoveSurface { by_mm });
 }
 
-WindowPart show_shortcuts(ImGuiWindowFlags flags, float scale)
+WindowPart show_shortcuts(ToolKinds tools, ImGuiWindowFlags flags, float scale)
 {
     struct Key {
         char const* key;
         char const* meaning;
     };
-    static constexpr std::array<Key, 13> kKeys {
-        { { "D  C  L  E", "draw, select, lean, erase" },
-          { "T", "turn and zoom views" },
+    static constexpr std::array<Key, 12> kKeys {
+        { { "T", "turn and zoom views" },
           { "V", "the next view" },
           { "F", "full screen, or a window again" },
           { "W  S", "surface up, down (without a height sensor)" },
@@ -126,11 +141,15 @@ WindowPart show_shortcuts(ImGuiWindowFlags flags, float scale)
     };
     ImGui::SetNextWindowPos({ 40 * scale, 60 * scale });
     ImGui::Begin("keys", nullptr, flags | ImGuiWindowFlags_AlwaysAutoResize);
-    for (auto const& [key, meaning] : kKeys) {
+    auto const show = [&](char const* key, char const* meaning) {
         ImGui::TextUnformatted(key);
         ImGui::SameLine(190 * scale);
         ImGui::TextDisabled("%s", meaning);
-    }
+    };
+    auto const [keys, names] = tool_keys(tools);
+    show(keys.c_str(), names.c_str());
+    for (auto const& [key, meaning] : kKeys)
+        show(key, meaning);
     auto const corner = ImGui::GetWindowPos();
     auto const size = ImGui::GetWindowSize();
     ImGui::End();

@@ -4,31 +4,50 @@
 #include "engine/base/vectors.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace tractus {
 
 namespace {
 
-constexpr int kRingChoices = 8;
 constexpr float kRingInner_px = 62;
 constexpr float kRingOuter_px = 190;
 constexpr float kRingGap_rad = 0.035f;
-constexpr float kRingSector_rad = static_cast<float>(2 * kPi) / kRingChoices;
+constexpr float kRingIcon_px = 26;
 
-constexpr std::array<char const*, kRingChoices> kRingNames {
-    "Draw", "Select", "Lean", "Erase", "View", "Undo", "Redo", "Next\nview"
-};
-
-float middle_angle(RingChoice choice)
+float sector_rad(std::size_t count)
 {
-    return -static_cast<float>(kPi) / 2 + kRingSector_rad * static_cast<float>(choice);
+    return static_cast<float>(2 * kPi) / static_cast<float>(count);
+}
+
+float middle_angle(std::size_t number, std::size_t count)
+{
+    return -static_cast<float>(kPi) / 2 + sector_rad(count) * static_cast<float>(number);
 }
 
 ImVec2 around(ImVec2 const& middle, float angle, float radius)
 {
     return { middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle) };
+}
+
+// Lines on a grid of ten by ten, `size` large, above its lower edge's middle.
+void draw_icon(char const* icon, ImVec2 const& foot, float size)
+{
+    auto* const draw = ImGui::GetWindowDrawList();
+    auto const stroke
+        = [&] { draw->PathStroke(ImGui::GetColorU32(ImGuiCol_Text), ImDrawFlags_None, size / 9); };
+    std::string_view const places(icon);
+    for (std::size_t i = 0; i + 1 < places.size(); i += 2) {
+        if (places[i] == ' ') {
+            stroke();
+            ++i;
+        }
+        float const x = static_cast<float>(places[i] - '0') / 9 - 0.5f;
+        float const y = static_cast<float>(places[i + 1] - '0') / 9 - 1;
+        draw->PathLineTo({ foot.x + x * size, foot.y + y * size });
+    }
+    stroke();
 }
 
 } // namespace
@@ -46,22 +65,23 @@ void ToolRing::open(ImVec2 const& place_px, float scale)
     was_touched_ = true;
 }
 
-std::optional<RingChoice> ToolRing::under(ImVec2 const& place_px) const
+std::optional<std::size_t> ToolRing::under(ImVec2 const& place_px, std::size_t count) const
 {
     float const x = place_px.x - middle_px_.x;
     float const y = place_px.y - middle_px_.y;
     float const distance = std::hypot(x, y) / scale_;
     if (distance < kRingInner_px || distance > kRingOuter_px)
         return std::nullopt;
-    float const turns
-        = (std::atan2(y, x) + static_cast<float>(kPi) / 2) / kRingSector_rad + kRingChoices;
-    return static_cast<RingChoice>(static_cast<int>(std::lround(turns)) % kRingChoices);
+    float const turns = (std::atan2(y, x) + static_cast<float>(kPi) / 2) / sector_rad(count)
+        + static_cast<float>(count);
+    return static_cast<std::size_t>(std::lround(turns)) % count;
 }
 
 // True if the ring is done with.
-bool ToolRing::take_pointer(bool button_let_go, std::optional<RingChoice>& chosen)
+bool ToolRing::take_pointer(bool button_let_go, std::size_t count,
+                            std::optional<std::size_t>& chosen)
 {
-    auto const pointed_at = under(ImGui::GetIO().MousePos);
+    auto const pointed_at = under(ImGui::GetIO().MousePos, count);
     bool const is_touched = ImGui::IsMouseDown(ImGuiMouseButton_Left);
     // A touch that opened the ring must end before another counts; over a choice its end does.
     bool const touch_begins = is_touched && !was_touched_;
@@ -72,23 +92,25 @@ bool ToolRing::take_pointer(bool button_let_go, std::optional<RingChoice>& chose
     return chosen || touch_begins;
 }
 
-void ToolRing::draw_sector(RingChoice choice, bool is_pointed_at) const
+void ToolRing::draw_sector(std::span<RingEntry const> entries, std::size_t number,
+                           bool is_pointed_at) const
 {
     auto* const draw = ImGui::GetWindowDrawList();
-    float const angle = middle_angle(choice);
-    float const half = kRingSector_rad / 2 - kRingGap_rad / 2;
+    float const angle = middle_angle(number, entries.size());
+    float const half = sector_rad(entries.size()) / 2 - kRingGap_rad / 2;
     float const middle_radius = (kRingInner_px + kRingOuter_px) / 2 * scale_;
     draw->PathArcTo(middle_px_, middle_radius, angle - half, angle + half, 24);
     draw->PathStroke(ImGui::GetColorU32(is_pointed_at ? ImGuiCol_ButtonActive : ImGuiCol_Button),
                      ImDrawFlags_None, (kRingOuter_px - kRingInner_px) * scale_);
-    char const* const name = kRingNames.at(static_cast<std::size_t>(choice));
-    ImVec2 const size = ImGui::CalcTextSize(name);
+    auto const& entry = entries[number];
+    ImVec2 const size = ImGui::CalcTextSize(entry.text);
     ImVec2 const place = around(middle_px_, angle, middle_radius);
     draw->AddText({ place.x - size.x / 2, place.y - size.y / 2 }, ImGui::GetColorU32(ImGuiCol_Text),
-                  name);
+                  entry.text);
+    draw_icon(entry.icon, { place.x, place.y - size.y / 2 - 4 * scale_ }, kRingIcon_px * scale_);
 }
 
-std::optional<RingChoice> ToolRing::show(bool button_let_go)
+std::optional<std::size_t> ToolRing::show(std::span<RingEntry const> entries, bool button_let_go)
 {
     if (!is_open_)
         return std::nullopt;
@@ -98,11 +120,11 @@ std::optional<RingChoice> ToolRing::show(bool button_let_go)
     ImGui::Begin("ring", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
                      | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings);
-    auto const pointed_at = under(ImGui::GetIO().MousePos);
-    for (int i = 0; i < kRingChoices; ++i)
-        draw_sector(RingChoice(i), pointed_at == RingChoice(i));
-    std::optional<RingChoice> chosen;
-    is_open_ = !take_pointer(button_let_go, chosen);
+    auto const pointed_at = under(ImGui::GetIO().MousePos, entries.size());
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        draw_sector(entries, i, pointed_at == i);
+    std::optional<std::size_t> chosen;
+    is_open_ = !take_pointer(button_let_go, entries.size(), chosen);
     ImGui::End();
     return chosen;
 }

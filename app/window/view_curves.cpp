@@ -66,14 +66,14 @@ void add_volume(WindowState const& state, std::vector<Curve>& curves)
 }
 
 // The eraser leaves nothing behind but that one sees where it was.
-Vec3f ink_color(InkLine::Kind kind, Vec3f const& color)
+Vec3f ink_color(InkStyle::Look look, Vec3f const& color)
 {
-    switch (kind) {
-    case InkLine::Kind::Indicator:
+    switch (look) {
+    case InkStyle::Look::Arrow:
         return theme::palette().indicator;
-    case InkLine::Kind::Eraser:
+    case InkStyle::Look::Eraser:
         return 0.2f * theme::palette().unselected + 0.8f * theme::palette().pad_background;
-    case InkLine::Kind::Shape:
+    case InkStyle::Look::Line:
         break;
     }
     return color;
@@ -86,11 +86,11 @@ void add_ink(std::vector<InkLine> const& lines, Vec3f const& color, std::vector<
         curve.width_unit = Curve::WidthUnit::Millimetres;
         curve.look = Curve::Look::Flat;
         curve.fades = true;
-        if (ink.kind == InkLine::Kind::Indicator)
+        if (ink.look == InkStyle::Look::Arrow)
             curve.end = Curve::End::Arrow;
         for (auto const& point : ink.points)
             curve.points.push_back(
-                { point.position_mm, ink_color(ink.kind, color), point.width_mm });
+                { point.position_mm, ink_color(ink.look, color), point.width_mm });
     }
 }
 
@@ -203,8 +203,7 @@ std::vector<Curve> pad_live_curves(WindowState const& state)
     std::vector<Curve> curves;
     add_volume(state, curves);
     add_surface_grid(state, curves);
-    // A pen that selects draws over the skeleton's picture, not in the volume.
-    if (state.hand.kind != Tool::Kind::Select)
+    if (state.hand.kind().surface == Surface::Space)
         add_ink(state.live_ink, theme::palette().ink, curves);
     add_pen(state, curves);
     return curves;

@@ -4,10 +4,10 @@ namespace tractus {
 
 void Workbench::choose(WindowModel& model, Tool tool)
 {
-    bool const is_select = tool.kind == Tool::Kind::Select;
+    bool const is_select = tool.kind().surface == Surface::Skeleton;
     if (is_select)
-        tool.angle = angle;
-    if (!tool.at_once) {
+        tool = tool.seen_from(angle);
+    if (!tool.is_done_at_once()) {
         turns_views = false;
         if (shown != Shown::All)
             shown = is_select ? Shown::Skeleton : Shown::Pad;

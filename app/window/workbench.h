@@ -69,7 +69,10 @@ struct Workbench {
     bool menu_is_open() const { return menu != MenuPage::None; }
 
     // The area in which pen or mouse selects is the skeleton's; else it draws on the pad's.
-    static bool selects(WindowState const& state) { return state.hand.kind == Tool::Kind::Select; }
+    static bool selects(WindowState const& state)
+    {
+        return state.hand.kind().surface == Surface::Skeleton;
+    }
     bool is_shown(Shown one) const { return shown == one || shown == Shown::All; }
 
     // The pointer draws, or selects, in the area that is shown for it.

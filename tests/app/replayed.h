@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/methods/all_methods.h"
 #include "app/station/log_replay.h"
 #include "tests/app/small_model.h"
 
@@ -15,9 +16,9 @@ struct Replayed {
     std::vector<DrawnStroke> strokes;
 };
 
-inline Replayed replayed(Log const& log, ReplayOptions const& options = {},
-                         Scene scene = small_scene())
+inline Replayed replayed(Log const& log, ReplayOptions options = {}, Scene scene = small_scene())
 {
+    options.methods = all_methods();
     auto replay = LogReplay::create(log, options).value();
     Document document(std::move(scene), Document::Working::AtOnce);
     replay.run(document);

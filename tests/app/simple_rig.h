@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/methods/all_methods.h"
 #include "app/station/station.h"
 #include "tests/app/drawing_station.h"
 #include "tests/app/small_model.h"
@@ -48,7 +49,7 @@ inline std::vector<std::byte> height_report(int counts)
 }
 
 // A station with the simple pen, whose surface stays at 100 mm.
-inline Station flat_station(Tool const& tool = {})
+inline Station flat_station(std::optional<Tool> const& tool = {})
 {
     StationOptions options;
     options.scripted_height = ScriptedHeight {
@@ -56,12 +57,13 @@ inline Station flat_station(Tool const& tool = {})
         .first_pen = {},
         .last_pen = {},
     };
+    options.tools = all_methods().tools;
     options.tool = tool;
     return Station::create(std::vector { simple_pen() }, options).value();
 }
 
 // The same, and what it draws on.
-inline DrawingStation station_on(Scene scene, Tool const& tool = {})
+inline DrawingStation station_on(Scene scene, std::optional<Tool> const& tool = {})
 {
     return { flat_station(tool), std::move(scene) };
 }

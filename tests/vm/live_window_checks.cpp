@@ -1,5 +1,6 @@
 #include "app/devices/live_devices.h"
 #include "app/live/live_window.h"
+#include "app/methods/all_methods.h"
 #include "app/plants/model_file.h"
 #include "app/verbs/device_sources.h"
 #include "calib/rig_file.h"
@@ -22,7 +23,7 @@ Result<LiveWindow> open_window(std::string const& model, std::string const& rig_
 {
     auto const rig_text = TRY(read_file(rig_file));
     auto const edit = TRY(load_model_edit(model));
-    LiveWindowOptions options;
+    LiveWindowOptions options { .methods = all_methods() };
     options.rig = TRY(parse_rig(rig_text, rig_file));
     options.scene = TRY(apply_edit({}, edit));
     options.now = [] { return Timestamp(std::chrono::steady_clock::now().time_since_epoch()); };

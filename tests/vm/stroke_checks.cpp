@@ -1,3 +1,4 @@
+#include "app/methods/all_methods.h"
 #include "app/plants/model_file.h"
 #include "app/station/log_replay.h"
 #include "drivers/file.h"
@@ -55,7 +56,7 @@ Result<std::vector<DrawnStroke>> strokes_of_recording(Log const& log, std::strin
 {
     auto const edit = TRY(load_model_edit(model));
     Document document(TRY(apply_edit({}, edit)), Document::Working::AtOnce);
-    auto replay = TRY(LogReplay::create(log, {}));
+    auto replay = TRY(LogReplay::create(log, { .methods = all_methods() }));
     replay.run(document);
     return document.take_drawn();
 }

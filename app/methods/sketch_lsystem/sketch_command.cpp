@@ -31,6 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SketchArguments {
+    Methods methods;
     fs::path stroke;
     fs::path rule;
     fs::path folder;
@@ -46,7 +47,7 @@ Result<std::vector<Stroke>> read_strokes(SketchArguments const& arguments)
 {
     if (is_stroke_file(arguments.stroke))
         return load_strokes(arguments.stroke);
-    DrawingOptions options { .log = arguments.stroke };
+    DrawingOptions options { .log = arguments.stroke, .methods = arguments.methods };
     if (!arguments.height.empty())
         options.height = arguments.height;
     Progress progress;
@@ -171,9 +172,10 @@ void add_options(CLI::App& verb, SketchArguments& arguments)
 
 } // namespace
 
-void add_sketch_command(CLI::App& root, Action& action)
+void add_sketch_command(CLI::App& root, Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<SketchArguments>();
+    arguments->methods = methods;
     auto* const verb = root.add_subcommand("sketch", "Grow a rule along a drawn stroke");
     add_options(*verb, *arguments);
     verb->footer(

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "app/tools/methods.h"
 #include "app/verbs/verb.h"
 
 namespace tractus {
 
 // tractus sketch STROKE -o DIR: a rule grows along a drawn stroke.
-void add_sketch_command(CLI::App& root, Action& action);
+void add_sketch_command(CLI::App& root, Action& action, Methods const& methods);
 
 } // namespace tractus

@@ -13,8 +13,8 @@ using Usage = Workshop;
 std::vector<std::string> const kVerbs {
     "",        "convert",      "decode",        "demo",           "derive", "devices",
     "doctor",  "grow",         "lsystem check", "record",         "render", "replay",
-    "session", "session info", "session log",   "session export", "sim",    "vary",
-    "watch",   "window"
+    "session", "session info", "session log",   "session export", "sim",    "tools",
+    "vary",    "watch",        "window"
 };
 
 TEST_F(Usage, HelpGoesToStandardOutputAndIsNoFailure)

@@ -1,5 +1,7 @@
 #include "app/document/document.h"
 
+#include "app/tools/draw_in_order_tool.h"
+#include "app/tools/draw_tool.h"
 #include "tests/app/full_disk.h"
 #include "tests/app/session/small_session.h"
 
@@ -14,8 +16,7 @@ constexpr auto kAtOnce = Document::Working::AtOnce;
 // For the trunk, which is selected, towards a place of its own.
 ToolStroke stroke_number(int number)
 {
-    return { stroke_through({ { 0, 0, 0 }, { 10.0 * number, 5, 100 } }),
-             { .kind = Tool::Kind::DrawInOrder } };
+    return { stroke_through({ { 0, 0, 0 }, { 10.0 * number, 5, 100 } }), DrawInOrderTool {} };
 }
 
 WantedStep seeded(std::uint64_t seed)
@@ -126,7 +127,7 @@ TEST_F(DocumentTest, DoesWhatIsWantedInItsOrder)
 TEST_F(DocumentTest, ARefusedStrokeChangesNothingAndSaysWhy)
 {
     auto document = new_document();
-    document.draw({ stroke_number(1).stroke, { .kind = Tool::Kind::Draw } });
+    document.draw({ stroke_number(1).stroke, DrawTool {} });
     document.settle();
     auto const drawn = document.take_drawn();
     ASSERT_EQ(drawn.size(), 1u);

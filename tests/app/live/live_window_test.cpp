@@ -1,11 +1,15 @@
 #include "app/live/live_window.h"
+#include "app/methods/all_methods.h"
 
 #include "app/calibration/simulated_calibration.h"
 #include "app/live/file_queue.h"
+#include "app/methods/indicators/indicate_tool.h"
 #include "app/plants/model_file.h"
 #include "app/plants/session_plant.h"
 #include "app/play/paced_log.h"
 #include "app/resources.h"
+#include "app/tools/draw_in_order_tool.h"
+#include "app/tools/erase_tool.h"
 #include "calib/rig_file.h"
 #include "drivers/file.h"
 #include "engine/export/glb_reader.h"
@@ -73,7 +77,7 @@ LiveDevices drawing_devices(bool goes_away)
 
 LiveWindowOptions options_for_tests()
 {
-    return { .scene = small_scene(), .now = [] { return at_ms(100); } };
+    return { .methods = all_methods(), .scene = small_scene(), .now = [] { return at_ms(100); } };
 }
 
 // Until the script is over and was seen to be: it is read on a thread of its own, which a loaded
@@ -121,7 +125,7 @@ TEST(LiveWindow, RecordsWhatReplaysToTheSame)
     options.recording = path;
     {
         auto window = LiveWindow::create(drawing_devices(true), std::move(options)).value();
-        window.perform(ChooseTool { { Tool::Kind::Indicate } });
+        window.perform(ChooseTool { IndicateTool {} });
         EXPECT_EQ(window.state().tool, "Motion indicator");
         advance_to_end(window);
     }
@@ -164,7 +168,7 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     EXPECT_EQ(log.tools[0].tool, "step");
     EXPECT_EQ(log.tools[3].tool, "undo");
     EXPECT_EQ(log.tools[3].arguments, "1");
-    ReplayOptions replay_options;
+    ReplayOptions replay_options { .methods = all_methods() };
     replay_options.height = parse_height_scenario("0").value();
     auto const [counts, scene, strokes] = replayed(log, replay_options);
     ASSERT_EQ(strokes.size(), 1u);
@@ -299,7 +303,7 @@ TEST_F(LiveWindowWithFolder, RecordsWhenItIsAskedTo)
 {
     auto window = this->window();
     EXPECT_FALSE(window.state().recording.is_on);
-    window.perform(ChooseTool { { Tool::Kind::Indicate } });
+    window.perform(ChooseTool { IndicateTool {} });
     window.perform(SetRecording { true });
     EXPECT_TRUE(window.state().recording.is_on);
     EXPECT_EQ(window.state().recording.file.substr(0, 6), "small-");
@@ -325,10 +329,11 @@ TEST_F(LiveWindowWithFolder, RecordsWhenItIsAskedTo)
 TEST_F(LiveWindowWithFolder, RecordsHowThePensOtherEndErasesFromTheBeginning)
 {
     auto window = this->window();
-    window.perform(ChooseTool { { .kind = Tool::Kind::Erase, .erasing = Tool::Erasing::Part } });
-    window.perform(ChooseTool { { Tool::Kind::DrawInOrder } });
+    window.perform(ChooseTool { EraseTool { .erasing = EraseTool::Erasing::Part } });
+    window.perform(ChooseTool { DrawInOrderTool {} });
     window.perform(Restart {});
-    EXPECT_EQ(window.state().erasing, Tool::Erasing::Part);
+    EXPECT_EQ(window.state().remembered,
+              std::vector<Tool> { EraseTool { EraseTool::Erasing::Part } });
     window.perform(SetRecording { true });
     window.perform(SetRecording { false });
     auto const log = read_log(files(".tractus-log").at(0)).value();
@@ -435,7 +440,7 @@ TEST_F(LiveWindowWithFolder, SaysWhyItCannotExport)
 TEST(LiveWindow, BeginsAgainWithTheSameTool)
 {
     auto window = LiveWindow::create(drawing_devices(false), options_for_tests()).value();
-    window.perform(ChooseTool { { Tool::Kind::Indicate } });
+    window.perform(ChooseTool { IndicateTool {} });
     advance_to_end(window);
     window.perform(Restart {});
     window.settle();
@@ -684,7 +689,8 @@ protected:
     LiveWindow window()
     {
         auto const now = std::make_shared<Timestamp>();
-        LiveWindowOptions options { .rig_file = folder_ / "my" / "table.rig.toml",
+        LiveWindowOptions options { .methods = all_methods(),
+                                    .rig_file = folder_ / "my" / "table.rig.toml",
                                     .scene = small_scene(),
                                     .now = [now] { return *now; },
                                     .counted_time = now };

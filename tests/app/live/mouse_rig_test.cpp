@@ -1,6 +1,8 @@
 #include "app/live/mouse_rig.h"
+#include "app/methods/all_methods.h"
 
 #include "app/live/live_window.h"
+#include "app/methods/indicators/indicate_tool.h"
 #include "calib/height_model.h"
 #include "calib/height_monitor.h"
 #include "drivers/height_decoder.h"
@@ -120,7 +122,9 @@ template<typename Done> void advance_until(LiveWindow& window, Done const& done)
 
 TEST(LiveWindow, LetsAMouseDrawWhereThereIsNothingElse)
 {
-    LiveWindowOptions options { .scene = small_scene(), .now = clock_now };
+    LiveWindowOptions options { .methods = all_methods(),
+                                .scene = small_scene(),
+                                .now = clock_now };
     options.mouse.emplace(clock_now);
     auto window = LiveWindow::create(LiveDevices::start({}).value(), std::move(options)).value();
     EXPECT_TRUE(window.state().mouse_draws);
@@ -136,7 +140,7 @@ TEST(LiveWindow, LetsAMouseDrawWhereThereIsNothingElse)
     auto const still = heights() + 40; // Five milliseconds each: the last glide is over.
     advance_until(window, [&] { return heights() >= still; });
 
-    window.perform(ChooseTool { { .kind = Tool::Kind::Indicate } });
+    window.perform(ChooseTool { IndicateTool {} });
     for (int i = 0; i <= 10; ++i) {
         window.perform(MoveMousePen {
             { { .place_mm = { -50.0 + 10 * i, 20 }, .in_range = true, .touching = i < 10 } } });
@@ -166,7 +170,9 @@ TEST(LiveWindow, LetsAMouseMoveTheSurfaceUnderATablet)
     };
     std::vector<std::unique_ptr<ReportSource>> sources;
     sources.push_back(std::make_unique<SilentTablet>());
-    LiveWindowOptions options { .height_mm = 200, .scene = small_scene(), .now = clock_now };
+    LiveWindowOptions options {
+        .methods = all_methods(), .height_mm = 200, .scene = small_scene(), .now = clock_now
+    };
     options.mouse.emplace(clock_now);
     auto window
         = LiveWindow::create(LiveDevices::start(std::move(sources)).value(), std::move(options))

@@ -1,4 +1,5 @@
 #include "app/live/replay_window.h"
+#include "app/methods/all_methods.h"
 
 #include "app/plants/session_plant.h"
 #include "tests/app/simulated_drawing.h"
@@ -17,7 +18,9 @@ class ReplayedWindow : public testing::Test {
 protected:
     ReplayWindow open(fs::path const& pictures = ".") const
     {
-        auto window = ReplayWindow::create(log_, {}, small_scene(), pictures).value();
+        auto window
+            = ReplayWindow::create(log_, { .methods = all_methods() }, small_scene(), pictures)
+                  .value();
         window.settle();
         return window;
     }
@@ -141,9 +144,9 @@ TEST_F(ReplayedWindow, KeepsWhatIsDrawnInASession)
     auto const path
         = fs::temp_directory_path() / fmt::format("tractus_replay_{}.tractus", ::getpid());
     fs::remove(path);
-    auto window
-        = ReplayWindow::create(log_, {}, {}, ".", begin_session(path, { small_model() }).value())
-              .value();
+    auto window = ReplayWindow::create(log_, { .methods = all_methods() }, {}, ".",
+                                       begin_session(path, { small_model() }).value())
+                      .value();
     play(window);
     EXPECT_EQ(read_session(path)->last_step(), 3u); // What selects, too.
     EXPECT_EQ(window.state().indicators.size(), 1u);

@@ -1,3 +1,4 @@
+#include "app/methods/all_methods.h"
 #include "app/plants/job.h"
 
 #include "app/plants/model_file.h"
@@ -63,11 +64,12 @@ protected:
 TEST_F(LeafyJob, PlacesPlantsSideBySideWithTheirLeaves)
 {
     Progress progress;
-    auto const report = run_job({ .drawing = { .log = folder_ / "leafy.tractus-log" },
-                                  .model = folder_ / "leafy.l",
-                                  .variations = 2,
-                                  .folder = folder_ / "out" },
-                                progress);
+    auto const report
+        = run_job({ .drawing = { .log = folder_ / "leafy.tractus-log", .methods = all_methods() },
+                    .model = folder_ / "leafy.l",
+                    .variations = 2,
+                    .folder = folder_ / "out" },
+                  progress);
     ASSERT_TRUE(report) << report.error().message;
     EXPECT_EQ(report->plants, 2u);
     auto const collection = read_glb(read_file(folder_ / "out" / "collection.glb").value());
@@ -82,12 +84,13 @@ TEST_F(LeafyJob, SaysThatTheRigIsAnotherOne)
     rig.full_scale_counts = 1023; // The log's converter reads up to 4095.
     ASSERT_TRUE(save_rig(rig, folder_ / "other.rig.toml"));
     Progress progress;
-    auto const report = run_job(
-        { .drawing = { .log = folder_ / "leafy.tractus-log", .rig = folder_ / "other.rig.toml" },
-          .model = folder_ / "leafy.l",
-          .variations = 1,
-          .folder = folder_ / "out" },
-        progress);
+    auto const report = run_job({ .drawing = { .log = folder_ / "leafy.tractus-log",
+                                               .methods = all_methods(),
+                                               .rig = folder_ / "other.rig.toml" },
+                                  .model = folder_ / "leafy.l",
+                                  .variations = 1,
+                                  .folder = folder_ / "out" },
+                                progress);
     ASSERT_TRUE(report) << report.error().message;
     EXPECT_EQ(report->strokes, 0u);
     ASSERT_EQ(report->notes.size(), 3u);
@@ -107,13 +110,14 @@ TEST_F(LeafyJob, VariesAnotherProgramsSkeletonByStrokesInSpace)
           "0 0 0\n0 0 50\n40 0 90\n\n0 0 0\n10 0 0\n10 30 20\n\n"
           "0 0 0\n10 0 0\n\n0 0 0\n10 0 0\n");
     Progress progress;
-    auto const report = run_job({ .drawing = { .log = folder_ / "drawing.strokes" },
-                                  .model = folder_ / "tree.obj",
-                                  .variations = 2,
-                                  .folder = folder_ / "out",
-                                  .growth = { .preset = "windy hillside" },
-                                  .age = 0.7 },
-                                progress);
+    auto const report
+        = run_job({ .drawing = { .log = folder_ / "drawing.strokes", .methods = all_methods() },
+                    .model = folder_ / "tree.obj",
+                    .variations = 2,
+                    .folder = folder_ / "out",
+                    .growth = { .preset = "windy hillside" },
+                    .age = 0.7 },
+                  progress);
     ASSERT_TRUE(report) << report.error().message;
     EXPECT_EQ(report->strokes, 3u);
     EXPECT_EQ(report->branches_selected, 3u);
@@ -132,10 +136,11 @@ TEST_F(LeafyJob, SaysWhatIsWrongWithAFileOfStrokes)
     write("drawing.tilt", "no sketch");
     Progress progress;
     for (auto const* name : { "drawing.strokes", "drawing.tilt" }) {
-        auto const report = run_job({ .drawing = { .log = folder_ / name },
-                                      .model = folder_ / "leafy.l",
-                                      .folder = folder_ / "out" },
-                                    progress);
+        auto const report
+            = run_job({ .drawing = { .log = folder_ / name, .methods = all_methods() },
+                        .model = folder_ / "leafy.l",
+                        .folder = folder_ / "out" },
+                      progress);
         ASSERT_FALSE(report);
         EXPECT_EQ(report.error().fault, Fault::User);
         EXPECT_NE(report.error().message.find(name), std::string::npos);

@@ -1,4 +1,5 @@
 #include "app/command_line.h"
+#include "app/methods/all_methods.h"
 #include "drivers/file.h"
 #include "engine/export/glb_writer.h"
 #include "tests/app/render/read_png.h"
@@ -26,7 +27,8 @@ protected:
     {
         std::array const arguments { "tractus",      "render", input.c_str(), "-o",
                                      output.c_str(), "--size", size };
-        return run_command_line(static_cast<int>(arguments.size()), arguments.data());
+        return run_command_line(static_cast<int>(arguments.size()), arguments.data(),
+                                all_methods());
     }
 
     std::filesystem::path folder_;

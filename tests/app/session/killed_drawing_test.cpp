@@ -1,4 +1,5 @@
 #include "app/live/station_controller.h"
+#include "app/methods/all_methods.h"
 #include "app/plants/drawing.h"
 #include "app/plants/session_plant.h"
 #include "app/station/log_replay.h"
@@ -102,7 +103,7 @@ protected:
         auto const edits = growing_plant_edits(folder_ / "small.l", {}, 1).value();
         auto session = begin_session(path, edits).value();
         auto const log = read_log(this->log()).value();
-        auto replay = LogReplay::create(log, {}).value();
+        auto replay = LogReplay::create(log, { .methods = all_methods() }).value();
         auto& station = replay.station();
         StationController controller(station, std::move(session), {}, folder_);
         int done = -1;

@@ -9,7 +9,7 @@ namespace {
 
 InkLine line_through(std::vector<InkLine::Point> points)
 {
-    return { std::move(points), InkLine::Kind::Shape };
+    return { std::move(points), InkStyle::Look::Line };
 }
 
 InkLine::Point point(float x, float y, float width_mm = 1)
@@ -48,14 +48,14 @@ TEST(InkLine, OfAStraightStrokeTheEndsStay)
 TEST(InkLine, ThinnedItIsWhereItWasWithFewerPoints)
 {
     InkLine curl;
-    curl.kind = InkLine::Kind::Indicator;
+    curl.look = InkStyle::Look::Arrow;
     for (int i = 0; i <= 600; ++i) {
         float const turn = 0.02f * static_cast<float>(i);
         curl.points.push_back({ { 30 * std::cos(turn), 30 * std::sin(turn), 0.5f * turn },
                                 2 + std::sin(0.5f * turn) });
     }
     auto const thin = thinned(curl);
-    EXPECT_EQ(thin.kind, curl.kind);
+    EXPECT_EQ(thin.look, curl.look);
     EXPECT_LT(thin.points.size(), curl.points.size() / 4);
     for (auto const& left_out : curl.points)
         EXPECT_LE(distance_mm(left_out, thin), kThinned_mm + 1e-4);

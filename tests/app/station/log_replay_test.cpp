@@ -1,3 +1,4 @@
+#include "app/methods/all_methods.h"
 #include "app/station/log_replay.h"
 
 #include "calib/rig_file.h"
@@ -12,7 +13,7 @@ namespace {
 
 std::string refusal(Log const& log)
 {
-    auto const replay = LogReplay::create(log, {});
+    auto const replay = LogReplay::create(log, { .methods = all_methods() });
     return replay ? "" : replay.error().message;
 }
 
@@ -33,7 +34,7 @@ TEST(LogReplay, GivesTheSameInStepsAsAtOnce)
 {
     auto const log = recorded_log();
     auto const at_once = replayed(log).strokes;
-    auto replay = LogReplay::create(log, {}).value();
+    auto replay = LogReplay::create(log, { .methods = all_methods() }).value();
     auto time = replay.begin();
     while (replay.advance_to(time))
         time += std::chrono::milliseconds(17);
@@ -51,7 +52,7 @@ TEST(LogReplay, GivesTheSameInStepsAsAtOnce)
 TEST(LogReplay, FinishesOnce)
 {
     auto const log = recorded_log();
-    auto replay = LogReplay::create(log, {}).value();
+    auto replay = LogReplay::create(log, { .methods = all_methods() }).value();
     EXPECT_TRUE(replay.advance_to(replay.begin()));
     EXPECT_FALSE(replay.advance_to(replay.end()));
     EXPECT_FALSE(replay.advance_to(replay.end()));
@@ -70,7 +71,7 @@ TEST(LogReplay, WithoutToolsTheStrokesBendBranchAfterBranch)
 TEST(LogReplay, TakesAGivenHeightInPlaceOfTheSensors)
 {
     auto const log = recorded_log();
-    ReplayOptions options;
+    ReplayOptions options { .methods = all_methods() };
     options.height = parse_height_scenario("90").value();
     for (auto const& drawn : replayed(log, options).strokes)
         for (auto const& tip : drawn.stroke.tips)
@@ -80,7 +81,7 @@ TEST(LogReplay, TakesAGivenHeightInPlaceOfTheSensors)
 TEST(LogReplay, TakesAGivenRigInPlaceOfTheLogs)
 {
     auto const log = recorded_log();
-    ReplayOptions options;
+    ReplayOptions options { .methods = all_methods() };
     options.rig = parse_rig(log.rig_text, "rig").value();
     options.rig->height_model = LinearHeight { .mm_per_count = 0.1, .zero_counts = 1000 };
     auto const strokes = replayed(log, options).strokes;
@@ -111,7 +112,7 @@ TEST(LogReplay, LeavesOutWhatItDoesNotKnowAndNamesIt)
 {
     auto log = recorded_log();
     log.tools[1].tool = "hammer";
-    auto replay = LogReplay::create(log, {}).value();
+    auto replay = LogReplay::create(log, { .methods = all_methods() }).value();
     ASSERT_EQ(replay.left_out().size(), 1u);
     EXPECT_NE(replay.left_out()[0].find("there is no tool \"hammer\""), std::string::npos);
     auto const [counts, scene, strokes] = replayed(log);
@@ -151,7 +152,7 @@ TEST(LogReplay, OfAnEmptyLogIsOverAtOnce)
     auto log = recorded_log();
     log.records.clear();
     log.tools.clear();
-    auto replay = LogReplay::create(log, {}).value();
+    auto replay = LogReplay::create(log, { .methods = all_methods() }).value();
     EXPECT_EQ(replay.begin(), replay.end());
     EXPECT_FALSE(replay.advance_to(replay.begin()));
     EXPECT_TRUE(replay.station().take_strokes().empty());

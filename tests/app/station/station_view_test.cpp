@@ -1,6 +1,12 @@
 #include "app/station/station_view.h"
 
+#include "app/methods/indicators/indicate_tool.h"
 #include "app/station/orphans.h"
+#include "app/tools/branch_previewer.h"
+#include "app/tools/draw_in_order_tool.h"
+#include "app/tools/draw_tool.h"
+#include "app/tools/erase_tool.h"
+#include "app/tools/select_tool.h"
 #include "engine/plant/join_axes.h"
 #include "tests/app/document/step_of.h"
 #include "tests/app/simple_rig.h"
@@ -25,7 +31,7 @@ void end_stroke(DrawingStation& station)
 
 TEST(StationView, LetsTheBranchFollowThePen)
 {
-    auto station = station_on(small_scene(), { Tool::Kind::DrawInOrder });
+    auto station = station_on(small_scene(), DrawInOrderTool {});
     StationView view(station, station.document());
     view.show(station, station.document());
     EXPECT_TRUE(view.state().preview.empty());
@@ -52,7 +58,7 @@ TEST(StationView, LetsTheBranchFollowThePen)
 
 TEST(StationView, PreviewsWhatTheStrokeWillBe)
 {
-    auto station = station_on(small_scene(), { Tool::Kind::DrawInOrder });
+    auto station = station_on(small_scene(), DrawInOrderTool {});
     StationView view(station, station.document());
     begin_stroke(station);
     view.show(station, station.document());
@@ -60,11 +66,10 @@ TEST(StationView, PreviewsWhatTheStrokeWillBe)
     auto const preview = view.state().preview.front().points_mm;
     station.finish();
     ASSERT_EQ(station.scene().associations.size(), 1u);
+    Tool const tool = DrawInOrderTool {};
+    auto const& ink = station.scene().associations[0].what.stroke.tips.vector();
     auto const lines
-        = StrokePreview().moved_by({ std::make_shared<Scene const>(small_scene()),
-                                     { Tool::Kind::DrawInOrder },
-                                     station.scene().associations[0].what.stroke.tips.vector(),
-                                     9 });
+        = branch_previewer()->show({ std::make_shared<Scene const>(small_scene()), tool, ink, 9 });
     ASSERT_FALSE(lines.empty());
     for (std::size_t i = 0; i < preview.size(); ++i)
         EXPECT_TRUE(lines.front().points_mm[i].isApprox(preview[i], 1e-4f)) << i;
@@ -72,8 +77,8 @@ TEST(StationView, PreviewsWhatTheStrokeWillBe)
 
 TEST(StationView, PreviewsNothingForAPenThatShapesNothing)
 {
-    for (auto const& tool : { Tool { Tool::Kind::Select }, Tool { Tool::Kind::Indicate },
-                              Tool { Tool::Kind::Draw } /* Nothing is selected. */ }) {
+    for (auto const& tool : { Tool(SelectTool {}), Tool(IndicateTool {}),
+                              Tool(DrawTool {}) /* Nothing is selected. */ }) {
         auto station = station_on(small_scene(), tool);
         StationView view(station, station.document());
         begin_stroke(station);
@@ -86,7 +91,7 @@ TEST(StationView, PreviewsNothingForAPenThatShapesNothing)
 // Also with the pen's other end, while its tip would draw.
 TEST(StationView, LetsTheBranchGoBackWhileItsStrokeIsErased)
 {
-    auto station = station_on(small_scene(), { Tool::Kind::DrawInOrder });
+    auto station = station_on(small_scene(), DrawInOrderTool {});
     StationView view(station, station.document());
     begin_stroke(station);
     end_stroke(station);
@@ -101,8 +106,8 @@ TEST(StationView, LetsTheBranchGoBackWhileItsStrokeIsErased)
     view.show(station, station.document());
     view.settle();
     ASSERT_EQ(view.state().live_ink.size(), 1u);
-    EXPECT_EQ(view.state().live_ink[0].kind, InkLine::Kind::Eraser);
-    EXPECT_EQ(view.state().live_ink[0].points[0].width_mm, 2 * kEraserRadius_mm);
+    EXPECT_EQ(view.state().live_ink[0].look, InkStyle::Look::Eraser);
+    EXPECT_EQ(view.state().live_ink[0].points[0].width_mm, 2 * EraseTool::kRadius_mm);
     ASSERT_FALSE(view.state().preview.empty());
     for (auto const& point : view.state().preview.front().points_mm)
         EXPECT_LT(point.head<2>().norm(), 1e-3) << "the trunk is straight as the model has it";

@@ -1,6 +1,7 @@
 #include "app/terminal/error_text.h"
 
 #include "app/command_line.h"
+#include "app/methods/all_methods.h"
 #include "drivers/file.h"
 
 #include <algorithm>
@@ -101,7 +102,8 @@ std::string printed_to_a_terminal(std::string const& model)
     int const standard_error = ::dup(STDERR_FILENO);
     ::dup2(screen, STDERR_FILENO);
     std::array<char const*, 4> const arguments { "tractus", "derive", model.c_str(), "--string" };
-    int const code = run_command_line(static_cast<int>(arguments.size()), arguments.data());
+    int const code
+        = run_command_line(static_cast<int>(arguments.size()), arguments.data(), all_methods());
     ::dup2(standard_error, STDERR_FILENO);
     EXPECT_EQ(code, 1);
     std::array<char, 4096> text {};

@@ -1,6 +1,17 @@
 #include "app/tools/tool.h"
 
 #include "app/document/draw.h"
+#include "app/methods/all_methods.h"
+#include "app/methods/indicators/delete_indicator_tool.h"
+#include "app/methods/indicators/indicate_tool.h"
+#include "app/methods/indicators/move_indicator_tool.h"
+#include "app/tools/delete_tool.h"
+#include "app/tools/draw_in_order_tool.h"
+#include "app/tools/draw_tool.h"
+#include "app/tools/erase_tool.h"
+#include "app/tools/oversketch_tool.h"
+#include "app/tools/select_tool.h"
+#include "app/tools/smooth_tool.h"
 #include "engine/plant/join_axes.h"
 #include "tests/app/small_model.h"
 #include "tests/engine/scene/edits.h"
@@ -11,32 +22,52 @@
 namespace tractus {
 namespace {
 
+using Selecting = SelectTool::Selecting;
+using Erasing = EraseTool::Erasing;
+
+ToolKinds tools()
+{
+    return all_methods().tools;
+}
+
+Result<std::vector<Edit>> edits_of(Tool const& tool, Stroke const& stroke, Scene const& scene)
+{
+    return tool.mean(stroke, scene);
+}
+
 TEST(Tool, IsReadAndWrittenAsWords)
 {
-    for (auto const& tool :
-         { Tool { Tool::Kind::Select }, Tool { Tool::Kind::Indicate },
-           Tool { Tool::Kind::DrawInOrder }, Tool { Tool::Kind::Draw, Propagation::Selected },
-           Tool { Tool::Kind::Draw, Propagation::Descendants },
-           Tool { Tool::Kind::Draw, Propagation::Both }, Tool { Tool::Kind::Erase },
-           Tool { .kind = Tool::Kind::Erase, .erasing = Tool::Erasing::Part },
-           Tool { Tool::Kind::Press }, Tool { .kind = Tool::Kind::Smooth, .at_once = true },
-           Tool { .kind = Tool::Kind::Select,
-                  .selecting = Tool::Selecting::Ends,
-                  .angle = { 30, -12.5, 2, { 10, -4 }, { 152, 95 } } } }) {
+    std::vector<Tool> const some {
+        SelectTool {},
+        IndicateTool {},
+        DrawInOrderTool {},
+        DrawTool {},
+        DrawTool { Propagation::Descendants },
+        DrawTool { Propagation::Both },
+        EraseTool {},
+        EraseTool { EraseTool::Erasing::Part },
+        Tool(SmoothTool {}).done_at_once(),
+        Tool(SelectTool { Selecting::Ends }).seen_from({ 30, -12.5, 2, { 10, -4 }, { 152, 95 } }),
+    };
+    for (auto const& tool : some) {
         auto const words = words_for(tool);
-        EXPECT_EQ(parse_tool(words.name, words.arguments).value(), tool) << words.name;
+        EXPECT_EQ(parse_tool(tools(), words.name, words.arguments).value(), tool) << words.name;
     }
 }
 
 TEST(Tool, NamesTheToolsThereAre)
 {
-    EXPECT_NE(parse_tool("hammer", "").error().message.find("select, draw, indicate"),
+    EXPECT_NE(
+        parse_tool(tools(), "hammer", "").error().message.find("draw_in_order, draw, oversketch"),
+        std::string::npos);
+    EXPECT_NE(parse_tool(tools(), "draw", "now").error().message.find("needs a stroke"),
               std::string::npos);
-    EXPECT_NE(parse_tool("draw", "now").error().message.find("needs a stroke"), std::string::npos);
     for (auto const* view : { "view=1,2", "view=0,90,1,0,0,254,159", "view=0,0,1,0,0,254,159,3",
                               "view=0,0,nan,0,0,254,159", "view=0,0,1,0,0,254,15 9" })
-        EXPECT_FALSE(parse_tool("select", view)) << view;
-    EXPECT_NE(parse_tool("draw", "everything").error().message.find("selected, descendants, both"),
+        EXPECT_FALSE(parse_tool(tools(), "select", view)) << view;
+    EXPECT_NE(parse_tool(tools(), "draw", "everything")
+                  .error()
+                  .message.find("selected, descendants, both"),
               std::string::npos);
 }
 
@@ -54,7 +85,7 @@ TEST(SelectTool, SelectsTheAxisThatThePenFollows)
     auto const nodes = scene.base->positions(scene.base->axes[0]);
     auto const stroke = stroke_through({ shown(scene, nodes.front() + Vec3(0, 0, 20)),
                                          shown(scene, nodes.back() - Vec3(0, 0, 20)) });
-    auto const edits = edits_of({ Tool::Kind::Select }, stroke, scene);
+    auto const edits = edits_of(SelectTool {}, stroke, scene);
     ASSERT_TRUE(edits) << edits.error().message;
     ASSERT_EQ(edits->size(), 1u);
     EXPECT_EQ(after(*edits, scene).selection, Selection { segments_of(scene.base->axes[0]) });
@@ -64,7 +95,7 @@ TEST(SelectTool, SaysThatAStrokeWentBesideThePlant)
 {
     auto const scene = small_scene();
     auto const stroke = stroke_through({ { -120, 70, 0 }, { -120, 40, 0 } });
-    auto const edits = edits_of({ Tool::Kind::Select }, stroke, scene);
+    auto const edits = edits_of(SelectTool {}, stroke, scene);
     ASSERT_FALSE(edits);
     EXPECT_EQ(edits.error().fault, Fault::User);
 }
@@ -73,9 +104,9 @@ TEST(DrawTool, ShapesWhatIsSelected)
 {
     auto scene = small_scene();
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } });
-    EXPECT_FALSE(edits_of({ Tool::Kind::Draw }, stroke, scene));
+    EXPECT_FALSE(edits_of(DrawTool {}, stroke, scene));
     select(scene, { segments_of(scene.base->axes[1]) });
-    auto const edits = edits_of({ Tool::Kind::Draw, Propagation::Both }, stroke, scene);
+    auto const edits = edits_of(DrawTool { Propagation::Both }, stroke, scene);
     ASSERT_TRUE(edits);
     EXPECT_EQ((*edits)[0].get<Associate>()->propagation, Propagation::Both);
 }
@@ -83,7 +114,7 @@ TEST(DrawTool, ShapesWhatIsSelected)
 TEST(IndicateTool, TakesTheEndsOfTheStroke)
 {
     auto const stroke = stroke_through({ { 0, 0, 100 }, { 30, 50, 100 }, { 80, 0, 120 } });
-    auto const edits = edits_of({ Tool::Kind::Indicate }, stroke, small_scene()).value();
+    auto const edits = edits_of(IndicateTool {}, stroke, small_scene()).value();
     EXPECT_EQ(edits[0].get<Indicate>()->indicator.start_mm, Vec3(0, 0, 100));
     EXPECT_EQ(edits[0].get<Indicate>()->indicator.end_mm, Vec3(80, 0, 120));
 }
@@ -94,7 +125,7 @@ TEST(DrawInOrderTool, ShapesTheTrunkFirstAndThenTheLongestBranch)
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } });
     std::vector<AxisId> drawn;
     for (int turn = 0; turn < 4; ++turn) {
-        auto const edits = edits_of({ Tool::Kind::DrawInOrder }, stroke, scene).value();
+        auto const edits = edits_of(DrawInOrderTool {}, stroke, scene).value();
         for (auto const& edit : edits)
             scene = apply_edit(scene, edit).value();
         drawn.push_back(axis_of(*scene.base, scene.selection[0][0]));
@@ -104,12 +135,9 @@ TEST(DrawInOrderTool, ShapesTheTrunkFirstAndThenTheLongestBranch)
     EXPECT_EQ(scene.base->axes[order[1]].segment_count, 4u);
 }
 
-using Selecting = Tool::Selecting;
-
 Selection selection_by(Selecting selecting, Stroke const& stroke, Scene const& scene)
 {
-    auto const edits
-        = edits_of({ .kind = Tool::Kind::Select, .selecting = selecting }, stroke, scene);
+    auto const edits = edits_of(SelectTool { selecting }, stroke, scene);
     EXPECT_TRUE(edits) << edits.error().message;
     return edits ? after(*edits, scene).selection.vector() : Selection {};
 }
@@ -117,17 +145,19 @@ Selection selection_by(Selecting selecting, Stroke const& stroke, Scene const& s
 TEST(Tool, KnowsAllItsArguments)
 {
     for (auto const* arguments : { "add", "take", "ends", "order", "alike", "invert", "nothing" }) {
-        auto const tool = parse_tool("select", arguments).value();
+        auto const tool = parse_tool(tools(), "select", arguments).value();
         EXPECT_EQ(words_for(tool).arguments, arguments);
     }
     for (auto const* arguments : { "both world", "descendants chord", "chord" }) {
-        auto const tool = parse_tool("draw", arguments).value();
+        auto const tool = parse_tool(tools(), "draw", arguments).value();
         EXPECT_EQ(words_for(tool).arguments, arguments);
     }
     for (auto const* arguments : { "below", "near", "near light", "light" })
-        EXPECT_EQ(words_for(parse_tool("indicate", arguments).value()).arguments, arguments);
-    EXPECT_EQ(parse_tool("draw", "world both").value(), parse_tool("draw", "both world").value());
-    EXPECT_EQ(parse_tool("smooth", "much").error().message,
+        EXPECT_EQ(words_for(parse_tool(tools(), "indicate", arguments).value()).arguments,
+                  arguments);
+    EXPECT_EQ(parse_tool(tools(), "draw", "world both").value(),
+              parse_tool(tools(), "draw", "both world").value());
+    EXPECT_EQ(parse_tool(tools(), "smooth", "much").error().message,
               "the tool smooth takes no \"much\": leave it out");
 }
 
@@ -168,13 +198,14 @@ TEST(IndicateTool, MayActOnTheSelectedBranchOrNearTheStroke)
 {
     auto scene = small_scene();
     auto const stroke = stroke_through({ { 0, 0, 100 }, { 80, 0, 120 } });
-    Tool const below { .kind = Tool::Kind::Indicate, .reach = Tool::Reach::Below };
+    Tool const below = IndicateTool { .reach = IndicateTool::Reach::Below };
     EXPECT_FALSE(edits_of(below, stroke, scene));
     select(scene, { segments_of(scene.base->axes[1]) });
     auto const edits = edits_of(below, stroke, scene).value();
     EXPECT_EQ(after(edits, scene).indicators[0].what.below,
               std::vector<SegmentId> { scene.base->axes[1].first_segment });
-    auto const near = edits_of(parse_tool("indicate", "near light").value(), stroke, scene).value();
+    auto const near
+        = edits_of(parse_tool(tools(), "indicate", "near light").value(), stroke, scene).value();
     EXPECT_NEAR(*near[0].get<Indicate>()->indicator.reach_mm, std::hypot(80, 20), 1e-9);
     EXPECT_EQ(near[0].get<Indicate>()->indicator.kind, MotionIndicator::Kind::Light);
 }
@@ -184,13 +215,12 @@ TEST(IndicatorTools, MoveAndDeleteTheOneWhereTheyBegin)
     auto scene = small_scene();
     scene = after({ Indicate { { .start_mm = { 0, 0, 100 }, .end_mm = { 100, 0, 100 } } } }, scene);
     auto const move = stroke_through({ { 50, 5, 100 }, { 50, 5, 160 } });
-    auto const moved = edits_of({ Tool::Kind::MoveIndicator }, move, scene).value();
+    auto const moved = edits_of(MoveIndicatorTool {}, move, scene).value();
     scene = apply_edit(scene, moved[0]).value();
     EXPECT_EQ(scene.indicators[0].what.start_mm, Vec3(0, 0, 160));
-    EXPECT_FALSE(edits_of({ Tool::Kind::DeleteIndicator }, move, scene)); // It begins beside it.
+    EXPECT_FALSE(edits_of(DeleteIndicatorTool {}, move, scene)); // It begins beside it.
     auto const there = stroke_through({ { 90, 0, 161 }, { 95, 0, 161 } });
-    scene = apply_edit(scene, edits_of({ Tool::Kind::DeleteIndicator }, there, scene).value()[0])
-                .value();
+    scene = apply_edit(scene, edits_of(DeleteIndicatorTool {}, there, scene).value()[0]).value();
     EXPECT_TRUE(scene.indicators.empty());
 }
 
@@ -198,19 +228,18 @@ TEST(StrokeTools, EditTheStrokesOfTheSelectedBranch)
 {
     auto scene = small_scene();
     auto const up = stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } });
-    for (auto const kind : { Tool::Kind::Oversketch, Tool::Kind::Smooth, Tool::Kind::Delete })
-        EXPECT_FALSE(edits_of({ kind }, up, scene));
+    for (auto const& tool : { Tool(OversketchTool {}), Tool(SmoothTool {}), Tool(DeleteTool {}) })
+        EXPECT_FALSE(edits_of(tool, up, scene));
     select(scene, { segments_of(scene.base->axes[0]) });
-    EXPECT_TRUE(draw(up, { Tool::Kind::Draw }, scene).refusal.empty());
-    EXPECT_TRUE(
-        draw(stroke_through({ { 0, 0, 50 }, { 60, 0, 90 } }), { Tool::Kind::Oversketch }, scene)
-            .refusal.empty());
+    EXPECT_TRUE(draw(up, DrawTool {}, scene).refusal.empty());
+    EXPECT_TRUE(draw(stroke_through({ { 0, 0, 50 }, { 60, 0, 90 } }), OversketchTool {}, scene)
+                    .refusal.empty());
     EXPECT_EQ(scene.associations[0].what.stroke.tips.back().position_mm, Vec3(60, 0, 90));
-    EXPECT_TRUE(draw(up, { Tool::Kind::Smooth }, scene).refusal.empty());
+    EXPECT_TRUE(draw(up, SmoothTool {}, scene).refusal.empty());
     EXPECT_EQ(scene.associations[0].what.detail_weight, 0);
-    EXPECT_TRUE(draw(up, { Tool::Kind::Delete }, scene).refusal.empty());
+    EXPECT_TRUE(draw(up, DeleteTool {}, scene).refusal.empty());
     EXPECT_TRUE(scene.associations.empty());
-    EXPECT_FALSE(draw(up, { Tool::Kind::Delete }, scene).refusal.empty());
+    EXPECT_FALSE(draw(up, DeleteTool {}, scene).refusal.empty());
 }
 
 Associate association_of(Stroke stroke)
@@ -237,7 +266,7 @@ TEST(EraseTool, TakesTheTopmostStrokeAsAWhole)
     auto const scene = scene_with_two_strokes();
     ASSERT_EQ(scene.associations.size(), 3u);
     auto const over = stroke_through({ { 0, -30, 100 }, { 0, -1, 100 }, { 0, 30, 100 } });
-    auto const edits = edits_of({ Tool::Kind::Erase }, over, scene).value();
+    auto const edits = edits_of(EraseTool {}, over, scene).value();
     ASSERT_EQ(edits.size(), 1u);
     EXPECT_EQ(edits[0].get<DeleteStroke>()->strokes.ids, ids_of(scene, { 1, 2 }));
 }
@@ -246,10 +275,10 @@ TEST(EraseTool, DoesNotReachWhatIsAboveTheSurface)
 {
     auto const scene = scene_with_two_strokes();
     auto const over = stroke_through({ { 0, -1, 40 }, { 0, 1, 40 } });
-    auto const edits = edits_of({ Tool::Kind::Erase }, over, scene).value();
+    auto const edits = edits_of(EraseTool {}, over, scene).value();
     EXPECT_EQ(edits[0].get<DeleteStroke>()->strokes.ids, ids_of(scene, { 0 }));
     auto const below = stroke_through({ { 0, -1, 10 }, { 0, 1, 10 } });
-    EXPECT_FALSE(edits_of({ Tool::Kind::Erase }, below, scene));
+    EXPECT_FALSE(edits_of(EraseTool {}, below, scene));
 }
 
 TEST(EraseTool, TakesAllIndicatorsThatItRunsOver)
@@ -260,26 +289,26 @@ TEST(EraseTool, TakesAllIndicatorsThatItRunsOver)
                            Indicate { { .start_mm = { x, -40, 10 }, .end_mm = { x, 40, 10 } } })
                     .value();
     auto const over = stroke_through({ { -30, 0, 10 }, { -20, 0, 10 }, { -1, 0, 10 } });
-    auto const edits = edits_of({ Tool::Kind::Erase }, over, scene).value();
+    auto const edits = edits_of(EraseTool {}, over, scene).value();
     ASSERT_EQ(edits.size(), 2u);
     auto const left = after(edits, scene);
     ASSERT_EQ(left.indicators.size(), 1u);
     EXPECT_EQ(left.indicators[0].id, scene.indicators[2].id);
 }
 
-TEST(EraseTool, IsTheOtherEndOfThePen)
+TEST(Tool, HasAnOtherEnd)
 {
-    using Erasing = Tool::Erasing;
-    for (auto const erasing : { Erasing::Whole, Erasing::Part }) {
-        auto const other = other_end_of({ Tool::Kind::Draw }, erasing);
-        EXPECT_EQ(other.kind, Tool::Kind::Erase);
-        EXPECT_EQ(other.erasing, erasing);
-        EXPECT_EQ(other_end_of({ Tool::Kind::Select }, erasing).selecting, Tool::Selecting::Take);
-        EXPECT_EQ(other_end_of({ Tool::Kind::Press }, erasing).kind, Tool::Kind::Press);
+    for (auto const* const kind : tools()) {
+        auto const& [other, options] = kind->other_end;
+        ASSERT_TRUE(other) << kind->word;
+        if (kind == &SelectTool::kKind)
+            EXPECT_EQ(Tool(*other, options()), Tool(SelectTool { Selecting::Take }));
+        else
+            EXPECT_EQ(other, &EraseTool::kKind) << kind->word;
     }
 }
 
-Tool const kErasePart { .kind = Tool::Kind::Erase, .erasing = Tool::Erasing::Part };
+Tool const kErasePart = EraseTool { Erasing::Part };
 
 // Along x at a height of 20 mm, a tip every millimetre, tip 0 at -50.
 Stroke level_stroke(double height_mm = 20)
@@ -421,8 +450,8 @@ TEST(EraseTool, MissesNothingOnItsWay)
     Stroke fast;
     for (double const y_mm : { -40.0, 40.0 })
         fast.tips.push_back({ .position_mm = { 10.5, y_mm, 30 }, .touching = true });
-    for (auto const erasing : { Tool::Erasing::Whole, Tool::Erasing::Part })
-        EXPECT_TRUE(edits_of({ .kind = Tool::Kind::Erase, .erasing = erasing }, fast, scene));
+    for (auto const erasing : { Erasing::Whole, Erasing::Part })
+        EXPECT_TRUE(edits_of(EraseTool { erasing }, fast, scene));
 }
 
 } // namespace

@@ -1,4 +1,9 @@
 #include "app/live/live_window.h"
+#include "app/methods/all_methods.h"
+#include "app/methods/indicators/indicate_tool.h"
+#include "app/tools/draw_in_order_tool.h"
+#include "app/tools/erase_tool.h"
+#include "app/tools/select_tool.h"
 #include "app/window/window.h"
 #include "drivers/file.h"
 #include "drivers/log_writer.h"
@@ -135,6 +140,7 @@ protected:
         std::ofstream(file) << script.text();
         auto const now = std::make_shared<Timestamp>();
         LiveWindowOptions options {
+            .methods = all_methods(),
             .rig_file = folder_ / "table.rig.toml",
             .height_mm = has_sensor ? std::nullopt : std::optional(100.0),
             .scene = small_scene(),
@@ -177,7 +183,7 @@ TEST_F(PenWorksWindow, ChoosesAToolInTheRingAndDrawsWithIt)
     script.draw(350, 195, 600, 195);
     auto window = window_of(script);
     run(window, script);
-    EXPECT_EQ(window.state().hand.kind, Tool::Kind::Indicate);
+    EXPECT_TRUE(window.state().hand.get<IndicateTool>());
     ASSERT_EQ(window.station().counts().strokes, 1u) << "what presses draws nothing";
     ASSERT_EQ(window.scene().indicators.size(), 1u);
     auto const& indicator = window.scene().indicators[0].what;
@@ -199,7 +205,7 @@ TEST_F(PenWorksWindow, OpensTheRingForATouchThatRests)
     script.draw(450, 60, 450, 220);
     auto window = window_of(script);
     run(window, script);
-    EXPECT_EQ(window.state().hand.kind, Tool::Kind::Erase);
+    EXPECT_TRUE(window.state().hand.get<EraseTool>());
     ASSERT_EQ(window.station().counts().strokes, 2u);
     EXPECT_TRUE(window.scene().indicators.empty()) << "the eraser ran over it";
 }
@@ -211,7 +217,7 @@ TEST_F(PenWorksWindow, SelectsWhereTheSkeletonIsShown)
     script.draw(500, 370, 500, 120); // Up the trunk, which stands in the middle.
     auto window = window_of(script);
     run(window, script);
-    EXPECT_EQ(window.state().hand.kind, Tool::Kind::Select);
+    EXPECT_TRUE(window.state().hand.get<SelectTool>());
     ASSERT_EQ(window.station().counts().strokes, 1u);
     EXPECT_FALSE(window.scene().selection.empty());
 }
@@ -224,7 +230,7 @@ TEST_F(PenWorksWindow, RecordsWhatReplaysTheSame)
     auto window = window_of(script, true);
     run(window, script);
     auto const log = read_log(folder_ / "again.tractus-log").value();
-    ReplayOptions options;
+    ReplayOptions options { .methods = all_methods() };
     options.height = parse_height_scenario("100").value();
     auto const replay = replayed(log, options);
     auto const& again = replay.scene.indicators;
@@ -246,8 +252,9 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
     script.erase(300, 150, 300, 250);
     auto window = window_of(script, true);
     run(window, script);
-    EXPECT_EQ(window.state().hand.kind, Tool::Kind::DrawInOrder);
-    EXPECT_EQ(window.state().erasing, Tool::Erasing::Part);
+    EXPECT_TRUE(window.state().hand.get<DrawInOrderTool>());
+    EXPECT_EQ(window.state().remembered,
+              std::vector<Tool> { EraseTool { EraseTool::Erasing::Part } });
     ASSERT_EQ(window.station().counts().strokes, 3u);
     ASSERT_EQ(window.scene().associations.size(), 1u);
     auto const& tips = window.scene().associations[0].what.stroke.tips;
@@ -256,7 +263,7 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
     EXPECT_NEAR(tips.back().position_mm.x(), 36, 0.1);
 
     auto const log = read_log(folder_ / "again.tractus-log").value();
-    ReplayOptions options;
+    ReplayOptions options { .methods = all_methods() };
     options.height = parse_height_scenario("100").value();
     auto const scene = replayed(log, options).scene;
     ASSERT_EQ(scene.associations.size(), 1u);

@@ -1,3 +1,6 @@
+#include "app/methods/all_methods.h"
+#include "app/tools/erase_tool.h"
+#include "app/tools/select_tool.h"
 #include "app/window/shortcuts.h"
 #include "tests/app/window/small_state.h"
 
@@ -10,7 +13,11 @@ namespace {
 // Notes what is asked for.
 class AskedModel : public WindowModel {
 public:
-    AskedModel() { state_.is_live = true; }
+    AskedModel()
+    {
+        state_.is_live = true;
+        state_.tools = all_methods().tools;
+    }
 
     void advance(Duration) override { }
     WindowState const& state() const override { return state_; }
@@ -55,9 +62,9 @@ TEST_F(Shortcuts, ToolsAreForAKeyAlone)
     EXPECT_TRUE(model.asked.empty());
     press('E');
     ASSERT_TRUE(model.was_last_asked_for<ChooseTool>());
-    EXPECT_EQ(std::get<ChooseTool>(model.asked.back()).tool.kind, Tool::Kind::Erase);
+    EXPECT_TRUE(std::get<ChooseTool>(model.asked.back()).tool.get<EraseTool>());
     press('C');
-    EXPECT_EQ(std::get<ChooseTool>(model.asked.back()).tool.kind, Tool::Kind::Select);
+    EXPECT_TRUE(std::get<ChooseTool>(model.asked.back()).tool.get<SelectTool>());
 }
 
 TEST_F(Shortcuts, PressedTwiceInAFrameTheFullScreenStaysOff)

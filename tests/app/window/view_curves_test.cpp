@@ -56,7 +56,7 @@ TEST(PadCurves, ShowWhereTheEraserWasButNotAsInk)
         return find(pad_live_curves(state), { 0, 30, 150 }, Curve::WidthUnit::Millimetres).points;
     };
     EXPECT_EQ(places()[0].color, theme::palette().ink);
-    state.live_ink[0].kind = InkLine::Kind::Eraser;
+    state.live_ink[0].look = InkStyle::Look::Eraser;
     EXPECT_NE(places()[0].color, theme::palette().ink);
     EXPECT_NE(places()[0].color, theme::palette().pad_background) << "it is seen";
 }

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/tools/methods.h"
+
+namespace tractus {
+
+// The one list of what this program can do. Whoever adds a tool or a kind of edit adds its row
+// here.
+Methods all_methods();
+
+} // namespace tractus

@@ -1,0 +1,28 @@
+#include "app/methods/indicators/delete_indicator_tool.h"
+
+#include "app/methods/indicators/touched_indicator.h"
+#include "app/tools/erase_tool.h"
+#include "engine/scene/edit.h"
+
+namespace tractus {
+
+static Result<std::vector<Edit>> delete_indicator(Tool const&, Stroke const& stroke,
+                                                  Scene const& scene)
+{
+    auto const number = TRY(touched_indicator(stroke, scene)).number;
+    return std::vector<Edit> { DeleteIndicator { scene.indicators[number].id } };
+}
+
+constexpr ToolKind DeleteIndicatorTool::kKind {
+    .word = "delete_indicator",
+    .label = "Remove",
+    .title = "Take a motion indicator away",
+    .done = "The motion indicator is gone",
+    .help = "takes the motion indicator away where the stroke begins",
+    .group = "Lean",
+    .options = options_type<DeleteIndicatorTool>(),
+    .mean = delete_indicator,
+    .other_end = { &EraseTool::kKind },
+};
+
+} // namespace tractus

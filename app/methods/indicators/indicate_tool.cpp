@@ -1,0 +1,76 @@
+#include "app/methods/indicators/indicate_tool.h"
+
+#include "app/tools/erase_tool.h"
+#include "engine/scene/edit.h"
+
+#include <algorithm>
+#include <array>
+
+namespace tractus {
+
+namespace {
+
+// In the order of Reach,
+constexpr std::array<OptionWord, 3> kReachWords { {
+    { "everywhere", "Everywhere" },
+    { "below", "Selected and above" },
+    { "near", "Near it" },
+} };
+
+// and of MotionIndicator::Kind.
+constexpr std::array<OptionWord, 2> kIndicatorWords { {
+    { "push", "Wind" },
+    { "light", "Light" },
+} };
+
+void visit(OptionVisitor& visitor, IndicateTool& tool)
+{
+    visitor.choice({ kReachWords }, tool.reach);
+    visitor.choice({ kIndicatorWords }, tool.indicator);
+}
+
+// An indicator that falls off reaches as far as it is long, and a little more if it is short.
+double reach_of_mm(MotionIndicator const& indicator)
+{
+    constexpr double kLeast_mm = 20;
+    return std::max(kLeast_mm, (indicator.end_mm - indicator.start_mm).norm());
+}
+
+Result<std::vector<Edit>> indicate(Tool const& tool, Stroke const& stroke, Scene const& scene)
+{
+    auto const& options = *tool.get<IndicateTool>();
+    auto indicator = TRY(motion_indicator(stroke));
+    indicator.kind = options.indicator;
+    if (options.reach == IndicateTool::Reach::Near)
+        indicator.reach_mm = reach_of_mm(indicator);
+    std::vector<SegmentAddress> below;
+    if (options.reach == IndicateTool::Reach::Below) {
+        if (scene.selection.empty())
+            return fail(Fault::User,
+                        "nothing is selected for the motion indicator to act on: select a branch "
+                        "first");
+        for (auto const& path : scene.selection)
+            below.push_back(scene.rest->addresses.address_of(*scene.base, path.front()));
+    }
+    return std::vector<Edit> { Indicate { indicator, below } };
+}
+
+} // namespace
+
+constexpr ToolKind IndicateTool::kKind {
+    .word = "indicate",
+    .label = "Lean",
+    .title = "Motion indicator",
+    .done = "The plant leans with the indicator",
+    .help = "a motion indicator: acts everywhere, on the selected branches and what they bear, or "
+            "near it; as wind, or as a lamp at its end",
+    .group = "Lean",
+    .icon = "1585 8563 8567",
+    .key = 'L',
+    .ink = { InkStyle::Look::Arrow },
+    .options = options_type<IndicateTool, visit>(),
+    .mean = indicate,
+    .other_end = { &EraseTool::kKind },
+};
+
+} // namespace tractus

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/tools/tool.h"
+#include "engine/variation/motion_indicator.h"
+
+namespace tractus {
+
+// The stroke's two ends are a motion indicator.
+struct IndicateTool {
+    static ToolKind const kKind;
+
+    enum class Reach {
+        Everywhere,
+        Below, // On the selected branches and what they bear.
+        Near,  // Falling off around the stroke.
+    };
+    Reach reach = Reach::Everywhere;
+    MotionIndicator::Kind indicator = MotionIndicator::Kind::Push;
+};
+
+} // namespace tractus

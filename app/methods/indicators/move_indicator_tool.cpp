@@ -1,0 +1,34 @@
+#include "app/methods/indicators/move_indicator_tool.h"
+
+#include "app/methods/indicators/touched_indicator.h"
+#include "app/tools/erase_tool.h"
+#include "engine/scene/edit.h"
+
+namespace tractus {
+
+static Result<std::vector<Edit>> move_indicator(Tool const&, Stroke const& stroke,
+                                                Scene const& scene)
+{
+    auto const touched = TRY(touched_indicator(stroke, scene));
+    auto const& [id, indicator, at] = scene.indicators[touched.number];
+    auto moved = indicator;
+    moved.below.clear(); // It stays where it is.
+    moved.start_mm += touched.way.end_mm - touched.way.start_mm;
+    moved.end_mm += touched.way.end_mm - touched.way.start_mm;
+    return std::vector<Edit> { ChangeIndicator { .which = id, .indicator = moved } };
+}
+
+constexpr ToolKind MoveIndicatorTool::kKind {
+    .word = "move_indicator",
+    .label = "Move",
+    .title = "Move a motion indicator",
+    .done = "The plant leans with the indicator",
+    .help = "moves the motion indicator where the stroke begins along with it",
+    .group = "Lean",
+    .begins_group_of_buttons = true,
+    .options = options_type<MoveIndicatorTool>(),
+    .mean = move_indicator,
+    .other_end = { &EraseTool::kKind },
+};
+
+} // namespace tractus

@@ -1,0 +1,26 @@
+#include "app/tools/delete_tool.h"
+
+#include "app/tools/erase_tool.h"
+#include "app/tools/selected_strokes.h"
+
+namespace tractus {
+
+static Result<std::vector<Edit>> take_stroke_away(Tool const&, Stroke const&, Scene const& scene)
+{
+    return std::vector<Edit> { DeleteStroke { TRY(newest_selected_stroke(scene)) } };
+}
+
+constexpr ToolKind DeleteTool::kKind {
+    .word = "delete",
+    .label = "Take away",
+    .title = "Take the branch's last stroke away",
+    .done = "The stroke is gone",
+    .help = "takes the selected branch's last stroke away",
+    .group = "Draw",
+    .at_once = true,
+    .options = options_type<DeleteTool>(),
+    .mean = take_stroke_away,
+    .other_end = { &EraseTool::kKind },
+};
+
+} // namespace tractus

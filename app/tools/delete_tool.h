@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/tools/tool.h"
+
+namespace tractus {
+
+// Takes the selected branches' last stroke away.
+struct DeleteTool {
+    static ToolKind const kKind;
+};
+
+} // namespace tractus

@@ -1,0 +1,28 @@
+#include "app/tools/oversketch_tool.h"
+
+#include "app/tools/branch_previewer.h"
+#include "app/tools/erase_tool.h"
+#include "app/tools/selected_strokes.h"
+
+namespace tractus {
+
+static Result<std::vector<Edit>> oversketch(Tool const&, Stroke const& stroke, Scene const& scene)
+{
+    return std::vector<Edit> { Oversketch { TRY(newest_selected_stroke(scene)), stroke } };
+}
+
+constexpr ToolKind OversketchTool::kKind {
+    .word = "oversketch",
+    .label = "Redraw",
+    .title = "Redraw a part of the branch's stroke",
+    .done = "The branch follows its stroke",
+    .help = "redraws a part of the selected branch's stroke",
+    .group = "Draw",
+    .begins_group_of_buttons = true,
+    .options = options_type<OversketchTool>(),
+    .mean = oversketch,
+    .previewer = branch_previewer,
+    .other_end = { &EraseTool::kKind },
+};
+
+} // namespace tractus

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/tools/tool.h"
+
+namespace tractus {
+
+// The stroke redraws a part of the selected branches' newest one.
+struct OversketchTool {
+    static ToolKind const kKind;
+};
+
+} // namespace tractus

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "engine/base/vectors.h"
+
+#include <vector>
+
+namespace tractus {
+
+// A piece of the plant's skeleton that has one state: an axis, or a part of one. Plant frame.
+struct SkeletonLine {
+    enum class State {
+        Unselected,
+        Undetermined, // Touched, but the pen has not yet shown whether it was meant.
+        Selected,
+        Assigned, // A stroke gives it its shape.
+    };
+
+    std::vector<Vec3f> points_mm;
+    float width_mm = 1; // Diameter at the base.
+    State state = State::Unselected;
+};
+
+} // namespace tractus

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/tools/tool.h"
+
+namespace tractus {
+
+// Takes the hand out of the selected branches' strokes.
+struct SmoothTool {
+    static ToolKind const kKind;
+};
+
+} // namespace tractus

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "app/tools/skeleton_line.h"
+#include "engine/scene/scene.h"
+#include "engine/stroke/tip_sample.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+class Tool;
+
+// A stroke under way, and what it is drawn on.
+struct UnfinishedStroke {
+    std::shared_ptr<Scene const> scene; // Shared with whoever shows it; nobody changes it.
+    Tool const& tool;
+    std::span<TipSample const> ink;
+    std::uint32_t orders = 0; // Only branches of lower orders than this are looked at.
+};
+
+// Shows what a stroke would do if it ended now. It may keep what it needs again for the next tips.
+class StrokePreviewer {
+public:
+    virtual ~StrokePreviewer() = default;
+
+    // None for a stroke that would be refused.
+    virtual std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) = 0;
+};
+
+} // namespace tractus

@@ -1,0 +1,115 @@
+#include "app/tools/tool_choices.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+bool is_same_group(ToolKind const& one, ToolKind const& other)
+{
+    return std::string_view(one.group) == other.group;
+}
+
+class Meanings {
+public:
+    explicit Meanings(Tool hand)
+        : hand_(std::move(hand))
+    {
+    }
+
+    void add_kind(ToolKind const& kind);
+    std::vector<Meaning> take() { return std::move(meanings_); }
+
+private:
+    void add_words(Tool const& tool, WordOption const& option, std::size_t number);
+    void add(char const* text, Tool const& tool);
+
+    Tool hand_;
+    std::vector<Meaning> meanings_;
+    bool begins_group_ = false;
+};
+
+void Meanings::add(char const* text, Tool const& tool)
+{
+    meanings_.push_back({ .text = text,
+                          .tool = tool,
+                          .width = button_width(text),
+                          .is_on = tool == hand_,
+                          .begins_group = std::exchange(begins_group_, false) });
+}
+
+void Meanings::add_kind(ToolKind const& kind)
+{
+    bool const is_in_hand = &hand_.kind() == &kind;
+    auto const tool = is_in_hand ? hand_ : Tool(kind);
+    auto const options = chosen_words(tool);
+    begins_group_ |= kind.begins_group_of_buttons;
+    if (options.empty())
+        return add(kind.label, kind.at_once ? tool.done_at_once() : tool);
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        if (options[i].option.offered == WordOption::Offered::InHand && !is_in_hand)
+            continue;
+        begins_group_ |= i > 0;
+        add_words(tool, options[i].option, i);
+    }
+}
+
+void Meanings::add_words(Tool const& tool, WordOption const& option, std::size_t number)
+{
+    bool was_at_once = false;
+    for (std::size_t i = 0; i < option.words.size(); ++i) {
+        auto const& word = option.words[i];
+        auto const chosen = with_word(tool, number, static_cast<int>(i));
+        begins_group_ |= word.at_once && !was_at_once;
+        was_at_once = word.at_once;
+        add(word.label, word.at_once ? chosen.done_at_once() : chosen);
+    }
+}
+
+} // namespace
+
+float button_width(char const* text)
+{
+    constexpr float kLetter_px = 11.5f;
+    constexpr float kAir_px = 36;
+    return kAir_px + kLetter_px * static_cast<float>(std::strlen(text));
+}
+
+Tool chosen_anew(ToolKind const& kind, std::span<Tool const> remembered)
+{
+    auto const found = std::find_if(remembered.begin(), remembered.end(),
+                                    [&](Tool const& tool) { return &tool.kind() == &kind; });
+    return found == remembered.end() ? Tool(kind) : *found;
+}
+
+std::vector<ToolChoice> tool_choices(ToolKinds kinds, std::span<Tool const> remembered)
+{
+    std::vector<ToolChoice> choices;
+    for (auto const* const kind : kinds)
+        if (std::none_of(choices.begin(), choices.end(), [&](ToolChoice const& choice) {
+                return is_same_group(choice.tool.kind(), *kind);
+            }))
+            choices.push_back({ kind->group, chosen_anew(*kind, remembered) });
+    return choices;
+}
+
+bool is_same_group(Tool const& one, Tool const& other)
+{
+    return is_same_group(one.kind(), other.kind());
+}
+
+std::vector<Meaning> meanings_of(ToolKinds kinds, Tool const& hand)
+{
+    Meanings meanings(hand);
+    for (auto const* const kind : kinds)
+        if (is_same_group(*kind, hand.kind()))
+            meanings.add_kind(*kind);
+    return meanings.take();
+}
+
+} // namespace tractus

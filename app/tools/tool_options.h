@@ -1,0 +1,76 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+namespace tractus {
+
+// One of the words among which an option of a tool chooses.
+struct OptionWord {
+    char const* word;  // In logs: never changes, and no other option of the tool has it.
+    char const* label; // On its button.
+    // What the tool in hand is called with it, where that differs from its kind's title.
+    char const* title = nullptr;
+    bool at_once = false; // Needs no stroke: its button does it, and the tool in hand stays.
+};
+
+// An option that is one of several words. The first is what none of them means.
+struct WordOption {
+    std::span<OptionWord const> words;
+    enum class Offered {
+        Always, // Its words have buttons as soon as a tool of the group is in hand,
+        InHand, // or when the tool itself is.
+    } offered
+        = Offered::Always;
+};
+
+// An option that is a number: "name=2.5" in logs.
+struct NumberOption {
+    char const* name;
+    char const* unit; // For people: "mm"; empty for a count or a share.
+    double least;     // The range; what is outside is refused.
+    double greatest;
+};
+
+// Visits the options of a tool in their order. A tool says them once, in a function that hands them
+// to a visitor; from that come its words in logs, equality, buttons, completion and the manual.
+class OptionVisitor {
+public:
+    virtual ~OptionVisitor() = default;
+
+    // The value is the word's number.
+    virtual void word(WordOption const& option, int& value) = 0;
+    virtual void number(NumberOption const& option, double& value) = 0;
+
+    // An enumeration whose values are in the order of the words.
+    template<typename Enum> void choice(WordOption const& option, Enum& value)
+    {
+        int number = static_cast<int>(value);
+        word(option, number);
+        value = static_cast<Enum>(number);
+    }
+};
+
+// What is done with the options of a kind of tool, whose type only its own file knows.
+struct OptionsType {
+    std::shared_ptr<void> (*make)(); // By default.
+    std::shared_ptr<void> (*copy)(void const* options);
+    void (*visit)(OptionVisitor& visitor, void* options);
+};
+
+template<typename T> void visit_no_options(OptionVisitor&, T&) { }
+
+template<typename T, void (*visit)(OptionVisitor&, T&) = visit_no_options<T>>
+constexpr OptionsType options_type()
+{
+    return { .make = [] { return std::shared_ptr<void>(std::make_shared<T>()); },
+             .copy =
+                 [](void const* options) {
+                     return std::shared_ptr<void>(
+                         std::make_shared<T>(*static_cast<T const*>(options)));
+                 },
+             .visit = [](OptionVisitor& visitor,
+                         void* options) { visit(visitor, *static_cast<T*>(options)); } };
+}
+
+} // namespace tractus

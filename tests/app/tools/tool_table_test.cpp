@@ -1,0 +1,42 @@
+#include "app/tools/tool_table.h"
+
+#include "app/methods/all_methods.h"
+#include "drivers/file.h"
+
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace tractus {
+namespace {
+
+TEST(ToolTable, StandsInTheManual)
+{
+    auto const page = std::filesystem::path(TRACTUS_MANUAL) / "drawing.md";
+    auto const table = manual_table(all_methods().tools);
+    EXPECT_NE(read_file(page).value().find(table), std::string::npos)
+        << page << " has another table of tools than this:\n"
+        << table;
+}
+
+// The window has keys of its own: see show_shortcuts().
+TEST(ToolTable, GivesNoKeyAndNoWordTwice)
+{
+    std::set<char> keys { 'T', 'V', 'F', 'W', 'S', 'Z', 'N', 'Q', '?' };
+    std::set<std::string> words;
+    for (auto const* const kind : all_methods().tools) {
+        EXPECT_TRUE(words.insert(kind->word).second) << kind->word;
+        if (kind->key)
+            EXPECT_TRUE(keys.insert(kind->key).second) << kind->key;
+    }
+    EXPECT_EQ(words.size(), 10u);
+}
+
+TEST(ToolTable, SaysWhatMayStandBehindATool)
+{
+    auto const& kind = *find_tool_kind(all_methods().tools, "draw");
+    EXPECT_EQ(describe_tool(kind).substr(0, 38), "draw [descendants|both] [chord|world]\n");
+}
+
+} // namespace
+} // namespace tractus
