@@ -1,9 +1,6 @@
 #include "app/command_line.h"
 
 #include "app/help.h"
-#include "app/methods/construction_lines/construct_command.h"
-#include "app/methods/leaves/leaves_command.h"
-#include "app/methods/sketch_lsystem/sketch_command.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "app/verbs/calibrate.h"
@@ -73,13 +70,12 @@ static void add_verbs(CLI::App& root, Action& action, Methods const& methods)
     add_demo_verb(root, action, methods);
     add_window_verb(root, action, methods);
     add_replay_verb(root, action, methods);
-    add_session_verb(root, action);
+    add_session_verb(root, action, methods);
     add_vary_verb(root, action, methods);
     add_grow_verb(root, action, methods);
-    add_sketch_command(root, action, methods);
-    add_construct_command(root, action);
-    add_leaves_command(root, action);
-    add_render_verb(root, action);
+    for (auto* const add : methods.commands)
+        add(root, action, methods);
+    add_render_verb(root, action, methods);
     add_derive_verb(root, action);
     add_lsystem_verb(root, action);
     add_devices_verb(root, action);

@@ -1,4 +1,5 @@
 #include "app/command_line.h"
+#include "app/methods/all_commands.h"
 #include "app/methods/all_methods.h"
 #include "app/terminal/console.h"
 #include "drivers/file.h"
@@ -8,7 +9,8 @@ int main(int argc, char** argv)
 {
     tractus::prepare_console();
     tractus::remove_unfinished_file_on_signals();
-    int const exit_code = tractus::run_command_line(argc, argv, tractus::all_methods());
+    auto const methods = tractus::with_commands(tractus::all_methods());
+    int const exit_code = tractus::run_command_line(argc, argv, methods);
     tractus::end_worker_threads();
     return exit_code;
 }

@@ -10,9 +10,9 @@
 namespace tractus {
 
 Document::Document(Scene scene, Working working)
-    : Document(
-        Session::in_memory(std::move(scene), session_by_the_clock([] { return load_options(); })),
-        working)
+    : Document(Session::in_memory(std::move(scene),
+                                  session_by_the_clock({}, [] { return load_options(); })),
+               working)
 {
 }
 

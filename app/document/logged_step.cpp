@@ -53,7 +53,7 @@ std::string print_edits(std::vector<Edit> const& edits)
     return list.dump();
 }
 
-std::optional<std::vector<Edit>> read_edits(std::string_view text)
+std::optional<std::vector<Edit>> read_edits(std::string_view text, EditKinds kinds)
 {
     auto const list = Json::parse(text, nullptr, false);
     if (!list.is_array())
@@ -68,12 +68,13 @@ std::optional<std::vector<Edit>> read_edits(std::string_view text)
         if (!numbers)
             return std::nullopt;
         edits.push_back(edit_or_unknown(
-            { entry["kind"].get<std::string>(), entry["fields"].dump(), *std::move(numbers) }));
+            { entry["kind"].get<std::string>(), entry["fields"].dump(), *std::move(numbers) },
+            kinds));
     }
     return edits;
 }
 
-Result<LoggedStep> read_step(LoggedStep::What what, std::string_view arguments)
+Result<LoggedStep> read_step(LoggedStep::What what, std::string_view arguments, EditKinds kinds)
 {
     LoggedStep step { .what = what };
     auto const* const end = arguments.data() + arguments.size();
@@ -89,7 +90,7 @@ Result<LoggedStep> read_step(LoggedStep::What what, std::string_view arguments)
         return refusal();
     if (what != LoggedStep::What::Edits)
         return rest.empty() ? Result<LoggedStep>(step) : refusal();
-    auto edits = read_edits(rest);
+    auto edits = read_edits(rest, kinds);
     if (!edits)
         return refusal();
     step.edits = *std::move(edits);
@@ -107,12 +108,13 @@ StepWords words_for(DoneStep const& step, std::size_t strokes_before)
     return words;
 }
 
-std::optional<Result<LoggedStep>> parse_step(std::string_view name, std::string_view arguments)
+std::optional<Result<LoggedStep>> parse_step(std::string_view name, std::string_view arguments,
+                                             EditKinds kinds)
 {
     auto const found = std::find(kNames.begin(), kNames.end(), name);
     if (found == kNames.end())
         return std::nullopt;
-    return read_step(static_cast<LoggedStep::What>(found - kNames.begin()), arguments);
+    return read_step(static_cast<LoggedStep::What>(found - kNames.begin()), arguments, kinds);
 }
 
 } // namespace tractus

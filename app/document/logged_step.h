@@ -23,8 +23,9 @@ struct StepWords {
 StepWords words_for(DoneStep const& step, std::size_t strokes_before);
 
 // No value for a word that no step has. Fails, as the user's fault, for a step in other words than
-// above. The edits of kinds that this program does not know are UnknownEdits, which are refused
+// above. The edits that are none of `kinds` are UnknownEdits, which are refused
 // when they are to be done.
-std::optional<Result<LoggedStep>> parse_step(std::string_view name, std::string_view arguments);
+std::optional<Result<LoggedStep>> parse_step(std::string_view name, std::string_view arguments,
+                                             EditKinds kinds);
 
 } // namespace tractus

@@ -107,7 +107,7 @@ std::optional<std::string> size_note(LiveDevices const& devices, Rig const& rig)
 
 Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions options)
 {
-    CHECK(options.now);
+    CHECK(options.now && !options.methods.tools.empty());
     StationOptions station_options;
     station_options.tools = options.methods.tools;
     bool const has_sensor = has_height_sensor(devices);

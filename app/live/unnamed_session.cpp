@@ -23,7 +23,7 @@ Result<fs::path> unnamed_session_path(std::string const& plant, std::chrono::sys
 
 void remove_if_nothing_was_drawn(fs::path const& session)
 {
-    auto const contents = read_session(session);
+    auto const contents = read_session(session, {});
     std::error_code ignored;
     if (contents && contents->last_step() == 0)
         for (auto const* const ending : { "", "-wal", "-shm" }) // As left by who has it open.

@@ -110,7 +110,8 @@ Result<CollectionReport> Collection::run()
 Result<Scene> Collection::load()
 {
     progress_.begin("deriving the plant");
-    auto scene = TRY(load_growing_plant(options_.model, options_.growth, options_.seed));
+    auto scene = TRY(
+        load_growing_plant({ options_.model, options_.kinds }, options_.growth, options_.seed));
     report_.segments = scene.base->segment_count();
     report_.notes = scene.model_warnings;
     if (!options_.drawing)

@@ -39,6 +39,7 @@ constexpr std::size_t kMostDetails = 6;
 
 struct CollectionOptions {
     std::filesystem::path model {};
+    EditKinds kinds {};                       // Of its edits, if it is a session.
     std::optional<DrawingOptions> drawing {}; // Without it, plants vary by chance alone.
     GrowthOptions growth {};
     AgeRange ages {};

@@ -186,18 +186,18 @@ std::string growth_name(std::filesystem::path const& model, GrowthOptions const&
     return growth.preset.value_or(is_session_file(model) ? "as in the session" : kUsual);
 }
 
-Result<std::vector<Edit>> growing_plant_edits(std::filesystem::path const& model,
-                                              GrowthOptions const& growth, std::uint64_t seed)
+Result<std::vector<Edit>> growing_plant_edits(PlantChoice const& plant, GrowthOptions const& growth,
+                                              std::uint64_t seed)
 {
     std::vector<Edit> edits;
     std::optional<GrowthParameters> own;
-    if (is_session_file(model)) {
-        edits = TRY(session_edits(model));
+    if (is_session_file(plant.model)) {
+        edits = TRY(session_edits(plant.model, plant.kinds));
         for (auto const& edit : edits)
             if (auto const* const set = edit.get<SetGrowth>())
                 own = TRY(at_variability(set->parameters, set->variability));
     } else {
-        edits.push_back(TRY(load_plant_edit(model)));
+        edits.push_back(TRY(load_plant_edit(plant.model)));
     }
     if (!own || growth.preset)
         own = TRY(growth_preset(growth.preset.value_or(kUsual)));
@@ -216,10 +216,10 @@ Result<Scene> growing_plant(std::filesystem::path const& model, std::vector<Edit
     return scene;
 }
 
-Result<Scene> load_growing_plant(std::filesystem::path const& model, GrowthOptions const& growth,
+Result<Scene> load_growing_plant(PlantChoice const& plant, GrowthOptions const& growth,
                                  std::uint64_t seed)
 {
-    return growing_plant(model, TRY(growing_plant_edits(model, growth, seed)));
+    return growing_plant(plant.model, TRY(growing_plant_edits(plant, growth, seed)));
 }
 
 Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene, Progress& progress,

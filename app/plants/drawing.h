@@ -27,17 +27,23 @@ struct GrowthOptions {
 // How the plants of `model` grow, in words.
 std::string growth_name(std::filesystem::path const& model, GrowthOptions const& growth);
 
+// A plant to be drawn on: its file, and of which kinds its edits may be if that is a session.
+struct PlantChoice {
+    std::filesystem::path model;
+    EditKinds kinds;
+};
+
 // What loads a plant to be drawn on and says how it grows: a model (load_plant_edit), or a session
 // with all that was drawn in it. Fails, as the user's fault, for what is neither, or a growth that
 // does not exist.
-Result<std::vector<Edit>> growing_plant_edits(std::filesystem::path const& model,
-                                              GrowthOptions const& growth, std::uint64_t seed);
+Result<std::vector<Edit>> growing_plant_edits(PlantChoice const& plant, GrowthOptions const& growth,
+                                              std::uint64_t seed);
 
 // The scene that such edits give. Fails, as the user's fault, for a plant without branches.
 Result<Scene> growing_plant(std::filesystem::path const& model, std::vector<Edit> const& edits);
 
 // Both.
-Result<Scene> load_growing_plant(std::filesystem::path const& model, GrowthOptions const& growth,
+Result<Scene> load_growing_plant(PlantChoice const& plant, GrowthOptions const& growth,
                                  std::uint64_t seed);
 
 // A recorded drawing.

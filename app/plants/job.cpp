@@ -77,10 +77,12 @@ Result<JobReport> Job::run()
 Result<Scene> Job::load_plant()
 {
     progress_.begin("deriving the plant");
-    auto const edits = TRY(growing_plant_edits(options_.model, options_.growth, options_.seed));
+    auto const kinds = options_.drawing.methods.edits;
+    auto const edits
+        = TRY(growing_plant_edits({ options_.model, kinds }, options_.growth, options_.seed));
     auto scene = TRY(growing_plant(options_.model, edits));
     if (!options_.session.empty()) {
-        session_ = TRY(begin_session(options_.session, edits));
+        session_ = TRY(begin_session(options_.session, edits, kinds));
         report_.files.push_back(options_.session);
     }
     report_.growth = options_.growth;

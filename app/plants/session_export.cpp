@@ -101,10 +101,11 @@ std::string strokes_text(Scene const& scene)
 
 } // namespace
 
-Result<std::vector<fs::path>> export_session(fs::path const& session, fs::path const& folder)
+Result<std::vector<fs::path>> export_session(fs::path const& session, fs::path const& folder,
+                                             EditKinds kinds)
 {
-    auto const edits = TRY(session_edits(session));
-    auto const scene = TRY(load_session_scene(session));
+    auto const edits = TRY(session_edits(session, kinds));
+    auto const scene = TRY(load_session_scene(session, kinds));
     FolderWriter out(folder);
     for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit) {
         if (auto const* const model = edit->get<LoadModel>())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/scene/edit_kind.h"
 
 #include <filesystem>
 #include <vector>
@@ -13,6 +14,7 @@ namespace tractus {
 // Fails, as the user's fault, for what is no session, and where a session of another's asks for
 // files outside of the folder.
 Result<std::vector<std::filesystem::path>> export_session(std::filesystem::path const& session,
-                                                          std::filesystem::path const& folder);
+                                                          std::filesystem::path const& folder,
+                                                          EditKinds kinds);
 
 } // namespace tractus

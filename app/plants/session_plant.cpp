@@ -77,9 +77,10 @@ Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost co
     return folded;
 }
 
-static Result<FoldedSession> load_folded(std::filesystem::path const& path, ModelCost const& cost)
+static Result<FoldedSession> load_folded(std::filesystem::path const& path, EditKinds kinds,
+                                         ModelCost const& cost)
 {
-    auto const contents = TRY(read_session(path));
+    auto const contents = TRY(read_session(path, kinds));
     auto folded = fold_session(contents, cost);
     if (!folded)
         return fail(folded.error().fault,
@@ -92,14 +93,15 @@ static Result<FoldedSession> load_folded(std::filesystem::path const& path, Mode
     return folded;
 }
 
-Result<std::vector<Edit>> session_edits(std::filesystem::path const& path)
+Result<std::vector<Edit>> session_edits(std::filesystem::path const& path, EditKinds kinds)
 {
-    return TRY(load_folded(path, {})).edits;
+    return TRY(load_folded(path, kinds, {})).edits;
 }
 
-Result<Scene> load_session_scene(std::filesystem::path const& path, ModelCost const& cost)
+Result<Scene> load_session_scene(std::filesystem::path const& path, EditKinds kinds,
+                                 ModelCost const& cost)
 {
-    return TRY(load_folded(path, cost)).scene;
+    return TRY(load_folded(path, kinds, cost)).scene;
 }
 
 Result<Plant> shown_plant(BuiltPlant const& built)
@@ -110,9 +112,10 @@ Result<Plant> shown_plant(BuiltPlant const& built)
     return built.growth.age < 1 ? without_unborn(plant) : plant;
 }
 
-Result<Session> begin_session(std::filesystem::path const& path, std::vector<Edit> const& edits)
+Result<Session> begin_session(std::filesystem::path const& path, std::vector<Edit> const& edits,
+                              EditKinds kinds)
 {
-    auto options = session_by_the_clock([] { return load_options(); });
+    auto options = session_by_the_clock(kinds, [] { return load_options(); });
     SessionOrigin const origin { plant_name(edits), TRACTUS_VERSION, options.now() };
     return Session::create(path, origin, edits, std::move(options));
 }

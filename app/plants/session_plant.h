@@ -19,10 +19,11 @@ bool is_session_file(std::filesystem::path const& path);
 
 // The edits of a session that count and can be made, in order: a step that needs what was lost when
 // the session was damaged is left out. Fails like read_session().
-Result<std::vector<Edit>> session_edits(std::filesystem::path const& path);
+Result<std::vector<Edit>> session_edits(std::filesystem::path const& path, EditKinds kinds);
 
 // What they amount to.
-Result<Scene> load_session_scene(std::filesystem::path const& path, ModelCost const& cost = {});
+Result<Scene> load_session_scene(std::filesystem::path const& path, EditKinds kinds,
+                                 ModelCost const& cost = {});
 
 // What the edits of a session amount to, as far as they can be made, and how many of its steps
 // cannot.
@@ -39,6 +40,7 @@ Result<Plant> shown_plant(BuiltPlant const& built);
 
 // Begins a session that this program, at this time, begins with `edits`. Fails like
 // Session::create().
-Result<Session> begin_session(std::filesystem::path const& path, std::vector<Edit> const& edits);
+Result<Session> begin_session(std::filesystem::path const& path, std::vector<Edit> const& edits,
+                              EditKinds kinds);
 
 } // namespace tractus

@@ -16,9 +16,9 @@ EditRecord record_of(Edit const& edit)
     return { edit.kind().word, writer.json(), writer.take_numbers() };
 }
 
-Result<Edit> edit_of(EditRecord const& record)
+Result<Edit> edit_of(EditRecord const& record, EditKinds kinds)
 {
-    auto const* const kind = find_edit_kind(core_edit_kinds(), record.kind);
+    auto const* const kind = find_edit_kind(kinds, record.kind);
     if (!kind)
         return fail(Fault::User,
                     fmt::format("its kind \"{}\" is unknown to this tractus: a newer one has "
@@ -34,9 +34,9 @@ Result<Edit> edit_of(EditRecord const& record)
     return Edit(*kind, std::move(fields));
 }
 
-Edit edit_or_unknown(EditRecord const& record)
+Edit edit_or_unknown(EditRecord const& record, EditKinds kinds)
 {
-    if (auto edit = edit_of(record))
+    if (auto edit = edit_of(record, kinds))
         return *std::move(edit);
     else
         return UnknownEdit { record.kind, record.fields, record.numbers, edit.error().message };

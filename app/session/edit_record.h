@@ -26,13 +26,13 @@ struct EditRecord {
 // U+0000 to U+00FF for each byte.
 EditRecord record_of(Edit const& edit);
 
-// Refuses, in a sentence without the file's name, a kind or a field that this program does not know
-// and what does not have its form. Fields that are missing are as they are by default, as they were
-// before a newer program knew them.
-Result<Edit> edit_of(EditRecord const& record);
+// Refuses, in a sentence without the file's name, a kind that is none of `kinds`, a field that it
+// does not have, and what does not have its form. Fields that are missing are as they are by
+// default, as they were before a newer program knew them.
+Result<Edit> edit_of(EditRecord const& record, EditKinds kinds);
 
 // The edit of a record, or where edit_of() refuses it the record itself, as an UnknownEdit: a
 // session may come from a newer program, or from one with more methods.
-Edit edit_or_unknown(EditRecord const& record);
+Edit edit_or_unknown(EditRecord const& record, EditKinds kinds);
 
 } // namespace tractus

@@ -26,7 +26,7 @@ bool has_kinds(FoundRow const& row, std::initializer_list<Kind> kinds)
 }
 
 // The edit, if the row is one as it was written.
-std::optional<EditRow> edit_row(FoundRow&& found)
+std::optional<EditRow> edit_row(FoundRow&& found, EditKinds kinds)
 {
     bool const has_checksum = has_kinds(
         found,
@@ -41,7 +41,7 @@ std::optional<EditRow> edit_row(FoundRow&& found)
                               std::move(found.columns[4].bytes) } };
     row.place.checksum = checksum_of(row);
     if (has_none) // Nothing else tells whether it is whole.
-        return edit_of(row.record) ? std::optional(std::move(row)) : std::nullopt;
+        return edit_of(row.record, kinds) ? std::optional(std::move(row)) : std::nullopt;
     row.made = std::chrono::sys_seconds(std::chrono::seconds(found.columns[5].whole));
     return found.columns[6].whole == row.place.checksum ? std::optional(std::move(row))
                                                         : std::nullopt;
@@ -49,12 +49,17 @@ std::optional<EditRow> edit_row(FoundRow&& found)
 
 class Scan {
 public:
+    explicit Scan(EditKinds kinds)
+        : kinds_(kinds)
+    {
+    }
+
     void take(FoundRow&& found)
     {
         if (found.columns.size() == kMetaColumns)
             return take_meta(found);
         auto const standing = found.standing;
-        if (auto row = edit_row(std::move(found)))
+        if (auto row = edit_row(std::move(found), kinds_))
             take_edit(*std::move(row), standing);
     }
 
@@ -114,13 +119,14 @@ private:
             meta_.try_emplace(key.bytes, text);
     }
 
+    EditKinds kinds_;
     std::map<std::int64_t, Candidate> edits_;
     std::map<std::string, std::string> meta_;
 };
 
 } // namespace
 
-ScannedSession scan_pages(std::string_view file, std::string_view log)
+ScannedSession scan_pages(std::string_view file, std::string_view log, EditKinds kinds)
 {
     auto const accepts = [](std::size_t columns) {
         return columns == kEditColumns || columns == kEditColumnsOfFormat1
@@ -129,10 +135,10 @@ ScannedSession scan_pages(std::string_view file, std::string_view log)
     // The size that the file says, if it is one, and the usual one; others where these find
     // nothing.
     constexpr std::size_t kUsualPageBytes = 4096;
-    Scan best;
+    Scan best(kinds);
     std::size_t tried = 0;
     for (auto const page_size : SqlitePages::likely_page_sizes(file)) {
-        Scan scan;
+        Scan scan(kinds);
         SqlitePages(file, log, page_size).find_rows(accepts, [&](FoundRow&& row) {
             scan.take(std::move(row));
         });

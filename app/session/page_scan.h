@@ -27,6 +27,8 @@ struct ScannedSession {
 // done, stay away.
 //
 // No size, count or page number that stands in the file is believed.
-ScannedSession scan_pages(std::string_view file, std::string_view log);
+//
+// A row of the oldest format, which has no checksum, is one if it is an edit of these kinds.
+ScannedSession scan_pages(std::string_view file, std::string_view log, EditKinds kinds);
 
 } // namespace tractus

@@ -52,9 +52,9 @@ std::vector<Edit> with_ids(std::span<Edit const> edits, Scene const& before)
 
 } // namespace
 
-SessionOptions session_by_the_clock(MakeLoadOptions load_options)
+SessionOptions session_by_the_clock(EditKinds kinds, MakeLoadOptions load_options)
 {
-    return { std::move(load_options), [] {
+    return { kinds, std::move(load_options), [] {
                 return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
             } };
 }
@@ -75,8 +75,8 @@ Result<Session> Session::create(fs::path const& path, SessionOrigin const& origi
     auto scene = TRY(build_scene(builder, history.state()));
     TRY(write_new_session(path, origin, beginning_rows(edits, origin.created), 0));
     auto database = TRY(open_to_write(path));
-    return Session(SessionStore(path, std::move(database)), std::move(options), std::move(history),
-                   std::move(builder), std::move(scene));
+    return Session(SessionStore(path, std::move(database), options.kinds), options,
+                   std::move(history), std::move(builder), std::move(scene));
 }
 
 Session Session::in_memory(Scene beginning, SessionOptions options)
@@ -92,8 +92,8 @@ Result<Session> Session::open(fs::path const& path, SessionOptions options)
     auto database = TRY(open_to_write(path));
     TRY(migrate(database, path));
     TRY(database.execute("COMMIT; BEGIN IMMEDIATE"));
-    auto const summary = TRY(check_session(database, path.string()));
-    SessionStore store(path, std::move(database));
+    auto const summary = TRY(check_session(database, path.string(), options.kinds));
+    SessionStore store(path, std::move(database), options.kinds);
     SceneBuilder builder(options.load_options);
     auto const build = [&]() -> Result<std::pair<SessionHistory, Scene>> {
         auto history = TRY(

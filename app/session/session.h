@@ -17,12 +17,13 @@
 namespace tractus {
 
 struct SessionOptions {
+    EditKinds kinds; // That a file may have; others are unknown.
     MakeLoadOptions load_options;
     std::function<std::chrono::sys_seconds()> now; // The clock on the wall: when steps are made.
 };
 
 // By the system's clock, models cost what `load_options` says.
-SessionOptions session_by_the_clock(MakeLoadOptions load_options);
+SessionOptions session_by_the_clock(EditKinds kinds, MakeLoadOptions load_options);
 
 // What somebody draws, kept in a file (session_file.h) as it is drawn. When a call here returns
 // what it did is on the disk, whatever becomes of the program or the machine; when it fails nothing

@@ -92,11 +92,15 @@ Result<void> for_each_row(Database const& database, std::int64_t format,
     return {};
 }
 
-using TakeEdit = std::function<void(SessionEdit&&)>;
+// What is done with each edit, and what kinds there are.
+struct EditReader {
+    EditKinds kinds;
+    std::function<void(SessionEdit&&)> take;
+};
 
 // Answers the last step.
 Result<std::size_t> read_edits(Database const& database, std::string const& name,
-                               TakeEdit const& take)
+                               EditReader const& reader)
 {
     auto const format = TRY(read_format(database, name));
     std::int64_t count = 0;
@@ -110,7 +114,7 @@ Result<std::size_t> read_edits(Database const& database, std::string const& name
         if (row.place.checksum != checksum(row.step, row.record))
             return damaged(name, fmt::format("edit {} is not as it was written", count));
         last_step = row.step;
-        take({ row.step, edit_or_unknown(row.record), row.made, row.place });
+        reader.take({ row.step, edit_or_unknown(row.record, reader.kinds), row.made, row.place });
         return {};
     };
     TRY(for_each_row(database, format, read));
@@ -120,13 +124,14 @@ Result<std::size_t> read_edits(Database const& database, std::string const& name
 }
 
 Result<SessionSummary> read_all(Database const& database, std::string const& name,
-                                TakeEdit const& take)
+                                EditReader const& reader)
 {
     SessionSummary summary;
-    summary.last_step = TRY(read_edits(database, name, [&](SessionEdit&& edit) {
+    auto const count_unknown = [&](SessionEdit&& edit) {
         summary.unknown.add(edit);
-        take(std::move(edit));
-    }));
+        reader.take(std::move(edit));
+    };
+    summary.last_step = TRY(read_edits(database, name, { reader.kinds, count_unknown }));
     auto meta = TRY(database.prepare("SELECT key, value FROM meta"));
     std::int64_t step = -1;
     while (TRY(meta.step())) {
@@ -176,11 +181,11 @@ tl::unexpected<Error> changed_since(std::int64_t number)
         fmt::format("edit {} is not in the session's file any more as it was written", number));
 }
 
-Result<Edit> checked_edit(EditRow const& row)
+Result<Edit> checked_edit(EditRow const& row, EditKinds kinds)
 {
     if (row.place.checksum != checksum(row.step, row.record))
         return changed_since(row.place.number);
-    return edit_or_unknown(row.record);
+    return edit_or_unknown(row.record, kinds);
 }
 
 Result<void> write_meta(Database const& database, char const* key, std::int64_t value)
@@ -218,22 +223,22 @@ std::int64_t checksum_of(EditRow const& row)
     return checksum(row.step, row.record);
 }
 
-Result<SessionContents> read_session(std::filesystem::path const& path)
+Result<SessionContents> read_session(std::filesystem::path const& path, EditKinds kinds)
 {
     auto const database = TRY(Database::open(path, Database::Access::Read));
     TRY(database.execute("BEGIN")); // One moment of it, if another program goes on writing.
     SessionContents contents;
-    auto summary = TRY(read_all(database, path.string(), [&](SessionEdit&& edit) {
-        contents.edits.push_back(std::move(edit));
-    }));
+    auto const take = [&](SessionEdit&& edit) { contents.edits.push_back(std::move(edit)); };
+    auto summary = TRY(read_all(database, path.string(), { kinds, take }));
     contents.origin = std::move(summary.origin);
     contents.step = summary.step;
     return contents;
 }
 
-Result<SessionSummary> check_session(Database const& database, std::string const& name)
+Result<SessionSummary> check_session(Database const& database, std::string const& name,
+                                     EditKinds kinds)
 {
-    return read_all(database, name, [](SessionEdit&&) {});
+    return read_all(database, name, { kinds, [](SessionEdit&&) {} });
 }
 
 // The tables, the rows and the origin, in one transaction.
@@ -343,7 +348,8 @@ Result<void> write_step(Database const& database, std::span<EditRow const> rows)
     return write_cursor(database, rows.front().step);
 }
 
-Result<std::vector<SessionEdit>> read_step(Database const& database, std::size_t step)
+Result<std::vector<SessionEdit>> read_step(Database const& database, std::size_t step,
+                                           EditKinds kinds)
 {
     auto const columns
         = fmt::format("SELECT {} FROM edits WHERE number >= ? ORDER BY number", kColumns);
@@ -354,12 +360,12 @@ Result<std::vector<SessionEdit>> read_step(Database const& database, std::size_t
         auto const row = row_of(rows, kSessionFormat);
         if (row.step != step)
             break;
-        edits.push_back({ row.step, TRY(checked_edit(row)), row.made, row.place });
+        edits.push_back({ row.step, TRY(checked_edit(row, kinds)), row.made, row.place });
     }
     return edits;
 }
 
-Result<Edit> read_edit(Database const& database, EditPlace const& place)
+Result<Edit> read_edit(Database const& database, EditPlace const& place, EditKinds kinds)
 {
     auto const columns = fmt::format("SELECT {} FROM edits WHERE number = ?", kColumns);
     auto rows = TRY(database.prepare(columns.c_str()));
@@ -369,7 +375,7 @@ Result<Edit> read_edit(Database const& database, EditPlace const& place)
     auto const row = row_of(rows, kSessionFormat);
     if (row.place.checksum != place.checksum)
         return changed_since(place.number);
-    return checked_edit(row);
+    return checked_edit(row, kinds);
 }
 
 // What the first format lacked.

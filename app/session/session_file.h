@@ -80,13 +80,15 @@ struct SessionSummary {
     UnknownEdits unknown {};
 };
 
-// Reads a session and changes nothing; another program may be drawing in it. Fails, as the user's
-// fault, in a sentence, for what is no session, is damaged, or is newer than this program.
-Result<SessionContents> read_session(std::filesystem::path const& path);
+// Reads a session and changes nothing; another program may be drawing in it. What is none of
+// `kinds` is unknown. Fails, as the user's fault, in a sentence, for what is no session, is
+// damaged, or is newer than this program.
+Result<SessionContents> read_session(std::filesystem::path const& path, EditKinds kinds);
 
 // The same from a database that is open, of which `name` is the file's: all edits are checked, and
 // forgotten.
-Result<SessionSummary> check_session(Database const& database, std::string const& name);
+Result<SessionSummary> check_session(Database const& database, std::string const& name,
+                                     EditKinds kinds);
 
 // Edits that belong together.
 struct SessionStep {
@@ -122,10 +124,11 @@ Result<std::vector<EditRow>> rows_of(Database const& database, SessionStep const
 Result<void> write_step(Database const& database, std::span<EditRow const> rows);
 
 // The edits of a step, read back; of a file that was checked. Fails where it was damaged since.
-Result<std::vector<SessionEdit>> read_step(Database const& database, std::size_t step);
+Result<std::vector<SessionEdit>> read_step(Database const& database, std::size_t step,
+                                           EditKinds kinds);
 
 // One edit, likewise. Fails, too, where another has taken its place.
-Result<Edit> read_edit(Database const& database, EditPlace const& place);
+Result<Edit> read_edit(Database const& database, EditPlace const& place, EditKinds kinds);
 
 // Brings a session of an older format up to date. The file as it was stays beside it, with ".bak"
 // after its name. Nothing happens to a file that is up to date. Inside of a transaction.

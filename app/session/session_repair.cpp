@@ -50,16 +50,17 @@ std::vector<std::int64_t> missing_numbers(std::vector<EditRow> const& rows)
 }
 
 // What an edit of an older session makes is known by the edit's number, which it is about to lose.
-void give_id(EditRow& row)
+void give_id(EditRow& row, EditKinds kinds)
 {
-    auto const edit = edit_of(row.record);
+    auto const edit = edit_of(row.record, kinds);
     if (edit && row.place.number > 0)
         row.record = record_of(with_id(*edit, static_cast<std::uint64_t>(row.place.number)));
 }
 
 // The rows with numbers and steps without gaps, behind `first` edits of the beginning.
-std::vector<EditRow> numbered_anew(std::vector<EditRow> rows, std::size_t first)
+std::vector<EditRow> numbered_anew(SalvagedSession const& session, std::size_t first)
 {
+    auto rows = session.rows;
     auto number = static_cast<std::int64_t>(first);
     std::size_t step = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -68,7 +69,7 @@ std::vector<EditRow> numbered_anew(std::vector<EditRow> rows, std::size_t first)
         // A beginning that is put in front is step 0, and so is what is left of the old one.
         if (is_first)
             step = first > 0 && old_step > 0 ? 1 : 0;
-        give_id(rows[i]);
+        give_id(rows[i], session.kinds);
         rows[i].place.number = ++number;
         bool const step_ends = i + 1 < rows.size() && rows[i + 1].step != old_step;
         rows[i].step = step;
@@ -90,7 +91,7 @@ std::size_t step_anew(SalvagedSession const& session, std::vector<EditRow> const
 
 } // namespace
 
-Result<SalvagedSession> salvage_session(fs::path const& path)
+Result<SalvagedSession> salvage_session(fs::path const& path, EditKinds kinds)
 {
     auto const file = TRY(read_file(path, kMostBytes));
     auto const log_path = fs::path(path.string() + "-wal");
@@ -98,11 +99,11 @@ Result<SalvagedSession> salvage_session(fs::path const& path)
     std::string log;
     if (fs::exists(log_path, ignored))
         log = TRY(read_file(log_path, kMostBytes));
-    auto scanned = scan_pages(file, log);
+    auto scanned = scan_pages(file, log, kinds);
     if (scanned.rows.empty())
         return fail(Fault::User,
                     fmt::format("{}: no edit of a session can be found in it", path.string()));
-    SalvagedSession session;
+    SalvagedSession session { .kinds = kinds };
     session.missing = missing_numbers(scanned.rows);
     session.origin = { .plant = text_of(scanned, "plant", path.stem().c_str()),
                        .program = text_of(scanned, "program", "an unknown version") };
@@ -123,9 +124,10 @@ Result<SalvagedSession> salvage_session(fs::path const& path)
 SessionContents contents_of(SalvagedSession const& session)
 {
     SessionContents contents { .origin = session.origin, .edits = {}, .step = 0 };
-    auto const anew = numbered_anew(session.rows, 0);
+    auto const anew = numbered_anew(session, 0);
     for (auto const& row : anew)
-        contents.edits.push_back({ row.step, edit_or_unknown(row.record), row.made, row.place });
+        contents.edits.push_back(
+            { row.step, edit_or_unknown(row.record, session.kinds), row.made, row.place });
     contents.step = step_anew(session, anew);
     return contents;
 }
@@ -134,7 +136,7 @@ Result<void> write_repaired(SalvagedSession const& session, std::vector<Edit> co
                             fs::path const& path)
 {
     auto rows = beginning_rows(beginning, session.rows.front().made);
-    auto const anew = numbered_anew(session.rows, beginning.size());
+    auto const anew = numbered_anew(session, beginning.size());
     rows.insert(rows.end(), anew.begin(), anew.end());
     return write_new_session(path, session.origin, rows, step_anew(session, anew));
 }

@@ -13,6 +13,7 @@ namespace tractus {
 
 // What is left of a session that may be damaged anywhere.
 struct SalvagedSession {
+    EditKinds kinds {}; // That the program knows.
     SessionOrigin origin {};
     std::vector<EditRow> rows {};         // As they were written, in order; at least one.
     std::vector<std::int64_t> missing {}; // The numbers of those that are lost among them.
@@ -25,7 +26,7 @@ struct SalvagedSession {
 // Reads every edit of a session that is as it was written, wherever it stands, and changes nothing:
 // also where SQLite calls the file malformed. Fails, as the user's fault, where there is none, and
 // for a file that cannot be read or is larger than 4 GiB.
-Result<SalvagedSession> salvage_session(std::filesystem::path const& path);
+Result<SalvagedSession> salvage_session(std::filesystem::path const& path, EditKinds kinds);
 
 // Those edits as a session contents, numbered anew without gaps. Those that this program does
 // not know are UnknownEdits.

@@ -14,13 +14,15 @@ using Tips = SharedVector<TipSample>;
 // Any thread may read, while one writes.
 class SessionStore::File {
 public:
-    File(std::filesystem::path path, Database database)
+    File(std::filesystem::path path, Database database, EditKinds kinds)
         : path_(std::move(path))
+        , kinds_(kinds)
         , database_(std::move(database))
     {
     }
 
     std::filesystem::path const& path() const { return path_; }
+    EditKinds kinds() const { return kinds_; } // That its edits may have.
 
     // From here on it is only read.
     void close()
@@ -56,6 +58,7 @@ public:
 private:
     std::filesystem::path path_;
     mutable std::mutex mutex_;
+    EditKinds kinds_;
     std::optional<Database> database_; // No value once the store is gone.
 };
 
@@ -100,8 +103,8 @@ public:
 
     Result<std::vector<TipSample>> read() const override
     {
-        auto edit
-            = file_->read([&](Database const& database) { return read_edit(database, place_); });
+        auto edit = file_->read(
+            [&](Database const& database) { return read_edit(database, place_, file_->kinds()); });
         if (!edit)
             return fail(edit.error().fault,
                         fmt::format("the stroke of edit {} cannot be read: {}", place_.number,
@@ -117,8 +120,8 @@ private:
     EditPlace place_;
 };
 
-SessionStore::SessionStore(std::filesystem::path path, Database database)
-    : file_(std::make_shared<File>(std::move(path), std::move(database)))
+SessionStore::SessionStore(std::filesystem::path path, Database database, EditKinds kinds)
+    : file_(std::make_shared<File>(std::move(path), std::move(database), kinds))
 {
 }
 
@@ -147,8 +150,9 @@ void SessionStore::give_source(Edit& edit, EditPlace const& place) const
 
 Result<std::vector<SessionEdit>> SessionStore::read_step(std::size_t step) const
 {
-    auto edits = TRY(
-        file_->read([&](Database const& database) { return tractus::read_step(database, step); }));
+    auto edits = TRY(file_->read([&](Database const& database) {
+        return tractus::read_step(database, step, file_->kinds());
+    }));
     for (auto& edit : edits)
         give_source(edit.edit, edit.place);
     return edits;

@@ -22,7 +22,7 @@ namespace tractus {
 class SessionStore {
 public:
     // A database in which a transaction has begun.
-    SessionStore(std::filesystem::path path, Database database);
+    SessionStore(std::filesystem::path path, Database database, EditKinds kinds);
     SessionStore(SessionStore&&) noexcept = default;
     SessionStore& operator=(SessionStore&& other) noexcept;
     ~SessionStore(); // Lets others write.

@@ -86,7 +86,7 @@ Result<LogReplay> LogReplay::create(Log const& log, ReplayOptions const& options
         station_options.scripted_height = TRY(script_height(log, pen, *options.height));
 
     std::vector<std::string> left_out;
-    auto lines = TRY(read_lines(log, options.methods.tools, left_out));
+    auto lines = TRY(read_lines(log, options.methods, left_out));
     auto station = Station::create(log.devices, station_options);
     if (!station)
         return fail(station.error().fault,
@@ -95,21 +95,21 @@ Result<LogReplay> LogReplay::create(Log const& log, ReplayOptions const& options
 }
 
 // What no tool or step of this program is called was written by another one, with more of them.
-Result<std::vector<LogReplay::Line>> LogReplay::read_lines(Log const& log, ToolKinds tools,
+Result<std::vector<LogReplay::Line>> LogReplay::read_lines(Log const& log, Methods const& methods,
                                                            std::vector<std::string>& left_out)
 {
     std::vector<Line> lines;
     for (auto const& [time, word, arguments, position] : log.tools) {
         auto const place = fmt::format("{}: tool line at {:.6f} s", log.name, to_seconds(time));
-        if (auto step = parse_step(word, arguments)) {
+        if (auto step = parse_step(word, arguments, methods.edits)) {
             if (!*step)
                 return fail(Fault::User, fmt::format("{}: {}", place, step->error().message));
             lines.push_back({ position, time, **std::move(step) });
         } else if (word == pressing().kind().word) {
             lines.push_back({ position, time, pressing() });
-        } else if (auto const tool = parse_tool(tools, word, arguments)) {
+        } else if (auto const tool = parse_tool(methods.tools, word, arguments)) {
             lines.push_back({ position, time, *tool });
-        } else if (find_tool_kind(tools, word)) {
+        } else if (find_tool_kind(methods.tools, word)) {
             return fail(Fault::User, fmt::format("{}: {}", place, tool.error().message));
         } else {
             left_out.push_back(

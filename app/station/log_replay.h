@@ -74,7 +74,7 @@ private:
     LogReplay(Log const& log, Station station, std::vector<Line> lines,
               std::vector<std::string> left_out);
 
-    static Result<std::vector<Line>> read_lines(Log const& log, ToolKinds tools,
+    static Result<std::vector<Line>> read_lines(Log const& log, Methods const& methods,
                                                 std::vector<std::string>& left_out);
     void push_lines();
 

@@ -133,14 +133,15 @@ Result<void> write_one(GrowArguments const& arguments, Plant const& plant, std::
 }
 
 // A session says itself how its plant is derived; another seed is another variation of it.
-Result<Scene> load_session(GrowArguments const& arguments, std::filesystem::path const& path)
+Result<Scene> load_session(GrowArguments const& arguments, std::filesystem::path const& path,
+                           EditKinds kinds)
 {
     if (arguments.model.steps)
         return fail(Fault::User,
                     fmt::format("{} is a session, which has its own derivation steps: leave "
                                 "--steps out",
                                 path.string()));
-    auto scene = TRY(load_session_scene(path, arguments.cost));
+    auto scene = TRY(load_session_scene(path, kinds, arguments.cost));
     auto growth = scene.growth;
     growth.seed = arguments.model.seed.value_or(growth.seed);
     return apply_edit(std::move(scene), growth);
@@ -195,8 +196,8 @@ Result<void> grow_model(GrowArguments const& arguments, Methods const& methods)
     auto const path = TRY(find_model(arguments.model.model));
     auto const name = path.stem().string();
     bool const is_session = is_session_file(path);
-    auto scene
-        = TRY(is_session ? load_session(arguments, path) : load_model_scene(arguments, path));
+    auto scene = TRY(is_session ? load_session(arguments, path, methods.edits)
+                                : load_model_scene(arguments, path));
     scene = TRY(with_growth(arguments.growth, std::move(scene)));
     if (auto const drawing = drawing_options(arguments.drawing, methods))
         scene = TRY(add_drawing(*drawing, std::move(scene), name));

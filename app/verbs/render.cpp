@@ -59,10 +59,10 @@ std::string check_size(std::string const& text)
                       text, kSmallest_px, kLargest_px);
 }
 
-Result<Mesh> load_mesh(std::string const& path)
+Result<Mesh> load_mesh(std::string const& path, EditKinds kinds)
 {
     if (is_session_file(path)) {
-        auto const scene = TRY(load_session_scene(path));
+        auto const scene = TRY(load_session_scene(path, kinds));
         return make_mesh(TRY(shown_plant(scene)));
     }
     auto const bytes = TRY(read_file(path));
@@ -72,10 +72,10 @@ Result<Mesh> load_mesh(std::string const& path)
     return *std::move(mesh);
 }
 
-Result<void> run(RenderArguments const& arguments)
+Result<void> run(RenderArguments const& arguments, EditKinds kinds)
 {
     TRY(check_writable(arguments.output));
-    auto const mesh = TRY(load_mesh(arguments.input));
+    auto const mesh = TRY(load_mesh(arguments.input, kinds));
     auto const context = TRY(OffscreenContext::create());
     auto renderer = TRY(Renderer::create());
     GpuMesh const on_card(mesh);
@@ -91,7 +91,7 @@ Result<void> run(RenderArguments const& arguments)
 
 } // namespace
 
-void add_render_verb(CLI::App& root, Action& action)
+void add_render_verb(CLI::App& root, Action& action, Methods const& methods)
 {
     // Shared with the callback, which outlives this.
     auto const arguments = std::make_shared<RenderArguments>();
@@ -122,7 +122,9 @@ void add_render_verb(CLI::App& root, Action& action)
         ->type_name("DEGREES")
         ->check(number(0, 85))
         ->capture_default_str();
-    verb->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+    verb->callback([&action, arguments, kinds = methods.edits] {
+        action = [arguments, kinds] { return run(*arguments, kinds); };
+    });
 }
 
 } // namespace tractus

@@ -23,6 +23,7 @@ namespace tractus {
 namespace {
 
 struct SessionArguments {
+    EditKinds kinds; // That this program knows.
     std::filesystem::path file;
     std::filesystem::path folder = ".";
     std::filesystem::path repaired {};
@@ -46,13 +47,13 @@ struct ReadSession {
 };
 
 // Where a file is damaged what is whole of it is shown all the same.
-Result<ReadSession> read_what_is_whole(std::filesystem::path const& file)
+Result<ReadSession> read_what_is_whole(SessionArguments const& arguments)
 {
-    auto contents = read_session(file);
+    auto contents = read_session(arguments.file, arguments.kinds);
     if (contents)
         return ReadSession { *std::move(contents) };
     auto const damage = contents.error();
-    auto const salvaged = salvage_session(file);
+    auto const salvaged = salvage_session(arguments.file, arguments.kinds);
     if (!salvaged)
         return tl::unexpected(damage);
     return ReadSession { contents_of(*salvaged), tl::unexpected(damage) };
@@ -60,7 +61,7 @@ Result<ReadSession> read_what_is_whole(std::filesystem::path const& file)
 
 Result<void> print_info(SessionArguments const& arguments)
 {
-    auto const [contents, whole] = TRY(read_what_is_whole(arguments.file));
+    auto const [contents, whole] = TRY(read_what_is_whole(arguments));
     auto const [scene, edits, unknown, skipped_steps] = TRY(fold_session(contents));
     std::set<Timestamp> strokes; // One that shapes several branches counts once.
     std::size_t orphans = 0;
@@ -99,7 +100,7 @@ Result<void> print_info(SessionArguments const& arguments)
 
 Result<void> print_log(SessionArguments const& arguments)
 {
-    auto const [contents, whole] = TRY(read_what_is_whole(arguments.file));
+    auto const [contents, whole] = TRY(read_what_is_whole(arguments));
     std::string text;
     for (auto const& [step, edit, made, place] : contents.edits)
         text += fmt::format("{:>5}  step {:<5} {:<23}  {}{}\n", place.number, step, date_text(made),
@@ -148,7 +149,7 @@ bool has_beginning(SalvagedSession const& session)
 Result<void> repair(SessionArguments const& arguments)
 {
     TRY(check_writable(arguments.repaired));
-    auto const session = TRY(salvage_session(arguments.file));
+    auto const session = TRY(salvage_session(arguments.file, arguments.kinds));
     std::vector<Edit> beginning;
     if (!arguments.plant.empty()) {
         auto const model = TRY(find_model(arguments.plant));
@@ -166,7 +167,7 @@ Result<void> export_files(SessionArguments const& arguments)
 {
     TRY(check_writable(arguments.folder / "strokes.txt"));
     std::string text;
-    for (auto const& file : TRY(export_session(arguments.file, arguments.folder)))
+    for (auto const& file : TRY(export_session(arguments.file, arguments.folder, arguments.kinds)))
         text += fmt::format("wrote {}\n", file.string());
     return print_out(text);
 }
@@ -187,10 +188,11 @@ CLI::App& add_part(CLI::App& verb, std::string const& name, std::string const& d
 
 } // namespace
 
-void add_session_verb(CLI::App& root, Action& action)
+void add_session_verb(CLI::App& root, Action& action, Methods const& methods)
 {
     // Shared with the callbacks, which outlive this.
     auto const arguments = std::make_shared<SessionArguments>();
+    arguments->kinds = methods.edits;
     auto* const verb = root.add_subcommand("session", "Look into what the station has kept");
     verb->require_subcommand(1);
     add_part(*verb, "info", "Say what a session is and holds", { action, print_info }, arguments);

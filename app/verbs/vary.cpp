@@ -36,6 +36,7 @@ Result<void> vary(VaryArguments const& arguments, Methods const& methods)
     bool const is_one_file = options.output.extension() == ".glb";
     TRY(check_writable(is_one_file ? options.output : options.output / "plant.glb"));
     options.model = TRY(find_model(arguments.model));
+    options.kinds = methods.edits;
     options.drawing = drawing_options(arguments.drawing, methods);
     auto const [youngest, oldest] = parse_range(arguments.ages).value();
     options.ages = { youngest, oldest };

@@ -53,10 +53,10 @@ struct WindowArguments {
     std::string screenshot;
 };
 
-Result<Scene> load_scene(std::filesystem::path const& model)
+Result<Scene> load_scene(std::filesystem::path const& model, EditKinds kinds)
 {
     if (is_session_file(model))
-        return load_session_scene(model);
+        return load_session_scene(model, kinds);
     auto const edit = TRY(load_model_edit(model));
     return apply_edit({}, edit, make_load_options());
 }
@@ -84,25 +84,26 @@ Result<std::vector<Edit>> model_edits(std::filesystem::path const& model)
 }
 
 // The session in the file, or a new one of the plant.
-Result<Session> keep_in(std::filesystem::path const& file, std::filesystem::path const& model)
+Result<Session> keep_in(std::filesystem::path const& file, std::filesystem::path const& model,
+                        EditKinds kinds)
 {
     std::error_code ignored;
     if (std::filesystem::exists(file, ignored)) {
         auto session
-            = TRY(Session::open(file, session_by_the_clock([] { return load_options(); })));
+            = TRY(Session::open(file, session_by_the_clock(kinds, [] { return load_options(); })));
         if (auto const said = session.unknown().sentence(); !said.empty())
             print_warning(fmt::format("{}: {}", file.string(), said));
         return session;
     }
-    auto edits = is_session_file(model) ? session_edits(model) : model_edits(model);
-    return begin_session(file, TRY(edits));
+    auto edits = is_session_file(model) ? session_edits(model, kinds) : model_edits(model);
+    return begin_session(file, TRY(edits), kinds);
 }
 
 Result<void> show_replay(WindowArguments const& arguments)
 {
     auto const model = TRY(find_model(arguments.model));
     ReplayOptions options { .methods = arguments.methods };
-    auto scene = TRY(load_scene(model));
+    auto scene = TRY(load_scene(model, arguments.methods.edits));
     if (!arguments.rig.empty())
         options.rig = TRY(load_rig(arguments.rig));
     if (!arguments.height.empty())
@@ -110,7 +111,7 @@ Result<void> show_replay(WindowArguments const& arguments)
     auto const log = TRY(read_log(arguments.log));
     std::optional<Session> session;
     if (!arguments.session.empty())
-        session = TRY(keep_in(arguments.session, model));
+        session = TRY(keep_in(arguments.session, model, arguments.methods.edits));
     ClosingSignals const signals; // Until the window is closed and all is kept.
     auto window = TRY(ReplayWindow::create(log, options, std::move(scene),
                                            std::filesystem::current_path(), std::move(session)));
@@ -124,14 +125,14 @@ Result<void> keep(WindowArguments const& arguments, std::filesystem::path const&
                   LiveWindowOptions& options, std::filesystem::path& unnamed)
 {
     if (!arguments.session.empty()) {
-        options.session = TRY(keep_in(arguments.session, model));
+        options.session = TRY(keep_in(arguments.session, model, arguments.methods.edits));
         return {};
     }
-    options.scene = TRY(load_scene(model));
+    options.scene = TRY(load_scene(model, arguments.methods.edits));
     auto const begin = [&]() -> Result<Session> {
         auto const now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
         unnamed = TRY(unnamed_session_path(model.stem().string(), now));
-        return keep_in(unnamed, model);
+        return keep_in(unnamed, model, arguments.methods.edits);
     };
     auto session = begin();
     if (!session) {

@@ -39,7 +39,8 @@ double resident_mb()
 class Day {
 public:
     explicit Day(fs::path const& path)
-        : controller_(station_, begin_session(path, { model() }).value(), {}, ".")
+        : controller_(station_, begin_session(path, { model() }, core_edit_kinds()).value(), {},
+                      ".")
     {
     }
 
@@ -77,7 +78,7 @@ public:
     // Whether the session has each stroke that was not taken back, and no other.
     bool has_lost_nothing(fs::path const& path) const
     {
-        auto const session = read_session(path);
+        auto const session = read_session(path, core_edit_kinds());
         if (!session)
             return false;
         std::int64_t stroke = 0;

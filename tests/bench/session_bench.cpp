@@ -38,7 +38,7 @@ Stroke bent_stroke(std::size_t number)
 
 SessionOptions options()
 {
-    return session_by_the_clock([] { return load_options(); });
+    return session_by_the_clock(core_edit_kinds(), [] { return load_options(); });
 }
 
 // Half of its edits choose a branch, the others draw it.
@@ -51,7 +51,7 @@ public:
         fs::remove(path_);
         Edit const model = LoadModel { .source = { .name = "tree.l", .text = kMonopodialTree },
                                        .steps = kSteps };
-        auto session = begin_session(path_, { model }).value();
+        auto session = begin_session(path_, { model }, core_edit_kinds()).value();
         auto const& plant = *session.scene().base;
         for (std::size_t i = 0; i < kEdits / 2; ++i) {
             auto const axis = plant.axes[i * plant.axes.size() / (kEdits / 2)];

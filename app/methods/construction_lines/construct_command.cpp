@@ -28,6 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ConstructArguments {
+    Methods methods;
     fs::path sketch;
     fs::path output;
     lines::GivenBesides given;
@@ -88,7 +89,7 @@ Result<std::string> write_folder(ConstructArguments const& arguments, LoadModel 
         for (auto const* const ending : { ".png", ".glb" })
             TRY(write_plant_file(plant, name, fs::path(base).concat(ending)));
     if (arguments.session)
-        TRY(begin_session(fs::path(base).concat(".tractus"), { load }));
+        TRY(begin_session(fs::path(base).concat(".tractus"), { load }, arguments.methods.edits));
     return fmt::format("{}.l, .v, {} .func, .png, .glb{}", base.string(), model.functions.size(),
                        arguments.session ? ", .tractus" : "");
 }
@@ -169,9 +170,10 @@ void add_options(CLI::App& verb, ConstructArguments& arguments)
 
 } // namespace
 
-void add_construct_command(CLI::App& root, Action& action)
+void add_construct_command(CLI::App& root, Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<ConstructArguments>();
+    arguments->methods = methods;
     auto* const verb = root.add_subcommand("construct", "Make a plant from construction lines");
     add_options(*verb, *arguments);
     verb->footer(

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "app/tools/methods.h"
 #include "app/verbs/verb.h"
 
 namespace tractus {
 
 // tractus construct SKETCH -o DIR: a plant from construction lines.
-void add_construct_command(CLI::App& root, Action& action);
+void add_construct_command(CLI::App& root, Action& action, Methods const& methods);
 
 } // namespace tractus

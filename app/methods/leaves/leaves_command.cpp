@@ -211,7 +211,7 @@ void add_growth_options(CLI::App& verb, LeavesArguments& arguments)
 
 } // namespace
 
-void add_leaves_command(CLI::App& root, Action& action)
+void add_leaves_command(CLI::App& root, Action& action, Methods const&)
 {
     auto* const verb = root.add_subcommand("leaves", "Derive leaves from grammars");
     verb->require_subcommand(1);

@@ -131,7 +131,7 @@ Result<void> sketch_plant(SketchArguments const& arguments)
     for (auto const* const ending : { ".png", ".glb" })
         TRY(write_plant_file(*scene.base, name, fs::path(base).concat(ending)));
     if (arguments.session)
-        TRY(begin_session(fs::path(base).concat(".tractus"), { load }));
+        TRY(begin_session(fs::path(base).concat(".tractus"), { load }, arguments.methods.edits));
     return print_out(
         fmt::format("{0}.l, .v, .png, .glb{1}: {2} segments drawn, {3} internodes, {4} "
                     "leaves\n",

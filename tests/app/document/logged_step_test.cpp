@@ -12,7 +12,7 @@ namespace {
 
 std::string refusal(std::string_view name, std::string_view arguments)
 {
-    auto const step = parse_step(name, arguments);
+    auto const step = parse_step(name, arguments, core_edit_kinds());
     return step && !*step ? step->error().message : "";
 }
 
@@ -23,7 +23,7 @@ RC_GTEST_PROP(LoggedStep, EditsComeBackBitForBit, ())
         done.edits.push_back(random_edit());
     auto const words = words_for(done, 17);
     RC_ASSERT(words.arguments.find('\n') == std::string::npos);
-    auto const step = parse_step(words.name, words.arguments);
+    auto const step = parse_step(words.name, words.arguments, core_edit_kinds());
     RC_ASSERT(step.has_value());
     RC_ASSERT(step->has_value());
     RC_ASSERT((*step)->what == LoggedStep::What::Edits);
@@ -51,8 +51,8 @@ TEST(LoggedStep, IsReadableByEye)
 
 TEST(LoggedStep, OtherWordsAreNoStep)
 {
-    EXPECT_FALSE(parse_step("draw", "both"));
-    EXPECT_FALSE(parse_step("", ""));
+    EXPECT_FALSE(parse_step("draw", "both", core_edit_kinds()));
+    EXPECT_FALSE(parse_step("", "", core_edit_kinds()));
 }
 
 TEST(LoggedStep, RefusesWhatIsNone)
@@ -72,7 +72,9 @@ TEST(LoggedStep, RefusesWhatIsNone)
 TEST(LoggedStep, KeepsAnEditThatIsUnknown)
 {
     auto const step
-        = parse_step("step", R"(0 [{"kind":"graft","fields":{"on":3},"numbers":"00ff"}])").value();
+        = parse_step("step", R"(0 [{"kind":"graft","fields":{"on":3},"numbers":"00ff"}])",
+                     core_edit_kinds())
+              .value();
     ASSERT_TRUE(step);
     ASSERT_EQ(step->edits.size(), 1u);
     auto const* const unknown = step->edits[0].get<UnknownEdit>();

@@ -194,7 +194,7 @@ protected:
         std::vector<std::unique_ptr<ReportSource>> sources;
         sources.push_back(std::make_unique<Script>(simple_pen(), std::move(reports)));
         auto options = options_for_tests();
-        options.session = begin_session(path_, { small_model() }).value();
+        options.session = begin_session(path_, { small_model() }, all_methods().edits).value();
         auto window
             = LiveWindow::create(LiveDevices::start(std::move(sources)).value(), std::move(options))
                   .value();
@@ -203,7 +203,10 @@ protected:
         EXPECT_EQ(window.station().counts().strokes, 0u);
         return window;
     }
-    std::size_t kept_steps() const { return read_session(path_).value().last_step(); }
+    std::size_t kept_steps() const
+    {
+        return read_session(path_, all_methods().edits).value().last_step();
+    }
 
     fs::path path_
         = fs::temp_directory_path() / fmt::format("tractus_closing_{}.tractus", ::getpid());
@@ -454,8 +457,10 @@ LiveWindowOptions options_with_session(fs::path const& path)
 {
     auto options = options_for_tests();
     options.session = fs::exists(path)
-        ? Session::open(path, session_by_the_clock([] { return LoadOptions {}; })).value()
-        : begin_session(path, { small_model() }).value();
+        ? Session::open(path,
+                        session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; }))
+              .value()
+        : begin_session(path, { small_model() }, all_methods().edits).value();
     return options;
 }
 
@@ -468,11 +473,12 @@ TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
             = LiveWindow::create(drawing_devices(false), options_with_session(path)).value();
         advance_to_end(window);
         window.settle();
-        EXPECT_EQ(read_session(path).value().step, 1u); // While the window is open.
+        EXPECT_EQ(read_session(path, all_methods().edits).value().step,
+                  1u); // While the window is open.
         window.perform(Undo {});
         window.settle();
         EXPECT_TRUE(window.state().strokes.empty());
-        EXPECT_EQ(read_session(path).value().step, 0u);
+        EXPECT_EQ(read_session(path, all_methods().edits).value().step, 0u);
         window.perform(Undo {});
         window.settle();
         EXPECT_NE(window.state().status.find("nothing to undo"), std::string::npos);
@@ -491,8 +497,9 @@ TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
     advance_to_end(again);
     again.settle();
     EXPECT_EQ(again.scene().associations.size(), 2u);
-    EXPECT_EQ(read_session(path).value().step, 2u);
-    EXPECT_EQ(read_session(path).value().last_step(), 2u); // What was undone is gone.
+    EXPECT_EQ(read_session(path, all_methods().edits).value().step, 2u);
+    EXPECT_EQ(read_session(path, all_methods().edits).value().last_step(),
+              2u); // What was undone is gone.
     fs::remove(path);
 }
 
@@ -518,7 +525,7 @@ TEST_F(LiveWindowWithSession, KeepsGrowthAndTakesItBack)
     window.settle();
     EXPECT_EQ(window.state().seed, 2u);
     EXPECT_EQ(window.state().growth.age, 0.25);
-    auto const kept = read_session(path_).value();
+    auto const kept = read_session(path_, all_methods().edits).value();
     EXPECT_EQ(kept.last_step(), 2u);
     EXPECT_EQ(kept.edits.back().edit.get<SetGrowth>()->seed, 2u);
     window.perform(Undo {});
@@ -543,10 +550,10 @@ TEST_F(LiveWindowWithSession, ShowsWhatASliderWouldGiveAndKeepsItWhenItIsRelease
     EXPECT_FALSE(window.state().is_growing);
     EXPECT_LT(window.state().plant->triangle_count(), triangles);
     EXPECT_EQ(window.state().growth.age, 0.3);
-    EXPECT_EQ(read_session(path_).value().last_step(), 0u);
+    EXPECT_EQ(read_session(path_, all_methods().edits).value().last_step(), 0u);
     window.perform(ChangeGrowth { { "", 1, 0.2 }, Slider::Released });
     window.settle();
-    EXPECT_EQ(read_session(path_).value().last_step(), 1u);
+    EXPECT_EQ(read_session(path_, all_methods().edits).value().last_step(), 1u);
 }
 
 TEST_F(LiveWindowWithSession, MakesAVariationThePlant)
@@ -577,7 +584,7 @@ TEST_F(LiveWindowWithSession, RefusesGrowthThatThereIsNot)
     window.settle();
     EXPECT_NE(window.state().status.find("full-grown"), std::string::npos);
     EXPECT_EQ(window.state().growth.age, 1); // What holds is shown.
-    EXPECT_EQ(read_session(path_).value().last_step(), 0u);
+    EXPECT_EQ(read_session(path_, all_methods().edits).value().last_step(), 0u);
 }
 
 // What the window says is wrong after the height sensor has sent `counts` for 100 ms, at `now_ms`.

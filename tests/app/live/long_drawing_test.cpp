@@ -51,7 +51,7 @@ private:
     static Session session_at(fs::path const& path)
     {
         fs::remove(path);
-        return begin_session(path, { small_model() }).value();
+        return begin_session(path, { small_model() }, core_edit_kinds()).value();
     }
 };
 
@@ -78,7 +78,8 @@ TEST_F(LongDrawing, LeavesWhatIsKeptToTheFile)
     EXPECT_EQ(strokes_in_memory(controller_.document().session().scene()), 0);
     EXPECT_EQ(strokes_in_memory(scene()), 0);
     EXPECT_EQ(scene().associations.size(), kStrokes);
-    EXPECT_EQ(read_session(path_).value().last_step(), kStrokes) << "no lost edit";
+    EXPECT_EQ(read_session(path_, core_edit_kinds()).value().last_step(), kStrokes)
+        << "no lost edit";
 }
 
 TEST_F(LongDrawing, ReadsStrokesBackThatCountAgain)
@@ -126,7 +127,7 @@ TEST_F(LongDrawing, ShowsInkUntilTheStrokeIsInThePlant)
     controller_.show(station_, at_ms(now_ms_));
     EXPECT_GE(state.live_ink.size() + state.strokes.size(), 2u);
     controller_.settle(station_, at_ms(now_ms_ + 2000));
-    EXPECT_EQ(read_session(path_).value().last_step(), 2u);
+    EXPECT_EQ(read_session(path_, core_edit_kinds()).value().last_step(), 2u);
     EXPECT_EQ(state.strokes.size(), 2u);
     EXPECT_TRUE(state.live_ink.empty());
     EXPECT_EQ(state.unkept_steps, 0u);
@@ -148,7 +149,7 @@ TEST_F(LongDrawing, ANewStationLosesNothingThatAFullDiskCouldNotKeep)
     }
     ASSERT_TRUE(controller_.finish(station_, at_ms(now_ms_)));
     EXPECT_EQ(controller_.view().state().unkept_steps, 0u);
-    EXPECT_EQ(read_session(path_).value().last_step(), 3u);
+    EXPECT_EQ(read_session(path_, core_edit_kinds()).value().last_step(), 3u);
 }
 
 TEST_F(LongDrawing, ShowsAndGrowsWhatStillCounts)

@@ -144,11 +144,12 @@ TEST_F(ReplayedWindow, KeepsWhatIsDrawnInASession)
     auto const path
         = fs::temp_directory_path() / fmt::format("tractus_replay_{}.tractus", ::getpid());
     fs::remove(path);
-    auto window = ReplayWindow::create(log_, { .methods = all_methods() }, {}, ".",
-                                       begin_session(path, { small_model() }).value())
-                      .value();
+    auto window
+        = ReplayWindow::create(log_, { .methods = all_methods() }, {}, ".",
+                               begin_session(path, { small_model() }, all_methods().edits).value())
+              .value();
     play(window);
-    EXPECT_EQ(read_session(path)->last_step(), 3u); // What selects, too.
+    EXPECT_EQ(read_session(path, all_methods().edits)->last_step(), 3u); // What selects, too.
     EXPECT_EQ(window.state().indicators.size(), 1u);
     window.perform(Undo {});
     window.settle();
@@ -158,7 +159,7 @@ TEST_F(ReplayedWindow, KeepsWhatIsDrawnInASession)
     EXPECT_TRUE(window.state().strokes.empty());
     play(window);
     EXPECT_EQ(window.state().strokes.size(), 2u);
-    EXPECT_EQ(read_session(path)->last_step(), 6u)
+    EXPECT_EQ(read_session(path, all_methods().edits)->last_step(), 6u)
         << "beginning again is a step in place of undone ones";
     fs::remove(path);
 }

@@ -55,10 +55,10 @@ TEST_F(UnnamedSession, GoesAgainOnlyIfNothingWasDrawn)
 {
     std::vector<Edit> const beginning { small_model() };
     auto const empty = path("empty");
-    ASSERT_TRUE(begin_session(empty, beginning));
+    ASSERT_TRUE(begin_session(empty, beginning, core_edit_kinds()));
     auto const drawn = path("drawn");
     {
-        auto session = begin_session(drawn, beginning).value();
+        auto session = begin_session(drawn, beginning, core_edit_kinds()).value();
         std::vector<Edit> const edits { SetGrowth {} };
         ASSERT_TRUE(session.append(edits));
         ASSERT_TRUE(session.undo());

@@ -146,8 +146,8 @@ TEST_P(FixtureOfFormat, GivesItsPlantAndItsEdits)
     auto const path
         = fs::temp_directory_path() / fmt::format("tractus_{}_{}.tractus", name, ::getpid());
     fs::copy_file(fixture(name + ".tractus"), path); // Reading may leave files beside it.
-    expect_digest(name, load_session_scene(path).value());
-    auto const contents = read_session(path);
+    expect_digest(name, load_session_scene(path, all_methods().edits).value());
+    auto const contents = read_session(path, core_edit_kinds());
     ASSERT_TRUE(contents) << contents.error().message;
     std::ifstream in(fixture(name + ".txt"));
     std::string line;

@@ -23,8 +23,8 @@ TEST(SessionExport, WritesNothingOutsideOfItsFolder)
         model.includes[name] = "harm";
         auto const path = folder / "a.tractus";
         std::filesystem::remove(path);
-        ASSERT_TRUE(begin_session(path, { model }));
-        auto const written = export_session(path, folder / "inner");
+        ASSERT_TRUE(begin_session(path, { model }, core_edit_kinds()));
+        auto const written = export_session(path, folder / "inner", core_edit_kinds());
         ASSERT_FALSE(written) << name;
         EXPECT_NE(written.error().message.find("outside the model's folder"), std::string::npos);
         EXPECT_TRUE(std::filesystem::exists(folder / "inner" / "model.l"));

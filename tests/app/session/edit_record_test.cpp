@@ -12,14 +12,14 @@ namespace {
 
 std::string refusal(EditRecord const& record)
 {
-    auto const edit = edit_of(record);
+    auto const edit = edit_of(record, core_edit_kinds());
     return edit ? "" : edit.error().message;
 }
 
 RC_GTEST_PROP(EditRecord, GivesEveryEditBackBitForBit, ())
 {
     auto const edit = random_edit();
-    auto const read = edit_of(record_of(edit));
+    auto const read = edit_of(record_of(edit), core_edit_kinds());
     RC_ASSERT(read.has_value());
     RC_ASSERT(same(*read, edit));
 }
@@ -32,7 +32,7 @@ RC_GTEST_PROP(EditRecord, TakesAnyBytesWithoutHarm, ())
         if (!part.empty())
             part[*rc::gen::inRange<std::size_t>(0, part.size())] = *rc::gen::arbitrary<char>();
     }
-    auto const read = edit_of(record);
+    auto const read = edit_of(record, core_edit_kinds());
     if (!read)
         RC_ASSERT(!read.error().message.empty());
 }
@@ -68,7 +68,7 @@ TEST(EditRecord, IsReadableByEyeAndStaysAsItIs)
     auto const tilted = record_of(leaning);
     EXPECT_EQ(tilted.fields, R"({"propagation":"selected","fit":"start","kept_hand":1.0,"id":5})");
     EXPECT_EQ(tilted.numbers, std::string(40, '\0') + '\x10' + std::string(15, '\0') + '\x40');
-    EXPECT_FALSE(edit_of({ "associate", "{}", tilted.numbers.substr(0, 56) }));
+    EXPECT_FALSE(edit_of({ "associate", "{}", tilted.numbers.substr(0, 56) }, core_edit_kinds()));
     EXPECT_EQ(record_of(Select { .at = { { { 0, 1 }, { 0, 4 } } } }).fields,
               R"({"at":[[[0,1],[0,4]]]})");
     EXPECT_EQ(record_of(DeleteStroke { { .ids = { 7, 9 } } }).fields, R"({"strokes":[7,9]})");
@@ -78,7 +78,8 @@ TEST(EditRecord, IsReadableByEyeAndStaysAsItIs)
 
 TEST(EditRecord, FieldsThatAreMissingAreAsTheyAreByDefault)
 {
-    auto const edit = edit_of({ "load_model", R"({"name":"a.l","text":"x"})", "" });
+    auto const edit
+        = edit_of({ "load_model", R"({"name":"a.l","text":"x"})", "" }, core_edit_kinds());
     ASSERT_TRUE(edit) << edit.error().message;
     EXPECT_TRUE(same(*edit, LoadModel { .source = { .name = "a.l", .text = "x" } }));
 }

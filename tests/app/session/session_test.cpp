@@ -17,7 +17,8 @@ TEST_F(SessionTest, HoldsWhatWasAppended)
         ASSERT_TRUE(session.append(drawing_step(i)));
     auto const scene = session.scene();
     EXPECT_EQ(scene.associations.size(), 3u);
-    auto const contents = read_session(path()).value(); // While it is being written.
+    auto const contents
+        = read_session(path(), core_edit_kinds()).value(); // While it is being written.
     EXPECT_EQ(contents.edits.size(), 8u);
     EXPECT_EQ(contents.step, 3u);
     EXPECT_EQ(contents.origin.plant, "small.l");
@@ -71,7 +72,7 @@ TEST_F(SessionTest, AStrokeAfterUndoReplacesWhatWasUndone)
     ASSERT_EQ(session.scene().associations.size(), 2u);
     EXPECT_NEAR(session.scene().associations[1].what.stroke.tips.back().position_mm.x(), 70.7,
                 1e-9);
-    EXPECT_EQ(read_session(path()).value().edits.size(), 6u);
+    EXPECT_EQ(read_session(path(), core_edit_kinds()).value().edits.size(), 6u);
 }
 
 TEST_F(SessionTest, AStepThatIsRefusedChangesNothing)
@@ -80,7 +81,7 @@ TEST_F(SessionTest, AStepThatIsRefusedChangesNothing)
     ASSERT_TRUE(session.append(drawing_step(1)));
     EXPECT_FALSE(session.append(std::vector<Edit> { Select {}, DeleteIndicator { .number = 9 } }));
     EXPECT_EQ(session.scene().selection.size(), 1u);
-    EXPECT_EQ(read_session(path()).value().edits.size(), 4u);
+    EXPECT_EQ(read_session(path(), core_edit_kinds()).value().edits.size(), 4u);
     ASSERT_TRUE(session.append({}));
     EXPECT_EQ(session.step(), 1u);
 }
@@ -113,7 +114,7 @@ TEST_F(SessionTest, ThatTheProgramLeftOpenIsReadAsItWas)
     ASSERT_TRUE(session.append(drawing_step(1)));
     std::filesystem::copy_file(path(), path("b.tractus"));
     std::filesystem::copy_file(path().string() + "-wal", path("b.tractus").string() + "-wal");
-    EXPECT_EQ(read_session(path("b.tractus")).value().edits.size(), 4u);
+    EXPECT_EQ(read_session(path("b.tractus"), core_edit_kinds()).value().edits.size(), 4u);
     EXPECT_EQ(open("b.tractus").value().scene().associations.size(), 1u);
 }
 
@@ -135,12 +136,17 @@ TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
         }
         ASSERT_TRUE(
             Database::open(path(name), Database::Access::Write).value().execute(statements));
-        EXPECT_EQ(read_session(path(name)).value().edits.size(), 8u); // Reading needs no change.
+        EXPECT_EQ(read_session(path(name), core_edit_kinds()).value().edits.size(),
+                  8u); // Reading needs no change.
         EXPECT_EQ(file_count(), count_before + 1);
         {
             auto session = open(name).value();
             EXPECT_EQ(session.scene().associations.size(), 3u);
-            EXPECT_EQ(read_session(path(name)).value().edits.back().made.time_since_epoch().count(),
+            EXPECT_EQ(read_session(path(name), core_edit_kinds())
+                          .value()
+                          .edits.back()
+                          .made.time_since_epoch()
+                          .count(),
                       made);
             ASSERT_TRUE(
                 session.append(std::vector<Edit> { EraseTips { numbered({ 2 }), { { 0, 3 } } } }));
@@ -154,8 +160,8 @@ TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
         };
         EXPECT_EQ(format(name), kSessionFormat);
         EXPECT_EQ(format(name + ".bak"), older);
-        EXPECT_EQ(read_session(path(name)).value().edits.size(), 9u);
-        EXPECT_EQ(read_session(path(name + ".bak")).value().edits.size(), 8u);
+        EXPECT_EQ(read_session(path(name), core_edit_kinds()).value().edits.size(), 9u);
+        EXPECT_EQ(read_session(path(name + ".bak"), core_edit_kinds()).value().edits.size(), 8u);
     }
 }
 
@@ -205,7 +211,7 @@ TEST_F(SessionTest, MayHaveAnyName)
             auto session = create(name).value();
             ASSERT_TRUE(session.append(drawing_step(1)));
         }
-        EXPECT_EQ(read_session(path(name)).value().step, 1u);
+        EXPECT_EQ(read_session(path(name), core_edit_kinds()).value().step, 1u);
         EXPECT_TRUE(open(name)) << name;
     }
     EXPECT_EQ(file_count(), 4u);

@@ -17,7 +17,7 @@ namespace tractus {
 // A clock that stands still.
 inline SessionOptions options_for_tests()
 {
-    return { [] { return LoadOptions {}; },
+    return { core_edit_kinds(), [] { return LoadOptions {}; },
              [] { return std::chrono::sys_seconds(std::chrono::seconds(1'800'000'000)); } };
 }
 
@@ -102,7 +102,7 @@ protected:
     // Why a session cannot be opened, neither to read nor to write.
     std::string refusal(std::string const& name) const
     {
-        auto const read = read_session(path(name));
+        auto const read = read_session(path(name), core_edit_kinds());
         auto const opened = open(name);
         EXPECT_FALSE(read);
         EXPECT_FALSE(opened);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/command_line.h"
+#include "app/methods/all_commands.h"
 #include "app/methods/all_methods.h"
 
 #include <gtest/gtest.h>
@@ -24,8 +25,8 @@ inline Outcome run(std::vector<std::string> const& arguments)
         argv.push_back(argument.c_str());
     ::testing::internal::CaptureStdout();
     ::testing::internal::CaptureStderr();
-    auto const exit_code
-        = run_command_line(static_cast<int>(argv.size()), argv.data(), all_methods());
+    auto const exit_code = run_command_line(static_cast<int>(argv.size()), argv.data(),
+                                            with_commands(all_methods()));
     auto out = ::testing::internal::GetCapturedStdout();
     return { exit_code, std::move(out), ::testing::internal::GetCapturedStderr() };
 }
