@@ -46,12 +46,37 @@ std::vector<double> values_of(Tool const& tool)
     return std::move(reader.values);
 }
 
-class WordReader final : public OptionVisitor {
+class OptionReader final : public OptionVisitor {
 public:
     void word(WordOption const& option, int& value) override { words.push_back({ option, value }); }
-    void number(NumberOption const&, double&) override { }
+    void number(NumberOption const& option, double& value) override
+    {
+        numbers.push_back({ option, value });
+    }
 
     std::vector<ChosenWord> words;
+    std::vector<ChosenNumber> numbers;
+};
+
+class NumberSetter final : public OptionVisitor {
+public:
+    NumberSetter(std::size_t option, double value)
+        : option_(option)
+        , value_(value)
+    {
+    }
+
+    void word(WordOption const&, int&) override { }
+    void number(NumberOption const&, double& value) override
+    {
+        if (number_++ == option_)
+            value = value_;
+    }
+
+private:
+    std::size_t option_;
+    double value_;
+    std::size_t number_ = 0;
 };
 
 class WordSetter final : public OptionVisitor {
@@ -97,9 +122,8 @@ public:
     void number(NumberOption const& option, double& value) override
     {
         auto const start = fmt::format("{}=", option.name);
-        known_.push_back(fmt::format("{} and a number of {} from {:g} to {:g}", start,
-                                     *option.unit ? option.unit : "no unit", option.least,
-                                     option.greatest));
+        known_.push_back(fmt::format("{} with a number from {:g} to {:g}{}{}", start, option.least,
+                                     option.greatest, *option.unit ? " " : "", option.unit));
         if (!argument_.starts_with(start))
             return;
         double read = 0;
@@ -274,9 +298,22 @@ bool Tool::operator==(Tool const& other) const
 
 std::vector<ChosenWord> chosen_words(Tool const& tool)
 {
-    WordReader reader;
+    OptionReader reader;
     tool.show(reader);
     return std::move(reader.words);
+}
+
+std::vector<ChosenNumber> chosen_numbers(Tool const& tool)
+{
+    OptionReader reader;
+    tool.show(reader);
+    return std::move(reader.numbers);
+}
+
+Tool with_number(Tool const& tool, std::size_t option, double value)
+{
+    NumberSetter setter(option, value);
+    return tool.changed_by(setter);
 }
 
 Tool with_word(Tool const& tool, std::size_t option, int value)

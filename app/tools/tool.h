@@ -90,6 +90,14 @@ std::vector<ChosenWord> chosen_words(Tool const& tool);
 // The tool with another word for the option of this number among them.
 Tool with_word(Tool const& tool, std::size_t option, int value);
 
+// The same of options that are numbers.
+struct ChosenNumber {
+    NumberOption option;
+    double value = 0;
+};
+std::vector<ChosenNumber> chosen_numbers(Tool const& tool);
+Tool with_number(Tool const& tool, std::size_t option, double value);
+
 // A tool from the words of a log or a script. Fails, as the user's fault, naming the tools or
 // arguments there are.
 Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view arguments);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
+#include <fmt/core.h>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -27,14 +28,15 @@ public:
 
 private:
     void add_words(Tool const& tool, WordOption const& option, std::size_t number);
-    void add(char const* text, Tool const& tool);
+    void add_number(Tool const& tool, ChosenNumber const& chosen, std::size_t number);
+    void add(std::string const& text, Tool const& tool);
 
     Tool hand_;
     std::vector<Meaning> meanings_;
     bool begins_group_ = false;
 };
 
-void Meanings::add(char const* text, Tool const& tool)
+void Meanings::add(std::string const& text, Tool const& tool)
 {
     meanings_.push_back({ .text = text,
                           .tool = tool,
@@ -48,15 +50,18 @@ void Meanings::add_kind(ToolKind const& kind)
     bool const is_in_hand = &hand_.kind() == &kind;
     auto const tool = is_in_hand ? hand_ : Tool(kind);
     auto const options = chosen_words(tool);
+    auto const numbers = chosen_numbers(tool);
     begins_group_ |= kind.begins_group_of_buttons;
     if (options.empty())
-        return add(kind.label, kind.at_once ? tool.done_at_once() : tool);
+        add(kind.label, kind.at_once ? tool.done_at_once() : tool);
     for (std::size_t i = 0; i < options.size(); ++i) {
         if (options[i].option.offered == WordOption::Offered::InHand && !is_in_hand)
             continue;
         begins_group_ |= i > 0;
         add_words(tool, options[i].option, i);
     }
+    for (std::size_t i = 0; i < numbers.size() && is_in_hand; ++i)
+        add_number(tool, numbers[i], i);
 }
 
 void Meanings::add_words(Tool const& tool, WordOption const& option, std::size_t number)
@@ -71,13 +76,29 @@ void Meanings::add_words(Tool const& tool, WordOption const& option, std::size_t
     }
 }
 
+// Less and more of it. Neither is ever on: what is in hand is not what they would make it.
+void Meanings::add_number(Tool const& tool, ChosenNumber const& chosen, std::size_t number)
+{
+    auto const& option = chosen.option;
+    auto const changed = [&](double wanted) {
+        return with_number(tool, number, std::clamp(wanted, option.least, option.greatest));
+    };
+    begins_group_ = true;
+    add(fmt::format("{} {:g}{}{} -", option.name, chosen.value, *option.unit ? " " : "",
+                    option.unit),
+        changed(chosen.value - option.step));
+    add(fmt::format("+##{}", option.name), changed(chosen.value + option.step));
+    for (auto i = meanings_.size() - 2; i < meanings_.size(); ++i)
+        meanings_[i].is_on = false;
+}
+
 } // namespace
 
-float button_width(char const* text)
+float button_width(std::string_view text)
 {
     constexpr float kLetter_px = 11.5f;
     constexpr float kAir_px = 36;
-    return kAir_px + kLetter_px * static_cast<float>(std::strlen(text));
+    return kAir_px + kLetter_px * static_cast<float>(text.substr(0, text.find("##")).size());
 }
 
 Tool chosen_anew(ToolKind const& kind, std::span<Tool const> remembered)

@@ -3,6 +3,8 @@
 #include "app/tools/tool.h"
 
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace tractus {
@@ -24,7 +26,7 @@ bool is_same_group(Tool const& one, Tool const& other);
 
 // One of the things that the tool in hand may mean.
 struct Meaning {
-    char const* text = "";
+    std::string text {};       // What follows "##" is not shown: it tells buttons apart.
     Tool tool;                 // To be chosen for it.
     float width = 0;           // Of its button, at a display's scale of 1.
     bool is_on = false;        // It means that now.
@@ -35,6 +37,6 @@ struct Meaning {
 std::vector<Meaning> meanings_of(ToolKinds kinds, Tool const& hand);
 
 // As wide as a button with such a text has to be.
-float button_width(char const* text);
+float button_width(std::string_view text);
 
 } // namespace tractus

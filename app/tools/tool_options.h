@@ -30,6 +30,7 @@ struct NumberOption {
     char const* unit; // For people: "mm"; empty for a count or a share.
     double least;     // The range; what is outside is refused.
     double greatest;
+    double step; // Of the buttons that make it less and more.
 };
 
 // Visits the options of a tool in their order. A tool says them once, in a function that hands them

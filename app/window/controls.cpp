@@ -16,7 +16,8 @@ constexpr float kProgressHeight_px = 10;
 constexpr float kBarAir_px = 8;
 constexpr float kGroupGap_px = 28;
 constexpr float kMostNarrowed = 0.8f;
-constexpr float kToolWidth_px = 96; // At least.
+constexpr float kToolWidth_px = 96; // At least,
+constexpr float kLessAir_px = 12;   // and else so much narrower than what a tool means.
 
 using Shown = Workbench::Shown;
 constexpr std::array<std::pair<char const*, Shown>, 5> kViews { { { "All", Shown::All },
@@ -84,7 +85,8 @@ void Controls::show_rows(std::vector<BarButton> const& buttons) const
         if (goes_on)
             ImGui::SameLine(0, gap);
         used = (goes_on ? used + gap : 0) + button.width * scale_;
-        if (this->button(button.text, button.width * (is_one_row ? narrowing : 1), button.is_on))
+        if (this->button(button.text.c_str(), button.width * (is_one_row ? narrowing : 1),
+                         button.is_on))
             button.press();
     }
 }
@@ -186,7 +188,7 @@ std::vector<BarButton> Controls::tool_buttons(WindowModel& model, Workbench& ben
     auto const& state = model.state();
     for (auto const& choice : tool_choices(state.tools, state.remembered))
         buttons.push_back(
-            { choice.text, std::max(kToolWidth_px, button_width(choice.text) - kGroupGap_px),
+            { choice.text, std::max(kToolWidth_px, button_width(choice.text) - kLessAir_px),
               !bench.turns_views && is_same_group(choice.tool, state.hand), buttons.empty(),
               [&model, &bench, tool = choice.tool] { bench.choose(model, tool); } });
     buttons.push_back(

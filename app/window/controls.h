@@ -3,6 +3,7 @@
 #include "app/window/workbench.h"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace tractus {
@@ -20,7 +21,7 @@ struct WindowPart {
 
 // A button of the bar.
 struct BarButton {
-    char const* text = "";
+    std::string text {};
     float width = 0; // At a display's scale of 1.
     bool is_on = false;
     bool begins_group = false; // The first of some that stay beside each other, if they can.

@@ -1,0 +1,48 @@
+#include "app/command_line.h"
+#include "app/terminal/console.h"
+#include "app/verbs/verb.h"
+#include "tests/app/methods/small_method/gust.h"
+
+#include <array>
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <memory>
+
+namespace tractus {
+namespace {
+
+void add_gust_command(CLI::App& root, Action& action, Methods const& methods)
+{
+    auto strength = std::make_shared<double>(1);
+    auto* const verb = root.add_subcommand("gust", "Blow");
+    verb->add_option("--strength", *strength, "How much");
+    verb->callback([strength, count = methods.tools.size(), &action] {
+        action = [strength, count] {
+            return print_out(fmt::format("{} of {} tools\n", *strength, count));
+        };
+    });
+}
+
+TEST(SmallMethod, HasACommandWithAnOption)
+{
+    constexpr std::array<AddCommand, 1> kCommands { add_gust_command };
+    auto methods = methods_with_gust();
+    methods.commands = kCommands;
+    std::array const arguments { "tractus", "gust", "--strength", "2.5" };
+    ::testing::internal::CaptureStdout();
+    EXPECT_EQ(run_command_line(static_cast<int>(arguments.size()), arguments.data(), methods), 0);
+    EXPECT_EQ(::testing::internal::GetCapturedStdout(), "2.5 of 11 tools\n");
+}
+
+TEST(SmallMethod, IsListedByTheProgramsOwnCommands)
+{
+    std::array const arguments { "tractus", "tools", "gust" };
+    ::testing::internal::CaptureStdout();
+    EXPECT_EQ(run_command_line(3, arguments.data(), methods_with_gust()), 0);
+    EXPECT_EQ(::testing::internal::GetCapturedStdout(),
+              "gust [towards_start] [strength=0.1..5]  (key G)\n    leans the plant along the "
+              "stroke\n");
+}
+
+} // namespace
+} // namespace tractus

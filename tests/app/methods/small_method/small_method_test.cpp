@@ -1,0 +1,147 @@
+#include "app/document/logged_step.h"
+#include "app/session/session.h"
+#include "app/session/session_file.h"
+#include "app/station/station_view.h"
+#include "app/tools/tool_choices.h"
+#include "app/tools/tool_table.h"
+#include "tests/app/methods/small_method/gust.h"
+#include "tests/app/simple_rig.h"
+
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+
+Tool strong_gust()
+{
+    return GustTool { GustTool::Towards::Start, 2.5 };
+}
+
+TEST(SmallMethod, HasALineInLogs)
+{
+    auto const words = words_for(strong_gust());
+    EXPECT_EQ(words.name + " " + words.arguments, "gust towards_start strength=2.5");
+    auto const tools = methods_with_gust().tools;
+    EXPECT_EQ(parse_tool(tools, words.name, words.arguments).value(), strong_gust());
+    EXPECT_EQ(parse_tool(tools, "gust", "").value(), Tool(GustTool {}));
+    EXPECT_NE(parse_tool(tools, "gust", "strength=9").error().message.find("from 0.1 to 5"),
+              std::string::npos);
+    EXPECT_FALSE(parse_tool(all_methods().tools, "gust", ""));
+}
+
+TEST(SmallMethod, HasButtonsAKeyAndALineInTheManual)
+{
+    auto const tools = methods_with_gust().tools;
+    auto const choices = tool_choices(tools, {});
+    ASSERT_EQ(choices.size(), 5u);
+    EXPECT_EQ(std::string(choices.back().text), "Gust");
+    auto const meanings = meanings_of(tools, strong_gust());
+    ASSERT_EQ(meanings.size(), 4u);
+    EXPECT_TRUE(meanings[1].is_on);
+    EXPECT_EQ(meanings[0].tool, Tool(GustTool { GustTool::Towards::End, 2.5 }));
+    EXPECT_EQ(meanings[2].text, "strength 2.5 -");
+    EXPECT_EQ(meanings[3].tool, Tool(GustTool { GustTool::Towards::Start, 3 }));
+    EXPECT_NE(manual_table(tools).find("| `gust` | `towards_start`; `strength=0.1..5` | **G** | "),
+              std::string::npos);
+}
+
+class SmallMethodSession : public testing::Test {
+protected:
+    SmallMethodSession() { fs::create_directories(folder_); }
+    ~SmallMethodSession() override { fs::remove_all(folder_); }
+    SmallMethodSession(SmallMethodSession const&) = delete;
+    SmallMethodSession& operator=(SmallMethodSession const&) = delete;
+
+    SessionOptions options() const
+    {
+        return session_by_the_clock(methods_with_gust().edits, [] { return LoadOptions {}; });
+    }
+    fs::path path() const { return folder_ / "gust.tractus"; }
+    Session session() const
+    {
+        std::vector<Edit> const beginning { small_model() };
+        return Session::create(path(), { .plant = "small.l", .program = "1" }, beginning, options())
+            .value();
+    }
+    // What the simple pen draws with the tool goes to a document on the session.
+    void draw(Document& document) const
+    {
+        StationOptions rig;
+        rig.scripted_height = ScriptedHeight {
+            .scenario = { .kind = HeightScenario::Kind::Constant, .constant_mm = 100 },
+            .first_pen = {},
+            .last_pen = {},
+        };
+        rig.tools = methods_with_gust().tools;
+        rig.tool = strong_gust();
+        auto station = Station::create(std::vector { simple_pen() }, rig).value();
+        draw_across(station, 10);
+        station.finish();
+        for (auto& stroke : station.take_strokes())
+            document.draw(std::move(stroke));
+    }
+
+    fs::path const folder_
+        = fs::temp_directory_path() / ("tractus_small_method_" + std::to_string(::getpid()));
+};
+
+TEST_F(SmallMethodSession, KeepsWhatIsDrawnAndUndone)
+{
+    MotionIndicator drawn;
+    {
+        Document document(session(), Document::Working::AtOnce);
+        draw(document);
+        auto const done = document.take_drawn();
+        ASSERT_EQ(done.size(), 1u);
+        EXPECT_EQ(done[0].refusal, "");
+        EXPECT_EQ(done[0].edits[0].describe(), "blows a gust of 2.5");
+        ASSERT_EQ(document.newest()->scene.indicators.size(), 1u);
+        drawn = document.newest()->scene.indicators[0].what;
+        EXPECT_LT(drawn.end_mm.x(), drawn.start_mm.x()) << "against the stroke";
+        document.undo();
+        EXPECT_TRUE(document.newest()->scene.indicators.empty());
+        document.redo();
+    }
+    auto const again = Session::open(path(), options()).value();
+    EXPECT_EQ(again.unknown().count, 0u);
+    ASSERT_EQ(again.scene().indicators.size(), 1u);
+    EXPECT_EQ(again.scene().indicators[0].what.end_mm, drawn.end_mm);
+}
+
+// By a program without the method.
+TEST_F(SmallMethodSession, StaysInASessionThatDoesNotKnowIt)
+{
+    {
+        Document document(session(), Document::Working::AtOnce);
+        draw(document);
+    }
+    auto const contents = read_session(path(), all_methods().edits).value();
+    ASSERT_EQ(contents.edits.size(), 2u);
+    auto const* const unknown = contents.edits[1].edit.get<UnknownEdit>();
+    ASSERT_TRUE(unknown);
+    EXPECT_EQ(unknown->word, "blow_gust");
+    EXPECT_TRUE(
+        read_session(path(), methods_with_gust().edits).value().edits[1].edit.get<BlowGust>());
+}
+
+TEST_F(SmallMethodSession, HasItsEditsInLogs)
+{
+    DoneStep const step { .status = std::string(),
+                          .edits = { BlowGust { Stroke { std::vector<TipSample>(2) }, 3 } } };
+    auto const words = words_for(step, 4);
+    auto const known = parse_step(words.name, words.arguments, methods_with_gust().edits);
+    ASSERT_TRUE(known && *known);
+    ASSERT_TRUE((*known)->edits[0].get<BlowGust>());
+    EXPECT_EQ((*known)->edits[0].get<BlowGust>()->strength, 3);
+    auto const unknown = parse_step(words.name, words.arguments, all_methods().edits);
+    ASSERT_TRUE(unknown && *unknown);
+    EXPECT_TRUE((*unknown)->edits[0].get<UnknownEdit>());
+}
+
+} // namespace
+} // namespace tractus
