@@ -11,7 +11,7 @@ set(engine/export    engine/base engine/stroke engine/plant engine/lsystem engin
                      engine/scene)
 set(engine/methods/construction_lines engine/base engine/stroke engine/plant engine/lsystem)
 set(engine/methods/leaves engine/base)
-set(engine/methods/sketch_lsystem engine/base engine/lsystem)
+set(engine/methods/sketch_lsystem engine/base engine/stroke engine/plant engine/lsystem engine/scene)
 set(drivers          engine/base)
 set(calib            engine/base engine/stroke drivers)
 set(sim              engine/base engine/stroke drivers calib)
@@ -22,12 +22,13 @@ set(app/document     engine app/session app/tools app/terminal)
 set(app/station      engine drivers calib app/tools app/document app/terminal app/render app/diagnosis
                      app/calibration)
 set(app/methods/indicators engine app/tools)
+set(app/methods/plants engine app/tools)
 set(app              engine drivers calib sim)
 
 set(layers engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh
            engine/scene engine/export engine/methods/construction_lines engine/methods/leaves engine/methods/sketch_lsystem
            drivers calib sim app/session app/tools app/terminal app/document app/station
-           app/methods/indicators app)
+           app/methods/indicators app/methods/plants app)
 
 foreach(layer IN LISTS layers)
     set(allowed ${layer} ${${layer}})

@@ -241,7 +241,7 @@ void StationController::perform(ExportPlant const& command, Station&)
                  if (!note.empty() && organs != GlbOptions::Organs::Instanced)
                      note += "; with its leaves instanced it is smaller";
              };
-             auto const plant = TRY(shown_plant(*scene));
+             auto const plant = TRY(shown_plants(*scene));
              TRY(write_plant_file(plant, std::filesystem::path(scene->model_name).stem(), path,
                                   options));
              return note;

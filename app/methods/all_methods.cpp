@@ -3,6 +3,12 @@
 #include "app/methods/indicators/delete_indicator_tool.h"
 #include "app/methods/indicators/indicate_tool.h"
 #include "app/methods/indicators/move_indicator_tool.h"
+#include "app/methods/plants/choose_plant_tool.h"
+#include "app/methods/plants/copy_plant_tool.h"
+#include "app/methods/plants/hide_plant_tool.h"
+#include "app/methods/plants/move_plant_tool.h"
+#include "app/methods/plants/remove_plant_tool.h"
+#include "app/methods/sketch_lsystem/sketch_tool.h"
 #include "app/tools/delete_tool.h"
 #include "app/tools/draw_in_order_tool.h"
 #include "app/tools/draw_tool.h"
@@ -13,6 +19,7 @@
 #include "engine/scene/edit.h"
 
 #include <array>
+#include <vector>
 
 namespace tractus {
 
@@ -23,9 +30,17 @@ Methods all_methods()
         &DrawInOrderTool::kKind, &DrawTool::kKind,          &OversketchTool::kKind,
         &SmoothTool::kKind,      &DeleteTool::kKind,        &SelectTool::kKind,
         &IndicateTool::kKind,    &MoveIndicatorTool::kKind, &DeleteIndicatorTool::kKind,
-        &EraseTool::kKind,
+        &EraseTool::kKind,       &SketchTool::kKind,        &ChoosePlantTool::kKind,
+        &MovePlantTool::kKind,   &CopyPlantTool::kKind,     &HidePlantTool::kKind,
+        &RemovePlantTool::kKind,
     };
-    return { .edits = core_edit_kinds(), .tools = kTools };
+    static auto const edits = [] {
+        auto const core = core_edit_kinds();
+        std::vector<EditKind const*> all(core.begin(), core.end());
+        all.push_back(&sketch::GrowAlongStroke::kKind);
+        return all;
+    }();
+    return { .edits = edits, .tools = kTools };
 }
 
 } // namespace tractus

@@ -116,8 +116,9 @@ Image PictureMaker::strokes(Scene const& scene, std::span<DrawnStroke const> str
     std::size_t association = 0;
     for (auto const& drawn : strokes) {
         bool const shapes
-            = drawn.tool.kind == Tool::Kind::Draw || drawn.tool.kind == Tool::Kind::DrawInOrder;
-        if (shapes && drawn.refusal.empty())
+            = std::any_of(drawn.edits.begin(), drawn.edits.end(),
+                          [](Edit const& edit) { return edit.get<Associate>() != nullptr; });
+        if (shapes)
             curves.push_back(
                 stroke_curve(drawn.stroke.tips, stroke_color(association++), kStrokeWidth_mm));
     }

@@ -39,10 +39,47 @@ static SkeletonLine skeleton_line(Plant const& plant, Axis const& axis, std::uin
     return line;
 }
 
+// Of a large plant the lowest orders, which say where it is.
+static void add_other(BuiltPlant const& plant, DeskPlacement const& active,
+                      std::vector<SkeletonLine>& lines)
+{
+    auto const orders = orders_to_show(*plant.base);
+    auto const scale = static_cast<float>(plant.placement.scale / active.scale);
+    for (auto const& axis : plant.base->axes) {
+        if (axis.order >= orders)
+            continue;
+        auto line = skeleton_line(*plant.base, axis, 0, axis.segment_count, State::Other);
+        line.width_mm *= scale;
+        for (auto& point_mm : line.points_mm)
+            point_mm
+                = active.plant_of_world(plant.placement.world_of_plant(point_mm.cast<double>()))
+                      .cast<float>();
+        lines.push_back(std::move(line));
+    }
+}
+
+void SkeletonPicture::show_others()
+{
+    std::vector<std::shared_ptr<BuiltPlant const>> plants;
+    for (auto const& plant : scene_->plants)
+        if (plant->drawn->id != scene_->drawn->id && !plant->drawn->is_hidden)
+            plants.push_back(plant);
+    auto const& active = scene_->placement;
+    if (plants == other_plants_ && active.origin_mm == seen_from_.origin_mm
+        && active.scale == seen_from_.scale)
+        return;
+    other_plants_ = std::move(plants);
+    seen_from_ = active;
+    others_.clear();
+    for (auto const& plant : other_plants_)
+        add_other(*plant, active, others_);
+}
+
 void SkeletonPicture::set_scene(std::shared_ptr<Scene const> scene)
 {
     bool const is_same_plant = scene_ && scene_->base == scene->base;
     scene_ = std::move(scene);
+    show_others();
     if (is_same_plant)
         return;
     auto const& plant = *scene_->base;
@@ -71,7 +108,7 @@ std::vector<SkeletonLine> SkeletonPicture::lines(ShownSkeleton::Touched const& t
     mark(touched.selected, State::Selected);
     mark(touched.undetermined, State::Undetermined);
 
-    std::vector<SkeletonLine> lines;
+    auto lines = others_;
     for (auto const id : shown_axes_) {
         auto const& axis = scene_->base->axes[id];
         std::uint32_t from = 0;

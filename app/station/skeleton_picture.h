@@ -27,10 +27,12 @@ public:
     // Of the whole plant.
     Bounds const& box_mm() const { return box_mm_; }
 
-    // What is selected or shaped in the scene, or touched by the pen, in its own colours.
+    // What is selected or shaped in the scene, or touched by the pen, in its own colours; and the
+    // other plants.
     std::vector<SkeletonLine> lines(ShownSkeleton::Touched const& touched);
 
 private:
+    void show_others();
     void mark(std::span<SegmentId const> segments, SkeletonLine::State state);
 
     std::shared_ptr<Scene const> scene_; // Shared with who shows it; nobody changes it.
@@ -39,6 +41,9 @@ private:
     std::vector<AxisId> shown_axes_;
     std::vector<SkeletonLine::State> states_; // Of each segment; between calls all unselected.
     std::vector<SegmentId> marked_;
+    std::vector<std::shared_ptr<BuiltPlant const>> other_plants_; // Shared with the scene.
+    DeskPlacement seen_from_; // Of the plant in whose frame their lines are.
+    std::vector<SkeletonLine> others_;
 };
 
 } // namespace tractus

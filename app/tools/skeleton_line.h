@@ -6,13 +6,15 @@
 
 namespace tractus {
 
-// A piece of the plant's skeleton that has one state: an axis, or a part of one. Plant frame.
+// A piece of a plant's skeleton that has one state: an axis, or a part of one. In the frame of the
+// plant that takes what is drawn.
 struct SkeletonLine {
     enum class State {
         Unselected,
         Undetermined, // Touched, but the pen has not yet shown whether it was meant.
         Selected,
         Assigned, // A stroke gives it its shape.
+        Other,    // Of a plant that does not take what is drawn.
     };
 
     std::vector<Vec3f> points_mm;

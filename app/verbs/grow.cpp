@@ -207,7 +207,7 @@ Result<void> grow_model(GrowArguments const& arguments, Methods const& methods)
         return write_sequence(arguments, scene, name);
     if (!is_session && !arguments.is_varied())
         return write_one(arguments, *scene.base, name);
-    return write_one(arguments, TRY(shown_plant(scene)), name);
+    return write_one(arguments, TRY(shown_plants(scene)), name);
 }
 
 void add_animation_options(CLI::App& verb, GrowArguments& arguments)

@@ -63,7 +63,7 @@ Result<Mesh> load_mesh(std::string const& path, EditKinds kinds)
 {
     if (is_session_file(path)) {
         auto const scene = TRY(load_session_scene(path, kinds));
-        return make_mesh(TRY(shown_plant(scene)));
+        return make_mesh(TRY(shown_plants(scene)));
     }
     auto const bytes = TRY(read_file(path));
     auto mesh = read_glb(bytes);

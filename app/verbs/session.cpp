@@ -65,12 +65,20 @@ Result<void> print_info(SessionArguments const& arguments)
     auto const [scene, edits, unknown, skipped_steps] = TRY(fold_session(contents));
     std::set<Timestamp> strokes; // One that shapes several branches counts once.
     std::size_t orphans = 0;
-    for (auto const& [id, association, at] : scene.associations) {
-        strokes.insert(association.stroke.tips.front().time);
-        orphans += association.is_orphaned;
+    std::size_t segments = 0;
+    std::size_t branches = 0;
+    std::size_t indicators = 0;
+    for (auto const& plant : scene.plants) {
+        segments += plant->base->segment_count();
+        branches += plant->associations.size();
+        indicators += plant->indicators.size();
+        for (auto const& [id, association, at] : plant->associations) {
+            strokes.insert(association.stroke.tips.front().time);
+            orphans += association.is_orphaned;
+        }
+        for (auto const& indicator : plant->indicators)
+            orphans += indicator.what.is_orphaned;
     }
-    for (auto const& indicator : scene.indicators)
-        orphans += indicator.what.is_orphaned;
     std::error_code ignored;
     std::string text;
     auto const line = [&](char const* name, auto const& value) {
@@ -85,10 +93,11 @@ Result<void> print_info(SessionArguments const& arguments)
     line("edits", contents.edits.size());
     line("steps to undo", contents.step);
     line("steps to redo", contents.last_step() - contents.step);
-    line("segments", scene.base->segment_count());
+    line("plants", scene.plants.size());
+    line("segments", segments);
     line("strokes", strokes.size());
-    line("branches with strokes", scene.associations.size());
-    line("motion indicators", scene.indicators.size());
+    line("branches with strokes", branches);
+    line("motion indicators", indicators);
     line("without a branch", orphans);
     if (unknown.count > 0)
         line("edits not known", fmt::format("{} ({})", unknown.count, unknown.first));

@@ -15,7 +15,8 @@ namespace {
 constexpr float kProgressHeight_px = 10;
 constexpr float kBarAir_px = 8;
 constexpr float kGroupGap_px = 28;
-constexpr float kMostNarrowed = 0.8f;
+constexpr float kLeastAir_px = 7;   // On each side of a button's letters.
+constexpr float kLeastGap = 0.4f;   // Between buttons, of the usual one.
 constexpr float kToolWidth_px = 96; // At least,
 constexpr float kLessAir_px = 12;   // and else so much narrower than what a tool means.
 
@@ -72,31 +73,50 @@ void Controls::show_rows(std::vector<BarButton> const& buttons) const
         return width;
     };
     float const room = ImGui::GetContentRegionAvail().x;
-    float const narrowing = std::min(1.0f, room / width_to(0, buttons.size()));
-    bool const is_one_row = narrowing >= kMostNarrowed;
+    float const width = width_to(0, buttons.size());
+    float least = 0;
+    for (std::size_t i = 0; i < buttons.size(); ++i)
+        least += least_width_px(buttons[i]) + (i > 0 ? kLeastGap * gap_before(buttons[i]) : 0);
+    bool const is_one_row = least <= room;
+    // How much is left of what each could be narrower by.
+    float const ease
+        = !is_one_row || width <= room ? 1 : (room - least) / std::max(width - least, 1.0f);
     float used = 0;
     for (std::size_t i = 0; i < buttons.size(); ++i) {
         auto const& button = buttons[i];
         auto end = i + 1;
         while (button.begins_group && end < buttons.size() && !buttons[end].begins_group)
             ++end;
-        float const gap = gap_before(button) * (is_one_row ? narrowing : 1);
+        float const gap = gap_before(button) * (kLeastGap + ease * (1 - kLeastGap));
         bool const goes_on = is_one_row ? i > 0 : used > 0 && used + gap + width_to(i, end) <= room;
         if (goes_on)
             ImGui::SameLine(0, gap);
         used = (goes_on ? used + gap : 0) + button.width * scale_;
-        if (this->button(button.text.c_str(), button.width * (is_one_row ? narrowing : 1),
-                         button.is_on))
+        float const narrow_px = least_width_px(button);
+        float const shown_px = narrow_px + ease * (button.width * scale_ - narrow_px);
+        if (this->button(button.text.c_str(), shown_px / scale_, button.is_on))
             button.press();
     }
+}
+
+// With its letters whole.
+float Controls::least_width_px(BarButton const& button) const
+{
+    return std::min(ImGui::CalcTextSize(button.text.c_str()).x + 2 * kLeastAir_px * scale_,
+                    button.width * scale_);
 }
 
 bool Controls::button(char const* text, float width, bool is_on) const
 {
     if (is_on)
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+    // Letters stay in the middle of a button that is hardly wider than they are.
+    auto padding = ImGui::GetStyle().FramePadding;
+    padding.x = std::min(padding.x, (width * scale_ - ImGui::CalcTextSize(text).x) / 2);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
     bool const is_pressed
         = ImGui::Button(text, { width * scale_, theme::kButtonHeight_px * scale_ });
+    ImGui::PopStyleVar();
     if (is_on)
         ImGui::PopStyleColor();
     return is_pressed;

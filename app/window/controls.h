@@ -52,6 +52,7 @@ private:
     void show_status(WindowState const& state) const;
     static void show_recording(RecordingView const& recording);
     void show_rows(std::vector<BarButton> const& buttons) const;
+    float least_width_px(BarButton const& button) const;
     void show_speed(WindowModel& model) const;
     static std::vector<BarButton> tool_meanings(WindowModel& model, Workbench& bench);
     static std::vector<BarButton> view_meanings(Workbench& bench);

@@ -118,6 +118,8 @@ Vec3f state_color(SkeletonLine::State state)
         return theme::palette().selected;
     case SkeletonLine::State::Assigned:
         return theme::palette().assigned;
+    case SkeletonLine::State::Other:
+        return theme::palette().faint;
     }
     return theme::palette().unselected;
 }
@@ -134,7 +136,9 @@ float widest_mm(std::vector<SkeletonLine> const& skeleton)
 float width_px(SkeletonLine const& line, float widest)
 {
     float const plain = 1.6f + 5.0f * std::sqrt(line.width_mm / widest);
-    return line.state == SkeletonLine::State::Unselected ? plain : plain * 1.3f + 1.5f;
+    bool const is_plain
+        = line.state == SkeletonLine::State::Unselected || line.state == SkeletonLine::State::Other;
+    return is_plain ? plain : plain * 1.3f + 1.5f;
 }
 
 void add_ground_ring(std::vector<SkeletonLine> const& skeleton, std::vector<Curve>& curves)
@@ -173,7 +177,9 @@ std::vector<Curve> pad_skeleton_curves(WindowState const& state)
 {
     std::vector<Curve> curves;
     for (auto const& line : state.skeleton) {
-        Vec3f const color = line.state == SkeletonLine::State::Unselected
+        bool const is_plain = line.state == SkeletonLine::State::Unselected
+            || line.state == SkeletonLine::State::Other;
+        Vec3f const color = is_plain
             ? theme::palette().faint
             : Vec3f(0.45f * state_color(line.state) + 0.55f * theme::palette().pad_background);
         add_flat_line(state, line, color, curves);

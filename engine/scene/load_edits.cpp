@@ -1,7 +1,5 @@
-#include "engine/lsystem/derive.h"
-#include "engine/lsystem/interpret.h"
-#include "engine/plant/join_axes.h"
 #include "engine/scene/edit_words.h"
+#include "engine/scene/lsystem_source.h"
 #include "engine/scene/make_edit_kind.h"
 
 #include <algorithm>
@@ -56,32 +54,7 @@ void list(Fields& fields, LoadModel& edit)
     list_plant(fields, edit);
 }
 
-Result<BuiltSource> build_model(LoadModel const& edit, LoadOptions const& options)
-{
-    auto const include = [&](std::string const& name) -> Result<std::string> {
-        auto const found = edit.includes.find(name);
-        if (found == edit.includes.end())
-            return fail(Fault::User,
-                        fmt::format("{} includes {}, which is missing", edit.source.name, name));
-        return found->second;
-    };
-    auto const model = TRY(compile_model(edit.source, include));
-    auto const string = TRY(derive(model,
-                                   { .steps = edit.steps,
-                                     .seed = edit.seed,
-                                     .limits = options.limits,
-                                     .print = options.print }));
-    auto turtle = TRY(interpret_with_warnings(model, string,
-                                              { .max_modules = options.limits.max_modules,
-                                                .max_memory_bytes = options.limits.max_memory_bytes,
-                                                .time = options.limits.time,
-                                                .print = options.print }));
-    BuiltSource built { join_axes(turtle.plant), model.warnings };
-    built.warnings.insert(built.warnings.end(), turtle.warnings.begin(), turtle.warnings.end());
-    return built;
-}
-
-constexpr SourceKind kLSystem = make_source_kind<LoadModel, build_model>("lsystem");
+constexpr SourceKind kLSystem = make_source_kind<LoadModel, build_lsystem>("lsystem");
 
 Result<DocumentState> applied(DocumentState state, LoadModel const& edit, SceneBuilder&)
 {

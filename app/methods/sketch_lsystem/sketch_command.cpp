@@ -3,7 +3,6 @@
 #include "app/document/model_cost.h"
 #include "app/methods/sketch_lsystem/rule_file.h"
 #include "app/methods/sketch_lsystem/sketch_report.h"
-#include "app/methods/sketch_lsystem/upright_sheet.h"
 #include "app/plants/drawing.h"
 #include "app/plants/plant_file.h"
 #include "app/plants/session_plant.h"
@@ -15,6 +14,7 @@
 #include "drivers/file.h"
 #include "engine/methods/sketch_lsystem/drawn_axis.h"
 #include "engine/methods/sketch_lsystem/stroke_resampler.h"
+#include "engine/methods/sketch_lsystem/upright_sheet.h"
 #include "engine/scene/scene.h"
 
 #include <cmath>

@@ -29,7 +29,7 @@ TEST_F(SessionVerb, InfoSaysWhatItHolds)
     for (char const* const line :
          { "plant                 small\n", "steps to undo         3\n",
            "steps to redo         0\n", "strokes               1\n", "motion indicators     1\n",
-           "segments              10\n", "begun                 20" })
+           "plants                1\n", "segments              10\n", "begun                 20" })
         EXPECT_NE(info.find(line), std::string::npos) << line << info;
 }
 

@@ -301,10 +301,11 @@ TEST(Tool, HasAnOtherEnd)
     for (auto const* const kind : tools()) {
         auto const& [other, options] = kind->other_end;
         ASSERT_TRUE(other) << kind->word;
-        if (kind == &SelectTool::kKind)
+        if (kind == &SelectTool::kKind) {
             EXPECT_EQ(Tool(*other, options()), Tool(SelectTool { Selecting::Take }));
-        else
+        } else {
             EXPECT_EQ(other, &EraseTool::kKind) << kind->word;
+        }
     }
 }
 

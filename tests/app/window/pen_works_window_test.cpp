@@ -81,7 +81,8 @@ public:
         wait(50);
         hover(x_px, y_px);
         wait(50);
-        double const angle = (choice - 2) * kPi / 4;
+        constexpr int kChoices = 10;
+        double const angle = choice * 2 * kPi / kChoices - kPi / 2;
         tap(x_px + kMiddleOfRing_px * std::cos(angle), y_px + kMiddleOfRing_px * std::sin(angle));
     }
 
@@ -199,7 +200,7 @@ TEST_F(PenWorksWindow, OpensTheRingForATouchThatRests)
     script.rest(500, 195, 700);
     script.hover(500, 195);
     script.wait(100);
-    script.tap(500 + 126, 195); // Lean.
+    script.tap(500 + 120, 195 - 39); // Lean.
     script.draw(350, 150, 600, 150);
     script.choose(500, 195, kEraseChoice);
     script.draw(450, 60, 450, 220);

@@ -18,12 +18,15 @@ void list(Fields& fields, BlowGust& edit)
     fields.numbers(edit.stroke);
 }
 
-Result<Scene> applied(Scene scene, BlowGust const& edit, LoadOptions const&)
+Result<DocumentState> applied(DocumentState state, BlowGust const& edit, SceneBuilder&)
 {
     auto indicator = TRY(motion_indicator(edit.stroke));
     indicator.end_mm = indicator.start_mm + edit.strength * (indicator.end_mm - indicator.start_mm);
-    scene.indicators.push_back({ take_id(scene, 0), indicator, {} });
-    return scene;
+    auto const id = take_id(state, 0);
+    change_active(state, [&](PlantState& plant) {
+        plant.indicators.push_back({ id, indicator, {} });
+    });
+    return state;
 }
 
 std::string described(BlowGust const& edit)

@@ -31,7 +31,7 @@ TEST(SmallMethod, HasACommandWithAnOption)
     std::array const arguments { "tractus", "gust", "--strength", "2.5" };
     ::testing::internal::CaptureStdout();
     EXPECT_EQ(run_command_line(static_cast<int>(arguments.size()), arguments.data(), methods), 0);
-    EXPECT_EQ(::testing::internal::GetCapturedStdout(), "2.5 of 11 tools\n");
+    EXPECT_EQ(::testing::internal::GetCapturedStdout(), "2.5 of 17 tools\n");
 }
 
 TEST(SmallMethod, IsListedByTheProgramsOwnCommands)

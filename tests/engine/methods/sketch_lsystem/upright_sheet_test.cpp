@@ -1,4 +1,4 @@
-#include "app/methods/sketch_lsystem/upright_sheet.h"
+#include "engine/methods/sketch_lsystem/upright_sheet.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,29 @@
+#include "app/methods/plants/choose_plant_tool.h"
+
+#include "app/methods/plants/touched_plant.h"
+#include "app/tools/erase_tool.h"
+#include "engine/scene/edit.h"
+
+namespace tractus {
+
+static Result<std::vector<Edit>> choose(Tool const&, Stroke const& stroke, Scene const& scene)
+{
+    auto const plant = TRY(plant_under(stroke.tips.back(), scene));
+    return std::vector<Edit> { ActivatePlant { plant->drawn->id } };
+}
+
+constexpr ToolKind ChoosePlantTool::kKind {
+    .word = "choose_plant",
+    .label = "Choose",
+    .title = "Choose a plant",
+    .done = "What is drawn goes to this plant now",
+    .help = "chooses the plant that takes what is drawn: the one under the stroke's end",
+    .group = "Plants",
+    .icon = "2090 2045 2060 3550 6090 6025 6045 8030 6055 4045",
+    .key = 'P',
+    .options = options_type<ChoosePlantTool>(),
+    .mean = choose,
+    .other_end = { &EraseTool::kKind },
+};
+
+} // namespace tractus

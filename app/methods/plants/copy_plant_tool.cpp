@@ -1,0 +1,50 @@
+#include "app/methods/plants/copy_plant_tool.h"
+
+#include "app/methods/plants/touched_plant.h"
+#include "app/tools/erase_tool.h"
+#include "engine/scene/edit.h"
+
+#include <algorithm>
+
+namespace tractus {
+
+namespace {
+
+// How far to the right a plant must stand for its box to be beside those of all others.
+double free_x_mm(BuiltPlant const& copied, Scene const& scene)
+{
+    constexpr double kGap_mm = 10;
+    double right_mm = 0;
+    for (auto const& plant : scene.plants)
+        if (auto const box = bounds(*plant->base); !box.empty())
+            right_mm = std::max(right_mm, plant->placement.world_of_plant(box.max_mm).x());
+    auto const box = bounds(*copied.base);
+    double const left_mm = box.empty() ? 0 : copied.placement.scale * box.min_mm.x();
+    return right_mm + kGap_mm - left_mm;
+}
+
+Result<std::vector<Edit>> copy(Tool const&, Stroke const&, Scene const& scene)
+{
+    auto const plant = TRY(active_plant_of(scene));
+    Vec3 at_mm = scene.placement.origin_mm;
+    at_mm.x() = free_x_mm(scene, scene);
+    return std::vector<Edit> { CopyPlant { plant, at_mm } };
+}
+
+} // namespace
+
+constexpr ToolKind CopyPlantTool::kKind {
+    .word = "copy_plant",
+    .label = "Copy",
+    .title = "Copy a plant",
+    .done = "The copy stands to the right",
+    .help = "adds a copy of the plant that takes what is drawn, to the right of all others",
+    .group = "Plants",
+    .begins_group_of_buttons = true,
+    .at_once = true,
+    .options = options_type<CopyPlantTool>(),
+    .mean = copy,
+    .other_end = { &EraseTool::kKind },
+};
+
+} // namespace tractus

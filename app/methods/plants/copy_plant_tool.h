@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/tools/tool.h"
+
+namespace tractus {
+
+// Adds a plant like the active one, beside all others.
+struct CopyPlantTool {
+    static ToolKind const kKind;
+};
+
+} // namespace tractus

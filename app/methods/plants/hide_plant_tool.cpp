@@ -1,0 +1,52 @@
+#include "app/methods/plants/hide_plant_tool.h"
+
+#include "app/methods/plants/touched_plant.h"
+#include "app/tools/erase_tool.h"
+#include "engine/scene/edit.h"
+
+#include <array>
+
+namespace tractus {
+
+namespace {
+
+// In the order of What.
+constexpr std::array<OptionWord, 2> kWords { {
+    { "active", "Hide", nullptr, true },
+    { "none", "Show all", nullptr, true },
+} };
+
+void visit(OptionVisitor& visitor, HidePlantTool& tool)
+{
+    visitor.choice({ kWords }, tool.what);
+}
+
+Result<std::vector<Edit>> hide(Tool const& tool, Stroke const&, Scene const& scene)
+{
+    if (tool.get<HidePlantTool>()->what == HidePlantTool::What::Active)
+        return std::vector<Edit> { HidePlant { TRY(active_plant_of(scene)), true } };
+    std::vector<Edit> edits;
+    for (auto const& plant : scene.plants)
+        if (plant->drawn->is_hidden)
+            edits.push_back(HidePlant { plant->drawn->id, false });
+    if (edits.empty())
+        return fail(Fault::User, "no plant is hidden");
+    return edits;
+}
+
+} // namespace
+
+constexpr ToolKind HidePlantTool::kKind {
+    .word = "hide_plant",
+    .label = "Hide",
+    .title = "Hide a plant",
+    .done = "It is neither shown nor exported while it is hidden",
+    .help = "hides the plant that takes what is drawn, or shows all that are hidden",
+    .group = "Plants",
+    .at_once = true,
+    .options = options_type<HidePlantTool, visit>(),
+    .mean = hide,
+    .other_end = { &EraseTool::kKind },
+};
+
+} // namespace tractus

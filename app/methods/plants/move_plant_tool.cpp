@@ -1,0 +1,31 @@
+#include "app/methods/plants/move_plant_tool.h"
+
+#include "app/methods/plants/touched_plant.h"
+#include "app/tools/erase_tool.h"
+#include "engine/scene/edit.h"
+
+namespace tractus {
+
+static Result<std::vector<Edit>> move(Tool const&, Stroke const& stroke, Scene const& scene)
+{
+    auto const plant = TRY(plant_under(stroke.tips.front(), scene));
+    Vec3 way_mm = stroke.tips.back().position_mm - stroke.tips.front().position_mm;
+    way_mm.z() = 0;
+    return std::vector<Edit> { MovePlant { plant->drawn->id,
+                                           plant->placement.origin_mm + way_mm } };
+}
+
+constexpr ToolKind MovePlantTool::kKind {
+    .word = "move_plant",
+    .label = "Move",
+    .title = "Move a plant",
+    .done = "The plant stands there now",
+    .help = "moves the plant where the stroke begins along with it, over the ground",
+    .group = "Plants",
+    .ink = { InkStyle::Look::Arrow },
+    .options = options_type<MovePlantTool>(),
+    .mean = move,
+    .other_end = { &EraseTool::kKind },
+};
+
+} // namespace tractus

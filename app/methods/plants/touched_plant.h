@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/scene/scene.h"
+#include "engine/stroke/tip_sample.h"
+
+#include <memory>
+
+namespace tractus {
+
+// The plant, hidden ones apart, of which a node is nearest to a place on the pad, seen from above.
+// Fails, as the user's fault, where none is near.
+Result<std::shared_ptr<BuiltPlant const>> plant_under(TipSample const& tip, Scene const& scene);
+
+// The active plant. Fails, as the user's fault, where there is none.
+Result<ItemId> active_plant_of(Scene const& scene);
+
+} // namespace tractus

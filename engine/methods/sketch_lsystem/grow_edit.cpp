@@ -1,0 +1,146 @@
+#include "engine/methods/sketch_lsystem/grow_edit.h"
+
+#include "engine/methods/sketch_lsystem/stroke_resampler.h"
+#include "engine/scene/edit_words.h"
+#include "engine/scene/lsystem_source.h"
+#include "engine/scene/make_edit_kind.h"
+
+#include <array>
+#include <cmath>
+#include <fmt/core.h>
+#include <utility>
+
+namespace tractus::sketch {
+
+namespace {
+
+// In the order of the enumerations' values; a stroke whose surface is not decided is in no edit.
+constexpr std::array kSurfaces { "space", "paper", "decided" };
+constexpr std::array kLeaves { "bare", "leafy" };
+
+constexpr double kModelScale = 0.1; // Of a model's text: a millimetre drawn is a centimetre grown.
+
+bool same(GrowAlongStroke const& one, GrowAlongStroke const& other)
+{
+    return one.rule == other.rule && one.stroke.tips.id() == other.stroke.tips.id()
+        && one.surface == other.surface && one.leaves == other.leaves && one.scale == other.scale;
+}
+
+constexpr SourceKind kSketch {
+    .word = "sketch_lsystem",
+    .build =
+        [](void const* drawn, LoadOptions const& options) {
+            return build_sketch(*static_cast<GrowAlongStroke const*>(drawn), options);
+        },
+    .same =
+        [](void const* one, void const* other) {
+            return same(*static_cast<GrowAlongStroke const*>(one),
+                        *static_cast<GrowAlongStroke const*>(other));
+        },
+};
+
+// By the letters of rule files.
+void list(Fields& fields, Rule& rule)
+{
+    fields.field("l", &rule.first_length_mm);
+    fields.field("r", &rule.length_ratio);
+    fields.field("q", &rule.width_ratio);
+    fields.field("w", &rule.first_width_mm);
+    fields.field("k", &rule.laterals);
+    fields.field("a", &rule.angle_deg);
+    fields.field("s", &rule.lateral_length);
+    fields.field("v", &rule.lateral_width);
+    fields.field("T", &rule.axis_twist_deg);
+    fields.field("t", &rule.lateral_twist_deg);
+    fields.field("l_min", &rule.shortest_mm);
+    fields.field("n_max", &rule.most_segments);
+    fields.field("limit", &rule.most_internodes);
+}
+
+void list(Fields& fields, GrowAlongStroke& edit)
+{
+    list(fields, edit.rule);
+    fields.word("surface", edit.surface, kSurfaces);
+    fields.word("leaves", edit.leaves, kLeaves);
+    fields.field("scale", &edit.scale);
+    fields.id(edit.id);
+    fields.numbers(edit.stroke);
+}
+
+Result<std::vector<Vec3>> nodes_of(GrowAlongStroke const& edit)
+{
+    TRY(check_rule(edit.rule));
+    if (edit.surface == Surface::Decided)
+        return fail(Fault::User, "the stroke is neither in space nor on paper: say which");
+    if (!(edit.scale > 0 && std::isfinite(edit.scale)))
+        return fail(Fault::User,
+                    fmt::format("a plant cannot be shown {} times as large as it is", edit.scale));
+    auto const tips = TRY(edit.stroke.tips.in_memory());
+    auto nodes_mm = resample_stroke(edit.rule, plant_tips(tips, edit.surface));
+    if (nodes_mm.size() < 2)
+        return fail(Fault::User,
+                    fmt::format("the stroke never gets {:g} mm away from where it begins, so the "
+                                "rule is not applied once: draw a longer one, or give a rule with "
+                                "a shorter first internode, l",
+                                edit.rule.first_length_mm));
+    return nodes_mm;
+}
+
+// So that the model's millimetre on the desk is one of the document.
+Rule at_scale(Rule rule, double scale)
+{
+    rule.first_length_mm *= kModelScale / scale;
+    rule.first_width_mm *= kModelScale / scale;
+    rule.shortest_mm *= kModelScale / scale;
+    return rule;
+}
+
+Result<DocumentState> applied(DocumentState state, GrowAlongStroke const& edit, SceneBuilder&)
+{
+    TRY(nodes_of(edit));
+    if (!state.scale)
+        state.scale = edit.scale;
+    return with_source(std::move(state),
+                       { .name = "sketch",
+                         .source = PlantSource(kSketch, edit),
+                         .drawn = Drawn::Beside,
+                         .stands_at_mm = stands_at_mm(edit),
+                         .id = edit.id });
+}
+
+std::string described(GrowAlongStroke const& edit)
+{
+    return fmt::format("grows a rule of {} at {:g} degrees along a stroke: {}",
+                       counted(static_cast<std::size_t>(edit.rule.laterals), "lateral"),
+                       edit.rule.angle_deg, describe_stroke(edit.stroke));
+}
+
+} // namespace
+
+Vec3 stands_at_mm(GrowAlongStroke const& edit)
+{
+    auto const tips = edit.stroke.tips.in_memory();
+    if (!tips || tips->empty())
+        return Vec3::Zero();
+    Vec3 at_mm = tips->front().position_mm;
+    if (edit.surface == Surface::Paper)
+        at_mm = { at_mm.x(), 0, 0 };
+    return at_mm;
+}
+
+Result<ModelSource> model_of(GrowAlongStroke const& edit)
+{
+    auto const nodes_mm = TRY(nodes_of(edit));
+    return write_model(at_scale(edit.rule, edit.scale), draw_axis(edit.rule, nodes_mm), edit.leaves,
+                       "sketch");
+}
+
+Result<BuiltSource> build_sketch(GrowAlongStroke const& edit, LoadOptions const& options)
+{
+    return build_lsystem({ .source = TRY(model_of(edit)) }, options);
+}
+
+constexpr EditKind GrowAlongStroke::kKind
+    = make_edit_kind<GrowAlongStroke, list, applied, described>("grow_along_stroke", true);
+
+} // namespace tractus::sketch

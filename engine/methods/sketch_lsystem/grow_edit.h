@@ -1,0 +1,37 @@
+#pragma once
+
+#include "engine/methods/sketch_lsystem/drawn_axis.h"
+#include "engine/methods/sketch_lsystem/rule.h"
+#include "engine/methods/sketch_lsystem/upright_sheet.h"
+#include "engine/scene/edit.h"
+#include "engine/scene/plant_source.h"
+#include "engine/stroke/stroke.h"
+
+namespace tractus::sketch {
+
+// Adds a plant that a rule grows along a stroke (Ijiri et al. 2006). It stands where the pen came
+// down and becomes the active one.
+struct GrowAlongStroke {
+    static EditKind const kKind;
+
+    Rule rule {};
+    Stroke stroke {};                 // World frame.
+    Surface surface = Surface::Space; // Never Decided.
+    Leaves leaves = Leaves::Leafy;
+    // World millimetres per plant millimetre: what was drawn is a plant of so many times its size.
+    // A document whose scale nobody has set keeps this one.
+    double scale = 0.1;
+    ItemId id = 0; // Of the plant; 0: it has none yet.
+};
+
+// The edit's plant as a model in cpfg's language. Fails, as the user's fault, for a rule that is
+// out of its ranges and for a stroke along which it is not applied once.
+Result<ModelSource> model_of(GrowAlongStroke const& edit);
+
+// The same grown: a plant frame whose origin is where the pen came down.
+Result<BuiltSource> build_sketch(GrowAlongStroke const& edit, LoadOptions const& options);
+
+// Where the plant stands. World frame. On paper on the desk, below where the pen came down.
+Vec3 stands_at_mm(GrowAlongStroke const& edit);
+
+} // namespace tractus::sketch

@@ -1,0 +1,71 @@
+#include "engine/plant/join_plants.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+// A stem of two segments with a branch, a leaf, a polygon, two materials and a shape.
+Plant small_plant()
+{
+    Plant plant;
+    plant.axes = { { .first_node = 0, .first_segment = 0, .segment_count = 2 },
+                   { .first_node = 3,
+                     .first_segment = 2,
+                     .segment_count = 1,
+                     .parent_segment = 0,
+                     .parent_axis = 0,
+                     .order = 1 } };
+    plant.node_position_mm
+        = { { 0, 0, 0 }, { 0, 0, 10 }, { 0, 0, 20 }, { 0, 0, 10 }, { 5, 0, 15 } };
+    plant.node_radius_mm = { 2, 2, 1, 1, 1 };
+    plant.segment_material = { 0, 1, 0 };
+    plant.materials.resize(2);
+    plant.organ_shapes = { { .name = "leaf", .material = 1 } };
+    plant.organs = { { .shape = 0, .segment = 2, .position_mm = { 5, 0, 15 } } };
+    plant.polygon_vertices_mm = { { 0, 0, 20 }, { 1, 0, 20 }, { 0, 1, 21 } };
+    plant.polygons = { { .first_vertex = 0, .vertex_count = 3, .segment = 1, .material = 1 } };
+    return plant;
+}
+
+TEST(JoinPlants, PutsOneBesideTheOther)
+{
+    auto plant = small_plant();
+    append_plant(plant, small_plant(), { 100, 0, 0 });
+    check_plant(plant);
+    ASSERT_EQ(plant.axes.size(), 4u);
+    EXPECT_EQ(plant.axes[2].parent_segment, kNone);
+    EXPECT_EQ(plant.axes[3].parent_segment, 3u);
+    EXPECT_EQ(plant.axes[3].parent_axis, 2u);
+    EXPECT_EQ(plant.node_position_mm[9], Vec3(105, 0, 15));
+    EXPECT_EQ(plant.segment_material, (std::vector<MaterialId> { 0, 1, 0, 2, 3, 2 }));
+    EXPECT_EQ(plant.organs[1].shape, 1);
+    EXPECT_EQ(plant.organs[1].segment, 5u);
+    EXPECT_EQ(plant.organ_shapes[1].material, 3);
+    EXPECT_EQ(plant.polygons[1].first_vertex, 3u);
+    EXPECT_EQ(plant.polygons[1].material, 3);
+    EXPECT_EQ(plant.polygon_vertices_mm[4], Vec3(101, 0, 20));
+    EXPECT_TRUE(plant.node_section.empty());
+}
+
+TEST(JoinPlants, MakesRoundWhatHasNoSections)
+{
+    auto angular = small_plant();
+    angular.contours = { { .name = "square", .points = std::vector<Vec3f>(Contour::kSteps + 1) } };
+    angular.node_section.resize(5);
+    angular.node_section[1] = { .contour = 0, .normal = Vec3f::UnitX() };
+    auto before = small_plant();
+    append_plant(before, angular, Vec3::Zero());
+    ASSERT_EQ(before.node_section.size(), 10u);
+    EXPECT_TRUE(before.node_section[1].is_round());
+    EXPECT_EQ(before.node_section[6].contour, 0);
+    auto behind = angular;
+    append_plant(behind, angular, Vec3::Zero());
+    append_plant(behind, small_plant(), Vec3::Zero());
+    ASSERT_EQ(behind.node_section.size(), 15u);
+    EXPECT_EQ(behind.node_section[6].contour, 1);
+    EXPECT_TRUE(behind.node_section[11].is_round());
+}
+
+} // namespace
+} // namespace tractus
