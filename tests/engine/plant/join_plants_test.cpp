@@ -6,7 +6,7 @@ namespace tractus {
 namespace {
 
 // A stem of two segments with a branch, a leaf, a polygon, two materials and a shape.
-Plant small_plant()
+Plant leafy_plant()
 {
     Plant plant;
     plant.axes = { { .first_node = 0, .first_segment = 0, .segment_count = 2 },
@@ -30,8 +30,8 @@ Plant small_plant()
 
 TEST(JoinPlants, PutsOneBesideTheOther)
 {
-    auto plant = small_plant();
-    append_plant(plant, small_plant(), { 100, 0, 0 });
+    auto plant = leafy_plant();
+    append_plant(plant, leafy_plant(), { 100, 0, 0 });
     check_plant(plant);
     ASSERT_EQ(plant.axes.size(), 4u);
     EXPECT_EQ(plant.axes[2].parent_segment, kNone);
@@ -50,18 +50,18 @@ TEST(JoinPlants, PutsOneBesideTheOther)
 
 TEST(JoinPlants, MakesRoundWhatHasNoSections)
 {
-    auto angular = small_plant();
+    auto angular = leafy_plant();
     angular.contours = { { .name = "square", .points = std::vector<Vec3f>(Contour::kSteps + 1) } };
     angular.node_section.resize(5);
     angular.node_section[1] = { .contour = 0, .normal = Vec3f::UnitX() };
-    auto before = small_plant();
+    auto before = leafy_plant();
     append_plant(before, angular, Vec3::Zero());
     ASSERT_EQ(before.node_section.size(), 10u);
     EXPECT_TRUE(before.node_section[1].is_round());
     EXPECT_EQ(before.node_section[6].contour, 0);
     auto behind = angular;
     append_plant(behind, angular, Vec3::Zero());
-    append_plant(behind, small_plant(), Vec3::Zero());
+    append_plant(behind, leafy_plant(), Vec3::Zero());
     ASSERT_EQ(behind.node_section.size(), 15u);
     EXPECT_EQ(behind.node_section[6].contour, 1);
     EXPECT_TRUE(behind.node_section[11].is_round());
