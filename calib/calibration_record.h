@@ -45,6 +45,9 @@ struct HeightRecord {
 
     // By how much re-zeroing has raised the model since the fit.
     double raised_mm = 0;
+
+    // By how much each height reads more since the fit, by re-zeroing after the string slipped.
+    double shifted_counts = 0;
 };
 
 struct TravelRecord {

@@ -74,6 +74,8 @@ Result<HeightRecord> parse_height(TomlTable& table)
     if (table.has("hysteresis_mm"))
         record.hysteresis_mm = TRY(table.vec2("hysteresis_mm"));
     record.raised_mm = TRY(table.number("raised_mm"));
+    if (table.has("shifted_counts"))
+        record.shifted_counts = TRY(table.number("shifted_counts"));
     record.ruler_error_mm = TRY(table.number("ruler_error_mm", NumberRange::Positive));
     if (table.has("asked_model"))
         record.asked_kind = static_cast<HeightModelKind>(TRY(table.word("asked_model", kKinds)));
@@ -158,6 +160,9 @@ noise_counts = {}             # Standard deviation at rest.
     text += fmt::format("raised_mm = {}                # By re-zeroing since.\n"
                         "ruler_error_mm = {}           # Standard deviation.\n",
                         record.raised_mm, record.ruler_error_mm);
+    if (record.shifted_counts != 0)
+        text += fmt::format("shifted_counts = {}           # Likewise, since the string slipped.\n",
+                            record.shifted_counts);
     if (record.asked_kind)
         text += fmt::format("asked_model = \"{}\"\n", name_of(*record.asked_kind));
     auto slipped = record.slipped;

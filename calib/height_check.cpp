@@ -6,8 +6,6 @@
 
 namespace tractus {
 
-namespace {
-
 Result<void> check_converter(std::int32_t full_scale_counts, Rig const& rig)
 {
     if (full_scale_counts != rig.full_scale_counts)
@@ -27,6 +25,8 @@ Result<double> height_of(HeightCapture const& capture, Rig const& rig)
                             "the height anew",
                             capture.counts, capture.ruler_mm));
 }
+
+namespace {
 
 bool was_fitted(double ruler_mm, Rig const& rig)
 {
@@ -72,20 +72,6 @@ std::string quote(HeightCheck const& check)
         return fmt::format("within {:.1f} mm at {:g} mm", check.within_mm, check.low_mm);
     return fmt::format("within {:.1f} mm over {:g}–{:g} mm", check.within_mm, check.low_mm,
                        check.high_mm);
-}
-
-Result<Rig> zeroed(Rig rig, HeightCapture const& capture, std::int32_t full_scale_counts)
-{
-    TRY(check_converter(full_scale_counts, rig));
-    // In micrometres, for the reader of the file.
-    double const rise_mm
-        = std::round((capture.ruler_mm - TRY(height_of(capture, rig))) * 1000) / 1000;
-    rig.height_model = raised(rig.height_model, rise_mm);
-    if (auto& record = rig.calibration.height) {
-        record->raised_mm += rise_mm;
-        record->heights_mm.array() += rise_mm;
-    }
-    return rig;
 }
 
 } // namespace tractus

@@ -32,8 +32,10 @@ Result<HeightCheck> check_height(std::span<HeightCapture const> captures,
 // As a person would quote it: "within 0.6 mm over 60–380 mm".
 std::string quote(HeightCheck const& check);
 
-// The rig with its zero moved, so that the capture is at the height that its ruler says; the scale
-// stays. Fails as check_height does.
-Result<Rig> zeroed(Rig rig, HeightCapture const& capture, std::int32_t full_scale_counts);
+// Fails, as the user's fault, if a height sensor has another converter than the rig's.
+Result<void> check_converter(std::int32_t full_scale_counts, Rig const& rig);
+
+// The height of a reading by the rig's model. Fails, as the user's fault, if it has none there.
+Result<double> height_of(HeightCapture const& capture, Rig const& rig);
 
 } // namespace tractus

@@ -122,10 +122,11 @@ std::optional<RobustFit> fit_best_monotone(Captures captures, HeightFitOptions c
                             });
     };
     std::optional<RobustFit> best;
-    for (auto knots = parameter_count(kind); knots + 2 <= captures.size() && knots <= kMostKnots;
-         ++knots) {
+    for (auto knots = parameter_count(kind);
+         knots + kFreedomThatTells <= captures.size() && knots <= kMostKnots; ++knots) {
         auto const fit = with_knots(knots);
-        if (fit && fit->freedom() > 0 && (!best || fit->variance_mm2() < best->variance_mm2()))
+        if (fit && fit->freedom() >= kFreedomThatTells
+            && (!best || fit->variance_mm2() < best->variance_mm2()))
             best = fit;
     }
     if (!best && options.kind)
@@ -401,14 +402,21 @@ std::optional<HeightModelKind> parse_height_model_kind(std::string_view name)
     return static_cast<HeightModelKind>(found - kNames.begin());
 }
 
-void tell_directions(std::vector<HeightCapture>& captures)
+HeightCapture::From direction(std::optional<double> before_mm, double ruler_mm)
 {
     constexpr double kLeastMove_mm = 1;
-    for (std::size_t i = 0; i < captures.size(); ++i) {
-        double const rise_mm = i > 0 ? captures[i].ruler_mm - captures[i - 1].ruler_mm : 0;
-        captures[i].from = rise_mm > kLeastMove_mm ? HeightCapture::From::Below
-            : rise_mm < -kLeastMove_mm             ? HeightCapture::From::Above
-                                                   : HeightCapture::From::Nowhere;
+    double const rise_mm = before_mm ? ruler_mm - *before_mm : 0;
+    return rise_mm > kLeastMove_mm ? HeightCapture::From::Below
+        : rise_mm < -kLeastMove_mm ? HeightCapture::From::Above
+                                   : HeightCapture::From::Nowhere;
+}
+
+void tell_directions(std::vector<HeightCapture>& captures)
+{
+    std::optional<double> before_mm;
+    for (auto& capture : captures) {
+        capture.from = direction(before_mm, capture.ruler_mm);
+        before_mm = capture.ruler_mm;
     }
 }
 

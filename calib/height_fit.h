@@ -80,7 +80,8 @@ double height_error_mm(HeightFit const& fit, double counts);
 // Fits the height sensor's model to captures, in the order in which they were made.
 //
 // The model is the simplest that the captures support: linear (2 parameters), string (4), monotone
-// (as many as it has knots, 5 at least). A string is taken before a line if the ruler's error alone
+// (as many as it has knots, 5 at least, and only where three captures more tell whether it is any
+// good). A string is taken before a line if the ruler's error alone
 // would make so great a gain in less than 1 of 20 cases: the sums of squares, over the ruler's
 // variance, are compared by chi squared, since a ruler's error is known and five captures leave one
 // over to tell it. A slip is dear there, as one capture in a hundred is one: otherwise a line
@@ -105,6 +106,9 @@ double height_error_mm(HeightFit const& fit, double counts);
 // the same while the ruler rises (a slack string).
 Result<HeightFit> fit_height(std::span<HeightCapture const> captures,
                              HeightFitOptions const& options = {});
+
+// From where the surface came to a height, given the one before it; no value: from nowhere.
+HeightCapture::From direction(std::optional<double> before_mm, double ruler_mm);
 
 // Fills in each capture's `from`, from the heights in their order.
 void tell_directions(std::vector<HeightCapture>& captures);

@@ -190,6 +190,22 @@ void raise(MonotoneHeight& model, double rise_mm)
         knot.height_mm += rise_mm;
 }
 
+void shift(LinearHeight& model, double shift_counts)
+{
+    model.zero_counts += shift_counts;
+}
+
+void shift(StringHeight& model, double shift_counts)
+{
+    model.zero_length_mm -= shift_counts * model.mm_per_count;
+}
+
+void shift(MonotoneHeight& model, double shift_counts)
+{
+    for (auto& knot : model.knots)
+        knot.counts += shift_counts;
+}
+
 // The members that a fit may change, in order.
 std::vector<double*> members(LinearHeight& model)
 {
@@ -254,6 +270,12 @@ std::optional<double> mm_per_count_at(HeightModel const& model, double counts)
 HeightModel raised(HeightModel model, double rise_mm)
 {
     std::visit([&](auto& kind) { raise(kind, rise_mm); }, model);
+    return model;
+}
+
+HeightModel shifted(HeightModel model, double shift_counts)
+{
+    std::visit([&](auto& kind) { shift(kind, shift_counts); }, model);
     return model;
 }
 

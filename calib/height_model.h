@@ -92,6 +92,10 @@ std::optional<double> mm_per_count_at(HeightModel const& model, double counts);
 // The same model for a zero that is `rise_mm` lower: each reading means so much more height.
 HeightModel raised(HeightModel model, double rise_mm);
 
+// The same model for a string that has slipped on its spool: each height now reads
+// `shift_counts` more.
+HeightModel shifted(HeightModel model, double shift_counts);
+
 // A model's numbers as a fit sees them, in the order of its members (a monotone model's are the
 // heights of its knots), and the model of the same kind with other numbers.
 Eigen::VectorXd parameters_of(HeightModel const& model);

@@ -126,11 +126,13 @@ void CalibrationController::close_capture()
     if (!capture) {
         refusal_
             = fmt::format("the capture at {:g} mm: {}", pending.ruler_mm, capture.error().message);
+        refusals_.push_back(refusal_);
         return;
     }
     refusal_.clear();
     captures_.push_back(*capture);
-    tell_directions(captures_);
+    captures_.back().from = direction(last_ruler_mm_, capture->ruler_mm);
+    last_ruler_mm_ = capture->ruler_mm;
 }
 
 bool CalibrationController::take_pen_rest()
@@ -149,9 +151,47 @@ Result<void> CalibrationController::capture(Timestamp time, std::string_view hei
     return {};
 }
 
+// A capture that is given up leaves the refused one before it refused.
+void CalibrationController::undo()
+{
+    if (pending_) {
+        pending_.reset();
+        return;
+    }
+    if (refusal_.empty() && !captures_.empty()) {
+        captures_.pop_back();
+        last_ruler_mm_
+            = captures_.empty() ? std::nullopt : std::optional(captures_.back().ruler_mm);
+    }
+    refusal_.clear();
+}
+
+Result<void> CalibrationController::drop(std::string_view number)
+{
+    std::size_t which = 0;
+    auto const [end, error] = std::from_chars(number.data(), number.data() + number.size(), which);
+    if (error != std::errc() || end != number.data() + number.size() || which < 1
+        || which > captures_.size())
+        return fail(Fault::User,
+                    fmt::format("\"{}\" is no capture to drop: there are {}, counted from 1",
+                                number, captures_.size()));
+    captures_.erase(captures_.begin() + static_cast<std::ptrdiff_t>(which - 1));
+    return {};
+}
+
+std::optional<HeightFitDoubt> CalibrationController::doubt() const
+{
+    if (procedure() != CalibrationProcedure::Height)
+        return std::nullopt;
+    auto const fit = fit_height(captures_, options_.height);
+    return fit ? doubt_about(*fit, captures_, options_.height) : std::nullopt;
+}
+
 Result<void> CalibrationController::command(Timestamp time, std::string_view words)
 {
     constexpr std::string_view kCapture = "capture ";
+    constexpr std::string_view kDrop = "drop ";
+    constexpr std::string_view kCause = "cause ";
     if (last_command_ && time < *last_command_)
         return fail(Fault::User,
                     fmt::format("\"{}\" at {:.3f} s comes after a command at {:.3f} s: captures "
@@ -160,10 +200,10 @@ Result<void> CalibrationController::command(Timestamp time, std::string_view wor
     last_command_ = time;
     if (takes_captures(procedure()) && words.starts_with(kCapture))
         return capture(time, words.substr(kCapture.size()));
+    if (takes_captures(procedure()) && words.starts_with(kDrop))
+        return drop(words.substr(kDrop.size()));
     if (takes_captures(procedure()) && words == "undo") {
-        if (refusal_.empty() && !captures_.empty())
-            captures_.pop_back();
-        refusal_.clear();
+        undo();
         return {};
     }
     if (!takes_captures(procedure()) && (words == "begin" || words == "end")) {
@@ -172,14 +212,20 @@ Result<void> CalibrationController::command(Timestamp time, std::string_view wor
             begin_movement();
         return {};
     }
+    if (procedure() == CalibrationProcedure::Zero && words.starts_with(kCause)) {
+        options_.zero_cause = parse_zero_cause(words.substr(kCause.size()));
+        if (options_.zero_cause)
+            return {};
+    }
     if (words == "press") {
         press();
         return {};
     }
-    return fail(Fault::User,
-                fmt::format("\"{}\" is no command of calibrate {}: expected {}", words,
-                            name_of(procedure()),
-                            takes_captures(procedure()) ? "capture MM or undo" : "begin or end"));
+    return fail(
+        Fault::User,
+        fmt::format("\"{}\" is no command of calibrate {}: expected {}", words,
+                    name_of(procedure()),
+                    takes_captures(procedure()) ? "capture MM, undo or drop N" : "begin or end"));
 }
 
 // What was before does not count.
@@ -202,6 +248,14 @@ void CalibrationController::press()
 }
 
 Result<CalibrationOutcome> CalibrationController::finish(std::string const& date) const
+{
+    auto outcome = TRY(conclude(date));
+    for (auto const& refusal : refusals_)
+        outcome.report += fmt::format("  not used: {}\n", refusal);
+    return outcome;
+}
+
+Result<CalibrationOutcome> CalibrationController::conclude(std::string const& date) const
 {
     if (pending_)
         return fail(Fault::Device,
@@ -227,7 +281,11 @@ Result<CalibrationOutcome> CalibrationController::finish(std::string const& date
 
 Result<CalibrationOutcome> CalibrationController::finish_height(std::string const& date) const
 {
-    HeightCalibration const calibration { .fit = TRY(fit_height(captures_, options_.height)),
+    auto fit = TRY(fit_height(captures_, options_.height));
+    auto const doubt = doubt_about(fit, captures_, options_.height);
+    if (doubt && !options_.is_forced)
+        return fail(Fault::User, doubt->reason + " (--force keeps the fit all the same)");
+    HeightCalibration const calibration { .fit = std::move(fit),
                                           .captures = captures_,
                                           .options = options_.height,
                                           .full_scale_counts = height_decoder_->full_scale(),
@@ -238,6 +296,8 @@ Result<CalibrationOutcome> CalibrationController::finish_height(std::string cons
         outcome.rig.tablet_size_mm
             = (pen_decoder_->traits().size_mm.array() * 1000).round() / 1000; // Micrometres.
     outcome.report = describe(calibration, outcome.rig);
+    if (doubt)
+        outcome.report += fmt::format("  kept by force: {}\n", doubt->reason);
     return outcome;
 }
 
@@ -256,20 +316,26 @@ Result<CalibrationOutcome> CalibrationController::finish_latency(std::string con
     return outcome;
 }
 
+std::optional<Zeroing> CalibrationController::open_question() const
+{
+    constexpr double kWorthAsking_mm = 0.2;
+    if (procedure() != CalibrationProcedure::Zero)
+        return std::nullopt;
+    auto const zeroing
+        = zeroed(options_.rig, captures_, height_decoder_->full_scale(), options_.zero_cause);
+    if (!zeroing || zeroing->is_told || zeroing->at_stake_mm < kWorthAsking_mm)
+        return std::nullopt;
+    return *zeroing;
+}
+
 Result<CalibrationOutcome> CalibrationController::finish_zero() const
 {
-    if (captures_.empty())
-        return fail(Fault::User,
-                    "nothing was captured: set the surface to a known height, let it "
-                    "rest and capture it");
-    auto const& capture = captures_.back();
-    auto const before = height_mm(options_.rig.height_model, capture.counts);
-    CalibrationOutcome outcome { .rig = TRY(zeroed(options_.rig, capture,
-                                                   height_decoder_->full_scale())) };
-    outcome.report
-        = fmt::format("zero: what was {:.2f} mm is {:g} mm now; the scale is as it was\n",
-                      before.value_or(0), capture.ruler_mm);
-    return outcome;
+    auto zeroing
+        = TRY(zeroed(options_.rig, captures_, height_decoder_->full_scale(), options_.zero_cause));
+    auto report = describe(zeroing, options_.rig, captures_);
+    if (open_question())
+        report += describe_question(zeroing);
+    return CalibrationOutcome { .rig = std::move(zeroing.rig), .report = std::move(report) };
 }
 
 Result<CalibrationOutcome> CalibrationController::finish_check(std::string const& date) const

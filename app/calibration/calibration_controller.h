@@ -2,7 +2,9 @@
 
 #include "calib/calibrate.h"
 #include "calib/height_capture.h"
+#include "calib/height_fit_doubt.h"
 #include "calib/rig.h"
+#include "calib/zeroing.h"
 #include "drivers/device_info.h"
 #include "drivers/height_decoder.h"
 #include "drivers/pen_decoder.h"
@@ -46,8 +48,10 @@ struct CalibrationOutcome {
 //
 //     capture 120.5    the surface is at 120.5 mm and rests; what the sensor sends from now on for
 //                      kCaptureTime is the capture
-//     undo             the last capture was wrong
+//     undo             the last capture was wrong; or the one under way is given up
+//     drop 3           the third capture was wrong
 //     begin, end       of the movement of travel and latency; in a log without them it is all of it
+//     cause slipped    why height zero is off: slipped or moved (zeroing.h)
 //     press            the pen's touch under way presses a button: it is no rest, and no movement
 class CalibrationController {
 public:
@@ -55,6 +59,8 @@ public:
         CalibrationProcedure procedure = CalibrationProcedure::Height;
         Rig rig {}; // As it was so far.
         HeightFitOptions height {};
+        std::optional<ZeroCause> zero_cause {}; // No value: what the captures tell, or the usual.
+        bool is_forced = false; // Whether a height fit is kept in spite of a doubt about it.
     };
 
     // Takes the first pen and the first height sensor. Fails, as the user's fault, if one that the
@@ -70,6 +76,15 @@ public:
 
     // What is wrong with the last capture: a sentence that says what to do. Empty if nothing is.
     std::string const& refusal() const { return refusal_; }
+
+    // Why the heights captured so far had better not be kept; no value if they may be, if there is
+    // no fit yet, and after other procedures than Height.
+    std::optional<HeightFitDoubt> doubt() const;
+
+    // What the captures of Zero amount to, if it matters why heights are off and nothing tells it
+    // yet; otherwise no value.
+    std::optional<Zeroing> open_question() const;
+
     bool is_capturing() const { return pending_.has_value(); }
     bool is_moving() const { return is_moving_; } // Between begin and end.
 
@@ -85,8 +100,9 @@ public:
     // that the surface rests. The time is that of the data.
     bool take_pen_rest();
 
-    // What follows from everything so far. Fails as the procedure's fit does, and if a capture was
-    // refused and not made again.
+    // What follows from everything so far. Fails as the procedure's fit does, if a capture was
+    // refused and not made again, and for a doubt about the heights that is not forced. The
+    // report names every capture that was refused, those that were made again, too.
     Result<CalibrationOutcome> finish(std::string const& date) const;
 
 private:
@@ -105,8 +121,11 @@ private:
     void push_height(HeightSample const& sample);
     void close_capture();
     Result<void> capture(Timestamp time, std::string_view height);
+    Result<void> drop(std::string_view number);
+    void undo();
     void begin_movement();
     void press();
+    Result<CalibrationOutcome> conclude(std::string const& date) const;
     Result<CalibrationOutcome> finish_height(std::string const& date) const;
     Result<CalibrationOutcome> finish_travel(std::string const& date) const;
     Result<CalibrationOutcome> finish_latency(std::string const& date) const;
@@ -125,7 +144,9 @@ private:
     std::vector<PenSample> new_pens_;       // Likewise.
     std::optional<Pending> pending_;
     std::vector<HeightCapture> captures_;
+    std::optional<double> last_ruler_mm_; // Where the surface was last captured, dropped or not.
     std::string refusal_;
+    std::vector<std::string> refusals_; // All of them, for the report.
     std::optional<Timestamp> last_command_;
 
     std::optional<PenSample> pen_;

@@ -117,6 +117,29 @@ std::string describe(HeightCheck const& check)
     return text;
 }
 
+std::string describe(Zeroing const& zeroing, Rig const& before,
+                     std::span<HeightCapture const> captures)
+{
+    std::string text;
+    for (auto const& capture : captures)
+        text += fmt::format("zero: what was {:.2f} mm is {:.2f} mm now, {:g} by the ruler\n",
+                            height_mm(before.height_model, capture.counts).value_or(0),
+                            height_mm(zeroing.rig.height_model, capture.counts).value_or(0),
+                            capture.ruler_mm);
+    text += zeroing.cause == ZeroCause::Slipped
+        ? "  as after a slip of the string; the scale is as it was\n"
+        : "  as after a move of the table; the scale is as it was\n";
+    return text;
+}
+
+std::string describe_question(Zeroing const& zeroing)
+{
+    return fmt::format("  if the table, the spool's stand or the ruler moved instead, heights are "
+                       "up to {:.1f} mm wrong now: capture a second height, far from the first, or "
+                       "say --cause moved\n",
+                       zeroing.at_stake_mm);
+}
+
 std::string describe_heights(double low_mm, double high_mm)
 {
     auto const tenths = [](double mm) { return std::round(mm * 10) / 10 + 0.0; }; // No "-0.0".

@@ -2,7 +2,9 @@
 
 #include "calib/calibrate.h"
 #include "calib/rig.h"
+#include "calib/zeroing.h"
 
+#include <span>
 #include <string>
 
 namespace tractus {
@@ -13,6 +15,13 @@ std::string describe(HeightCalibration const& calibration, Rig const& rig);
 std::string describe(TravelFit const& fit);
 std::string describe(LatencyFit const& fit, Rig const& rig);
 std::string describe(HeightCheck const& check);
+
+// `before` is the rig that was zeroed.
+std::string describe(Zeroing const& zeroing, Rig const& before,
+                     std::span<HeightCapture const> captures);
+
+// What is at stake where nobody has told why heights are off, and how to tell it.
+std::string describe_question(Zeroing const& zeroing);
 
 // Heights in millimetres as "0.0 to 400.1 mm", in no line of its own.
 std::string describe_heights(double low_mm, double high_mm);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr Duration kRest = std::chrono::milliseconds(2);
 constexpr Duration kShowEvery = std::chrono::milliseconds(100);
+constexpr Duration kCaptureEndsAfter = kCaptureTime + std::chrono::seconds(2); // Or never.
 constexpr char kEndOfInput = '\4';
 constexpr char kBackspace = '\b';
 constexpr char kDelete = '\177';
@@ -79,16 +80,62 @@ private:
 
     Result<void> hear()
     {
-        if (was_capturing_) {
-            if (!controller_.is_capturing())
-                TRY(tell_capture());
-            return {}; // Keys wait until the capture is over.
-        }
+        if (was_capturing_ && !controller_.is_capturing())
+            return tell_capture();
+        if (was_capturing_ && options_.now() - capture_began_ > kCaptureEndsAfter)
+            return give_up_capture();
+        if (was_capturing_)
+            return hear_while_capturing();
         if (takes_captures(controller_.procedure()) && controller_.take_pen_rest() && next_height())
             return enter(newest_); // However late we notice it.
-        if (auto const key = person_.key())
+        if (auto const key = next_key())
             return press(*key);
         return {};
+    }
+
+    // What is typed waits until the capture is over, but for a person who wants out.
+    Result<void> hear_while_capturing()
+    {
+        if (person_.is_script)
+            return {};
+        auto const key = person_.key();
+        if (!key || *key == kEndOfInput) // Which comes again.
+            return {};
+        if (*key == 'q') {
+            is_away_ = true;
+        } else if (*key == 'u') {
+            was_capturing_ = false;
+            return undo();
+        } else if (*key == 'f') {
+            person_.say("a capture is under way: wait a second for its end, or press u to give it "
+                        "up");
+        } else {
+            typed_ += *key;
+        }
+        return {};
+    }
+
+    // The readings stopped coming.
+    Result<void> give_up_capture()
+    {
+        was_capturing_ = false;
+        TRY(command(options_.now(), "undo"));
+        auto const why = "the height sensor fell silent during the capture: check its plug and its "
+                         "cable, then capture again";
+        if (person_.is_script)
+            return fail(Fault::Device, why);
+        person_.say(why);
+        ask();
+        return {};
+    }
+
+    std::optional<char> next_key()
+    {
+        if (typed_.empty())
+            return person_.key();
+        char const key = typed_.front();
+        typed_.erase(0, 1);
+        return key;
     }
 
     Result<void> press(char key)
@@ -106,6 +153,10 @@ private:
             return undo();
         case 'f':
             return finish();
+        case 's':
+            return answer("slipped");
+        case 'm':
+            return answer("moved");
         case kEndOfInput:
             return go_on_alone();
         case 'q':
@@ -145,14 +196,17 @@ private:
         TRY(command(time, "capture " + *height));
         entry_.clear();
         was_capturing_ = controller_.is_capturing();
+        capture_began_ = options_.now();
         return {};
     }
 
-    // What was typed, else the next of the list.
+    // What was typed, else what is to be measured again, else the next of the list.
     std::optional<std::string> next_height() const
     {
         if (!entry_.empty())
             return entry_;
+        if (!again_mm_.empty())
+            return fmt::format("{}", again_mm_.front());
         if (controller_.captures().size() < options_.heights_mm.size())
             return fmt::format("{}", options_.heights_mm[controller_.captures().size()]);
         return std::nullopt;
@@ -171,19 +225,66 @@ private:
         person_.say(fmt::format("  {}. {:g} mm: {:.2f} counts, noise {:.2f}",
                                 controller_.captures().size(), capture.ruler_mm, capture.counts,
                                 capture.noise_counts));
-        bool const is_last = !options_.heights_mm.empty()
-            && controller_.captures().size() >= options_.heights_mm.size();
-        is_done_ = is_last || controller_.procedure() == CalibrationProcedure::Zero;
-        if (!is_done_)
-            ask();
+        bool const was_again = !again_mm_.empty();
+        if (was_again)
+            again_mm_.erase(again_mm_.begin());
+        bool const is_last = (was_again || !options_.heights_mm.empty())
+            && controller_.captures().size() >= options_.heights_mm.size() && again_mm_.empty();
+        if (controller_.procedure() == CalibrationProcedure::Zero)
+            return finish_zero();
+        if (is_last)
+            return finish();
+        ask();
         return {};
+    }
+
+    Result<void> finish_zero()
+    {
+        auto const question = controller_.open_question();
+        if (!question || person_.is_script)
+            return finish();
+        is_asking_cause_ = true;
+        person_.say(fmt::format("Why is the height off? s: the string slipped; m: the table, the "
+                                "spool's stand or the ruler moved. It makes up to {:.1f} mm; if "
+                                "you do not know, set the surface to a second height, far from the "
+                                "first, type it and press Enter",
+                                question->at_stake_mm));
+        return {};
+    }
+
+    Result<void> answer(std::string_view cause)
+    {
+        if (!is_asking_cause_)
+            return {};
+        TRY(command(options_.now(), fmt::format("cause {}", cause)));
+        return finish();
+    }
+
+    // Captures that disagree with the others are dropped, for their heights to be measured again.
+    // A script's are refused when its rig is made.
+    Result<bool> may_finish()
+    {
+        auto const doubt = controller_.doubt();
+        if (!doubt || person_.is_script || options_.is_forced)
+            return true;
+        person_.say(doubt->reason);
+        for (auto i = doubt->captures.rbegin(); i != doubt->captures.rend(); ++i) {
+            again_mm_.insert(again_mm_.begin(), controller_.captures()[*i].ruler_mm);
+            TRY(command(options_.now(), fmt::format("drop {}", *i + 1)));
+        }
+        if (doubt->captures.empty())
+            person_.say("u takes captures back, q leaves the rig as it was");
+        else
+            person_.say("  (f does without them)");
+        ask();
+        return false;
     }
 
     Result<void> undo()
     {
         if (!takes_captures(controller_.procedure()))
             return {};
-        TRY(command(options_.now(), "undo"));
+        TRY(command(options_.now(), "undo")); // The one under way, if there is one.
         person_.say(fmt::format("  {} captures are left", controller_.captures().size()));
         ask();
         return {};
@@ -204,7 +305,7 @@ private:
             TRY(command(options_.now(), "undo")); // The refused capture is not wanted any more.
         if (!takes_captures(controller_.procedure()))
             TRY(command(options_.now(), "end"));
-        is_done_ = true;
+        is_done_ = TRY(may_finish());
         return {};
     }
 
@@ -239,8 +340,12 @@ private:
     LiveCalibrationOptions const& options_;
     std::vector<LiveReport> reports_;
     std::string entry_;
+    std::string typed_;            // During a capture.
+    std::vector<double> again_mm_; // Heights whose captures disagreed.
     bool was_capturing_ = false;
+    Timestamp capture_began_ {};
     bool is_moving_ = false;
+    bool is_asking_cause_ = false; // Why the height is off.
     bool is_done_ = false;
     bool is_away_ = false;
     Timestamp newest_ {}; // Of the reports.

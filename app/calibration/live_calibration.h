@@ -18,9 +18,10 @@ namespace tractus {
 //
 //     digits, point, minus   a height; backspace takes one back
 //     Enter                  captures there, or begins and ends the movement
-//     u                      the last capture was wrong
-//     f                      done: fit
-//     q                      away, and nothing is changed
+//     u                      the last capture was wrong, or the one under way is given up
+//     f                      done: fit; captures that disagree are to be measured again first
+//     s, m                   the string slipped, or the table moved, when that is asked
+//     q                      away at any time, and nothing is changed
 struct CalibrationPerson {
     std::function<std::optional<char>()> key;     // No value: none now. '\4' is the input's end.
     std::function<void(std::string const&)> say;  // A line, without its break.
@@ -30,6 +31,7 @@ struct CalibrationPerson {
 
 struct LiveCalibrationOptions {
     std::vector<double> heights_mm {}; // To be captured in this order; empty: the person says them.
+    bool is_forced = false;            // Captures that disagree are no reason to go on.
     LiveRecorder* recorder = nullptr;  // Not owned; null: nothing is recorded.
     Timestamp start {};                // Of the recording.
     std::function<Timestamp()> now {};
@@ -41,7 +43,8 @@ struct LiveCalibrationOptions {
 // recording gives the same rig. At the input's end nobody is there any more: the pen's rests
 // capture the heights that are left, and a movement is all that comes until the devices end. True
 // when all was done, false when the person went away or `stop` was set. Fails if the devices end
-// before, if the recording cannot be written, and, with a script, if a capture is refused.
+// before, if the recording cannot be written, and, with a script, if a capture is refused or the
+// sensor falls silent during one.
 Result<bool> calibrate_live(CalibrationController& controller, LiveDevices& devices,
                             CalibrationPerson const& person, LiveCalibrationOptions const& options,
                             std::atomic<bool> const& stop);

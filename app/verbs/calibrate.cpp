@@ -41,6 +41,8 @@ struct CalibrateArguments {
     std::vector<double> heights_mm;
     std::string model;
     double ruler_error_mm = 0.3;
+    std::string zero_cause;
+    bool is_forced = false;
     bool window = false;
     int frames = 0;
     std::string screenshot;
@@ -67,6 +69,8 @@ CalibrationController::Options desk_options(CalibrateArguments const& arguments,
     CalibrationController::Options options { .procedure = arguments.procedure,
                                              .rig = std::move(rig) };
     options.height.ruler_error_mm = arguments.ruler_error_mm;
+    options.zero_cause = parse_zero_cause(arguments.zero_cause);
+    options.is_forced = arguments.is_forced;
     if (!arguments.model.empty())
         options.height.kind = parse_height_model_kind(arguments.model);
     return options;
@@ -124,6 +128,7 @@ Result<std::optional<CalibrationOutcome>> from_devices(CalibrateArguments const&
     auto devices = TRY(open_devices(arguments.devices, "to calibrate"));
     auto const clock = live_recording_by_the_clock({});
     LiveCalibrationOptions options { .heights_mm = arguments.heights_mm,
+                                     .is_forced = arguments.is_forced,
                                      .start = clock.now(),
                                      .now = clock.now,
                                      .rest = clock.rest };
@@ -285,7 +290,16 @@ CLI::App* add_procedure(CLI::App& parent, CalibrationProcedure procedure, std::s
             ->type_name("MM")
             ->check(number(0.01, 10))
             ->capture_default_str();
+        verb->add_flag("--force", arguments->is_forced,
+                       "Keep a fit whose captures disagree, or span less than 100 mm");
     }
+    if (procedure == CalibrationProcedure::Zero)
+        verb->add_option("--cause", arguments->zero_cause,
+                         "Why heights are off: the string slipped, or the table, the spool's stand "
+                         "or the ruler moved; without it, what captures at two heights tell, else "
+                         "slipped")
+            ->type_name("CAUSE")
+            ->check(one_of({ "slipped", "moved" }));
     verb->callback(
         [arguments, &action] { action = [arguments] { return calibrate(*arguments); }; });
     return verb;
@@ -316,7 +330,9 @@ void add_calibrate_verb(CLI::App& root, Action& action)
                  "while the surface moves up and down several times. Enter begins and ends.");
     add_procedure(*verb, CalibrationProcedure::Zero,
                   "Where height zero is, from one capture; the scale stays", action)
-        ->footer("Set the surface to a known height, 0 say, let it rest, type it and press Enter.");
+        ->footer(
+            "Set the surface to a known height, 0 say, let it rest, type it and press Enter. A\n"
+            "second height, far from the first, tells a slipped string from a moved table.");
     add_procedure(*verb, CalibrationProcedure::Check,
                   "How exact the rig is, at heights that were not used to calibrate it", action)
         ->footer("Says what a person would: within 0.6 mm over 60–380 mm. The rig's numbers stay.");

@@ -138,7 +138,7 @@ TEST(HeightFit, KeepsToALineWhereOtherModelsGainNothing)
     EXPECT_EQ(name_of(fit.model), "linear");
     EXPECT_NE(fit.reason.find("linear: what richer models gain may be chance (F test, p = "),
               std::string::npos);
-    ASSERT_EQ(fit.candidates.size(), 3u);
+    ASSERT_EQ(fit.candidates.size(), 2u) << "seven captures are too few for a monotone curve";
     EXPECT_GT(fit.candidates[1].p_value, 0.01);
 }
 

@@ -39,6 +39,12 @@ Potentiometer::Potentiometer(Geometry const& geometry, Faults const& faults, Dic
     wave_scale_ = 1 / greatest;
 }
 
+void Potentiometer::befall(double slip_mm, double move_mm)
+{
+    shortest_mm_ -= slip_mm;
+    geometry_.base_mm += move_mm;
+}
+
 // From the pulley's tangent point to the table, and what is wound round the pulley up to there.
 double Potentiometer::length(double height_mm) const
 {

@@ -36,6 +36,10 @@ class Potentiometer {
 public:
     Potentiometer(Geometry const& geometry, Faults const& faults, Dice& dice);
 
+    // The string slips by so much, and from now on the wiper stands so much farther; the table's
+    // zero comes to lie so much higher over the pulley.
+    void befall(double slip_mm, double move_mm);
+
     // The converter's input, in counts that are not rounded yet, with the table at rest.
     double counts(double height_mm) const;
 
@@ -49,7 +53,7 @@ private:
 
     Geometry geometry_;
     Faults faults_;
-    double shortest_mm_ = 0;
+    double shortest_mm_ = 0; // The string, with the wiper at the track's first part.
     double hum_phase_ = 0;
     std::array<double, 4> waves_ {};
     double wave_scale_ = 0;

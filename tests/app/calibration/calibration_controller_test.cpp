@@ -32,6 +32,13 @@ Result<CalibrationOutcome> outcome_of(std::string const& text, CalibrationProced
     return calibrate_from_log(log, { .procedure = procedure, .rig = rig }, kDate);
 }
 
+Result<CalibrationOutcome> outcome_with(CalibrationController::Options options,
+                                        std::string const& text)
+{
+    auto const log = parse_log(text, "my.tractus-log").value();
+    return calibrate_from_log(log, std::move(options), kDate);
+}
+
 std::string refusal_of(std::string const& text,
                        CalibrationProcedure procedure = CalibrationProcedure::Height)
 {
@@ -100,25 +107,62 @@ TEST(CalibrationController, QuotesHowExactARigIs)
     EXPECT_LE(outcome.rig.calibration.check->within_mm, 2);
 }
 
-TEST(CalibrationController, ZeroesWithoutTouchingTheScale)
+// At 100 mm the person says 0.
+std::string zeroed_too_low()
+{
+    auto text = simulated_text({ .procedure = CalibrationProcedure::Zero, .heights_mm = { 100 } });
+    return text.replace(text.find("capture 100"), 11, "capture 0");
+}
+
+TEST(CalibrationController, ZeroesATableThatMovedWithoutTouchingTheScale)
 {
     auto const rig = calibrated_rig();
-    auto const text
-        = simulated_text({ .procedure = CalibrationProcedure::Zero, .heights_mm = { 100 } });
-    auto shifted = text;
-    auto const place = shifted.find("capture 100");
-    shifted.replace(place, 11, "capture 0");
-    auto const outcome = outcome_of(shifted, CalibrationProcedure::Zero, rig).value();
+    auto const outcome = outcome_with({ .procedure = CalibrationProcedure::Zero,
+                                        .rig = rig,
+                                        .zero_cause = ZeroCause::Moved },
+                                      zeroed_too_low())
+                             .value();
     EXPECT_NEAR(height_mm(outcome.rig.height_model, 2000).value(),
                 height_mm(rig.height_model, 2000).value() - 100, 2);
     EXPECT_NEAR(mm_per_count_at(outcome.rig.height_model, 2000).value(),
                 mm_per_count_at(rig.height_model, 2000).value(), 1e-9);
     EXPECT_NEAR(outcome.rig.calibration.height->raised_mm, -100, 2);
+    EXPECT_EQ(outcome.report.find("if the table"), std::string::npos) << outcome.report;
 }
 
-TEST(CalibrationController, NamesASlippedCaptureInItsReport)
+TEST(CalibrationController, TakesAStringToHaveSlippedAndSaysWhatElseItMayBe)
+{
+    auto const rig = calibrated_rig();
+    auto const outcome = outcome_of(zeroed_too_low(), CalibrationProcedure::Zero, rig).value();
+    auto const& before = std::get<StringHeight>(rig.height_model);
+    auto const& after = std::get<StringHeight>(outcome.rig.height_model);
+    EXPECT_EQ(after.base_mm, before.base_mm);
+    EXPECT_LT(after.zero_length_mm, before.zero_length_mm - 10);
+    EXPECT_NE(outcome.report.find("  if the table, the spool's stand or the ruler moved instead, "
+                                  "heights are up to "),
+              std::string::npos)
+        << outcome.report;
+}
+
+TEST(CalibrationController, RefusesASlippedCaptureThatTheOthersAreTooFewToOutvote)
 {
     SimulatedCalibration slipped;
+    slipped.person.slip = Slip { .capture = 2, .wrong_by_mm = 20 };
+    auto const text = simulated_text(slipped);
+    EXPECT_EQ(refusal_of(text),
+              "my.tractus-log: capture 3 (220 mm) disagrees with the others, which are too few to "
+              "tell who is right: measure it again (--force keeps the fit all the same)");
+    auto const outcome = outcome_with({ .is_forced = true }, text).value();
+    EXPECT_EQ(outcome.rig.calibration.height->slipped, std::vector<std::size_t> { 2 });
+    EXPECT_NE(outcome.report.find("capture 3 at 220 mm is off by +"), std::string::npos)
+        << outcome.report;
+    EXPECT_NE(outcome.report.find("  kept by force: capture 3 (220 mm)"), std::string::npos)
+        << outcome.report;
+}
+
+TEST(CalibrationController, NamesASlippedCaptureOfManyInItsReport)
+{
+    SimulatedCalibration slipped { .heights_mm = { 0, 60, 200, 400, 300, 120, 20, 250, 350 } };
     slipped.person.slip = Slip { .capture = 2, .wrong_by_mm = 20 };
     auto const outcome = outcome_of(simulated_text(slipped), CalibrationProcedure::Height).value();
     EXPECT_EQ(outcome.rig.calibration.height->slipped, std::vector<std::size_t> { 2 });
@@ -145,6 +189,20 @@ TEST(CalibrationController, UndoesACapture)
     EXPECT_EQ(rig.calibration.height->captures[1].ruler_mm, 200);
 }
 
+TEST(CalibrationController, DropsACapture)
+{
+    auto const text = simulated_text({});
+    auto const place = text.find("T: ", text.find("capture 200"));
+    auto const time = text.substr(place, 16);
+    auto const dropped = std::string(text).insert(place, time + " calibrate drop 1\n");
+    auto const rig = outcome_of(dropped, CalibrationProcedure::Height).value().rig;
+    EXPECT_EQ(rig.calibration.height->captures.size(), 6u);
+    EXPECT_EQ(rig.calibration.height->captures[0].ruler_mm, 60);
+    auto const none = std::string(text).insert(place, time + " calibrate drop 9\n");
+    EXPECT_NE(refusal_of(none).find("\"9\" is no capture to drop: there are "), std::string::npos)
+        << refusal_of(none);
+}
+
 TEST(CalibrationController, RefusesACaptureWhileTheSurfaceMoves)
 {
     // The last capture's command comes when the surface is on its way to that height.
@@ -161,11 +219,20 @@ TEST(CalibrationController, RefusesACaptureWhileTheSurfaceMoves)
     std::size_t at = early.find("\nE: ") + 1;
     while (std::stod(early.substr(early.find("E: ", at) + 3)) < time)
         at = early.find("\nE: ", at) + 1;
-    early.insert(at, fmt::format("T: {:013.6f} calibrate capture 300\n", time));
+    auto const too_early = fmt::format("T: {:013.6f} calibrate capture 300\n", time);
+    early.insert(at, too_early);
     EXPECT_NE(refusal_of(early).find("my.tractus-log: the capture at 300 mm: the surface moved "
                                      "during the capture, by "),
               std::string::npos)
         << refusal_of(early);
+
+    // Made again, it is told all the same.
+    auto const again = std::string(early).insert(line + too_early.size(), moved);
+    auto const report = outcome_of(again, CalibrationProcedure::Height).value().report;
+    EXPECT_NE(report.find("  not used: the capture at 300 mm: the surface moved during the "
+                          "capture, by "),
+              std::string::npos)
+        << report;
 }
 
 TEST(CalibrationController, RefusesCommandsOutOfOrder)
@@ -186,8 +253,8 @@ TEST(CalibrationController, RefusesWordsThatMeanNothing)
     EXPECT_EQ(refusal_of(with_line(text, "capture 100", "capture high")),
               "my.tractus-log: \"high\" is no height: give millimetres, such as 120.5");
     EXPECT_EQ(refusal_of(with_line(text, "capture 100", "jump")),
-              "my.tractus-log: \"jump\" is no command of calibrate height: expected capture MM or "
-              "undo");
+              "my.tractus-log: \"jump\" is no command of calibrate height: expected capture MM, "
+              "undo or drop N");
 }
 
 TEST(CalibrationController, RefusesALogThatEndsTooEarly)

@@ -1,0 +1,88 @@
+#include "calib/height_fit_doubt.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+// The captures of an exact person, of a string that runs aslant, at told heights.
+std::vector<HeightCapture> captures_told(std::vector<double> const& heights_mm,
+                                         std::vector<double> const& told_mm)
+{
+    StringHeight const model {
+        .mm_per_count = 0.1, .zero_length_mm = 124, .offset_mm = 120, .base_mm = 80
+    };
+    std::vector<HeightCapture> captures;
+    for (std::size_t i = 0; i < heights_mm.size(); ++i)
+        captures.push_back({ .ruler_mm = told_mm[i],
+                             .counts = counts_at_height(model, heights_mm[i]).value(),
+                             .noise_counts = 1,
+                             .readings = 500 });
+    tell_directions(captures);
+    return captures;
+}
+
+std::vector<double> const kTenHeights { 0, 60, 200, 400, 300, 120, 20, 250, 350, 160 };
+
+std::optional<HeightFitDoubt> doubt_of(std::vector<HeightCapture> const& captures)
+{
+    auto const fit = fit_height(captures).value();
+    return doubt_about(fit, captures, {});
+}
+
+TEST(HeightFitDoubt, HasNoneAboutCapturesThatAgree)
+{
+    EXPECT_FALSE(doubt_of(captures_told(kTenHeights, kTenHeights)));
+}
+
+TEST(HeightFitDoubt, HasNoneAboutOneSlipThatTheOthersOutvote)
+{
+    auto told = kTenHeights;
+    told[4] = 315;
+    auto const captures = captures_told(kTenHeights, told);
+    EXPECT_EQ(fit_height(captures)->slipped, std::vector<std::size_t> { 4 });
+    EXPECT_FALSE(doubt_of(captures));
+}
+
+TEST(HeightFitDoubt, NamesThreeThatDisagree)
+{
+    auto told = kTenHeights;
+    told[1] += 12;
+    told[4] -= 9;
+    told[8] += 17;
+    auto const doubt = doubt_of(captures_told(kTenHeights, told));
+    ASSERT_TRUE(doubt);
+    EXPECT_EQ(doubt->captures, (std::vector<std::size_t> { 1, 4, 8 }));
+    EXPECT_EQ(doubt->reason.find("captures 2 (72 mm), 5 (291 mm), 9 (367 mm) disagree with the "
+                                 "others"),
+              0u)
+        << doubt->reason;
+}
+
+TEST(HeightFitDoubt, AsksAboutCentimetres)
+{
+    auto told = kTenHeights;
+    for (double& height : told)
+        height /= 10;
+    auto const doubt = doubt_of(captures_told(kTenHeights, told));
+    ASSERT_TRUE(doubt);
+    EXPECT_EQ(doubt->reason,
+              "the heights span only 40 mm: were those centimetres? give millimetres, over most of "
+              "the travel");
+    EXPECT_TRUE(doubt->captures.empty());
+}
+
+TEST(HeightFitDoubt, BlamesNoCaptureWhereNoneStandsOut)
+{
+    std::vector<HeightCapture> captures;
+    double const off_mm[] { 0, 7, -6, 9, -8, 5, -9 };
+    for (int i = 0; i < 7; ++i)
+        captures.push_back({ .ruler_mm = 60.0 * i + off_mm[i], .counts = 100 + 500.0 * i });
+    auto const doubt = doubt_of(captures);
+    ASSERT_TRUE(doubt);
+    EXPECT_TRUE(doubt->captures.empty());
+    EXPECT_NE(doubt->reason.find("none stands out"), std::string::npos) << doubt->reason;
+}
+
+} // namespace
+} // namespace tractus

@@ -1,0 +1,22 @@
+#pragma once
+
+namespace tractus::physics {
+
+// Which rigs a check looks at: so many of each row, with the seeds from the first on.
+struct Run {
+    unsigned rigs = 60;
+    unsigned first_seed = 1;
+
+    unsigned end_seed() const { return first_seed + rigs; }
+};
+
+// Each prints a table, a row for each kind of physics, with the seeds of the rigs that miss the
+// row's goal. False if a row that is held to its goal misses it.
+bool check_heights(Run const& run); // Of `calibrate height`.
+bool check_zeroing(Run const& run); // Of `calibrate zero`, after a string slipped or a table moved.
+
+// Whether so great a part of a run's rigs is good enough for a row's goal: a small run may miss by
+// what chance makes of so many rigs.
+bool is_enough(double part, double goal, Run const& run);
+
+} // namespace tractus::physics

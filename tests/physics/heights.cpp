@@ -1,0 +1,202 @@
+#include "app/calibration/log_calibration.h"
+#include "drivers/log.h"
+#include "tests/physics/capture_log.h"
+#include "tests/physics/checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tractus::physics {
+
+namespace {
+
+using Heights = std::vector<double>;
+
+enum class Mistake { None, TwoSwapped, OneFalse, ThreeFalse, Centimetres };
+
+// One row of the table.
+struct Scenario {
+    char const* name = "";
+    Heights heights_mm {};
+    Faults faults {};
+    Mistake mistake = Mistake::None;
+    double least_part = 0; // Of the rigs, within kGoal_mm or refused; 0: only measured.
+};
+
+constexpr double kGoal_mm = 0.5;
+
+Heights const kFive { 0, 60, 160, 280, 400 };
+Heights const kSeven { 0, 60, 200, 400, 300, 120, 20 };
+Heights const kTen { 0, 60, 200, 400, 300, 120, 20, 250, 350, 160 };
+
+std::vector<Scenario> scenarios()
+{
+    return {
+        { .name = "five captures", .heights_mm = kFive, .least_part = 0.95 },
+        { .name = "seven captures", .heights_mm = kSeven, .least_part = 0.95 },
+        { .name = "pulley of 6 mm",
+          .heights_mm = kSeven,
+          .faults = { .pulley_radius_mm = 6 },
+          .least_part = 0.95 },
+        { .name = "noise, hum and drift",
+          .heights_mm = kSeven,
+          .faults = { .noise_counts = 2, .hum_counts = 3, .drift_counts_per_s = 0.05 },
+          .least_part = 0.9 },
+        { .name = "hysteresis 0.8 mm", .heights_mm = kSeven, .faults = { .hysteresis_mm = 0.8 } },
+        { .name = "nonlinear by 0.25 %",
+          .heights_mm = kSeven,
+          .faults = { .nonlinearity = 0.0025 } },
+        { .name = "nonlinear by 1 %", .heights_mm = kSeven, .faults = { .nonlinearity = 0.01 } },
+        { .name = "loading 1.5 %", .heights_mm = kSeven, .faults = { .loading = 0.015 } },
+        { .name = "two swapped of ten",
+          .heights_mm = kTen,
+          .mistake = Mistake::TwoSwapped,
+          .least_part = 0.99 },
+        { .name = "three false of ten",
+          .heights_mm = kTen,
+          .mistake = Mistake::ThreeFalse,
+          .least_part = 0.99 },
+        { .name = "one false of five", .heights_mm = kFive, .mistake = Mistake::OneFalse },
+        { .name = "one false of seven",
+          .heights_mm = kSeven,
+          .mistake = Mistake::OneFalse,
+          .least_part = 0.9 },
+        { .name = "centimetres",
+          .heights_mm = kSeven,
+          .mistake = Mistake::Centimetres,
+          .least_part = 1 },
+    };
+}
+
+Heights told(Scenario const& scenario, Dice& dice)
+{
+    auto heights = scenario.heights_mm;
+    if (scenario.mistake == Mistake::TwoSwapped) {
+        auto const first = std::uniform_int_distribution<std::size_t>(0, heights.size() - 2)(dice);
+        std::swap(heights[first], heights[first + 1]);
+    }
+    if (scenario.mistake == Mistake::Centimetres)
+        for (double& height : heights)
+            height /= 10;
+    auto const falsify = [&](std::size_t i) {
+        heights[i] += uniform(dice, 5, 20) * (uniform(dice, 0, 1) < 0.5 ? -1 : 1);
+    };
+    if (scenario.mistake == Mistake::ThreeFalse)
+        for (std::size_t const i : { 1U, 4U, 8U })
+            falsify(i);
+    if (scenario.mistake == Mistake::OneFalse)
+        falsify(std::uniform_int_distribution<std::size_t>(0, heights.size() - 1)(dice));
+    return heights;
+}
+
+struct Trial {
+    std::optional<double> rms_mm {}; // No value: refused.
+    std::string refusal {};
+    std::vector<double> deviations {}; // Error over standard error.
+};
+
+Trial try_rig(Scenario const& scenario, unsigned seed)
+{
+    Dice dice(seed);
+    Geometry const geometry { .offset_mm = uniform(dice, 0, 150),
+                              .base_mm = uniform(dice, 60, 300) };
+    Potentiometer const sensor(geometry, scenario.faults, dice);
+    Person person { .heights_mm = scenario.heights_mm, .told_mm = told(scenario, dice) };
+    if (scenario.mistake == Mistake::Centimetres)
+        person.ruler_error_mm /= 10;
+    auto const log = parse_log(capture_log(sensor, geometry.full_scale, person, dice), "physics");
+    if (!log) {
+        std::fprintf(stderr, "seed %u: %s\n", seed, log.error().message.c_str());
+        std::exit(2);
+    }
+    auto const outcome = calibrate_from_log(*log, {}, "2026-11-24");
+    Trial trial;
+    if (!outcome) {
+        trial.refusal = outcome.error().message;
+        return trial;
+    }
+    double squares = 0;
+    int count = 0;
+    for (double height = 0; height <= 400; height += 5, ++count) {
+        double const counts = sensor.counts(height);
+        double const error = height_mm(outcome->rig.height_model, counts).value_or(1e3) - height;
+        squares += error * error;
+        trial.deviations.push_back(error
+                                   / std::max(1e-9, height_error_mm(*outcome->height_fit, counts)));
+    }
+    trial.rms_mm = std::sqrt(squares / count);
+    return trial;
+}
+
+double part_within(std::vector<double> const& values, double limit)
+{
+    auto const within = std::count_if(values.begin(), values.end(),
+                                      [&](double value) { return std::abs(value) <= limit; });
+    return values.empty() ? 0 : static_cast<double>(within) / static_cast<double>(values.size());
+}
+
+double quantile(std::vector<double>& sorted, double part)
+{
+    if (sorted.empty())
+        return 0;
+    return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
+}
+
+// False if the row misses its goal.
+bool run_row(Scenario const& scenario, Run const& run)
+{
+    std::vector<double> errors;
+    std::vector<double> deviations;
+    std::string missed;
+    std::string refusal;
+    unsigned good = 0;
+    for (unsigned seed = run.first_seed; seed < run.end_seed(); ++seed) {
+        auto const trial = try_rig(scenario, seed);
+        bool const is_good
+            = trial.rms_mm ? *trial.rms_mm <= kGoal_mm : scenario.mistake != Mistake::None;
+        good += is_good;
+        if (!is_good)
+            missed.append(1, ' ').append(std::to_string(seed));
+        if (!trial.rms_mm) {
+            refusal = trial.refusal;
+            continue;
+        }
+        errors.push_back(*trial.rms_mm);
+        deviations.insert(deviations.end(), trial.deviations.begin(), trial.deviations.end());
+    }
+    std::sort(errors.begin(), errors.end());
+    double const part = static_cast<double>(good) / run.rigs;
+    std::printf("%-22s %4zu fitted %4zu refused  median %6.2f  95 %% %6.2f mm  good %5.1f %%  "
+                "within 1, 2, 3 SE %3.0f %3.0f %3.0f %%\n",
+                scenario.name, errors.size(), run.rigs - errors.size(), quantile(errors, 0.5),
+                quantile(errors, 0.95), 100 * part, 100 * part_within(deviations, 1),
+                100 * part_within(deviations, 2), 100 * part_within(deviations, 3));
+    if (!refusal.empty())
+        std::printf("  refused: %s\n", refusal.c_str());
+    if (!missed.empty())
+        std::printf("  seeds that missed:%s\n", missed.c_str());
+    bool const is_good = is_enough(part, scenario.least_part, run);
+    if (!is_good)
+        std::printf("  MISSES ITS GOAL of %.0f %%\n", 100 * scenario.least_part);
+    return is_good;
+}
+
+} // namespace
+
+bool check_heights(Run const& run)
+{
+    std::printf(
+        "\nHeights: offsets of 0 to 150 mm, bases of 60 to 300 mm; good is at most 0.5 mm, or "
+        "refused where captures are wrong\n");
+    bool all_good = true;
+    for (auto const& scenario : scenarios())
+        all_good &= run_row(scenario, run);
+    return all_good;
+}
+
+} // namespace tractus::physics
