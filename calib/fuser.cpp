@@ -72,6 +72,11 @@ std::optional<HeightTrack::Estimate> Fuser::height_at(PenSample const& pen) cons
     return HeightTrack::Estimate { height, TipSample::HeightSource::Interpolated };
 }
 
+std::optional<HeightTrack::Estimate> Fuser::live_height_at(PenSample const& pen) const
+{
+    return scripted_ ? height_at(pen) : heights_.newest_at(instant(pen), rig_.max_height_age);
+}
+
 bool Fuser::is_calibrated(double height_mm) const
 {
     return scripted_ || !calibrated_
@@ -120,7 +125,7 @@ std::optional<TipSample> Fuser::push(PenSample const& reported)
     pending_.push_back(pen);
     settle_ready();
 
-    auto const height = height_at(pen);
+    auto const height = live_height_at(pen);
     if (!height) {
         gap_before_live_ = true;
         return std::nullopt;

@@ -42,10 +42,10 @@ struct FuserCounts {
 // Joins the two sensors: a pen on the tablet and the height of the tablet's carriage.
 //
 // Each pen sample gives two tips. One at once, for live ink, whose height is mostly carried on from
-// the last readings along a straight line. And one later, final: settled, once the readings around
-// its instant have come, from a line fitted through them (height_track.h). The instants are those
-// of the samples less their sensor's latency. Whether a tip touches, and how strongly, is as the
-// rig's PressureResponse has it.
+// the last readings (HeightTrack::newest_at). And one later, final: settled, once the readings
+// around its instant have come, from a line fitted through them (height_track.h). The instants are
+// those of the samples less their sensor's latency. Whether a tip touches, and how strongly, is as
+// the rig's PressureResponse has it.
 //
 // With heights 500 times a second of 12 bits and one count of noise, and a hand at 300 mm/s in the
 // plane and 200 mm/s in height, tips lie 0.1 mm from the truth in the mean; settled ones at most
@@ -80,9 +80,9 @@ public:
     [[nodiscard]] std::optional<TipSample> push(PenSample const& pen);
 
     // The tips that have settled since the last call, in the order of their pen samples. They are
-    // marked as interpolated, save where readings lay on one side alone (the start or end of a
-    // gap). A pen sample without a reading near it is left out, and the tip after it does not
-    // touch.
+    // marked as interpolated, save where readings lay on one side alone (before the first, or once
+    // the sensor is lost: the movement is carried on for 5 ms, and its end held from there). A pen
+    // sample without a reading near it is left out, and the tip after it does not touch.
     [[nodiscard]] std::vector<TipSample> take_settled();
 
     // No more samples come, or none for a while: settles what is left from the readings at hand.
@@ -95,6 +95,7 @@ private:
     TipSample tip(PenSample const& pen, HeightTrack::Estimate const& height) const;
     Timestamp instant(PenSample const& pen) const { return pen.time - rig_.tablet_latency; }
     std::optional<HeightTrack::Estimate> height_at(PenSample const& pen) const;
+    std::optional<HeightTrack::Estimate> live_height_at(PenSample const& pen) const;
     bool is_calibrated(double height_mm) const;
     bool has_all_readings(PenSample const& pen) const;
     void settle_ready();

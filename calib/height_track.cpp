@@ -3,6 +3,8 @@
 #include "engine/base/check.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace tractus {
 
@@ -19,8 +21,11 @@ public:
         ++count_;
     }
 
-    // The line's value at zero seconds.
-    std::optional<double> at_zero() const
+    struct Line {
+        double at_zero = 0; // Seconds.
+        double per_second = 0;
+    };
+    std::optional<Line> line() const
     {
         // The weighted variance of the times: nothing to fit a slope to where it is tiny.
         constexpr double kLeastSpread_s = 1e-3;
@@ -29,7 +34,8 @@ public:
         if (count_ < kFewestReadings
             || !(determinant > weights_ * weights_ * kLeastSpread_s * kLeastSpread_s))
             return std::nullopt;
-        return (squares_ * values_ - times_ * products_) / determinant;
+        return Line { (squares_ * values_ - times_ * products_) / determinant,
+                      (weights_ * products_ - times_ * values_) / determinant };
     }
 
 private:
@@ -41,7 +47,7 @@ private:
     int count_ = 0;
 };
 
-std::deque<HeightTrack::Reading>::const_iterator HeightTrack::first_not_before(Timestamp time) const
+HeightTrack::Place HeightTrack::first_not_before(Timestamp time) const
 {
     return std::lower_bound(readings_.begin(), readings_.end(), time,
                             [](Reading const& reading, Timestamp t) { return reading.time < t; });
@@ -70,15 +76,52 @@ Timestamp HeightTrack::newest() const
     return readings_.back().time;
 }
 
-std::optional<double> HeightTrack::fit(Timestamp centre, Timestamp time) const
+// The nearer neighbour's height where the reading is a spike, its own otherwise.
+double HeightTrack::without_spike_mm(Place reading) const
 {
-    LineFit line;
+    constexpr double kLeastSpike_mm = 1;          // Less is noise, which the fit smooths.
+    constexpr double kQuickest_mm_per_s2 = 20000; // Of a hand that turns.
+    if (reading == readings_.begin() || std::next(reading) == readings_.end())
+        return reading->height_mm;
+    auto const& before = *std::prev(reading);
+    auto const& after = *std::next(reading);
+    auto const [low, high] = std::minmax(before.height_mm, after.height_mm);
+    double const nearer_mm = std::clamp(reading->height_mm, low, high);
+    double const seconds
+        = to_seconds(std::max(reading->time - before.time, after.time - reading->time));
+    double const most_mm = kLeastSpike_mm + kQuickest_mm_per_s2 / 2 * seconds * seconds;
+    return std::abs(reading->height_mm - nearer_mm) > most_mm ? nearer_mm : reading->height_mm;
+}
+
+std::optional<HeightTrack::LineAt> HeightTrack::fit(Timestamp centre, Timestamp time) const
+{
+    LineFit sums;
     for (auto reading = first_not_before(centre - kHalfWidth);
          reading != readings_.end() && reading->time < centre + kHalfWidth; ++reading) {
         double const distance = to_seconds(reading->time - centre) / to_seconds(kHalfWidth);
-        line.add(to_seconds(reading->time - time), reading->height_mm, 1 - distance * distance);
+        sums.add(to_seconds(reading->time - time), without_spike_mm(reading),
+                 1 - distance * distance);
     }
-    return line.at_zero();
+    auto const line = sums.line();
+    return line ? std::optional(LineAt { line->at_zero, line->per_second }) : std::nullopt;
+}
+
+// Between `before` and the reading after it, which are far apart: the cubic Hermite curve, or a
+// straight line where a side has too few readings to tell its slope.
+double HeightTrack::across_mm(Place before, Timestamp time) const
+{
+    auto const after = std::next(before);
+    double const width_s = to_seconds(after->time - before->time);
+    double const t = to_seconds(time - before->time) / width_s;
+    auto const left = fit(before->time, before->time);
+    auto const right = fit(after->time, after->time);
+    double const from_mm = left ? left->height_mm : without_spike_mm(before);
+    double const to_mm = right ? right->height_mm : without_spike_mm(after);
+    if (!left || !right)
+        return from_mm + t * (to_mm - from_mm);
+    double const u = 1 - t;
+    return (1 + 2 * t) * u * u * from_mm + t * t * (3 - 2 * t) * to_mm
+        + width_s * t * u * (u * left->mm_per_s - t * right->mm_per_s);
 }
 
 std::optional<HeightTrack::Estimate> HeightTrack::at(Timestamp time, Duration max_age) const
@@ -88,21 +131,88 @@ std::optional<HeightTrack::Estimate> HeightTrack::at(Timestamp time, Duration ma
     bool const has_before = after != readings_.begin() && time - std::prev(after)->time <= max_age;
 
     if (has_after && (has_before || after->time == time)) {
-        if (auto const height = fit(time, time))
-            return Estimate { *height, TipSample::HeightSource::Interpolated };
+        bool const is_gap
+            = has_before && after->time > time && after->time - std::prev(after)->time > kHalfWidth;
+        if (is_gap)
+            return Estimate { across_mm(std::prev(after), time),
+                              TipSample::HeightSource::Interpolated };
+        if (auto const line = fit(time, time))
+            return Estimate { line->height_mm, TipSample::HeightSource::Interpolated };
         if (!has_before)
             return Estimate { after->height_mm, TipSample::HeightSource::Interpolated };
         auto const before = std::prev(after);
         double const part
             = to_seconds(time - before->time) / to_seconds(after->time - before->time);
-        return Estimate { before->height_mm + part * (after->height_mm - before->height_mm),
+        double const from_mm = without_spike_mm(before);
+        return Estimate { from_mm + part * (without_spike_mm(after) - from_mm),
                           TipSample::HeightSource::Interpolated };
     }
     if (!has_before && !has_after)
         return std::nullopt;
     auto const nearest = has_before ? std::prev(after) : after;
-    return Estimate { fit(nearest->time, time).value_or(nearest->height_mm),
+    auto const reached = std::clamp(time, nearest->time - kCarriedOn, nearest->time + kCarriedOn);
+    auto const line = fit(nearest->time, reached);
+    return Estimate { line ? line->height_mm : nearest->height_mm,
                       TipSample::HeightSource::Extrapolated };
+}
+
+// Between the last few readings, the shortest ones left out: bursts bring several at once.
+Duration HeightTrack::usual_spacing() const
+{
+    constexpr std::size_t kLast = 8;
+    auto const count = std::min(kLast, readings_.size());
+    if (count < 2)
+        return Duration {};
+    auto const first = std::prev(readings_.end(), static_cast<std::ptrdiff_t>(count));
+    return (newest() - first->time) / static_cast<std::int64_t>(count - 1);
+}
+
+// The reading some time before another one: far enough for a speed that is not all noise.
+HeightTrack::Place HeightTrack::some_time_before(Place reading) const
+{
+    constexpr Duration kLeastApart = std::chrono::milliseconds(6);
+    auto before = reading;
+    while (before != readings_.begin() && reading->time - before->time < kLeastApart)
+        --before;
+    return before;
+}
+
+double HeightTrack::speed_mm_per_s(Place from, Place to)
+{
+    double const seconds = to_seconds(to->time - from->time);
+    return seconds > 0 ? (to->height_mm - from->height_mm) / seconds : 0;
+}
+
+// How fast the carriage moves past the newest reading: as it did last, or slower if it was slowing
+// down, for then it goes on doing so.
+double HeightTrack::newest_speed_mm_per_s() const
+{
+    constexpr double kFastest_mm_per_s = 600; // Faster, a reading is a spike or a slip.
+    auto const last = std::prev(readings_.end());
+    auto const middle = some_time_before(last);
+    double const speed
+        = std::clamp(speed_mm_per_s(middle, last), -kFastest_mm_per_s, kFastest_mm_per_s);
+    double const before = speed_mm_per_s(some_time_before(middle), middle);
+    double const next = 2 * speed - before;
+    if (std::abs(before) <= std::abs(speed) || before * speed <= 0)
+        return speed;
+    return next * speed > 0 ? next : 0;
+}
+
+std::optional<HeightTrack::Estimate> HeightTrack::newest_at(Timestamp time, Duration max_age) const
+{
+    constexpr double kLeeway_mm = 0.2; // For noise, in which a fit sees more than readings.
+    if (empty() || time <= newest() || time - newest() > max_age)
+        return at(time, max_age);
+    auto const& last = readings_.back();
+    auto const reached = std::min(time, last.time + std::max(kCarriedOn, usual_spacing() * 3 / 2));
+    double const way_mm = newest_speed_mm_per_s() * to_seconds(reached - last.time);
+    auto const line = fit(last.time, reached);
+    double const height_mm = line
+        ? std::clamp(line->height_mm, last.height_mm + std::min(way_mm, 0.0) - kLeeway_mm,
+                     last.height_mm + std::max(way_mm, 0.0) + kLeeway_mm)
+        : last.height_mm + way_mm;
+    return Estimate { height_mm, TipSample::HeightSource::Extrapolated };
 }
 
 } // namespace tractus

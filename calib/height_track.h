@@ -19,6 +19,13 @@ namespace tractus {
 // without lag. The price is a height too low at the top of a bump and too high in a hollow by
 // a w^2 / 10 for an acceleration a and a half width w: 0.06 mm when a hand sways the carriage by
 // +-100 mm once in a second and a half.
+//
+// A single reading that lies outside both its neighbours, farther than a hand could have moved the
+// carriage and back, is a spike: the nearer neighbour stands for it (a median of three).
+//
+// Where readings are missing for longer than the half width, a line through one side would point
+// anywhere on the other: there the height follows the cubic curve that joins the lines of both
+// sides, with their slopes.
 class HeightTrack {
 public:
     // Half the width of the fit.
@@ -44,9 +51,20 @@ public:
         TipSample::HeightSource kind = TipSample::HeightSource::Interpolated;
     };
 
-    // The height at `time`: interpolated where readings lie at most `max_age` before and after it,
-    // extrapolated from the side where one does, otherwise no value.
+    // The longest time for which a movement is carried on where no reading follows.
+    static constexpr Duration kCarriedOn = std::chrono::milliseconds(5);
+
+    // The height at `time`: interpolated where readings lie at most `max_age` before and after it.
+    // Where there are some on one side only, it is extrapolated from there for kCarriedOn, and held
+    // beyond, for nobody knows where the carriage went. Otherwise no value.
     std::optional<Estimate> at(Timestamp time, Duration max_age) const;
+
+    // The height as soon as it can be told: as at(), but past the newest reading the movement is
+    // carried on for as long as readings are usually apart, and kCarriedOn at least, so that scarce
+    // readings do not lag. What overshoots a stop is bounded: the height is not carried on faster
+    // than the last readings moved, nor farther beyond the newest one than it would go at that
+    // speed.
+    std::optional<Estimate> newest_at(Timestamp time, Duration max_age) const;
 
 private:
     struct Reading {
@@ -54,11 +72,24 @@ private:
         double height_mm = 0;
     };
 
+    using Place = std::deque<Reading>::const_iterator;
+
+    struct LineAt {
+        double height_mm = 0;
+        double mm_per_s = 0;
+    };
+
     // The line through the readings within kHalfWidth of `centre`, at `time`. No value where they
     // are too few or too close together to give one.
-    std::optional<double> fit(Timestamp centre, Timestamp time) const;
+    std::optional<LineAt> fit(Timestamp centre, Timestamp time) const;
 
-    std::deque<Reading>::const_iterator first_not_before(Timestamp time) const;
+    Place first_not_before(Timestamp time) const;
+    double without_spike_mm(Place reading) const;
+    double across_mm(Place before, Timestamp time) const;
+    Duration usual_spacing() const;
+    Place some_time_before(Place reading) const;
+    static double speed_mm_per_s(Place from, Place to);
+    double newest_speed_mm_per_s() const;
 
     Duration memory_;
     std::deque<Reading> readings_; // In time order.

@@ -31,12 +31,80 @@ TEST(HeightTrack, FollowsASteadyRiseWithoutLag)
     EXPECT_EQ(track.at(kStart + 501ms, 50ms)->kind, TipSample::HeightSource::Interpolated);
 }
 
-TEST(HeightTrack, CarriesARiseOnPastItsEnd)
+TEST(HeightTrack, CarriesARiseOnForFiveMillisecondsAndHoldsItThen)
 {
     auto const track = track_of([](double t) { return 200 * t; });
-    auto const ahead = track.at(kStart + 1010ms, 50ms);
-    EXPECT_NEAR(ahead->height_mm, 202, 1e-9);
+    auto const ahead = track.at(kStart + 1004ms, 50ms);
+    EXPECT_NEAR(ahead->height_mm, 200.8, 1e-9);
     EXPECT_EQ(ahead->kind, TipSample::HeightSource::Extrapolated);
+    EXPECT_NEAR(track.at(kStart + 1030ms, 50ms)->height_mm, 201, 1e-9);
+    EXPECT_EQ(track.at(kStart + 1030ms, 50ms)->kind, TipSample::HeightSource::Extrapolated);
+    EXPECT_NEAR(track.newest_at(kStart + 1004ms, 50ms)->height_mm, 200.8, 1e-9);
+}
+
+// A reading each so many milliseconds, to one second.
+HeightTrack scarce_track(int spacing_ms, std::function<double(double seconds)> const& height_mm)
+{
+    HeightTrack track(10s);
+    for (int time_ms = 0; time_ms <= 1000; time_ms += spacing_ms)
+        track.add(kStart + time_ms * 1ms, height_mm(time_ms / 1000.0));
+    return track;
+}
+
+TEST(HeightTrack, CarriesScarceReadingsOnUntilTheNextOneIsDue)
+{
+    auto const track = scarce_track(10, [](double t) { return 200 * t; });
+    EXPECT_NEAR(track.newest_at(kStart + 1010ms, 50ms)->height_mm, 202, 1e-9);
+    EXPECT_NEAR(track.newest_at(kStart + 1040ms, 50ms)->height_mm, 203, 1e-9) << "half more";
+}
+
+TEST(HeightTrack, CarriesNothingOnThatHasStopped)
+{
+    auto const stopped = [](double t) { return 300 * std::min(t, 0.98); };
+    EXPECT_NEAR(scarce_track(10, stopped).newest_at(kStart + 1005ms, 50ms)->height_mm, 294, 1e-9);
+    EXPECT_NEAR(scarce_track(2, stopped).newest_at(kStart + 1003ms, 50ms)->height_mm, 294, 0.201);
+}
+
+TEST(HeightTrack, SlowsDownWithTheCarriage)
+{
+    // From 300 mm/s to nothing within 100 ms, of which 20 are left.
+    auto const braking = [](double t) { return -1500 * std::pow(std::max(1.02 - t, 0.0), 2); };
+    double const ahead = scarce_track(10, braking).newest_at(kStart + 1010ms, 50ms)->height_mm;
+    EXPECT_NEAR(ahead, -0.15, 0.1) << "0.45 without braking: -0.6 + 10 ms of 45 mm/s";
+    EXPECT_LT(ahead, 0);
+}
+
+TEST(HeightTrack, LeavesALonelySpikeOut)
+{
+    HeightTrack track(10s);
+    for (int i = 0; i <= 100; ++i)
+        track.add(kStart + i * 2ms, i == 50 ? 40 : 10);
+    for (int time_ms = 80; time_ms < 120; ++time_ms)
+        EXPECT_NEAR(track.at(kStart + time_ms * 1ms, 50ms)->height_mm, 10, 1e-9) << time_ms;
+}
+
+TEST(HeightTrack, KeepsAStepThatStays)
+{
+    HeightTrack track(10s);
+    for (int i = 0; i <= 100; ++i)
+        track.add(kStart + i * 2ms, i >= 50 ? 40 : 10);
+    EXPECT_NEAR(track.at(kStart + 70ms, 50ms)->height_mm, 10, 1e-9);
+    EXPECT_NEAR(track.at(kStart + 130ms, 50ms)->height_mm, 40, 1e-9);
+}
+
+TEST(HeightTrack, JoinsBothSidesOfAGap)
+{
+    auto const rounded = [](double t) { return 100 * std::sin(6 * t); };
+    HeightTrack track(10s);
+    for (int i = 0; i <= 500; ++i)
+        if (i * 2 < 240 || i * 2 > 280) // Over the top of the sine.
+            track.add(kStart + i * 2ms, rounded(i * 0.002));
+    for (int time_ms = 236; time_ms < 285; ++time_ms) {
+        auto const height = track.at(kStart + time_ms * 1ms, 50ms);
+        EXPECT_NEAR(height->height_mm, rounded(time_ms / 1000.0), 0.4)
+            << time_ms << ": a straight line would be 0.7 mm too low";
+        EXPECT_EQ(height->kind, TipSample::HeightSource::Interpolated);
+    }
 }
 
 TEST(HeightTrack, HasNoHeightFarFromItsReadings)

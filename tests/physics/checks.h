@@ -14,6 +14,7 @@ struct Run {
 // row's goal. False if a row that is held to its goal misses it.
 bool check_heights(Run const& run); // Of `calibrate height`.
 bool check_zeroing(Run const& run); // Of `calibrate zero`, after a string slipped or a table moved.
+bool check_fusing(Run const& run);  // Of live and settled tips while the table moves.
 
 // Whether so great a part of a run's rigs is good enough for a row's goal: a small run may miss by
 // what chance makes of so many rigs.

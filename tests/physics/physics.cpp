@@ -27,6 +27,7 @@ struct Check {
 constexpr std::array kChecks {
     Check { "heights", check_heights },
     Check { "zeroing", check_zeroing },
+    Check { "fusing", check_fusing },
 };
 
 bool is_wanted(char const* name, int count, char** arguments)

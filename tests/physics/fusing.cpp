@@ -1,0 +1,156 @@
+#include "tests/physics/checks.h"
+#include "tests/physics/movement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace tractus::physics {
+
+namespace {
+
+constexpr double kBegins_s = 0.2; // Before, there is nothing to be told from.
+
+double rms_mm(std::vector<Tip> const& tips)
+{
+    double squares = 0;
+    int count = 0;
+    for (auto const& tip : tips)
+        if (tip.seconds > kBegins_s) {
+            squares += tip.error_mm * tip.error_mm;
+            ++count;
+        }
+    return std::sqrt(squares / std::max(count, 1));
+}
+
+double most_mm(std::vector<Tip> const& tips, double from_s, double to_s)
+{
+    double most = 0;
+    for (auto const& tip : tips)
+        if (tip.seconds > from_s && tip.seconds < to_s)
+            most = std::max(most, std::abs(tip.error_mm));
+    return most;
+}
+
+struct Row {
+    std::vector<double> values {};
+    std::string missed {};
+};
+
+// A number for each of a run's rigs; greater than `most` is a miss.
+template<typename Trial> Row measure(Run const& run, double most, Trial const& trial)
+{
+    Row row;
+    for (unsigned seed = run.first_seed; seed < run.end_seed(); ++seed) {
+        Dice dice(seed);
+        row.values.push_back(trial(dice));
+        if (row.values.back() > most)
+            row.missed.append(1, ' ').append(std::to_string(seed));
+    }
+    std::sort(row.values.begin(), row.values.end());
+    return row;
+}
+
+bool print(char const* name, Row const& row, double most, double goal, Run const& run)
+{
+    auto const& values = row.values;
+    auto const good = std::upper_bound(values.begin(), values.end(), most) - values.begin();
+    double const part = static_cast<double>(good) / run.rigs;
+    std::printf("%-44s median %5.2f  95 %% %5.2f  worst %5.2f  at most %.2f: %5.1f %%\n", name,
+                values[values.size() / 2], values[values.size() * 95 / 100], values.back(), most,
+                100 * part);
+    if (!row.missed.empty() && row.missed.size() < 400)
+        std::printf("  seeds that missed:%s\n", row.missed.c_str());
+    bool const is_good = is_enough(part, goal, run);
+    if (!is_good)
+        std::printf("  MISSES ITS GOAL of %.0f %%\n", 100 * goal);
+    return is_good;
+}
+
+bool check_lag(Run const& run)
+{
+    bool all_good = true;
+    for (double const rate_hz : { 73.0, 100.0, 150.0, 250.0, 500.0 })
+        for (double const speed : { 50.0, 400.0 }) {
+            char name[64];
+            std::vector<double> settled;
+            auto const row = measure(run, 0.5, [&](Dice& dice) {
+                auto const tips = fuse(sway(speed), { .height_hz = rate_hz }, dice);
+                settled.push_back(rms_mm(tips.settled));
+                return rms_mm(tips.live);
+            });
+            std::sort(settled.begin(), settled.end());
+            std::snprintf(name, sizeof name, "live RMS, %3.0f Hz, %3.0f mm/s (settled %.2f)",
+                          rate_hz, speed, settled[settled.size() / 2]);
+            all_good &= print(name, row, 0.5, 0.95, run);
+        }
+    return all_good;
+}
+
+// The tips beyond the place where the table stopped.
+bool check_stops(Run const& run)
+{
+    bool all_good = true;
+    for (double const rate_hz : { 73.0, 150.0, 500.0 })
+        for (double const stopping_s : { 0.0, 0.04 }) {
+            char name[64];
+            std::snprintf(name, sizeof name, "overshoot, %3.0f Hz, stop in %2.0f ms, mm", rate_hz,
+                          1000 * stopping_s);
+            auto const row = measure(run, 0.5, [&](Dice& dice) {
+                auto const tips
+                    = fuse(stop(300, stopping_s), { .seconds = 1.5, .height_hz = rate_hz }, dice);
+                double most = 0;
+                for (auto const& tip : tips.live)
+                    if (tip.seconds > 1 + stopping_s / 2)
+                        most = std::max(most, tip.error_mm);
+                return most;
+            });
+            all_good &= print(name, row, 0.5, 0, run);
+        }
+    return all_good;
+}
+
+bool check_gaps(Run const& run)
+{
+    auto const gap = [&](Movement const& movement, double noise_counts) {
+        return measure(run, 0.5, [&](Dice& dice) {
+            double const from_s = uniform(dice, 1, 2);
+            auto const tips = fuse(
+                movement,
+                { .noise_counts = noise_counts, .gap_from_s = from_s, .gap_to_s = from_s + 0.03 },
+                dice);
+            return most_mm(tips.settled, from_s - 0.02, from_s + 0.05);
+        });
+    };
+    bool all_good = true;
+    all_good &= print("gap of 30 ms, still, mm", gap(sway(0), 1), 0.5, 0.99, run);
+    all_good &= print("gap of 30 ms, still, noise of 0.3 mm, mm", gap(sway(0), 3), 0.5, 0.65, run);
+    all_good &= print("gap of 30 ms, sway of 300 mm/s, mm", gap(sway(300), 1), 0.5, 0.99, run);
+    auto const spikes = measure(run, 0.5, [&](Dice& dice) {
+        return most_mm(fuse(sway(200), { .spike_part = 0.01 }, dice).settled, kBegins_s, 3.9);
+    });
+    all_good &= print("spikes of 30 mm, one in a hundred, mm", spikes, 0.5, 0.75, run);
+    // Five milliseconds' way at 300 mm/s, and a tenth.
+    auto const lost = measure(run, 1.6, [&](Dice& dice) {
+        auto const tips = fuse(stop(300, 0), { .gap_from_s = 0.998, .gap_to_s = 9 }, dice);
+        return most_mm(tips.settled, 0.9, 1.1);
+    });
+    all_good &= print("sensor lost at a stop from 300 mm/s, mm", lost, 1.6, 0.95, run);
+    return all_good;
+}
+
+} // namespace
+
+bool check_fusing(Run const& run)
+{
+    std::printf(
+        "\nFusing: heights of tips, of a sensor with 0.1 mm of noise and a pen of 133 Hz\n");
+    bool const is_prompt = check_lag(run);
+    bool const stops = check_stops(run);
+    return check_gaps(run) && is_prompt && stops;
+}
+
+} // namespace tractus::physics

@@ -1,0 +1,107 @@
+#include "tests/physics/movement.h"
+
+#include "calib/fuser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tractus::physics {
+
+namespace {
+
+constexpr double kCountsPerMm = 10;
+
+Timestamp at(double seconds)
+{
+    return Timestamp(std::chrono::nanoseconds(std::llround(seconds * 1e9)));
+}
+
+double arrival_s(double seconds, double burst_s)
+{
+    return burst_s > 0 ? std::ceil(seconds / burst_s) * burst_s : seconds;
+}
+
+std::vector<HeightSample> height_samples(Movement const& movement, Sampling const& sampling,
+                                         Dice& dice)
+{
+    std::vector<HeightSample> samples;
+    double const phase_s = uniform(dice, 0, 1 / sampling.height_hz);
+    for (double t = phase_s; t < sampling.seconds; t += 1 / sampling.height_hz) {
+        if (t >= sampling.gap_from_s && t < sampling.gap_to_s)
+            continue;
+        double counts = kCountsPerMm * movement(t) + normal(dice, sampling.noise_counts);
+        if (uniform(dice, 0, 1) < sampling.spike_part)
+            counts += 30 * kCountsPerMm * (uniform(dice, 0, 1) < 0.5 ? -1 : 1);
+        samples.push_back({ .time = at(arrival_s(t, sampling.burst_s)),
+                            .counts = std::clamp(static_cast<int>(std::lround(counts)), 0, 4095),
+                            .full_scale = 4095 });
+    }
+    return samples;
+}
+
+std::vector<PenSample> pen_samples(Sampling const& sampling, Dice& dice)
+{
+    std::vector<PenSample> samples;
+    double const phase_s = uniform(dice, 0, 1 / sampling.pen_hz);
+    for (double t = phase_s; t < sampling.seconds; t += 1 / sampling.pen_hz)
+        samples.push_back({ .time = at(arrival_s(t, sampling.burst_s)),
+                            .position_mm = { t, 0 }, // Which tells when the pen was there.
+                            .pressure = 1,
+                            .in_range = true,
+                            .touching = true });
+    return samples;
+}
+
+Tip tip_of(TipSample const& tip, Movement const& movement, Rig const& rig)
+{
+    double const seconds = tip.position_mm.x() + rig.tablet_size_mm.x() / 2;
+    return { .seconds = seconds,
+             .error_mm = tip.position_mm.z() - movement(seconds),
+             .is_extrapolated = tip.height_source == TipSample::HeightSource::Extrapolated };
+}
+
+} // namespace
+
+Tips fuse(Movement const& movement, Sampling const& sampling, Dice& dice)
+{
+    Rig rig;
+    rig.height_model = LinearHeight { .mm_per_count = 1 / kCountsPerMm, .zero_counts = 0 };
+    Fuser fuser(rig);
+    auto const heights = height_samples(movement, sampling, dice);
+    Tips tips;
+    auto const settle = [&] {
+        for (auto const& tip : fuser.take_settled())
+            tips.settled.push_back(tip_of(tip, movement, rig));
+    };
+    std::size_t next = 0;
+    for (auto const& pen : pen_samples(sampling, dice)) {
+        for (; next < heights.size() && heights[next].time <= pen.time; ++next)
+            fuser.push(heights[next]);
+        if (auto const live = fuser.push(pen))
+            tips.live.push_back(tip_of(*live, movement, rig));
+        settle();
+    }
+    for (; next < heights.size(); ++next)
+        fuser.push(heights[next]);
+    fuser.flush();
+    settle();
+    return tips;
+}
+
+Movement sway(double speed_mm_per_s)
+{
+    constexpr double kPerSecond = 2 * std::numbers::pi * 0.6;
+    return [=](double t) { return 200 + speed_mm_per_s / kPerSecond * std::sin(kPerSecond * t); };
+}
+
+Movement stop(double speed_mm_per_s, double stopping_s)
+{
+    return [=](double t) {
+        double const since = std::clamp(t - 1, 0.0, std::max(stopping_s, 1e-9));
+        double const braked = stopping_s > 0 ? since - since * since / (2 * stopping_s) : 0;
+        return 20 + speed_mm_per_s * (std::min(t, 1.0) + braked);
+    };
+}
+
+} // namespace tractus::physics
