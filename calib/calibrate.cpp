@@ -99,7 +99,9 @@ Rig with_latency(Rig rig, LatencyFit const& fit, std::string const& date)
                           .error_ms = rounded(fit.error_ms, kErrorDigits),
                           .correlation = rounded(fit.correlation, kFigureDigits),
                           .rms_mm = rounded(fit.rms_mm, kErrorDigits),
-                          .touches = fit.touches };
+                          .touches = fit.touches,
+                          .direction_mm
+                          = rounded(Vec2(fit.direction_mm, fit.direction_error_mm), kErrorDigits) };
     return rig;
 }
 

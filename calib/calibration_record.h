@@ -67,6 +67,9 @@ struct LatencyRecord {
     double correlation = 0;
     double rms_mm = 0;
     std::size_t touches = 0;
+
+    // The pen's place on its way up less that on its way down, along the edge, and its error.
+    std::optional<Vec2> direction_mm {};
 };
 
 struct CheckRecord {

@@ -107,6 +107,8 @@ Result<LatencyRecord> parse_latency(TomlTable& table)
     record.correlation = TRY(table.number("correlation"));
     record.rms_mm = TRY(table.number("rms_mm", NumberRange::NotNegative));
     record.touches = TRY(whole(table, "touches"));
+    if (table.has("direction_mm"))
+        record.direction_mm = TRY(table.vec2("direction_mm"));
     TRY(table.refuse_unknown_keys());
     return record;
 }
@@ -195,7 +197,7 @@ touches = {}
 
 std::string print(LatencyRecord const& record)
 {
-    return fmt::format(R"(
+    auto text = fmt::format(R"(
 [calibration.latency]         # Of tablet.latency_ms less height.latency_ms.
 date = {}
 delay_ms = {}
@@ -204,8 +206,13 @@ correlation = {}              # Of place and height.
 rms_mm = {}                   # By how much the pen strayed from the edge.
 touches = {}
 )",
-                       quoted(record.date), record.delay_ms, record.error_ms, record.correlation,
-                       record.rms_mm, record.touches);
+                            quoted(record.date), record.delay_ms, record.error_ms,
+                            record.correlation, record.rms_mm, record.touches);
+    if (record.direction_mm)
+        text += fmt::format(
+            "direction_mm = [{}, {}]  # On the way up less on the way down; standard error.\n",
+            record.direction_mm->x(), record.direction_mm->y());
+    return text;
 }
 
 std::string print(CheckRecord const& record)

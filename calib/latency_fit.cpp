@@ -21,6 +21,8 @@ constexpr int kLeastTurns = 2;
 constexpr double kLeastCorrelation = 0.9;
 constexpr int kFarthest_ms = 150;
 constexpr int kStep_ms = 2;
+constexpr Duration kSpeedOver = std::chrono::milliseconds(10); // To either side.
+constexpr double kSlow_mm_per_s = 30; // Below, drag and slack have not caught up with a turn.
 
 // The heights at whole milliseconds, since each is asked for hundreds of times. Between them a
 // straight line will do: what they are smoothed over is 36 times as long.
@@ -65,7 +67,7 @@ Data data_of(std::span<PenSample const> pens, std::span<HeightSample const> heig
     auto const points = touch_points(pens, rig);
     if (points.empty())
         return { {}, HeightTable(HeightTrack(Duration {}), {}, {}) };
-    auto const farthest = std::chrono::milliseconds(kFarthest_ms + kStep_ms);
+    auto const farthest = std::chrono::milliseconds(kFarthest_ms + kStep_ms) + kSpeedOver;
     HeightTable const table(height_track(heights, rig), points.front().time - farthest,
                             points.back().time + farthest);
     Data data { {}, table };
@@ -88,6 +90,17 @@ std::optional<Eigen::VectorXd> heights_at(Data const& data, double delay_ms)
         heights[static_cast<Eigen::Index>(i)] = *height;
     }
     return heights;
+}
+
+// -1 to 1: which way the surface moves then, and next to 0 where it turns.
+std::optional<Eigen::VectorXd> directions_at(Data const& data, double delay_ms)
+{
+    auto const before = heights_at(data, delay_ms + 1000 * to_seconds(kSpeedOver));
+    auto const after = heights_at(data, delay_ms - 1000 * to_seconds(kSpeedOver));
+    if (!before || !after)
+        return std::nullopt;
+    double const over_s = 2 * to_seconds(kSpeedOver);
+    return ((*after - *before).array() / (over_s * kSlow_mm_per_s)).tanh();
 }
 
 Eigen::MatrixX2d places_of(Data const& data)
@@ -190,26 +203,28 @@ Result<int> coarse_delay_ms(Data const& data, Eigen::MatrixX2d const& places)
     return best_ms;
 }
 
-// Edge and delay together; parameters are start x, y, run x, y, delay in milliseconds.
+// Edge, delay and what depends on the direction together; parameters are start x, y, run x, y,
+// delay in milliseconds, half the way between up and down x, y.
 std::optional<LeastSquares> refine(Data const& data, Eigen::MatrixX2d const& places, int start_ms)
 {
     auto const edge = edge_at(places, heights_at(data, start_ms).value());
     auto const residuals
         = [&](Eigen::VectorXd const& parameters) -> std::optional<Eigen::VectorXd> {
         auto const heights = heights_at(data, parameters[4]);
-        if (!heights)
+        auto const directions = directions_at(data, parameters[4]);
+        if (!heights || !directions)
             return std::nullopt;
         Eigen::VectorXd misses(2 * heights->size());
         for (Eigen::Index i = 0; i < heights->size(); ++i)
             for (int axis = 0; axis < 2; ++axis)
-                misses[2 * i + axis]
-                    = parameters[axis] + parameters[2 + axis] * (*heights)[i] - places(i, axis);
+                misses[2 * i + axis] = parameters[axis] + parameters[2 + axis] * (*heights)[i]
+                    + parameters[5 + axis] * (*directions)[i] - places(i, axis);
         return misses;
     };
-    Eigen::VectorXd start(5);
-    start << edge.start_mm, edge.run_per_rise, start_ms;
-    Eigen::VectorXd steps(5); // Times are nanoseconds, and heights pieces of lines.
-    steps << 1e-3, 1e-3, 1e-6, 1e-6, 0.5;
+    Eigen::VectorXd start(7);
+    start << edge.start_mm, edge.run_per_rise, start_ms, 0, 0;
+    Eigen::VectorXd steps(7); // Times are nanoseconds, and heights pieces of lines.
+    steps << 1e-3, 1e-3, 1e-6, 1e-6, 0.5, 1e-3, 1e-3;
     return fit_least_squares(residuals, start, steps);
 }
 
@@ -235,9 +250,13 @@ Result<LatencyFit> fit_latency(std::span<PenSample const> pens,
     std::vector<int> stretches;
     for (auto const& touch : data.touches)
         stretches.insert(stretches.end(), 2, stretch_of(touch.time));
+    auto const covariance = block_covariance(*fit, stretches);
+    Vec2 const along = edge.run_per_rise.normalized();
     return LatencyFit {
         .delay_ms = fit->parameters[4],
-        .error_ms = std::sqrt(block_covariance(*fit, stretches)(4, 4)),
+        .error_ms = std::sqrt(covariance(4, 4)),
+        .direction_mm = 2 * along.dot(fit->parameters.segment<2>(5)),
+        .direction_error_mm = 2 * std::sqrt(along.dot(covariance.block<2, 2>(5, 5) * along)),
         .correlation = edge.correlation,
         .rms_mm = std::sqrt(fit->sum_of_squares() / static_cast<double>(data.touches.size())),
         .run_mm = run_mm,

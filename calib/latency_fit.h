@@ -19,6 +19,11 @@ struct LatencyFit {
     double delay_ms = 0;
     double error_ms = 0; // Standard error.
 
+    // How far apart along the tablet the pen is on its way up and on its way down, the delay taken
+    // off: it is dragged, or the string follows the surface with some slack. With standard error.
+    double direction_mm = 0;
+    double direction_error_mm = 0;
+
     double correlation = 0; // Of place and height at that delay: 1 for a perfect edge and hand.
     double rms_mm = 0;      // By how much the pen strayed from the edge.
     double run_mm = 0;      // How far it went along the tablet.
@@ -27,8 +32,10 @@ struct LatencyFit {
 
 // Finds the delay within 150 ms to either side of none: first as the greatest correlation of place
 // and height among delays 2 ms apart, then by least squares for the edge and the delay together
-// (Gauss and Newton), which is as exact as the noise allows and tells its error. The rig's own
-// latencies do not matter.
+// (Gauss and Newton), which is as exact as the noise allows and tells its error. A pen that is
+// dragged and a string with slack are always behind, as a delay is, but by a length and not by a
+// time: a term c tanh(v / 30 mm/s) for each axis of the tablet, v the height's speed, keeps that
+// apart, since a hand is not always equally quick. The rig's own latencies do not matter.
 //
 // Fails, as the user's fault, with what to do: fewer than 200 touches with a height, less than 50
 // mm of rise or 20 mm along the tablet, fewer than two turns from up to down or down to up, place

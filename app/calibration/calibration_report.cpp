@@ -94,12 +94,17 @@ std::string describe(TravelFit const& fit)
 
 std::string describe(LatencyFit const& fit, Rig const& rig)
 {
-    return fmt::format("latency: the pen arrives {:.2f} ± {:.2f} ms {} than the height\n"
-                       "  so the tablet's latency is {:.2f} ms and the height sensor's {:.2f} ms\n"
-                       "  {} touches over {:.0f} mm, {:.2f} mm off the edge, correlation {:.5f}\n",
-                       std::abs(fit.delay_ms), fit.error_ms, fit.delay_ms < 0 ? "earlier" : "later",
-                       1000 * to_seconds(rig.tablet_latency), 1000 * to_seconds(rig.height_latency),
-                       fit.touches, fit.run_mm, fit.rms_mm, fit.correlation);
+    auto text = fmt::format(
+        "latency: the pen arrives {:.2f} ± {:.2f} ms {} than the height\n"
+        "  so the tablet's latency is {:.2f} ms and the height sensor's {:.2f} ms\n"
+        "  {} touches over {:.0f} mm, {:.2f} mm off the edge, correlation {:.5f}\n"
+        "  up against down: {:+.2f} ± {:.2f} mm along the edge, which is no latency\n",
+        std::abs(fit.delay_ms), fit.error_ms, fit.delay_ms < 0 ? "earlier" : "later",
+        1000 * to_seconds(rig.tablet_latency), 1000 * to_seconds(rig.height_latency), fit.touches,
+        fit.run_mm, fit.rms_mm, fit.correlation, fit.direction_mm, fit.direction_error_mm);
+    if (std::abs(fit.direction_mm) > 0.3 && std::abs(fit.direction_mm) > 3 * fit.direction_error_mm)
+        text += "  the pen is dragged or the string has slack: look for play in both\n";
+    return text;
 }
 
 std::string describe(HeightCheck const& check)

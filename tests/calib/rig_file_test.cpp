@@ -211,7 +211,8 @@ TEST(RigFile, KeepsHowTheRigWasCalibrated)
                           .errors = { 0.1, 0.2 },
                           .slipped = { 1 },
                           .hysteresis_mm = Vec2(0.1, 0.02),
-                          .raised_mm = -0.5 };
+                          .raised_mm = -0.5,
+                          .shifted_counts = 12.5 };
     height.captures = { { .ruler_mm = 60,
                           .counts = 812.25,
                           .noise_counts = 1,
@@ -220,7 +221,9 @@ TEST(RigFile, KeepsHowTheRigWasCalibrated)
                         { .ruler_mm = 90, .counts = 900, .from = HeightCapture::From::Below } };
     rig.calibration = { .height = height,
                         .travel = TravelRecord { .date = "2026-11-21", .touches = 400 },
-                        .latency = LatencyRecord { .date = "2026-11-21", .delay_ms = -5.25 },
+                        .latency = LatencyRecord { .date = "2026-11-21",
+                                                   .delay_ms = -5.25,
+                                                   .direction_mm = Vec2(0.5, 0.125) },
                         .check = CheckRecord { .date = "2026-11-21",
                                                .heights_mm = { 100 },
                                                .errors_mm = { -0.4 },
@@ -232,6 +235,8 @@ TEST(RigFile, KeepsHowTheRigWasCalibrated)
     EXPECT_EQ(back.calibration.height->captures[1].from, HeightCapture::From::Below);
     EXPECT_EQ(back.calibration.height->slipped, height.slipped);
     EXPECT_EQ(back.calibration.latency->delay_ms, -5.25);
+    EXPECT_EQ(back.calibration.latency->direction_mm, Vec2(0.5, 0.125));
+    EXPECT_EQ(back.calibration.height->shifted_counts, 12.5);
 }
 
 TEST(RigFile, SaysWhatIsWrongInARecord)

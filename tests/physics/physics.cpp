@@ -28,6 +28,7 @@ constexpr std::array kChecks {
     Check { "heights", check_heights },
     Check { "zeroing", check_zeroing },
     Check { "fusing", check_fusing },
+    Check { "latency", check_latency },
 };
 
 bool is_wanted(char const* name, int count, char** arguments)
