@@ -18,8 +18,10 @@ constexpr std::size_t kNoisyFlickers = 5;
 
 bool is_worse(HeightFault const& a, HeightFault const& b)
 {
-    return a.kind == HeightFaultKind::Jump ? a.speed_mm_per_s > b.speed_mm_per_s
-                                           : a.end - a.begin > b.end - b.begin;
+    if (a.kind != HeightFaultKind::Jump)
+        return a.end - a.begin > b.end - b.begin;
+    return a.speed_mm_per_s != b.speed_mm_per_s ? a.speed_mm_per_s > b.speed_mm_per_s
+                                                : std::abs(a.step_mm) > std::abs(b.step_mm);
 }
 
 void add(HeightFaultTotal& total, HeightFault const& fault)
@@ -44,6 +46,7 @@ void HeightMonitor::push(HeightSample const& sample)
     alive_ = std::max(alive_.value_or(sample.time), sample.time);
     watch_rail(sample);
     watch_jump(sample);
+    watch_step(sample);
     watch_stuck(sample);
     watch_rate(sample.time);
     last_ = sample;
@@ -71,6 +74,8 @@ void HeightMonitor::see(HeightFault const& fault)
         open->speed_mm_per_s = fault.speed_mm_per_s;
         open->counts = fault.counts;
     }
+    if (std::abs(fault.step_mm) > std::abs(open->step_mm))
+        open->step_mm = fault.step_mm;
 }
 
 void HeightMonitor::close(HeightFaultKind kind)
@@ -130,6 +135,85 @@ void HeightMonitor::watch_jump(HeightSample const& sample)
               .end = sample.time,
               .counts = sample.counts,
               .speed_mm_per_s = speed_mm_per_s });
+}
+
+namespace {
+
+// A straight line through some heights.
+struct Side {
+    double seconds = 0; // The heights' mean time, since the newest reading.
+    double mm = 0;      // The line there.
+    double mm_per_s = 0;
+    double scatter_mm = 0; // Standard deviation about the line.
+    std::size_t count = 0;
+};
+
+template<typename Heights>
+Side line_through(Heights const& heights, Timestamp newest, Duration from, Duration to)
+{
+    Side side;
+    double squares = 0;
+    double products = 0;
+    double heights_squared = 0;
+    for (auto const& height : heights) {
+        auto const age = newest - height.time;
+        if (age < from || age > to)
+            continue;
+        double const seconds = -to_seconds(age);
+        double const n = static_cast<double>(++side.count);
+        double const time_off = seconds - side.seconds;
+        double const mm_off = height.mm - side.mm;
+        side.seconds += time_off / n;
+        side.mm += mm_off / n;
+        squares += time_off * (seconds - side.seconds);
+        products += time_off * (height.mm - side.mm);
+        heights_squared += mm_off * (height.mm - side.mm);
+    }
+    if (squares > 0) {
+        side.mm_per_s = products / squares;
+        side.scatter_mm = std::sqrt(std::max(0.0, heights_squared - products * side.mm_per_s)
+                                    / static_cast<double>(side.count));
+    }
+    return side;
+}
+
+constexpr Duration kSide = std::chrono::milliseconds(30);
+constexpr Duration kStepTakes = std::chrono::milliseconds(30);
+
+} // namespace
+
+// The heights of 30 ms, and those of 30 ms that end 30 ms before. Between their middles a movement
+// goes as far as the mean of both speeds takes it, and exactly so under a steady acceleration.
+void HeightMonitor::watch_step(HeightSample const& sample)
+{
+    constexpr std::size_t kLeastReadings = 3;
+    auto const height = sample.full_scale == rig_.full_scale_counts && !is_on_rail(sample)
+        ? height_mm(rig_.height_model, sample.counts)
+        : std::nullopt;
+    if (!height || (!path_.empty() && sample.time - path_.back().time > kStepTakes)
+        || (!path_.empty() && sample.time < path_.back().time))
+        path_.clear(); // Nobody knows what was between.
+    if (!height)
+        return;
+    path_.push_back({ sample.time, *height });
+    while (sample.time - path_.front().time > 2 * kSide + kStepTakes)
+        path_.pop_front();
+    auto const after = line_through(path_, sample.time, {}, kSide);
+    auto const before
+        = line_through(path_, sample.time, kSide + kStepTakes, 2 * kSide + kStepTakes);
+    if (std::min(after.count, before.count) < kLeastReadings
+        || std::abs(after.mm_per_s - before.mm_per_s) > limits_.step_speed_mm_per_s)
+        return;
+    double const way_mm = (after.mm_per_s + before.mm_per_s) / 2 * (after.seconds - before.seconds);
+    double const step_mm = after.mm - before.mm - way_mm;
+    double const scatter_mm = std::max(after.scatter_mm, before.scatter_mm);
+    auto const when = sample.time - kSide - kStepTakes / 2;
+    if (std::abs(step_mm) > limits_.step_mm + limits_.step_scatters * scatter_mm)
+        see({ .kind = HeightFaultKind::Jump,
+              .begin = when,
+              .end = when,
+              .counts = sample.counts,
+              .step_mm = step_mm });
 }
 
 void HeightMonitor::learn_noise(HeightSample const& sample)
@@ -207,6 +291,9 @@ std::string describe_fault(HeightFault const& fault)
         return fmt::format("height sensor reads {}, the end of its range: wiper or cable open?",
                            fault.counts);
     case HeightFaultKind::Jump:
+        if (fault.speed_mm_per_s == 0)
+            return fmt::format("height stepped by {:+.0f} mm: has the string slipped? then zero it",
+                               fault.step_mm);
         return fmt::format("height jumped at {:.1f} m/s: string slipping or contact loose?",
                            fault.speed_mm_per_s / 1000);
     case HeightFaultKind::Stuck:
@@ -241,6 +328,12 @@ std::string describe_total(HeightFaultKind kind, HeightFaultTotal const& total, 
                            "cable is open, or the spool is at its stop",
                            worst.counts, how_long(total, start));
     case HeightFaultKind::Jump:
+        if (worst.speed_mm_per_s == 0)
+            return fmt::format("the height stepped {}, by {:+.1f} mm at {:.1f} s, in the midst of "
+                               "a movement: if the string slipped, zero it with \"tractus "
+                               "calibrate zero\"",
+                               total.count == 1 ? "once" : fmt::format("{} times", total.count),
+                               worst.step_mm, to_seconds(worst.begin - start));
         return fmt::format("the height jumped {}, at up to {:.1f} m/s at {:.1f} s, faster than a "
                            "hand: the string slips or a contact is loose",
                            total.count == 1 ? "once" : fmt::format("{} times", total.count),

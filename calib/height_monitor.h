@@ -18,7 +18,8 @@ namespace tractus {
 enum class HeightFaultKind {
     Silence, // No reading comes.
     Rail,    // Readings lie at an end of the converter's range: an open wiper or cable, a short.
-    Jump,    // The height changed faster than a hand moves: a slipping string, a loose contact.
+    Jump,    // The height changed faster than a hand moves, or stepped aside in the midst of a
+             // movement: a slipping string, a loose contact.
     Stuck,   // The reading does not even show its noise any more: a torn or jammed string.
 };
 constexpr std::size_t kHeightFaultKinds = 4;
@@ -29,7 +30,8 @@ struct HeightFault {
     Timestamp begin {};
     Timestamp end {};          // When it was last seen so.
     std::int32_t counts = 0;   // The reading, for a jump the one after it; 0 for silence.
-    double speed_mm_per_s = 0; // Of a jump, the greatest.
+    double speed_mm_per_s = 0; // Of a jump, the greatest …
+    double step_mm = 0; // … and by how much the height stepped aside, up or down; 0: not told yet.
 };
 
 // All faults of one kind.
@@ -50,6 +52,13 @@ struct HeightMonitorLimits {
     double jump_mm_per_s = 2000;
     Duration jump_shortest = std::chrono::microseconds(2500);
     double jump_noise_counts = 4; // A step of no more than this is noise, not a movement.
+
+    // What slips slower than that, within some 30 ms, leaves the movement before and after it as it
+    // was: of equal speed within this much, and aside by this much and by so many times what the
+    // readings scatter. (A hand that begins or ends a movement changes the speed.)
+    double step_mm = 3;
+    double step_scatters = 6;
+    double step_speed_mm_per_s = 60;
 
     // Without any reading.
     Duration silence_after = std::chrono::milliseconds(250);
@@ -105,6 +114,7 @@ private:
     void close_old_jump(Timestamp now);
     void watch_rail(HeightSample const& sample);
     void watch_jump(HeightSample const& sample);
+    void watch_step(HeightSample const& sample);
     void watch_stuck(HeightSample const& sample);
     void learn_noise(HeightSample const& sample);
     void watch_rate(Timestamp time);
@@ -117,6 +127,13 @@ private:
     std::optional<HeightSample> last_ {};    // The last reading.
     std::optional<Timestamp> rail_since_ {}; // As long as readings are there.
     Timestamp same_since_ {};                // Since when all readings are like the last.
+
+    // For steps: the heights of the last 0.1 s.
+    struct Height {
+        Timestamp time {};
+        double mm = 0;
+    };
+    std::deque<Height> path_ {};
 
     // Noise: a change of the reading and the opposite change soon after it, which no hand does.
     Timestamp last_change_ {};

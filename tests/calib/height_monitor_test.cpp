@@ -3,6 +3,8 @@
 #include "sim/simulated_rig.h"
 #include "tests/sim/fused_run.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace tractus {
@@ -51,6 +53,43 @@ TEST(HeightMonitor, FindsNoFaultInAHealthySensor)
     push(monitor, seconds(0), seconds(20), flickering);
     expect_no_fault(monitor);
     EXPECT_NEAR(monitor.rate_hz(), 500, 0.1);
+}
+
+// The surface rises at 100 mm/s, and in the midst of it the string slips within 20 ms.
+int rising_with_slip(int index, double slip_mm)
+{
+    double const seconds = index * 0.002;
+    double const slipped = std::clamp((seconds - 0.5) / 0.02, 0.0, 1.0);
+    return static_cast<int>(std::lround(1000 + 10 * (100 * seconds - slip_mm * slipped)));
+}
+
+TEST(HeightMonitor, SeesASlowSlipInTheMidstOfAMovement)
+{
+    HeightMonitor monitor(kRig);
+    push(monitor, seconds(0), milliseconds(700), [](int i) { return rising_with_slip(i, 6); });
+    ASSERT_TRUE(monitor.present());
+    EXPECT_EQ(monitor.present()->kind, Jump);
+    EXPECT_EQ(describe_fault(*monitor.present()),
+              "height stepped by -6 mm: has the string slipped? then zero it");
+    EXPECT_EQ(describe_faults(monitor, {}),
+              std::vector<std::string> { "the height stepped once, by -6.0 mm at 0.5 s, in the "
+                                         "midst of a movement: if the string slipped, zero it with "
+                                         "\"tractus calibrate zero\"" });
+}
+
+TEST(HeightMonitor, TakesNoSmallStepForASlip)
+{
+    HeightMonitor monitor(kRig);
+    push(monitor, seconds(0), milliseconds(700), [](int i) { return rising_with_slip(i, 2); });
+    expect_no_fault(monitor);
+}
+
+TEST(HeightMonitor, TakesTheBeginningOfAMovementForNoSlip)
+{
+    HeightMonitor monitor(kRig);
+    push(monitor, seconds(0), seconds(1),
+         [](int i) { return 1000 + std::max(0, i - 250) * 6; }); // 300 mm/s at once.
+    expect_no_fault(monitor);
 }
 
 TEST(HeightMonitor, TellsThatNothingComesAnyMore)

@@ -16,6 +16,7 @@ bool check_heights(Run const& run); // Of `calibrate height`.
 bool check_zeroing(Run const& run); // Of `calibrate zero`, after a string slipped or a table moved.
 bool check_fusing(Run const& run);  // Of live and settled tips while the table moves.
 bool check_latency(Run const& run); // Of `calibrate latency`.
+bool check_slips(Run const& run);   // Of what tells a slip while drawing.
 
 // Whether so great a part of a run's rigs is good enough for a row's goal: a small run may miss by
 // what chance makes of so many rigs.

@@ -1,0 +1,122 @@
+#include "calib/height_monitor.h"
+#include "tests/physics/checks.h"
+#include "tests/physics/potentiometer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace tractus::physics {
+
+namespace {
+
+constexpr double kSeconds = 60;
+
+// A hand that draws: rests and movements of least jerk, one after the other.
+class Hand {
+public:
+    explicit Hand(Dice& dice)
+        : dice_(dice)
+    {
+    }
+
+    double height_mm(double seconds)
+    {
+        while (seconds >= ends_s_)
+            begin_next();
+        double const u = (seconds - begins_s_) / (ends_s_ - begins_s_);
+        return from_mm_ + (to_mm_ - from_mm_) * u * u * u * (10 + u * (6 * u - 15));
+    }
+
+private:
+    void begin_next()
+    {
+        begins_s_ = ends_s_;
+        from_mm_ = to_mm_;
+        bool const rests = uniform(dice_, 0, 1) < 0.3;
+        if (!rests)
+            to_mm_ = std::clamp(to_mm_ + uniform(dice_, -150, 150), 50.0, 350.0);
+        // At 400 mm/s at most, where it is quickest.
+        double const least_s = 1.875 * std::abs(to_mm_ - from_mm_) / 400;
+        ends_s_ = begins_s_ + std::max(0.25, least_s) + uniform(dice_, 0, 1);
+    }
+
+    Dice& dice_;
+    double begins_s_ = 0;
+    double ends_s_ = 0;
+    double from_mm_ = 200;
+    double to_mm_ = 200;
+};
+
+struct Slip {
+    double mm = 0;
+    double lasts_s = 0;
+};
+
+std::size_t jumps(Slip const& slip, Dice& dice)
+{
+    constexpr double kSlips_s = 30;
+    Rig rig;
+    rig.height_model = LinearHeight { .mm_per_count = 0.1, .zero_counts = 0 };
+    HeightMonitor monitor(rig);
+    Hand hand(dice);
+    for (double t = 0; t < kSeconds; t += 0.002) {
+        double const part = (t - kSlips_s) / std::max(slip.lasts_s, 1e-9);
+        double const slipped_mm = slip.mm * std::clamp(part, 0.0, 1.0);
+        double const counts = 10 * (hand.height_mm(t) + slipped_mm) + normal(dice, 1);
+        monitor.push({ .time = Timestamp(std::chrono::nanoseconds(std::llround(t * 1e9))),
+                       .counts = static_cast<int>(std::lround(counts)),
+                       .full_scale = 4095 });
+    }
+    return monitor.total(HeightFaultKind::Jump).count;
+}
+
+bool run_row(double mm, double lasts_s, double goal, Run const& run)
+{
+    unsigned found = 0;
+    std::string missed;
+    for (unsigned seed = run.first_seed; seed < run.end_seed(); ++seed) {
+        Dice dice(seed);
+        if (jumps({ .mm = uniform(dice, 0, 1) < 0.5 ? -mm : mm, .lasts_s = lasts_s }, dice) > 0)
+            ++found;
+        else
+            missed.append(1, ' ').append(std::to_string(seed));
+    }
+    double const part = static_cast<double>(found) / run.rigs;
+    std::printf("slip of %2.0f mm in %3.0f ms: found %5.1f %%\n", mm, 1000 * lasts_s, 100 * part);
+    if (!missed.empty() && missed.size() < 400)
+        std::printf("  seeds that missed:%s\n", missed.c_str());
+    bool const is_good = is_enough(part, goal, run);
+    if (!is_good)
+        std::printf("  MISSES ITS GOAL of %.0f %%\n", 100 * goal);
+    return is_good;
+}
+
+bool check_false_alarms(Run const& run)
+{
+    std::size_t alarms = 0;
+    for (unsigned seed = run.first_seed; seed < run.end_seed(); ++seed) {
+        Dice dice(seed);
+        alarms += jumps({}, dice);
+    }
+    std::printf("no slip: %zu alarms in %.1f hours\n", alarms, run.rigs * kSeconds / 3600);
+    return alarms == 0;
+}
+
+} // namespace
+
+bool check_slips(Run const& run)
+{
+    std::printf("\nSlips: of a string while a hand moves the table, 0.1 mm of noise at 500 Hz\n");
+    bool all_good = check_false_alarms(run);
+    for (double const mm : { 5.0, 20.0 })
+        for (double const lasts_s : { 0.0, 0.01, 0.03 })
+            all_good &= run_row(mm, lasts_s, 0.9, run);
+    for (double const lasts_s : { 0.1, 0.2 })
+        all_good &= run_row(20, lasts_s, 0, run);
+    return all_good;
+}
+
+} // namespace tractus::physics
