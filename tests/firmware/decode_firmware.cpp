@@ -1,0 +1,85 @@
+// What the firmware sent in simavr, through our decoder: see usb_host.c.
+#include "drivers/height_decoder.h"
+#include "drivers/log.h"
+#include "tests/drivers/bytes.h"
+
+#include <algorithm>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <vector>
+
+namespace tractus {
+namespace {
+
+constexpr std::size_t kHalf = 32; // Conversions from reading to reading.
+
+Log firmware_log()
+{
+    return read_log(TRACTUS_FIRMWARE "/slider.tractus-log").value();
+}
+
+std::vector<std::int32_t> decoded(Log const& log)
+{
+    auto const decoder = make_height_decoder(log.devices.at(0)).value();
+    std::vector<HeightSample> samples;
+    LogCursor cursor(log);
+    while (auto const* const report = cursor.next().value()) {
+        auto const done = decoder->decode(report->time, report->bytes, samples);
+        EXPECT_TRUE(done) << done.error().message;
+    }
+    std::vector<std::int32_t> counts;
+    for (auto const& sample : samples)
+        counts.push_back(sample.counts);
+    return counts;
+}
+
+// What the readings should be, from what the converter was fed with: 64 conversions over 8.
+std::vector<std::int32_t> expected()
+{
+    std::ifstream in(TRACTUS_FIRMWARE "/conversions.txt");
+    std::vector<std::int32_t> const conversions(std::istream_iterator<std::int32_t>(in), {});
+    std::vector<std::int32_t> readings;
+    for (std::size_t i = 0; i + 2 * kHalf <= conversions.size(); i += kHalf) {
+        std::int32_t sum = 0;
+        for (std::size_t k = 0; k < 2 * kHalf; ++k)
+            sum += conversions[i + k];
+        readings.push_back(sum / 8);
+    }
+    return readings;
+}
+
+TEST(Firmware, DescribesItselfAsThePageSays)
+{
+    auto const log = firmware_log();
+    EXPECT_EQ(log.devices.at(0).report_descriptor,
+              bytes("05 01 09 08 a1 01 85 01 09 36 15 00 26 f8 1f 75 10 95 01 81 02 c0"));
+    EXPECT_EQ(make_height_decoder(log.devices.at(0)).value()->full_scale(), 8184);
+}
+
+TEST(Firmware, SendsEachReadingToTheBit)
+{
+    auto const counts = decoded(firmware_log());
+    auto const readings = expected();
+    ASSERT_EQ(counts.size(), 400u);
+    EXPECT_EQ(counts.front(), 0);
+    EXPECT_EQ(*std::max_element(counts.begin(), counts.end()), 8184);
+    // Those that came before the host was there are not among them; from then on none is missing.
+    constexpr std::size_t kMostBefore = 10;
+    std::size_t before = 0;
+    while (before < kMostBefore
+           && !std::equal(counts.begin(), counts.end(),
+                          readings.begin() + static_cast<std::ptrdiff_t>(before)))
+        ++before;
+    EXPECT_LT(before, kMostBefore) << "the readings are not those that were fed";
+}
+
+TEST(Firmware, SendsThreeHundredReadingsASecond)
+{
+    auto const log = firmware_log();
+    double const seconds = to_seconds(log.end() - log.begin());
+    EXPECT_NEAR(399 / seconds, 16e6 / 128 / 13 / 32, 1);
+}
+
+} // namespace
+} // namespace tractus
