@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <utility>
 
 namespace tractus {
@@ -117,6 +118,19 @@ Result<std::vector<Stroke>> parse_strokes(std::string const& name, std::string_v
         text.remove_prefix(std::min(end + 1, text.size()));
     }
     return strokes.take();
+}
+
+std::string print_strokes(std::span<Stroke const> strokes)
+{
+    std::string text = "# x y z in mm, pressure, time in ms\n";
+    for (auto const& stroke : strokes) {
+        for (auto const& tip : stroke.tips)
+            fmt::format_to(std::back_inserter(text), "{} {} {} {} {}\n", tip.position_mm.x(),
+                           tip.position_mm.y(), tip.position_mm.z(), tip.pressure,
+                           1e3 * to_seconds(tip.time));
+        text += "\n";
+    }
+    return text;
 }
 
 } // namespace tractus

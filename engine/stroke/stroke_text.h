@@ -3,6 +3,7 @@
 #include "engine/base/result.h"
 #include "engine/stroke/stroke.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,5 +22,10 @@ namespace tractus {
 // that are not finite, and a text without a stroke of two distinct points; shorter ones are left
 // out.
 Result<std::vector<Stroke>> parse_strokes(std::string const& name, std::string_view text);
+
+// The same text of strokes, with pressure and time, so that parse_strokes() reads it back: each
+// number as short as it can be without another one's being read, and times to the nanosecond as far
+// as a double holds them.
+std::string print_strokes(std::span<Stroke const> strokes);
 
 } // namespace tractus

@@ -2,11 +2,13 @@
 #include "drivers/file.h"
 #include "engine/export/glb_growth.h"
 #include "engine/export/glb_writer.h"
+#include "engine/export/stroke_glb.h"
 #include "engine/export/texture.h"
 #include "engine/mesh/level_of_detail.h"
 #include "engine/mesh/make_mesh.h"
 #include "engine/variation/growth.h"
 #include "tests/engine/mesh/sample_plants.h"
+#include "tests/engine/stroke/strokes.h"
 #include "tests/engine/variation/plans.h"
 
 #include <fmt/core.h>
@@ -151,6 +153,10 @@ Result<void> write_samples(std::filesystem::path const& folder)
     TRY(write("wind_colour.glb", collection, { .wind = Options::Wind::Colours }));
     TRY(write("empty.glb", {}, {}));
     TRY(write_growth(folder / "growth.glb", counts));
+    TRY(write_file(folder / "strokes.glb", [](std::ostream& out) {
+        return write_strokes_glb(
+            out, std::vector { stroke_of(s_curve(50)), stroke_of(trembling(s_curve(3), 2)) });
+    }));
     return write_file(folder / "counts.txt", counts);
 }
 

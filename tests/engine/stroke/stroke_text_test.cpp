@@ -2,6 +2,7 @@
 
 #include "tests/corpus.h"
 #include "tests/engine/stroke/corpus_strokes.h"
+#include "tests/engine/stroke/strokes.h"
 
 #include <fstream>
 #include <gtest/gtest.h>
@@ -37,6 +38,23 @@ TEST(StrokeText, SaysWhereAndWhatIsWrong)
     EXPECT_EQ(error("1 2 3\n1 2 3\n"),
               "a.txt: there is no stroke of two points in it: give a line \"x y z\" for each");
     EXPECT_FALSE(parse_strokes("a.txt", ""));
+}
+
+TEST(StrokeText, IsReadBackAsItWasPrinted)
+{
+    std::vector<Stroke> const strokes { stroke_of(trembling(s_curve(20), 1)),
+                                        stroke_of({ { 0.1, -1e-7, 3 }, { 1e6, 2, 3 } }) };
+    auto const text = print_strokes(strokes);
+    EXPECT_EQ(text.substr(text.rfind("0.1 ")), "0.1 -1e-07 3 0.5 0\n1000000 2 3 0.5 5\n\n");
+    auto const read = parse_strokes("strokes.txt", text);
+    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_EQ(read->size(), 2u);
+    for (std::size_t i = 0; i < 20; ++i) {
+        auto const& tip = strokes[0].tips[i];
+        EXPECT_EQ((*read)[0].tips[i].position_mm, tip.position_mm);
+        EXPECT_EQ((*read)[0].tips[i].pressure, tip.pressure);
+        EXPECT_EQ((*read)[0].tips[i].time, tip.time);
+    }
 }
 
 TEST(StrokeText, ReadsWhatPeopleDrewInVirtualReality)
