@@ -1,0 +1,151 @@
+#include "engine/plant/measured_plant.h"
+
+#include "engine/base/check.h"
+#include "engine/plant/pipe_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <limits>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+constexpr double kTipShare = 0.002; // Share of the height.
+
+Result<void> check_nodes(std::string const& name, std::span<MeasuredNode const> nodes)
+{
+    constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
+    auto const is_radius = [](std::optional<double> const& radius_mm) {
+        return !radius_mm || (*radius_mm >= 0 && *radius_mm <= kMost);
+    };
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        auto const& node = nodes[i];
+        CHECK(node.below == kNone || node.below < i);
+        if (!node.position_mm.allFinite() || !is_radius(node.radius_mm)
+            || !is_radius(node.base_radius_mm))
+            return fail(Fault::User,
+                        fmt::format("{}: the position or the diameter of node {} is no length: "
+                                    "export the plant again",
+                                    name, i + 1));
+    }
+    return {};
+}
+
+class PlantBuilder {
+public:
+    explicit PlantBuilder(std::span<MeasuredNode const> nodes)
+        : nodes_(nodes)
+        , next_(nodes.size(), kNone)
+        , laterals_(nodes.size())
+        , radius_mm_(nodes.size())
+    {
+        for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+            auto const& node = nodes[i];
+            bool const has_below = node.below != kNone;
+            radius_mm_[i] = node.radius_mm.value_or(has_below ? radius_mm_[node.below] : 0);
+            if (has_below && node.continues && next_[node.below] == kNone)
+                next_[node.below] = i;
+            else if (has_below)
+                laterals_[node.below].push_back(i);
+        }
+    }
+
+    Plant plant()
+    {
+        plant_.materials = { Material {} };
+        for (std::uint32_t i = 0; i < nodes_.size(); ++i)
+            if (nodes_[i].below == kNone)
+                start_at(i, kNone, kNone);
+        for (std::size_t i = 0; i < starts_.size(); ++i) // Grows as axes are followed.
+            follow(starts_[i]);
+        return std::move(plant_);
+    }
+
+private:
+    struct AxisStart {
+        std::uint32_t from = 0; // Nodes.
+        std::uint32_t to = 0;
+        SegmentId parent_segment = kNone;
+        AxisId parent_axis = kNone;
+    };
+
+    void start_at(std::uint32_t node, SegmentId segment, AxisId axis)
+    {
+        if (segment == kNone && next_[node] != kNone)
+            starts_.push_back({ node, next_[node], segment, axis });
+        for (auto const lateral : laterals_[node])
+            starts_.push_back({ node, lateral, segment, axis });
+    }
+
+    void add_node(std::uint32_t node, double radius_mm)
+    {
+        plant_.node_position_mm.push_back(nodes_[node].position_mm);
+        plant_.node_radius_mm.push_back(static_cast<float>(radius_mm));
+    }
+
+    void follow(AxisStart start) // By value: starts_ grows.
+    {
+        Axis axis { .first_node = static_cast<NodeId>(plant_.node_position_mm.size()),
+                    .first_segment = static_cast<SegmentId>(plant_.segment_count()),
+                    .parent_segment = start.parent_segment,
+                    .parent_axis = start.parent_axis,
+                    .order
+                    = start.parent_axis == kNone ? 0 : plant_.axes[start.parent_axis].order + 1 };
+        auto const id = static_cast<AxisId>(plant_.axes.size());
+        bool const is_lateral = !nodes_[start.to].continues || start.parent_segment != kNone;
+        add_node(start.from,
+                 nodes_[start.to].base_radius_mm.value_or(is_lateral ? radius_mm_[start.to]
+                                                                     : radius_mm_[start.from]));
+        for (auto node = start.to; node != kNone; node = next_[node]) {
+            add_node(node, radius_mm_[node]);
+            plant_.segment_material.push_back(0);
+            start_at(node, axis.first_segment + axis.segment_count, id);
+            ++axis.segment_count;
+        }
+        plant_.axes.push_back(axis);
+    }
+
+    std::span<MeasuredNode const> nodes_;
+    std::vector<std::uint32_t> next_;                  // On the same axis.
+    std::vector<std::vector<std::uint32_t>> laterals_; // In the order of the nodes.
+    std::vector<double> radius_mm_;
+    std::vector<AxisStart> starts_;
+    Plant plant_;
+};
+
+} // namespace
+
+double millimetres_per_unit(Bounds const& units)
+{
+    constexpr double kLeastInMillimetres = 100;
+    return !units.empty() && (units.max_mm - units.min_mm).maxCoeff() < kLeastInMillimetres ? 1000
+                                                                                            : 1;
+}
+
+Result<Plant> plant_from_nodes(std::string const& name, std::span<MeasuredNode const> nodes)
+{
+    TRY(check_nodes(name, nodes));
+    auto plant = PlantBuilder(nodes).plant();
+    if (plant.axes.empty())
+        return fail(Fault::User,
+                    fmt::format("{}: there is no branch in it: two positions, one above the other, "
+                                "make one",
+                                name));
+    Vec3 const base_mm = plant.node_position_mm.front();
+    for (auto& position_mm : plant.node_position_mm)
+        position_mm -= base_mm;
+    bool const has_radii
+        = std::any_of(nodes.begin(), nodes.end(), [](auto const& node) { return node.radius_mm; });
+    if (!has_radii) {
+        auto const box = bounds(plant);
+        Vec3 const extent_mm = box.max_mm - box.min_mm;
+        apply_pipe_model(plant, 2,
+                         kTipShare * std::max(extent_mm.z(), 1e-3 * extent_mm.maxCoeff()));
+    }
+    return plant;
+}
+
+} // namespace tractus

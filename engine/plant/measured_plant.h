@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/plant/plant.h"
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace tractus {
+
+// One node of a plant that was measured, or written by another program, with what bears it.
+struct MeasuredNode {
+    std::uint32_t below = kNone; // The node that it stands on, one before it; kNone: the ground.
+    bool continues = false;      // The axis of `below` goes on here; otherwise a lateral begins.
+    Vec3 position_mm = Vec3::Zero(); // Plant frame, anywhere.
+    std::optional<double> radius_mm {};
+    // Of the segment that ends here, where it begins. Counts at the base of an axis only.
+    std::optional<double> base_radius_mm {};
+};
+
+// A plant of such nodes: a segment from each node to the one below. The base of the first goes to
+// the origin. If no node has a radius, radii follow from the pipe model, with tips of 0.2 % of the
+// height; otherwise a node without one has that of what is below it, and a lateral begins as thick
+// as it is at its first node, unless it says otherwise.
+//
+// Refuses, in a sentence that begins with `name`, numbers that are not finite, radii below 0, and
+// nodes without a single segment.
+Result<Plant> plant_from_nodes(std::string const& name, std::span<MeasuredNode const> nodes);
+
+// Lengths in such files are metres where the whole is smaller than 100 units, else millimetres:
+// what they are to be multiplied with.
+double millimetres_per_unit(Bounds const& units);
+
+} // namespace tractus

@@ -1,0 +1,381 @@
+#include "engine/plant/measured_plant.h"
+#include "engine/plant/mtg.h"
+#include "engine/plant/table_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <fmt/format.h>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+constexpr std::size_t kMaxScales = 64;
+constexpr std::size_t kMaxGraphColumns = 100'000;
+constexpr long kMaxRepeats = 1'000'000; // Of entities that << and ++ stand for, in all.
+
+constexpr std::array<std::string_view, 5> kOrgans { "organ", "leaf", "flower", "fruit", "bud" };
+constexpr std::array<std::string_view, 5> kTopDiameters { "topdiameter", "topdia", "diameter",
+                                                          "diam", "diasom" };
+constexpr std::array<std::string_view, 4> kBaseDiameters { "bottomdiameter", "bottomdia", "botdia",
+                                                           "diabase" };
+
+std::string lower_letters(std::string_view text)
+{
+    std::string result;
+    for (char const c : text)
+        if (std::isalnum(static_cast<unsigned char>(c)))
+            result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return result;
+}
+
+// Where one stands in the graph: what the next entity is a part of, or stands on.
+struct GraphPlace {
+    std::array<bool, kMaxScales> has_entity {}; // At each scale.
+    std::uint32_t node = kNone;                 // The last one that had a position.
+    bool is_branch = false;                     // A + came since then.
+};
+
+// The last entity of a column of the file; and a branch on it that the same column has named, until
+// another is named or its parts follow.
+struct GraphColumn {
+    GraphPlace place;
+    std::optional<GraphPlace> branch;
+
+    GraphPlace const& last() const { return branch ? *branch : place; }
+};
+
+class MtgReader {
+public:
+    explicit MtgReader(std::string const& name)
+        : name_(name)
+    {
+    }
+
+    Result<void> read(std::string_view line);
+    Result<Plant> take();
+
+private:
+    struct Class {
+        std::size_t scale = 0;
+        bool is_organ = false;
+    };
+    struct Entity {
+        char relation = '/';
+        Class kind {};
+        bool is_last = false; // Of its line: to it the columns belong.
+    };
+    enum class Section { None, Classes, Other, Header, Graph };
+
+    bool begins_section(std::string_view line);
+    Result<void> read_class(std::string_view line);
+    Result<void> read_header(std::string_view line);
+    Result<void> read_entities(std::string_view line);
+    Result<std::vector<Entity>> entities_in(std::string_view code);
+    Result<Class> take_label(std::string_view& code, std::optional<long>& index);
+    Result<void> go_on(std::size_t column, std::span<Entity const> entities,
+                       std::vector<std::string_view> const& cells);
+    Result<void> walk(GraphPlace& place, std::span<Entity const> entities,
+                      std::vector<std::string_view> const& cells);
+    Result<void> add_node(GraphPlace& place, std::vector<std::string_view> const& cells);
+    Result<std::optional<double>> feature(std::optional<std::size_t> column,
+                                          std::vector<std::string_view> const& cells) const;
+    std::optional<std::size_t> column_of(std::span<std::string_view const> names,
+                                         std::vector<std::string_view> const& cells) const;
+
+    tl::unexpected<Error> error(std::string const& what) const
+    {
+        return fail(Fault::User, fmt::format("{}:{}: {}", name_, line_, what));
+    }
+
+    std::string const& name_;
+    std::size_t line_ = 0;
+    Section section_ = Section::None;
+    bool is_in_millimetres_ = false;
+    std::map<std::string, Class, std::less<>> classes_;
+    std::size_t entity_columns_ = 0;
+    std::array<std::optional<std::size_t>, 3> position_;
+    std::optional<std::size_t> top_diameter_, base_diameter_;
+    std::vector<GraphColumn> columns_;
+    long repeats_ = 0;
+    std::vector<MeasuredNode> nodes_;
+};
+
+Result<void> MtgReader::read(std::string_view line)
+{
+    ++line_;
+    auto const comment = line.find('#');
+    if (comment != std::string_view::npos) {
+        is_in_millimetres_ |= line.substr(comment).find("in millimetres") != std::string_view::npos;
+        line = line.substr(0, comment);
+    }
+    if (without_blanks(line).empty() || begins_section(line))
+        return {};
+    switch (section_) {
+    case Section::Classes:
+        return read_class(line);
+    case Section::Header:
+        return read_header(line);
+    case Section::Graph:
+        return read_entities(line);
+    case Section::None:
+        return error("this is no MTG: expected CODE: before anything else");
+    case Section::Other:
+        break;
+    }
+    return {};
+}
+
+// CODE, CLASSES, DESCRIPTION, FEATURES or MTG, and a colon.
+bool MtgReader::begins_section(std::string_view line)
+{
+    if (section_ == Section::Header || section_ == Section::Graph)
+        return false;
+    auto const word = without_blanks(line.substr(0, line.find(':')));
+    if (line.find(':') == std::string_view::npos)
+        return false;
+    if (word == "MTG")
+        section_ = Section::Header;
+    else if (word == "CLASSES")
+        section_ = Section::Classes;
+    else if (word == "CODE" || word == "DESCRIPTION" || word == "FEATURES")
+        section_ = Section::Other;
+    else
+        return false;
+    return true;
+}
+
+Result<void> MtgReader::read_class(std::string_view line)
+{
+    auto const words = words_of(line);
+    if (words.front() == "SYMBOL")
+        return {};
+    auto const scale = words.size() > 1 ? number_in(words[1]) : std::nullopt;
+    if (!scale || !(*scale >= 0) || *scale >= static_cast<double>(kMaxScales))
+        return error(
+            fmt::format("class {} has no scale from 0 to {}", words.front(), kMaxScales - 1));
+    auto const lower = lower_letters(words.front());
+    bool const is_organ = std::find(kOrgans.begin(), kOrgans.end(), lower) != kOrgans.end();
+    classes_[std::string(words.front())] = { static_cast<std::size_t>(*scale), is_organ };
+    return {};
+}
+
+std::optional<std::size_t> MtgReader::column_of(std::span<std::string_view const> names,
+                                                std::vector<std::string_view> const& cells) const
+{
+    for (auto const name : names)
+        for (auto i = entity_columns_; i < cells.size(); ++i)
+            if (lower_letters(cells[i]) == name)
+                return i;
+    return std::nullopt;
+}
+
+// "ENTITY-CODE", and behind as many tabs as there are columns for entities the features' names.
+Result<void> MtgReader::read_header(std::string_view line)
+{
+    auto const cells = columns_of(line, '\t');
+    for (entity_columns_ = 1; entity_columns_ < cells.size() && cells[entity_columns_].empty();)
+        ++entity_columns_;
+    constexpr std::array<std::array<std::string_view, 2>, 3> kNames {
+        { { "xx", "x" }, { "yy", "y" }, { "zz", "z" } }
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        position_[i] = column_of(kNames[i], cells);
+        if (!position_[i])
+            return error(fmt::format("there is no column {0}{0}: a plant needs positions, XX, YY "
+                                     "and ZZ",
+                                     "XYZ"[i]));
+    }
+    top_diameter_ = column_of(kTopDiameters, cells);
+    base_diameter_ = column_of(kBaseDiameters, cells);
+    section_ = Section::Graph;
+    return {};
+}
+
+Result<void> MtgReader::read_entities(std::string_view line)
+{
+    auto const cells = columns_of(line, '\t');
+    std::size_t column = 0;
+    while (column < cells.size() && cells[column].empty())
+        ++column;
+    if (column >= std::min(entity_columns_, cells.size()) || column > kMaxGraphColumns)
+        return error("there is no entity in the columns for them");
+    if (column > columns_.size())
+        return error(fmt::format("the entity is in column {}, expected one of the first {}",
+                                 column + 1, columns_.size() + 1));
+    auto code = cells[column];
+    bool const goes_on = code.front() == '^';
+    if (goes_on)
+        code.remove_prefix(1);
+    auto const entities = TRY(entities_in(code));
+    if (goes_on) {
+        if (column >= columns_.size())
+            return error("^ stands for the entity above it, and there is none");
+        columns_.resize(column + 1);
+        return go_on(column, entities, cells);
+    }
+    GraphColumn next;
+    bool const is_new = column == 0 && entities.front().relation == '/';
+    if (!is_new && columns_.empty())
+        return error("the first entity begins with /");
+    if (!is_new)
+        next.place = columns_[column == 0 ? 0 : column - 1].last();
+    columns_.resize(column);
+    TRY(walk(next.place, entities, cells));
+    columns_.push_back(std::move(next));
+    return {};
+}
+
+// A line that begins with ^ goes on at the entity above it; + names a branch there, and what
+// follows in the same column stands on the same entity as the branch.
+Result<void> MtgReader::go_on(std::size_t column, std::span<Entity const> entities,
+                              std::vector<std::string_view> const& cells)
+{
+    auto& [place, branch] = columns_[column];
+    auto const& first = entities.front();
+    if (first.relation == '+') {
+        auto on_branch = place;
+        TRY(walk(on_branch, entities, cells));
+        branch = on_branch;
+        return {};
+    }
+    bool const is_of_branch
+        = branch && (first.relation == '/' || !place.has_entity[first.kind.scale]);
+    if (is_of_branch)
+        place = *branch;
+    branch.reset();
+    return walk(place, entities, cells);
+}
+
+Result<MtgReader::Class> MtgReader::take_label(std::string_view& code, std::optional<long>& index)
+{
+    auto const end = std::min(code.find_first_of("/<+^"), code.size());
+    auto const label = code.substr(0, end);
+    code.remove_prefix(end);
+    auto name = label.substr(0, label.find_last_not_of("0123456789") + 1);
+    auto const digits = label.substr(name.size());
+    long value = 0;
+    if (!digits.empty()
+        && std::from_chars(digits.data(), digits.data() + digits.size(), value).ec == std::errc {})
+        index = value;
+    auto const found = classes_.find(name);
+    if (found == classes_.end())
+        return error(fmt::format("entity {}: CLASSES has no class {}", label, name));
+    return found->second;
+}
+
+// "/A1/U2<U3<<U9" is A1, U2, U3, and U4 to U9.
+Result<std::vector<MtgReader::Entity>> MtgReader::entities_in(std::string_view code)
+{
+    std::vector<Entity> result;
+    std::optional<long> before;
+    while (!code.empty()) {
+        char const relation = code.front();
+        if (relation != '/' && relation != '<' && relation != '+')
+            return error(fmt::format("found {}, expected /, < or + and an entity", code));
+        code.remove_prefix(1);
+        bool const is_range = !code.empty() && code.front() == relation && relation != '/';
+        if (is_range)
+            code.remove_prefix(1);
+        std::optional<long> index;
+        auto const kind = TRY(take_label(code, index));
+        long const count = is_range && index && before ? *index - *before : 1;
+        if (count < 1 || (repeats_ += count) > kMaxRepeats)
+            return error("<< and ++ stand for entities with the numbers between, rising");
+        result.insert(result.end(), static_cast<std::size_t>(count), { relation, kind, false });
+        before = index;
+    }
+    if (result.empty())
+        return error("^ is followed by /, < or + and an entity");
+    result.back().is_last = true;
+    return result;
+}
+
+Result<void> MtgReader::walk(GraphPlace& place, std::span<Entity const> entities,
+                             std::vector<std::string_view> const& cells)
+{
+    for (auto const& entity : entities) {
+        auto const scale = entity.kind.scale;
+        if (entity.relation != '/' && !place.has_entity[scale])
+            return error(fmt::format("found {}, but there is no entity of this scale for it to "
+                                     "stand on",
+                                     entity.relation));
+        place.has_entity[scale] = true;
+        std::fill(place.has_entity.begin() + static_cast<std::ptrdiff_t>(scale) + 1,
+                  place.has_entity.end(), false);
+        place.is_branch |= entity.relation == '+';
+        if (entity.is_last && !entity.kind.is_organ)
+            TRY(add_node(place, cells));
+    }
+    return {};
+}
+
+Result<std::optional<double>> MtgReader::feature(std::optional<std::size_t> column,
+                                                 std::vector<std::string_view> const& cells) const
+{
+    if (!column || *column >= cells.size() || cells[*column].empty())
+        return std::nullopt;
+    auto const value = number_in(cells[*column]);
+    if (!value)
+        return error(
+            fmt::format("found {} in column {}, expected a number", cells[*column], *column + 1));
+    return value;
+}
+
+Result<void> MtgReader::add_node(GraphPlace& place, std::vector<std::string_view> const& cells)
+{
+    MeasuredNode node;
+    for (std::size_t i = 0; i < 3; ++i) {
+        auto const coordinate = TRY(feature(position_[i], cells));
+        if (!coordinate && i == 0)
+            return {};
+        if (!coordinate)
+            return error("the position is not complete: XX, YY and ZZ go together");
+        node.position_mm[static_cast<int>(i)] = *coordinate;
+    }
+    if (auto const diameter = TRY(feature(top_diameter_, cells)))
+        node.radius_mm = *diameter / 2;
+    if (auto const diameter = TRY(feature(base_diameter_, cells)))
+        node.base_radius_mm = *diameter / 2;
+    node.below = place.node;
+    node.continues = !place.is_branch;
+    place.node = static_cast<std::uint32_t>(nodes_.size());
+    place.is_branch = false;
+    nodes_.push_back(node);
+    return {};
+}
+
+Result<Plant> MtgReader::take()
+{
+    if (section_ != Section::Graph)
+        return fail(Fault::User, fmt::format("{}: there is no section MTG: in it", name_));
+    Bounds box;
+    for (auto const& node : nodes_)
+        box.add(node.position_mm);
+    double const scale = is_in_millimetres_ ? 1 : millimetres_per_unit(box);
+    for (auto& node : nodes_) {
+        node.position_mm *= scale;
+        for (auto* const radius_mm : { &node.radius_mm, &node.base_radius_mm })
+            if (*radius_mm)
+                **radius_mm *= scale;
+    }
+    return plant_from_nodes(name_, nodes_);
+}
+
+} // namespace
+
+Result<Plant> parse_mtg(std::string const& name, std::string_view text)
+{
+    MtgReader reader(name);
+    while (!text.empty())
+        TRY(reader.read(take_text_line(text)));
+    return reader.take();
+}
+
+} // namespace tractus

@@ -1,0 +1,167 @@
+#include "engine/plant/mtg.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+constexpr std::string_view kHeader = "# Lengths, diameters and positions are in millimetres.\n"
+                                     "CODE:\tFORM-A\n"
+                                     "\n"
+                                     "CLASSES:\n"
+                                     "SYMBOL\tSCALE\tDECOMPOSITION\tINDEXATION\tDEFINITION\n"
+                                     "$\t0\tFREE\tFREE\tIMPLICIT\n"
+                                     "P\t1\tFREE\tFREE\tEXPLICIT\n"
+                                     "A\t2\tFREE\tFREE\tEXPLICIT\n"
+                                     "S\t3\tFREE\tFREE\tEXPLICIT\n"
+                                     "Organ\t3\tFREE\tFREE\tEXPLICIT\n"
+                                     "\n"
+                                     "DESCRIPTION:\n"
+                                     "LEFT\tRIGHT\tRELTYPE\tMAX\n"
+                                     "A\tA\t+\t?\n"
+                                     "S\tS\t<\t1\n"
+                                     "S\tS,Organ\t+\t?\n"
+                                     "\n"
+                                     "FEATURES:\n"
+                                     "NAME\tTYPE\n"
+                                     "XX\tREAL\n"
+                                     "YY\tREAL\n"
+                                     "ZZ\tREAL\n"
+                                     "Length\tREAL\n"
+                                     "TopDiameter\tREAL\n"
+                                     "BottomDiameter\tREAL\n"
+                                     "\n"
+                                     "MTG:\n";
+
+class MtgWriter {
+public:
+    MtgWriter(std::ostream& out, Plant const& plant)
+        : out_(out)
+        , plant_(plant)
+        , standing_(plant.segment_count())
+        , organs_(plant.segment_count())
+    {
+        std::uint32_t orders = 0;
+        for (AxisId i = 0; i < plant.axes.size(); ++i) {
+            orders = std::max(orders, plant.axes[i].order);
+            if (plant.axes[i].parent_segment != kNone)
+                standing_[plant.axes[i].parent_segment].push_back(i);
+        }
+        for (std::size_t i = 0; i < plant.organs.size(); ++i)
+            if (plant.organs[i].segment != kNone)
+                organs_[plant.organs[i].segment].push_back(i);
+        columns_ = orders + 2; // Organs stand one further to the right.
+    }
+
+    void write()
+    {
+        out_ << kHeader << "ENTITY-CODE" << std::string(columns_, '\t')
+             << "XX\tYY\tZZ\tLength\tTopDiameter\tBottomDiameter\n";
+        for (AxisId i = 0; i < plant_.axes.size(); ++i)
+            if (plant_.axes[i].parent_segment == kNone)
+                write_part(i);
+    }
+
+private:
+    // Plants are deep: a stack of axes, and how far each is written, in place of recursion.
+    void write_part(AxisId trunk)
+    {
+        out_ << fmt::format("/P{}\n", ++part_count_);
+        std::vector<std::pair<AxisId, std::uint32_t>> open;
+        begin_axis(trunk, '/');
+        auto const base = plant_.axes[trunk].first_node;
+        write_entity(0, "^/S0", plant_.node_position_mm[base]);
+        out_ << fmt::format("\t0\t{0}\t{0}\n", diameter_mm(base));
+        open.emplace_back(trunk, 0);
+        while (!open.empty()) {
+            auto& [axis, segment] = open.back();
+            if (segment == plant_.axes[axis].segment_count) {
+                open.pop_back();
+                continue;
+            }
+            auto const id = plant_.axes[axis].first_segment + segment;
+            write_segment(axis, segment++);
+            for (auto const organ : organs_[id])
+                write_organ(plant_.axes[axis].order + 1, organ);
+            // The last is opened first, as what is at the stack's top is written first.
+            auto const& standing = standing_[id];
+            if (!standing.empty())
+                write_standing(standing, open);
+        }
+    }
+
+    // Laterals of one segment, one after the other; the axis below goes on when they are written.
+    void write_standing(std::vector<AxisId> const& standing,
+                        std::vector<std::pair<AxisId, std::uint32_t>>& open)
+    {
+        for (auto i = standing.rbegin(); i != standing.rend(); ++i)
+            open.emplace_back(*i, 0);
+    }
+
+    void begin_axis(AxisId id, char relation)
+    {
+        write_code(plant_.axes[id].order,
+                   fmt::format("{}{}A{}", relation == '/' ? "^" : "", relation, id + 1));
+        out_ << '\n';
+    }
+
+    void write_segment(AxisId id, std::uint32_t segment)
+    {
+        auto const& axis = plant_.axes[id];
+        bool const is_trunk = axis.parent_segment == kNone;
+        if (segment == 0 && !is_trunk)
+            begin_axis(id, '+');
+        auto const from = axis.first_node + segment;
+        auto const& top_mm = plant_.node_position_mm[from + 1];
+        write_entity(axis.order,
+                     fmt::format("^{}S{}", segment == 0 && !is_trunk ? '/' : '<', segment + 1),
+                     top_mm);
+        out_ << fmt::format("\t{}\t{}\t{}\n", (top_mm - plant_.node_position_mm[from]).norm(),
+                            diameter_mm(from + 1), diameter_mm(from));
+    }
+
+    void write_organ(std::uint32_t column, std::size_t organ)
+    {
+        write_entity(column, fmt::format("+Organ{}", organ + 1), plant_.organs[organ].position_mm);
+        out_ << '\n';
+    }
+
+    void write_code(std::uint32_t column, std::string const& code)
+    {
+        out_ << std::string(column, '\t') << code;
+    }
+
+    void write_entity(std::uint32_t column, std::string const& code, Vec3 const& position_mm)
+    {
+        write_code(column, code);
+        out_ << std::string(columns_ - column, '\t')
+             << fmt::format("{}\t{}\t{}", position_mm.x(), position_mm.y(), position_mm.z());
+    }
+
+    double diameter_mm(NodeId node) const
+    {
+        return 2 * static_cast<double>(plant_.node_radius_mm[node]);
+    }
+
+    std::ostream& out_;
+    Plant const& plant_;
+    std::vector<std::vector<AxisId>> standing_; // On the end of each segment.
+    std::vector<std::vector<std::size_t>> organs_;
+    std::uint32_t columns_ = 0; // Of entities.
+    std::size_t part_count_ = 0;
+};
+
+} // namespace
+
+void write_mtg(std::ostream& out, Plant const& plant)
+{
+    MtgWriter(out, plant).write();
+}
+
+} // namespace tractus

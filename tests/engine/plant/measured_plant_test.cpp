@@ -1,0 +1,213 @@
+#include "engine/plant/measured_plant.h"
+#include "engine/plant/mtg.h"
+#include "engine/plant/ply_skeleton.h"
+#include "engine/plant/qsm.h"
+
+#include <cstring>
+#include <gtest/gtest.h>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace tractus {
+namespace {
+
+void expect_near(Vec3 const& found, Vec3 const& expected)
+{
+    EXPECT_LT((found - expected).norm(), 1e-9) << found << "\nin place of\n" << expected;
+}
+
+TEST(MeasuredPlant, PutsAxesTogether)
+{
+    std::vector<MeasuredNode> const nodes {
+        { .position_mm = { 5, 0, 1 }, .radius_mm = 3 },
+        { .below = 0, .continues = true, .position_mm = { 5, 0, 11 }, .radius_mm = 2 },
+        { .below = 1, .position_mm = { 9, 0, 11 }, .radius_mm = 1 },
+        { .below = 1, .continues = true, .position_mm = { 5, 0, 21 } },
+        { .below = 0, .position_mm = { 5, 4, 1 }, .radius_mm = 1, .base_radius_mm = 1.5 },
+    };
+    auto const plant = plant_from_nodes("tree", nodes);
+    ASSERT_TRUE(plant) << plant.error().message;
+    check_plant(*plant);
+    ASSERT_EQ(plant->axes.size(), 3u);
+    EXPECT_EQ(plant->axes[0].segment_count, 2u);
+    EXPECT_EQ(plant->axes[1].parent_segment,
+              kNone); // It stands on the base, which no segment ends.
+    EXPECT_EQ(plant->axes[2].parent_segment, 0u);
+    EXPECT_EQ(plant->axes[2].order, 1u);
+    expect_near(plant->node_position_mm[0], { 0, 0, 0 });
+    expect_near(plant->node_position_mm[2], { 0, 0, 20 });
+    EXPECT_EQ(plant->node_radius_mm, (std::vector<float> { 3, 2, 2, 1.5, 1, 1, 1 }));
+}
+
+TEST(MeasuredPlant, RefusesWhatIsNoPlant)
+{
+    std::vector<MeasuredNode> nodes { {} };
+    EXPECT_EQ(plant_from_nodes("tree", nodes).error().message,
+              "tree: there is no branch in it: two positions, one above the other, make one");
+    nodes.push_back({ .below = 0, .continues = true, .position_mm = { 0, 0, 1 }, .radius_mm = -1 });
+    EXPECT_EQ(plant_from_nodes("tree", nodes).error().message,
+              "tree: the position or the diameter of node 2 is no length: export the plant again");
+}
+
+TEST(Qsm, ReadsTreeQsmsColumns)
+{
+    auto const plant = parse_qsm("tree.txt",
+                                 "0.1\t1\t0 0 0\n"); // Blanks inside a column of tabs.
+    EXPECT_FALSE(plant);
+    auto const tree = parse_qsm("tree.txt",
+                                "radius (m)\tlength (m)\tstart_point\taxis_direction\tparent\n"
+                                "0.2\t1\t10\t20\t5\t0\t0\t1\t0\t2\t1\t0\t1\n"
+                                "0.1\t2\t10\t20\t6\t0\t0\t1\t1\t0\t1\t0\t2\n"
+                                "0.05\t1\t10.2\t20\t6\t1\t0\t0\t1\t0\t2\t1\t1\n");
+    ASSERT_TRUE(tree) << tree.error().message;
+    check_plant(*tree);
+    ASSERT_EQ(tree->axes.size(), 2u);
+    EXPECT_EQ(tree->axes[0].segment_count, 2u);
+    EXPECT_EQ(tree->axes[1].parent_segment, 0u);
+    expect_near(tree->node_position_mm[2], { 0, 0, 3000 });
+    expect_near(tree->node_position_mm[4],
+                { 1200, 0, 1000 }); // From where the stem's cylinder ends.
+    EXPECT_EQ(tree->node_radius_mm[0], 200);
+    EXPECT_EQ(tree->node_radius_mm[3], 50);
+}
+
+TEST(Qsm, ReadsNamedColumnsInAnyOrder)
+{
+    auto const tree = parse_qsm("tree.csv",
+                                "\"ID\",parentID,startX,startY,startZ,endX,endY,endZ,radius\n"
+                                "7,3,0,0,1,0,0,2,0.02\n"
+                                "3,-1,0,0,0,0,0,1,0.05\n"
+                                "9,3,0,0,1,1,0,1,0.03\n");
+    ASSERT_TRUE(tree) << tree.error().message;
+    ASSERT_EQ(tree->axes.size(), 2u);
+    expect_near(tree->node_position_mm[2], { 1000, 0, 1000 }); // The thicker one goes on.
+}
+
+TEST(Qsm, SaysWhatIsWrong)
+{
+    auto const error = [](std::string const& text) {
+        auto const tree = parse_qsm("tree.csv", text);
+        return tree ? "no error" : tree.error().message;
+    };
+    EXPECT_EQ(error("start_x,radius\n"),
+              "tree.csv:1: the columns need radius, parent, start_x, start_y, start_z, and end_x, "
+              "end_y, end_z or axis_x, axis_y, axis_z and length");
+    EXPECT_EQ(error("0.1,1,0,0,0,0,0,x,0,0,1\n"),
+              "tree.csv:1: found x in column 8, expected a number");
+    EXPECT_EQ(error("0.1,1,0,0\n"), "tree.csv:1: the line has 4 columns, expected more");
+    EXPECT_EQ(error("0.1,1,0,0,0,0,0,1,2,0,1\n0.1,1,0,0,0,0,0,1,1,0,1\n"),
+              "tree.csv: 2 of 2 cylinders stand on each other and not on the ground");
+    EXPECT_EQ(error(""),
+              "tree.csv: there is no branch in it: two positions, one above the other, make one");
+}
+
+Result<Plant> ply(std::string const& text)
+{
+    return parse_ply_skeleton("tree.ply", std::as_bytes(std::span(text)));
+}
+
+void append(std::string& bytes, auto value)
+{
+    char raw[sizeof value];
+    std::memcpy(raw, &value, sizeof value);
+    bytes.append(raw, sizeof value);
+}
+
+// Little-endian, as all machines that we build for are.
+std::string binary_tree()
+{
+    std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n"
+                        "property float x\nproperty float y\nproperty float z\n"
+                        "property float radius\nelement edge 2\n"
+                        "property list uint uint vertex_indices\nend_header\n";
+    for (float const value :
+         { 0.F, 0.F, 1.F, 0.25F, 0.F, 0.F, 3.F, 0.125F, 2.F, 0.F, 3.F, 0.0625F })
+        append(bytes, value);
+    for (std::uint32_t const value : { 2u, 1u, 0u, 2u, 1u, 2u })
+        append(bytes, value);
+    return bytes;
+}
+
+TEST(PlySkeleton, ReadsEdgesAndRadii)
+{
+    auto const tree = ply(binary_tree());
+    ASSERT_TRUE(tree) << tree.error().message;
+    check_plant(*tree);
+    ASSERT_EQ(tree->axes.size(), 1u);
+    expect_near(tree->node_position_mm[1], { 0, 0, 2000 });
+    expect_near(tree->node_position_mm[2], { 2000, 0, 2000 });
+    EXPECT_EQ(tree->node_radius_mm, (std::vector<float> { 250, 125, 62.5 }));
+}
+
+TEST(PlySkeleton, ReadsAsciiAndComputesMissingRadii)
+{
+    auto const tree = ply("ply\nformat ascii 1.0\ncomment a tree\nelement vertex 2\n"
+                          "property double x\nproperty double y\nproperty double z\n"
+                          "element face 1\nproperty list uchar int vertex_indices\n"
+                          "element edge 1\nproperty int vertex1\nproperty int vertex2\n"
+                          "end_header\n0 0 0\n0 0 2\n3 0 1 0\n0 1\n");
+    ASSERT_TRUE(tree) << tree.error().message;
+    expect_near(tree->node_position_mm[1], { 0, 0, 2000 });
+    EXPECT_GT(tree->node_radius_mm[0], 0);
+}
+
+TEST(PlySkeleton, SaysWhatIsWrong)
+{
+    auto const error = [](std::string const& text) {
+        auto const tree = ply(text);
+        return tree ? "no error" : tree.error().message;
+    };
+    EXPECT_EQ(error("obj"), "tree.ply: this is no PLY file: its first line is not \"ply\"");
+    EXPECT_EQ(error("ply\nformat ascii 1.0\n"),
+              "tree.ply: the header of this PLY file has no end_header");
+    auto const whole = binary_tree();
+    EXPECT_EQ(error(whole.substr(0, whole.size() - 1)),
+              "tree.ply: the file ends before its last element");
+    EXPECT_EQ(error("ply\nelement vertex 4000000000\nproperty int x\nend_header\n1 2\n"),
+              "tree.ply: the file ends before its last element");
+    EXPECT_EQ(error("ply\nelement vertex 1\nproperty int x\nelement edge 1\nproperty int a\n"
+                    "property int b\nend_header\n1\n0 1\n"),
+              "tree.ply: an edge ends at vertex 1, but there are 1");
+    EXPECT_EQ(error("ply\nelement vertex 1\nproperty int x\nend_header\n1\n"),
+              "tree.ply: there are no edges in it: export the skeleton, not its surface or points");
+}
+
+// Files with some of their bytes changed, left out or doubled: a plant that is whole, or a
+// sentence.
+TEST(MeasuredPlant, IsWholeWhateverComesIn)
+{
+    std::string const graph = "CODE: FORM-A\nCLASSES:\nSYMBOL\tSCALE\n$\t0\nP\t1\nS\t2\nMTG:\n"
+                              "ENTITY-CODE\t\tXX\tYY\tZZ\tTopDia\n/P1/S1\t\t0\t0\t0\t5\n"
+                              "^<S2<<S4\t\t0\t0\t9\t4\n\t+S1\t3\t0\t9\t2\n^<S5\t\t0\t1\t20\n";
+    std::string const cylinders = "0.1,1,0,0,0,0,0,1,0,2,1\n0.1,1,0,0,1,0,0,1,1,0,1\n"
+                                  "0.05,1,0,0,1,1,0,0,1,0,2\n";
+    std::mt19937 numbers(7);
+    auto const below = [&](std::size_t end) { return numbers() % end; };
+    auto const expect_whole = [](Result<Plant> const& plant) {
+        if (plant)
+            check_plant(*plant);
+        else
+            EXPECT_FALSE(plant.error().message.empty());
+    };
+    for (int i = 0; i < 3000; ++i)
+        for (auto text : { graph, cylinders, binary_tree() }) {
+            bool const is_graph = text == graph;
+            bool const is_ply = text.starts_with("ply");
+            for (auto changes = 1 + below(4); changes > 0; --changes) {
+                auto const at = below(text.size());
+                if (auto const how = below(3); how == 0)
+                    text[at] = "0123456789-.,/<+^eEPS\t\n\xff"[below(27)];
+                else if (how == 1)
+                    text.erase(at, 1 + below(3));
+                else
+                    text.insert(at, text.substr(below(text.size()), 1 + below(6)));
+            }
+            expect_whole(is_ply         ? ply(text)
+                             : is_graph ? parse_mtg("a", text)
+                                        : parse_qsm("a", text));
+        }
+}
+
+} // namespace
+} // namespace tractus
