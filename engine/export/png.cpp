@@ -2,8 +2,12 @@
 
 #include "engine/base/check.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <libdeflate.h>
+#include <memory>
 #include <string_view>
+#include <utility>
 #include <zlib.h>
 
 namespace tractus {
@@ -22,39 +26,69 @@ void append_chunk(std::string& bytes, std::string_view type, std::string_view da
     auto const start = bytes.size();
     bytes += type;
     bytes += data;
-    auto const* const checked = reinterpret_cast<Bytef const*>(bytes.data() + start);
-    append_u32_be(
-        bytes,
-        static_cast<std::uint32_t>(crc32(0, checked, static_cast<uInt>(bytes.size() - start))));
+    append_u32_be(bytes, libdeflate_crc32(0, bytes.data() + start, bytes.size() - start));
+}
+
+using Bytes = std::unique_ptr<std::uint8_t[]>; // Not filled first, as a vector's are.
+
+std::size_t row_bytes(PngPicture const& picture)
+{
+    return static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels);
 }
 
 // Each row after a filter byte: 2, the difference to the row above, which suits soft pictures.
-std::string filtered_rows(PngPicture const& picture)
+Bytes filtered_rows(PngPicture const& picture)
 {
-    auto const& pixels = picture.pixels;
-    auto const width = static_cast<std::size_t>(picture.width * picture.channels);
-    std::string rows;
-    rows.reserve(pixels.size() + static_cast<std::size_t>(picture.height));
-    for (std::size_t start = 0; start < pixels.size(); start += width) {
-        rows.push_back(2);
-        for (std::size_t i = start; i < start + width; ++i) {
-            int const above = start == 0 ? 0 : pixels[i - width];
-            rows.push_back(static_cast<char>(pixels[i] - above));
-        }
+    auto const width = row_bytes(picture);
+    auto rows
+        = std::make_unique_for_overwrite<std::uint8_t[]>((width + 1) * std::size_t(picture.height));
+    auto const* from = picture.pixels.data();
+    auto* to = rows.get();
+    for (int y = 0; y < picture.height; ++y) {
+        *to++ = 2;
+        if (y == 0)
+            std::copy_n(from, width, to);
+        else
+            for (std::size_t i = 0; i < width; ++i)
+                to[i] = static_cast<std::uint8_t>(from[i] - (from - width)[i]);
+        from += width;
+        to += width;
     }
     return rows;
 }
 
-std::string packed(std::string const& rows, int level)
+// What zlib's deflate makes, with either library; libdeflate is some times as fast at level 1, and
+// its best takes longer than it is worth.
+struct Packed {
+    Bytes bytes;
+    std::size_t size = 0;
+};
+
+Packed pack_small(std::uint8_t const* rows, std::size_t size)
 {
-    uLongf size = compressBound(static_cast<uLong>(rows.size()));
-    std::string bytes(size, '\0');
-    int const status = compress2(reinterpret_cast<Bytef*>(bytes.data()), &size,
-                                 reinterpret_cast<Bytef const*>(rows.data()),
-                                 static_cast<uLong>(rows.size()), level);
+    constexpr int kBest = 9;
+    uLongf packed = compressBound(static_cast<uLong>(size));
+    auto bytes = std::make_unique_for_overwrite<std::uint8_t[]>(packed);
+    int const status = compress2(bytes.get(), &packed, rows, static_cast<uLong>(size), kBest);
     CHECK(status == Z_OK);
-    bytes.resize(size);
-    return bytes;
+    return { std::move(bytes), packed };
+}
+
+Packed pack_fast(std::uint8_t const* rows, std::size_t size)
+{
+    struct Free {
+        void operator()(libdeflate_compressor* compressor) const
+        {
+            libdeflate_free_compressor(compressor);
+        }
+    };
+    std::unique_ptr<libdeflate_compressor, Free> const compressor(libdeflate_alloc_compressor(1));
+    CHECK(compressor);
+    auto const most = libdeflate_zlib_compress_bound(compressor.get(), size);
+    auto bytes = std::make_unique_for_overwrite<std::uint8_t[]>(most);
+    auto const packed = libdeflate_zlib_compress(compressor.get(), rows, size, bytes.get(), most);
+    CHECK(packed > 0);
+    return { std::move(bytes), packed };
 }
 
 // ISO/IEC 15948 section 11.2.2.
@@ -82,7 +116,11 @@ std::string png_bytes(PngPicture const& picture)
     std::string bytes = "\x89PNG\r\n\x1a\n";
     append_chunk(bytes, "IHDR", header);
     bool const is_small = picture.packing == PngPicture::Packing::Small;
-    append_chunk(bytes, "IDAT", packed(filtered_rows(picture), is_small ? 9 : 3));
+    auto const rows = filtered_rows(picture);
+    auto const size = (row_bytes(picture) + 1) * static_cast<std::size_t>(picture.height);
+    auto const packed = is_small ? pack_small(rows.get(), size) : pack_fast(rows.get(), size);
+    bytes.reserve(packed.size + 100);
+    append_chunk(bytes, "IDAT", { reinterpret_cast<char const*>(packed.bytes.get()), packed.size });
     append_chunk(bytes, "IEND", "");
     return bytes;
 }

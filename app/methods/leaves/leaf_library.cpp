@@ -20,6 +20,14 @@ namespace {
 constexpr double kGrownUp = 0.35; // Ages.
 constexpr double kDecays = 0.65;
 
+std::uint64_t hash_of(std::string const& name)
+{
+    std::uint64_t hash = 0xCBF29CE484222325u; // FNV-1a.
+    for (char const letter : name)
+        hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001B3u;
+    return hash;
+}
+
 double ease(double x)
 {
     x = std::clamp(x, 0.0, 1.0);
@@ -100,6 +108,19 @@ double color_age(double age)
     constexpr double kBegins = 0.55;
     constexpr double kTakes = 0.4;
     return ease((age - kBegins) / kTakes);
+}
+
+leaf::PaintOptions paint_options(leaf::Grammar const& grammar, LeafLife const& life)
+{
+    return { .age = color_age(life.age),
+             .young = grammar.young,
+             .old = grammar.old,
+             .seed = life.seed ^ hash_of(short_leaf_name(grammar.name)) };
+}
+
+std::string short_leaf_name(std::string const& name)
+{
+    return fs::path(name).stem().string();
 }
 
 } // namespace tractus

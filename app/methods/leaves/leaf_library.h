@@ -44,4 +44,11 @@ leaf::Leaf::Pose pose_at(double age);
 // How old the colours of a leaf of that age are, 0 to 1.
 double color_age(double age);
 
+// How a leaf of that life is painted: its grammar's colours, nothing eaten. Leaves of different
+// kinds that have one seed do not have their spots in the same places.
+leaf::PaintOptions paint_options(leaf::Grammar const& grammar, LeafLife const& life);
+
+// What a user called a leaf: its file's name without folders and ending.
+std::string short_leaf_name(std::string const& name);
+
 } // namespace tractus

@@ -1,9 +1,8 @@
 #include "app/methods/leaves/leaf_mesh.h"
 
-#include "engine/export/png.h"
+#include "app/methods/leaves/leaf_maps.h"
 
 #include <array>
-#include <cmath>
 #include <memory>
 #include <span>
 #include <utility>
@@ -116,18 +115,8 @@ namespace {
 
 template<std::size_t N> TextureSlot texture(std::vector<std::array<std::uint8_t, N>> const& pixels)
 {
-    auto const side = static_cast<int>(std::lround(std::sqrt(double(pixels.size()))));
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(pixels.size() * N);
-    for (auto const& pixel : pixels)
-        bytes.insert(bytes.end(), pixel.begin(), pixel.end());
     return std::make_shared<TexturePicture const>(
-        TexturePicture { .png = png_bytes({ .width = side,
-                                            .height = side,
-                                            .channels = static_cast<int>(N),
-                                            .pixels = bytes,
-                                            .packing = PngPicture::Packing::Fast }),
-                         .edges = TexturePicture::Edges::Clamp });
+        TexturePicture { .png = packed_map(pixels), .edges = TexturePicture::Edges::Clamp });
 }
 
 } // namespace

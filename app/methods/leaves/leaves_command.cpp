@@ -161,12 +161,9 @@ Result<Mesh> mesh_to_draw(leaf::Grammar const& grammar, GrownLeaf const& grown,
         return fail(Fault::User,
                     "a .png of a leaf in space shows no painting: write .glb or .obj, or use "
                     "\"tractus leaves paint\", which paints the flat leaf");
-    auto const picture = leaf::paint_leaf(grown.leaf, grown.triangles,
-                                          { .side = *arguments.paint,
-                                            .age = color_age(usual_age(arguments)),
-                                            .young = grammar.young,
-                                            .old = grammar.old,
-                                            .seed = arguments.seed });
+    auto options = paint_options(grammar, { .age = usual_age(arguments), .seed = arguments.seed });
+    options.side = *arguments.paint;
+    auto const picture = leaf::paint_leaf(grown.leaf, grown.triangles, options);
     return painted_leaf_mesh(grown.triangles, picture, arguments.size_mm);
 }
 

@@ -44,6 +44,9 @@ struct PaintArguments {
     double variation = 1;
     int larvae = 0;
     double spots = 0;
+    double mildew = 0;
+    int mines = 0;
+    double dead = 0;
     bool is_skeleton = false;
 };
 
@@ -56,20 +59,6 @@ struct PaintedLeaf {
     leaf::LeafPicture picture;
 };
 
-std::string short_name(std::string const& name)
-{
-    return fs::path(name).stem().string();
-}
-
-// Leaves of different kinds that have one seed do not have their spots in the same places.
-std::uint64_t hash_of(std::string const& name)
-{
-    std::uint64_t hash = 0xCBF29CE484222325u; // FNV-1a.
-    for (char const letter : name)
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001B3u;
-    return hash;
-}
-
 Result<PaintedLeaf> paint_one(leaf::Grammar const& grammar, PaintArguments const& arguments,
                               int number)
 {
@@ -77,22 +66,22 @@ Result<PaintedLeaf> paint_one(leaf::Grammar const& grammar, PaintArguments const
     PaintedLeaf made;
     made.seed = arguments.seed + static_cast<std::uint64_t>(number);
     made.age = std::lerp(arguments.age, arguments.age_to.value_or(arguments.age), share);
-    auto const grown = TRY(grow_leaf(grammar,
-                                     { .age = made.age,
-                                       .seed = made.seed,
-                                       .variation = arguments.variation,
-                                       .steps = arguments.steps }));
+    LeafLife const life { .age = made.age,
+                          .seed = made.seed,
+                          .variation = arguments.variation,
+                          .steps = arguments.steps };
+    auto const grown = TRY(grow_leaf(grammar, life));
     if (!(leaf::PictureFrame(grown.triangles, arguments.side).scale > 0)
         || grown.triangles.veins.empty())
         return fail(Fault::User, fmt::format("{}: the leaf has no extent", grammar.name));
-    leaf::PaintOptions const options { .side = arguments.side,
-                                       .age = color_age(made.age),
-                                       .young = grammar.young,
-                                       .old = grammar.old,
-                                       .spots = arguments.spots,
-                                       .larvae = { .count = arguments.larvae },
-                                       .is_skeleton = arguments.is_skeleton,
-                                       .seed = made.seed ^ hash_of(short_name(grammar.name)) };
+    auto options = paint_options(grammar, life);
+    options.side = arguments.side;
+    options.spots = arguments.spots;
+    options.mildew = arguments.mildew;
+    options.mines = arguments.mines;
+    options.dead_age = arguments.dead;
+    options.larvae.count = arguments.larvae;
+    options.is_skeleton = arguments.is_skeleton;
     leaf::PictureFrame const frame(grown.triangles, arguments.side);
     double const blade_mm = grammar.size_mm > 0 ? grammar.size_mm : 100;
     double const blade
@@ -122,7 +111,7 @@ Result<std::vector<PaintedLeaf>> paint_all(PaintArguments const& arguments)
     std::vector<PaintedLeaf> leaves;
     for (std::size_t i = 0; i < count; ++i) {
         leaves.push_back(TRY(*std::move(made[i])));
-        leaves.back().name = short_name(arguments.leaves[i / each]);
+        leaves.back().name = short_leaf_name(arguments.leaves[i / each]);
     }
     return leaves;
 }
@@ -321,6 +310,15 @@ void add_paint_options(CLI::App& paint, PaintArguments& arguments)
         ->type_name("SHARE")
         ->check(number(0, 1))
         ->capture_default_str();
+    paint.add_option("--mildew", arguments.mildew, "How much of it is white with mildew")
+        ->type_name("SHARE")
+        ->check(number(0, 1));
+    paint.add_option("--mines", arguments.mines, "How many ways larvae have eaten under its skin")
+        ->type_name("N")
+        ->check(whole_number(0, 100));
+    paint.add_option("--dead", arguments.dead, "How far its old colour has become a dead one")
+        ->type_name("SHARE")
+        ->check(number(0, 1));
     paint.add_flag("--skeleton", arguments.is_skeleton, "Leave nothing but veins");
 }
 

@@ -125,37 +125,42 @@ FunctionName const* find_function(std::string_view name)
 
 double Expression::value(std::span<double const> values, Random& random) const
 {
+    constexpr std::size_t kUsual = 64; // Operations; there are never more values than those.
+    if (operations.size() <= kUsual) {
+        std::array<double, kUsual> stack;
+        return value_on(stack.data(), values, random);
+    }
+    std::vector<double> stack(operations.size());
+    return value_on(stack.data(), values, random);
+}
+
+double Expression::value_on(double* top, std::span<double const> values, Random& random) const
+{
     using Kind = Operation::Kind;
-    std::vector<double> stack;
-    auto const take = [&] {
-        double const top = stack.back();
-        stack.pop_back();
-        return top;
-    };
     for (std::size_t i = 0; i < operations.size(); ++i) {
         auto const& operation = operations[i];
         if (operation.kind == Kind::Number) {
-            stack.push_back(operation.number);
+            *top++ = operation.number;
         } else if (operation.kind == Kind::Name) {
-            stack.push_back(values[operation.target]);
+            *top++ = values[operation.target];
         } else if (operation.kind == Kind::Skip) {
             i += operation.target;
         } else if (operation.kind == Kind::SkipIfZero) {
-            i += take() == 0 ? operation.target : 0;
+            i += *--top == 0 ? operation.target : 0;
         } else {
-            double const b = takes_two(operation) ? take() : 0;
-            double const a = take();
+            double const b = takes_two(operation) ? *--top : 0;
+            double& a = top[-1];
             if (operation.kind == Kind::Call)
-                stack.push_back(call(operation.function, a, b, random));
+                a = call(operation.function, a, b, random);
             else if (operation.kind == Kind::Negate)
-                stack.push_back(-a);
+                a = -a;
             else if (operation.kind == Kind::Not)
-                stack.push_back(a == 0);
+                a = a == 0;
             else
-                stack.push_back(combined(operation.kind, a, b));
+                a = combined(operation.kind, a, b);
         }
     }
-    return stack.back();
+    return top[-1];
 }
 
 } // namespace tractus::leaf

@@ -97,6 +97,9 @@ public:
     // `values` by the names' numbers; a value that is not a number stands for one that nobody has
     // given yet. The result may be infinite or no number: who asks for it decides what that means.
     double value(std::span<double const> values, Random& random) const;
+
+private:
+    double value_on(double* top, std::span<double const> values, Random& random) const;
 };
 
 } // namespace tractus::leaf

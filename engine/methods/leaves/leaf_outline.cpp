@@ -136,36 +136,67 @@ Outline::Outline(HalfOutline const& half, Variation const& variation, Random& ra
     auto other = with_margin(curve_through(left.points), left);
     for (std::size_t i = other.size() - 1; i-- > 1;)
         line_.emplace_back(-other[i].x(), other[i].y());
+    find_parts();
+}
+
+void Outline::find_parts()
+{
+    constexpr std::size_t kPoints = 12;
+    for (std::size_t begin = 0; begin < line_.size(); begin += kPoints) {
+        Part part { .begin = begin, .end = std::min(begin + kPoints, line_.size()) };
+        part.middle = 0.5 * (line_[begin] + line_[part.end % line_.size()]);
+        for (std::size_t i = begin; i <= part.end; ++i)
+            part.radius = std::max(part.radius, (line_[i % line_.size()] - part.middle).norm());
+        parts_.push_back(part);
+    }
 }
 
 double Outline::reach(Vec2 const& from, Vec2 const& direction) const
 {
     double best = 0;
-    for (std::size_t i = 0; i < line_.size(); ++i) {
-        Vec2 const a = line_[i] - from;
-        Vec2 const side = line_[(i + 1) % line_.size()] - line_[i];
-        double const across = cross(direction, side);
-        if (across == 0)
+    double const length = direction.norm();
+    for (auto const& part : parts_) {
+        if (std::abs(cross(direction, part.middle - from)) > 1.0001 * length * part.radius)
             continue;
-        double const far = cross(a, side) / across;
-        double const part = cross(a, direction) / across;
-        if (part >= 0 && part <= 1 && far > 1e-6 && (best == 0 || far < best))
-            best = far;
+        for (std::size_t i = part.begin; i < part.end; ++i) {
+            Vec2 const a = line_[i] - from;
+            Vec2 const side = line_[i + 1 < line_.size() ? i + 1 : 0] - line_[i];
+            double const across = cross(direction, side);
+            if (across == 0)
+                continue;
+            double const far = cross(a, side) / across;
+            double const along = cross(a, direction) / across;
+            if (along >= 0 && along <= 1 && far > 1e-6 && (best == 0 || far < best))
+                best = far;
+        }
     }
     return best;
+}
+
+void Outline::look_at(Part const& part, Vec2 const& point, Place& best) const
+{
+    for (std::size_t i = part.begin; i < part.end; ++i) {
+        Vec2 const side = line_[i + 1 < line_.size() ? i + 1 : 0] - line_[i];
+        double const length2 = side.squaredNorm();
+        double const share
+            = length2 > 0 ? std::clamp((point - line_[i]).dot(side) / length2, 0.0, 1.0) : 0;
+        double const distance = (point - line_[i] - share * side).norm();
+        double const along = double(i) + share;
+        if (distance < best.distance || (distance == best.distance && along < best.along))
+            best = { along, distance };
+    }
 }
 
 Outline::Place Outline::nearest(Vec2 const& point) const
 {
     Place best { 0, std::numeric_limits<double>::infinity() };
-    for (std::size_t i = 0; i < line_.size(); ++i) {
-        Vec2 const side = line_[(i + 1) % line_.size()] - line_[i];
-        double const length2 = side.squaredNorm();
-        double const part
-            = length2 > 0 ? std::clamp((point - line_[i]).dot(side) / length2, 0.0, 1.0) : 0;
-        double const distance = (point - line_[i] - part * side).norm();
-        if (distance < best.distance)
-            best = { double(i) + part, distance };
+    auto const likely = std::ranges::min_element(
+        parts_, {}, [&](Part const& part) { return (part.middle - point).squaredNorm(); });
+    look_at(*likely, point, best);
+    for (auto const& part : parts_) {
+        double const far = best.distance + 1.0001 * part.radius;
+        if (&part != &*likely && (part.middle - point).squaredNorm() <= far * far)
+            look_at(part, point, best);
     }
     return best;
 }

@@ -3,6 +3,7 @@
 #include "engine/base/random.h"
 #include "engine/base/vectors.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace tractus::leaf {
@@ -50,9 +51,19 @@ private:
         double along = 0; // In points of the line.
         double distance = 0;
     };
+    // A piece of the line in a circle, so that what is elsewhere need not be looked at.
+    struct Part {
+        std::size_t begin = 0; // Points; each with the way to the next one.
+        std::size_t end = 0;
+        Vec2 middle = Vec2::Zero();
+        double radius = 0;
+    };
+    void find_parts();
+    void look_at(Part const& part, Vec2 const& point, Place& best) const;
     Place nearest(Vec2 const& point) const;
 
     std::vector<Vec2> line_;
+    std::vector<Part> parts_;
 };
 
 } // namespace tractus::leaf

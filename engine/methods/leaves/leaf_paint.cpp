@@ -1,20 +1,41 @@
 #include "engine/methods/leaves/leaf_paint.h"
 
 #include "engine/base/parallel.h"
-#include "engine/base/random.h"
+#include "engine/methods/leaves/paint_noise.h"
+#include "engine/methods/leaves/paint_raster.h"
+#include "engine/methods/leaves/paint_spread.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
-#include <numbers>
 #include <span>
+#include <utility>
 
 namespace tractus::leaf {
 
+// What a painter keeps from leaf to leaf: memory, and nothing that is read before it is written.
+struct LeafPainter::Canvas {
+    LeafPicture picture;
+    CoverageRaster raster;
+    TileGrid tiles;
+    std::vector<float> profile;      // V of the veins, and their order:
+    std::vector<std::uint8_t> order; // VeinMaps has them.
+    std::vector<float> net;          // Of the smallest veins, 0 to 1.
+    std::vector<float> eaten; // 1 in holes, fading along their rims. Empty: nothing has eaten.
+    // How far a pixel is in a spot, in its ring, in a mine. Empty: there are none.
+    std::vector<float> spots;
+    std::vector<float> rings;
+    std::vector<float> mines;
+    std::vector<double> sums; // Of rows of tiles.
+};
+
 namespace {
 
-constexpr std::uint32_t kNoiseStream = 2;
-constexpr std::uint32_t kLarvaStream = 3;
 constexpr double kMargin = 0.03; // Of the picture's side, all round the leaf.
+constexpr std::uint64_t kMineSeed = 0x6D696E65;
+constexpr int kTile = TileGrid::kTile;
+using Row = Eigen::Array<float, kTile, 1>;
+using RowMap = Eigen::Map<Row>;
 
 double smooth(double x)
 {
@@ -22,225 +43,106 @@ double smooth(double x)
     return x * x * (3 - 2 * x);
 }
 
-Vec3 mix(Vec3 const& a, Vec3 const& b, double share)
+Row smooth(Row x)
 {
-    return a + share * (b - a);
+    x = x.max(0.0f).min(1.0f);
+    return x * x * (3 - 2 * x);
 }
 
-Vec3 linear(Vec3 const& srgb)
+double to_linear(double c)
 {
-    return srgb.unaryExpr(
-        [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); });
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-std::uint8_t byte(double value)
+Vec3f linear(Vec3 const& srgb)
 {
-    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
+    return srgb.unaryExpr(&to_linear).cast<float>();
 }
 
-std::uint8_t srgb_byte(double value)
+std::uint8_t byte(float value)
+{
+    return static_cast<std::uint8_t>(255 * std::clamp(value, 0.0f, 1.0f) + 0.5f);
+}
+
+std::uint8_t srgb_byte(float value)
 {
     static std::vector<std::uint8_t> const table = [] {
         std::vector<std::uint8_t> made;
         for (int i = 0; i < 4096; ++i) {
             double const c = (i + 0.5) / 4096;
-            made.push_back(byte(c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055));
+            made.push_back(byte(static_cast<float>(
+                c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055)));
         }
         return made;
     }();
-    return table[static_cast<std::size_t>(std::clamp(value * 4096, 0.0, 4095.0))];
+    return table[static_cast<std::size_t>(std::clamp(value * 4096, 0.0f, 4095.0f))];
 }
 
-// A number from 0 to 1 for a point of a grid.
-double hash(std::uint64_t seed, std::int64_t x, std::int64_t y)
-{
-    auto word = seed * 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(x) * 0xBF58476D1CE4E5B9u
-        + static_cast<std::uint64_t>(y) * 0x94D049BB133111EBu;
-    word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9u;
-    word = (word ^ (word >> 27)) * 0x94D049BB133111EBu;
-    return static_cast<double>((word ^ (word >> 31)) >> 11) * 0x1p-53;
-}
+struct ColorRow {
+    Row red;
+    Row green;
+    Row blue;
 
-double value_noise(std::uint64_t seed, Vec2 const& at)
-{
-    double const x = std::floor(at.x());
-    double const y = std::floor(at.y());
-    double const u = smooth(at.x() - x);
-    double const v = smooth(at.y() - y);
-    auto const i = static_cast<std::int64_t>(x);
-    auto const j = static_cast<std::int64_t>(y);
-    double const low = std::lerp(hash(seed, i, j), hash(seed, i + 1, j), u);
-    double const high = std::lerp(hash(seed, i, j + 1), hash(seed, i + 1, j + 1), u);
-    return std::lerp(low, high, v);
-}
-
-// Three octaves.
-double cloud(std::uint64_t seed, Vec2 const& at)
-{
-    return (4 * value_noise(seed, at) + 2 * value_noise(seed + 1, 2.1 * at)
-            + value_noise(seed + 2, 4.3 * at))
-        / 7;
-}
-
-struct Cells {
-    double border = 0;   // From the border between two cells: 0 on it, about 0.5 in the middle.
-    double distance = 0; // From the nearest cell's point.
-    double number = 0;   // The nearest cell's own, 0 to 1.
+    void fill(Vec3f const& color)
+    {
+        red = Row::Constant(color.x());
+        green = Row::Constant(color.y());
+        blue = Row::Constant(color.z());
+    }
+    void mix(Vec3f const& color, Row const& share)
+    {
+        red += share * (color.x() - red);
+        green += share * (color.y() - green);
+        blue += share * (color.z() - blue);
+    }
 };
 
-// Cells round points thrown one to a square (Worley, "A cellular texture basis function", 1996).
-Cells cells(std::uint64_t seed, Vec2 const& at)
+// The law for a row; the numbers are age_at()'s.
+Row ages(double age, Row const& closeness, Row const& mask, PaintOptions const& options)
 {
-    double first = 1e9;
-    double second = 1e9;
-    Cells made;
-    auto const x = static_cast<std::int64_t>(std::floor(at.x()));
-    auto const y = static_cast<std::int64_t>(std::floor(at.y()));
-    for (auto j = y - 1; j <= y + 1; ++j)
-        for (auto i = x - 1; i <= x + 1; ++i) {
-            Vec2 const point(double(i) + hash(seed, i, j), double(j) + hash(seed + 7, i, j));
-            double const distance = (point - at).squaredNorm();
-            if (distance < first) {
-                second = first;
-                first = distance;
-                made.number = hash(seed + 13, i, j);
-            } else {
-                second = std::min(second, distance);
-            }
-        }
-    made.border = std::sqrt(second) - std::sqrt(first);
-    made.distance = std::sqrt(first);
-    return made;
+    auto const veins = static_cast<float>(options.near_veins);
+    auto const noise = static_cast<float>(options.noise);
+    auto const now = static_cast<float>(age * (1 + options.near_veins + options.noise));
+    Row const later
+        = options.first == PaintOptions::First::NearVeins ? closeness : Row(1 - closeness);
+    return smooth(Row(now - veins * later - noise * mask));
 }
 
-// Adds a line to sums of signed areas: its share of each pixel it crosses, in that pixel, and the
-// rest of the row in the next one. Summed along rows they give the pixels' coverage.
-class Coverage {
+} // namespace
+
+// Paints one leaf on a canvas.
+class LeafBrush {
 public:
-    explicit Coverage(int side)
-        : side_(side)
-        , sums_(static_cast<std::size_t>(side) * static_cast<std::size_t>(side + 2))
-    {
-    }
-
-    void add_triangle(Vec2 a, Vec2 b, Vec2 c)
-    {
-        double const turn = (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-        if (turn < 0)
-            std::swap(b, c);
-        add_line(a, b);
-        add_line(b, c);
-        add_line(c, a);
-    }
-
-    std::vector<float> pixels() const
-    {
-        std::vector<float> made;
-        for (int y = 0; y < side_; ++y) {
-            double sum = 0;
-            for (int x = 0; x < side_; ++x) {
-                sum += sums_[index(x, y)];
-                double const covered = std::clamp(-sum, 0.0, 1.0);
-                made.push_back(static_cast<float>(covered < 1e-6 ? 0 : covered));
-            }
-        }
-        return made;
-    }
-
-private:
-    std::size_t index(int x, int y) const
-    {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(side_ + 2)
-            + static_cast<std::size_t>(x);
-    }
-
-    void add_line(Vec2 const& a, Vec2 const& b)
-    {
-        if (a.y() == b.y())
-            return;
-        double const sign = a.y() < b.y() ? 1 : -1;
-        Vec2 const& top = a.y() < b.y() ? a : b;
-        Vec2 const& bottom = a.y() < b.y() ? b : a;
-        double const slope = (bottom.x() - top.x()) / (bottom.y() - top.y());
-        double const begin = std::max(0.0, top.y());
-        double const end = std::min(double(side_), bottom.y());
-        for (int y = static_cast<int>(begin); y < end; ++y) {
-            double const y0 = std::max(begin, double(y));
-            double const y1 = std::min(end, double(y + 1));
-            double const x0 = top.x() + (y0 - top.y()) * slope;
-            double const x1 = top.x() + (y1 - top.y()) * slope;
-            add_in_row(y, sign * (y1 - y0), std::min(x0, x1), std::max(x0, x1));
-        }
-    }
-
-    // A line within a row: `height` of it, from x0 to x1.
-    void add_in_row(int y, double height, double x0, double x1)
-    {
-        double const last = side_;
-        x0 = std::clamp(x0, 0.0, last);
-        x1 = std::clamp(x1, 0.0, last);
-        double const length = x1 - x0;
-        int const from = static_cast<int>(x0);
-        if (length < 1e-12) {
-            add_part(from, y, height, x0 - from);
-            return;
-        }
-        for (int x = from; x < x1; ++x) {
-            double const a = std::max(x0, double(x));
-            double const b = std::min(x1, double(x + 1));
-            add_part(x, y, height * (b - a) / length, 0.5 * (a + b) - x);
-        }
-    }
-
-    // `middle`: 0 at the pixel's left side, 1 at its right.
-    void add_part(int x, int y, double height, double middle)
-    {
-        sums_[index(x, y)] += height * (1 - middle);
-        sums_[index(x + 1, y)] += height * middle;
-    }
-
-    int side_;
-    std::vector<double> sums_;
-};
-
-class Painter {
-public:
-    Painter(Leaf const& leaf, LeafTriangles const& triangles, PaintOptions const& options)
-        : options_(options)
-        , frame_(triangles, options.side)
+    LeafBrush(LeafPainter::Canvas& canvas, PaintOptions const& options, PictureFrame const& frame)
+        : canvas_(canvas)
+        , picture_(canvas.picture)
+        , options_(options)
+        , frame_(frame)
         , side_(options.side)
+        , veins_ { picture_.distance, canvas.profile, picture_.protection, canvas.order }
+        , count_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_))
+        , colors_ { linear(options.young), linear(options.old), linear(options.dead) }
+        , patches_(NoiseTable::clouds(), options.seed + 2, 7)
+        , mottle_(NoiseTable::clouds(), options.seed + 61, 24)
+        , mildew_(NoiseTable::clouds(), options.seed + 83, 9)
+    {
+    }
+
+    void paint(Leaf const& leaf, LeafTriangles const& triangles)
     {
         picture_.side = side_;
         cover(triangles);
-        veins_ = leaf.veins();
-        for (auto& vein : veins_) {
-            vein.from = frame_.pixel(vein.from);
-            vein.to = frame_.pixel(vein.to);
-            vein.half_width_from *= frame_.scale;
-            vein.half_width_to *= frame_.scale;
-        }
-        base_ = veins_.empty() ? Vec2(0, 0) : veins_.front().from;
-    }
-
-    LeafPicture paint() &&
-    {
-        measure_distances();
+        map_veins(leaf);
         measure_closeness();
-        eat();
-        keep_connected();
+        damage(leaf);
         find_heights();
-        auto const count = static_cast<std::size_t>(side_);
-        picture_.color.resize(count * count);
-        picture_.normal.resize(count * count);
-        picture_.roughness.resize(count * count);
-        picture_.translucency.resize(count * count);
-        picture_.age.resize(count * count);
-        parallel_for(count, 16, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t y = begin; y < end; ++y)
-                for (std::size_t x = 0; x < count; ++x)
-                    paint_pixel(static_cast<int>(x), static_cast<int>(y));
-        });
-        return std::move(picture_);
+        picture_.color.resize(count_);
+        picture_.normal.resize(count_);
+        picture_.roughness.resize(count_);
+        picture_.translucency.resize(count_);
+        picture_.age.resize(count_);
+        for_tiles([&](int column, int row) { paint_tile(column, row); });
+        spread_colors(picture_, canvas_.tiles);
     }
 
 private:
@@ -250,371 +152,339 @@ private:
             + static_cast<std::size_t>(x);
     }
 
+    template<typename Work> void for_tiles(Work const& work) const
+    {
+        auto const& tiles = canvas_.tiles;
+        parallel_for(
+            static_cast<std::size_t>(tiles.columns()), 2, [&](std::size_t begin, std::size_t end) {
+                for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+                    for (int column = 0; column < tiles.columns(); ++column)
+                        if (tiles.is_near(column, row))
+                            work(column, row);
+            });
+    }
+
+    // The pixels of a tile's row that the picture has; work(first pixel's index, their count, y).
+    template<typename Work> void for_rows(int column, int row, Work const& work) const
+    {
+        int const x = column * kTile;
+        int const end = std::min(side_, (row + 1) * kTile);
+        for (int y = row * kTile; y < end; ++y)
+            work(index(x, y), std::min(kTile, side_ - x), y);
+    }
+
+    // A row of a map; what is outside of the picture is 0.
+    static Row read(std::vector<float> const& from, std::size_t at, int count)
+    {
+        Row made;
+        if (count == kTile)
+            made = Eigen::Map<Row const>(from.data() + at);
+        else
+            for (int i = 0; i < kTile; ++i)
+                made[i] = i < count ? from[at + static_cast<std::size_t>(i)] : 0;
+        return made;
+    }
+    static void write(std::vector<float>& to, std::size_t at, int count, Row const& row)
+    {
+        std::copy_n(row.data(), count, to.data() + at);
+    }
+
+    Row sample(Noise const& noise, int column, int y) const
+    {
+        Row made;
+        float const per_side = 1 / static_cast<float>(side_);
+        float const v = (static_cast<float>(y) + 0.5f) * per_side;
+        for (int i = 0; i < kTile; ++i)
+            made[i] = noise.at((static_cast<float>(column * kTile + i) + 0.5f) * per_side, v);
+        return made;
+    }
+
     void cover(LeafTriangles const& triangles)
     {
-        Coverage coverage(side_);
+        canvas_.raster.begin(side_);
+        pixels_.reserve(triangles.flat.size());
+        for (auto const& flat : triangles.flat)
+            pixels_.push_back(frame_.pixel(flat));
         for (auto const& part : { std::span(triangles.veins), std::span(triangles.limb) })
             for (auto const& [a, b, c] : part)
-                coverage.add_triangle(frame_.pixel(triangles.flat[a]),
-                                      frame_.pixel(triangles.flat[b]),
-                                      frame_.pixel(triangles.flat[c]));
-        picture_.coverage = coverage.pixels();
+                canvas_.raster.add_triangle(pixels_[a], pixels_[b], pixels_[c]);
+        canvas_.raster.finish(picture_.coverage);
         picture_.alpha = picture_.coverage;
+        canvas_.tiles.find(picture_.coverage, side_);
     }
 
-    struct Near {
-        double distance = 0; // From the vein's side, negative inside.
-        double half_width = 0;
-    };
-    static Near near_vein(Leaf::Vein const& vein, Vec2 const& at)
+    void map_veins(Leaf const& leaf)
     {
-        Vec2 const side = vein.to - vein.from;
-        double const length2 = side.squaredNorm();
-        double const part
-            = length2 > 0 ? std::clamp((at - vein.from).dot(side) / length2, 0.0, 1.0) : 0;
-        double const half = std::lerp(vein.half_width_from, vein.half_width_to, part);
-        return { (at - vein.from - part * side).norm() - half, half };
-    }
-
-    // Each vein within its box and the reach.
-    void measure_distances()
-    {
-        auto const count = picture_.coverage.size();
+        auto veins = leaf.veins();
+        for (auto& vein : veins) {
+            vein.from = frame_.pixel(vein.from);
+            vein.to = frame_.pixel(vein.to);
+            vein.half_width_from *= frame_.scale;
+            vein.half_width_to *= frame_.scale;
+        }
+        base_ = veins.empty() ? Vec2(0, 0) : veins.front().from;
         picture_.reach = 0.16f * static_cast<float>(side_);
-        picture_.distance.assign(count, picture_.reach);
-        picture_.protection.assign(count, 0);
-        profile_.assign(count, 0);
-        vein_order_.assign(count, 9);
-        parallel_for(static_cast<std::size_t>(side_), 16, [&](std::size_t begin, std::size_t end) {
-            for (auto const& vein : veins_)
-                measure_vein(vein, static_cast<int>(begin), static_cast<int>(end));
-        });
-    }
-
-    void measure_vein(Leaf::Vein const& vein, int first_row, int rows_end)
-    {
-        double const reach
-            = picture_.reach + std::max(vein.half_width_from, vein.half_width_to) + 1;
-        auto const low = vein.from.cwiseMin(vein.to);
-        auto const high = vein.from.cwiseMax(vein.to);
-        int const x0 = std::clamp(static_cast<int>(low.x() - reach), 0, side_);
-        int const x1 = std::clamp(static_cast<int>(high.x() + reach) + 1, 0, side_);
-        int const y0 = std::clamp(static_cast<int>(low.y() - reach), first_row, rows_end);
-        int const y1 = std::clamp(static_cast<int>(high.y() + reach) + 1, first_row, rows_end);
-        bool const is_spared = options_.is_skeleton || vein.order <= options_.larvae.spared_order;
-        double const fade = std::max(1.0, 0.004 * side_);
-        for (int y = y0; y < y1; ++y)
-            for (int x = x0; x < x1; ++x) {
-                auto const [distance, half] = near_vein(vein, { x + 0.5, y + 0.5 });
-                auto const i = index(x, y);
-                auto& nearest = picture_.distance[i];
-                nearest = std::min(nearest, static_cast<float>(std::max(0.0, distance)));
-                double const from_middle = distance + half;
-                double const wide = 1.6 * std::max(half, 0.6);
-                double const inside = std::max(0.0, 1 - std::pow(from_middle / wide, 2));
-                if (inside > profile_[i]) {
-                    profile_[i] = static_cast<float>(inside);
-                    vein_order_[i] = static_cast<std::uint8_t>(std::min(vein.order, 9));
-                }
-                if (is_spared) {
-                    double const kept = 1
-                        - std::clamp((from_middle - 1.3 * std::max(half, 0.5)) / fade, 0.0, 1.0);
-                    picture_.protection[i]
-                        = std::max(picture_.protection[i], static_cast<float>(kept));
-                }
-            }
+        leaf::map_veins(
+            veins, canvas_.tiles,
+            { .reach = picture_.reach,
+              .spared_order = options_.is_skeleton ? INT_MAX : options_.larvae.spared_order },
+            veins_);
     }
 
     // D is 1 halfway between veins: for parallel ones the mean distance is a quarter of the gap.
     void measure_closeness()
     {
+        auto const& distance = veins_.distance;
+        auto const rows = static_cast<std::size_t>(canvas_.tiles.columns());
+        canvas_.sums.assign(2 * rows, 0);
+        for_tiles([&](int column, int row) {
+            auto* const sum = &canvas_.sums[2 * static_cast<std::size_t>(row)];
+            for_rows(column, row, [&](std::size_t at, int count, int) {
+                Row const covered = read(picture_.coverage, at, count);
+                sum[0] += double((covered * read(distance, at, count)).sum());
+                sum[1] += double(covered.sum());
+            });
+        });
         double sum = 0;
         double area = 0;
-        for (std::size_t i = 0; i < picture_.coverage.size(); ++i) {
-            sum += double(picture_.coverage[i]) * double(picture_.distance[i]);
-            area += double(picture_.coverage[i]);
+        for (std::size_t i = 0; i < rows; ++i) {
+            sum += canvas_.sums[2 * i];
+            area += canvas_.sums[2 * i + 1];
         }
         radius_ = area > 0 ? std::max(1.0, 2 * sum / area) : 1;
-        for (auto const distance : picture_.distance)
-            picture_.closeness.push_back(
-                static_cast<float>(std::min(1.0, double(distance) / radius_)));
+        picture_.closeness.resize(count_);
     }
 
-    void eat()
+    void damage(Leaf const& leaf)
     {
-        eaten_.assign(picture_.alpha.size(), 0);
+        LarvaGround const ground { side_, picture_.coverage, veins_.protection };
+        canvas_.eaten.clear();
         if (options_.is_skeleton)
-            for (std::size_t i = 0; i < picture_.alpha.size(); ++i)
-                picture_.alpha[i] *= picture_.protection[i];
-        for (int i = 0; i < options_.larvae.count; ++i)
-            eat_with(i);
-    }
-
-    double protection_at(Vec2 const& at) const
-    {
-        int const x = static_cast<int>(at.x());
-        int const y = static_cast<int>(at.y());
-        bool const is_inside = at.x() >= 0 && at.y() >= 0 && x < side_ && y < side_;
-        return is_inside ? double(picture_.protection[index(x, y)]) : 0;
-    }
-    bool is_on_leaf(Vec2 const& at) const
-    {
-        int const x = static_cast<int>(at.x());
-        int const y = static_cast<int>(at.y());
-        return at.x() >= 0 && at.y() >= 0 && x < side_ && y < side_
-            && picture_.coverage[index(x, y)] > 0.5f;
-    }
-    bool is_free(Vec2 const& at, double radius) const
-    {
-        for (int i = 0; i < 8; ++i) {
-            double const angle = 0.25 * std::numbers::pi * i;
-            Vec2 const beside = at + 0.5 * radius * Vec2(std::cos(angle), std::sin(angle));
-            if (protection_at(beside) > 0.5)
-                return false;
+            for (std::size_t i = 0; i < count_; ++i)
+                picture_.alpha[i] *= veins_.protection[i];
+        if (options_.larvae.count > 0) {
+            canvas_.eaten.assign(count_, 0);
+            eat(ground, options_.larvae, options_.seed, picture_.alpha, canvas_.eaten);
         }
-        return protection_at(at) < 0.5;
-    }
-
-    // On the margin, seen from a random place in a random direction; or that place itself.
-    Vec2 find_start(Random& random) const
-    {
-        Vec2 at(0, 0);
-        for (int i = 0; i < 200 && (!is_on_leaf(at) || !is_free(at, 0.04 * side_)); ++i)
-            at = { random.uniform(0, side_), random.uniform(0, side_) };
-        double const angle = random.uniform(0, 2 * std::numbers::pi);
-        if (random.uniform() < 0.7)
-            while (is_on_leaf(at))
-                at += 0.5 * Vec2(std::cos(angle), std::sin(angle));
-        return at;
-    }
-
-    void eat_with(int number)
-    {
-        auto const& larvae = options_.larvae;
-        Random random({ .seed = options_.seed,
-                        .stream = kLarvaStream,
-                        .substream = static_cast<std::uint32_t>(number) });
-        Vec2 at = find_start(random);
-        double heading = random.uniform(0, 2 * std::numbers::pi);
-        double const radius
-            = random.uniform(larvae.least_radius, larvae.most_radius) * double(side_);
-        int const bites
-            = static_cast<int>(random.uniform(larvae.least_bites, larvae.most_bites + 1));
-        for (int i = 0; i < bites; ++i) {
-            bite(at, radius, hash(options_.seed, number, i));
-            heading += radians(25) * random.normal();
-            bool is_found = false;
-            for (int turn = 0; turn <= 16 && !is_found; ++turn) {
-                double const aside = radians(20) * ((turn + 1) / 2) * (turn % 2 == 0 ? 1 : -1);
-                Vec2 const next = at
-                    + 0.7 * radius * Vec2(std::cos(heading + aside), std::sin(heading + aside));
-                if (!is_free(next, radius) || (i > 0 && !is_on_leaf(next)))
-                    continue;
-                is_found = true;
-                at = next;
-                heading += aside;
-            }
-            if (!is_found)
-                return;
+        if (options_.larvae.count > 0 || options_.is_skeleton)
+            keep_connected(ground, base_, picture_.alpha);
+        canvas_.mines.clear();
+        if (options_.mines > 0) {
+            canvas_.mines.assign(count_, 0);
+            mine(ground, options_.mines, options_.seed ^ kMineSeed, canvas_.mines);
         }
+        canvas_.spots.clear();
+        if (options_.spots > 0 && !leaf.veins().empty())
+            add_spots();
     }
 
-    void bite(Vec2 const& at, double radius, double wobble)
+    // One in each square of a grid, perhaps, somewhere in it.
+    void add_spots()
     {
-        double const far = 1.2 * radius + rim() + 1;
-        int const x0 = std::clamp(static_cast<int>(at.x() - far), 0, side_);
-        int const x1 = std::clamp(static_cast<int>(at.x() + far) + 1, 0, side_);
-        int const y0 = std::clamp(static_cast<int>(at.y() - far), 0, side_);
-        int const y1 = std::clamp(static_cast<int>(at.y() + far) + 1, 0, side_);
-        for (int y = y0; y < y1; ++y)
-            for (int x = x0; x < x1; ++x) {
-                Vec2 const away = Vec2(x + 0.5, y + 0.5) - at;
-                double const angle = std::atan2(away.y(), away.x());
-                double const edge = radius
-                    * (1 + 0.1 * std::sin(3 * angle + 7 * wobble) + 0.06 * std::sin(7 * angle));
-                double const disc = std::clamp(edge - away.norm() + 0.5, 0.0, 1.0);
+        constexpr int kSquares = 16;
+        canvas_.spots.assign(count_, 0);
+        canvas_.rings.assign(count_, 0);
+        double const square = double(side_) / kSquares;
+        for (int j = 0; j < kSquares; ++j)
+            for (int i = 0; i < kSquares; ++i)
+                if (grid_hash(options_.seed + 84, i, j) < options_.spots)
+                    add_spot({ square * (i + grid_hash(options_.seed + 71, i, j)),
+                               square * (j + grid_hash(options_.seed + 78, i, j)) },
+                             square * (0.12 + 0.25 * grid_hash(options_.seed + 73, i, j)));
+    }
+
+    void add_spot(Vec2 const& at, double radius)
+    {
+        double const square = side_ / 16.0;
+        double const far = radius + 0.05 * square;
+        int const x0 = std::max(0, static_cast<int>(at.x() - far));
+        int const y0 = std::max(0, static_cast<int>(at.y() - far));
+        for (int y = y0; y < std::min<double>(side_, at.y() + far); ++y)
+            for (int x = x0; x < std::min<double>(side_, at.x() + far); ++x) {
+                double const distance = (Vec2(x + 0.5, y + 0.5) - at).norm();
                 auto const i = index(x, y);
-                double const kept = 1 - disc * (1 - double(picture_.protection[i]));
-                picture_.alpha[i] = std::min(
-                    picture_.alpha[i], static_cast<float>(double(picture_.coverage[i]) * kept));
-                double const near = std::clamp((edge + rim() - away.norm()) / rim(), 0.0, 1.0);
-                eaten_[i] = std::max(eaten_[i], static_cast<float>(near));
+                canvas_.spots[i] = std::max(
+                    canvas_.spots[i],
+                    static_cast<float>(smooth((radius - distance) / (0.08 * square) + 0.5)));
+                canvas_.rings[i] = std::max(
+                    canvas_.rings[i],
+                    static_cast<float>(smooth((0.7 * radius - distance) / (0.05 * square) + 0.5)));
             }
-    }
-
-    double rim() const { return std::max(1.5, 0.008 * side_); }
-
-    // Only what hangs together with the stalk stays.
-    void keep_connected()
-    {
-        if (options_.larvae.count == 0 && !options_.is_skeleton)
-            return;
-        std::vector<bool> is_kept(picture_.alpha.size());
-        std::vector<std::size_t> pending;
-        auto const visit = [&](int x, int y) {
-            if (x < 0 || y < 0 || x >= side_ || y >= side_)
-                return;
-            auto const i = index(x, y);
-            if (is_kept[i] || picture_.alpha[i] <= 0)
-                return;
-            is_kept[i] = true;
-            // What is as good as eaten stays as an edge, and holds nothing.
-            if (picture_.alpha[i] >= 0.5f * picture_.coverage[i])
-                pending.push_back(i);
-        };
-        int const near = std::max(2, side_ / 64);
-        auto const x0 = static_cast<int>(base_.x());
-        auto const y0 = static_cast<int>(base_.y());
-        for (int y = y0 - near; y <= y0 + near; ++y)
-            for (int x = x0 - near; x <= x0 + near; ++x)
-                visit(x, y);
-        while (!pending.empty()) {
-            auto const i = pending.back();
-            pending.pop_back();
-            int const x = static_cast<int>(i) % side_;
-            int const y = static_cast<int>(i) / side_;
-            visit(x - 1, y);
-            visit(x + 1, y);
-            visit(x, y - 1);
-            visit(x, y + 1);
-        }
-        for (std::size_t i = 0; i < is_kept.size(); ++i)
-            if (!is_kept[i])
-                picture_.alpha[i] = 0;
-    }
-
-    Vec2 place(int x, int y) const { return Vec2(x + 0.5, y + 0.5) / side_; }
-
-    // Pixels of the leaf, and those so near that a filter or a normal may look at them.
-    std::vector<bool> near_leaf() const
-    {
-        constexpr int kNear = 4;
-        std::vector<bool> in_rows(picture_.coverage.size());
-        std::vector<bool> made(picture_.coverage.size());
-        for (int y = 0; y < side_; ++y)
-            for (int x = 0; x < side_; ++x)
-                if (picture_.coverage[index(x, y)] > 0)
-                    for (int i = std::max(0, x - kNear); i <= std::min(side_ - 1, x + kNear); ++i)
-                        in_rows[index(i, y)] = true;
-        for (int y = 0; y < side_; ++y)
-            for (int x = 0; x < side_; ++x)
-                if (in_rows[index(x, y)])
-                    for (int i = std::max(0, y - kNear); i <= std::min(side_ - 1, y + kNear); ++i)
-                        made[index(x, i)] = true;
-        return made;
     }
 
     // Veins stand out, the limb between them is vaulted, and small veins make a closed net.
     void find_heights()
     {
-        height_.resize(picture_.coverage.size());
-        net_.resize(picture_.coverage.size());
-        auto const is_near = near_leaf();
-        double const density = std::clamp(0.28 * side_ / radius_, 12.0, 70.0);
-        parallel_for(static_cast<std::size_t>(side_), 16, [&](std::size_t begin, std::size_t end) {
-            for (auto y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
-                for (int x = 0; x < side_; ++x) {
-                    auto const i = index(x, y);
-                    if (!is_near[i]) // The net takes most of the time, and nobody sees it there.
-                        continue;
-                    Vec2 const at = place(x, y);
-                    Vec2 const bent = at
-                        + 0.006
-                            * Vec2(value_noise(options_.seed + 31, 30 * at),
-                                   value_noise(options_.seed + 37, 30 * at));
-                    auto const coarse = cells(options_.seed + 41, density * bent);
-                    auto const fine = cells(options_.seed + 43, 2.7 * density * bent);
-                    net_[i] = static_cast<float>(std::max(1 - smooth(coarse.border / 0.16),
-                                                          0.5 * (1 - smooth(fine.border / 0.22))));
-                    double const d = double(picture_.closeness[i]);
-                    height_[i] = static_cast<float>(
-                        0.5 * double(profile_[i]) - 0.25 * std::exp(-d / 0.35)
-                        + 0.1 * double(net_[i]) + 0.03 * cloud(options_.seed + 51, 60 * at));
-                }
+        picture_.height.assign(count_, 0);
+        canvas_.net.resize(count_);
+        double const meshes = std::clamp(0.28 * side_ / radius_, 12.0, 70.0);
+        Noise const net(NoiseTable::net(), options_.seed + 41, meshes);
+        Noise const grain(NoiseTable::clouds(), options_.seed + 51, 60);
+        auto const per_radius = static_cast<float>(1 / radius_);
+        for_tiles([&](int column, int row) {
+            for_rows(column, row, [&](std::size_t at, int count, int y) {
+                Row const d = (read(veins_.distance, at, count) * per_radius).min(1.0f);
+                Row const fine = sample(net, column, y);
+                Row const v = read(veins_.profile, at, count);
+                write(picture_.closeness, at, count, d);
+                write(canvas_.net, at, count, fine);
+                write(picture_.height, at, count,
+                      0.5f * v - 0.25f * (d * (-1 / 0.35f)).exp() + 0.1f * fine
+                          + 0.03f * sample(grain, column, y));
+            });
         });
+    }
+
+    void paint_tile(int column, int row)
+    {
+        for_rows(column, row, [&](std::size_t at, int count, int y) {
+            Row const d = read(picture_.closeness, at, count);
+            Row const v = read(veins_.profile, at, count);
+            Row const net = read(canvas_.net, at, count);
+            Row const mask = masks(column, y);
+            Row const m = ages(options_.age, d, mask, options_);
+            write(picture_.age, at, count, m);
+            ColorRow color;
+            color.fill(colors_[0]);
+            color.mix(colors_[1], m);
+            if (options_.dead_age > 0)
+                color.mix(colors_[2], ages(options_.dead_age, d, mask, options_));
+            mottle(color, sample(mottle_, column, y), d);
+            draw_veins(color, at, count, v, net);
+            Row const white = add_damage(color, at, count, column, y);
+            store_color(color, at, count);
+            store_normals(at, count, column * kTile, y);
+            store_surface({ d, v, net, m, white }, at, count);
+        });
+    }
+
+    // 0 to 1: how much later places grow old.
+    Row masks(int column, int y) const
+    {
+        Row const patches = smooth(Row(1.6f * sample(patches_, column, y) - 0.3f));
+        auto const tip = static_cast<float>(std::clamp(options_.tip, 0.0, 1.0));
+        float const from_tip = (static_cast<float>(y) + 0.5f) / static_cast<float>(side_);
+        return (1 - tip) * patches + tip * from_tip;
+    }
+
+    // Each leaf is a little mottled, and paler along its veins.
+    static void mottle(ColorRow& color, Row const& clouds, Row const& d)
+    {
+        Row const share = 0.82f + 0.36f * clouds + 0.08f * (d - 0.5f);
+        color.red *= share;
+        color.green *= share;
+        color.blue *= share;
+    }
+
+    void draw_veins(ColorRow& color, std::size_t at, int count, Row const& v, Row const& net) const
+    {
+        constexpr float kTinted = 0.55f;
+        static Vec3f const tint = linear({ 0.90, 0.91, 0.66 });
+        Row strength;
+        for (int i = 0; i < kTile; ++i)
+            strength[i]
+                = i < count && veins_.order[at + static_cast<std::size_t>(i)] <= 1 ? 0.75f : 0.5f;
+        color.mix(tint, kTinted * (strength * v + (1 - v) * 0.14f * net));
+    }
+
+    // How white mildew is there.
+    Row add_damage(ColorRow& color, std::size_t at, int count, int column, int y) const
+    {
+        static Vec3f const spot = linear({ 0.26, 0.13, 0.06 });
+        static Vec3f const ring = linear({ 0.52, 0.38, 0.22 });
+        static Vec3f const mined = linear({ 0.82, 0.80, 0.62 });
+        static Vec3f const bone = linear({ 0.55, 0.42, 0.26 });
+        static Vec3f const rim = linear({ 0.36, 0.21, 0.09 });
+        static Vec3f const powder = linear({ 0.86, 0.87, 0.83 });
+        if (!canvas_.spots.empty()) {
+            color.mix(spot, 0.85f * read(canvas_.spots, at, count));
+            color.mix(ring, 0.7f * read(canvas_.rings, at, count));
+        }
+        if (!canvas_.mines.empty())
+            color.mix(mined, 0.85f * read(canvas_.mines, at, count));
+        if (options_.is_skeleton)
+            color.mix(bone, Row::Constant(0.8f));
+        Row white = Row::Zero();
+        if (options_.mildew > 0) {
+            auto const share = static_cast<float>(0.25 + 0.5 * options_.mildew);
+            white = 0.8f * smooth(Row((share - sample(mildew_, column, y)) / 0.12f));
+            color.mix(powder, white);
+        }
+        if (!canvas_.eaten.empty())
+            color.mix(rim, 0.7f * read(canvas_.eaten, at, count));
+        return white;
+    }
+
+    void store_color(ColorRow const& color, std::size_t at, int count)
+    {
+        for (int i = 0; i < count; ++i) {
+            auto const to = at + static_cast<std::size_t>(i);
+            picture_.color[to] = { srgb_byte(color.red[i]), srgb_byte(color.green[i]),
+                                   srgb_byte(color.blue[i]), byte(picture_.alpha[to]) };
+        }
     }
 
     float height_at(int x, int y) const
     {
-        return height_[index(std::clamp(x, 0, side_ - 1), std::clamp(y, 0, side_ - 1))];
+        return picture_.height[index(std::clamp(x, 0, side_ - 1), std::clamp(y, 0, side_ - 1))];
     }
 
-    void paint_pixel(int x, int y)
+    void store_normals(std::size_t at, int count, int x0, int y)
     {
-        auto const i = index(x, y);
-        Vec2 const at = place(x, y);
-        double const d = double(picture_.closeness[i]);
-        double const v = double(profile_[i]);
-        double const patches = cloud(options_.seed + kNoiseStream, 7 * at);
-        double const m = age_at(options_.age, d, smooth(1.6 * patches - 0.3), options_);
-        picture_.age[i] = static_cast<float>(m);
-        Vec3 const young = linear(options_.young);
-        Vec3 const old = linear(options_.old);
-        Vec3 color = mix(young, old, m);
-        // Each leaf is a little mottled, and paler along its veins.
-        double const mottle = 0.82 + 0.36 * cloud(options_.seed + 61, 24 * at) + 0.08 * (d - 0.5);
-        color *= mottle;
-        Vec3 const tint = mix(color, linear({ 0.90, 0.91, 0.66 }), 0.55);
-        double const order_fade = vein_order_[i] <= 1 ? 0.75 : 0.5;
-        color = mix(color, tint, order_fade * v + (1 - v) * 0.14 * double(net_[i]));
-        color = with_damage(color, i, at);
-        paint_relief(x, y, v);
-        picture_.color[i] = { srgb_byte(color.x()), srgb_byte(color.y()), srgb_byte(color.z()),
-                              byte(double(picture_.alpha[i])) };
-    }
-
-    Vec3 with_damage(Vec3 color, std::size_t i, Vec2 const& at) const
-    {
-        if (options_.spots > 0) {
-            auto const spot = cells(options_.seed + 71, 16 * at);
-            double const radius = 0.12
-                + 0.25 * hash(options_.seed + 73, static_cast<std::int64_t>(1e6 * spot.number), 0);
-            if (spot.number < options_.spots) {
-                double const inside = smooth((radius - spot.distance) / 0.08 + 0.5);
-                double const ring = smooth((0.7 * radius - spot.distance) / 0.05 + 0.5);
-                color = mix(color, linear({ 0.26, 0.13, 0.06 }), 0.85 * inside);
-                color = mix(color, linear({ 0.52, 0.38, 0.22 }), 0.7 * ring);
-            }
+        auto const strength = static_cast<float>(0.003 * side_);
+        Row du;
+        Row dv;
+        for (int i = 0; i < kTile; ++i) {
+            int const x = x0 + i;
+            du[i] = height_at(x - 1, y) - height_at(x + 1, y);
+            dv[i] = height_at(x, y + 1) - height_at(x, y - 1);
         }
-        if (options_.is_skeleton)
-            color = mix(color, linear({ 0.55, 0.42, 0.26 }), 0.8);
-        return mix(color, linear({ 0.36, 0.21, 0.09 }), 0.7 * double(eaten_[i]));
+        du *= strength;
+        dv *= strength;
+        Row const per_length = (du * du + dv * dv + 1).sqrt().inverse();
+        for (int i = 0; i < count; ++i)
+            picture_.normal[at + static_cast<std::size_t>(i)]
+                = { byte(0.5f + 0.5f * du[i] * per_length[i]),
+                    byte(0.5f + 0.5f * dv[i] * per_length[i]), byte(0.5f + 0.5f * per_length[i]) };
     }
 
-    void paint_relief(int x, int y, double v)
+    struct Surface {
+        Row const& d;
+        Row const& v;
+        Row const& net;
+        Row const& m;
+        Row const& white;
+    };
+    void store_surface(Surface const& s, std::size_t at, int count)
     {
-        auto const i = index(x, y);
-        double const strength = 0.006 * side_;
-        double const du = 0.5 * double(height_at(x + 1, y) - height_at(x - 1, y));
-        double const dv = 0.5 * double(height_at(x, y - 1) - height_at(x, y + 1));
-        Vec3 const n = Vec3(-strength * du, -strength * dv, 1).normalized();
-        picture_.normal[i]
-            = { byte(0.5 + 0.5 * n.x()), byte(0.5 + 0.5 * n.y()), byte(0.5 + 0.5 * n.z()) };
-        double const aged = double(picture_.age[i]);
-        double const rough
-            = std::clamp(0.42 + 0.2 * aged + 0.08 * double(net_[i]) - 0.05 * v, 0.35, 0.7);
-        double const occlusion
-            = 1 - 0.25 * std::exp(-double(picture_.closeness[i]) / 0.2) * (1 - v);
-        picture_.roughness[i] = { byte(occlusion), byte(rough), 0 };
-        picture_.translucency[i]
-            = byte((0.55 - 0.2 * aged) * (1 - 0.75 * v) * (1 - 0.2 * double(net_[i])));
+        Row const rough = (0.42f + 0.2f * s.m + 0.08f * s.net - 0.05f * s.v + 0.3f * s.white)
+                              .max(0.35f)
+                              .min(0.7f);
+        Row const occlusion = 1 - 0.25f * (s.d * -5.0f).exp() * (1 - s.v);
+        Row const through
+            = (0.55f - 0.2f * s.m) * (1 - 0.75f * s.v) * (1 - 0.2f * s.net) * (1 - 0.5f * s.white);
+        for (int i = 0; i < count; ++i) {
+            auto const to = at + static_cast<std::size_t>(i);
+            picture_.roughness[to] = { byte(occlusion[i]), byte(rough[i]), 0 };
+            picture_.translucency[to] = byte(through[i]);
+        }
     }
 
+    LeafPainter::Canvas& canvas_;
+    LeafPicture& picture_;
     PaintOptions const& options_;
-    PictureFrame frame_;
+    PictureFrame const& frame_;
     int side_;
-    LeafPicture picture_;
-    std::vector<Leaf::Vein> veins_; // In pixels.
+    VeinMaps veins_;
+    std::size_t count_;           // Of pixels.
+    std::array<Vec3f, 3> colors_; // Young, old, dead; linear.
+    Noise patches_;
+    Noise mottle_;
+    Noise mildew_;
+    std::vector<Vec2> pixels_; // Of the leaf's vertices.
     Vec2 base_ = Vec2::Zero();
-    double radius_ = 1; // The distance at which D is 1.
-    std::vector<float> profile_;
-    std::vector<std::uint8_t> vein_order_;
-    std::vector<float> eaten_;
-    std::vector<float> height_;
-    std::vector<float> net_;
+    double radius_ = 1; // The distance at which D is 1, in pixels.
 };
-
-} // namespace
 
 PictureFrame::PictureFrame(LeafTriangles const& leaf, int side)
 {
@@ -632,15 +502,32 @@ PictureFrame::PictureFrame(LeafTriangles const& leaf, int side)
 
 double age_at(double age, double closeness, double noise, PaintOptions const& options)
 {
-    double const x = age * (1 + options.near_veins + options.noise) - options.near_veins * closeness
-        - options.noise * noise;
-    return smooth(x);
+    double const later
+        = options.first == PaintOptions::First::NearVeins ? closeness : 1 - closeness;
+    return smooth(age * (1 + options.near_veins + options.noise) - options.near_veins * later
+                  - options.noise * noise);
+}
+
+LeafPainter::LeafPainter()
+    : canvas_(std::make_unique<Canvas>())
+{
+}
+LeafPainter::~LeafPainter() = default;
+LeafPainter::LeafPainter(LeafPainter&&) noexcept = default;
+LeafPainter& LeafPainter::operator=(LeafPainter&&) noexcept = default;
+
+LeafPicture const& LeafPainter::paint(Leaf const& leaf, LeafTriangles const& triangles,
+                                      PaintOptions const& options)
+{
+    PictureFrame const frame(triangles, options.side);
+    LeafBrush(*canvas_, options, frame).paint(leaf, triangles);
+    return canvas_->picture;
 }
 
 LeafPicture paint_leaf(Leaf const& leaf, LeafTriangles const& triangles,
                        PaintOptions const& options)
 {
-    return Painter(leaf, triangles, options).paint();
+    return LeafPainter().paint(leaf, triangles, options);
 }
 
 } // namespace tractus::leaf

@@ -2,38 +2,39 @@
 
 #include "engine/methods/leaves/leaf.h"
 #include "engine/methods/leaves/leaf_triangles.h"
+#include "engine/methods/leaves/paint_larvae.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace tractus::leaf {
-
-// What larvae do to a leaf. Lengths are shares of the picture's side.
-struct Larvae {
-    int count = 0;
-    double least_radius = 0.008; // Of a bite,
-    double most_radius = 0.025;
-    int least_bites = 15;
-    int most_bites = 90;
-    int spared_order = 2; // Veins up to this order are not eaten.
-};
 
 struct PaintOptions {
     int side = 512; // Of the pictures, in pixels; the leaf stands on the middle of the lower edge.
     double age = 0; // 0: young, 1: old, as the colours go.
     Vec3 young { 0.36, 0.54, 0.22 }; // sRGB, 0 to 1.
     Vec3 old { 0.72, 0.50, 0.16 };
-    double near_veins = 0.8; // How much earlier what is near veins grows old.
-    double noise = 0.5;      // How much later patches of noise do.
+    Vec3 dead { 0.35, 0.24, 0.14 };
+    double dead_age = 0; // 0 to 1: how far the old colour has become the dead one, by the same law.
+    enum class First { NearVeins, BetweenVeins }; // What grows old first.
+    First first = First::NearVeins;
+    double near_veins = 0.8; // How much earlier it does.
+    double noise = 0.5;      // How much later masks let places grow old.
+    double tip = 0;          // 0 to 1: how much of the masks is the way from the tip, the rest
+                             // patches of noise: at 1, the tip grows old first.
     double spots = 0;        // 0 to 1: how much of the leaf has brown spots.
+    double mildew = 0;       // 0 to 1: how much of it is white with mildew.
+    int mines = 0;           // Pale ways that larvae have eaten under its skin.
     Larvae larvae {};
     bool is_skeleton = false; // Nothing but veins is left.
     std::uint64_t seed = 1;
 };
 
-// Pictures of a flat leaf: rows from the top, `side` pixels each way. Colours go on outside of the
-// leaf, so that small pictures of it mix leaves' colours only.
+// Pictures of a flat leaf: rows from the top, `side` pixels each way. Outside of the leaf, where
+// alpha is 0, the colours of what is nearest go on, so that smaller pictures mix leaves' colours
+// only.
 struct LeafPicture {
     int side = 0;
     std::vector<std::array<std::uint8_t, 4>> color;  // sRGB and straight alpha.
@@ -42,13 +43,15 @@ struct LeafPicture {
     std::vector<std::array<std::uint8_t, 3>> roughness;
     std::vector<std::uint8_t> translucency;
 
-    // What the pictures are made from, for each pixel.
+    // What the pictures are made from, for each pixel. Only coverage, alpha and protection have
+    // values where neither the leaf is nor its edge.
     std::vector<float> coverage;  // Of the pixel by the leaf, before larvae: 0 to 1.
     std::vector<float> alpha;     // What is left of it.
     std::vector<float> distance;  // To the nearest vein's side, in pixels, 0 inside; at most reach.
     std::vector<float> closeness; // D of the colour law: 0 at veins, 1 between them.
     std::vector<float> protection; // P: 1 where larvae spare a vein.
     std::vector<float> age;        // m of the colour law: 0 young, 1 old.
+    std::vector<float> height;     // Of the relief, as a share of what a vein stands out twice.
     float reach = 0;
 };
 
@@ -65,7 +68,26 @@ struct PictureFrame {
     double scale = 1; // Pixels for a length of 1.
 };
 
-// A leaf without an extent is an empty picture. Any number of threads gives the same bytes.
+// Paints one leaf after another in the same memory. Any number of threads gives the same bytes, and
+// so does a painter that has painted others before. Used by one thread at a time.
+class LeafPainter {
+public:
+    LeafPainter();
+    ~LeafPainter();
+    LeafPainter(LeafPainter&&) noexcept;
+    LeafPainter& operator=(LeafPainter&&) noexcept;
+
+    // The picture stands until the next one is painted. A leaf without an extent is an empty one.
+    LeafPicture const& paint(Leaf const& leaf, LeafTriangles const& triangles,
+                             PaintOptions const& options);
+
+private:
+    friend class LeafBrush;
+    struct Canvas;
+    std::unique_ptr<Canvas> canvas_;
+};
+
+// The same for a single leaf.
 LeafPicture paint_leaf(Leaf const& leaf, LeafTriangles const& triangles,
                        PaintOptions const& options);
 

@@ -31,32 +31,27 @@ public:
     }
 
     // False if the face overlaps itself.
-    bool cut(Corners corners, std::vector<Triangle>& to) const
+    bool cut(Corners const& corners, std::vector<Triangle>& to)
     {
         constexpr std::size_t kMostCorners = 2000; // Ears are looked for among all corners.
         if (corners.size() == 4)
             return cut_quad(corners, to);
-        while (corners.size() > 3) {
-            auto const ear = corners.size() > kMostCorners ? std::nullopt : find_ear(corners);
-            if (!ear) {
-                fan(corners, to);
-                return false;
-            }
-            to.push_back(triangle_at(corners, *ear));
-            corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(*ear));
+        if (corners.size() > kMostCorners) {
+            fan(corners, to);
+            return false;
         }
-        fan(corners, to);
-        return true;
+        ring_.clear();
+        for (auto const corner : corners)
+            ring_.push_back({ .vertex = corner, .at = flat(corner) });
+        for (std::size_t i = 0; i < ring_.size(); ++i) {
+            ring_[i].before = (i + ring_.size() - 1) % ring_.size();
+            ring_[i].after = (i + 1) % ring_.size();
+        }
+        return cut_ears(to);
     }
 
 private:
     Vec2 const& flat(std::uint32_t corner) const { return leaf_.flat[corner]; }
-
-    static Triangle triangle_at(Corners const& corners, std::size_t i)
-    {
-        auto const count = corners.size();
-        return { corners[(i + count - 1) % count], corners[i], corners[(i + 1) % count] };
-    }
 
     static void fan(Corners const& corners, std::vector<Triangle>& to)
     {
@@ -84,34 +79,114 @@ private:
         return fits_first || fits_second || std::max(worst(first), worst(second)) == 0;
     }
 
-    // The corner whose triangle is widest for its sides, holds no other and turns as the face does.
-    std::optional<std::size_t> find_ear(Corners const& corners) const
+    // A corner of what is left of a face.
+    struct Corner {
+        std::uint32_t vertex = 0;
+        Vec2 at = Vec2::Zero();
+        std::size_t before = 0;
+        std::size_t after = 0;
+        bool is_hollow = false; // The face turns the other way there: it may lie in others' ears.
+    };
+    // What became of a corner, instead of its triangle's shape.
+    static constexpr double kNoEar = -1;
+    static constexpr double kCut = -2;
+
+    bool cut_ears(std::vector<Triangle>& to)
     {
-        std::optional<std::size_t> best;
-        double best_shape = 0;
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            auto const t = triangle_at(corners, i);
-            auto const& [a, b, c] = t;
-            double const longest
-                = std::max({ (flat(b) - flat(a)).squaredNorm(), (flat(c) - flat(b)).squaredNorm(),
-                             (flat(a) - flat(c)).squaredNorm() });
-            double const area = turn_of(t);
-            double const shape = longest > 0 ? area / longest : 0;
-            if (area < 0 || (best && shape <= best_shape) || holds_any(t, corners))
-                continue;
-            best = i;
-            best_shape = shape;
+        hollows_.clear();
+        shapes_.assign(ring_.size(), kNoEar);
+        for (std::size_t i = 0; i < ring_.size(); ++i) {
+            ring_[i].is_hollow = turn_at(i) < 0;
+            if (ring_[i].is_hollow)
+                hollows_.push_back(ring_[i].at);
         }
-        return best;
+        for (std::size_t i = 0; i < ring_.size(); ++i)
+            judge(i);
+        std::size_t first = 0;
+        for (auto left = ring_.size(); left > 3; --left) {
+            auto const ear = widest_ear();
+            if (!ear) {
+                fan(corners_left(first), to);
+                return false;
+            }
+            auto const& corner = ring_[*ear];
+            to.push_back(
+                { ring_[corner.before].vertex, corner.vertex, ring_[corner.after].vertex });
+            shapes_[*ear] = kCut;
+            ring_[corner.before].after = corner.after;
+            ring_[corner.after].before = corner.before;
+            judge_again(corner.before, corner.after);
+            if (*ear == first)
+                first = corner.after;
+        }
+        fan(corners_left(first), to);
+        return true;
     }
 
-    bool holds_any(Triangle const& t, Corners const& corners) const
+    double turn_at(std::size_t i) const
     {
-        return std::ranges::any_of(corners, [&](std::uint32_t corner) {
-            return is_inside(flat(corner), flat(t[0]), flat(t[1]), flat(t[2]));
-        });
+        auto const& corner = ring_[i];
+        return turn(ring_[corner.before].at, corner.at, ring_[corner.after].at);
     }
 
+    Corners corners_left(std::size_t first) const
+    {
+        Corners left;
+        auto i = first;
+        do {
+            left.push_back(ring_[i].vertex);
+            i = ring_[i].after;
+        } while (i != first);
+        return left;
+    }
+
+    // Where a hollow corner is hollow no more, what it lay in may have become an ear.
+    void judge_again(std::size_t before, std::size_t after)
+    {
+        bool is_filled = false;
+        for (auto const i : { before, after }) {
+            if (!ring_[i].is_hollow || turn_at(i) < 0)
+                continue;
+            ring_[i].is_hollow = false;
+            std::erase(hollows_, ring_[i].at);
+            is_filled = true;
+        }
+        if (!is_filled) {
+            judge(before);
+            judge(after);
+            return;
+        }
+        for (std::size_t i = 0; i < ring_.size(); ++i)
+            if (shapes_[i] == kNoEar || i == before || i == after)
+                judge(i);
+    }
+
+    void judge(std::size_t i)
+    {
+        auto const& corner = ring_[i];
+        auto const& a = ring_[corner.before].at;
+        auto const& c = ring_[corner.after].at;
+        double const area = turn(a, corner.at, c);
+        double const longest = std::max({ (corner.at - a).squaredNorm(),
+                                          (c - corner.at).squaredNorm(), (a - c).squaredNorm() });
+        bool const is_ear = area >= 0 && std::ranges::none_of(hollows_, [&](Vec2 const& other) {
+                                return is_inside(other, a, corner.at, c);
+                            });
+        shapes_[i] = !is_ear ? kNoEar : longest > 0 ? area / longest : 0;
+    }
+
+    // No value if there is none.
+    std::optional<std::size_t> widest_ear() const
+    {
+        auto const best = std::ranges::max_element(shapes_);
+        if (*best < 0)
+            return std::nullopt;
+        return static_cast<std::size_t>(best - shapes_.begin());
+    }
+
+    std::vector<Corner> ring_;
+    std::vector<double> shapes_; // Of each corner's triangle: how wide for its sides.
+    std::vector<Vec2> hollows_;
     LeafTriangles const& leaf_;
 };
 
@@ -131,22 +206,26 @@ LeafTriangles triangles_of(Leaf const& leaf)
         }
         return known;
     };
-    std::vector<std::pair<Corners, bool>> faces; // And whether it is the limb's.
+    Cutter cutter(made);
     std::vector<bool> is_seen(map.dart_count());
+    // Vertices first: a face is cut by the places of all its corners.
+    for (Dart d = 0; d < static_cast<Dart>(map.dart_count()); d += 2)
+        number_of(d);
+    Corners corners;
     for (Dart d = 0; d < static_cast<Dart>(map.dart_count()); d += 2) {
         if (is_seen[static_cast<std::size_t>(d)])
             continue;
-        auto& [corners, is_limb]
-            = faces.emplace_back(Corners {}, map.label(d) >= EdgeLabel::LimbSide);
-        for (auto const start : map.cycle(d)) {
-            is_seen[static_cast<std::size_t>(start)] = true;
-            corners.push_back(number_of(start));
-        }
+        corners.clear();
+        auto x = d;
+        do {
+            is_seen[static_cast<std::size_t>(x)] = true;
+            corners.push_back(number_of(x));
+            x = map.a1(LeafMap::a0(x));
+        } while (x != d);
+        bool const is_limb = map.label(d) >= EdgeLabel::LimbSide;
+        bool const is_simple = cutter.cut(corners, is_limb ? made.limb : made.veins);
+        made.overlapping_faces += !is_simple && is_limb;
     }
-    Cutter const cutter(made);
-    for (auto& [corners, is_limb] : faces)
-        made.overlapping_faces
-            += !cutter.cut(std::move(corners), is_limb ? made.limb : made.veins) && is_limb;
     return made;
 }
 

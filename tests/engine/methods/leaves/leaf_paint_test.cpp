@@ -2,6 +2,7 @@
 #include "tests/corpus.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -35,6 +36,16 @@ protected:
         return paint_leaf(*leaf_, triangles_, options);
     }
 
+    // Those of the leaf, and of its edge.
+    static std::vector<std::size_t> pixels_of(LeafPicture const& picture)
+    {
+        std::vector<std::size_t> made;
+        for (std::size_t i = 0; i < picture.coverage.size(); ++i)
+            if (picture.coverage[i] > 0)
+                made.push_back(i);
+        return made;
+    }
+
     Grammar grammar_;
     std::optional<Leaf> leaf_;
     LeafTriangles triangles_;
@@ -64,6 +75,8 @@ TEST_F(LeafPaint, MeasuresTheDistanceFromVeins)
     PictureFrame const frame(triangles_, kSide);
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
+            if (picture.coverage[static_cast<std::size_t>(y * kSide + x)] == 0)
+                continue;
             double wanted = double(picture.reach);
             for (auto const& vein : leaf_->veins()) {
                 Vec2 const from = frame.pixel(vein.from);
@@ -83,7 +96,7 @@ TEST_F(LeafPaint, IsAllYoungAtFirstAndAllOldAtLast)
 {
     auto const young = paint({ .side = 64, .age = 0 });
     auto const old = paint({ .side = 64, .age = 1 });
-    for (std::size_t i = 0; i < young.age.size(); ++i) {
+    for (auto const i : pixels_of(young)) {
         EXPECT_EQ(young.age[i], 0);
         EXPECT_EQ(old.age[i], 1);
     }
@@ -91,11 +104,11 @@ TEST_F(LeafPaint, IsAllYoungAtFirstAndAllOldAtLast)
 
 TEST_F(LeafPaint, GrowsNeverYoungerAnywhere)
 {
-    auto before = paint({ .side = 64, .age = 0 }).age;
+    auto before = paint({ .side = 64, .age = 0 });
     for (int i = 1; i <= 20; ++i) {
-        auto const now = paint({ .side = 64, .age = i / 20.0 }).age;
-        for (std::size_t pixel = 0; pixel < now.size(); ++pixel)
-            ASSERT_GE(now[pixel], before[pixel]);
+        auto const now = paint({ .side = 64, .age = i / 20.0 });
+        for (auto const pixel : pixels_of(now))
+            ASSERT_GE(now.age[pixel], before.age[pixel]);
         before = now;
     }
 }
@@ -103,9 +116,7 @@ TEST_F(LeafPaint, GrowsNeverYoungerAnywhere)
 TEST_F(LeafPaint, IsOlderNearerToVeins)
 {
     auto const picture = paint({ .side = 128, .age = 0.5, .noise = 0 });
-    std::vector<std::size_t> order(picture.age.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        order[i] = i;
+    auto order = pixels_of(picture);
     std::ranges::sort(order, {}, [&](std::size_t i) { return picture.closeness[i]; });
     for (std::size_t i = 1; i < order.size(); ++i)
         ASSERT_LE(picture.age[order[i]], picture.age[order[i - 1]]);
@@ -214,6 +225,150 @@ TEST_F(LeafPaint, IsTheSameAgain)
     EXPECT_EQ(once.normal, again.normal);
     EXPECT_EQ(once.roughness, again.roughness);
     EXPECT_EQ(once.translucency, again.translucency);
+}
+
+// Whatever was painted before, and however large it was.
+TEST_F(LeafPaint, IsTheSameFromAPainterThatHasPaintedBefore)
+{
+    PaintOptions const options {
+        .side = 100, .age = 0.6, .spots = 0.4, .mildew = 0.5, .mines = 2, .larvae = { .count = 3 }
+    };
+    auto const fresh = paint(options);
+    LeafPainter painter;
+    painter.paint(*leaf_, triangles_,
+                  { .side = 160, .spots = 1, .larvae = { .count = 9 }, .is_skeleton = true });
+    auto const& used = painter.paint(*leaf_, triangles_, options);
+    EXPECT_EQ(fresh.color, used.color);
+    EXPECT_EQ(fresh.normal, used.normal);
+    EXPECT_EQ(fresh.roughness, used.roughness);
+    EXPECT_EQ(fresh.translucency, used.translucency);
+}
+
+// Small pictures of it mix the leaf's own colours: nothing outside is darker than all of the leaf.
+TEST_F(LeafPaint, GoesOnInItsColorsOutside)
+{
+    auto const picture = paint({ .side = 128 });
+    std::array<int, 3> darkest { 255, 255, 255 };
+    for (std::size_t i = 0; i < picture.color.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            if (picture.coverage[i] > 0)
+                darkest[c] = std::min<int>(darkest[c], picture.color[i][c]);
+    for (std::size_t i = 0; i < picture.color.size(); ++i) {
+        if (picture.coverage[i] > 0)
+            continue;
+        EXPECT_EQ(picture.color[i][3], 0);
+        for (std::size_t c = 0; c < 3; ++c)
+            ASSERT_GE(picture.color[i][c], darkest[c] - 12);
+        ASSERT_GT(picture.normal[i][2], 128);
+        ASSERT_GT(picture.roughness[i][1], 80);
+    }
+}
+
+TEST_F(LeafPaint, IsOlderBetweenVeinsWhereThatGrowsOldFirst)
+{
+    auto const picture = paint(
+        { .side = 128, .age = 0.5, .first = PaintOptions::First::BetweenVeins, .noise = 0 });
+    auto order = pixels_of(picture);
+    std::ranges::sort(order, {}, [&](std::size_t i) { return picture.closeness[i]; });
+    for (std::size_t i = 1; i < order.size(); ++i)
+        ASSERT_GE(picture.age[order[i]], picture.age[order[i - 1]]);
+    EXPECT_GT(picture.age[order.back()], picture.age[order.front()]);
+}
+
+TEST_F(LeafPaint, GrowsOldFromItsTip)
+{
+    auto const picture = paint({ .side = 128, .age = 0.5, .near_veins = 0, .tip = 1 });
+    float before = 1;
+    for (std::size_t y = 0; y < 128; ++y)
+        for (std::size_t x = 0; x < 128; ++x)
+            if (auto const i = y * 128 + x; picture.coverage[i] > 0) {
+                ASSERT_LE(picture.age[i], before);
+                before = picture.age[i];
+            }
+    EXPECT_LT(before, 0.5f);
+}
+
+// At the end it has the third colour everywhere, whatever the first two are.
+TEST_F(LeafPaint, DiesAtLast)
+{
+    auto const one
+        = paint({ .side = 64, .age = 1, .young = { 0, 1, 0 }, .old = { 1, 1, 0 }, .dead_age = 1 });
+    auto const other
+        = paint({ .side = 64, .age = 1, .young = { 1, 0, 0 }, .old = { 0, 0, 1 }, .dead_age = 1 });
+    EXPECT_EQ(one.color, other.color);
+    EXPECT_NE(one.color, paint({ .side = 64, .age = 1 }).color);
+}
+
+// Slopes of the relief, and the same from below: what stands out there is a groove here.
+TEST_F(LeafPaint, HasTheNormalsOfItsRelief)
+{
+    constexpr std::size_t kSide = 128;
+    auto const picture = paint({ .side = kSide });
+    double worst = 0;
+    for (std::size_t y = 1; y + 1 < kSide; ++y)
+        for (std::size_t x = 1; x + 1 < kSide; ++x) {
+            auto const i = y * kSide + x;
+            if (picture.coverage[i] == 0)
+                continue;
+            double const du = double(picture.height[i + 1] - picture.height[i - 1]) / 2;
+            double const dv = double(picture.height[i - kSide] - picture.height[i + kSide]) / 2;
+            Vec3 const wanted = Vec3(-0.006 * kSide * du, -0.006 * kSide * dv, 1).normalized();
+            auto const& [r, g, b] = picture.normal[i];
+            worst = std::max(worst, (Vec3(r, g, b) / 127.5 - Vec3::Ones() - wanted).norm());
+        }
+    EXPECT_LT(worst, 0.01);
+}
+
+TEST_F(LeafPaint, IsMinedBesideItsVeins)
+{
+    auto const whole = paint({ .side = 256 });
+    auto const mined = paint({ .side = 256, .mines = 4 });
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < whole.color.size(); ++i) {
+        bool const is_other = whole.color[i] != mined.color[i] && whole.coverage[i] > 0;
+        changed += is_other;
+        if (whole.protection[i] == 1 && whole.distance[i] == 0) {
+            EXPECT_FALSE(is_other);
+        }
+    }
+    EXPECT_GT(changed, 200u);
+    EXPECT_EQ(whole.alpha, mined.alpha);
+}
+
+// A field without veins: each larva of one bite takes a disc, those that overlap their union.
+TEST(LeafLarvae, EatTheUnionOfTheirDiscs)
+{
+    constexpr int kSide = 200;
+    std::vector<float> coverage(kSide * kSide, 0);
+    auto const is_edge = [](int x, int y) { return std::min({ x, y, 199 - x, 199 - y }) == 20; };
+    for (int y = 20; y < kSide - 20; ++y)
+        for (int x = 20; x < kSide - 20; ++x)
+            coverage[static_cast<std::size_t>(y * kSide + x)] = 1;
+    std::vector<float> const protection(kSide * kSide, 0);
+    LarvaGround const ground { kSide, coverage, protection };
+    Larvae const larvae {
+        .count = 1, .least_radius = 0.03, .most_radius = 0.03, .least_bites = 1, .most_bites = 1
+    };
+    double const radius = 0.03 * kSide;
+    int whole = 0;
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        std::vector<float> alpha = coverage;
+        std::vector<float> eaten(alpha.size());
+        eat(ground, larvae, seed, alpha, eaten);
+        double area = 0;
+        bool is_inside = true;
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; ++x) {
+                auto const i = static_cast<std::size_t>(y * kSide + x);
+                area += double(coverage[i] - alpha[i]);
+                is_inside &= !is_edge(x, y) || alpha[i] == 1;
+            }
+        whole += is_inside;
+        if (is_inside) {
+            EXPECT_NEAR(area / (kPi * radius * radius), 1, 0.1);
+        }
+    }
+    EXPECT_GT(whole, 5) << "some begin inside";
 }
 
 } // namespace

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/export/png.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// A map's pixels as bytes, channels side by side.
+template<std::size_t N>
+std::span<std::uint8_t const> bytes_of(std::vector<std::array<std::uint8_t, N>> const& pixels)
+{
+    static_assert(sizeof(pixels[0]) == N);
+    return { pixels.empty() ? nullptr : pixels.front().data(), N * pixels.size() };
+}
+
+// A square map as a PNG file, packed fast.
+template<std::size_t N>
+std::string packed_map(std::vector<std::array<std::uint8_t, N>> const& pixels)
+{
+    auto const side = static_cast<int>(std::lround(std::sqrt(double(pixels.size()))));
+    return png_bytes({ .width = side,
+                       .height = side,
+                       .channels = static_cast<int>(N),
+                       .pixels = bytes_of(pixels),
+                       .packing = PngPicture::Packing::Fast });
+}
+
+} // namespace tractus

@@ -1,0 +1,131 @@
+// Leaves of every species that comes with the program, all different: a thousand of them painted
+// and packed as three maps of 512 pixels each, one by one, and ten thousand grown and cut into
+// triangles. Says besides how many pages of memory were touched for the first time ("minor
+// faults"), and how much memory was in use at most.
+#include "app/methods/leaves/leaf_library.h"
+#include "app/methods/leaves/leaf_maps.h"
+#include "engine/base/parallel.h"
+#include "tests/bench/report.h"
+
+#include <fmt/core.h>
+#include <sys/resource.h>
+
+namespace tractus {
+namespace {
+
+constexpr int kSide = 512;
+
+std::vector<leaf::Grammar> grammars()
+{
+    std::vector<leaf::Grammar> made;
+    for (auto const& name : leaf_names())
+        made.push_back(load_leaf_grammar(name).value());
+    return made;
+}
+
+LeafLife life_of(std::size_t i)
+{
+    return { .age = 0.3 + 0.6 * double(i % 97) / 96, .seed = i };
+}
+
+leaf::PaintOptions paint_of(leaf::Grammar const& grammar, std::size_t i)
+{
+    auto options = paint_options(grammar, life_of(i));
+    options.side = kSide;
+    options.larvae.count = i % 4 == 0 ? 3 : 0;
+    options.spots = i % 5 == 0 ? 0.3 : 0;
+    return options;
+}
+
+struct Used {
+    Used() { ::getrusage(RUSAGE_SELF, &usage); }
+    rusage usage {};
+};
+
+// Of the program since `before`; memory at most since it began.
+void say(char const* what, Used const& before, double items)
+{
+    Used const now;
+    fmt::print(stderr, "# {}: {:.1f} minor faults each, {:.0f} MB at most\n", what,
+               double(now.usage.ru_minflt - before.usage.ru_minflt) / items,
+               double(now.usage.ru_maxrss) / 1024);
+}
+
+std::size_t packed_bytes(leaf::LeafPicture const& picture)
+{
+    return packed_map(picture.color).size() + packed_map(picture.normal).size()
+        + packed_map(picture.roughness).size();
+}
+
+void leaves_with_maps(benchmark::State& state)
+{
+    constexpr std::size_t kLeaves = 1000;
+    auto const species = grammars();
+    double bytes = 0;
+    for (auto _ : state) {
+        Used const before;
+        std::size_t next = 0;
+        auto const slots = static_cast<std::size_t>(thread_count()) + 1;
+        std::vector<leaf::LeafPainter> painters(slots);
+        std::vector<std::size_t> number(slots);
+        std::vector<std::size_t> packed(slots);
+        bytes = 0;
+        parallel_in_order(slots,
+                          { .next =
+                                [&](std::size_t slot) {
+                                    number[slot] = next;
+                                    return next++ < kLeaves;
+                                },
+                            .make =
+                                [&](std::size_t slot) {
+                                    auto const i = number[slot];
+                                    auto const& grammar = species[i % species.size()];
+                                    auto const grown = grow_leaf(grammar, life_of(i)).value();
+                                    packed[slot] = packed_bytes(painters[slot].paint(
+                                        grown.leaf, grown.triangles, paint_of(grammar, i)));
+                                },
+                            .use =
+                                [&](std::size_t slot) {
+                                    bytes += double(packed[slot]);
+                                    return true;
+                                } });
+        say("leaves with three maps", before, kLeaves);
+    }
+    report(state, { .items = kLeaves, .item = "leaves" });
+    state.counters["bytes_each"] = bytes / kLeaves;
+}
+BENCHMARK(leaves_with_maps)->Unit(benchmark::kSecond)->UseRealTime();
+
+// As a window shows it while somebody drags a slider.
+void leaf_with_maps(benchmark::State& state)
+{
+    auto const grammar = load_leaf_grammar("maple").value();
+    leaf::LeafPainter painter;
+    std::size_t i = 0;
+    for (auto _ : state) {
+        auto const grown = grow_leaf(grammar, life_of(++i)).value();
+        benchmark::DoNotOptimize(
+            painter.paint(grown.leaf, grown.triangles, paint_of(grammar, i)).color.data());
+    }
+    report(state, { .item = "leaves" });
+}
+BENCHMARK(leaf_with_maps)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void leaf_meshes(benchmark::State& state)
+{
+    constexpr std::size_t kLeaves = 10'000;
+    auto const species = grammars();
+    for (auto _ : state) {
+        Used const before;
+        parallel_for(kLeaves, 32, [&](std::size_t begin, std::size_t end) {
+            for (auto i = begin; i < end; ++i)
+                benchmark::DoNotOptimize(grow_leaf(species[i % species.size()], life_of(i)));
+        });
+        say("leaf meshes", before, kLeaves);
+    }
+    report(state, { .items = kLeaves, .item = "leaves" });
+}
+BENCHMARK(leaf_meshes)->Unit(benchmark::kSecond)->UseRealTime();
+
+} // namespace
+} // namespace tractus
