@@ -1,5 +1,6 @@
 #include "app/methods/leaves/leaves_command.h"
 
+#include "app/methods/leaves/atlas_command.h"
 #include "app/methods/leaves/leaf_library.h"
 #include "app/methods/leaves/leaf_mesh.h"
 #include "app/methods/leaves/paint_command.h"
@@ -210,8 +211,10 @@ void add_growth_options(CLI::App& verb, LeavesArguments& arguments)
 
 void add_leaves_command(CLI::App& root, Action& action, Methods const&)
 {
-    auto* const verb = root.add_subcommand("leaves", "Derive leaves from grammars");
-    verb->require_subcommand(1);
+    auto* const verb
+        = root.add_subcommand("leaves", "Derive leaves from grammars, and make pages of them");
+    verb->require_subcommand(0, 1);
+    add_atlas_options(*verb, action);
 
     auto checked = std::make_shared<LeavesArguments>();
     auto* const check = verb->add_subcommand(

@@ -1,5 +1,7 @@
 #include "engine/methods/leaves/leaf_outline.h"
 
+#include "engine/methods/leaves/flat_geometry.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,11 +12,6 @@ namespace tractus::leaf {
 namespace {
 
 constexpr int kPerSpan = 10; // Points of the line for each span of the outline.
-
-double cross(Vec2 const& a, Vec2 const& b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 // Catmull and Rom's curve; at corners it leaves towards the next point.
 std::vector<Vec2> curve_through(std::vector<HalfOutline::Point> const& points)

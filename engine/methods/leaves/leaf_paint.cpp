@@ -31,7 +31,6 @@ struct LeafPainter::Canvas {
 
 namespace {
 
-constexpr double kMargin = 0.03; // Of the picture's side, all round the leaf.
 constexpr std::uint64_t kMineSeed = 0x6D696E65;
 constexpr int kTile = TileGrid::kTile;
 using Row = Eigen::Array<float, kTile, 1>;
@@ -141,6 +140,9 @@ public:
         picture_.roughness.resize(count_);
         picture_.translucency.resize(count_);
         picture_.age.resize(count_);
+        auto const underside = options_.has_underside ? count_ : 0;
+        picture_.under_color.resize(underside);
+        picture_.under_normal.resize(underside);
         for_tiles([&](int column, int row) { paint_tile(column, row); });
         spread_colors(picture_, canvas_.tiles);
     }
@@ -353,6 +355,8 @@ private:
             draw_veins(color, at, count, v, net);
             Row const white = add_damage(color, at, count, column, y);
             store_color(color, at, count);
+            if (options_.has_underside)
+                store_under_color(color, v, at, count);
             store_normals(at, count, column * kTile, y);
             store_surface({ d, v, net, m, white }, at, count);
         });
@@ -424,6 +428,16 @@ private:
         }
     }
 
+    // Paler, and its veins paler still.
+    void store_under_color(ColorRow color, Row const& v, std::size_t at, int count)
+    {
+        static Vec3f const pale = linear({ 0.74, 0.80, 0.66 });
+        color.mix(pale, 0.3f + 0.3f * v);
+        for (int i = 0; i < count; ++i)
+            picture_.under_color[at + static_cast<std::size_t>(i)]
+                = { srgb_byte(color.red[i]), srgb_byte(color.green[i]), srgb_byte(color.blue[i]) };
+    }
+
     float height_at(int x, int y) const
     {
         return picture_.height[index(std::clamp(x, 0, side_ - 1), std::clamp(y, 0, side_ - 1))];
@@ -439,13 +453,19 @@ private:
             du[i] = height_at(x - 1, y) - height_at(x + 1, y);
             dv[i] = height_at(x, y + 1) - height_at(x, y - 1);
         }
-        du *= strength;
-        dv *= strength;
-        Row const per_length = (du * du + dv * dv + 1).sqrt().inverse();
+        put_normals(picture_.normal, strength * du, strength * dv, at, count);
+        if (options_.has_underside)
+            put_normals(picture_.under_normal, -2 * strength * du, -2 * strength * dv, at, count);
+    }
+
+    static void put_normals(std::vector<std::array<std::uint8_t, 3>>& to, Row const& x,
+                            Row const& y, std::size_t at, int count)
+    {
+        Row const per_length = (x * x + y * y + 1).sqrt().inverse();
         for (int i = 0; i < count; ++i)
-            picture_.normal[at + static_cast<std::size_t>(i)]
-                = { byte(0.5f + 0.5f * du[i] * per_length[i]),
-                    byte(0.5f + 0.5f * dv[i] * per_length[i]), byte(0.5f + 0.5f * per_length[i]) };
+            to[at + static_cast<std::size_t>(i)]
+                = { byte(0.5f + 0.5f * x[i] * per_length[i]),
+                    byte(0.5f + 0.5f * y[i] * per_length[i]), byte(0.5f + 0.5f * per_length[i]) };
     }
 
     struct Surface {
@@ -486,18 +506,20 @@ private:
     double radius_ = 1; // The distance at which D is 1, in pixels.
 };
 
-PictureFrame::PictureFrame(LeafTriangles const& leaf, int side)
+PictureFrame::PictureFrame(LeafTriangles const& leaf, int side, PictureStand const& stand)
 {
     Eigen::AlignedBox2d box;
     for (auto const& flat : leaf.flat)
         box.extend(flat);
-    double const longer = leaf.flat.empty() ? 0 : box.sizes().maxCoeff();
-    if (!(longer > 0))
+    if (leaf.flat.empty() || !(box.sizes().maxCoeff() > 0))
         return;
-    scale = (1 - 2 * kMargin) * side / longer;
-    origin = { box.center().x(), box.min().y() };
+    bool const is_on_stem = stand.middle == PictureStand::Middle::Stem;
+    double const middle = is_on_stem ? 0 : box.center().x();
+    double const half = std::max(box.max().x() - middle, middle - box.min().x());
+    scale = (1 - 2 * stand.margin) * side / std::max(2 * half, box.sizes().y());
+    origin = { middle, box.min().y() };
     x0 = 0.5 * side;
-    y0 = (1 - kMargin) * side;
+    y0 = (1 - stand.margin) * side;
 }
 
 double age_at(double age, double closeness, double noise, PaintOptions const& options)
@@ -519,7 +541,7 @@ LeafPainter& LeafPainter::operator=(LeafPainter&&) noexcept = default;
 LeafPicture const& LeafPainter::paint(Leaf const& leaf, LeafTriangles const& triangles,
                                       PaintOptions const& options)
 {
-    PictureFrame const frame(triangles, options.side);
+    PictureFrame const frame(triangles, options.side, options.stand);
     LeafBrush(*canvas_, options, frame).paint(leaf, triangles);
     return canvas_->picture;
 }

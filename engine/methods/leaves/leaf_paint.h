@@ -11,9 +11,21 @@
 
 namespace tractus::leaf {
 
+// How a leaf stands in its picture: on the lower edge, but for a margin.
+struct PictureStand {
+    double margin = 0.03; // Empty all round, as a share of the picture's side.
+    enum class Middle {
+        Box, // The leaf's box is in the middle,
+        Stem // or the middle of the first face's edge O: the stalk's end.
+    };
+    Middle middle = Middle::Box;
+};
+
 struct PaintOptions {
-    int side = 512; // Of the pictures, in pixels; the leaf stands on the middle of the lower edge.
-    double age = 0; // 0: young, 1: old, as the colours go.
+    int side = 512; // Of the pictures, in pixels.
+    PictureStand stand {};
+    bool has_underside = false;      // Whether that is painted, too.
+    double age = 0;                  // 0: young, 1: old, as the colours go.
     Vec3 young { 0.36, 0.54, 0.22 }; // sRGB, 0 to 1.
     Vec3 old { 0.72, 0.50, 0.16 };
     Vec3 dead { 0.35, 0.24, 0.14 };
@@ -42,6 +54,10 @@ struct LeafPicture {
     // glTF's: red is occlusion, green roughness, blue metal, which is 0.
     std::vector<std::array<std::uint8_t, 3>> roughness;
     std::vector<std::uint8_t> translucency;
+    // Of the leaf seen from below, in the same places; empty unless it was asked for. Its veins
+    // stand out twice as far where they are grooves above.
+    std::vector<std::array<std::uint8_t, 3>> under_color;
+    std::vector<std::array<std::uint8_t, 3>> under_normal;
 
     // What the pictures are made from, for each pixel. Only coverage, alpha and protection have
     // values where neither the leaf is nor its edge.
@@ -57,12 +73,12 @@ struct LeafPicture {
 
 // Where in the picture the flat leaf lies: the longer side of its box fills it but for a margin.
 struct PictureFrame {
-    PictureFrame(LeafTriangles const& leaf, int side);
+    PictureFrame(LeafTriangles const& leaf, int side, PictureStand const& stand = {});
     Vec2 pixel(Vec2 const& flat) const
     {
         return { x0 + scale * (flat.x() - origin.x()), y0 - scale * (flat.y() - origin.y()) };
     }
-    Vec2 origin = Vec2::Zero(); // In the flat leaf: the middle of the box's lower side,
+    Vec2 origin = Vec2::Zero(); // In the flat leaf: what stands on the middle,
     double x0 = 0;              // and its pixel.
     double y0 = 0;
     double scale = 1; // Pixels for a length of 1.

@@ -1,5 +1,7 @@
 #include "engine/methods/leaves/leaf_triangles.h"
 
+#include "engine/methods/leaves/flat_geometry.h"
+
 #include <algorithm>
 #include <span>
 #include <utility>
@@ -10,12 +12,6 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 using Corners = std::vector<std::uint32_t>;
-
-// Twice the area, positive where the corners run counter-clockwise.
-double turn(Vec2 const& a, Vec2 const& b, Vec2 const& c)
-{
-    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
 
 bool is_inside(Vec2 const& point, Vec2 const& a, Vec2 const& b, Vec2 const& c)
 {
@@ -226,6 +222,21 @@ LeafTriangles triangles_of(Leaf const& leaf)
         bool const is_simple = cutter.cut(corners, is_limb ? made.limb : made.veins);
         made.overlapping_faces += !is_simple && is_limb;
     }
+    return made;
+}
+
+std::vector<std::array<std::uint32_t, 3>> cut_polygon(std::span<Vec2 const> corners)
+{
+    LeafTriangles leaf;
+    Corners numbers;
+    for (auto const& corner : corners) {
+        numbers.push_back(static_cast<std::uint32_t>(leaf.flat.size()));
+        leaf.flat.push_back(corner);
+        leaf.positions.emplace_back(corner.x(), corner.y(), 0);
+    }
+    std::vector<Triangle> made;
+    if (corners.size() >= 3)
+        Cutter(leaf).cut(numbers, made);
     return made;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace tractus::leaf {
@@ -22,5 +23,8 @@ struct LeafTriangles {
 
 // The limb is part of it after Leaf::fill().
 LeafTriangles triangles_of(Leaf const& leaf);
+
+// A flat polygon, counter-clockwise, as triangles of its corners: two less than it has.
+std::vector<std::array<std::uint32_t, 3>> cut_polygon(std::span<Vec2 const> corners);
 
 } // namespace tractus::leaf

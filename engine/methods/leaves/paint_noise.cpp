@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kCells = 16; // Of a table, in a row: of the first octave, or the larger meshes.
 
-double smooth(double x)
+double eased(double x)
 {
     x = std::clamp(x, 0.0, 1.0);
     return x * x * (3 - 2 * x);
@@ -25,8 +25,8 @@ double value_noise(std::uint64_t seed, Vec2 const& at, std::int64_t cells)
 {
     auto const i = static_cast<std::int64_t>(at.x());
     auto const j = static_cast<std::int64_t>(at.y());
-    double const u = smooth(at.x() - double(i));
-    double const v = smooth(at.y() - double(j));
+    double const u = eased(at.x() - double(i));
+    double const v = eased(at.y() - double(j));
     double const low = std::lerp(lattice(seed, i, j, cells), lattice(seed, i + 1, j, cells), u);
     double const high
         = std::lerp(lattice(seed, i, j + 1, cells), lattice(seed, i + 1, j + 1, cells), u);
@@ -67,7 +67,7 @@ double mesh(Vec2 const& at)
     constexpr std::int64_t kFine = 43;
     double const coarse = border(41, kCells * at, kCells);
     double const fine = border(43, kFine * at, kFine);
-    return std::max(1 - smooth(coarse / 0.16), 0.5 * (1 - smooth(fine / 0.22)));
+    return std::max(1 - eased(coarse / 0.16), 0.5 * (1 - eased(fine / 0.22)));
 }
 
 } // namespace

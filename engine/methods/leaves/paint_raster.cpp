@@ -14,7 +14,7 @@ namespace {
 constexpr int kBlock = 4; // Pixels.
 constexpr int kBlocks = TileGrid::kTile / kBlock;
 
-std::size_t number(int value)
+std::size_t pixels(int value)
 {
     return static_cast<std::size_t>(value);
 }
@@ -24,21 +24,21 @@ std::size_t number(int value)
 void TileGrid::find(std::span<float const> coverage, int side)
 {
     side_ = side;
-    columns_ = (side + kTile - 1) / kTile;
-    auto const blocks = number(columns_ * kBlocks) + 2; // One more all round.
+    columns_ = (side + TileGrid::kTile - 1) / TileGrid::kTile;
+    auto const blocks = pixels(columns_ * kBlocks) + 2; // One more all round.
     blocks_.assign(blocks * blocks, 0);
     for (int y = 0; y < side; ++y) {
-        auto const* const row = coverage.data() + number(y) * number(side);
-        auto* const marks = blocks_.data() + (number(y / kBlock) + 1) * blocks + 1;
+        auto const* const row = coverage.data() + pixels(y) * pixels(side);
+        auto* const marks = blocks_.data() + (pixels(y / kBlock) + 1) * blocks + 1;
         for (int x = 0; x < side; ++x)
             marks[x / kBlock] = marks[x / kBlock] | static_cast<std::uint8_t>(row[x] > 0);
     }
-    is_near_.assign(number(columns_) * number(columns_), 0);
+    is_near_.assign(pixels(columns_) * pixels(columns_), 0);
     for (int row = 0; row < columns_; ++row)
         for (int column = 0; column < columns_; ++column)
             for (int j = 0; j < kBlocks + 2; ++j) {
-                auto const* const marks = blocks_.data() + number(row * kBlocks + j) * blocks
-                    + number(column * kBlocks);
+                auto const* const marks = blocks_.data() + pixels(row * kBlocks + j) * blocks
+                    + pixels(column * kBlocks);
                 if (std::any_of(marks, marks + kBlocks + 2, [](auto mark) { return mark != 0; }))
                     is_near_[index(column, row)] = 1;
             }
@@ -47,7 +47,7 @@ void TileGrid::find(std::span<float const> coverage, int side)
 void CoverageRaster::begin(int side)
 {
     side_ = side;
-    sums_.assign(number(side) * number(side + 2), 0);
+    sums_.assign(pixels(side) * pixels(side + 2), 0);
 }
 
 void CoverageRaster::add_triangle(Vec2 const& a, Vec2 const& b, Vec2 const& c)
@@ -63,11 +63,11 @@ void CoverageRaster::add_triangle(Vec2 const& a, Vec2 const& b, Vec2 const& c)
 void CoverageRaster::finish(std::vector<float>& coverage) const
 {
     constexpr double kRounding = 1e-3; // Sums end that near to 0 and 1.
-    coverage.resize(number(side_) * number(side_));
+    coverage.resize(pixels(side_) * pixels(side_));
     auto* to = coverage.data();
     for (int y = 0; y < side_; ++y) {
         double sum = 0;
-        auto const* const row = sums_.data() + number(y) * number(side_ + 2);
+        auto const* const row = sums_.data() + pixels(y) * pixels(side_ + 2);
         for (int x = 0; x < side_; ++x) {
             sum -= double(row[x]);
             *to++ = sum < kRounding ? 0 : sum > 1 - kRounding ? 1 : static_cast<float>(sum);
@@ -116,15 +116,14 @@ void CoverageRaster::add_in_row(int y, double height, double x0, double x1)
 
 void CoverageRaster::add_part(int x, int y, double height, double middle)
 {
-    auto* const at = sums_.data() + number(y) * number(side_ + 2) + number(x);
+    auto* const at = sums_.data() + pixels(y) * pixels(side_ + 2) + pixels(x);
     at[0] += static_cast<float>(height * (1 - middle));
     at[1] += static_cast<float>(height * middle);
 }
 
 namespace {
 
-constexpr int kTile = TileGrid::kTile;
-using Row = Eigen::Array<float, kTile, 1>;
+using TileRow = Eigen::Array<float, TileGrid::kTile, 1>;
 
 // A vein as the rows of a tile take it.
 struct Stroke {
@@ -185,10 +184,11 @@ public:
 
     void map(int column, int row)
     {
-        x0_ = column * kTile;
-        auto const y0 = row * kTile;
-        choose(static_cast<float>(x0_) + 0.5f * kTile, static_cast<float>(y0) + 0.5f * kTile);
-        for (int y = y0; y < std::min(side_, y0 + kTile); ++y)
+        x0_ = column * TileGrid::kTile;
+        auto const y0 = row * TileGrid::kTile;
+        choose(static_cast<float>(x0_) + 0.5f * TileGrid::kTile,
+               static_cast<float>(y0) + 0.5f * TileGrid::kTile);
+        for (int y = y0; y < std::min(side_, y0 + TileGrid::kTile); ++y)
             map_row(y);
     }
 
@@ -196,7 +196,7 @@ private:
     // Those that may be the nearest to a pixel of the tile, or so near that it sees their profile.
     void choose(float x, float y)
     {
-        constexpr float kHalfDiagonal = 0.7072f * kTile;
+        constexpr float kHalfDiagonal = 0.7072f * TileGrid::kTile;
         chosen_.clear();
         bounds_.clear();
         float nearest = reach_;
@@ -215,16 +215,16 @@ private:
 
     void map_row(int y)
     {
-        distance_ = Row::Constant(reach_);
-        profile_ = Row::Zero();
-        protection_ = Row::Zero();
-        order_ = Row::Constant(9);
+        distance_ = TileRow::Constant(reach_);
+        profile_ = TileRow::Zero();
+        protection_ = TileRow::Zero();
+        order_ = TileRow::Constant(9);
         for (auto const* const stroke : chosen_)
             add(*stroke, static_cast<float>(y) + 0.5f);
-        auto const at = number(y) * number(side_) + number(x0_);
-        auto const count = std::min(kTile, side_ - x0_);
+        auto const at = pixels(y) * pixels(side_) + pixels(x0_);
+        auto const count = std::min(TileGrid::kTile, side_ - x0_);
         for (int i = 0; i < count; ++i) {
-            auto const to = at + number(i);
+            auto const to = at + pixels(i);
             maps_.distance[to] = distance_[i];
             maps_.profile[to] = profile_[i];
             maps_.protection[to] = protection_[i];
@@ -234,20 +234,20 @@ private:
 
     void add(Stroke const& stroke, float y)
     {
-        Row const dx = steps_ + (static_cast<float>(x0_) + 0.5f - stroke.x);
+        TileRow const dx = steps_ + (static_cast<float>(x0_) + 0.5f - stroke.x);
         float const dy = y - stroke.y;
-        Row const t = ((dx * stroke.along_x + dy * stroke.along_y) * stroke.per_length2)
-                          .max(0.0f)
-                          .min(1.0f);
-        Row const half = stroke.half_width + stroke.widens * t;
-        Row const px = dx - t * stroke.along_x;
-        Row const py = dy - t * stroke.along_y;
-        Row const middle2 = px * px + py * py;
-        Row const middle = middle2.sqrt();
+        TileRow const t = ((dx * stroke.along_x + dy * stroke.along_y) * stroke.per_length2)
+                              .max(0.0f)
+                              .min(1.0f);
+        TileRow const half = stroke.half_width + stroke.widens * t;
+        TileRow const px = dx - t * stroke.along_x;
+        TileRow const py = dy - t * stroke.along_y;
+        TileRow const middle2 = px * px + py * py;
+        TileRow const middle = middle2.sqrt();
         distance_ = distance_.min((middle - half).max(0.0f));
-        Row const wide = 1.6f * half.max(0.6f);
-        Row const inside = (1 - middle2 / (wide * wide)).max(0.0f);
-        order_ = (inside > profile_).select(Row::Constant(stroke.order), order_);
+        TileRow const wide = 1.6f * half.max(0.6f);
+        TileRow const inside = (1 - middle2 / (wide * wide)).max(0.0f);
+        order_ = (inside > profile_).select(TileRow::Constant(stroke.order), order_);
         profile_ = profile_.max(inside);
         if (stroke.is_spared)
             protection_ = protection_.max(
@@ -260,13 +260,13 @@ private:
     float reach_;
     VeinMaps const& maps_;
     int x0_ = 0;
-    Row const steps_ = Row::LinSpaced(0, kTile - 1);
+    TileRow const steps_ = TileRow::LinSpaced(0, TileGrid::kTile - 1);
     std::vector<float> bounds_;
     std::vector<Stroke const*> chosen_;
-    Row distance_;
-    Row profile_;
-    Row protection_;
-    Row order_;
+    TileRow distance_;
+    TileRow profile_;
+    TileRow protection_;
+    TileRow order_;
 };
 
 } // namespace
@@ -274,7 +274,7 @@ private:
 void map_veins(std::span<Leaf::Vein const> veins, TileGrid const& tiles,
                VeinMapOptions const& options, VeinMaps const& maps)
 {
-    auto const count = number(tiles.side()) * number(tiles.side());
+    auto const count = pixels(tiles.side()) * pixels(tiles.side());
     maps.distance.resize(count);
     maps.profile.resize(count);
     maps.protection.assign(count, 0);
@@ -283,7 +283,7 @@ void map_veins(std::span<Leaf::Vein const> veins, TileGrid const& tiles,
     strokes.reserve(veins.size());
     for (auto const& vein : veins)
         strokes.push_back(stroke_of(vein, options.spared_order));
-    parallel_for(number(tiles.columns()), 2, [&](std::size_t begin, std::size_t end) {
+    parallel_for(pixels(tiles.columns()), 2, [&](std::size_t begin, std::size_t end) {
         TileMapper mapper(strokes, tiles.side(), options, maps);
         for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
             for (int column = 0; column < tiles.columns(); ++column)

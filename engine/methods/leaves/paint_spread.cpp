@@ -10,9 +10,10 @@ namespace tractus::leaf {
 
 namespace {
 
-// Colour, occlusion, roughness, translucency; weighted by the leaf's part in them.
+// Colour, occlusion, roughness, translucency, colour from below; weighted by the leaf's part in
+// them.
 struct Mean {
-    std::array<float, 6> sum {};
+    std::array<float, 9> sum {};
     float weight = 0;
 
     void add(Mean const& other)
@@ -32,6 +33,7 @@ public:
     Spreader(LeafPicture& picture, TileGrid const& tiles)
         : picture_(picture)
         , tiles_(tiles)
+        , has_underside_(!picture.under_color.empty())
     {
     }
 
@@ -48,12 +50,12 @@ private:
     // Index of a tile's row of pixels, and how many there are.
     template<typename Work> void for_rows(int column, int row, Work const& work) const
     {
-        constexpr int kTile = TileGrid::kTile;
-        int const end = std::min(picture_.side, (row + 1) * kTile);
-        int const count = std::min(kTile, picture_.side - column * kTile);
-        for (int y = row * kTile; y < end; ++y)
+        constexpr int kWidth = TileGrid::kTile;
+        int const end = std::min(picture_.side, (row + 1) * kWidth);
+        int const count = std::min(kWidth, picture_.side - column * kWidth);
+        for (int y = row * kWidth; y < end; ++y)
             work(static_cast<std::size_t>(y) * static_cast<std::size_t>(picture_.side)
-                     + static_cast<std::size_t>(column * kTile),
+                     + static_cast<std::size_t>(column * kWidth),
                  static_cast<std::size_t>(count));
     }
 
@@ -125,11 +127,17 @@ private:
             std::fill_n(picture_.normal.begin() + first, count, flat);
             std::fill_n(picture_.roughness.begin() + first, count, rough);
             std::fill_n(picture_.translucency.begin() + first, count, mean.value(5));
+            if (!has_underside_)
+                return;
+            std::array<std::uint8_t, 3> const under { mean.value(6), mean.value(7), mean.value(8) };
+            std::fill_n(picture_.under_color.begin() + first, count, under);
+            std::fill_n(picture_.under_normal.begin() + first, count, flat);
         });
     }
 
     LeafPicture& picture_;
     TileGrid const& tiles_;
+    bool has_underside_;
     std::vector<std::vector<Mean>> levels_; // Of squares of 1, 2, 4 … tiles.
 };
 
