@@ -11,6 +11,7 @@ set(engine/export    engine/base engine/stroke engine/plant engine/lsystem engin
                      engine/scene)
 set(engine/methods/construction_lines engine/base engine/stroke engine/plant engine/lsystem)
 set(engine/methods/leaves engine/base)
+set(engine/methods/silhouettes engine/base engine/stroke engine/plant)
 set(engine/methods/sketch_lsystem engine/base engine/stroke engine/plant engine/lsystem engine/scene)
 set(drivers          engine/base)
 set(calib            engine/base engine/stroke drivers)
@@ -26,7 +27,8 @@ set(app/methods/plants engine app/tools)
 set(app              engine drivers calib sim)
 
 set(layers engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh
-           engine/scene engine/export engine/methods/construction_lines engine/methods/leaves engine/methods/sketch_lsystem
+           engine/scene engine/export engine/methods/construction_lines engine/methods/leaves
+           engine/methods/silhouettes engine/methods/sketch_lsystem
            drivers calib sim app/session app/tools app/terminal app/document app/station
            app/methods/indicators app/methods/plants app)
 

@@ -1,0 +1,201 @@
+#include "engine/methods/silhouettes/bumps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace tractus::silhouette {
+
+namespace {
+
+// Calls use(point) for the points of the outline strictly inside of an arc.
+template<typename Use> void for_inner_points(std::span<Vec2 const> outline, Arc arc, Use&& use)
+{
+    auto const n = outline.size();
+    for (auto i = (arc.first + 1) % n; i != arc.last; i = (i + 1) % n)
+        use(outline[i]);
+}
+
+// Takes limbs off until all that are left are bumps.
+class Pruner {
+public:
+    Pruner(ChordalAxis const& axis, BumpThresholds const& thresholds)
+        : axis_(axis)
+        , thresholds_(thresholds)
+        , diagonal_(box_of(axis.outline()).diagonal())
+        , alive_(axis.triangles().size())
+        , strength_(axis.triangles().size(), { -1, -1, -1 })
+    {
+        for (std::uint32_t k = 0; k < alive_.size(); ++k)
+            for (std::uint32_t e = 0; e < 3; ++e)
+                alive_[k][e] = axis.triangles()[k].beyond[e] != kNoTriangle;
+    }
+
+    struct Limb {
+        Chord chord;
+        double strength = 0;
+    };
+
+    std::vector<Limb> run()
+    {
+        while (true) {
+            auto limbs = find_limbs();
+            auto const weakest
+                = std::min_element(limbs.begin(), limbs.end(), [](Limb const& a, Limb const& b) {
+                      return a.strength < b.strength;
+                  });
+            if (weakest == limbs.end() || weakest->strength >= 1)
+                return limbs;
+            alive_[weakest->chord.triangle][weakest->chord.edge] = false;
+        }
+    }
+
+private:
+    int count(std::uint32_t triangle) const
+    {
+        auto const& chords = alive_[triangle];
+        return chords[0] + chords[1] + chords[2];
+    }
+
+    // Whether no junction lies beyond.
+    bool is_limb(Chord chord) const
+    {
+        while (true) {
+            auto const back = axis_.reversed(chord);
+            auto const chords = count(back.triangle);
+            if (chords != 2)
+                return chords == 1;
+            std::uint32_t edge = 0;
+            while (edge == back.edge || !alive_[back.triangle][edge])
+                ++edge;
+            chord = { back.triangle, edge };
+        }
+    }
+
+    std::vector<Limb> find_limbs()
+    {
+        std::vector<Limb> limbs;
+        for (std::uint32_t k = 0; k < alive_.size(); ++k) {
+            if (count(k) != 3)
+                continue;
+            for (std::uint32_t e = 0; e < 3; ++e)
+                if (is_limb({ k, e }))
+                    limbs.push_back({ { k, e }, strength({ k, e }) });
+        }
+        return limbs;
+    }
+
+    double strength(Chord chord)
+    {
+        auto& known = strength_[chord.triangle][chord.edge];
+        if (known < 0) {
+            double const least = std::max(thresholds_.rise_of_diagonal * diagonal_,
+                                          thresholds_.rise_of_chord * axis_.length_of(chord));
+            known = std::max(axis_.rise(chord), 0.0) / least;
+        }
+        return known;
+    }
+
+    ChordalAxis const& axis_;
+    BumpThresholds thresholds_;
+    double diagonal_;
+    std::vector<std::array<bool, 3>> alive_;      // Chords with something beyond them.
+    std::vector<std::array<double, 3>> strength_; // Below 0: not looked at yet.
+};
+
+// Whether the half circle on a chord holds all that lies beyond.
+bool holds_cap(ChordalAxis const& axis, Chord const& chord)
+{
+    Vec2 const middle = (axis.first_of(chord) + axis.last_of(chord)) / 2;
+    double const reach = axis.length_of(chord) / 2 * (1 + 1e-9);
+    bool holds = true;
+    for_inner_points(axis.outline(), axis.beyond(chord), [&](Vec2 const& point) {
+        holds = holds && (point - middle).squaredNorm() <= reach * reach;
+    });
+    return holds;
+}
+
+// The innermost chord from `base` outwards whose half circle holds its cap.
+Chord end_chord(ChordalAxis const& axis, Chord base)
+{
+    auto const points = axis.outline().size();
+    while (!holds_cap(axis, base)) {
+        auto const next = axis.onward(base);
+        if (next.empty())
+            break;
+        base = *std::max_element(next.begin(), next.end(), [&](Chord const& a, Chord const& b) {
+            return axis.beyond(a).inner_count(points) < axis.beyond(b).inner_count(points);
+        });
+    }
+    return base;
+}
+
+Bump describe_bump(ChordalAxis const& axis, Chord const& base, double strength)
+{
+    auto const chord = end_chord(axis, base);
+    auto const& a = axis.first_of(chord);
+    auto const& b = axis.last_of(chord);
+    double const half = (b - a).norm() / 2;
+    Vec2 const middle = (a + b) / 2;
+    Vec2 const outwards = direction_of(Vec2((b - a).y(), -(b - a).x()));
+    Bump bump { .arc = axis.beyond(base),
+                .cap = axis.beyond(chord),
+                .end = middle,
+                .tangent = outwards,
+                .radius = half,
+                .tip = a,
+                .strength = strength };
+    double height = 0;
+    Vec2 sum = a + b;
+    double count = 2;
+    for_inner_points(axis.outline(), bump.cap, [&](Vec2 const& point) {
+        height = std::max(height, (point - middle).dot(outwards));
+        sum += point;
+        count += 1;
+    });
+    if (height < half && height > 0)
+        bump.radius = std::min((half * half + height * height) / (2 * height), 4 * half);
+    Vec2 const way = sum / count - middle;
+    if (way.norm() > 1e-9)
+        bump.tangent = direction_of(way);
+    double farthest = -std::numeric_limits<double>::infinity();
+    for_inner_points(axis.outline(), bump.cap, [&](Vec2 const& point) {
+        double const far = (point - middle).dot(bump.tangent);
+        if (far > farthest) {
+            farthest = far;
+            bump.tip = point;
+        }
+    });
+    return bump;
+}
+
+// Beyond the longest chord each way, of an outline without junctions.
+std::vector<Bump> spindle_ends(ChordalAxis const& axis)
+{
+    std::optional<Chord> longest;
+    for (std::uint32_t k = 0; k < axis.triangles().size(); ++k)
+        for (std::uint32_t e = 0; e < 3; ++e)
+            if (axis.triangles()[k].beyond[e] != kNoTriangle
+                && (!longest || axis.length_of({ k, e }) > axis.length_of(*longest)))
+                longest = Chord { k, e };
+    if (!longest)
+        return {};
+    return { describe_bump(axis, *longest, 0), describe_bump(axis, axis.reversed(*longest), 0) };
+}
+
+} // namespace
+
+std::vector<Bump> find_bumps(ChordalAxis const& axis, BumpThresholds const& thresholds)
+{
+    std::vector<Bump> bumps;
+    for (auto const& limb : Pruner(axis, thresholds).run())
+        bumps.push_back(describe_bump(axis, limb.chord, limb.strength));
+    if (bumps.empty())
+        bumps = spindle_ends(axis);
+    std::sort(bumps.begin(), bumps.end(),
+              [](Bump const& a, Bump const& b) { return a.arc.first < b.arc.first; });
+    return bumps;
+}
+
+} // namespace tractus::silhouette

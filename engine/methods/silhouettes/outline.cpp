@@ -1,0 +1,270 @@
+#include "engine/methods/silhouettes/outline.h"
+
+#include "engine/base/random.h"
+#include "engine/methods/silhouettes/loops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+constexpr std::size_t kLeastPoints = 8;
+constexpr double kWidestGap = 0.25;        // Of the stroke's length.
+constexpr double kWidestJoin = 0.1;        // Of the drawing's diagonal.
+constexpr double kShareToTell = 0.1;       // Of the area, that was left out.
+constexpr double kTrunkHeight = 0.85;      // Of the outline's, of a trunk that nobody drew.
+constexpr std::size_t kMostCorners = 1024; // Of an outline in which crossings are looked for.
+
+Result<void> check_points(Drawing const& drawing)
+{
+    std::size_t count = drawing.trunk.size();
+    bool finite = std::all_of(drawing.trunk.begin(), drawing.trunk.end(),
+                              [](Vec2 const& p) { return p.allFinite() && p.norm() < 1e9; });
+    for (auto const& stroke : drawing.outline) {
+        count += stroke.size();
+        for (auto const& p : stroke)
+            finite = finite && p.allFinite() && p.norm() < 1e9;
+    }
+    if (count > kMostDrawnPoints)
+        return fail(
+            Fault::User,
+            fmt::format("the drawing has {} points: give at most {}", count, kMostDrawnPoints));
+    if (!finite)
+        return fail(Fault::User, "a number of the drawing is too large: give millimetres");
+    return {};
+}
+
+std::vector<Vec2> without_repeats(std::vector<Vec2> const& points)
+{
+    std::vector<Vec2> kept;
+    for (auto const& point : points)
+        if (kept.empty() || (point - kept.back()).norm() > 1e-9)
+            kept.push_back(point);
+    return kept;
+}
+
+// The frame of CleanDrawing, before it is rounded.
+Similarity frame_of(Drawing const& drawing)
+{
+    Similarity frame;
+    Vec2 up = Vec2::UnitY();
+    frame.from = drawing.outline.front().front();
+    if (!drawing.trunk.empty()) {
+        frame.from = drawing.trunk.front();
+        up = direction_of(drawing.trunk.back() - drawing.trunk.front());
+    }
+    frame.turn = { up.y(), up.x() };
+    std::vector<Vec2> all;
+    for (auto const& stroke : drawing.outline)
+        for (auto const& point : stroke)
+            all.push_back(frame.vector(point - frame.from));
+    frame.turn /= std::max(box_of(all).diagonal(), 1e-9);
+    return frame;
+}
+
+// Rounded, then moved by ten millionths: points that lie on each other or on a line would otherwise
+// cross without crossing.
+std::vector<Vec2> in_frame(std::vector<Vec2> const& points, Similarity const& frame)
+{
+    constexpr double kSteps = 1 << 30;
+    constexpr double kApart = 1e-7;
+    Random random({ .seed = 0x511, .stream = static_cast<std::uint32_t>(points.size()) });
+    auto result = without_repeats(frame.points(points));
+    for (auto& point : result) {
+        point = (point * kSteps).array().round() / kSteps;
+        point.x() += random.uniform(-kApart, kApart);
+        point.y() += random.uniform(-kApart, kApart);
+    }
+    return result;
+}
+
+// Appends the second stroke to the first where their ends are nearest.
+std::vector<Vec2> joined(std::vector<Vec2> first, std::vector<Vec2> second, unsigned ends)
+{
+    if ((ends & 1U) == 0)
+        std::reverse(first.begin(), first.end());
+    if ((ends & 2U) != 0)
+        std::reverse(second.begin(), second.end());
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+// The nearest ends of different strokes first. The longest of what remains is the outline.
+std::vector<Vec2> join_strokes(std::vector<std::vector<Vec2>> strokes,
+                               std::vector<std::string>& notes)
+{
+    while (strokes.size() > 1) {
+        double least = kWidestJoin;
+        std::size_t first = 0;
+        std::size_t second = 0;
+        unsigned ends = 0;
+        for (std::size_t i = 0; i < strokes.size(); ++i)
+            for (std::size_t j = i + 1; j < strokes.size(); ++j)
+                for (unsigned e = 0; e < 4; ++e) {
+                    auto const& a = (e & 1U) != 0 ? strokes[i].back() : strokes[i].front();
+                    auto const& b = (e & 2U) != 0 ? strokes[j].back() : strokes[j].front();
+                    if ((a - b).norm() < least) {
+                        least = (a - b).norm();
+                        first = i, second = j, ends = e;
+                    }
+                }
+        if (second == 0)
+            break;
+        strokes[first] = joined(std::move(strokes[first]), std::move(strokes[second]), ends);
+        strokes.erase(strokes.begin() + static_cast<std::ptrdiff_t>(second));
+    }
+    auto const longest
+        = std::max_element(strokes.begin(), strokes.end(), [](auto const& a, auto const& b) {
+              return length_of(a) < length_of(b);
+          });
+    if (strokes.size() > 1)
+        notes.push_back(fmt::format("{} strokes of the outline are left out: their ends are not "
+                                    "near the others'",
+                                    strokes.size() - 1));
+    return std::move(*longest);
+}
+
+// One closed stroke.
+Result<std::vector<Vec2>> close_outline(std::vector<std::vector<Vec2>> strokes,
+                                        std::vector<std::string>& notes)
+{
+    auto stroke = without_repeats(join_strokes(std::move(strokes), notes));
+    if (stroke.size() < kLeastPoints)
+        return fail(Fault::User,
+                    fmt::format("the outline has {} points: draw it larger", stroke.size()));
+    if (stroke.size() > kMostCorners)
+        stroke = resampled_line(stroke, kMostCorners);
+    auto trimmed = without_overshoot(stroke);
+    double const gap = (trimmed.back() - trimmed.front()).norm();
+    if (gap > kWidestGap * length_of(trimmed))
+        return fail(Fault::User, "the outline is open: end it near its beginning");
+    if (gap <= 1e-9)
+        trimmed.pop_back();
+    return trimmed;
+}
+
+std::vector<Vec2> smoothed(std::vector<Vec2> const& outline, double deviation)
+{
+    if (!(deviation > 0))
+        return outline;
+    auto const n = static_cast<int>(outline.size());
+    int const reach = static_cast<int>(3 * deviation) + 1;
+    std::vector<Vec2> result(outline.size(), Vec2::Zero());
+    double sum = 0;
+    for (int k = -reach; k <= reach; ++k)
+        sum += std::exp(-0.5 * k * k / (deviation * deviation));
+    for (int i = 0; i < n; ++i)
+        for (int k = -reach; k <= reach; ++k)
+            result[static_cast<std::size_t>(i)] += std::exp(-0.5 * k * k / (deviation * deviation))
+                / sum * outline[static_cast<std::size_t>(((i + k) % n + n) % n)];
+    return result;
+}
+
+// Where the hand began says nothing: the same outline, and the mirrored one, have the same samples.
+void begin_at_farthest(std::vector<Vec2>& outline)
+{
+    auto const farthest
+        = std::max_element(outline.begin(), outline.end(), [](Vec2 const& a, Vec2 const& b) {
+              return a.squaredNorm() < b.squaredNorm();
+          });
+    std::rotate(outline.begin(), farthest, outline.end());
+}
+
+Result<std::vector<Vec2>> simple_outline(std::vector<Vec2> const& closed,
+                                         OutlineOptions const& options, double unit_mm,
+                                         std::vector<std::string>& notes)
+{
+    auto loop = largest_loop(closed);
+    if (!(loop.area > 0) || loop.area * unit_mm * unit_mm < options.least_area_mm2)
+        return fail(Fault::User,
+                    fmt::format("the outline encloses {:.1f} mm²: draw it larger",
+                                loop.area * unit_mm * unit_mm));
+    double const left_out = 1 - loop.area / loop.area_of_all;
+    if (left_out > kShareToTell)
+        notes.push_back(fmt::format("the outline crosses itself: its largest loop counts, {:.0f} % "
+                                    "of the area are left out",
+                                    100 * left_out));
+    if (signed_area(loop.outline) < 0)
+        std::reverse(loop.outline.begin(), loop.outline.end());
+    begin_at_farthest(loop.outline);
+    auto outline
+        = smoothed(resampled_outline(loop.outline, options.samples), options.smoothing_samples);
+    if (crosses_itself(outline))
+        outline = largest_loop(outline).outline;
+    if (outline.size() < kLeastPoints)
+        return fail(Fault::User, "the outline crosses itself everywhere: draw it once around");
+    if (signed_area(outline) < 0) // Smoothing can turn a sliver over.
+        std::reverse(outline.begin(), outline.end());
+    return outline;
+}
+
+Vec2 centroid_of(std::span<Vec2 const> outline)
+{
+    Vec2 sum = Vec2::Zero();
+    double twice = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        auto const& a = outline[i];
+        auto const& b = outline[(i + 1) % outline.size()];
+        sum += cross(a, b) * (a + b);
+        twice += cross(a, b);
+    }
+    return sum / (3 * twice);
+}
+
+std::vector<Vec2> guessed_trunk(std::span<Vec2 const> outline)
+{
+    double const x = centroid_of(outline).x();
+    auto const box = box_of(outline);
+    double low = box.high.y();
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        auto const& a = outline[i];
+        auto const& b = outline[(i + 1) % outline.size()];
+        if ((a.x() <= x) != (b.x() <= x))
+            low = std::min(low, a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y()));
+    }
+    double const top = box.low.y() + kTrunkHeight * (box.high.y() - box.low.y());
+    return { Vec2(x, low), Vec2(x, std::max(top, low + 0.05)) };
+}
+
+Similarity inverse(Similarity const& frame)
+{
+    Vec2 const back = Vec2(frame.turn.x(), -frame.turn.y()) / frame.turn.squaredNorm();
+    return { .from = frame.to, .to = frame.from, .turn = back };
+}
+
+} // namespace
+
+Result<CleanDrawing> clean_drawing(Drawing const& drawing, OutlineOptions const& options)
+{
+    TRY(check_points(drawing));
+    Drawing drawn { {}, drawing.trunk };
+    for (auto const& stroke : drawing.outline)
+        if (!stroke.empty())
+            drawn.outline.push_back(stroke);
+    if (drawn.outline.empty())
+        return fail(Fault::User, "the outline is missing: draw it around the crown");
+    auto const frame = frame_of(drawn);
+    CleanDrawing result;
+    result.to_sheet = inverse(frame);
+    for (auto& stroke : drawn.outline)
+        stroke = in_frame(stroke, frame);
+    auto trunk = in_frame(drawn.trunk, frame);
+    auto const closed = TRY(close_outline(std::move(drawn.outline), result.notes));
+    result.outline
+        = TRY(simple_outline(closed, options, result.to_sheet.turn.norm(), result.notes));
+    if (drawing.trunk.empty()) {
+        trunk = guessed_trunk(result.outline);
+        result.notes.emplace_back("there is no trunk: one under the middle of the crown is taken");
+    }
+    if (trunk.size() < 2 || length_of(trunk) < 1e-3)
+        return fail(Fault::User,
+                    "the trunk is only a dot: draw it from the foot upwards, or leave it out");
+    result.trunk = resampled_line(trunk, kTrunkSamples);
+    return result;
+}
+
+} // namespace tractus::silhouette

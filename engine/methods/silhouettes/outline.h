@@ -1,0 +1,50 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/methods/silhouettes/plane.h"
+
+#include <string>
+#include <vector>
+
+namespace tractus::silhouette {
+
+// What is drawn for one branching system (Wither, Boudon, Cani, Godin, "Structure from
+// silhouettes", 2009), millimetres in the plane that it was drawn in (plane.h).
+struct Drawing {
+    std::vector<std::vector<Vec2>> outline; // Of the crown: one stroke or more, in any order.
+    std::vector<Vec2> trunk;                // Base first; empty: not drawn.
+};
+
+constexpr std::size_t kMostDrawnPoints = 20'000; // Of all strokes of a drawing.
+
+// How an outline is read.
+struct OutlineOptions {
+    std::size_t samples = 256;    // 16 to 512.
+    double smoothing_samples = 1; // Standard deviation of the Gaussian; 0: none.
+    double least_area_mm2 = 25;
+};
+
+// A drawing made ready: a simple outline, counter-clockwise, in equal steps, and the trunk. In a
+// frame of its own, in which the trunk's end is above its base and the diagonal of the outline's
+// box has length 1, rounded: so a drawing that is moved, turned or scaled is the very same from
+// here on.
+struct CleanDrawing {
+    std::vector<Vec2> outline;
+    std::vector<Vec2> trunk;        // 64 points at equal distances, base first.
+    Similarity to_sheet;            // Back to the drawing's millimetres.
+    std::vector<std::string> notes; // What had to be guessed or was left out, a sentence each.
+};
+
+constexpr std::size_t kTrunkSamples = 64;
+
+// Joins strokes of an outline whose ends are near each other, closes it, cuts off ends that
+// overshoot, keeps the largest loop of one that crosses itself, takes steps of equal length and the
+// hand's tremor out; samples begin where the outline is farthest from the trunk's base. Without a
+// trunk one rises from the outline's lowest point under its centroid to 85 % of its height.
+//
+// Fails, as the user's fault: an outline that is missing, too small (25 square millimetres, eight
+// points) or open by more than a quarter of its length, a trunk that is a dot, too many points,
+// numbers that are not finite.
+Result<CleanDrawing> clean_drawing(Drawing const& drawing, OutlineOptions const& options = {});
+
+} // namespace tractus::silhouette

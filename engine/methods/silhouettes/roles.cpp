@@ -1,0 +1,130 @@
+#include "engine/methods/silhouettes/bumps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+constexpr double kAhead_deg = 20; // Off the trunk's last direction: still straight ahead.
+constexpr double kFork = 1.25;    // A second bump this near to being the apex: there is none.
+constexpr double kOn = 0.85;      // Of the way to the outline, where nothing is ahead.
+
+// The bump through whose arc the trunk enters its run inside, if the trunk passes within its
+// radius of its end.
+std::optional<std::size_t> find_foot(std::vector<Bump> const& bumps, std::span<Vec2 const> outline,
+                                     std::span<Vec2 const> trunk, std::size_t first_inside)
+{
+    if (first_inside == 0)
+        return std::nullopt;
+    auto const n = outline.size();
+    for (std::size_t m = 0; m < bumps.size(); ++m)
+        for (std::size_t i = bumps[m].arc.first; i != bumps[m].arc.last; i = (i + 1) % n) {
+            if (!do_cross(trunk[first_inside - 1], trunk[first_inside], outline[i],
+                          outline[(i + 1) % n]))
+                continue;
+            double least = bumps[m].radius;
+            for (std::size_t k = 1; k < trunk.size(); ++k)
+                least = std::min(least, distance_to_segment(bumps[m].end, trunk[k - 1], trunk[k]));
+            return least < bumps[m].radius ? std::optional(m) : std::nullopt;
+        }
+    return std::nullopt;
+}
+
+// How near a bump is to being the apex: below 1 around the trunk's end, or straight ahead of it.
+double closeness(Bump const& bump, Vec2 const& end, Vec2 const& ahead)
+{
+    Vec2 const way = bump.end - end;
+    double const cosine = way.dot(ahead) / std::max(way.norm(), 1e-30);
+    double const off_deg = degrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
+    return std::min(way.norm() / bump.radius, off_deg / kAhead_deg);
+}
+
+// Where a ray meets the outline first, as a distance.
+std::optional<double> way_out(std::span<Vec2 const> outline, Vec2 const& from, Vec2 const& ahead)
+{
+    std::optional<double> least;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        Vec2 const edge = outline[(i + 1) % outline.size()] - outline[i];
+        Vec2 const to = outline[i] - from;
+        double const across = cross(ahead, edge);
+        double const far = cross(to, edge) / across;
+        double const along = cross(to, ahead) / across;
+        if (across != 0 && far > 0 && along >= 0 && along <= 1 && (!least || far < *least))
+            least = far;
+    }
+    return least;
+}
+
+// Whether an outline without junctions is about as wide as it is long: which way it is longest
+// says nothing then.
+bool is_round(std::vector<Bump> const& bumps, std::span<Vec2 const> outline)
+{
+    constexpr double kRound = 1.15;
+    if (bumps.size() != 2 || bumps[0].strength > 0 || bumps[1].strength > 0)
+        return false;
+    Vec2 const along = direction_of(bumps[1].end - bumps[0].end);
+    std::vector<Vec2> turned_points;
+    for (auto const& point : outline)
+        turned_points.emplace_back(point.dot(along), cross(along, point));
+    Vec2 const size = box_of(turned_points).high - box_of(turned_points).low;
+    return size.x() < kRound * size.y();
+}
+
+} // namespace
+
+std::optional<Run> inside_run(std::span<Vec2 const> outline, std::span<Vec2 const> trunk)
+{
+    std::optional<Run> longest;
+    std::optional<std::size_t> start;
+    for (std::size_t k = 0; k <= trunk.size(); ++k) {
+        bool const inside = k < trunk.size() && is_inside(outline, trunk[k]);
+        if (inside && !start)
+            start = k;
+        if (inside || !start)
+            continue;
+        if (!longest || k - 1 - *start > longest->last - longest->first)
+            longest = Run { *start, k - 1 };
+        start.reset();
+    }
+    return longest;
+}
+
+std::optional<Vec2> set_roles(std::vector<Bump>& bumps, std::span<Vec2 const> outline,
+                              std::span<Vec2 const> trunk, Run const& run)
+{
+    for (auto& bump : bumps)
+        bump.role = Role::Lateral;
+    auto const foot = find_foot(bumps, outline, trunk, run.first);
+    if (foot)
+        bumps[*foot].role = Role::Foot;
+    Vec2 const end = trunk[run.last];
+    auto const eighth = trunk.size() / 8;
+    auto const before = std::max(run.first, run.last > eighth ? run.last - eighth : 0);
+    Vec2 const ahead = direction_of(end - trunk[before]);
+    if (is_round(bumps, outline)) {
+        bool const second = (bumps[1].end - bumps[0].end).dot(ahead) > 0;
+        bumps[second ? 1 : 0].role = Role::Apex;
+        bumps[second ? 0 : 1].role = Role::Foot;
+        return std::nullopt;
+    }
+    std::vector<std::pair<double, std::size_t>> near;
+    for (std::size_t m = 0; m < bumps.size(); ++m)
+        if (m != foot)
+            near.emplace_back(closeness(bumps[m], end, ahead), m);
+    std::sort(near.begin(), near.end());
+    bool const forks
+        = near.size() > 1 && near[0].first < 2 && near[1].first < kFork * near[0].first;
+    if (!near.empty() && near[0].first < 1 && !forks) {
+        bumps[near[0].second].role = Role::Apex;
+        return std::nullopt;
+    }
+    if (run.last + 1 != trunk.size() || forks)
+        return std::nullopt;
+    auto const far = way_out(outline, end, ahead);
+    return far ? std::optional<Vec2>(end + kOn * *far * ahead) : std::nullopt;
+}
+
+} // namespace tractus::silhouette

@@ -1,0 +1,160 @@
+#pragma once
+
+#include "engine/base/random.h"
+#include "engine/methods/silhouettes/bumps.h"
+#include "engine/methods/silhouettes/outline.h"
+#include "tests/corpus.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tractus::silhouette {
+
+inline std::vector<Vec2> upright(double low, double high)
+{
+    return { Vec2(0, low), Vec2(0, high) };
+}
+
+inline Drawing star(int spikes, double inner_mm, double outer_mm)
+{
+    Drawing drawing { { {} }, upright(-inner_mm, 0.3 * outer_mm) };
+    for (int i = 0; i < 2 * spikes; ++i) {
+        double const angle = kPi / 2 + i * kPi / spikes;
+        drawing.outline[0].push_back((i % 2 == 0 ? outer_mm : inner_mm)
+                                     * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    return drawing;
+}
+
+inline Drawing ellipse(double half_width_mm, double half_height_mm)
+{
+    Drawing drawing { { {} }, upright(-1.2 * half_height_mm, 0.7 * half_height_mm) };
+    for (int i = 0; i < 200; ++i)
+        drawing.outline[0].emplace_back(half_width_mm * std::cos(i * kPi / 100),
+                                        half_height_mm * std::sin(i * kPi / 100));
+    return drawing;
+}
+
+// (x, y, radius) of discs that all overlap around the origin: their outline as rays from it meet
+// it.
+inline std::vector<Vec2> union_of_discs(std::vector<Vec3> const& discs, int points)
+{
+    std::vector<Vec2> outline;
+    for (int i = 0; i < points; ++i) {
+        double const angle = -kPi / 2 + 2 * kPi * i / points;
+        Vec2 const ray(std::cos(angle), std::sin(angle));
+        double far = 0;
+        for (auto const& disc : discs) {
+            double const along = ray.dot(disc.head<2>());
+            double const square
+                = along * along - disc.head<2>().squaredNorm() + disc.z() * disc.z();
+            if (square >= 0)
+                far = std::max(far, along + std::sqrt(square));
+        }
+        outline.emplace_back(far * ray);
+    }
+    return outline;
+}
+
+// A crown with lobes from its right over its top to its left, on a smooth bottom.
+inline Drawing lobed_crown(int lobes, double first_deg = -25, double last_deg = 205)
+{
+    std::vector<Vec3> discs { Vec3(0, 0, 60) };
+    double const step_deg = (last_deg - first_deg) / std::max(lobes - 1, 1);
+    double const radius = std::min(1.12 * 62 * std::sin(radians(step_deg) / 2), 45.0);
+    for (int i = 0; i < lobes; ++i) {
+        double const angle = radians(first_deg + i * step_deg);
+        discs.emplace_back(62 * std::cos(angle), 62 * std::sin(angle), radius);
+    }
+    return { { union_of_discs(discs, 720) }, upright(-90, 50) };
+}
+
+// A closed line through random places, which crosses itself.
+inline Drawing scribble(std::uint32_t number)
+{
+    Random random({ 20, 1, number });
+    Drawing drawing { { {} }, {} };
+    auto const corners = 8 + random.next_u32() % 24;
+    for (std::uint32_t i = 0; i < corners; ++i)
+        drawing.outline[0].emplace_back(random.uniform(0, 100), random.uniform(0, 100));
+    drawing.outline[0].push_back(drawing.outline[0].front());
+    return drawing;
+}
+
+inline Drawing moved(Drawing drawing, Similarity const& way)
+{
+    for (auto& stroke : drawing.outline)
+        stroke = way.points(stroke);
+    drawing.trunk = way.points(drawing.trunk);
+    return drawing;
+}
+
+inline CleanDrawing cleaned(Drawing const& drawing, OutlineOptions const& options = {})
+{
+    auto result = clean_drawing(drawing, options);
+    EXPECT_TRUE(result) << result.error().message;
+    return result ? *result : *clean_drawing(ellipse(50, 50));
+}
+
+inline std::string refusal(Drawing const& drawing)
+{
+    auto const result = clean_drawing(drawing);
+    return result ? "it is taken" : result.error().message;
+}
+
+// An outline of the corpus.
+struct Published {
+    std::string name;
+    Drawing drawing;
+    nlohmann::json expected;
+};
+
+inline Vec2 point_in(nlohmann::json const& point)
+{
+    return { point[0].get<double>(), point[1].get<double>() };
+}
+
+inline std::vector<Vec2> points_in(nlohmann::json const& list)
+{
+    std::vector<Vec2> points;
+    for (auto const& point : list)
+        points.push_back(point_in(point));
+    return points;
+}
+
+inline std::vector<Published> published_outlines()
+{
+    std::vector<Published> result;
+    for (auto const& entry : std::filesystem::directory_iterator(corpus() / "silhouettes")) {
+        if (entry.path().extension() != ".json" || entry.path().stem() == "arrangement")
+            continue;
+        std::ifstream stream(entry.path());
+        auto const file = nlohmann::json::parse(stream);
+        result.push_back({ entry.path().stem().string(),
+                           { { points_in(file["outline"]) }, points_in(file["trunk"]) },
+                           file["expected"] });
+    }
+    std::sort(result.begin(), result.end(),
+              [](Published const& a, Published const& b) { return a.name < b.name; });
+    EXPECT_EQ(result.size(), 11U);
+    return result;
+}
+
+// The bumps of a drawing, in its frame.
+inline std::vector<Bump> bumps_of(CleanDrawing const& clean)
+{
+    auto bumps = find_bumps(ChordalAxis(clean.outline));
+    if (auto const run = inside_run(clean.outline, clean.trunk))
+        set_roles(bumps, clean.outline, clean.trunk, *run);
+    return bumps;
+}
+
+} // namespace tractus::silhouette
