@@ -1,0 +1,180 @@
+#include "engine/methods/silhouettes/arrangement.h"
+
+#include "engine/base/vectors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tractus::silhouette {
+
+namespace {
+
+constexpr double kClosenessWeight = 2; // Wither 2009: w1 and w2.
+constexpr double kMisfitWeight = 1;
+
+struct Law {
+    Pattern pattern;
+    char const* name;
+    int whorl;       // Branches at a node; 0: no pattern.
+    double turn_deg; // From a node to the next.
+};
+
+constexpr std::array<Law, 6> kLaws { { { Pattern::Even, "even", 0, 0 },
+                                       { Pattern::Spiral, "spiral", 1, 144 },
+                                       { Pattern::Decussate, "decussate", 2, 90 },
+                                       { Pattern::Whorls, "whorls", 3, 60 },
+                                       { Pattern::TwoRows, "two-rows", 1, 180 },
+                                       { Pattern::Horizontal, "horizontal", 2, 0 } } };
+
+Law const& law_of(Pattern pattern)
+{
+    return *std::find_if(kLaws.begin(), kLaws.end(),
+                         [&](Law const& law) { return law.pattern == pattern; });
+}
+
+// The shorter way around.
+double wrapped(double difference)
+{
+    return difference - std::round(difference);
+}
+
+double full_turn(double angle_deg)
+{
+    double const rest = std::fmod(angle_deg, 360);
+    return rest < 0 ? std::fmod(rest + 360, 360) : rest;
+}
+
+class Spreader {
+public:
+    Spreader(std::vector<DrawnPlace> const& drawn, ArrangementOptions const& options,
+             RandomKey const& key)
+        : drawn_(drawn)
+        , options_(options)
+        , random_(key)
+        , count_(std::max(options.count, drawn.size()))
+        , alpha_(options.alpha.value_or(2.0 * static_cast<double>(count_)))
+        , node_(node_distance(options.pattern, count_))
+    {
+        for (std::size_t i = 0; i < count_; ++i)
+            places_.push_back(proposal(i));
+    }
+
+    Arrangement run()
+    {
+        Arrangement result;
+        for (std::size_t i = 0; i < count_; ++i)
+            result.cost_before += cost(i, places_[i]) / 2;
+        result.cost_after = result.cost_before;
+        for (int p = 0; p < options_.proposals && count_ > 1; ++p) {
+            auto const i = static_cast<std::size_t>(random_.next_u64() % count_);
+            auto const other = proposal(i);
+            double const change = cost(i, other) - cost(i, places_[i]);
+            if (change >= 0)
+                continue;
+            places_[i] = other;
+            result.cost_after += change;
+            ++result.accepted;
+        }
+        if (options_.nodes == ArrangementOptions::Nodes::Snap && law_of(options_.pattern).whorl > 0)
+            snap();
+        result.places = std::move(places_);
+        return result;
+    }
+
+private:
+    Place proposal(std::size_t i)
+    {
+        if (i >= drawn_.size())
+            return { random_.uniform(options_.first_u, 1), added_theta() };
+        auto const& drawn = drawn_[i];
+        double const most = options_.pattern == Pattern::Horizontal ? 0 : drawn.most_off_deg;
+        return { drawn.u, full_turn(drawn.theta_deg + random_.uniform(-most, most)) };
+    }
+
+    // Pairs that lie flat have two places to be in.
+    double added_theta()
+    {
+        double const theta_deg = random_.uniform(0, 360);
+        return options_.pattern == Pattern::Horizontal ? (theta_deg < 180 ? 0 : 180) : theta_deg;
+    }
+
+    double cost(std::size_t i, Place const& place) const
+    {
+        double closeness = 0;
+        double misfits = 0;
+        for (std::size_t j = 0; j < count_; ++j) {
+            if (j == i)
+                continue;
+            double const x = wrapped(place.u - places_[j].u);
+            double const y = wrapped((place.theta_deg - places_[j].theta_deg) / 360);
+            closeness += 1 / (1 + alpha_ * (x * x + y * y));
+            if (options_.pattern != Pattern::Even)
+                misfits += misfit(options_.pattern, node_, place, places_[j]);
+        }
+        return options_.pattern == Pattern::Even
+            ? closeness
+            : kClosenessWeight * closeness + kMisfitWeight * misfits;
+    }
+
+    void snap()
+    {
+        for (std::size_t i = drawn_.size(); i < count_; ++i) {
+            double const middle = (std::floor(places_[i].u / node_) + 0.5) * node_;
+            places_[i].u = std::clamp(middle, options_.first_u, 1.0);
+        }
+    }
+
+    std::vector<DrawnPlace> const& drawn_;
+    ArrangementOptions const& options_;
+    Random random_;
+    std::size_t count_;
+    double alpha_;
+    double node_;
+    std::vector<Place> places_;
+};
+
+} // namespace
+
+std::optional<Pattern> pattern_of(std::string_view word)
+{
+    for (auto const& law : kLaws)
+        if (word == law.name)
+            return law.pattern;
+    return std::nullopt;
+}
+
+char const* name_of(Pattern pattern)
+{
+    return law_of(pattern).name;
+}
+
+double node_distance(Pattern pattern, std::size_t count)
+{
+    int const whorl = std::max(1, law_of(pattern).whorl);
+    return whorl / static_cast<double>(std::max<std::size_t>(count, 1));
+}
+
+double misfit(Pattern pattern, double node, Place const& a, Place const& b)
+{
+    auto const& law = law_of(pattern);
+    if (law.whorl == 0)
+        return 0;
+    auto const& lower = a.u <= b.u ? a : b;
+    auto const& upper = a.u <= b.u ? b : a;
+    // Nodes between the two are rounded: the paper's floor puts a perfect pattern on its jumps.
+    double const nodes = std::round((upper.u - lower.u) / node);
+    double const period_deg = 360.0 / law.whorl;
+    double rest = std::fmod(upper.theta_deg - lower.theta_deg - nodes * law.turn_deg, period_deg);
+    if (rest < 0)
+        rest += period_deg;
+    return std::min(rest, period_deg - rest) / period_deg;
+}
+
+Arrangement arrange(std::vector<DrawnPlace> const& drawn, ArrangementOptions const& options,
+                    RandomKey const& key)
+{
+    return Spreader(drawn, options, key).run();
+}
+
+} // namespace tractus::silhouette

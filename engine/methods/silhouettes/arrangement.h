@@ -1,0 +1,72 @@
+#pragma once
+
+#include "engine/base/random.h"
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace tractus::silhouette {
+
+// How branches stand around their bearer.
+enum class Pattern {
+    Even,      // As far from each other as they can be.
+    Spiral,    // One at a node, 144 degrees on from the one below.
+    Decussate, // Opposite pairs, each across the one below.
+    Whorls,    // Three at a node, in the gaps of those below.
+    TwoRows,   // One at a node, left and right in turn.
+    Horizontal // Opposite pairs, all in the plane that was drawn in.
+};
+
+// "even", "spiral", "decussate", "whorls", "two-rows", "horizontal"; no value for other words.
+std::optional<Pattern> pattern_of(std::string_view word);
+char const* name_of(Pattern pattern);
+
+// A place on the unrolled bearer: u from 0, its base, to 1; theta from 0 to below 360, 0 to the
+// right and 180 to the left of the plane that was drawn in.
+struct Place {
+    double u = 0;
+    double theta_deg = 0;
+};
+
+// A branch that was drawn keeps its u, and its theta stays near its side of the plane.
+struct DrawnPlace {
+    double u = 0;
+    double theta_deg = 0; // 0 or 180.
+    double most_off_deg = 45;
+};
+
+struct ArrangementOptions {
+    Pattern pattern = Pattern::Even;
+    std::size_t count = 0; // Of all branches; those drawn at least.
+    // Branches that are added stand from here on to the tip.
+    double first_u = 0;
+    // How fast closeness falls with distance; no value: 2 for each branch. The paper: 20.
+    std::optional<double> alpha {};
+    int proposals = 3000;
+    // Whether what is added moves to the nearest node of a pattern in the end.
+    enum class Nodes { Snap, Free } nodes = Nodes::Snap;
+};
+
+// What the search found.
+struct Arrangement {
+    std::vector<Place> places; // The drawn ones first, in their order.
+    double cost_before = 0;
+    double cost_after = 0; // Never more; both before snapping.
+    int accepted = 0;      // Proposals.
+};
+
+// Spreads branches around their bearer: a random one is offered a random place in its domain, and
+// takes it if the sum over all pairs falls (depletion and replacement, Wither 2009 after Ripley).
+// Pairs that are near cost, and those that do not fit the pattern. `key` names the random numbers.
+Arrangement arrange(std::vector<DrawnPlace> const& drawn, ArrangementOptions const& options,
+                    RandomKey const& key);
+
+// How little a pair fits a pattern whose nodes are `node` apart in u: 0 where it does, 1/2 at most.
+double misfit(Pattern pattern, double node, Place const& a, Place const& b);
+
+// How far a node is from the next, in u, of that many branches.
+double node_distance(Pattern pattern, std::size_t count);
+
+} // namespace tractus::silhouette

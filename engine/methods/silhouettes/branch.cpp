@@ -1,0 +1,206 @@
+#include "engine/methods/silhouettes/branch.h"
+
+#include "engine/base/check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+constexpr std::array kTangentShares { 0.5, 1.0, 1.5, 2.0 };
+constexpr double kMostOutside = 0.01; // Of the outline's diagonal.
+constexpr std::size_t kChords = 16;
+constexpr double kSameSample = 0.05; // Of t: a later angle replaces an earlier one.
+
+double curve_length(Cubic const& curve)
+{
+    double length = 0;
+    Vec2 before = curve.base;
+    for (std::size_t i = 1; i <= kChords; ++i) {
+        Vec2 const point = curve.at(static_cast<double>(i) / kChords);
+        length += (point - before).norm();
+        before = point;
+    }
+    return length;
+}
+
+Vec2 direction_at(std::span<Vec2 const> trunk, std::size_t sample)
+{
+    auto const next = std::min(sample + 1, trunk.size() - 1);
+    return direction_of(trunk[next] - trunk[sample > 0 ? sample - 1 : 0]);
+}
+
+// Bases from the nearest to the end on: a branch is never shorter than the straight way.
+std::vector<std::pair<double, std::size_t>> bases_by_distance(BranchSearch const& search,
+                                                              Vec2 const& end)
+{
+    std::vector<std::pair<double, std::size_t>> bases;
+    for (auto k = search.bases.first; k <= search.bases.last; ++k)
+        bases.emplace_back((search.trunk[k] - end).norm(), k);
+    std::sort(bases.begin(), bases.end());
+    return bases;
+}
+
+} // namespace
+
+BranchingAngles::BranchingAngles()
+    : samples_ { { 0, 80 }, { 1, 35 } }
+{
+}
+
+BranchingAngles::BranchingAngles(std::vector<Sample> samples)
+    : samples_(std::move(samples))
+{
+    CHECK(!samples_.empty());
+    std::sort(samples_.begin(), samples_.end(),
+              [](Sample const& a, Sample const& b) { return a.t < b.t; });
+}
+
+double BranchingAngles::at_deg(double t) const
+{
+    if (t <= samples_.front().t)
+        return samples_.front().angle_deg;
+    for (std::size_t i = 1; i < samples_.size(); ++i) {
+        auto const& a = samples_[i - 1];
+        auto const& b = samples_[i];
+        if (t <= b.t)
+            return a.angle_deg + (b.angle_deg - a.angle_deg) * (t - a.t) / (b.t - a.t);
+    }
+    return samples_.back().angle_deg;
+}
+
+void BranchingAngles::learn(Sample const& sample)
+{
+    std::erase_if(samples_,
+                  [&](Sample const& other) { return std::fabs(other.t - sample.t) < kSameSample; });
+    auto const after = std::find_if(samples_.begin(), samples_.end(),
+                                    [&](Sample const& other) { return other.t > sample.t; });
+    samples_.insert(after, sample);
+}
+
+BranchCurve branch_from(BranchSearch const& search, std::size_t sample, BranchEnd const& to,
+                        double share)
+{
+    auto const& base = search.trunk[sample];
+    Vec2 const along = direction_at(search.trunk, sample);
+    BranchCurve branch;
+    branch.trunk_sample = sample;
+    branch.t = static_cast<double>(sample) / static_cast<double>(search.trunk.size() - 1);
+    branch.side = cross(along, to.end - base) > 0 ? Side::Left : Side::Right;
+    branch.tangent_share = share;
+    double const reach = share * (to.end - base).norm();
+    Vec2 const start
+        = turned(along, sign_of(branch.side) * radians(search.angles.at_deg(branch.t)));
+    branch.curve = { base, to.end, reach * start, reach * to.tangent };
+    branch.length = curve_length(branch.curve);
+    return branch;
+}
+
+BranchCurve infer_branch(BranchSearch const& search, BranchEnd const& to)
+{
+    double const limit
+        = search.outline.empty() ? 0 : kMostOutside * box_of(search.outline).diagonal();
+    auto const bases = bases_by_distance(search, to.end);
+    std::optional<BranchCurve> least;
+    for (double const share : kTangentShares) {
+        std::optional<BranchCurve> shortest;
+        for (auto const& [distance, sample] : bases) {
+            if (shortest && distance > shortest->length)
+                break;
+            auto branch = branch_from(search, sample, to, share);
+            if (shortest && branch.length >= shortest->length - 1e-9)
+                continue;
+            if (!search.outline.empty())
+                branch.outside = excursion(search.outline, branch.curve.points(kChords + 1));
+            if (branch.outside <= limit)
+                shortest = branch;
+            else if (!least || branch.outside < least->outside - 1e-9)
+                least = branch;
+        }
+        if (shortest)
+            return *shortest;
+    }
+    return *least;
+}
+
+double cone_angle_deg(double radius, double distance)
+{
+    constexpr double kNarrowest_deg = 20;
+    constexpr double kWidest_deg = 110;
+    double const share = distance > 0 ? std::clamp(radius / distance, 0.0, 1.0) : 1;
+    return kNarrowest_deg + (kWidest_deg - kNarrowest_deg) * share;
+}
+
+namespace {
+
+std::vector<Vec2> points_of(std::span<Vec2 const> outline, Arc const& arc)
+{
+    std::vector<Vec2> points { outline[arc.first] };
+    for (auto i = arc.first; i != arc.last;) {
+        i = static_cast<std::uint32_t>((i + 1) % outline.size());
+        points.push_back(outline[i]);
+    }
+    return points;
+}
+
+// The part of a bump's arc that is in the cone around the tip, at least its neighbours.
+std::vector<Vec2> shared_with(std::span<Vec2 const> outline, Bump const& bump, Cubic const& branch,
+                              double cone_deg)
+{
+    auto const arc = points_of(outline, bump.arc);
+    Vec2 const axis = direction_of(branch.end - branch.base);
+    double const least = std::cos(radians(cone_deg / 2));
+    auto const is_in_cone = [&](Vec2 const& point) {
+        return (point - branch.base).dot(axis) >= least * (point - branch.base).norm();
+    };
+    auto const nearest
+        = std::min_element(arc.begin(), arc.end(), [&](auto const& a, auto const& b) {
+              return (a - bump.tip).squaredNorm() < (b - bump.tip).squaredNorm();
+          });
+    auto const tip = static_cast<std::size_t>(nearest - arc.begin());
+    auto low = tip;
+    auto high = tip;
+    while (low > 0 && is_in_cone(arc[low - 1]))
+        --low;
+    while (high + 1 < arc.size() && is_in_cone(arc[high + 1]))
+        ++high;
+    low = std::min(low, tip > 0 ? tip - 1 : 0);
+    high = std::max(high, std::min(tip + 1, arc.size() - 1));
+    return { arc.begin() + static_cast<std::ptrdiff_t>(low),
+             arc.begin() + static_cast<std::ptrdiff_t>(high) + 1 };
+}
+
+} // namespace
+
+std::vector<Vec2> crown_of(std::span<Vec2 const> outline, Bump const& bump, Cubic const& branch)
+{
+    constexpr double kWidestStart_deg = 80;
+    constexpr std::size_t kPoints = 9;
+    double const cone_deg = cone_angle_deg(bump.radius, (branch.end - branch.base).norm());
+    auto const shared = shared_with(outline, bump, branch, cone_deg);
+    Vec2 const start = direction_of(branch.at(1.0 / kChords) - branch.base);
+    double const open = radians(std::min(cone_deg / 2, kWidestStart_deg));
+    auto const& first = shared.front();
+    auto const& last = shared.back();
+    double const reach_first = (first - branch.base).norm() / 2;
+    double const reach_last = (last - branch.base).norm() / 2;
+    Cubic const up { branch.base, first, reach_first * turned(start, -open),
+                     reach_first * direction_of(shared[1] - first) };
+    Cubic const down { last, branch.base,
+                       reach_last * direction_of(last - shared[shared.size() - 2]),
+                       -reach_last * turned(start, open) };
+    auto crown = up.points(kPoints);
+    crown.pop_back();
+    crown.insert(crown.end(), shared.begin(), shared.end());
+    auto const back = down.points(kPoints);
+    crown.insert(crown.end(), back.begin() + 1, back.end() - 1);
+    return crown;
+}
+
+} // namespace tractus::silhouette

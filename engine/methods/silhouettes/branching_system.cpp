@@ -1,0 +1,183 @@
+#include "engine/methods/silhouettes/branching_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+// The apex, if it lies within 60 degrees ahead of the trunk's end.
+std::optional<Vec2> apex_ahead(BranchingSystem const& system)
+{
+    if (system.inside.last + 1 != system.trunk.size())
+        return std::nullopt;
+    auto const& trunk = system.trunk;
+    Vec2 const ahead = direction_of(trunk.back() - trunk[trunk.size() - 1 - trunk.size() / 8]);
+    for (auto const& bump : system.bumps)
+        if (bump.role == Role::Apex
+            && (bump.end - trunk.back()).dot(ahead) > 0.5 * (bump.end - trunk.back()).norm())
+            return bump.end;
+    return std::nullopt;
+}
+
+// What the trunk covers around its apex: the bump that rises there.
+std::vector<Vec2> apex_crown(BranchingSystem const& system)
+{
+    std::vector<Vec2> crown;
+    for (auto const& bump : system.bumps) {
+        if (bump.role != Role::Apex || !(bump.strength > 0))
+            continue;
+        auto const n = static_cast<std::uint32_t>(system.outline.size());
+        for (auto i = bump.arc.first;; i = (i + 1) % n) {
+            crown.push_back(system.outline[i]);
+            if (i == bump.arc.last)
+                break;
+        }
+    }
+    return crown;
+}
+
+void infer_branches(BranchingSystem& system, BranchingAngles const& angles)
+{
+    BranchSearch const search {
+        .trunk = system.trunk, .bases = system.inside, .outline = system.outline, .angles = angles
+    };
+    for (std::size_t i = 0; i < system.bumps.size(); ++i) {
+        auto const& bump = system.bumps[i];
+        if (bump.role != Role::Lateral)
+            continue;
+        Branch branch;
+        branch.number = i;
+        branch.path = infer_branch(search, { .end = bump.end, .tangent = bump.tangent });
+        auto const& curve = branch.path.curve;
+        branch.crown = crown_of(system.outline, bump, curve);
+        branch.cone_deg = cone_angle_deg(bump.radius, (curve.end - curve.base).norm());
+        system.branches.push_back(std::move(branch));
+    }
+}
+
+void add_branches(BranchingSystem& system, std::optional<Vec2> const& goes_on,
+                  InferenceOptions const& options)
+{
+    auto const apex = apex_crown(system);
+    auto filled = fill_crown({ .outline = system.outline,
+                               .trunk = system.trunk,
+                               .run = system.inside,
+                               .goes_on = goes_on,
+                               .angles = options.angles,
+                               .branches = system.branches,
+                               .apex = apex },
+                             options.fill);
+    system.coverage_before = filled.coverage_before;
+    system.coverage_after = filled.coverage_after;
+    double farthest = 0;
+    for (auto& branch : filled.added) {
+        double const far = (branch.path.curve.base - system.trunk.back()).norm();
+        if (branch.is_beyond && far > farthest) {
+            farthest = far;
+            system.trunk_goes_on_to = branch.path.curve.base;
+        }
+        system.branches.push_back(std::move(branch));
+    }
+}
+
+// Straight on into the bump ahead, most of the way to its tip.
+void add_apex(BranchingSystem& system)
+{
+    auto crown = apex_crown(system);
+    if (crown.size() < 3 || !system.trunk_goes_on_to)
+        return;
+    for (std::size_t i = 0; i < system.bumps.size(); ++i) {
+        if (system.bumps[i].role != Role::Apex)
+            continue;
+        Vec2 const base = system.trunk.back();
+        Vec2 const end = 0.5 * (system.bumps[i].end + system.bumps[i].tip);
+        Branch branch { .origin = Branch::Origin::Apex, .number = i, .crown = std::move(crown) };
+        branch.path = { .curve = { base, end, end - base, end - base },
+                        .trunk_sample = system.trunk.size() - 1,
+                        .t = 1,
+                        .length = (end - base).norm(),
+                        .side = Side::Right };
+        system.branches.push_back(std::move(branch));
+        return;
+    }
+}
+
+void move_to_sheet(Branch& branch, Similarity const& way)
+{
+    branch.crown = way.points(branch.crown);
+    branch.path.curve = way.cubic(branch.path.curve);
+    branch.path.length *= way.turn.norm();
+    branch.path.outside *= way.turn.norm();
+    // What takes the model's millimetres to the copy's: turned and scaled alike. A mirrored copy's
+    // turn is against the frame's own on both sides.
+    auto& copy = branch.from_model;
+    copy.from = way.point(copy.from);
+    copy.to = way.point(copy.to);
+    if (copy.mirrors) {
+        Vec2 const unit = way.turn / way.turn.norm();
+        Vec2 const twice(unit.x() * unit.x() - unit.y() * unit.y(), 2 * unit.x() * unit.y());
+        copy.turn = Vec2(twice.x() * copy.turn.x() - twice.y() * copy.turn.y(),
+                         twice.x() * copy.turn.y() + twice.y() * copy.turn.x());
+    }
+}
+
+void move_to_sheet(BranchingSystem& system, Similarity const& way)
+{
+    double const unit = way.turn.norm();
+    system.outline = way.points(system.outline);
+    system.trunk = way.points(system.trunk);
+    if (system.trunk_goes_on_to)
+        system.trunk_goes_on_to = way.point(*system.trunk_goes_on_to);
+    for (auto& bump : system.bumps) {
+        bump.end = way.point(bump.end);
+        bump.tangent = way.vector(bump.tangent) / unit;
+        bump.tip = way.point(bump.tip);
+        bump.radius *= unit;
+    }
+    for (auto& branch : system.branches)
+        move_to_sheet(branch, way);
+}
+
+} // namespace
+
+std::vector<Vec2> BranchingSystem::whole_trunk() const
+{
+    auto whole = trunk;
+    if (!trunk_goes_on_to || has_apex_branch())
+        return whole;
+    double const step = length_of(trunk) / static_cast<double>(trunk.size() - 1);
+    Vec2 const way = *trunk_goes_on_to - trunk.back();
+    auto const more = std::max<long>(1, std::lround(way.norm() / step));
+    for (long i = 1; i <= more; ++i)
+        whole.emplace_back(trunk.back() + way * static_cast<double>(i) / static_cast<double>(more));
+    return whole;
+}
+
+Result<BranchingSystem> infer_system(Drawing const& drawing, InferenceOptions const& options)
+{
+    auto clean = TRY(clean_drawing(drawing, options.outline));
+    BranchingSystem system;
+    ChordalAxis const axis(std::move(clean.outline));
+    system.outline = axis.outline();
+    system.trunk = std::move(clean.trunk);
+    system.notes = std::move(clean.notes);
+    system.triangles = axis.counts();
+    auto const run = inside_run(system.outline, system.trunk);
+    if (!run)
+        return fail(Fault::User,
+                    "the trunk is wholly outside of the outline: draw it into the crown");
+    system.inside = *run;
+    system.bumps = find_bumps(axis, options.bumps);
+    auto const goes_on = set_roles(system.bumps, system.outline, system.trunk, *run);
+    system.trunk_goes_on_to = apex_ahead(system);
+    infer_branches(system, options.angles);
+    add_branches(system, goes_on, options);
+    add_apex(system);
+    move_to_sheet(system, clean.to_sheet);
+    return system;
+}
+
+} // namespace tractus::silhouette

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/methods/silhouettes/fill.h"
+#include "engine/methods/silhouettes/outline.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tractus::silhouette {
+
+struct InferenceOptions {
+    OutlineOptions outline {};
+    BumpThresholds bumps {};
+    FillOptions fill {};
+    BranchingAngles angles {};
+};
+
+// A trunk, a silhouette around it, and the branches that follow from them, millimetres in the plane
+// of the drawing.
+struct BranchingSystem {
+    std::vector<Vec2> outline; // In equal steps, counter-clockwise.
+    std::vector<Vec2> trunk;   // 64 samples, base first,
+    // and where it is extended to: its apex, or as far as branches stand ahead of it.
+    std::optional<Vec2> trunk_goes_on_to;
+    Run inside; // The samples that may bear branches.
+    ChordalAxis::Counts triangles;
+    std::vector<Bump> bumps;
+    std::vector<Branch> branches; // One for each lateral bump, in their order, then those added.
+    double coverage_before = 0;   // Shares of the outline's inside that crowns cover, with the
+    double coverage_after = 0;    // branches of bumps alone, and with all.
+    std::vector<std::string> notes;
+
+    // The trunk with what it is extended by, in equal steps or nearly so. Without what a branch of
+    // its own continues it by: its apex.
+    std::vector<Vec2> whole_trunk() const;
+    bool has_apex_branch() const
+    {
+        return !branches.empty() && branches.back().origin == Branch::Origin::Apex;
+    }
+};
+
+// Infers the branches of a drawing. Fails like clean_drawing(), and, as the user's fault, where the
+// trunk is wholly outside of the outline.
+Result<BranchingSystem> infer_system(Drawing const& drawing, InferenceOptions const& options = {});
+
+} // namespace tractus::silhouette

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "engine/methods/silhouettes/branch.h"
+#include "engine/methods/silhouettes/coverage_grid.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tractus::silhouette {
+
+// A branch of a branching system, with the crown that its own branches fill.
+struct Branch {
+    enum class Origin {
+        Bump, // It ends in a bump of the outline.
+        Copy, // Of a sibling, where the crown was empty.
+        Gap,  // It fills what no copy could.
+        Drawn,
+        Apex, // The trunk's own end: it fills the bump that is ahead. The last of its system.
+    };
+    Origin origin = Origin::Bump;
+    // Of a bump its number, of a copy its place (twice the step, and 1 on the right), of a gap its
+    // number. With the origin it names the branch; outlines that change a little keep most names.
+    std::size_t number = 0;
+    BranchCurve path {};
+    std::vector<Vec2> crown {}; // Counter-clockwise, or mirrored clockwise.
+    double cone_deg = 0;        // Of a bump's.
+    bool is_beyond = false;     // It stands on the trunk's continuation.
+    // Of a copy: of which of the system's branches, and the way from there; no value: of none.
+    std::optional<std::size_t> model {};
+    Similarity from_model {};
+};
+
+struct FillOptions {
+    int steps = 24;                 // Places along the trunk's run inside, on both sides.
+    double first_step = 0.08;       // A share of the run, below which nothing is added.
+    std::size_t most_branches = 60; // Of the system, those that are there among them.
+    double least_copy = 0.012;      // Of a copy's area, as a share of the outline's.
+    double enough = 0.95;           // Of the outline covered: gaps are left then.
+    double least_gap = 0.012; // Radius of a gap, as a share of the root of the outline's area.
+};
+
+// The crown before it is filled.
+struct CrownToFill {
+    std::span<Vec2 const> outline;
+    std::span<Vec2 const> trunk; // Its samples.
+    Run run;                     // Those inside.
+    std::optional<Vec2> goes_on; // The end of the trunk's continuation (set_roles()).
+    BranchingAngles const& angles;
+    std::span<Branch const> branches; // Those that are there: copies are made of them.
+    // What the trunk itself covers around its apex; none: nothing.
+    std::span<Vec2 const> apex {};
+};
+
+struct FilledCrown {
+    std::vector<Branch> added;
+    double coverage_before = 0; // Shares of the outline's inside that crowns cover.
+    double coverage_after = 0;
+};
+
+// Adds branches where the crown is empty. From the base to the top on both sides a copy of the
+// nearest sibling, turned to the branching angle there and as large as stays inside the outline; if
+// more than a fifth of it is covered already, smaller ones are tried (Wither 2009, and sizes). Then
+// a branch into the widest gap, again and again, with as much of the gap around its end as is free.
+FilledCrown fill_crown(CrownToFill const& crown, FillOptions const& options = {});
+
+} // namespace tractus::silhouette

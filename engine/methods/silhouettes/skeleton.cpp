@@ -1,0 +1,98 @@
+#include "engine/methods/silhouettes/skeleton.h"
+
+#include "engine/base/parallel.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+// A branch whose crown is to be looked into.
+struct Wanted {
+    std::size_t system = 0;
+    std::size_t branch = 0;
+};
+
+// Gives the branches from `first_system` on systems of their own. What cannot be inferred bears
+// nothing.
+void infer_level(Skeleton& skeleton, std::size_t first_system, InferenceOptions const& options)
+{
+    std::vector<Wanted> wanted;
+    for (auto s = first_system; s < skeleton.systems.size(); ++s)
+        for (std::size_t b = 0; b < skeleton.systems[s].branches.size(); ++b)
+            if (!skeleton.systems[s].branches[b].model)
+                wanted.push_back({ s, b });
+    std::vector<std::optional<BranchingSystem>> made(wanted.size());
+    parallel_for(wanted.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (auto i = begin; i < end; ++i) {
+            auto const& branch = skeleton.systems[wanted[i].system].branches[wanted[i].branch];
+            Drawing const crown { { branch.crown }, branch.path.curve.points(17) };
+            if (auto system = infer_system(crown, options))
+                made[i] = *std::move(system);
+        }
+    });
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (!made[i] || made[i]->branches.empty())
+            continue;
+        skeleton.system_of[wanted[i].system][wanted[i].branch] = skeleton.systems.size();
+        skeleton.system_of.emplace_back(made[i]->branches.size(), kNoSystem);
+        skeleton.systems.push_back(*std::move(made[i]));
+    }
+    for (auto const& [s, b] : wanted)
+        for (std::size_t copy = 0; copy < skeleton.system_of[s].size(); ++copy)
+            if (skeleton.systems[s].branches[copy].model == b)
+                skeleton.system_of[s][copy] = skeleton.system_of[s][b];
+}
+
+} // namespace
+
+std::size_t Skeleton::branch_count() const
+{
+    std::function<std::size_t(std::size_t)> const count_in = [&](std::size_t system) {
+        std::size_t count = 0;
+        for (auto const below : system_of[system])
+            count += 1 + (below == kNoSystem ? 0 : count_in(below));
+        return count;
+    };
+    return systems.empty() ? 0 : count_in(0);
+}
+
+Result<Skeleton> infer_skeleton(Drawing const& drawing, SkeletonOptions const& options)
+{
+    Skeleton skeleton;
+    skeleton.systems.push_back(TRY(infer_system(drawing, options.tree)));
+    skeleton.system_of.emplace_back(skeleton.systems[0].branches.size(), kNoSystem);
+    auto below = options.below;
+    below.outline.least_area_mm2 = 0;
+    std::size_t first = 0;
+    for (int level = 1; level < options.levels; ++level) {
+        auto const next = skeleton.systems.size();
+        infer_level(skeleton, first, below);
+        first = next;
+    }
+    return skeleton;
+}
+
+std::string name_of(Branch const& branch)
+{
+    switch (branch.origin) {
+    case Branch::Origin::Bump:
+        return fmt::format("b{}", branch.number);
+    case Branch::Origin::Copy:
+        return fmt::format("{}{}", branch.number % 2 == 0 ? 'L' : 'R', branch.number / 2);
+    case Branch::Origin::Gap:
+        return fmt::format("g{}", branch.number);
+    case Branch::Origin::Drawn:
+        return fmt::format("d{}", branch.number);
+    case Branch::Origin::Apex:
+        break;
+    }
+    return "apex";
+}
+
+} // namespace tractus::silhouette

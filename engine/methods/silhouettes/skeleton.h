@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/methods/silhouettes/branching_system.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tractus::silhouette {
+
+constexpr std::size_t kNoSystem = ~std::size_t { 0 };
+
+// How often branches branch, and how finely that is inferred.
+struct SkeletonOptions {
+    int levels = 2; // Of branches: 1 for those of the trunk alone; 1 to 3.
+    InferenceOptions tree {};
+    // For crowns that nobody drew: fewer samples are enough.
+    InferenceOptions below { .outline = { .samples = 80, .smoothing_samples = 1 },
+                             .bumps = {},
+                             .fill = { .steps = 12, .most_branches = 16, .enough = 0.85 },
+                             .angles = {} };
+};
+
+// A tree of branching systems: the crown of each branch is the silhouette of the next one. Copies
+// of a branch share its system, which is seen through the way from the model to the copy.
+struct Skeleton {
+    std::vector<BranchingSystem> systems; // The whole tree first.
+    // Of each system's branches the system of its own branches; kNoSystem: it bears none.
+    std::vector<std::vector<std::size_t>> system_of;
+
+    // Of all levels, those of copies too.
+    std::size_t branch_count() const;
+};
+
+// Infers the whole tree of a drawing. Fails like infer_system().
+Result<Skeleton> infer_skeleton(Drawing const& drawing, SkeletonOptions const& options = {});
+
+// What a branch is called: "b4", ends in bump 4; "L7" and "R7", copies at the seventh place on the
+// left and right; "g2", fills gap 2; "d1", was drawn; "apex".
+std::string name_of(Branch const& branch);
+
+} // namespace tractus::silhouette

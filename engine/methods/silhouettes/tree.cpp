@@ -1,0 +1,531 @@
+#include "engine/methods/silhouettes/tree.h"
+
+#include "engine/methods/silhouettes/crown_surface.h"
+#include "engine/plant/pipe_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+constexpr std::uint32_t kSprayVariants = 8;
+constexpr double kLargestAdded = 1.5; // Of the branch that it is a copy of.
+constexpr double kMostTurned = 1.41;  // So much longer a branch may become as it turns away.
+constexpr double kOverSurface = 1.02; // And so far beyond the crown's surface it may go.
+
+// Shares of the tree's height: a bearer with the usual number of twigs, and twigs.
+constexpr double kBearer = 0.07;
+constexpr double kLongestSpray = 0.055;
+constexpr double kShortestSpray = 0.016;
+
+using Space = Eigen::Affine3d; // From a plane (x, y, 0) to the plant.
+
+Space in_space(Similarity const& way)
+{
+    double const flip = way.mirrors ? -1 : 1;
+    Space space = Space::Identity();
+    space.linear() << way.turn.x(), -flip * way.turn.y(), 0, way.turn.y(), flip * way.turn.x(), 0,
+        0, 0, flip * way.turn.norm();
+    Vec3 const from(way.from.x(), way.from.y(), 0);
+    space.translation() = Vec3(way.to.x(), way.to.y(), 0) - space.linear() * from;
+    return space;
+}
+
+// A line that is asked for its point and direction at a share of its length.
+class Line {
+public:
+    explicit Line(std::vector<Vec2> points)
+        : points_(std::move(points))
+        , to_(1, 0)
+    {
+        for (std::size_t i = 1; i < points_.size(); ++i)
+            to_.push_back(to_.back() + (points_[i] - points_[i - 1]).norm());
+    }
+
+    double length() const { return to_.back(); }
+
+    Vec2 at(double u) const
+    {
+        auto const i = piece(u);
+        double const width = to_[i + 1] - to_[i];
+        double const share = width > 0 ? (u * length() - to_[i]) / width : 0;
+        return points_[i] + std::clamp(share, 0.0, 1.0) * (points_[i + 1] - points_[i]);
+    }
+
+    Vec2 direction(double u) const
+    {
+        return direction_of(at(std::min(1.0, u + 0.01)) - at(std::max(0.0, u - 0.01)));
+    }
+
+    // Of the nearest of its points, about.
+    double place_of(Vec2 const& point) const
+    {
+        double best = 0;
+        double least = 1e300;
+        for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+            Vec2 const way = points_[i + 1] - points_[i];
+            double const share = std::clamp(
+                (point - points_[i]).dot(way) / std::max(way.squaredNorm(), 1e-300), 0.0, 1.0);
+            double const far = (points_[i] + share * way - point).squaredNorm();
+            if (far < least) {
+                least = far;
+                best = to_[i] + share * way.norm();
+            }
+        }
+        return length() > 0 ? best / length() : 0;
+    }
+
+    std::vector<Vec2> const& points() const { return points_; }
+
+private:
+    std::size_t piece(double u) const
+    {
+        auto const after = std::upper_bound(to_.begin(), to_.end(), u * length());
+        auto const i = after - to_.begin() - 1;
+        return static_cast<std::size_t>(
+            std::clamp<std::ptrdiff_t>(i, 0, static_cast<std::ptrdiff_t>(points_.size()) - 2));
+    }
+
+    std::vector<Vec2> points_;
+    std::vector<double> to_;
+};
+
+// A branch of a system where it stands around its bearer.
+struct Standing {
+    std::size_t branch = 0; // Of the system: itself, or the one that it is a copy of.
+    std::string name;
+    double u = 0;
+    double theta_deg = 0;
+    Similarity way; // In the system's plane, before it is turned around the bearer.
+};
+
+// A system's branches in space, the same for all bearers that have the system.
+struct Crowd {
+    Line bearer { { Vec2::Zero(), Vec2::UnitY() } };
+    std::vector<Standing> branches; // By u.
+};
+
+class Grower {
+public:
+    Grower(Skeleton const& skeleton, TreeOptions const& options)
+        : skeleton_(skeleton)
+        , options_(options)
+    {
+    }
+
+    Tree run()
+    {
+        auto const& tree = skeleton_.systems[0];
+        auto const box = box_of(tree.outline);
+        Vec2 const foot = tree.trunk.front();
+        double const height = std::max(box.high.y(), foot.y()) - std::min(box.low.y(), foot.y());
+        double const scale = options_.height_mm / std::max(height, 1e-9);
+        Space space = Space::Identity();
+        space.linear() << scale, 0, 0, 0, 0, -scale, 0, scale, 0;
+        space.translation() = -(space.linear() * Vec3(foot.x(), foot.y(), 0));
+        add_looks();
+        grow({ .system = 0, .space = space, .line = Line(tree.whole_trunk()) });
+        apply_pipe_model(tree_.plant, 2.2, options_.tip_radius_of_height * options_.height_mm);
+        for (auto& [level, places] : told_)
+            tree_.arrangements.push_back(std::move(places));
+        return std::move(tree_);
+    }
+
+private:
+    // An axis to be made.
+    struct Bearer {
+        std::size_t system = kNoSystem; // Whose trunk it is.
+        Space space;
+        Line line;
+        std::vector<Vec2> crown {};
+        std::string name {};
+        SegmentId parent_segment = kNone;
+        AxisId parent_axis = kNone;
+        std::uint32_t level = 0;
+    };
+
+    void add_looks()
+    {
+        auto& plant = tree_.plant;
+        plant.materials.push_back({ .name = "bark", .base_color = options_.bark_color });
+        plant.materials.push_back({ .name = "leaf",
+                                    .kind = Material::Kind::Leaf,
+                                    .base_color = options_.leaf_color,
+                                    .roughness = 0.6f,
+                                    .translucency = 0.4f });
+        for (std::uint32_t variant = 0; variant < kSprayVariants; ++variant)
+            plant.organ_shapes.push_back(leaf_spray(options_.leaf, 1, variant));
+        plant.organ_shapes.push_back(spray_twig(0));
+    }
+
+    LevelOptions const& level_options(std::uint32_t level) const
+    {
+        return options_.levels[std::min<std::size_t>(level, options_.levels.size() - 1)];
+    }
+
+    // Depth first: an axis comes after its bearer.
+    void grow(Bearer const& bearer)
+    {
+        auto const* const crowd
+            = bearer.system == kNoSystem ? nullptr : &crowd_of(bearer.system, bearer.level);
+        auto const places = node_places(bearer, crowd);
+        auto const axis = add_axis(bearer, places);
+        if (!crowd || bearer.level > 0)
+            add_sprays(bearer, axis, places, crowd ? 0.5 : 0.0);
+        if (!crowd)
+            return;
+        std::size_t node = 0;
+        for (auto const& standing : crowd->branches) {
+            while (node + 1 < places.size() && places[node + 1] < standing.u - 1e-9)
+                ++node;
+            grow_branch(bearer, axis, standing, node);
+        }
+    }
+
+    void grow_branch(Bearer const& bearer, AxisId axis, Standing const& standing,
+                     std::size_t segment)
+    {
+        auto const& system = skeleton_.systems[bearer.system];
+        auto const& branch = system.branches[standing.branch];
+        Vec2 const base = standing.way.point(branch.path.curve.base);
+        Vec2 const along = bearer.line.direction(standing.u);
+        double const reference = branch.path.side == Side::Right ? 0 : 180;
+        Vec3 const pivot = bearer.space * Vec3(base.x(), base.y(), 0);
+        Vec3 const direction = (bearer.space.linear() * Vec3(along.x(), along.y(), 0)).normalized();
+        Eigen::AngleAxisd const turn(radians(standing.theta_deg - reference), direction);
+        Space around = Space::Identity();
+        around.linear() = turn.toRotationMatrix();
+        around.translation() = pivot - around.linear() * pivot;
+        Space const own = around * bearer.space * in_space(standing.way);
+        // A copy's own branches are its model's, seen through the way from there.
+        auto const below = skeleton_.system_of[bearer.system][standing.branch];
+        auto const& model = branch.model ? system.branches[*branch.model] : branch;
+        Space const to_model = branch.model ? own * in_space(branch.from_model) : own;
+        grow({ .system = below,
+               .space = to_model,
+               .line = Line(below == kNoSystem ? model.path.curve.points(9)
+                                               : skeleton_.systems[below].whole_trunk()),
+               .crown = model.crown,
+               .name = bearer.name.empty() ? standing.name : bearer.name + "/" + standing.name,
+               .parent_segment
+               = tree_.plant.axes[axis].first_segment + static_cast<SegmentId>(segment),
+               .parent_axis = axis,
+               .level = bearer.level + 1 });
+    }
+
+    // Shares of the bearer's length where it has nodes: its own, and where branches stand.
+    static std::vector<double> node_places(Bearer const& bearer, Crowd const* crowd)
+    {
+        constexpr std::array kSegments { 16, 8, 4, 3 };
+        int const own = kSegments[std::min<std::size_t>(bearer.level, kSegments.size() - 1)];
+        std::vector<double> places;
+        for (int i = 0; i <= own; ++i)
+            places.push_back(static_cast<double>(i) / own);
+        if (crowd)
+            for (auto const& branch : crowd->branches)
+                places.push_back(std::clamp(branch.u, 0.002, 1.0));
+        std::sort(places.begin(), places.end());
+        std::vector<double> apart { 0 };
+        for (auto const place : places)
+            if (place > apart.back() + 1e-4)
+                apart.push_back(place);
+        return apart;
+    }
+
+    AxisId add_axis(Bearer const& bearer, std::vector<double> const& places)
+    {
+        auto& plant = tree_.plant;
+        auto const id = static_cast<AxisId>(plant.axes.size());
+        plant.axes.push_back({ .first_node = static_cast<NodeId>(plant.node_position_mm.size()),
+                               .first_segment = static_cast<SegmentId>(plant.segment_count()),
+                               .segment_count = static_cast<std::uint32_t>(places.size() - 1),
+                               .parent_segment = bearer.parent_segment,
+                               .parent_axis = bearer.parent_axis,
+                               .order = bearer.level });
+        for (auto const place : places) {
+            Vec2 const point = bearer.line.at(place);
+            plant.node_position_mm.emplace_back(bearer.space * Vec3(point.x(), point.y(), 0));
+            plant.node_radius_mm.push_back(0);
+        }
+        plant.segment_material.resize(plant.segment_count() + places.size() - 1, 0);
+        tree_.axis_names.push_back(bearer.name.empty() ? "trunk" : bearer.name);
+        return id;
+    }
+
+    // How far it is from a place to the crown's edge.
+    static double reach(std::vector<Vec2> const& crown, Vec2 const& from, Vec2 const& way)
+    {
+        double least = 1e300;
+        for (std::size_t i = 0; i < crown.size(); ++i) {
+            Vec2 const edge = crown[(i + 1) % crown.size()] - crown[i];
+            double const over = cross(way, edge);
+            double const far = cross(crown[i] - from, edge) / over;
+            double const along = cross(crown[i] - from, way) / over;
+            if (over != 0 && far > 0 && along >= 0 && along <= 1)
+                least = std::min(least, far);
+        }
+        return least;
+    }
+
+    // Twigs of about one length, whatever bears them: more on a longer bearer, from the share
+    // `from` of its length on.
+    void add_sprays(Bearer const& bearer, AxisId axis, std::vector<double> const& places,
+                    double from)
+    {
+        constexpr double kBare = 0.15;
+        constexpr double kSpiral_deg = 137.5;
+        double const start = std::max(from, kBare);
+        double const length = bearer.line.length();
+        double const height = options_.height_mm / unit_of(bearer.space); // In the plane's unit.
+        double const usual
+            = static_cast<double>(options_.sprays) * (1 - start) * length / (kBearer * height);
+        auto const count = std::clamp<std::size_t>(static_cast<std::size_t>(usual),
+                                                   options_.sprays / 3 + 1, 6 * options_.sprays);
+        Random random({ .seed = options_.seed, .stream = 3, .substream = axis });
+        double const first_deg = random.uniform(0, 360);
+        std::size_t node = 0;
+        for (std::size_t i = 0; i <= count; ++i) {
+            double const u
+                = start + (1 - start) * static_cast<double>(i) / static_cast<double>(count);
+            while (node + 2 < places.size() && places[node + 1] < u)
+                ++node;
+            Vec2 const at = bearer.line.at(u);
+            Vec2 const along = bearer.line.direction(u);
+            double const lean = i == count ? 0 : radians(random.uniform(38, 58));
+            double far = kLongestSpray * height;
+            for (double const side : { 1.0, -1.0 })
+                if (!bearer.crown.empty())
+                    far = std::min(far, 0.95 * reach(bearer.crown, at, turned(along, side * lean)));
+            add_spray({ bearer, axis, node, at, along },
+                      { lean, radians(first_deg + static_cast<double>(i) * kSpiral_deg),
+                        std::max(far, kShortestSpray * height) },
+                      random);
+        }
+    }
+
+    // Millimetres of the plant to one of the plane.
+    static double unit_of(Space const& space)
+    {
+        return std::cbrt(std::fabs(space.linear().determinant()));
+    }
+
+    struct SprayPlace {
+        Bearer const& bearer;
+        AxisId axis;
+        std::size_t segment;
+        Vec2 at;
+        Vec2 along;
+    };
+    struct SprayWay {
+        double lean;
+        double around;
+        double length; // In the plane's unit.
+    };
+
+    void add_spray(SprayPlace const& place, SprayWay const& way, Random& random)
+    {
+        auto const& space = place.bearer.space;
+        Vec3 const forward
+            = (space.linear() * Vec3(place.along.x(), place.along.y(), 0)).normalized();
+        Vec3 const across
+            = (space.linear() * Vec3(-place.along.y(), place.along.x(), 0)).normalized();
+        Vec3 const out
+            = std::cos(way.around) * across + std::sin(way.around) * forward.cross(across);
+        Vec3 const heading = (std::cos(way.lean) * forward + std::sin(way.lean) * out).normalized();
+        Vec3 side = heading.cross(Vec3::UnitZ());
+        side = side.norm() > 1e-3 ? Vec3(side.normalized()) : across;
+        Eigen::Matrix3d frame;
+        frame << side, heading, side.cross(heading);
+        auto const size = static_cast<float>(way.length * unit_of(space) / kSprayLength_mm
+                                             * random.uniform(0.85, 1.1));
+        Organ organ { .shape = static_cast<OrganShapeId>(random.next_u32() % kSprayVariants),
+                      .segment = tree_.plant.axes[place.axis].first_segment
+                          + static_cast<SegmentId>(place.segment),
+                      .position_mm = space * Vec3(place.at.x(), place.at.y(), 0),
+                      .orientation = Quat(frame).normalized(),
+                      .scale = Vec3f::Constant(size) };
+        tree_.plant.organs.push_back(organ);
+        organ.shape = kSprayVariants;
+        tree_.plant.organs.push_back(organ);
+        ++tree_.sprays;
+        tree_.leaves += static_cast<std::size_t>(options_.leaf.per_spray);
+    }
+
+    Crowd const& crowd_of(std::size_t system, std::uint32_t level)
+    {
+        auto const found = crowds_.find(system);
+        if (found != crowds_.end())
+            return found->second;
+        auto& crowd = crowds_[system];
+        crowd = make_crowd(system, level);
+        if (!told_.contains(level))
+            for (auto const& branch : crowd.branches)
+                told_[level].push_back({ branch.name, { branch.u, branch.theta_deg } });
+        return crowd;
+    }
+
+    // How far a branch may turn away from the plane: long ones hardly, so that the outline stays.
+    static double most_off_deg(double span, double greatest)
+    {
+        constexpr double kShort_deg = 45;
+        constexpr double kLong_deg = 20;
+        double const share = greatest > 0 ? std::min(1.0, span / greatest) : 0;
+        return kShort_deg + (kLong_deg - kShort_deg) * share;
+    }
+
+    Crowd make_crowd(std::size_t index, std::uint32_t level)
+    {
+        auto const& system = skeleton_.systems[index];
+        auto const& options = level_options(level);
+        Crowd crowd { .bearer = Line(system.whole_trunk()), .branches = {} };
+        CrownSurface const surface(system.outline, system.trunk);
+        std::array<double, 2> greatest {};
+        auto const span = [&](Branch const& branch) {
+            return std::fabs(surface.to_trunk(branch.path.curve.end).x());
+        };
+        auto const flat = system.branches.size() - (system.has_apex_branch() ? 1 : 0);
+        for (std::size_t i = 0; i < flat; ++i) {
+            auto const& branch = system.branches[i];
+            auto& most = greatest[branch.path.side == Side::Left];
+            most = std::max(most, span(branch));
+        }
+        std::vector<DrawnPlace> drawn;
+        for (std::size_t i = 0; i < flat; ++i) {
+            auto const& branch = system.branches[i];
+            bool const is_left = branch.path.side == Side::Left;
+            drawn.push_back({ crowd.bearer.place_of(branch.path.curve.base), is_left ? 180.0 : 0.0,
+                              most_off_deg(span(branch), greatest[is_left]) });
+        }
+        double first_u = 1;
+        for (auto const& place : drawn)
+            first_u = std::min(first_u, place.u);
+        auto const added = static_cast<std::size_t>(
+            std::lround(options.added * static_cast<double>(drawn.size())));
+        auto const arrangement = arrange(
+            drawn,
+            { .pattern = options.pattern,
+              .count = drawn.size() + added,
+              .first_u = first_u,
+              .proposals = options.proposals },
+            { .seed = options_.seed, .stream = 2, .substream = static_cast<std::uint32_t>(index) });
+        for (std::size_t i = 0; i < arrangement.places.size(); ++i)
+            stand(crowd, { system, surface, drawn }, arrangement.places[i], i);
+        if (flat < system.branches.size())
+            crowd.branches.push_back({ flat, "apex", 1, 0, {} });
+        std::stable_sort(crowd.branches.begin(), crowd.branches.end(),
+                         [](Standing const& a, Standing const& b) { return a.u < b.u; });
+        return crowd;
+    }
+
+    struct Model {
+        BranchingSystem const& system;
+        CrownSurface const& surface;
+        std::vector<DrawnPlace> const& drawn;
+    };
+
+    void stand(Crowd& crowd, Model const& model, Place const& place, std::size_t i) const
+    {
+        auto const count = model.drawn.size();
+        if (i < count) {
+            auto const& branch = model.system.branches[i];
+            Vec2 const base = branch.path.curve.base;
+            double const off = radians(place.theta_deg - model.drawn[i].theta_deg);
+            double const longer = std::min(kMostTurned, 1 / std::max(0.1, std::cos(off)));
+            Similarity way { .from = base, .to = base, .turn = Vec2(longer, 0) };
+            if (longer > 1)
+                way.turn.x() = largest_inside(model, branch, way, place.theta_deg,
+                                              { 1, longer, kOverSurface });
+            crowd.branches.push_back({ i, name_of(branch), place.u, place.theta_deg, way });
+            return;
+        }
+        auto const nearest = nearest_drawn(model, place);
+        if (!nearest)
+            return;
+        auto const& branch = model.system.branches[*nearest];
+        Vec2 const along = crowd.bearer.direction(place.u);
+        Vec2 const start
+            = turned(along, sign_of(branch.path.side) * radians(options_.angles.at_deg(place.u)));
+        Vec2 const from = direction_of(branch.path.curve.base_tangent);
+        Vec2 const unit(start.dot(from), cross(from, start));
+        Similarity way { .from = branch.path.curve.base,
+                         .to = crowd.bearer.at(place.u),
+                         .turn = unit };
+        double const size
+            = largest_inside(model, branch, way, place.theta_deg, { 0, kLargestAdded, 1 });
+        if (size < 0.15)
+            return;
+        way.turn = size * unit;
+        crowd.branches.push_back(
+            { *nearest, fmt::format("a{}", i - count), place.u, place.theta_deg, way });
+    }
+
+    static std::optional<std::size_t> nearest_drawn(Model const& model, Place const& place)
+    {
+        bool const is_right = std::cos(radians(place.theta_deg)) >= 0;
+        std::optional<std::size_t> best;
+        double least = 1e300;
+        for (std::size_t i = 0; i < model.drawn.size(); ++i) {
+            bool const same = (model.drawn[i].theta_deg < 90) == is_right;
+            double const far = std::fabs(model.drawn[i].u - place.u) + (same ? 0 : 1);
+            if (far < least) {
+                least = far;
+                best = i;
+            }
+        }
+        return best;
+    }
+
+    struct Scales {
+        double low;
+        double high;
+        double surface; // The section is so much larger.
+    };
+
+    // The largest scale at which the branch's crown is inside of the crown's surface.
+    static double largest_inside(Model const& model, Branch const& branch, Similarity way,
+                                 double theta_deg, Scales scales)
+    {
+        auto section = model.surface.section(theta_deg);
+        for (auto& point : section)
+            point.x() *= scales.surface;
+        Vec2 const unit = way.turn.normalized();
+        double const sign = branch.path.side == Side::Left ? -1 : 1;
+        auto const is_in = [&](Vec2 const& point) {
+            Vec2 at = model.surface.to_trunk(way.point(point));
+            at.x() *= sign;
+            return is_inside(section, at);
+        };
+        for (int i = 0; i < 10; ++i) {
+            double const middle = (scales.low + scales.high) / 2;
+            way.turn = middle * unit;
+            // Most of it: a crown that touches the surface in a corner may stand out there.
+            std::size_t outside = 0;
+            std::size_t tried = 0;
+            for (std::size_t c = 0; c < branch.crown.size(); c += 3, ++tried)
+                outside += !is_in(branch.crown[c]);
+            (10 * outside <= tried ? scales.low : scales.high) = middle;
+        }
+        return scales.low;
+    }
+
+    Skeleton const& skeleton_;
+    TreeOptions const& options_;
+    Tree tree_;
+    std::map<std::size_t, Crowd> crowds_;
+    std::map<std::uint32_t, std::vector<PlacedBranch>> told_;
+};
+
+} // namespace
+
+Tree make_tree(Skeleton const& skeleton, TreeOptions const& options)
+{
+    return Grower(skeleton, options).run();
+}
+
+} // namespace tractus::silhouette

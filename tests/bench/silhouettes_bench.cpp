@@ -1,0 +1,86 @@
+// From an outline to a skeleton of a thousand branches, arrangements around a bearer, and a tree of
+// more than a million leaves.
+#include "engine/mesh/make_mesh.h"
+#include "engine/methods/silhouettes/arrangement.h"
+#include "engine/methods/silhouettes/chordal_axis.h"
+#include "engine/methods/silhouettes/skeleton.h"
+#include "engine/methods/silhouettes/tree.h"
+#include "tests/bench/report.h"
+
+#include <cmath>
+#include <oneapi/tbb/global_control.h>
+
+namespace tractus::silhouette {
+namespace {
+
+// A crown of nine lobes around a trunk.
+Drawing crown()
+{
+    Drawing drawing { { {} }, { Vec2(0, -110), Vec2(0, 55) } };
+    for (int i = 0; i < 360; ++i) {
+        double const angle = radians(i);
+        double const radius_mm = 75 + 16 * std::fabs(std::cos(4.5 * (angle - kPi / 2)));
+        drawing.outline[0].emplace_back(radius_mm * std::cos(angle), radius_mm * std::sin(angle));
+    }
+    return drawing;
+}
+
+tbb::global_control limited_to(std::int64_t threads)
+{
+    return { tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads) };
+}
+
+void triangulate_outline(benchmark::State& state)
+{
+    auto const clean
+        = clean_drawing(crown(), { .samples = static_cast<std::size_t>(state.range(0)) });
+    for (auto _ : state)
+        benchmark::DoNotOptimize(ChordalAxis(clean->outline).triangles().size());
+    report(state, { .items = static_cast<double>(state.range(0)), .item = "samples" });
+}
+BENCHMARK(triangulate_outline)->ArgName("samples")->Arg(128)->Arg(256)->Arg(512);
+
+// What happens at pen-up; the goal is 16 ms at a thousand branches.
+void infer_thousand_branches(benchmark::State& state)
+{
+    auto const threads = limited_to(state.range(0));
+    auto const drawing = crown();
+    std::size_t branches = 0;
+    for (auto _ : state) {
+        auto const skeleton = infer_skeleton(drawing);
+        branches = skeleton->branch_count();
+    }
+    report(state, { .items = static_cast<double>(branches), .item = "branches" });
+}
+BENCHMARK(infer_thousand_branches)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
+
+void arrange_branches(benchmark::State& state)
+{
+    auto const count = static_cast<std::size_t>(state.range(0));
+    std::uint64_t seed = 0;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(arrange({}, { .count = count }, { .seed = ++seed }).cost_after);
+    report(state, { .items = 3000, .item = "proposals" });
+}
+BENCHMARK(arrange_branches)->ArgName("branches")->Arg(12)->Arg(30)->Arg(60)->Arg(200);
+
+// 1.3 million elements, and what a view draws of them.
+void make_large_tree(benchmark::State& state)
+{
+    auto const threads = limited_to(state.range(0));
+    auto const skeleton = infer_skeleton(crown());
+    TreeOptions const options { .levels = { { .added = 0.5 }, { .added = 0.3, .proposals = 600 } },
+                                .sprays = 24,
+                                .leaf = { .per_spray = 60 } };
+    double elements = 0;
+    for (auto _ : state) {
+        auto const tree = make_tree(*skeleton, options);
+        elements = static_cast<double>(tree.element_count());
+        benchmark::DoNotOptimize(make_organs(tree.plant).size());
+    }
+    report(state, { .items = elements, .item = "elements" });
+}
+BENCHMARK(make_large_tree)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
+
+} // namespace
+} // namespace tractus::silhouette

@@ -1,0 +1,178 @@
+#include "engine/methods/silhouettes/arrangement.h"
+
+#include "engine/methods/silhouettes/crown_surface.h"
+#include "tests/engine/methods/silhouettes/outlines.h"
+
+#include <limits>
+
+namespace tractus::silhouette {
+namespace {
+
+constexpr std::uint32_t kSeeds = 24;
+
+double apart(Place const& a, Place const& b)
+{
+    auto const wrapped = [](double d) { return d - std::round(d); };
+    return std::hypot(wrapped(a.u - b.u), wrapped((a.theta_deg - b.theta_deg) / 360));
+}
+
+struct Spacing {
+    double clark_evans = 0; // 1 for random points, 2.15 at most.
+    double variation = 0;
+};
+
+// Of the distances to the nearest neighbour on the unrolled bearer (Clark and Evans, 1954).
+Spacing spacing_of(std::vector<Place> const& places)
+{
+    double sum = 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t j = 0; j < places.size(); ++j)
+            if (j != i)
+                nearest = std::min(nearest, apart(places[i], places[j]));
+        sum += nearest;
+        squares += nearest * nearest;
+    }
+    auto const n = static_cast<double>(places.size());
+    double const mean = sum / n;
+    return { mean * 2 * std::sqrt(n), std::sqrt(squares / n - mean * mean) / mean };
+}
+
+Spacing mean_spacing(ArrangementOptions const& options, std::vector<DrawnPlace> const& drawn = {})
+{
+    Spacing mean;
+    for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+        auto const result = arrange(drawn, options, { .seed = seed });
+        EXPECT_LE(result.cost_after, result.cost_before);
+        auto const spacing = spacing_of(result.places);
+        mean.clark_evans += spacing.clark_evans / kSeeds;
+        mean.variation += spacing.variation / kSeeds;
+    }
+    return mean;
+}
+
+// The figures of the reference, which are means over 24 seeds of another generator.
+TEST(SilhouetteArrangement, SpreadsAsFarAsTheReference)
+{
+    auto const spacing = [](std::size_t count, std::optional<double> alpha) {
+        return mean_spacing({ .count = count, .alpha = alpha });
+    };
+    EXPECT_NEAR(spacing(12, 20).clark_evans, 1.77, 0.08);
+    EXPECT_NEAR(spacing(30, 20).clark_evans, 1.44, 0.08);
+    EXPECT_NEAR(spacing(30, {}).clark_evans, 1.60, 0.08);
+    EXPECT_NEAR(spacing(60, {}).clark_evans, 1.53, 0.08);
+    EXPECT_NEAR(spacing(30, {}).variation, 0.13, 0.05);
+    EXPECT_GT(spacing(30, {}).clark_evans, 1.3);
+    // Without a search the places are random.
+    EXPECT_NEAR(mean_spacing({ .count = 30, .proposals = 0 }).clark_evans, 1, 0.06);
+}
+
+TEST(SilhouetteArrangement, DrawnBranchesKeepTheirHeightAndSide)
+{
+    std::vector<DrawnPlace> const drawn { { 0.25, 180 }, { 0.4, 0 },    { 0.55, 180 },
+                                          { 0.7, 0 },    { 0.82, 180 }, { 0.92, 0, 10 } };
+    for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+        auto const places = arrange(drawn, { .count = 30 }, { .seed = seed }).places;
+        ASSERT_EQ(places.size(), 30U);
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            EXPECT_EQ(places[i].u, drawn[i].u);
+            double const off = places[i].theta_deg - drawn[i].theta_deg;
+            EXPECT_LE(std::fabs(off - 360 * std::round(off / 360)), drawn[i].most_off_deg + 1e-9);
+        }
+        for (auto const& place : places) {
+            EXPECT_GE(place.theta_deg, 0);
+            EXPECT_LT(place.theta_deg, 360);
+            EXPECT_GE(place.u, 0);
+            EXPECT_LE(place.u, 1);
+        }
+    }
+    EXPECT_NEAR(mean_spacing({ .count = 30, .alpha = 20 }, drawn).clark_evans, 1.40, 0.1);
+}
+
+TEST(SilhouetteArrangement, PerfectPatternsHaveNoMisfit)
+{
+    struct Case {
+        Pattern pattern;
+        int whorl;
+        double turn_deg;
+    };
+    for (auto const& [pattern, whorl, turn_deg] :
+         { Case { Pattern::Spiral, 1, 144 }, Case { Pattern::Decussate, 2, 90 },
+           Case { Pattern::Whorls, 3, 60 }, Case { Pattern::TwoRows, 1, 180 },
+           Case { Pattern::Horizontal, 2, 0 } }) {
+        constexpr int kNodes = 12;
+        std::vector<Place> places;
+        for (int node = 0; node < kNodes; ++node)
+            for (int w = 0; w < whorl; ++w)
+                places.push_back(
+                    { (node + 0.5) / kNodes, std::fmod(node * turn_deg + w * 360.0 / whorl, 360) });
+        double const apart_u = node_distance(pattern, places.size());
+        EXPECT_DOUBLE_EQ(apart_u, 1.0 / kNodes);
+        for (std::size_t i = 0; i < places.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                EXPECT_NEAR(misfit(pattern, apart_u, places[i], places[j]), 0, 1e-9);
+        EXPECT_NEAR(misfit(pattern, apart_u, { 0.2, 0 }, { 0.2, 180.0 / whorl }), 0.5, 1e-9);
+    }
+}
+
+TEST(SilhouetteArrangement, PatternsComeOut)
+{
+    for (auto const pattern : { Pattern::Spiral, Pattern::Decussate, Pattern::Whorls }) {
+        double sum = 0;
+        double pairs = 0;
+        for (std::uint32_t seed = 0; seed < 8; ++seed) {
+            auto const places = arrange({},
+                                        { .pattern = pattern,
+                                          .count = 24,
+                                          .alpha = 20,
+                                          .nodes = ArrangementOptions::Nodes::Free },
+                                        { .seed = seed })
+                                    .places;
+            for (std::size_t i = 0; i < places.size(); ++i)
+                for (std::size_t j = 0; j < i; ++j, ++pairs)
+                    sum += misfit(pattern, node_distance(pattern, 24), places[i], places[j]);
+        }
+        EXPECT_LT(sum / pairs, 0.06) << name_of(pattern); // 1/4 for random places.
+        auto const snapped = arrange({}, { .pattern = pattern, .count = 24 }, { .seed = 1 }).places;
+        for (auto const& place : snapped) {
+            double const nodes = place.u / node_distance(pattern, 24) - 0.5;
+            EXPECT_NEAR(nodes, std::round(nodes), 1e-9);
+        }
+    }
+}
+
+TEST(SilhouetteArrangement, HorizontalPairsLieInThePlane)
+{
+    auto const places
+        = arrange({}, { .pattern = Pattern::Horizontal, .count = 20 }, { .seed = 3 }).places;
+    for (auto const& place : places)
+        EXPECT_TRUE(place.theta_deg == 0 || place.theta_deg == 180);
+}
+
+TEST(SilhouetteArrangement, PatternsHaveWords)
+{
+    for (auto const* const word :
+         { "even", "spiral", "decussate", "whorls", "two-rows", "horizontal" }) {
+        ASSERT_TRUE(pattern_of(word)) << word;
+        EXPECT_STREQ(name_of(*pattern_of(word)), word);
+    }
+    EXPECT_FALSE(pattern_of("heap"));
+}
+
+// Published radii of a crown that reaches 40 to the right and 20 to the left.
+TEST(SilhouetteSurface, TurnsFromOneHalfToTheOther)
+{
+    std::vector<Vec2> const outline { Vec2(0, 0),   Vec2(40, 0),    Vec2(40, 100),
+                                      Vec2(0, 100), Vec2(-20, 100), Vec2(-20, 0) };
+    auto const dense = resampled_outline(outline, 600);
+    CrownSurface const surface(dense, upright(-20, 90));
+    EXPECT_NEAR(surface.at(0.5, 0).x(), 40, 0.5);
+    EXPECT_NEAR(surface.at(0.5, 60).x(), 35, 0.5);
+    EXPECT_NEAR(surface.at(0.5, 90).x(), 30, 0.5);
+    EXPECT_NEAR(surface.at(0.5, 120).x(), 25, 0.5);
+    EXPECT_NEAR(surface.at(0.5, 180).x(), 20, 0.5);
+}
+
+} // namespace
+} // namespace tractus::silhouette
