@@ -28,13 +28,9 @@ struct Surroundings {
     bool is_drawn = true;
 };
 
-struct SvgLine {
-    std::string role; // Empty: it does not say.
-    std::vector<Vec2> points;
-};
-
 struct Drawing {
     XML_Parser parser = nullptr;
+    std::vector<std::string> roles;
     std::vector<Surroundings> open;
     std::vector<SvgLine> lines;
     double unit_mm = kPixel_mm;
@@ -73,23 +69,23 @@ private:
     char const** pairs_;
 };
 
-// "stem", "left", "right", "inclination"; empty for other words.
-std::string role_in(std::string_view word)
+// The role by which a word begins; empty for other words.
+std::string role_in(std::string_view word, std::vector<std::string> const& roles)
 {
     std::string lower(word);
     std::transform(lower.begin(), lower.end(), lower.begin(),
                    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    for (auto const* const role : { "stem", "left", "right", "inclination" })
+    for (auto const& role : roles)
         if (lower.starts_with(role))
             return role;
     return {};
 }
 
-std::string role_of(Attributes const& attributes)
+std::string role_of(Attributes const& attributes, std::vector<std::string> const& roles)
 {
     for (auto const* const name : { "inkscape:label", "id", "class" })
         if (auto const word = attributes.find(name))
-            if (auto role = role_in(*word); !role.empty())
+            if (auto role = role_in(*word, roles); !role.empty())
                 return role;
     return {};
 }
@@ -169,14 +165,14 @@ void begin_element(void* data, char const* name, char const** pairs)
             fmt::format("the {} on line {} cannot be read: draw it again", element, line));
     here.to_sheet = here.to_sheet * *transform;
     here.is_drawn = here.is_drawn && !is_stored(element);
-    if (auto role = role_of(attributes); !role.empty() && element != "svg")
+    if (auto role = role_of(attributes, drawing.roles); !role.empty() && element != "svg")
         here.role = std::move(role);
     for (auto const& points : *lines) {
         if (!here.is_drawn)
             continue;
         drawing.lines.push_back({ here.role, {} });
         for (auto const& point : points)
-            drawing.lines.back().points.emplace_back(here.to_sheet * point);
+            drawing.lines.back().points_mm.emplace_back(here.to_sheet * point);
     }
     drawing.open.push_back(std::move(here));
 }
@@ -196,22 +192,21 @@ void refuse_entity(void* data, char const* /*name*/, int /*is_parameter*/, char 
     static_cast<Drawing*>(data)->stop("it declares entities of its own: save it as plain SVG");
 }
 
-// Upright, and in millimetres.
-nlohmann::json sketch_line(SvgLine const& line, double unit_mm)
+nlohmann::json sketch_line(SvgLine const& line)
 {
     auto points = nlohmann::json::array();
-    for (auto const& point : line.points)
-        points.push_back({ unit_mm * point.x(), -unit_mm * point.y() });
+    for (auto const& point : line.points_mm)
+        points.push_back({ point.x(), point.y() });
     return points;
 }
 
-nlohmann::json sketch_of(Drawing const& drawing)
+nlohmann::json sketch_of(std::vector<SvgLine> const& lines)
 {
-    bool const said = std::any_of(drawing.lines.begin(), drawing.lines.end(),
+    bool const said = std::any_of(lines.begin(), lines.end(),
                                   [](SvgLine const& line) { return !line.role.empty(); });
     nlohmann::json sketch = nlohmann::json::object();
-    for (auto const& line : drawing.lines) {
-        auto points = sketch_line(line, drawing.unit_mm);
+    for (auto const& line : lines) {
+        auto points = sketch_line(line);
         if (!said)
             sketch["strokes"].push_back(std::move(points));
         else if (line.role == "inclination")
@@ -224,12 +219,14 @@ nlohmann::json sketch_of(Drawing const& drawing)
 
 } // namespace
 
-Result<nlohmann::json> svg_as_sketch(std::string_view text)
+Result<std::vector<SvgLine>> read_svg_lines(std::string_view text,
+                                            std::vector<std::string> const& roles)
 {
     std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> const parser(
         XML_ParserCreate(nullptr), &XML_ParserFree);
     Drawing drawing;
     drawing.parser = parser.get();
+    drawing.roles = roles;
     XML_SetUserData(parser.get(), &drawing);
     XML_SetElementHandler(parser.get(), begin_element, end_element);
     XML_SetEntityDeclHandler(parser.get(), refuse_entity);
@@ -244,7 +241,15 @@ Result<nlohmann::json> svg_as_sketch(std::string_view text)
     if (drawing.lines.empty())
         return fail(Fault::User,
                     "it has no path, polyline or line: draw the sketch's lines as paths");
-    return sketch_of(drawing);
+    for (auto& line : drawing.lines) // Upright, and in millimetres.
+        for (auto& point : line.points_mm)
+            point = drawing.unit_mm * Vec2(point.x(), -point.y());
+    return std::move(drawing.lines);
+}
+
+Result<nlohmann::json> svg_as_sketch(std::string_view text)
+{
+    return sketch_of(TRY(read_svg_lines(text, { "stem", "left", "right", "inclination" })));
 }
 
 } // namespace tractus::lines

@@ -1,0 +1,215 @@
+#include "app/methods/silhouettes/silhouette_command.h"
+
+#include "app/methods/silhouettes/silhouette_file.h"
+#include "app/methods/silhouettes/silhouette_report.h"
+#include "app/plants/plant_file.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
+#include "app/verbs/checks.h"
+#include "app/verbs/organs_option.h"
+#include "drivers/file.h"
+#include "engine/methods/silhouettes/tree.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostLevels = 3;
+constexpr std::size_t kMostPlaces = 2000;
+
+struct SilhouetteArguments {
+    std::vector<fs::path> drawings;
+    fs::path output;
+    int levels = 2;
+    std::vector<std::string> patterns; // Of each level; the last one goes on.
+    double density = 1;
+    double height_m = 8;
+    int leaves = 24;
+    double leaf_width = 0.4;
+    std::uint64_t seed = 1;
+    std::optional<std::size_t> count; // Of an arrangement alone.
+    bool report = false;
+    PlantFileOptions file;
+};
+
+silhouette::TreeOptions tree_options(SilhouetteArguments const& arguments)
+{
+    silhouette::TreeOptions options;
+    options.height_mm = 1000 * arguments.height_m;
+    options.seed = arguments.seed;
+    options.leaf.per_spray = arguments.leaves;
+    options.leaf.width = arguments.leaf_width;
+    for (std::size_t level = 0; level < arguments.patterns.size(); ++level) {
+        if (level == options.levels.size())
+            options.levels.push_back(options.levels.back());
+        options.levels[level].pattern
+            = *silhouette::pattern_of(arguments.patterns[level]); // one_of() has seen to it.
+    }
+    for (auto level = arguments.patterns.size();
+         !arguments.patterns.empty() && level < options.levels.size(); ++level)
+        options.levels[level].pattern = options.levels[level - 1].pattern;
+    for (auto& level : options.levels)
+        level.added *= arguments.density;
+    return options;
+}
+
+bool is_tree_file(fs::path const& output)
+{
+    constexpr std::array kEndings { ".glb", ".obj", ".png" };
+    return std::find(kEndings.begin(), kEndings.end(), output.extension()) != kEndings.end();
+}
+
+tl::unexpected<Error> about_drawing(fs::path const& file, Error const& error)
+{
+    return fail(error.fault, fmt::format("{}: {}", file.string(), error.message));
+}
+
+// Writes the tree where the user wants it; the names of the files.
+Result<std::string> write_tree(SilhouetteArguments const& arguments, fs::path const& drawing,
+                               Plant const& plant)
+{
+    auto const name = drawing.stem().string();
+    if (is_tree_file(arguments.output)) {
+        TRY(write_plant_file(plant, name, arguments.output, arguments.file));
+        return arguments.output.string();
+    }
+    auto const base = arguments.output / name;
+    for (auto const* const ending : { ".png", ".glb" })
+        TRY(write_plant_file(plant, name, fs::path(base).concat(ending), arguments.file));
+    return base.string() + ".png, .glb";
+}
+
+Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& drawing)
+{
+    auto const file = TRY(silhouette::load_silhouette(drawing));
+    for (auto const& key : file.unknown_keys)
+        print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so", drawing.string(),
+                                  key.substr(0, 40)));
+    auto const skeleton = silhouette::infer_skeleton(file.drawing, { .levels = arguments.levels });
+    if (!skeleton)
+        return about_drawing(drawing, skeleton.error());
+    for (auto const& note : skeleton->systems[0].notes)
+        print_warning(fmt::format("{}: {}", drawing.string(), note));
+    auto const tree = silhouette::make_tree(*skeleton, tree_options(arguments));
+    std::string written;
+    if (!arguments.output.empty())
+        written = TRY(write_tree(arguments, drawing, tree.plant));
+    if (arguments.report)
+        return print_out(silhouette::print_report(*skeleton, tree));
+    return print_out(fmt::format("{}: {} branches, {} leaves, {:.0f} % of the outline covered\n",
+                                 written, tree.plant.axes.size() - 1 + tree.sprays, tree.leaves,
+                                 100 * skeleton->systems[0].coverage_after));
+}
+
+Result<void> arrange_alone(SilhouetteArguments const& arguments)
+{
+    if (arguments.patterns.size() != 1 || !arguments.count)
+        return fail(Fault::User,
+                    "there is no drawing: give a file, or --arrangement and --count for an "
+                    "arrangement alone");
+    auto const pattern = *silhouette::pattern_of(arguments.patterns[0]);
+    auto const arrangement = silhouette::arrange(
+        {}, { .pattern = pattern, .count = *arguments.count }, { .seed = arguments.seed });
+    return print_out(silhouette::print_arrangement(arrangement, pattern, arguments.seed));
+}
+
+Result<void> make_trees(SilhouetteArguments const& arguments)
+{
+    if (arguments.drawings.empty())
+        return arrange_alone(arguments);
+    if (arguments.output.empty() && !arguments.report)
+        return fail(Fault::User, "nothing is asked for: give --output, --report, or both");
+    if (arguments.drawings.size() > 1 && is_tree_file(arguments.output))
+        return fail(
+            Fault::User,
+            fmt::format("{}: several trees need a folder to be in", arguments.output.string()));
+    if (!arguments.output.empty())
+        TRY(check_writable(is_tree_file(arguments.output) ? arguments.output
+                                                          : arguments.output / "tree.glb"));
+    for (auto const& drawing : arguments.drawings)
+        TRY(make_tree_of(arguments, drawing));
+    return {};
+}
+
+void add_options(CLI::App& verb, SilhouetteArguments& arguments)
+{
+    verb.add_option("DRAWING", arguments.drawings,
+                    "JSON files of an outline and a trunk in millimetres, or SVG drawings (.svg)")
+        ->type_name("DRAWING");
+    verb.add_option("-o,--output", arguments.output,
+                    "The folder for pictures and glTF, made if it is not there; or the tree alone, "
+                    "as the file's ending says: .glb, .obj or .png")
+        ->type_name("OUTPUT");
+    verb.add_option("--levels", arguments.levels, "How often branches branch before twigs come")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(whole_number(1, kMostLevels));
+    verb.add_option("--arrangement", arguments.patterns,
+                    "How branches stand around what bears them, for all levels or one after the "
+                    "other: even, spiral, decussate, whorls, two-rows or horizontal")
+        ->type_name("PATTERN,...")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(one_of({ "even", "spiral", "decussate", "whorls", "two-rows", "horizontal" }));
+    verb.add_option("--density", arguments.density,
+                    "Times as many branches as usual besides those in the drawing's plane")
+        ->type_name("TIMES")
+        ->capture_default_str()
+        ->check(number(0, 10));
+    verb.add_option("--height", arguments.height_m, "Of the whole tree, metres")
+        ->type_name("METRES")
+        ->capture_default_str()
+        ->check(number(0.01, 200));
+    verb.add_option("--leaves", arguments.leaves, "Leaves on each twig")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(whole_number(1, 500));
+    verb.add_option("--leaf-width", arguments.leaf_width, "Of a leaf, as a share of its length")
+        ->type_name("SHARE")
+        ->capture_default_str()
+        ->check(number(0.01, 2));
+    verb.add_option("--seed", arguments.seed, "Of what the drawing leaves open")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(seed_number());
+    verb.add_option("--count", arguments.count,
+                    "Without a drawing: prints an arrangement of so many branches as JSON")
+        ->type_name("N")
+        ->check(whole_number(1, kMostPlaces));
+    verb.add_flag("--report", arguments.report,
+                  "Print as JSON what was inferred from each drawing");
+    add_organs_option(verb, arguments.file.glb);
+}
+
+} // namespace
+
+void add_silhouette_command(CLI::App& root, Action& action, Methods const&)
+{
+    auto arguments = std::make_shared<SilhouetteArguments>();
+    auto* const verb = root.add_subcommand("silhouette", "Make a tree from its outline");
+    add_options(*verb, *arguments);
+    verb->footer(
+        "A trunk and the outline of the crown around it make a tree (Wither, Boudon, Cani, Godin\n"
+        "2009): a branch ends in each bump of the outline, others fill what is empty, and all are\n"
+        "spread around the trunk. DRAWING is a JSON object of \"outline\": points [x,y] to the "
+        "right\n"
+        "and up, around the crown, or a list of such strokes; and \"trunk\": points, base first, "
+        "which\n"
+        "may be missing.");
+    verb->callback(
+        [arguments, &action] { action = [arguments] { return make_trees(*arguments); }; });
+}
+
+} // namespace tractus

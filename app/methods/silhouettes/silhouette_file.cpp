@@ -1,0 +1,144 @@
+#include "app/methods/silhouettes/silhouette_file.h"
+
+#include "app/methods/construction_lines/svg_sketch.h"
+#include "drivers/file.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view kExample = "write [[x, y], [x, y], …] in millimetres";
+
+// Those that say nothing of the drawing are for other readers.
+bool is_known(std::string const& key)
+{
+    constexpr std::array kKeys { "outline", "trunk",    "what",      "unit",
+                                 "closed",  "expected", "tolerance", "name" };
+    return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
+}
+
+Result<std::vector<Vec2>> read_stroke(json const& list, std::string const& name)
+{
+    std::vector<Vec2> points;
+    if (!list.is_array())
+        return fail(Fault::User, fmt::format("{} is no line: {}", name, kExample));
+    for (auto const& point : list) {
+        if (!point.is_array() || point.size() != 2 || !point[0].is_number()
+            || !point[1].is_number())
+            return fail(
+                Fault::User,
+                fmt::format("point {} of {} is no point: {}", points.size() + 1, name, kExample));
+        points.emplace_back(point[0].get<double>(), point[1].get<double>());
+    }
+    return points;
+}
+
+// Whether a list holds strokes and not points.
+bool holds_strokes(json const& list)
+{
+    return list.is_array() && !list.empty() && list[0].is_array() && !list[0].empty()
+        && list[0][0].is_array();
+}
+
+Result<SilhouetteFile> read_drawing(json const& file)
+{
+    constexpr std::size_t kMostStrokes = 100;
+    if (!file.is_object() || !file.contains("outline"))
+        return fail(Fault::User,
+                    "it is no drawing: write {\"outline\": [[x, y], …], \"trunk\": [[x, y], …]}");
+    SilhouetteFile result;
+    auto const& outline = file["outline"];
+    if (holds_strokes(outline)) {
+        if (outline.size() > kMostStrokes)
+            return fail(Fault::User,
+                        fmt::format("outline has {} strokes: give at most {}", outline.size(),
+                                    kMostStrokes));
+        for (auto const& stroke : outline)
+            result.drawing.outline.push_back(TRY(read_stroke(
+                stroke, fmt::format("stroke {} of outline", result.drawing.outline.size() + 1))));
+    } else {
+        result.drawing.outline.push_back(TRY(read_stroke(outline, "outline")));
+    }
+    if (file.contains("trunk") && !file["trunk"].is_null())
+        result.drawing.trunk = TRY(read_stroke(file["trunk"], "trunk"));
+    for (auto const& [key, value] : file.items())
+        if (!is_known(key))
+            result.unknown_keys.push_back(key);
+    return result;
+}
+
+// A sentence about the file becomes one that names it.
+Result<SilhouetteFile> named(Result<SilhouetteFile> result, std::string const& name)
+{
+    if (!result)
+        return fail(result.error().fault, fmt::format("{}: {}", name, result.error().message));
+    return result;
+}
+
+// How far apart a line's ends are, as a share of its length.
+double straightness(std::vector<Vec2> const& line)
+{
+    double const length = length_of(line);
+    return length > 0 ? (line.back() - line.front()).norm() / length : 0;
+}
+
+Result<SilhouetteFile> read_svg(std::string_view text)
+{
+    auto lines = TRY(lines::read_svg_lines(text, { "trunk", "outline" }));
+    SilhouetteFile result;
+    bool const said = std::any_of(lines.begin(), lines.end(),
+                                  [](auto const& line) { return !line.role.empty(); });
+    if (!said) {
+        auto const trunk
+            = std::max_element(lines.begin(), lines.end(), [](auto const& a, auto const& b) {
+                  return straightness(a.points_mm) < straightness(b.points_mm);
+              });
+        for (auto line = lines.begin(); line != lines.end(); ++line)
+            line->role = "outline";
+        if (straightness(trunk->points_mm) > 0.5)
+            trunk->role = "trunk";
+    }
+    for (auto& line : lines) {
+        if (line.role == "trunk")
+            result.drawing.trunk = std::move(line.points_mm);
+        else if (line.role == "outline")
+            result.drawing.outline.push_back(std::move(line.points_mm));
+    }
+    return result;
+}
+
+Result<SilhouetteFile> read_json(std::string_view text)
+{
+    try {
+        return read_drawing(json::parse(text));
+    } catch (json::exception const&) {
+        return fail(Fault::User,
+                    "this is no JSON: a bracket, comma or quotation mark is missing or too many");
+    }
+}
+
+} // namespace
+
+Result<SilhouetteFile> parse_silhouette(std::string_view text, std::string const& name)
+{
+    return named(read_json(text), name);
+}
+
+Result<SilhouetteFile> load_silhouette(std::filesystem::path const& path)
+{
+    constexpr std::size_t kMostBytes = std::size_t { 2 } << 20;
+    auto const text = TRY(read_text_file(path, kMostBytes));
+    if (path.extension() == ".svg")
+        return named(read_svg(text), path.string());
+    return parse_silhouette(text, path.string());
+}
+
+} // namespace tractus::silhouette

@@ -1,0 +1,120 @@
+#include "app/methods/silhouettes/silhouette_report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace tractus::silhouette {
+
+using Report = nlohmann::ordered_json;
+
+static Report point_json(Vec2 const& point)
+{
+    return { point.x(), point.y() };
+}
+
+static char const* word_of(Role role)
+{
+    switch (role) {
+    case Role::Foot:
+        return "foot";
+    case Role::Apex:
+        return "apex";
+    case Role::Lateral:
+        break;
+    }
+    return "lateral";
+}
+
+static Report bump_json(Bump const& bump)
+{
+    return { { "E", point_json(bump.end) },
+             { "r", bump.radius },
+             { "tip", point_json(bump.tip) },
+             { "tangent", point_json(bump.tangent) },
+             { "role", word_of(bump.role) } };
+}
+
+static Report branch_json(Branch const& branch)
+{
+    auto const& curve = branch.path.curve;
+    return { { "name", name_of(branch) },
+             { "t", branch.path.t },
+             { "side", branch.path.side == Side::Left ? "left" : "right" },
+             { "base", point_json(curve.base) },
+             { "end", point_json(curve.end) },
+             { "curve",
+               { point_json(curve.base), point_json(curve.base + curve.base_tangent / 3),
+                 point_json(curve.end - curve.end_tangent / 3), point_json(curve.end) } },
+             { "length", branch.path.length },
+             { "tangent_share", branch.path.tangent_share },
+             { "cone_deg", branch.cone_deg } };
+}
+
+static Report place_json(Place const& place)
+{
+    return { { "theta", place.theta_deg }, { "u", place.u } };
+}
+
+static Report arrangements_json(Tree const& tree)
+{
+    Report levels = Report::array();
+    for (auto const& arrangement : tree.arrangements) {
+        Report level = Report::array();
+        for (auto const& branch : arrangement) {
+            Report place { { "name", branch.name } };
+            place.update(place_json(branch.place));
+            level.push_back(std::move(place));
+        }
+        levels.push_back(std::move(level));
+    }
+    return levels;
+}
+
+std::string print_report(Skeleton const& skeleton, Tree const& tree)
+{
+    auto const& system = skeleton.systems[0];
+    auto const& counts = system.triangles;
+    Report bumps = Report::array();
+    for (auto const& bump : system.bumps)
+        bumps.push_back(bump_json(bump));
+    Report branches = Report::array();
+    for (auto const& branch : system.branches)
+        if (branch.origin != silhouette::Branch::Origin::Apex)
+            branches.push_back(branch_json(branch));
+    Report const report {
+        { "samples", system.outline.size() },
+        { "triangles", counts.terminal + counts.sleeve + counts.junction },
+        { "terminal", counts.terminal },
+        { "sleeve", counts.sleeve },
+        { "junction", counts.junction },
+        { "bumps", system.bumps.size() },
+        { "bump", std::move(bumps) },
+        { "trunk_samples_inside", Report::array({ system.inside.first, system.inside.last }) },
+        { "trunk_continues_to",
+          system.trunk_goes_on_to ? point_json(*system.trunk_goes_on_to) : Report() },
+        { "branch", std::move(branches) },
+        { "coverage",
+          { { "before", system.coverage_before }, { "after", system.coverage_after } } },
+        { "arrangement", arrangements_json(tree) },
+        { "elements", tree.element_count() },
+        { "leaves", tree.leaves },
+        { "branches", tree.plant.axes.size() - 1 + tree.sprays },
+        { "notes", system.notes }
+    };
+    return report.dump() + "\n";
+}
+
+std::string print_arrangement(Arrangement const& arrangement, Pattern pattern, std::uint64_t seed)
+{
+    Report places = Report::array();
+    for (auto const& place : arrangement.places)
+        places.push_back(place_json(place));
+    Report const report { { "pattern", name_of(pattern) },
+                          { "count", arrangement.places.size() },
+                          { "seed", seed },
+                          { "cost_before", arrangement.cost_before },
+                          { "cost_after", arrangement.cost_after },
+                          { "places", std::move(places) } };
+    return report.dump() + "\n";
+}
+
+} // namespace tractus::silhouette

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "engine/methods/silhouettes/tree.h"
+
+#include <string>
+
+namespace tractus::silhouette {
+
+// What was inferred from a drawing, as one line of JSON for other programs; lengths and places in
+// the drawing's millimetres:
+//
+//   samples, triangles, terminal, sleeve, junction   of the outline's triangulation
+//   bumps         how many
+//   bump          of each {"E": [x, y], "r", "tip": [x, y], "tangent": [x, y], "role": "lateral",
+//                 "apex" or "foot"}
+//   trunk_samples_inside   [first, last] of 64
+//   trunk_continues_to     [x, y] or null
+//   branch        of each {"name", "t", "side", "base": [x, y], "end": [x, y], "curve": the four
+//                 control points of its Bézier curve, "length", "tangent_share", "cone_deg"}; those
+//                 of bumps first, then those added
+//   coverage      {"before", "after"}: shares of the outline's inside that crowns cover
+//   arrangement   a list for each level of [{"name", "theta", "u"}, …]: degrees around the bearer,
+//                 0 to the right and 180 to the left, and the share of its length; those of the
+//                 levels below are of one bearer
+//   elements, leaves, branches   of the tree
+//   notes         what had to be guessed or was left out
+std::string print_report(Skeleton const& skeleton, Tree const& tree);
+
+// An arrangement alone: {"pattern", "count", "seed", "cost_before", "cost_after", "places":
+// [{"theta", "u"}, …]}.
+std::string print_arrangement(Arrangement const& arrangement, Pattern pattern, std::uint64_t seed);
+
+} // namespace tractus::silhouette

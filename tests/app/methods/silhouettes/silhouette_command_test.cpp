@@ -1,0 +1,186 @@
+#include "tests/app/verbs/outcome.h"
+#include "tests/corpus.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class SilhouetteCommand : public ::testing::Test {
+protected:
+    SilhouetteCommand()
+    {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+        std::ofstream(folder_ / "oak.json") << crown();
+    }
+    ~SilhouetteCommand() override { fs::remove_all(folder_); }
+
+    std::string path(std::string const& name) const { return (folder_ / name).string(); }
+
+    // A round crown with five lobes above.
+    static json crown()
+    {
+        json drawing { { "trunk", { { 0, -90 }, { 0, 50 } } } };
+        for (int i = 0; i < 240; ++i) {
+            double const angle = i * 2 * 3.14159265358979 / 240;
+            double const r = 70 + 14 * std::fabs(std::cos(2.5 * (angle - 1.5708)));
+            drawing["outline"].push_back({ r * std::cos(angle), r * std::sin(angle) });
+        }
+        return drawing;
+    }
+
+    std::string refusal(std::vector<std::string> const& arguments)
+    {
+        auto const outcome = run(arguments);
+        EXPECT_NE(outcome.exit_code, 0);
+        EXPECT_EQ(outcome.out, "");
+        return outcome.err;
+    }
+
+    static std::string bytes(fs::path const& file)
+    {
+        std::ifstream stream(file, std::ios::binary);
+        return { std::istreambuf_iterator<char>(stream), {} };
+    }
+
+    fs::path folder_
+        = fs::temp_directory_path() / ("tractus_silhouette_command." + std::to_string(getpid()));
+};
+
+TEST_F(SilhouetteCommand, ReportsWhatItInfers)
+{
+    auto const outcome = run({ "silhouette", path("oak.json"), "--report" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const report = json::parse(outcome.out);
+    EXPECT_EQ(report["samples"], 256);
+    EXPECT_EQ(report["triangles"], 254);
+    EXPECT_EQ(report["terminal"].get<int>(), report["junction"].get<int>() + 2);
+    EXPECT_EQ(2 * report["terminal"].get<int>() + report["sleeve"].get<int>(), 256);
+    EXPECT_EQ(report["bump"].size(), report["bumps"]);
+    EXPECT_EQ(report["bumps"], 5);
+    for (auto const& bump : report["bump"])
+        for (auto const* const key : { "E", "r", "tip", "role" })
+            EXPECT_TRUE(bump.contains(key)) << key;
+    for (auto const& branch : report["branch"]) {
+        EXPECT_EQ(branch["curve"].size(), 4U);
+        EXPECT_EQ(branch["curve"][0], branch["base"]);
+        EXPECT_EQ(branch["curve"][3], branch["end"]);
+    }
+    EXPECT_LE(report["coverage"]["before"], report["coverage"]["after"]);
+    EXPECT_GE(report["coverage"]["after"], 0.85);
+    ASSERT_EQ(report["arrangement"].size(), 2U);
+    for (auto const& place : report["arrangement"][0]) {
+        EXPECT_GE(place["theta"], 0);
+        EXPECT_LT(place["theta"], 360);
+    }
+    EXPECT_GT(report["elements"], 1'000);
+}
+
+TEST_F(SilhouetteCommand, TheSameSeedGivesTheSameFile)
+{
+    for (auto const& [name, seed] :
+         { std::pair("a.glb", "7"), std::pair("b.glb", "7"), std::pair("c.glb", "8") })
+        ASSERT_EQ(run({ "silhouette", path("oak.json"), "-o", path(name), "--levels", "1", "--seed",
+                        seed, "--organs", "instanced" })
+                      .exit_code,
+                  0);
+    EXPECT_GT(bytes(path("a.glb")).size(), 10'000U);
+    EXPECT_TRUE(bytes(path("a.glb")) == bytes(path("b.glb")));
+    EXPECT_FALSE(bytes(path("a.glb")) == bytes(path("c.glb")));
+}
+
+TEST_F(SilhouetteCommand, PrintsAnArrangementAlone)
+{
+    auto const outcome
+        = run({ "silhouette", "--arrangement", "even", "--count", "30", "--seed", "3" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const arrangement = json::parse(outcome.out);
+    EXPECT_EQ(arrangement["pattern"], "even");
+    EXPECT_EQ(arrangement["places"].size(), 30U);
+    EXPECT_LT(arrangement["cost_after"], arrangement["cost_before"]);
+    auto const again
+        = run({ "silhouette", "--arrangement", "even", "--count", "30", "--seed", "3" });
+    EXPECT_EQ(again.out, outcome.out);
+}
+
+TEST_F(SilhouetteCommand, PatternsAreOfLevels)
+{
+    auto const report = [&](std::string const& patterns) {
+        return json::parse(
+            run({ "silhouette", path("oak.json"), "--report", "--arrangement", patterns }).out);
+    };
+    auto const flat = report("horizontal,even");
+    for (auto const& place : flat["arrangement"][0])
+        EXPECT_TRUE(place["theta"] == 0 || place["theta"] == 180) << place;
+    EXPECT_NE(report("even")["arrangement"][0], flat["arrangement"][0]);
+}
+
+TEST_F(SilhouetteCommand, SaysWhatIsWrong)
+{
+    std::ofstream(folder_ / "open.json")
+        << R"({"outline":[[0,0],[10,0],[20,0],[30,2],[40,9],[44,20],[40,30],[30,38],[20,40]]})";
+    EXPECT_NE(refusal({ "silhouette", path("open.json"), "--report" })
+                  .find("open.json: the outline is open: end it near its beginning"),
+              std::string::npos);
+    auto outside = crown();
+    outside["trunk"] = { { 200, 0 }, { 200, 50 } };
+    std::ofstream(folder_ / "outside.json") << outside;
+    EXPECT_NE(refusal({ "silhouette", path("outside.json"), "--report" })
+                  .find("outside.json: the trunk is wholly outside of the outline"),
+              std::string::npos);
+    EXPECT_NE(refusal({ "silhouette", path("oak.json") }).find("nothing is asked for"),
+              std::string::npos);
+    EXPECT_NE(refusal({ "silhouette" }).find("there is no drawing"), std::string::npos);
+    EXPECT_NE(refusal({ "silhouette", path("oak.json"), path("oak.json"), "-o", path("a.glb") })
+                  .find("several trees need a folder"),
+              std::string::npos);
+    EXPECT_NE(refusal({ "silhouette", path("none.json"), "--report" }).find("none.json"),
+              std::string::npos);
+}
+
+TEST_F(SilhouetteCommand, SaysWhatItHadToGuess)
+{
+    auto drawing = crown();
+    drawing.erase("trunk");
+    drawing["colour"] = "green";
+    std::ofstream(folder_ / "bare.json") << drawing;
+    auto const outcome = run({ "silhouette", path("bare.json"), "--report" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("\"colour\" is left out"), std::string::npos);
+    EXPECT_NE(outcome.err.find("there is no trunk"), std::string::npos);
+    EXPECT_EQ(json::parse(outcome.out)["notes"].size(), 1U);
+}
+
+TEST(SilhouetteCommandCorpus, ReportsTheBumpsOfThePublishedOutlines)
+{
+    REQUIRE_CORPUS();
+    int files = 0;
+    for (auto const& entry : fs::directory_iterator(corpus() / "silhouettes")) {
+        if (entry.path().extension() != ".json" || entry.path().stem() == "arrangement")
+            continue;
+        ++files;
+        auto const outcome = run({ "silhouette", entry.path().string(), "--report" });
+        ASSERT_EQ(outcome.exit_code, 0) << entry.path() << outcome.err;
+        auto const report = json::parse(outcome.out);
+        std::ifstream stream(entry.path());
+        auto const expected = json::parse(stream)["expected"];
+        for (auto const* const key : { "samples", "triangles", "bumps", "trunk_samples_inside" })
+            EXPECT_EQ(report[key], expected[key]) << entry.path() << key;
+        EXPECT_LE(report["branch"].size(), 60U);
+    }
+    EXPECT_EQ(files, 11);
+}
+
+} // namespace
+} // namespace tractus

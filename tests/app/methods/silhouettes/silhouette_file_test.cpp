@@ -1,0 +1,103 @@
+#include "app/methods/silhouettes/silhouette_file.h"
+
+#include "app/methods/construction_lines/svg_sketch.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
+
+namespace tractus::silhouette {
+namespace {
+
+SilhouetteFile read_from(std::string const& text)
+{
+    auto const result = parse_silhouette(text, "tree.json");
+    EXPECT_TRUE(result) << result.error().message;
+    return result ? *result : SilhouetteFile();
+}
+
+std::string complaint(std::string const& text)
+{
+    auto const result = parse_silhouette(text, "tree.json");
+    return result ? "it is read" : result.error().message;
+}
+
+TEST(SilhouetteFile, ReadsAnOutlineAndATrunk)
+{
+    auto const file
+        = read_from(R"({"outline":[[0,0],[10,0.5],[5,9]],"trunk":[[5,-4],[5,6]],"unit":"mm"})");
+    ASSERT_EQ(file.drawing.outline.size(), 1U);
+    EXPECT_EQ(file.drawing.outline[0],
+              (std::vector<Vec2> { Vec2(0, 0), Vec2(10, 0.5), Vec2(5, 9) }));
+    EXPECT_EQ(file.drawing.trunk, (std::vector<Vec2> { Vec2(5, -4), Vec2(5, 6) }));
+    EXPECT_TRUE(file.unknown_keys.empty());
+}
+
+TEST(SilhouetteFile, ReadsSeveralStrokesAndTellsWhatItDoesNotKnow)
+{
+    auto const file = read_from(R"({"outline":[[[0,0],[1,0]],[[2,2]]],"colour":3,"trunk":null})");
+    EXPECT_EQ(file.drawing.outline.size(), 2U);
+    EXPECT_TRUE(file.drawing.trunk.empty());
+    EXPECT_EQ(file.unknown_keys, std::vector<std::string> { "colour" });
+}
+
+TEST(SilhouetteFile, SaysWhatIsWrong)
+{
+    EXPECT_EQ(complaint("[1,"),
+              "tree.json: this is no JSON: a bracket, comma or quotation mark is missing or too "
+              "many");
+    EXPECT_EQ(complaint("{}"),
+              "tree.json: it is no drawing: write {\"outline\": [[x, y], …], \"trunk\": [[x, y], "
+              "…]}");
+    EXPECT_EQ(complaint(R"({"outline":[[0,0],[1]]})"),
+              "tree.json: point 2 of outline is no point: write [[x, y], [x, y], …] in "
+              "millimetres");
+    EXPECT_EQ(complaint(R"({"outline":[[[0,0],["a",1]]]})"),
+              "tree.json: point 2 of stroke 1 of outline is no point: write [[x, y], [x, y], …] in "
+              "millimetres");
+    EXPECT_EQ(complaint(R"({"outline":[[0,0]],"trunk":7})"),
+              "tree.json: trunk is no line: write [[x, y], [x, y], …] in millimetres");
+}
+
+class SilhouetteSvg : public ::testing::Test {
+protected:
+    ~SilhouetteSvg() override { std::filesystem::remove(path_); }
+
+    SilhouetteFile read(std::string const& content)
+    {
+        std::ofstream(path_) << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" "
+                                "viewBox=\"0 0 100 100\">"
+                             << content << "</svg>";
+        auto const result = load_silhouette(path_);
+        EXPECT_TRUE(result) << result.error().message;
+        return result ? *result : SilhouetteFile();
+    }
+
+    std::filesystem::path path_ = std::filesystem::temp_directory_path()
+        / ("tractus_silhouette_" + std::to_string(getpid()) + ".svg");
+};
+
+TEST_F(SilhouetteSvg, LinesAreWhatTheySay)
+{
+    auto const file = read(R"(<path id="outline-1" d="M10 20L30 20 30 40"/>
+        <path id="Trunk" d="M20 90V50"/><path id="frame" d="M0 0H100"/>)");
+    ASSERT_EQ(file.drawing.outline.size(), 1U);
+    EXPECT_EQ(file.drawing.outline[0].front(), Vec2(10, -20));
+    EXPECT_EQ(file.drawing.trunk, (std::vector<Vec2> { Vec2(20, -90), Vec2(20, -50) }));
+}
+
+TEST_F(SilhouetteSvg, WithoutWordsTheStraightestLineIsTheTrunk)
+{
+    auto const file
+        = read(R"(<path d="M10 20L30 20 30 40 10 40z"/><path d="M20 90L21 70 20 50"/>)");
+    EXPECT_EQ(file.drawing.trunk.size(), 3U);
+    ASSERT_EQ(file.drawing.outline.size(), 1U);
+    auto const alone = read(R"(<path d="M10 20L30 20 30 40 10 40z"/>)");
+    EXPECT_TRUE(alone.drawing.trunk.empty());
+    EXPECT_EQ(alone.drawing.outline.size(), 1U);
+}
+
+} // namespace
+} // namespace tractus::silhouette
