@@ -7,6 +7,16 @@
 
 namespace tractus {
 
+std::vector<HeightCapture> captures_without(std::span<HeightCapture const> captures,
+                                            std::span<std::size_t const> left_out)
+{
+    std::vector<HeightCapture> rest;
+    for (std::size_t i = 0; i < captures.size(); ++i)
+        if (std::find(left_out.begin(), left_out.end(), i) == left_out.end())
+            rest.push_back(captures[i]);
+    return rest;
+}
+
 namespace {
 
 constexpr std::size_t kLeastReadings = 20;

@@ -37,6 +37,10 @@ struct HeightCapture {
     From from = From::Nowhere;
 };
 
+// Captures without those of these numbers.
+std::vector<HeightCapture> captures_without(std::span<HeightCapture const> captures,
+                                            std::span<std::size_t const> left_out);
+
 // The width of a bin of HeightCapture::scatter for a converter: a count of 12 bits, or as much of a
 // finer one.
 double noise_bin_counts(std::int32_t full_scale_counts);

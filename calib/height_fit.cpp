@@ -49,15 +49,6 @@ struct RobustFit {
 
 using Fitter = std::function<std::optional<ModelFit>(Captures)>;
 
-std::vector<HeightCapture> without(Captures captures, std::vector<std::size_t> const& left_out)
-{
-    std::vector<HeightCapture> rest;
-    for (std::size_t i = 0; i < captures.size(); ++i)
-        if (std::find(left_out.begin(), left_out.end(), i) == left_out.end())
-            rest.push_back(captures[i]);
-    return rest;
-}
-
 // The fit without the capture whose absence makes the rest fit best.
 std::optional<RobustFit> leave_one_out(Captures captures, RobustFit const& present,
                                        Fitter const& fitter)
@@ -68,7 +59,7 @@ std::optional<RobustFit> leave_one_out(Captures captures, RobustFit const& prese
         if (std::find(left_out.begin(), left_out.end(), i) != left_out.end())
             continue;
         left_out.push_back(i);
-        auto const fit = fitter(without(captures, left_out));
+        auto const fit = fitter(captures_without(captures, left_out));
         if (!fit || (best && best->fit.sum_of_squares_mm2 <= fit->sum_of_squares_mm2))
             continue;
         best = RobustFit { present.kind, *fit, left_out, captures.size() - left_out.size() };

@@ -3,6 +3,7 @@
 #include "calib/height_model_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -19,15 +20,6 @@ constexpr double kMostErrors = 3;             // Of the ruler.
 constexpr std::size_t kLeastFreedom = 2;      // Captures that confirm a law.
 constexpr std::size_t kFreedomAfterSlips = 3; // Captures that confirm it where others do not.
 constexpr std::size_t kMostForPairs = 20;     // Captures; beyond, pairs take too long to try.
-
-std::vector<HeightCapture> without(Captures captures, std::vector<std::size_t> const& left_out)
-{
-    std::vector<HeightCapture> rest;
-    for (std::size_t i = 0; i < captures.size(); ++i)
-        if (!std::binary_search(left_out.begin(), left_out.end(), i))
-            rest.push_back(captures[i]);
-    return rest;
-}
 
 // The variance of a capture, as the simpler law of those that fit tells it.
 std::optional<double> variance_mm2(Captures captures)
@@ -60,7 +52,7 @@ LeftOut best_pair(Captures captures)
     LeftOut best;
     for (std::size_t i = 0; i < captures.size(); ++i)
         for (auto j = i + 1; j < captures.size(); ++j)
-            if (auto const variance = variance_mm2(without(captures, { i, j }));
+            if (auto const variance = variance_mm2(captures_without(captures, std::array { i, j }));
                 variance && *variance < best.variance_mm2)
                 best = { { i, j }, *variance };
     return best;
@@ -75,7 +67,7 @@ LeftOut one_more(Captures captures, LeftOut const& before)
         if (std::binary_search(set.begin(), set.end(), i))
             continue;
         set.insert(std::upper_bound(set.begin(), set.end(), i), i);
-        if (auto const variance = variance_mm2(without(captures, set));
+        if (auto const variance = variance_mm2(captures_without(captures, set));
             variance && *variance < best.variance_mm2)
             best = { set, *variance };
     }

@@ -58,9 +58,9 @@ TEST(HeightMonitor, FindsNoFaultInAHealthySensor)
 // The surface rises at 100 mm/s, and in the midst of it the string slips within 20 ms.
 int rising_with_slip(int index, double slip_mm)
 {
-    double const seconds = index * 0.002;
-    double const slipped = std::clamp((seconds - 0.5) / 0.02, 0.0, 1.0);
-    return static_cast<int>(std::lround(1000 + 10 * (100 * seconds - slip_mm * slipped)));
+    double const time_s = index * 0.002;
+    double const slipped = std::clamp((time_s - 0.5) / 0.02, 0.0, 1.0);
+    return static_cast<int>(std::lround(1000 + 10 * (100 * time_s - slip_mm * slipped)));
 }
 
 TEST(HeightMonitor, SeesASlowSlipInTheMidstOfAMovement)
