@@ -29,6 +29,42 @@ constexpr std::array kOperators {
     Operator { "/", 10 }, Operator { "%", 10 },
 };
 
+// As C's intmax_t and uintmax_t: a value without sign makes those without sign that it meets.
+struct Value {
+    std::int64_t number = 0;
+    bool is_unsigned = false;
+};
+
+std::uint64_t bits(Value const& value)
+{
+    return static_cast<std::uint64_t>(value.number);
+}
+
+bool is_less(Value const& a, Value const& b)
+{
+    return a.is_unsigned || b.is_unsigned ? bits(a) < bits(b) : a.number < b.number;
+}
+
+// Shifts by less than nothing go the other way, as in gcc.
+std::int64_t shifted_left(Value const& value, Value const& by);
+
+std::int64_t shifted_right(Value const& value, Value const& by)
+{
+    if (!by.is_unsigned && by.number < 0)
+        return shifted_left(value, { static_cast<std::int64_t>(0 - bits(by)), true });
+    bool const is_far = bits(by) >= 64;
+    if (value.is_unsigned)
+        return is_far ? 0 : static_cast<std::int64_t>(bits(value) >> bits(by));
+    return value.number >> (is_far ? 63 : bits(by));
+}
+
+std::int64_t shifted_left(Value const& value, Value const& by)
+{
+    if (!by.is_unsigned && by.number < 0)
+        return shifted_right(value, { static_cast<std::int64_t>(0 - bits(by)), true });
+    return bits(by) >= 64 ? 0 : static_cast<std::int64_t>(bits(value) << bits(by));
+}
+
 class ConditionParser {
 public:
     ConditionParser(std::string_view text, ErrorAt const& error)
@@ -45,16 +81,18 @@ public:
                           fmt::format("found '{}' in #if, expected an operator or the end of "
                                       "the line",
                                       shown(text_.substr(at_, token_end(text_, at_) - at_))));
-        return value;
+        return value.number;
     }
 
 private:
-    Result<std::int64_t> conditional();
-    Result<std::int64_t> binary(int strength);
-    Result<std::int64_t> unary();
-    Result<std::int64_t> number();
-    Result<std::int64_t> apply(Operator const& op, std::int64_t left, std::int64_t right,
-                               std::size_t position) const;
+    Result<Value> conditional();
+    Result<Value> binary(int strength);
+    Result<Value> unary();
+    Result<Value> number();
+    Result<Value> apply(Operator const& op, Value const& left, Value const& right,
+                        std::size_t position) const;
+    Result<Value> divide(Operator const& op, Value const& left, Value const& right,
+                         std::size_t position) const;
     std::optional<Operator> take_operator(int strength);
     bool take(char symbol)
     {
@@ -76,7 +114,7 @@ private:
     bool is_evaluated_ = true; // False where && || ?: pass over what may be wrong, such as 1/0.
 };
 
-Result<std::int64_t> ConditionParser::conditional()
+Result<Value> ConditionParser::conditional()
 {
     if (depth_ > kMaxNesting)
         return error_(at_, fmt::format("#if is nested deeper than {}", kMaxNesting));
@@ -85,14 +123,15 @@ Result<std::int64_t> ConditionParser::conditional()
     auto result = condition;
     if (take('?')) {
         bool const outer = is_evaluated_;
-        is_evaluated_ = outer && condition != 0;
+        is_evaluated_ = outer && condition.number != 0;
         auto const first = TRY(conditional());
         if (!take(':'))
             return error_(at_, "found ? in #if, expected : behind it");
-        is_evaluated_ = outer && condition == 0;
+        is_evaluated_ = outer && condition.number == 0;
         auto const second = TRY(conditional());
         is_evaluated_ = outer;
-        result = condition != 0 ? first : second;
+        result = condition.number != 0 ? first : second;
+        result.is_unsigned = first.is_unsigned || second.is_unsigned;
     }
     --depth_;
     return result;
@@ -112,13 +151,13 @@ std::optional<Operator> ConditionParser::take_operator(int strength)
     return *found;
 }
 
-Result<std::int64_t> ConditionParser::binary(int strength)
+Result<Value> ConditionParser::binary(int strength)
 {
     auto left = TRY(unary());
     while (auto const op = take_operator(strength)) {
         auto const position = at_ - op->symbol.size();
         bool const outer = is_evaluated_;
-        if ((op->symbol == "&&" && left == 0) || (op->symbol == "||" && left != 0))
+        if ((op->symbol == "&&" && left.number == 0) || (op->symbol == "||" && left.number != 0))
             is_evaluated_ = false;
         auto const right = TRY(binary(op->strength + 1));
         is_evaluated_ = outer;
@@ -127,33 +166,29 @@ Result<std::int64_t> ConditionParser::binary(int strength)
     return left;
 }
 
-Result<std::int64_t> ConditionParser::apply(Operator const& op, std::int64_t left,
-                                            std::int64_t right, std::size_t position) const
+Result<Value> ConditionParser::apply(Operator const& op, Value const& left, Value const& right,
+                                     std::size_t position) const
 {
-    auto const a = static_cast<std::uint64_t>(left);
-    auto const b = static_cast<std::uint64_t>(right);
-    auto const wrapped = [](std::uint64_t value) { return static_cast<std::int64_t>(value); };
+    auto const a = bits(left);
+    auto const b = bits(right);
+    bool const is_unsigned = left.is_unsigned || right.is_unsigned;
+    auto const truth = [](bool holds) { return Value { holds, false }; };
+    auto const wrapped = [&](std::uint64_t value) {
+        return Value { static_cast<std::int64_t>(value), is_unsigned };
+    };
     auto const& symbol = op.symbol;
-    if (symbol == "/" || symbol == "%") {
-        if (right == 0 && is_evaluated_)
-            return error_(position, "#if divides by zero");
-        if (right == 0)
-            return std::int64_t { 0 };
-        if (right == -1) // The least number has no opposite.
-            return symbol == "/" ? wrapped(0 - a) : std::int64_t { 0 };
-        return symbol == "/" ? left / right : left % right;
-    }
-    bool const is_far = b >= 64;
-    return symbol == "||" ? std::int64_t { left != 0 || right != 0 }
-        : symbol == "&&"  ? std::int64_t { left != 0 && right != 0 }
-        : symbol == "=="  ? std::int64_t { left == right }
-        : symbol == "!="  ? std::int64_t { left != right }
-        : symbol == "<="  ? std::int64_t { left <= right }
-        : symbol == ">="  ? std::int64_t { left >= right }
-        : symbol == "<"   ? std::int64_t { left < right }
-        : symbol == ">"   ? std::int64_t { left > right }
-        : symbol == "<<"  ? (is_far ? std::int64_t { 0 } : wrapped(a << b))
-        : symbol == ">>"  ? (is_far ? std::int64_t { left < 0 ? -1 : 0 } : left >> right)
+    if (symbol == "/" || symbol == "%")
+        return divide(op, left, right, position);
+    return symbol == "||" ? truth(a != 0 || b != 0)
+        : symbol == "&&"  ? truth(a != 0 && b != 0)
+        : symbol == "=="  ? truth(a == b)
+        : symbol == "!="  ? truth(a != b)
+        : symbol == "<="  ? truth(!is_less(right, left))
+        : symbol == ">="  ? truth(!is_less(left, right))
+        : symbol == "<"   ? truth(is_less(left, right))
+        : symbol == ">"   ? truth(is_less(right, left))
+        : symbol == "<<"  ? Value { shifted_left(left, right), left.is_unsigned }
+        : symbol == ">>"  ? Value { shifted_right(left, right), left.is_unsigned }
         : symbol == "|"   ? wrapped(a | b)
         : symbol == "^"   ? wrapped(a ^ b)
         : symbol == "&"   ? wrapped(a & b)
@@ -162,7 +197,25 @@ Result<std::int64_t> ConditionParser::apply(Operator const& op, std::int64_t lef
                           : wrapped(a * b);
 }
 
-Result<std::int64_t> ConditionParser::unary()
+Result<Value> ConditionParser::divide(Operator const& op, Value const& left, Value const& right,
+                                      std::size_t position) const
+{
+    bool const is_unsigned = left.is_unsigned || right.is_unsigned;
+    bool const is_quotient = op.symbol == "/";
+    if (right.number == 0 && is_evaluated_)
+        return error_(position, "#if divides by zero");
+    if (right.number == 0)
+        return Value { 0, is_unsigned };
+    if (is_unsigned) {
+        auto const value = is_quotient ? bits(left) / bits(right) : bits(left) % bits(right);
+        return Value { static_cast<std::int64_t>(value), true };
+    }
+    if (right.number == -1) // The least number has no opposite.
+        return Value { is_quotient ? static_cast<std::int64_t>(0 - bits(left)) : 0, false };
+    return Value { is_quotient ? left.number / right.number : left.number % right.number, false };
+}
+
+Result<Value> ConditionParser::unary()
 {
     std::string signs;
     for (skip(); at_ < text_.size() && std::string_view("+-!~").find(text_[at_]) != text_.npos;
@@ -170,14 +223,15 @@ Result<std::int64_t> ConditionParser::unary()
         signs += text_[at_++];
     auto value = TRY(number());
     for (auto sign = signs.rbegin(); sign != signs.rend(); ++sign)
-        value = *sign == '-' ? static_cast<std::int64_t>(0 - static_cast<std::uint64_t>(value))
-            : *sign == '!'   ? std::int64_t { value == 0 }
-            : *sign == '~'   ? ~value
-                             : value;
+        value = *sign == '-'
+            ? Value { static_cast<std::int64_t>(0 - bits(value)), value.is_unsigned }
+            : *sign == '!' ? Value { value.number == 0, false }
+            : *sign == '~' ? Value { ~value.number, value.is_unsigned }
+                           : value;
     return value;
 }
 
-Result<std::int64_t> ConditionParser::number()
+Result<Value> ConditionParser::number()
 {
     if (take('(')) {
         auto const value = TRY(conditional());
@@ -192,7 +246,7 @@ Result<std::int64_t> ConditionParser::number()
     at_ = token_end(text_, at_);
     auto const token = text_.substr(position, at_ - position);
     if (is_name_start(token.front()))
-        return std::int64_t { 0 };
+        return Value {};
     auto digits = token;
     while (!digits.empty() && std::string_view("uUlL").find(digits.back()) != token.npos)
         digits.remove_suffix(1);
@@ -206,7 +260,10 @@ Result<std::int64_t> ConditionParser::number()
     if (digits.empty() || problem != std::errc() || end != digits.data() + digits.size())
         return error_(position,
                       fmt::format("found '{}' in #if, expected an integer", shown(token)));
-    return static_cast<std::int64_t>(value);
+    bool const is_unsigned = token.substr(digits.size() + (is_hex ? 2 : 0)).find_first_of("uU")
+            != std::string_view::npos
+        || value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+    return Value { static_cast<std::int64_t>(value), is_unsigned };
 }
 
 } // namespace

@@ -23,6 +23,23 @@ static bool is_blank_token(std::string const& characters)
     return characters.size() == 1 && (is_blank(characters[0]) || characters[0] == '\n');
 }
 
+// Appends text as a string has it inside.
+static void append_escaped(std::string& string, std::string_view text)
+{
+    for (char const c : text) {
+        if (c == '"' || c == '\\')
+            string += '\\';
+        string += c;
+    }
+}
+
+static std::string quoted_text(std::string_view text)
+{
+    std::string result = "\"";
+    append_escaped(result, text);
+    return result + '"';
+}
+
 tl::unexpected<Error> MacroTable::error(SourcePlace const& place, std::string const& what) const
 {
     return fail(Fault::User,
@@ -128,6 +145,18 @@ MacroTable::Macro const* MacroTable::macro_for(Token const& token) const
     return is_hidden ? nullptr : &macro->second;
 }
 
+// Whether the token was __LINE__ or __FILE__, which it is no longer then.
+bool MacroTable::becomes_place(Token& token) const
+{
+    if (!is_place(token.characters) || macros_.find(token.characters) != macros_.end())
+        return false;
+    token.characters = token.characters == "__LINE__" ? std::to_string(token.place.line)
+                                                      : quoted_text(files_[token.place.file]);
+    token.is_in_body = true;
+    return true;
+}
+
+// As far as that can be seen without replacing anything: cheaper than expanding it in vain.
 bool MacroTable::ends_in_call(PlacedText const& text) const
 {
     std::string_view const characters = text.characters;
@@ -160,6 +189,24 @@ Result<void> MacroTable::spend(std::size_t size, SourcePlace const& place)
     return {};
 }
 
+Result<bool> MacroTable::expand_whole(PlacedText const& text, PlacedText& out)
+{
+    if (ends_in_call(text))
+        return false;
+    auto const size = out.size();
+    auto const spent = spent_;
+    ended_in_call_ = false;
+    auto result = expand(text, out);
+    if (!ended_in_call_) {
+        TRY(std::move(result));
+        return true;
+    }
+    out.characters.resize(size);
+    out.places.resize(size);
+    spent_ = spent;
+    return false;
+}
+
 Result<void> MacroTable::expand(PlacedText const& text, PlacedText& out)
 {
     std::string_view const characters = text.characters;
@@ -176,10 +223,16 @@ Result<void> MacroTable::expand(PlacedText const& text, PlacedText& out)
     }
     auto rest = tokens_of(text);
     std::reverse(rest.begin(), rest.end());
+    std::string last; // Token: what follows must not become a part of it.
     return expand(rest, 0, [&](Token const& token) -> Result<void> {
         if (out.size() > kMaxTextSize)
             return error(token.place, "macros make more than 16 MB of text here");
+        if (token.characters.empty())
+            return {};
         auto place = token.place;
+        if (token_end(last + token.characters.front(), 0) > std::max<std::size_t>(last.size(), 1))
+            out.push(' ', place);
+        last = token.characters;
         for (char const c : token.characters) {
             out.push(c, place);
             place.column += token.is_in_body ? 0 : 1;
@@ -200,7 +253,7 @@ template<typename Sink> Result<void> MacroTable::expand(Tokens& rest, int depth,
         call.place = token.place;
         call.depth = depth;
         auto hidden = token.hidden;
-        if (!macro
+        if (becomes_place(token) || !macro
             || (macro->has_parameters && !TRY(take_call(*macro, token, rest, call, hidden)))) {
             TRY(sink(token));
             continue;
@@ -226,6 +279,7 @@ Result<bool> MacroTable::take_call(Macro const& macro, Token const& name, Tokens
     auto open = rest.size();
     while (open > 0 && is_blank_token(rest[open - 1].characters))
         --open;
+    ended_in_call_ |= open == 0 && call.depth == 0;
     if (open == 0 || rest[open - 1].characters != "(")
         return false;
     auto const open_place = rest[open - 1].place;
@@ -246,13 +300,16 @@ Result<bool> MacroTable::take_call(Macro const& macro, Token const& name, Tokens
         else
             call.arguments.back().push_back(std::move(token));
     }
+    ended_in_call_ |= call.depth == 0;
     return error(open_place,
                  fmt::format("the call of macro {} has no closing parenthesis", name.characters));
 }
 
 Result<void> MacroTable::check_arguments(Macro const& macro, Token const& name, Call& call) const
 {
-    if (macro.is_variadic && call.arguments.size() + 1 == macro.parameters.size())
+    call.leaves_out_rest
+        = macro.is_variadic && call.arguments.size() + 1 == macro.parameters.size();
+    if (call.leaves_out_rest)
         call.arguments.emplace_back();
     if (call.arguments.size() != std::max<std::size_t>(macro.parameters.size(), 1))
         return error(name.place,
@@ -304,7 +361,7 @@ Result<MacroTable::Tokens> MacroTable::substitute(Macro const& macro, Call& call
         } else {
             TRY(substitute_token(macro, call, i, next));
         }
-        if (pastes)
+        if (pastes && !takes_comma(macro, call, i, result))
             paste(result, next);
         else
             std::move(next.begin(), next.end(), std::back_inserter(result));
@@ -369,14 +426,25 @@ std::string MacroTable::quoted(Tokens const& argument)
                 result += ' ';
             continue;
         }
-        bool const is_string = token.characters.front() == '"';
-        for (char const c : token.characters) {
-            if (is_string && (c == '"' || c == '\\'))
-                result += '\\';
-            result += c;
-        }
+        if (token.characters.empty() || token.characters.front() != '"')
+            result += token.characters;
+        else
+            append_escaped(result, token.characters);
     }
     return result + '"';
+}
+
+// Whether what is to be joined is a comma and the variable arguments: they stand next to each
+// other, and where there are no arguments, the comma goes.
+bool MacroTable::takes_comma(Macro const& macro, Call const& call, std::size_t at, Tokens& result)
+{
+    if (!macro.is_variadic || result.empty() || result.back().characters != ","
+        || !result.back().is_in_body
+        || parameter_index(macro, macro.body[at]) + 1 != macro.parameters.size())
+        return false;
+    if (call.leaves_out_rest)
+        result.pop_back();
+    return true;
 }
 
 // Joins the last token of `result` and the first of `next`, if they make one token; otherwise they

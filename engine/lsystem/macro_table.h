@@ -14,8 +14,11 @@ namespace tractus {
 
 // The macros that #define makes, with and without parameters, replaced as C11 6.10.3 says: `#` and
 // `##`, arguments that are macros, and results that are read again together with what follows.
-// `#` stands for itself where no parameter follows, as it is a turtle symbol. Errors are the
-// user's, with their place.
+// __LINE__ and __FILE__ are where they stand, in a macro where the call of the outermost one
+// begins.
+// `#` stands for itself where no parameter follows, as it is a turtle symbol. As in gcc, a comma
+// before ## __VA_ARGS__ goes where there is none in the call. Errors are the user's, with their
+// place.
 class MacroTable {
 public:
     // `files` are the names of the files that places are in; they must outlive the table.
@@ -27,13 +30,17 @@ public:
     // What stands behind #define in `line`, of which `rest` is a part.
     Result<void> define(PlacedText const& line, std::string_view rest);
     void undefine(std::string_view name);
-    bool is_defined(std::string_view name) const { return macros_.find(name) != macros_.end(); }
+    bool is_defined(std::string_view name) const
+    {
+        return macros_.find(name) != macros_.end() || is_place(name);
+    }
 
     // Appends the text with its macros replaced.
     Result<void> expand(PlacedText const& text, PlacedText& out);
 
-    // Whether the text ends inside a macro's call, or perhaps before its parentheses.
-    bool ends_in_call(PlacedText const& text) const;
+    // The same, unless the text ends inside a macro's call, or perhaps before its parentheses: then
+    // nothing is appended, as what follows belongs to it, and the result is false.
+    Result<bool> expand_whole(PlacedText const& text, PlacedText& out);
 
 private:
     using HiddenId = std::uint32_t; // Of a set of macros, in hidden_; 0 is the empty one.
@@ -60,15 +67,19 @@ private:
         std::vector<Tokens> expanded; // The same, with macros replaced; filled where asked for.
         std::vector<bool> is_expanded;
         SourcePlace place;
-        int depth = 0; // Of calls in arguments of calls.
+        int depth = 0;                // Of calls in arguments of calls.
+        bool leaves_out_rest = false; // There is no comma before the variable arguments.
     };
 
+    static bool is_place(std::string_view name) { return name == "__LINE__" || name == "__FILE__"; }
     static Tokens tokens_of(PlacedText const& text);
     static std::size_t parameter_index(Macro const& macro, Token const& token);
     Result<void> set_body(Macro& macro, PlacedText const& line, std::string_view text);
     Result<std::string_view> set_parameters(Macro& macro, PlacedText const& line,
                                             std::string_view rest);
+    bool ends_in_call(PlacedText const& text) const;
     Macro const* macro_for(Token const& token) const;
+    bool becomes_place(Token& token) const;
 
     template<typename Sink> Result<void> expand(Tokens& rest, int depth, Sink const& sink);
     Result<bool> take_call(Macro const& macro, Token const& name, Tokens& rest, Call& call,
@@ -78,6 +89,7 @@ private:
     Result<void> substitute_token(Macro const& macro, Call& call, std::size_t at, Tokens& result);
     Result<void> expand_argument(Call& call, std::size_t index);
     static std::string quoted(Tokens const& argument);
+    static bool takes_comma(Macro const& macro, Call const& call, std::size_t at, Tokens& result);
     static void paste(Tokens& result, Tokens const& next);
 
     Result<HiddenId> hidden_id(std::vector<std::uint32_t> set, SourcePlace const& place);
@@ -99,6 +111,8 @@ private:
     std::vector<std::vector<std::uint32_t>> hidden_ { {} }; // Sorted.
     std::map<std::vector<std::uint32_t>, HiddenId> hidden_ids_ { { {}, 0 } };
     std::size_t spent_ = 0;
+    bool ended_in_call_
+        = false; // A text that was expanded, before or behind an opening parenthesis.
 };
 
 } // namespace tractus

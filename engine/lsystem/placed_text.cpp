@@ -22,6 +22,11 @@ static bool is_name_part(char c)
 {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
+// Whether the character is a sign that belongs to the number before it, as in 1e-3.
+static bool is_exponent_sign(std::string_view text, std::size_t at)
+{
+    return (text[at] == '+' || text[at] == '-') && (text[at - 1] == 'e' || text[at - 1] == 'E');
+}
 bool is_digit(char c)
 {
     return std::isdigit(static_cast<unsigned char>(c));
@@ -39,7 +44,8 @@ std::size_t token_end(std::string_view text, std::size_t begin)
             ++end;
     } else if (is_digit(text[begin])
                || (text[begin] == '.' && end < text.size() && is_digit(text[end]))) {
-        while (end < text.size() && (is_name_part(text[end]) || text[end] == '.'))
+        while (end < text.size()
+               && (is_name_part(text[end]) || text[end] == '.' || is_exponent_sign(text, end)))
             ++end;
     } else if (text[begin] == '"') {
         while (end < text.size() && text[end] != '"' && text[end] != '\n')

@@ -45,7 +45,6 @@ public:
 
 private:
     Result<void> add_lines(PlacedText const& text, int nesting);
-    Result<void> add_line(PlacedText const& line, int nesting);
     PlacedText take_line(PlacedText const& text, std::size_t& begin);
     void warn_of_joined_line(PlacedText const& definition, PlacedText const& line);
     Result<bool> directive(PlacedText const& line, int nesting);
@@ -128,17 +127,25 @@ Result<void> Preprocessor::add_lines(PlacedText const& text, int nesting)
     constexpr int kMaxCallLines = 1000;
     for (std::size_t begin = 0; begin < text.size();) {
         auto line = take_line(text, begin);
-        if (active() && !is_directive(line.characters))
-            for (int i = 0; i < kMaxCallLines && begin < text.size() && macros_.ends_in_call(line);
-                 ++i) {
-                auto next = begin;
-                auto const more = take_line(text, next);
-                if (is_directive(more.characters))
-                    break;
-                append(line, more, 0, more.size());
-                begin = next;
-            }
-        TRY(add_line(line, nesting));
+        if (is_directive(line.characters) && TRY(directive(line, nesting))) {
+            if (line.characters.back() == '\n')
+                out_.push('\n', line.places.back());
+            continue;
+        }
+        if (!active())
+            continue;
+        bool is_whole = false;
+        for (int i = 0; i < kMaxCallLines && begin < text.size(); ++i) {
+            is_whole = TRY(macros_.expand_whole(line, out_));
+            auto next = begin;
+            auto const more = is_whole ? PlacedText {} : take_line(text, next);
+            if (is_whole || is_directive(more.characters))
+                break;
+            append(line, more, 0, more.size());
+            begin = next;
+        }
+        if (!is_whole)
+            TRY(macros_.expand(line, out_));
     }
     return {};
 }
@@ -186,18 +193,6 @@ void Preprocessor::warn_of_joined_line(PlacedText const& definition, PlacedText 
         files_[at.file], at.line, at.column, next));
 }
 
-Result<void> Preprocessor::add_line(PlacedText const& line, int nesting)
-{
-    if (TRY(directive(line, nesting))) {
-        if (!line.characters.empty() && line.characters.back() == '\n')
-            out_.push('\n', line.places.back());
-        return {};
-    }
-    if (!active())
-        return {};
-    return macros_.expand(line, out_);
-}
-
 // Whether the line was a directive.
 Result<bool> Preprocessor::directive(PlacedText const& line, int nesting)
 {
@@ -209,10 +204,18 @@ Result<bool> Preprocessor::directive(PlacedText const& line, int nesting)
     rest = trimmed_line(rest.substr(word.size()));
     if (TRY(condition(line, word, rest)))
         return true;
-    if (word != "define" && word != "undef" && word != "include" && word != "error")
+    bool const is_for_others = word == "line" || word == "pragma";
+    if (word != "define" && word != "undef" && word != "include" && word != "error"
+        && word != "warning" && !is_for_others)
         return false;
-    if (!active())
+    if (!active() || is_for_others)
         return true;
+    if (word == "warning") {
+        auto const& at = line.places[line.characters.find('#')];
+        warnings_.push_back(
+            fmt::format("{}:{}:{}: #warning {}", files_[at.file], at.line, at.column, shown(rest)));
+        return true;
+    }
     if (word == "error")
         return error(line, 0, fmt::format("#error {}", shown(rest)));
     if (word == "define")

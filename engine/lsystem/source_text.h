@@ -32,8 +32,9 @@ struct SourceText {
 };
 
 // C's preprocessor: comments of both kinds, #define with and without parameters and with # and ##,
-// #undef, #include, #if, #ifdef, #ifndef, #elif, #else, #endif, #error. A line that starts with `#`
-// and none of these words is left alone, since # is a turtle symbol.
+// #undef, #include, #if, #ifdef, #ifndef, #elif, #else, #endif, #error, #warning; __LINE__ and
+// __FILE__. #line and #pragma are passed over. A line that starts with `#` and none of these words
+// is left alone, since # is a turtle symbol.
 Result<SourceText> preprocess(std::string const& name, std::string_view text,
                               IncludeReader const& include);
 

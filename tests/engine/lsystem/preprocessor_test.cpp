@@ -157,6 +157,45 @@ TEST(Preprocessor, ReadsCallsThatGoOnInTheNextLine)
               "model.l:2:4: the call of macro add has no closing parenthesis");
 }
 
+TEST(Preprocessor, ReadsCallsWhoseNamesComeOutOfMacros)
+{
+    EXPECT_EQ(preprocessed("#define f(x) <x>\n#define F f\nA F\n(1) f\nB"), "A<1>fB");
+    EXPECT_EQ(preprocessed("#define f(x) <x>\n#define open f (\n#define F f\nF (1,\n"),
+              "model.l:4:3: the call of macro f has no closing parenthesis");
+}
+
+TEST(Preprocessor, KnowsWhereItIs)
+{
+    EXPECT_EQ(preprocessed("\n__LINE__ __FILE__\n#if __LINE__ == 3 && defined __FILE__\na\n#endif"),
+              "2\"model.l\"a");
+    EXPECT_EQ(preprocessed("#define here(a) a __LINE__ #a\n\nhere(\n__LINE__)"), "43\"__LINE__\"");
+}
+
+TEST(Preprocessor, LeavesTheCommaOutWithTheArgumentsBehindIt)
+{
+    EXPECT_EQ(preprocessed("#define F(a, ...) F(a, ## __VA_ARGS__)\nF(1) F(1,2,3) F(1,)"),
+              "F(1)F(1,2,3)F(1,)");
+}
+
+TEST(Preprocessor, KeepsTokensApart)
+{
+    auto const text = [](std::string const& source) {
+        auto const result = preprocess("model.l", source, {});
+        return result ? result->text : result.error().message;
+    };
+    EXPECT_EQ(text("#define id(a) a\nid(x)y id(2)x 2id(x) id(F)(1)\n"), "\nx y 2 x 2id(x) F(1)\n");
+    EXPECT_EQ(text("#define X 3\n1e-X 1-X\n"), "\n1e-X 1-3\n"); // One number, says C.
+}
+
+TEST(Preprocessor, PassesWarningsOn)
+{
+    auto const source
+        = preprocess("model.l", "a\n #warning soon gone\n#pragma once\n#line 7\n", {});
+    ASSERT_TRUE(source) << source.error().message;
+    ASSERT_EQ(source->warnings.size(), 1u);
+    EXPECT_EQ(source->warnings[0], "model.l:2:2: #warning soon gone");
+}
+
 TEST(Preprocessor, GoesOnBehindABackslashAsC)
 {
     EXPECT_EQ(preprocessed("#define pair F\\\nG\npair"), "FG");

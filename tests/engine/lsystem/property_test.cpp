@@ -30,7 +30,7 @@ rc::Gen<std::string> random_string(std::string const& symbols)
 }
 
 // A rule with or without a context of one module on each side.
-rc::Gen<std::string> random_rule()
+rc::Gen<std::string> random_rule_text()
 {
     auto const context = [] { return rc::gen::element<std::string>("", "", "A", "B", "C", "+"); };
     return rc::gen::map(rc::gen::tuple(context(), rc::gen::element<std::string>("A", "B", "C", "+"),
@@ -53,7 +53,7 @@ std::string derived_by(int threads, Model const& model, DeriveOptions const& opt
 // A rule with a parameter that never applies keeps models away from the table.
 RC_GTEST_PROP(LSystemProperty, ContextTableAgreesWithTheSearch, ())
 {
-    auto const rules = *rc::gen::container<std::vector<std::string>>(random_rule());
+    auto const rules = *rc::gen::container<std::vector<std::string>>(random_rule_text());
     auto const seen = *rc::gen::element<std::string>("", "ignore: +-\n", "consider: ABC\n");
     std::string text = seen + "Axiom: A" + *random_string("ABC+-") + "\n";
     for (auto const& rule : rules)
@@ -230,7 +230,7 @@ RC_GTEST_PROP(LSystemProperty, KeptBranchesDeriveByThemselves, ())
         });
     };
     std::string successors = "\nZ(x) --> Z(x)";
-    for (auto const& rule : *rc::gen::container<std::vector<std::string>>(random_rule()))
+    for (auto const& rule : *rc::gen::container<std::vector<std::string>>(random_rule_text()))
         successors += '\n' + rule;
     auto const derive_one = [&](std::string const& axiom) {
         return derived(rules + "Axiom: " + axiom + successors, 1);
