@@ -52,8 +52,9 @@ public:
         machine_.set_memory_limit(options.limits.max_memory_bytes);
         if (!model.subsystems.empty())
             subsystems_.emplace(model, machine_, branches_);
-        environment_
-            = options.environment ? options.environment : make_environment(model.view.environment);
+        environment_ = options.environment
+            ? options.environment
+            : make_environment(model.view.environment, options.limits.time);
         has_queries_ = has_queries(model) || keeps_cuts(model);
     }
 

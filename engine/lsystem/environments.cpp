@@ -80,6 +80,38 @@ Error too_large(std::string_view name, double cell)
                          name, kMaxCells, cell) };
 }
 
+// Looks at the clock now and then.
+class Watch {
+public:
+    Watch(std::string_view environment, TimeLimit const& limit)
+        : environment_(environment)
+        , limit_(limit)
+    {
+    }
+
+    // Takes note of work, in voxels looked at.
+    Result<void> spend(std::size_t work)
+    {
+        spent_ += work;
+        if (spent_ < kWorkBetweenLooks)
+            return {};
+        spent_ = 0;
+        if (!limit_.is_over || !limit_.is_over())
+            return {};
+        return fail(Fault::User,
+                    fmt::format("environment {}: the answers were not there when {} s had passed; "
+                                "derive fewer steps, or raise the limit of time",
+                                environment_, limit_.seconds));
+    }
+
+private:
+    static constexpr std::size_t kWorkBetweenLooks = 16'384;
+
+    std::string_view environment_;
+    TimeLimit limit_;
+    std::size_t spent_ = 0;
+};
+
 // The weights in voxels, summed along x and z, so that the weight of any rectangle of a layer is
 // four numbers.
 class WeightGrid {
@@ -145,8 +177,9 @@ bool WeightGrid::fill(std::span<std::optional<Cell> const> cells, std::span<doub
 
 class Light {
 public:
-    explicit Light(EnvironmentChoice const& choice)
-        : cell_(choice["cell"])
+    Light(EnvironmentChoice const& choice, TimeLimit const& time)
+        : watch_("light", time)
+        , cell_(choice["cell"])
         , full_(choice["full"])
     {
         double strength = choice["shade"];
@@ -176,6 +209,7 @@ public:
             return full_ - shade;
         };
         for (std::size_t i = 0; i < queries.size(); ++i) {
+            TRY(watch_.spend(strengths_.size() + 1));
             auto const& cell = cells[i];
             answer(queries[i], 0,
                    cell ? std::max(light_at(*cell) + strengths_[0] * weights[i], 0.0) : full_);
@@ -187,6 +221,7 @@ public:
     }
 
 private:
+    Watch watch_;
     double cell_;
     double full_;
     std::vector<double> strengths_; // By layers below what casts the shade.
@@ -194,8 +229,9 @@ private:
 
 class Space {
 public:
-    explicit Space(EnvironmentChoice const& choice)
-        : radius_(choice["radius"])
+    Space(EnvironmentChoice const& choice, TimeLimit const& time)
+        : watch_("space", time)
+        , radius_(choice["radius"])
     {
     }
 
@@ -204,7 +240,7 @@ public:
         if (step == 0)
             balls_.clear();
         for (auto const& query : queries)
-            answer(query, 0, take(query.position, asked(query, 1, radius_)) ? 1 : 0);
+            answer(query, 0, TRY(take(query.position, asked(query, 1, radius_))) ? 1 : 0);
         return {};
     }
 
@@ -216,7 +252,7 @@ private:
 
     // Balls stand under the voxel of their centre, and by size: voxels of one size are at least as
     // large as its balls, so that few voxels can hold what touches.
-    bool take(Vec3 const& center, double radius)
+    Result<bool> take(Vec3 const& center, double radius)
     {
         int size = 0;
         std::frexp(2 * radius, &size);
@@ -230,7 +266,8 @@ private:
             if (!low || !high)
                 return false;
             for (auto voxel = voxels.lower_bound({ (*low)[0], (*low)[1], (*low)[2] });
-                 voxel != voxels.end() && voxel->first[0] <= (*high)[0]; ++voxel)
+                 voxel != voxels.end() && voxel->first[0] <= (*high)[0]; ++voxel) {
+                TRY(watch_.spend(voxel->second.size() + 1));
                 for (auto const& ball : voxel->second) {
                     double const distance = (ball.center - center).norm();
                     if (distance < 1e-4 * radius)
@@ -238,11 +275,13 @@ private:
                     if (distance < (ball.radius + radius) * (1 - 1e-6))
                         return false;
                 }
+            }
         }
         balls_[size][*cell_at(center, std::ldexp(1, size))].push_back({ center, radius });
         return true;
     }
 
+    Watch watch_;
     double radius_;
     std::map<int, std::map<Cell, std::vector<Ball>>> balls_; // By the power of 2, and the voxel.
 };
@@ -279,8 +318,9 @@ private:
 
 class Water {
 public:
-    explicit Water(EnvironmentChoice const& choice)
-        : cell_(choice["cell"])
+    Water(EnvironmentChoice const& choice, TimeLimit const& time)
+        : watch_("water", time)
+        , cell_(choice["cell"])
         , content_(choice["content"])
         , uptake_(choice["uptake"])
         , diffusion_(choice["diffusion"])
@@ -295,6 +335,7 @@ public:
         std::map<Cell, double> demands;
         std::vector<std::optional<Cell>> cells;
         for (auto const& query : queries) {
+            TRY(watch_.spend(1));
             auto const& cell = cells.emplace_back(cell_at(query.position, cell_));
             if (cell)
                 demands[*cell] += asked(query, 1, 1);
@@ -330,7 +371,8 @@ private:
         if (diffusion_ == 0)
             return {};
         auto next = changed_;
-        for (auto const& [cell, water] : changed_)
+        for (auto const& [cell, water] : changed_) {
+            TRY(watch_.spend(6));
             for (std::size_t axis = 0; axis < 3; ++axis)
                 for (int side : { -1, 1 }) {
                     auto near = cell;
@@ -343,12 +385,14 @@ private:
                     if (!is_changed && std::fabs(flow) > 1e-6 * content_)
                         next.try_emplace(near, content_).first->second -= flow;
                 }
+        }
         changed_ = std::move(next);
         if (changed_.size() > kMaxCells / 16)
             return tl::unexpected<Error>(too_large("water", cell_));
         return {};
     }
 
+    Watch watch_;
     double cell_;
     double content_;
     double uptake_;
@@ -358,16 +402,16 @@ private:
 
 } // namespace
 
-Environment make_environment(EnvironmentChoice const& choice)
+Environment make_environment(EnvironmentChoice const& choice, TimeLimit const& time)
 {
     if (choice.name == "light")
-        return Light(choice);
+        return Light(choice, time);
     if (choice.name == "space")
-        return Space(choice);
+        return Space(choice, time);
     if (choice.name == "terrain")
         return Terrain(choice);
     if (choice.name == "water")
-        return Water(choice);
+        return Water(choice, time);
     return {};
 }
 

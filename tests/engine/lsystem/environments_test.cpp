@@ -197,6 +197,23 @@ TEST(Environments, GiveTheSamePlantEachTime)
     EXPECT_NE(first.find('X'), std::string::npos);
 }
 
+TEST(Environments, EndWhenTheTimeIsOver)
+{
+    for (std::string const name : { "light", "space", "water" }) {
+        int looks = 0;
+        TimeLimit const time { .is_over = [&] { return ++looks == 2; }, .seconds = 60 };
+        auto const environment = make_environment(*parse_environment(name), time);
+        std::vector<EnvironmentQuery> const queries(60'000);
+        auto const result = environment(0, queries);
+        ASSERT_FALSE(result) << name;
+        EXPECT_EQ(result.error().message,
+                  "environment " + name
+                      + ": the answers were not there when 60 s had passed; derive fewer steps, or "
+                        "raise the limit of time");
+        EXPECT_EQ(looks, 2);
+    }
+}
+
 TEST(Environments, SayWhichThereAre)
 {
     auto const error = [](std::string const& text) {
