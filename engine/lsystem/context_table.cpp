@@ -96,21 +96,24 @@ ContextTable::ContextTable(Model const& model)
 // A branch has nothing to its right; what stands behind it is the right neighbour of what bears it.
 void ContextTable::find_right_neighbours(Column<KindId> const& in)
 {
-    right_.resize(in.size());
-    stack_.resize(in.size() + 1);
+    for (auto* const column : { &right_, &stack_ }) // Strings grow: not at every step anew.
+        if (column->capacity() < in.size() + 1)
+            column->reserve(in.size() + in.size() / 2 + 1);
+    auto* const rights = right_.data();
+    auto* const stack = stack_.data();
     std::size_t depth = 0;
     auto neighbour = none_;
     for (auto i = in.size(); i-- > 0;) {
-        right_[i] = neighbour;
+        rights[i] = neighbour;
         auto const kind = in[i];
         auto const role = roles_[kind];
         if (!sees_branches_ && (role == Role::Closing || role == Role::Opening))
             continue;
         if (role == Role::Closing) {
-            stack_[depth++] = neighbour;
+            stack[depth++] = neighbour;
             neighbour = none_;
         } else if (role == Role::Opening) {
-            neighbour = depth > 0 ? stack_[--depth] : none_;
+            neighbour = depth > 0 ? stack[--depth] : none_;
         } else {
             neighbour = role == Role::Seen ? kind : neighbour;
         }
@@ -123,16 +126,19 @@ void ContextTable::write(Column<KindId> const& in, Column<KindId>& out, std::siz
     constexpr std::size_t kBlock = 4096; // Modules between two looks at the memory.
     auto const size = in.size();
     auto const* const kinds = in.data();
+    auto const* const rights = right_.data();
+    auto* const stack = stack_.data();
     std::size_t depth = 0;
     auto left = none_;
     out.clear();
+    out.reserve(std::min(size, max_modules)); // Seldom shorter, and grown without copying.
     for (std::size_t begin = 0; begin < size && out.size() <= max_modules; begin += kBlock) {
         auto const end = std::min(begin + kBlock, size);
         out.reserve_more((end - begin) * longest_ + FixedSuccessor::kShort);
         auto* to = out.data() + out.size();
         for (auto i = begin; i < end; ++i) {
             auto const kind = kinds[i];
-            auto const right = !kIsRow ? right_[i] : i + 1 < size ? kinds[i + 1] : none_;
+            auto const right = !kIsRow ? rights[i] : i + 1 < size ? kinds[i + 1] : none_;
             auto const successor = index(left, kind, right);
             if constexpr (kIsOneToOne)
                 *to++ = one_to_one_[successor];
@@ -144,9 +150,9 @@ void ContextTable::write(Column<KindId> const& in, Column<KindId>& out, std::siz
             }
             auto const role = roles_[kind];
             if (role == Role::Opening)
-                stack_[depth++] = left;
+                stack[depth++] = left;
             else if (role == Role::Closing)
-                left = depth > 0 ? stack_[--depth] : none_;
+                left = depth > 0 ? stack[--depth] : none_;
             else
                 left = role == Role::Seen ? kind : left;
         }

@@ -51,8 +51,9 @@ private:
     std::vector<KindId> one_to_one_;   // The successors themselves, if is_one_to_one_.
     std::vector<FixedSuccessor> successors_;
     std::size_t longest_ = 1;
-    std::vector<KindId> right_; // Each module's right neighbour.
-    std::vector<KindId> stack_;
+    // Memory alone, of which no more is touched than what is written.
+    Column<KindId> right_; // Each module's right neighbour.
+    Column<KindId> stack_;
 };
 
 } // namespace tractus

@@ -3,11 +3,11 @@
 #include "engine/base/parallel.h"
 #include "engine/lsystem/context_table.h"
 #include "engine/lsystem/environments.h"
+#include "engine/lsystem/print.h"
 #include "engine/lsystem/range_rewriter.h"
 #include "engine/lsystem/subsystem_rewriter.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <fmt/core.h>
@@ -274,24 +274,6 @@ Result<void> Derivation::rewrite_in_pieces()
         });
     }
     return {};
-}
-
-// How often each kind is among modules.
-std::array<std::size_t, 256> count_kinds(std::span<KindId const> modules)
-{
-    // Kinds are mostly alike: one sum after the other would wait for itself.
-    std::array<std::array<std::uint32_t, 256>, 4> counts {};
-    std::size_t i = 0;
-    for (; i + 4 <= modules.size(); i += 4)
-        for (std::size_t k = 0; k < 4; ++k)
-            ++counts[k][modules[i + k]];
-    for (; i < modules.size(); ++i)
-        ++counts[0][modules[i]];
-    std::array<std::size_t, 256> result {};
-    for (auto const& part : counts)
-        for (std::size_t kind = 0; kind < part.size(); ++kind)
-            result[kind] += part[kind];
-    return result;
 }
 
 // Where the pieces of in_ begin, and its end; and where what becomes of them begins in out_, if

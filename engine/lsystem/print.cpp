@@ -1,9 +1,14 @@
 #include "engine/lsystem/print.h"
 
+#include "engine/base/parallel.h"
+
+#include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdint>
 #include <cstdio>
 #include <string_view>
+#include <vector>
 
 namespace tractus {
 
@@ -57,23 +62,84 @@ std::string to_string(Model const& model, ModuleString const& string)
     return result;
 }
 
-std::map<std::string, std::size_t> count_symbols(Model const& model, ModuleString const& string)
+KindCounts count_kinds(std::span<KindId const> modules)
 {
-    std::array<std::size_t, 256> single {};
-    std::map<std::string, std::size_t> counts;
-    auto const kinds = string.kinds.span();
-    for (std::size_t i = 0; i < kinds.size();) {
-        auto const length = symbol_length(model.alphabet, kinds.subspan(i));
-        if (length == 1) {
-            ++single[kinds[i]];
-        } else {
-            std::string name;
-            for (std::size_t k = 0; k < length; ++k)
-                name.push_back(model.alphabet[kinds[i + k]].symbol);
-            ++counts[name];
+    KindCounts result {};
+    constexpr std::size_t kMost = std::size_t { 1 } << 31; // What 32 bits can count.
+    for (std::size_t begin = 0; begin < modules.size(); begin += kMost) {
+        auto const part = modules.subspan(begin, std::min(kMost, modules.size() - begin));
+        // Kinds are mostly alike: one sum after the other would wait for itself.
+        std::array<std::array<std::uint32_t, 256>, 4> counts {};
+        std::size_t i = 0;
+        for (; i + 4 <= part.size(); i += 4)
+            for (std::size_t k = 0; k < 4; ++k)
+                ++counts[k][part[i + k]];
+        for (; i < part.size(); ++i)
+            ++counts[0][part[i]];
+        for (auto const& sums : counts)
+            for (std::size_t kind = 0; kind < sums.size(); ++kind)
+                result[kind] += sums[kind];
+    }
+    return result;
+}
+
+// The same, on as many threads as it is worth.
+static KindCounts count_kinds_of_all(std::span<KindId const> modules)
+{
+    constexpr std::size_t kPiece = std::size_t { 1 } << 18;
+    std::vector<KindCounts> pieces((modules.size() + kPiece - 1) / kPiece);
+    parallel_for(pieces.size(), 4, [&](std::size_t begin, std::size_t end) {
+        for (auto i = begin; i < end; ++i) {
+            auto const from = i * kPiece;
+            pieces[i] = count_kinds(modules.subspan(from, std::min(kPiece, modules.size() - from)));
         }
+    });
+    KindCounts result {};
+    for (auto const& piece : pieces)
+        for (std::size_t kind = 0; kind < result.size(); ++kind)
+            result[kind] += piece[kind];
+    return result;
+}
+
+// The number of each symbol of several modules, which are taken out of the counts of single ones.
+static void count_long_symbols(Alphabet const& alphabet, std::span<KindId const> kinds,
+                               KindCounts& single, std::map<std::string, std::size_t>& counts)
+{
+    std::array<bool, 256> may_begin {};
+    bool is_any = false;
+    for (std::size_t kind = 0; kind < alphabet.kinds.size(); ++kind) {
+        auto const& [symbol, parameter_count] = alphabet.kinds[kind];
+        may_begin[kind] = parameter_count == 0 && (symbol == '@' || symbol == '~' || symbol == '?');
+        is_any |= may_begin[kind] && single[kind] > 0;
+    }
+    std::string before; // The symbol that came last, and its count: mostly they are alike.
+    std::size_t* count = nullptr;
+    for (std::size_t i = 0; is_any && i < kinds.size();) {
+        if (!may_begin[kinds[i]]) {
+            ++i;
+            continue;
+        }
+        auto const length = symbol_length(alphabet, kinds.subspan(i));
+        std::string name;
+        for (std::size_t k = 0; length > 1 && k < length; ++k) {
+            name.push_back(alphabet[kinds[i + k]].symbol);
+            --single[kinds[i + k]];
+        }
+        if (length > 1 && (!count || name != before)) {
+            before = name;
+            count = &counts[name];
+        }
+        if (length > 1)
+            ++*count;
         i += length;
     }
+}
+
+std::map<std::string, std::size_t> count_symbols(Model const& model, ModuleString const& string)
+{
+    std::map<std::string, std::size_t> counts;
+    auto single = count_kinds_of_all(string.kinds.span());
+    count_long_symbols(model.alphabet, string.kinds.span(), single, counts);
     for (std::size_t kind = 0; kind < model.alphabet.kinds.size(); ++kind)
         if (single[kind] > 0)
             counts[std::string(1, model.alphabet.kinds[kind].symbol)] += single[kind];

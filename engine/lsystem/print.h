@@ -3,6 +3,7 @@
 #include "engine/lsystem/model.h"
 #include "engine/lsystem/module_string.h"
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <span>
@@ -16,6 +17,10 @@ std::size_t symbol_length(Alphabet const& alphabet, std::span<KindId const> kind
 
 // The string as cpfg writes it, without line breaks: parameters as C's %g.
 std::string to_string(Model const& model, ModuleString const& string);
+
+// How often each kind is among modules: by kind, 0 for those that there are not.
+using KindCounts = std::array<std::size_t, 256>;
+KindCounts count_kinds(std::span<KindId const> modules);
 
 // How often each symbol stands in the string, whatever its parameters. @-symbols, ~S and ?P count
 // as one.
