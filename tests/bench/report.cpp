@@ -11,6 +11,7 @@
 #include <fstream>
 #include <spawn.h>
 #include <string_view>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -98,6 +99,17 @@ std::string counter_name(std::string_view limit)
     return fmt::format("{}_bytes_per_second", limit);
 }
 
+// This process' minor page faults since the last call.
+double new_faults()
+{
+    static long before = 0;
+    rusage usage {};
+    ::getrusage(RUSAGE_SELF, &usage);
+    long const faults = usage.ru_minflt - before;
+    before = usage.ru_minflt;
+    return static_cast<double>(faults);
+}
+
 // Four digits or so and a unit with a prefix, such as "12.35 ns" or "2.31 G modules/s".
 std::string with_prefix(double value, std::string_view unit)
 {
@@ -125,13 +137,13 @@ std::string with_prefix(double value, std::string_view unit)
 }
 
 void print_row(std::string_view name, std::string_view figure, std::string_view each,
-               std::string_view bytes, std::string_view run, std::string_view limit,
-               std::string_view share)
+               std::string_view bytes, std::string_view run, std::string_view faults,
+               std::string_view limit, std::string_view share)
 {
     auto const split = figure.find(' ');
-    fmt::print("{:<36}{:>6} {:<17}{:>9}{:>9}{:>10}  {:<15}{:>8}\n", name, figure.substr(0, split),
-               split < figure.size() ? figure.substr(split + 1) : "", each, bytes, run, limit,
-               share);
+    fmt::print("{:<36}{:>6} {:<17}{:>9}{:>9}{:>10}{:>9}  {:<15}{:>8}\n", name,
+               figure.substr(0, split), split < figure.size() ? figure.substr(split + 1) : "", each,
+               bytes, run, faults, limit, share);
     std::fflush(stdout);
 }
 
@@ -175,7 +187,8 @@ void print_run(Run const& run)
     double const share = counter(run, "of_limit");
     double const run_s = run.real_accumulated_time / static_cast<double>(run.iterations);
     print_row(name, with_prefix(rate, run.report_label + "/s"), with_prefix(1 / rate, "s"),
-              bytes > 0 ? with_prefix(bytes, "B") : "", with_prefix(run_s, "s"), limit_of(run),
+              bytes > 0 ? with_prefix(bytes, "B") : "", with_prefix(run_s, "s"),
+              fmt::format("{:.0f}", counter(run, "faults")), limit_of(run),
               share > 0 ? fmt::format("{:.4f}", share) : "");
 }
 
@@ -206,6 +219,8 @@ void report(benchmark::State& state, Work const& work)
     using benchmark::Counter;
     auto const iterations = static_cast<double>(state.iterations());
     state.SetLabel(work.item);
+    auto const faults = new_faults();
+    state.counters["faults"] = work.faults < 0 ? faults / iterations : work.faults;
     state.counters["items_per_second"] = Counter(work.items * iterations, Counter::kIsRate);
     if (work.bytes <= 0)
         return;
@@ -223,7 +238,8 @@ void report(benchmark::State& state, Work const& work)
 int main(int argc, char** argv)
 {
     if (argc == 2 && std::string_view(argv[1]) == "--heading") {
-        tractus::print_row("benchmark", "figure unit", "each", "bytes", "run", "limit", "of limit");
+        tractus::print_row("benchmark", "figure unit", "each", "bytes", "run", "faults", "limit",
+                           "of limit");
         return 0;
     }
     benchmark::Initialize(&argc, argv);
