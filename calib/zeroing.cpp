@@ -13,7 +13,7 @@ namespace {
 
 using Captures = std::span<HeightCapture const>;
 
-constexpr std::array<std::string_view, 2> kNames { "slipped", "moved" };
+constexpr std::array<std::string_view, 2> kCauseNames { "slipped", "moved" };
 constexpr double kTellingErrors = 4; // Of the ruler.
 
 // What one cause makes of the rig, and how well the captures fit then.
@@ -22,7 +22,7 @@ struct Trial {
     double sum_of_squares_mm2 = 0;
 };
 
-double to_thousandths(double value)
+double in_thousandths(double value)
 {
     return std::round(value * 1000) / 1000;
 }
@@ -42,7 +42,7 @@ Result<Trial> after_move(Rig rig, Captures captures)
     for (auto const& capture : captures)
         rise_mm += (capture.ruler_mm - TRY(height_of(capture, rig)))
             / static_cast<double>(captures.size());
-    rise_mm = to_thousandths(rise_mm);
+    rise_mm = in_thousandths(rise_mm);
     rig.height_model = raised(rig.height_model, rise_mm);
     if (auto& record = rig.calibration.height) {
         record->raised_mm += rise_mm;
@@ -68,7 +68,7 @@ Result<double> shift_of(Rig const& rig, Captures captures)
         sum += worth * worth * (capture.counts - *counts);
         weights += worth * worth;
     }
-    return weights > 0 ? to_thousandths(sum / weights) : 0;
+    return weights > 0 ? in_thousandths(sum / weights) : 0;
 }
 
 // The surface goes as far as before, and that is at other readings now.
@@ -103,15 +103,15 @@ double most_between_mm(Rig const& a, Rig const& b)
 
 std::string_view name_of(ZeroCause cause)
 {
-    return kNames[static_cast<std::size_t>(cause)];
+    return kCauseNames[static_cast<std::size_t>(cause)];
 }
 
 std::optional<ZeroCause> parse_zero_cause(std::string_view name)
 {
-    auto const found = std::find(kNames.begin(), kNames.end(), name);
-    if (found == kNames.end())
+    auto const found = std::find(kCauseNames.begin(), kCauseNames.end(), name);
+    if (found == kCauseNames.end())
         return std::nullopt;
-    return static_cast<ZeroCause>(found - kNames.begin());
+    return static_cast<ZeroCause>(found - kCauseNames.begin());
 }
 
 Result<Zeroing> zeroed(Rig const& rig, Captures captures, std::int32_t full_scale_counts,

@@ -78,16 +78,15 @@ bool is_round(std::vector<Bump> const& bumps, std::span<Vec2 const> outline)
 std::optional<Run> inside_run(std::span<Vec2 const> outline, std::span<Vec2 const> trunk)
 {
     std::optional<Run> longest;
-    std::optional<std::size_t> start;
+    std::size_t count = 0; // Of those inside that come one after the other.
     for (std::size_t k = 0; k <= trunk.size(); ++k) {
-        bool const inside = k < trunk.size() && is_inside(outline, trunk[k]);
-        if (inside && !start)
-            start = k;
-        if (inside || !start)
+        if (k < trunk.size() && is_inside(outline, trunk[k])) {
+            ++count;
             continue;
-        if (!longest || k - 1 - *start > longest->last - longest->first)
-            longest = Run { *start, k - 1 };
-        start.reset();
+        }
+        if (count > 0 && (!longest || count - 1 > longest->last - longest->first))
+            longest = Run { k - count, k - 1 };
+        count = 0;
     }
     return longest;
 }

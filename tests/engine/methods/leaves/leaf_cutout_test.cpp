@@ -7,13 +7,13 @@
 namespace tractus::leaf {
 namespace {
 
-constexpr int kSide = 128;
+constexpr int kCutSide = 128;
 
 template<typename IsThere> std::vector<float> picture(IsThere const& is_there)
 {
     std::vector<float> alpha;
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x)
+    for (int y = 0; y < kCutSide; ++y)
+        for (int x = 0; x < kCutSide; ++x)
             alpha.push_back(is_there(x, y) ? 1.0f : 0.0f);
     return alpha;
 }
@@ -59,9 +59,9 @@ bool holds(Cutout const& shape, Vec2 const& at)
 
 void expect_holds_all(std::vector<float> const& alpha, Cutout const& shape)
 {
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x)
-            if (alpha[static_cast<std::size_t>(y * kSide + x)] > 0) {
+    for (int y = 0; y < kCutSide; ++y)
+        for (int x = 0; x < kCutSide; ++x)
+            if (alpha[static_cast<std::size_t>(y * kCutSide + x)] > 0) {
                 ASSERT_TRUE(holds(shape, { x + 0.5, y + 0.5 })) << x << " " << y;
             }
 }
@@ -71,7 +71,7 @@ TEST(LeafCutout, HoldsAllThatIsThere)
     for (auto const& is_there : { is_cross, is_star }) {
         auto const alpha = picture(is_there);
         for (int const corners : { 6, 8, 12, 16, 24 })
-            expect_holds_all(alpha, cut_out(alpha, kSide, { .most_corners = corners }));
+            expect_holds_all(alpha, cut_out(alpha, kCutSide, { .most_corners = corners }));
     }
 }
 
@@ -80,12 +80,12 @@ TEST(LeafCutout, HasTwoTrianglesLessThanCorners)
     for (int const corners : { 8, 16 }) {
         // Corners that turn inwards stay: eight are enough for a star's hull, not for its bays.
         CutoutOptions const options { .most_corners = corners, .most_bays = corners < 16 ? 0 : 6 };
-        auto const shape = cut_out(picture(is_star), kSide, options);
+        auto const shape = cut_out(picture(is_star), kCutSide, options);
         EXPECT_LE(shape.corners.size(), static_cast<std::size_t>(corners));
         EXPECT_EQ(shape.triangles.size(), shape.corners.size() - 2);
         for (auto const& corner : shape.corners) {
             EXPECT_GE(corner.minCoeff(), 0);
-            EXPECT_LE(corner.maxCoeff(), kSide);
+            EXPECT_LE(corner.maxCoeff(), kCutSide);
         }
     }
 }
@@ -93,8 +93,8 @@ TEST(LeafCutout, HasTwoTrianglesLessThanCorners)
 TEST(LeafCutout, CutsInWhereNothingIs)
 {
     auto const alpha = picture(is_cross);
-    auto const hull = cut_out(alpha, kSide, { .most_bays = 0 });
-    auto const shape = cut_out(alpha, kSide, { .most_bays = 4 });
+    auto const hull = cut_out(alpha, kCutSide, { .most_bays = 0 });
+    auto const shape = cut_out(alpha, kCutSide, { .most_bays = 4 });
     double const there = 16 * 110 + 16 * 110 - 16 * 16;
     EXPECT_GE(area(hull), there);
     EXPECT_LT(area(shape), 1.2 * there);
@@ -103,7 +103,7 @@ TEST(LeafCutout, CutsInWhereNothingIs)
 
 TEST(LeafCutout, IsEmptyRoundNothing)
 {
-    auto const shape = cut_out(picture([](int, int) { return false; }), kSide);
+    auto const shape = cut_out(picture([](int, int) { return false; }), kCutSide);
     EXPECT_TRUE(shape.corners.empty());
     EXPECT_TRUE(shape.triangles.empty());
 }
