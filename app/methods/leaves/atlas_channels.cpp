@@ -10,47 +10,51 @@ using leaf::LeafPicture;
 using leaf::PageKind;
 using enum AtlasChannel;
 
-AtlasMap const kColor { "color", PageKind::Color, { Red, Green, Blue, Alpha } };
-AtlasMap const kNormal { "normal", PageKind::Normal, { NormalX, NormalUp, NormalZ } };
-AtlasMap const kNormalDown { "normal", PageKind::Normal, { NormalX, NormalDown, NormalZ } };
-AtlasMap const kOrm { "orm", PageKind::Plain, { Occlusion, Roughness, Zero } };
-AtlasMap const kUnderColor { "under-color", PageKind::Color, { UnderRed, UnderGreen, UnderBlue } };
-AtlasMap const kUnderNormal { "under-normal", PageKind::Normal, { UnderX, UnderUp, UnderZ } };
-AtlasMap const kUnderNormalDown { "under-normal", PageKind::Normal, { UnderX, UnderDown, UnderZ } };
+AtlasMap const kColorMap { "color", PageKind::Color, { Red, Green, Blue, Alpha } };
+AtlasMap const kNormalMap { "normal", PageKind::Normal, { NormalX, NormalUp, NormalZ } };
+AtlasMap const kNormalDownMap { "normal", PageKind::Normal, { NormalX, NormalDown, NormalZ } };
+AtlasMap const kOrmMap { "orm", PageKind::Plain, { Occlusion, Roughness, Zero } };
+AtlasMap const kUnderColorMap { "under-color",
+                                PageKind::Color,
+                                { UnderRed, UnderGreen, UnderBlue } };
+AtlasMap const kUnderNormalMap { "under-normal", PageKind::Normal, { UnderX, UnderUp, UnderZ } };
+AtlasMap const kUnderNormalDownMap { "under-normal",
+                                     PageKind::Normal,
+                                     { UnderX, UnderDown, UnderZ } };
 
 std::vector<AtlasChannels> const& table()
 {
     static std::vector<AtlasChannels> const made {
         { "gltf",
-          { kColor,
-            kNormal,
-            kOrm,
+          { kColorMap,
+            kNormalMap,
+            kOrmMap,
             { "translucency", PageKind::Plain, { Translucency } },
-            kUnderColor,
-            kUnderNormal },
+            kUnderColorMap,
+            kUnderNormalMap },
           true },
         // One picture for what a foliage material multiplies: occlusion, roughness, subsurface.
         { "unreal",
-          { kColor,
-            kNormalDown,
+          { kColorMap,
+            kNormalDownMap,
             { "ort", PageKind::Plain, { Occlusion, Roughness, Translucency } },
-            kUnderColor,
-            kUnderNormalDown } },
+            kUnderColorMap,
+            kUnderNormalDownMap } },
         // A mask map: metal, occlusion, detail, smoothness; and a thickness map.
         { "unity",
-          { kColor,
-            kNormal,
+          { kColorMap,
+            kNormalMap,
             { "mask", PageKind::Plain, { Zero, Occlusion, Zero, Smoothness } },
             { "thickness", PageKind::Plain, { Thickness } },
-            kUnderColor,
-            kUnderNormal } },
+            kUnderColorMap,
+            kUnderNormalMap } },
         { "godot",
-          { kColor,
-            kNormal,
-            kOrm,
+          { kColorMap,
+            kNormalMap,
+            kOrmMap,
             { "backlight", PageKind::Color, { BackRed, BackGreen, BackBlue } },
-            kUnderColor,
-            kUnderNormal },
+            kUnderColorMap,
+            kUnderNormalMap },
           true },
     };
     return made;

@@ -143,6 +143,7 @@ void add_leaf_options(CLI::App& leaves, AtlasArguments& arguments)
         ->capture_default_str();
     leaves.add_option("--seed", options.seed, "Which leaf; the next ones follow")
         ->type_name("SEED")
+        ->check(seed_number())
         ->capture_default_str();
     leaves.add_option("--variation", options.variation, "How far leaves differ; 0: not at all")
         ->type_name("V")

@@ -111,16 +111,33 @@ void for_cells(CellPage const& page, std::vector<std::uint8_t>* back,
         }
 }
 
-// The factor for which `count` of them, or about as many, are there.
-double factor_for(std::vector<std::uint8_t> alphas, std::size_t count)
+// Scales them so that `count` are there. Of those that are as opaque as the last one that is, some
+// have to be left out, evenly.
+void scale_to_keep(std::vector<std::uint8_t>& alphas, std::size_t count)
 {
-    if (count == 0 || count > alphas.size())
-        return 1;
-    std::ranges::sort(alphas, std::ranges::greater());
-    while (count > 1 && alphas[count - 1] == 0) // More than there are at all.
+    auto const there = std::ranges::count_if(alphas, [](int alpha) { return alpha >= kCut; });
+    if (static_cast<std::size_t>(there) == count)
+        return;
+    auto sorted = alphas;
+    std::ranges::sort(sorted, std::ranges::greater());
+    while (count > 0 && sorted[count - 1] == 0) // More than there are at all.
         --count;
-    double const last = alphas[count - 1];
-    return last > 0 ? kCut / last : 1;
+    if (count == 0)
+        return;
+    auto const last = sorted[count - 1];
+    auto const above = std::ranges::count_if(sorted, [&](auto alpha) { return alpha > last; });
+    auto const alike = static_cast<std::size_t>(std::ranges::count(sorted, last));
+    auto const kept = count - static_cast<std::size_t>(above);
+    std::size_t met = 0;
+    for (auto& alpha : alphas) {
+        bool is_left_out = false;
+        if (alpha == last) {
+            is_left_out = (met + 1) * kept / alike == met * kept / alike;
+            ++met;
+        }
+        long const scaled = std::lround(double(kCut) * alpha / last);
+        alpha = static_cast<std::uint8_t>(is_left_out ? kCut - 1 : std::min(scaled, 255l));
+    }
 }
 
 } // namespace
@@ -140,9 +157,7 @@ void keep_coverage(CellPage& page, std::span<double const> wanted)
     for_cells(page, &page.pixels, [&](std::size_t cell, std::vector<std::uint8_t>& alphas) {
         auto const count
             = static_cast<std::size_t>(std::lround(wanted[cell] * double(alphas.size())));
-        double const factor = factor_for(alphas, count);
-        for (auto& alpha : alphas)
-            alpha = static_cast<std::uint8_t>(std::clamp(std::lround(factor * alpha), 0l, 255l));
+        scale_to_keep(alphas, count);
     });
 }
 
