@@ -125,19 +125,18 @@ bool CoverageGrid::is_free(Vec2 const& point) const
 }
 
 // Distances from cell to cell as a chamfer: 5 to a side's neighbour and 7 to a corner's (Borgefors
-// 1986), on cells of two by two.
-CoverageGrid::Gap CoverageGrid::widest_gap() const
+// 1986).
+CoverageGrid::Gap CoverageGrid::widest_gap(int step) const
 {
-    constexpr int kStep = 2;
-    constexpr int kSize = kCells / kStep + 2; // With a border that counts as covered.
+    int const size = kCells / step + 2; // With a border that counts as covered.
     constexpr std::uint16_t kFar = 60'000;
-    std::vector<std::uint16_t> far(static_cast<std::size_t>(kSize) * kSize, 0);
-    int const rows = (rows_ - 1) / kStep;
+    std::vector<std::uint16_t> far(static_cast<std::size_t>(size * size), 0);
+    int const rows = (rows_ - 1) / step;
     for (int row = 0; row < rows; ++row)
-        for (int column = 0; column + 1 < kSize - 1; ++column) {
-            bool const free = bit_at(whole_, row * kStep, column * kStep)
-                && !bit_at(covered_, row * kStep, column * kStep);
-            far[static_cast<std::size_t>((row + 1) * kSize + column + 1)] = free ? kFar : 0;
+        for (int column = 0; column + 1 < size - 1; ++column) {
+            bool const free = bit_at(whole_, row * step, column * step)
+                && !bit_at(covered_, row * step, column * step);
+            far[static_cast<std::size_t>((row + 1) * size + column + 1)] = free ? kFar : 0;
         }
     auto const relax = [&](int cell, std::array<int, 4> const& before) {
         auto& value = far[static_cast<std::size_t>(cell)];
@@ -149,17 +148,17 @@ CoverageGrid::Gap CoverageGrid::widest_gap() const
     };
     int best = 0;
     for (int row = 1; row <= rows; ++row)
-        for (int column = 1; column < kSize - 1; ++column)
-            relax(row * kSize + column, { -1, -kSize, -kSize - 1, -kSize + 1 });
+        for (int column = 1; column < size - 1; ++column)
+            relax(row * size + column, { -1, -size, -size - 1, -size + 1 });
     for (int row = rows; row >= 1; --row)
-        for (int column = kSize - 2; column >= 1; --column) {
-            int const cell = row * kSize + column;
-            relax(cell, { 1, kSize, kSize + 1, kSize - 1 });
+        for (int column = size - 2; column >= 1; --column) {
+            int const cell = row * size + column;
+            relax(cell, { 1, size, size + 1, size - 1 });
             if (far[static_cast<std::size_t>(cell)] > far[static_cast<std::size_t>(best)])
                 best = cell;
         }
-    Vec2 const at((best % kSize - 1) * kStep + 0.5, (best / kSize - 1) * kStep + 0.5);
-    return { low_ + cell_ * at, far[static_cast<std::size_t>(best)] / 5.0 * kStep * cell_ };
+    Vec2 const at((best % size - 1) * step + 0.5, (best / size - 1) * step + 0.5);
+    return { low_ + cell_ * at, far[static_cast<std::size_t>(best)] / 5.0 * step * cell_ };
 }
 
 } // namespace tractus::silhouette

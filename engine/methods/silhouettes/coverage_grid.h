@@ -37,13 +37,13 @@ public:
 
     double cell() const { return cell_; }
 
-    // The free place that is farthest from all that is covered or outside, about; radius 0 where
-    // nothing is free.
+    // The free place that is farthest from all that is covered or outside, by looking at every
+    // `step`-th cell of every `step`-th row; radius 0 where nothing is free. 1 to 8.
     struct Gap {
         Vec2 center = Vec2::Zero();
         double radius = 0;
     };
-    Gap widest_gap() const;
+    Gap widest_gap(int step) const;
 
 private:
     int row_of(Vec2 const& point) const;

@@ -30,7 +30,7 @@ TEST(SilhouetteCoverage, CountsCellsOfAPolygon)
     EXPECT_TRUE(grid.is_free(Vec2(5, 7)));
     EXPECT_FALSE(grid.is_free(Vec2(5, 3)));
     EXPECT_FALSE(grid.is_inside(Vec2(5, 11)));
-    auto const gap = grid.widest_gap();
+    auto const gap = grid.widest_gap(2);
     EXPECT_NEAR(gap.center.y(), 7.5, 0.2);
     EXPECT_NEAR(gap.radius, 2.5, 0.3);
 }
