@@ -18,6 +18,7 @@
 #include "app/verbs/replay.h"
 #include "app/verbs/session.h"
 #include "app/verbs/sim.h"
+#include "app/verbs/stream.h"
 #include "app/verbs/tools.h"
 #include "app/verbs/vary.h"
 #include "app/verbs/verb.h"
@@ -83,6 +84,7 @@ static void add_verbs(CLI::App& root, Action& action, Methods const& methods)
     add_watch_verb(root, action);
     add_calibrate_verb(root, action);
     add_record_verb(root, action);
+    add_stream_verb(root, action, methods);
     add_sim_verb(root, action);
     add_tools_verb(root, action, methods);
     add_decode_verb(root, action);

@@ -2,8 +2,10 @@
 
 #include "app/plants/model_file.h"
 #include "app/plants/session_plant.h"
+#include "app/plants/stroke_file.h"
 #include "drivers/file.h"
 #include "engine/scene/scene.h"
+#include "engine/stroke/stroke_text.h"
 
 #include <fmt/format.h>
 #include <iterator>
@@ -80,25 +82,6 @@ Result<void> write_plant(FolderWriter& out, LoadSkeleton const& edit)
     return out.write(file_name(edit.name, ".obj"), text);
 }
 
-// Strokes that shape several branches stand there once.
-std::string strokes_text(Scene const& scene)
-{
-    std::string text = "# x y z in mm, pressure, time in ms\n";
-    Stroke const* last = nullptr;
-    for (auto const& association : scene.associations) {
-        auto const& stroke = association.what.stroke;
-        if (last && last->tips.front().time == stroke.tips.front().time)
-            continue;
-        last = &stroke;
-        for (auto const& tip : stroke.tips)
-            fmt::format_to(std::back_inserter(text), "{} {} {} {} {}\n", tip.position_mm.x(),
-                           tip.position_mm.y(), tip.position_mm.z(), tip.pressure,
-                           1e3 * to_seconds(tip.time));
-        text += "\n";
-    }
-    return text;
-}
-
 } // namespace
 
 Result<std::vector<fs::path>> export_session(fs::path const& session, fs::path const& folder,
@@ -116,7 +99,7 @@ Result<std::vector<fs::path>> export_session(fs::path const& session, fs::path c
             break;
     }
     if (!scene.associations.empty())
-        TRY(out.write("strokes.txt", strokes_text(scene)));
+        TRY(out.write("strokes.txt", print_strokes(strokes_of(scene))));
     return std::move(out.files);
 }
 

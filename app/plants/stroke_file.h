@@ -1,9 +1,12 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/export/stroke_svg.h"
+#include "engine/scene/scene.h"
 #include "engine/stroke/stroke.h"
 
 #include <filesystem>
+#include <span>
 #include <vector>
 
 namespace tractus {
@@ -14,5 +17,17 @@ bool is_stroke_file(std::filesystem::path const& path);
 
 // The strokes in such a file. Fails, as the user's fault, if it cannot be read or is no such file.
 Result<std::vector<Stroke>> load_strokes(std::filesystem::path const& path);
+
+// What is drawn of a scene: the strokes that shape branches, each once, however many it shapes.
+std::vector<Stroke> strokes_of(Scene const& scene);
+
+// Whether write_strokes() writes such a file, by its ending alone: .strokes or .txt
+// (stroke_text.h), .glb (stroke_glb.h) or .svg (stroke_svg.h).
+bool is_written_of_strokes(std::filesystem::path const& path);
+
+// Writes strokes as the file's ending says. `view` is for .svg alone. Fails, as the user's fault,
+// if the file cannot be written.
+Result<void> write_strokes(std::filesystem::path const& path, std::span<Stroke const> strokes,
+                           StrokeView view = StrokeView::Front);
 
 } // namespace tractus

@@ -201,6 +201,12 @@ bool LogReplay::advance_to_stroke(Timestamp time)
     return false;
 }
 
+Timestamp LogReplay::next_time()
+{
+    auto const report = cursor_.peek();
+    return report && *report ? (*report)->time : Timestamp::max();
+}
+
 Timestamp LogReplay::begin() const
 {
     return log_->begin();

@@ -49,6 +49,9 @@ public:
 
     bool is_over() const { return finished_; }
 
+    // Of the next report; the last moment that there is when none is left.
+    Timestamp next_time();
+
     // Fails if the log could not be read to its end, which ends the replay.
     Result<void> const& outcome() const { return outcome_; }
 

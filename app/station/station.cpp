@@ -158,7 +158,7 @@ void Station::use_pen(Pen& pen, PenSample const& decoded)
         follow_touch(pen, sample, *tip);
         pen.builder.push_live(*tip);
         newest_tip_ = *tip;
-        keep_moment(sample, *tip);
+        keep_moment(pen, sample, *tip);
     }
     take_settled(pen);
 }
@@ -188,7 +188,7 @@ void Station::press_instead()
             change_tool(*pen.touches_since, pressing());
 }
 
-void Station::keep_moment(PenSample const& sample, TipSample const& tip)
+void Station::keep_moment(Pen const& pen, PenSample const& sample, TipSample const& tip)
 {
     if (moments_.size() == kMostMoments) // Nobody takes them, or not in time.
         moments_.erase(moments_.begin(), moments_.begin() + kMostMoments / 2);
@@ -198,7 +198,10 @@ void Station::keep_moment(PenSample const& sample, TipSample const& tip)
                          .pressing = tip.touching && is_pressing(),
                          .barrel = sample.in_range && (sample.buttons & 1) != 0,
                          .pressure = tip.pressure,
-                         .position_mm = tip.position_mm });
+                         .position_mm = tip.position_mm,
+                         .time = tip.time,
+                         .tilt_rad = tip.tilt_rad,
+                         .device = pen.device });
 }
 
 void Station::push_height(Timestamp received, std::span<std::byte const> report)

@@ -51,6 +51,9 @@ struct PenMoment {
     bool barrel = false;   // The first barrel button is held.
     double pressure = 0;
     Vec3 position_mm = Vec3::Zero(); // World frame; the last known one when out of range.
+    Timestamp time {};               // When the pen was there: see TipSample.
+    std::optional<Vec2> tilt_rad {}; // Likewise.
+    std::size_t device = 0;          // The pen's tablet, by its index among the devices.
 };
 
 // The way of the data from reports to strokes: decode, fuse, stroke, and the tool that each is for.
@@ -159,7 +162,7 @@ private:
     Pen* find_pen(std::size_t device);
     void use_pen(Pen& pen, PenSample const& decoded);
     void follow_touch(Pen& pen, PenSample const& sample, TipSample const& tip);
-    void keep_moment(PenSample const& sample, TipSample const& tip);
+    void keep_moment(Pen const& pen, PenSample const& sample, TipSample const& tip);
     void change_tool(Timestamp time, Tool const& tool);
     void forget(Tool const& tool);
     void push_pen(Pen& pen, Timestamp received, std::span<std::byte const> report);

@@ -1,8 +1,12 @@
 #include "app/verbs/convert.h"
 
+#include "app/plants/stroke_file.h"
+#include "app/station/log_replay.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "app/verbs/checks.h"
+#include "app/verbs/shared_options.h"
+#include "calib/rig_file.h"
 #include "drivers/file.h"
 #include "drivers/foreign_log.h"
 #include "drivers/log_writer.h"
@@ -23,12 +27,18 @@ namespace fs = std::filesystem;
 
 constexpr char const* kHidRecorder = "hid-recorder";
 constexpr char const* kTractusLog = "tractus-log";
+constexpr char const* kFrontView = "front";
+constexpr char const* kSideView = "side";
+constexpr char const* kTopView = "top";
 
 struct ConvertArguments {
     fs::path input;
     fs::path output;
     std::string format; // Empty: as the output's name says.
     std::string ids;
+    std::string rig;
+    std::string height;
+    std::string view = kFrontView;
 };
 
 // "256c:006e" → both numbers.
@@ -118,6 +128,60 @@ Result<void> write_tractus_log(std::ostream& out, Log const& log)
     return writer.flush();
 }
 
+bool wants_strokes(ConvertArguments const& arguments)
+{
+    return arguments.format.empty() && is_written_of_strokes(arguments.output);
+}
+
+// Those that draw something in space: not those that choose, point or erase.
+bool is_drawing(Tool::Kind tool)
+{
+    return tool == Tool::Kind::Draw || tool == Tool::Kind::DrawInOrder
+        || tool == Tool::Kind::Oversketch;
+}
+
+Result<std::vector<Stroke>> drawn_strokes(ConvertArguments const& arguments, Log const& log)
+{
+    ReplayOptions options;
+    if (!arguments.rig.empty())
+        options.rig = TRY(load_rig(arguments.rig));
+    if (!arguments.height.empty())
+        options.height = TRY(parse_height_scenario(arguments.height));
+    auto replay = TRY(LogReplay::create(log, options));
+    for (auto const& sentence : replay.left_out())
+        print_warning(sentence);
+    replay.advance_to(Timestamp::max());
+    if (auto const& outcome = replay.outcome(); !outcome)
+        return tl::unexpected(outcome.error());
+    std::vector<Stroke> strokes;
+    for (auto& stroke : replay.station().take_strokes())
+        if (is_drawing(stroke.tool.kind) && !stroke.stroke.tips.front().eraser)
+            strokes.push_back(std::move(stroke.stroke));
+    return strokes;
+}
+
+StrokeView parse_view(std::string const& word)
+{
+    return word == kSideView ? StrokeView::Side
+        : word == kTopView   ? StrokeView::Top
+                             : StrokeView::Front;
+}
+
+Result<void> convert_to_strokes(ConvertArguments const& arguments,
+                                std::vector<Stroke> const& strokes)
+{
+    if (strokes.empty())
+        return fail(Fault::User,
+                    fmt::format("{}: nothing was drawn in it: there is no stroke to write",
+                                arguments.input.string()));
+    TRY(write_strokes(arguments.output, strokes, parse_view(arguments.view)));
+    std::size_t tips = 0;
+    for (auto const& stroke : strokes)
+        tips += stroke.tips.size();
+    return print_out(fmt::format("{}: {} stroke{} of {} points\n", arguments.output.string(),
+                                 strokes.size(), strokes.size() == 1 ? "" : "s", tips));
+}
+
 Result<void> convert(ConvertArguments const& arguments)
 {
     std::error_code ignored;
@@ -126,6 +190,8 @@ Result<void> convert(ConvertArguments const& arguments)
                     fmt::format("{} is the recording itself: choose another name for the output",
                                 arguments.output.string()));
     TRY(check_writable(arguments.output));
+    if (is_stroke_file(arguments.input) && wants_strokes(arguments))
+        return convert_to_strokes(arguments, TRY(load_strokes(arguments.input)));
     auto log = TRY(read_any_log(arguments.input));
     if (auto const ids = parse_ids(arguments.ids))
         for (auto& info : log.devices) {
@@ -134,6 +200,8 @@ Result<void> convert(ConvertArguments const& arguments)
         }
     if (auto const warnings = summarize_warnings(log); !warnings.empty())
         print_warning(warnings);
+    if (wants_strokes(arguments))
+        return convert_to_strokes(arguments, TRY(drawn_strokes(arguments, log)));
     bool const is_ours = arguments.format.empty() ? arguments.output.extension() == ".tractus-log"
                                                   : arguments.format == kTractusLog;
     TRY(write_file(arguments.output, [&](std::ostream& out) {
@@ -150,18 +218,20 @@ Result<void> convert(ConvertArguments const& arguments)
 void add_convert_verb(CLI::App& root, Action& action)
 {
     auto arguments = std::make_shared<ConvertArguments>();
-    auto* const verb
-        = root.add_subcommand("convert", "Turn a recording into another program's format");
+    auto* const verb = root.add_subcommand(
+        "convert", "Turn a recording into another program's format, or into curves");
     verb->add_option("IN", arguments->input,
                      "A .tractus-log or hid-recorder file, what usbhid-dump printed, or what "
-                     "\"libinput record --with-hidraw\" wrote; which, its first lines tell")
+                     "\"libinput record --with-hidraw\" wrote; which, its first lines tell. For "
+                     "curves strokes in space, too: .tilt, .strokes or .txt")
         ->required();
     verb->add_option("-o,--output", arguments->output, "The file to write")
         ->type_name("FILE")
         ->required();
     verb->add_option("--to", arguments->format,
                      "tractus-log or hid-recorder; without it, a FILE that ends in .tractus-log "
-                     "is one, and any other is hid-recorder's")
+                     "is one, .glb, .svg, .strokes and .txt hold what was drawn as curves in "
+                     "space, and any other is hid-recorder's")
         ->type_name("FORMAT")
         ->check(one_of({ kTractusLog, kHidRecorder }));
     verb->add_option("--ids", arguments->ids,
@@ -169,7 +239,15 @@ void add_convert_verb(CLI::App& root, Action& action)
                      "they choose the decoder")
         ->type_name("VENDOR:PRODUCT")
         ->check(device_ids());
+    add_rig_option(*verb, arguments->rig);
+    add_height_option(*verb, arguments->height);
+    verb->add_option("--view", arguments->view, "From where an .svg sees the curves")
+        ->type_name("front|side|top")
+        ->check(one_of({ kFrontView, kSideView, kTopView }))
+        ->capture_default_str();
     verb->footer(
+        "Curves are the strokes that draw, in millimetres: .glb has lines in metres, +y up, .svg\n"
+        "a view at true scale, and .txt a point a line, which \"tractus replay\" reads.\n"
         "hid-recorder's format, which hid-replay plays, has no place for the rig, changes of\n"
         "tool, unplugging, USB strings and what is no HID device: they stay behind.");
     verb->callback([arguments, &action] { action = [arguments] { return convert(*arguments); }; });

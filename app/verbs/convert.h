@@ -4,7 +4,8 @@
 
 namespace tractus {
 
-// `tractus convert IN -o OUT`: recordings of other programs to ours, and ours to hid-recorder's.
+// `tractus convert IN -o OUT`: recordings of other programs to ours, ours to hid-recorder's, and
+// what was drawn in either to curves.
 void add_convert_verb(CLI::App& root, Action& action);
 
 } // namespace tractus

@@ -1,6 +1,9 @@
 #include "app/verbs/shared_options.h"
 
 #include "app/verbs/checks.h"
+#include "calib/height_scenario.h"
+
+#include <fmt/core.h>
 
 namespace tractus {
 
@@ -31,6 +34,17 @@ CLI::Option* add_height_option(CLI::App& verb, std::string& height)
                     "the desk, or a made-up movement: rise, fall, arch or sway")
         ->type_name("MM|MOVEMENT")
         ->check(height_scenario());
+}
+
+Result<double> constant_height_mm(std::string const& height)
+{
+    auto const scenario = TRY(parse_height_scenario(height));
+    if (scenario.kind != HeightScenario::Kind::Constant)
+        return fail(Fault::User,
+                    fmt::format("--height {}: a made-up movement needs a recording; while devices "
+                                "are read, give millimetres",
+                                height));
+    return scenario.constant_mm;
 }
 
 CLI::Option* add_seed_option(CLI::App& verb, std::uint64_t& seed)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/base/result.h"
+
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
@@ -17,6 +19,10 @@ CLI::Option* add_rig_option(CLI::App& verb, std::string& file);
 
 // "--height MM|MOVEMENT": a height in place of the height sensor's.
 CLI::Option* add_height_option(CLI::App& verb, std::string& height);
+
+// Such a height while devices are read. Fails, as the user's fault, for a movement: nobody knows
+// how long it would have to last.
+Result<double> constant_height_mm(std::string const& height);
 
 // "--seed N": of the variations.
 CLI::Option* add_seed_option(CLI::App& verb, std::uint64_t& seed);

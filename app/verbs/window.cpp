@@ -145,17 +145,6 @@ Result<void> keep(WindowArguments const& arguments, std::filesystem::path const&
 }
 
 // A hand that draws now has no end at which a movement could be over.
-Result<double> constant_height_mm(std::string const& text)
-{
-    auto const scenario = TRY(parse_height_scenario(text));
-    if (scenario.kind != HeightScenario::Kind::Constant)
-        return fail(Fault::User,
-                    fmt::format("--height {}: a made-up movement needs a recording; while devices "
-                                "are read, give millimetres",
-                                text));
-    return scenario.constant_mm;
-}
-
 Result<void> draw_in_window(LiveDevices devices, LiveWindowOptions options,
                             WindowOptions const& how)
 {

@@ -14,7 +14,7 @@ std::vector<std::string> const kVerbs {
     "",        "convert",      "decode",        "demo",           "derive", "devices",
     "doctor",  "grow",         "lsystem check", "record",         "render", "replay",
     "session", "session info", "session log",   "session export", "sim",    "tools",
-    "vary",    "watch",        "window"
+    "stream",  "vary",         "watch",         "window"
 };
 
 TEST_F(Usage, HelpGoesToStandardOutputAndIsNoFailure)

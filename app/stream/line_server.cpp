@@ -1,0 +1,231 @@
+#include "app/stream/line_server.h"
+
+#include "app/stream/stream_lines.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fmt/core.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+// An open file descriptor, closed at its end.
+class SocketDescriptor {
+public:
+    explicit SocketDescriptor(int number)
+        : number_(number)
+    {
+    }
+    SocketDescriptor(SocketDescriptor&& other) noexcept
+        : number_(std::exchange(other.number_, -1))
+    {
+    }
+    SocketDescriptor& operator=(SocketDescriptor&& other) noexcept
+    {
+        std::swap(number_, other.number_);
+        return *this;
+    }
+    ~SocketDescriptor()
+    {
+        if (number_ >= 0)
+            ::close(number_);
+    }
+
+    int number() const { return number_; }
+
+private:
+    int number_;
+};
+
+SocketDescriptor new_socket()
+{
+    return SocketDescriptor(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+}
+
+// One program that reads.
+class LineReader {
+public:
+    LineReader(SocketDescriptor socket, std::string greeting)
+        : socket_(std::move(socket))
+        , waiting_(std::move(greeting))
+    {
+    }
+
+    void add(std::string_view line, LineServer::Importance importance)
+    {
+        if (importance == LineServer::Importance::LeaveOut
+            && waiting_bytes() > LineServer::kMostWaiting) {
+            ++left_out_;
+            return;
+        }
+        if (auto const count = std::exchange(left_out_, 0); count > 0)
+            waiting_ += lost_line(count);
+        waiting_ += line;
+        if (waiting_bytes() > LineServer::kMostKept)
+            is_gone_ = true;
+    }
+
+    // Sends what goes without waiting.
+    void send()
+    {
+        while (sent_ < waiting_.size() && !is_gone_) {
+            auto const count = ::send(socket_.number(), waiting_.data() + sent_,
+                                      waiting_.size() - sent_, MSG_DONTWAIT | MSG_NOSIGNAL);
+            if (count < 0 && errno == EINTR)
+                continue;
+            if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK))
+                break;
+            if (count <= 0)
+                is_gone_ = true;
+            else
+                sent_ += static_cast<std::size_t>(count);
+        }
+        forget_sent();
+    }
+
+    // Whoever only closes what it writes to, as shells do, still reads.
+    bool is_gone() const
+    {
+        pollfd state { .fd = socket_.number(), .events = 0, .revents = 0 };
+        return is_gone_ || (::poll(&state, 1, 0) > 0 && (state.revents & (POLLHUP | POLLERR)) != 0);
+    }
+
+    std::size_t waiting_bytes() const { return waiting_.size() - sent_; }
+
+private:
+    // Not at each send, since the rest has to be moved.
+    void forget_sent()
+    {
+        if (sent_ < waiting_.size() / 2)
+            return;
+        waiting_.erase(0, sent_);
+        sent_ = 0;
+    }
+
+    SocketDescriptor socket_;
+    std::string waiting_;
+    std::size_t sent_ = 0; // Of waiting_.
+    std::size_t left_out_ = 0;
+    bool is_gone_ = false;
+};
+
+Result<sockaddr_un> socket_address(std::filesystem::path const& path)
+{
+    sockaddr_un address {};
+    address.sun_family = AF_UNIX;
+    auto const& name = path.native();
+    if (name.empty() || name.size() >= sizeof address.sun_path)
+        return fail(Fault::User,
+                    fmt::format("{}: a socket's name has 1 to {} bytes, and this one {}: choose "
+                                "another place",
+                                name, sizeof address.sun_path - 1, name.size()));
+    std::memcpy(address.sun_path, name.data(), name.size());
+    return address;
+}
+
+// Takes away what an ended program has left.
+Result<void> make_room(std::filesystem::path const& path, sockaddr_un const& address)
+{
+    struct stat there { };
+    if (::lstat(path.c_str(), &there) != 0)
+        return {};
+    if (!S_ISSOCK(there.st_mode))
+        return fail(Fault::User,
+                    fmt::format("{} is there already, and is no socket: choose another name",
+                                path.string()));
+    auto const caller = new_socket();
+    if (::connect(caller.number(), reinterpret_cast<sockaddr const*>(&address), sizeof address) == 0
+        || errno == EAGAIN)
+        return fail(
+            Fault::User,
+            fmt::format("another program streams at {}: choose another name", path.string()));
+    ::unlink(path.c_str());
+    return {};
+}
+
+} // namespace
+
+struct LineServer::Parts {
+    std::filesystem::path path;
+    std::string greeting;
+    SocketDescriptor socket;
+    std::vector<LineReader> readers {};
+
+    void let_in()
+    {
+        while (readers.size() < kMostReaders) {
+            SocketDescriptor caller(
+                ::accept4(socket.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+            if (caller.number() < 0)
+                return;
+            readers.emplace_back(std::move(caller), greeting);
+        }
+    }
+};
+
+Result<LineServer> LineServer::listen(std::filesystem::path const& path, std::string greeting)
+{
+    auto const address = TRY(socket_address(path));
+    TRY(make_room(path, address));
+    auto socket = new_socket();
+    // Before it has its name, so that there is no moment in which others may use it.
+    if (socket.number() < 0 || ::fchmod(socket.number(), S_IRUSR | S_IWUSR) != 0
+        || ::bind(socket.number(), reinterpret_cast<sockaddr const*>(&address), sizeof address) != 0
+        || ::listen(socket.number(), kMostReaders) != 0)
+        return fail(Fault::User,
+                    fmt::format("cannot listen at {}: {}", path.string(), std::strerror(errno)));
+    return LineServer(std::make_unique<Parts>(
+        Parts { .path = path, .greeting = std::move(greeting), .socket = std::move(socket) }));
+}
+
+LineServer::LineServer(std::unique_ptr<Parts> parts)
+    : parts_(std::move(parts))
+{
+}
+
+LineServer::LineServer(LineServer&&) noexcept = default;
+LineServer& LineServer::operator=(LineServer&&) noexcept = default;
+
+LineServer::~LineServer()
+{
+    if (parts_)
+        ::unlink(parts_->path.c_str());
+}
+
+void LineServer::publish(std::string_view line, Importance importance)
+{
+    for (auto& reader : parts_->readers)
+        reader.add(line, importance);
+}
+
+void LineServer::serve()
+{
+    parts_->let_in();
+    for (auto& reader : parts_->readers)
+        reader.send();
+    std::erase_if(parts_->readers, [](LineReader const& reader) { return reader.is_gone(); });
+}
+
+std::size_t LineServer::reader_count() const
+{
+    return parts_->readers.size();
+}
+
+std::size_t LineServer::waiting_bytes() const
+{
+    std::size_t most = 0;
+    for (auto const& reader : parts_->readers)
+        most = std::max(most, reader.waiting_bytes());
+    return most;
+}
+
+} // namespace tractus

@@ -1,0 +1,101 @@
+#include "app/stream/stream_drawing.h"
+
+#include "app/devices/device_news.h"
+#include "app/play/paced_log.h"
+
+#include <chrono>
+#include <vector>
+
+namespace tractus {
+
+using namespace std::chrono_literals;
+
+static constexpr Duration kStreamRest = 2ms;
+
+// Serves until a condition holds, or it is to stop.
+template<typename Condition>
+static void serve_until(StreamOutput& output, Pace const& pace, std::atomic<bool> const& stop,
+                        Condition const& holds)
+{
+    output.serve();
+    while (!holds() && !stop) {
+        pace.wait(kStreamRest);
+        output.serve();
+    }
+}
+
+// All reports of the next moment of the log.
+static Result<void> stream_moment(LogReplay& replay, StreamOutput& output)
+{
+    auto const time = replay.next_time();
+    bool is_stroke_end = true;
+    while (is_stroke_end) {
+        is_stroke_end = replay.advance_to_stroke(time);
+        TRY(output.take(replay.station()));
+    }
+    return {};
+}
+
+Result<void> stream_log(LogReplay& replay, StreamOutput& output, std::optional<double> speed,
+                        std::atomic<bool> const& stop)
+{
+    auto pace = pace_from_now(replay.begin());
+    serve_until(output, pace, stop, [&] { return output.has_readers(); });
+    pace = pace_from_now(replay.begin(), speed.value_or(1));
+    while (!replay.is_over() && !stop) {
+        if (speed)
+            serve_until(output, pace, stop, [&] {
+                return replay.next_time() == Timestamp::max()
+                    || pace.data_time(pace.now()) >= replay.next_time();
+            });
+        else
+            serve_until(output, pace, stop,
+                        [&] { return output.waiting_bytes() < LineServer::kMostWaiting; });
+        TRY(stream_moment(replay, output));
+    }
+    if (!stop)
+        TRY(output.end());
+    serve_until(output, pace, stop, [&] { return output.waiting_bytes() == 0; });
+    return replay.outcome();
+}
+
+// A second for readers to take the end.
+static void serve_rest(StreamOutput& output, LiveRecordingOptions const& options)
+{
+    auto const end = options.now() + Duration(1s);
+    output.serve();
+    while (output.waiting_bytes() > 0 && options.now() < end) {
+        options.rest(kStreamRest);
+        output.serve();
+    }
+}
+
+Result<void> stream_live(LiveDevices& devices, Station& station, StreamOutput& output,
+                         LiveRecordingOptions const& options, std::atomic<bool> const& stop)
+{
+    auto const start = options.now();
+    std::vector<LiveReport> reports;
+    DeviceNews news(devices);
+    for (bool goes_on = true; goes_on;) {
+        goes_on = !stop && devices.any_left()
+            && (!options.seconds || to_seconds(options.now() - start) < *options.seconds);
+        devices.take(reports);
+        for (auto const& [device, report] : reports) {
+            station.push(device, report.received, report.bytes());
+            TRY(output.take(station));
+        }
+        station.pass_time(options.now());
+        TRY(output.take(station));
+        output.serve();
+        news.tell(devices);
+        if (reports.empty() && goes_on)
+            options.rest(kStreamRest);
+    }
+    station.finish();
+    TRY(output.take(station));
+    TRY(output.end());
+    serve_rest(output, options);
+    return {};
+}
+
+} // namespace tractus

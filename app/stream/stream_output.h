@@ -1,0 +1,55 @@
+#pragma once
+
+#include "app/station/station.h"
+#include "app/stream/line_server.h"
+#include "app/tools/tool.h"
+#include "engine/base/result.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace tractus {
+
+// Where lines of a stream go: standard output, which waits for its reader, or a local socket, which
+// does not (line_server.h).
+class StreamOutput {
+public:
+    // What of a drawing is told.
+    enum class What { All, Strokes };
+
+    // `write` takes the lines, as print_out() does, and fails as it does.
+    using Write = std::function<Result<void>(std::string_view line)>;
+    static Result<StreamOutput> open(Write write, Bounds const& volume_mm, What what);
+
+    // Fails like LineServer::listen().
+    static Result<StreamOutput> open_socket(std::filesystem::path const& path,
+                                            Bounds const& volume_mm, What what);
+
+    // Takes what the station has done since it was taken last, in the order in which it was done.
+    Result<void> take(Station& station);
+
+    // Lets readers of the socket in and gives them what they take now.
+    void serve();
+
+    Result<void> end();
+
+    // Whether there is nobody to read: of a socket at which nobody has called.
+    bool has_readers() const { return !server_ || server_->reader_count() > 0; }
+
+    // What waits for readers.
+    std::size_t waiting_bytes() const { return server_ ? server_->waiting_bytes() : 0; }
+
+private:
+    StreamOutput(Write write, std::optional<LineServer> server, What what);
+
+    Result<void> put(std::string const& line, LineServer::Importance importance);
+
+    Write write_;
+    std::optional<LineServer> server_;
+    What what_;
+    std::size_t stroke_count_ = 0;
+};
+
+} // namespace tractus

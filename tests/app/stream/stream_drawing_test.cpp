@@ -1,0 +1,116 @@
+#include "app/stream/stream_drawing.h"
+
+#include "app/stream/stream_lines.h"
+#include "drivers/log.h"
+#include "tests/app/simple_rig.h"
+#include "tests/app/stream/local_reader.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+namespace tractus {
+namespace {
+
+std::string text_of(std::filesystem::path const& path)
+{
+    std::ifstream in(path, std::ios::binary);
+    return { std::istreambuf_iterator<char>(in), {} };
+}
+
+LogReplay small_replay(Log const& log)
+{
+    return LogReplay::create(log, {}).value();
+}
+
+Log small_log()
+{
+    return read_log(std::filesystem::path(TRACTUS_FIXTURES) / "small.tractus-log").value();
+}
+
+// A log whose lines all arrive: `what` is told of it.
+std::string streamed(Log const& log, StreamOutput::What what)
+{
+    auto replay = small_replay(log);
+    std::string text;
+    auto const write = [&](std::string_view line) {
+        text += line;
+        return Result<void>();
+    };
+    auto output = StreamOutput::open(write, replay.station().volume_mm(), what).value();
+    std::atomic<bool> const stop = false;
+    auto const outcome = stream_log(replay, output, std::nullopt, stop);
+    EXPECT_TRUE(outcome) << outcome.error().message;
+    return text;
+}
+
+// small.jsonl was written by tests/fixtures/stream_small, which knows nothing of the program.
+TEST(StreamDrawing, GivesASmallLogToTheByte)
+{
+    EXPECT_EQ(streamed(small_log(), StreamOutput::What::All),
+              text_of(std::filesystem::path(TRACTUS_FIXTURES) / "small.jsonl"));
+}
+
+TEST(StreamDrawing, GivesStrokesAlone)
+{
+    auto const text = streamed(small_log(), StreamOutput::What::Strokes);
+    EXPECT_EQ(text.find("\"tip\""), std::string::npos);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4); // With the first and the last line.
+}
+
+TEST(StreamDrawing, EndsWhereNothingCanBeWritten)
+{
+    auto const log = small_log();
+    auto replay = small_replay(log);
+    int count = 0;
+    auto const write = [&](std::string_view) -> Result<void> {
+        if (++count > 3)
+            return fail(Fault::User, "cannot write to standard output: it is closed");
+        return {};
+    };
+    auto output = StreamOutput::open(write, {}, StreamOutput::What::All).value();
+    std::atomic<bool> const stop = false;
+    auto const outcome = stream_log(replay, output, std::nullopt, stop);
+    ASSERT_FALSE(outcome);
+    EXPECT_EQ(outcome.error().message, "cannot write to standard output: it is closed");
+}
+
+class StreamSocket : public SocketPlace { };
+
+// The pen draws for as long as two thousand strokes, a reader takes nothing and another goes away:
+// take() and serve() return each time, and the strokes are all there.
+TEST_F(StreamSocket, NeverStopsTheDrawing)
+{
+    auto station = flat_station();
+    auto output
+        = StreamOutput::open_socket(path_, station.volume_mm(), StreamOutput::What::All).value();
+    LocalReader const slow(path_);
+    LocalReader gone(path_);
+    output.serve();
+    for (int i = 0; i < 2000; ++i) {
+        draw_across(station, 1000 * i);
+        ASSERT_TRUE(output.take(station));
+        output.serve();
+        if (i == 10)
+            gone.leave();
+    }
+    EXPECT_EQ(station.counts().strokes, 2000u);
+    ASSERT_TRUE(output.has_readers());
+    ASSERT_TRUE(output.end());
+    std::string text;
+    for (std::string part = "-"; !part.empty();) {
+        output.serve();
+        part = slow.read_now();
+        text += part;
+    }
+    std::size_t strokes = 0;
+    for (auto at = text.find("\"stroke\""); at != std::string::npos;
+         at = text.find("\"stroke\"", at + 1))
+        ++strokes;
+    EXPECT_EQ(strokes, 2000u);
+    EXPECT_NE(text.find("{\"type\":\"lost\",\"tips\":"), std::string::npos);
+    EXPECT_EQ(text.substr(text.size() - end_line().size()), end_line());
+}
+
+} // namespace
+} // namespace tractus

@@ -1,0 +1,67 @@
+#include "app/stream/stream_lines.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace tractus {
+namespace {
+
+TEST(StreamLines, BeginWithTheVersion)
+{
+    EXPECT_EQ(stream_line({ { -127, -79.5, 0 }, { 127, 79.5, 350 } }),
+              "{\"type\":\"stream\",\"version\":1,\"volume_mm\":"
+              "[[-127.000,-79.500,0.000],[127.000,79.500,350.000]]}\n");
+}
+
+TEST(StreamLines, HaveATipWithItsTimeToTheNanosecond)
+{
+    PenMoment const moment { .in_range = true,
+                             .touching = true,
+                             .pressure = 0.25,
+                             .position_mm = { -0.0001, 2, 3.14159 },
+                             .time
+                             = timestamp_ns(9'007'199'254'740'993) }; // More than a double has.
+    EXPECT_EQ(tip_line(moment),
+              "{\"type\":\"tip\",\"pen\":0,\"time_s\":9007199.254740993,"
+              "\"position_mm\":[0.000,2.000,3.142],\"pressure\":0.2500,"
+              "\"touching\":true,\"in_range\":true,\"eraser\":false}\n");
+}
+
+TEST(StreamLines, HaveTheTiltWhereTheTabletTellsIt)
+{
+    PenMoment moment;
+    moment.tilt_rad = Vec2(kPi / 6, -kPi / 4);
+    auto const json = nlohmann::json::parse(tip_line(moment));
+    EXPECT_EQ(json["tilt_deg"], (std::vector { 30.0, -45.0 }));
+}
+
+TEST(StreamLines, CountTimesBeforeALogsBeginning)
+{
+    PenMoment moment;
+    moment.time = timestamp_ns(-5'000'001);
+    EXPECT_NE(tip_line(moment).find("\"time_s\":-0.005000001,"), std::string::npos);
+}
+
+TEST(StreamLines, HaveAStrokeWithWhatItIsFor)
+{
+    ToolStroke stroke { .tool = { .kind = Tool::Kind::Draw, .propagation = Propagation::Both } };
+    stroke.stroke.tips.push_back(
+        { .time = timestamp_ns(1'000'000), .position_mm = { 1, 2, 3 }, .pressure = 0.5 });
+    stroke.stroke.tips.push_back(
+        { .time = timestamp_ns(6'000'000), .position_mm = { 4, 5, 6.0006 }, .pressure = 1 });
+    EXPECT_EQ(stroke_line(7, stroke),
+              "{\"type\":\"stroke\",\"number\":7,\"tool\":\"draw\",\"arguments\":\"both\","
+              "\"eraser\":false,\"tips\":[[1.000,2.000,3.000,0.5000,0.001000000],"
+              "[4.000,5.000,6.001,1.0000,0.006000000]]}\n");
+}
+
+TEST(StreamLines, AreAllJson)
+{
+    for (auto const& line : { lost_line(12), end_line(), stream_line({}) }) {
+        EXPECT_EQ(line.back(), '\n');
+        EXPECT_FALSE(nlohmann::json::parse(line, nullptr, false).is_discarded()) << line;
+    }
+}
+
+} // namespace
+} // namespace tractus
