@@ -70,8 +70,9 @@ Result<void> stream_recording(StreamArguments const& arguments)
     auto replay = TRY(LogReplay::create(log, options));
     for (auto const& sentence : replay.left_out())
         print_warning(sentence);
+    auto const& stop = stop_on_signals(); // From before there is a socket to be taken away.
     auto output = TRY(open_stream_output(arguments, replay.station().volume_mm()));
-    TRY(stream_log(replay, output, arguments.speed, stop_on_signals()));
+    TRY(stream_log(replay, output, arguments.speed, stop));
     warn_of_losses(replay.station());
     return {};
 }
@@ -138,9 +139,10 @@ Result<void> stream_devices(StreamArguments const& arguments)
     auto devices = TRY(open_devices(arguments.devices, "to draw with"));
     auto const options = TRY(live_station_options(arguments, devices));
     auto station = TRY(Station::create(devices.infos(), options));
+    auto const& stop = stop_on_signals();
     auto output = TRY(open_stream_output(arguments, station.volume_mm()));
     TRY(stream_live(devices, station, output, live_recording_by_the_clock(arguments.seconds),
-                    stop_on_signals()));
+                    stop));
     warn_of_losses(station);
     if (auto const lost = devices.lost_count(); lost > 0)
         print_warning(fmt::format("{} reports were lost, since the lines were not taken in time: "
