@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kMaxPorts = 7; // USB 2.0 section 4.1.1: seven tiers.
 constexpr std::string_view kNodes = "/dev/hidraw";
+constexpr std::string_view kQuadrature = ":quadrature";
 
 tl::unexpected<Error> not_an_address(std::string_view text, std::string_view expected)
 {
@@ -85,28 +86,51 @@ Result<DeviceAddress> parse_usb(std::string_view text, std::string_view rest)
     return UsbAddress { *port };
 }
 
+// The numbers of lines that are parted by commas.
+template<std::size_t count>
+std::optional<std::array<unsigned, count>> parse_lines(std::string_view text)
+{
+    auto const parts = split(text, ',');
+    if (parts.size() != count)
+        return std::nullopt;
+    std::array<unsigned, count> lines {};
+    for (std::size_t i = 0; i < count; ++i) {
+        auto const line = number(parts[i]);
+        if (!line)
+            return std::nullopt;
+        lines[i] = static_cast<unsigned>(*line);
+    }
+    return lines;
+}
+
+Result<DeviceAddress> parse_encoder(std::string_view text, std::string_view rest)
+{
+    auto const lines = parse_lines<2>(take_last(rest, ':'));
+    if (!lines || rest.empty())
+        return not_an_address(text,
+                              "gpio:CHIP:A,B:quadrature, such as gpio:gpiochip0:17,27:quadrature");
+    return GpioEncoderAddress { .chip = std::string(rest),
+                                .a_line = (*lines)[0],
+                                .b_line = (*lines)[1] };
+}
+
 // Read from the right, since a chip's label may have colons of its own.
 Result<DeviceAddress> parse_gpio(std::string_view text, std::string_view rest)
 {
+    if (rest.ends_with(kQuadrature))
+        return parse_encoder(text, rest.substr(0, rest.size() - kQuadrature.size()));
     auto const channel = number(take_last(rest, ':'));
     auto const converter = take_last(rest, ':');
-    auto const line_texts = split(take_last(rest, ':'), ',');
-    std::array<unsigned, 4> lines {};
-    bool is_right = channel && !converter.empty() && !rest.empty() && line_texts.size() == 4;
-    for (std::size_t i = 0; is_right && i < lines.size(); ++i) {
-        auto const line = number(line_texts[i]);
-        is_right = line.has_value();
-        lines[i] = static_cast<unsigned>(line.value_or(0));
-    }
-    if (!is_right)
+    auto const lines = parse_lines<4>(take_last(rest, ':'));
+    if (!lines || !channel || converter.empty() || rest.empty())
         return not_an_address(text,
                               "gpio:CHIP:CLK,DIN,DOUT,CS:CONVERTER:CHANNEL, such as "
                               "gpio:gpiochip0:11,10,9,8:mcp3208:0");
     return GpioAddress { .chip = std::string(rest),
-                         .clk_line = lines[0],
-                         .din_line = lines[1],
-                         .dout_line = lines[2],
-                         .cs_line = lines[3],
+                         .clk_line = (*lines)[0],
+                         .din_line = (*lines)[1],
+                         .dout_line = (*lines)[2],
+                         .cs_line = (*lines)[3],
                          .converter = std::string(converter),
                          .channel = static_cast<unsigned>(*channel) };
 }
@@ -133,6 +157,12 @@ std::string print(GpioAddress const& address)
                        address.channel);
 }
 
+std::string print(GpioEncoderAddress const& address)
+{
+    return fmt::format("gpio:{}:{},{}{}", address.chip, address.a_line, address.b_line,
+                       kQuadrature);
+}
+
 } // namespace
 
 Result<DeviceAddress> parse_device_address(std::string_view text)
@@ -148,9 +178,10 @@ Result<DeviceAddress> parse_device_address(std::string_view text)
             return parser(text, text.substr(prefix.size()));
     if (text.starts_with(kNodes) && number(text.substr(kNodes.size())))
         return HidrawAddress { std::string(text) };
-    return not_an_address(text,
-                          "/dev/hidrawN, libusb:BUS-PORTS:INTERFACE, usb:BUS-PORTS or "
-                          "gpio:CHIP:CLK,DIN,DOUT,CS:CONVERTER:CHANNEL");
+    return not_an_address(
+        text,
+        "/dev/hidrawN, libusb:BUS-PORTS:INTERFACE, usb:BUS-PORTS, "
+        "gpio:CHIP:CLK,DIN,DOUT,CS:CONVERTER:CHANNEL or gpio:CHIP:A,B:quadrature");
 }
 
 std::string print_device_address(DeviceAddress const& address)

@@ -60,7 +60,24 @@ struct GpioAddress {
     bool operator==(GpioAddress const&) const = default;
 };
 
-using DeviceAddress = std::variant<HidrawAddress, LibusbAddress, UsbAddress, GpioAddress>;
+// "gpio:gpiochip0:17,27:quadrature": an encoder's two lines.
+struct GpioEncoderAddress {
+    std::string chip {}; // As above.
+    unsigned a_line = 0;
+    unsigned b_line = 0;
+
+    bool operator==(GpioEncoderAddress const&) const = default;
+};
+
+using DeviceAddress
+    = std::variant<HidrawAddress, LibusbAddress, UsbAddress, GpioAddress, GpioEncoderAddress>;
+
+// Whether it is on lines of a GPIO chip: such devices cannot be found, only named.
+inline bool is_on_gpio(DeviceAddress const& address)
+{
+    return std::holds_alternative<GpioAddress>(address)
+        || std::holds_alternative<GpioEncoderAddress>(address);
+}
 
 // Fails, as the user's fault, with the form that was expected.
 Result<DeviceAddress> parse_device_address(std::string_view text);

@@ -2,8 +2,10 @@
 
 #include "drivers/device_address.h"
 #include "drivers/gpio/gpio_adc.h"
+#include "drivers/gpio/gpio_encoder.h"
 #include "drivers/hid_source.h"
 #include "drivers/sensors/labjack_u3.h"
+#include "drivers/sensors/linak_desk.h"
 #include "drivers/sensors/mcp2221a.h"
 #include "drivers/sensors/usb_height_sensor.h"
 #include "drivers/sensors/usb_sensor_list.h"
@@ -51,6 +53,8 @@ static Result<DeviceInfo> find_at_address(std::string_view text)
     auto const address = TRY(parse_device_address(text));
     if (std::holds_alternative<GpioAddress>(address))
         return describe_gpio_adc(std::string(text));
+    if (std::holds_alternative<GpioEncoderAddress>(address))
+        return describe_gpio_encoder(std::string(text));
     auto devices = list_device_addresses();
     auto const found = std::find_if(devices.begin(), devices.end(),
                                     [&](auto const& info) { return info.location == text; });
@@ -85,6 +89,10 @@ Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info)
                                 info.location, info.settings));
     if (std::holds_alternative<GpioAddress>(address))
         return open_gpio_adc(std::move(info));
+    if (std::holds_alternative<GpioEncoderAddress>(address))
+        return open_gpio_encoder(std::move(info));
+    if (is_linak_desk(info))
+        return open_linak_desk(std::move(info));
     return open_tablet(std::move(info));
 }
 

@@ -11,8 +11,8 @@
 namespace tractus {
 
 // Every device that can be found without being told where: HID devices by their hidraw nodes, then
-// the USB devices that are height sensors. A converter on GPIO lines cannot be found, and is named
-// by its address. Needs no permission. Safe to call from any thread.
+// the USB devices that are height sensors. What is on GPIO lines cannot be found, and is named by
+// its address. Needs no permission. Safe to call from any thread.
 std::vector<DeviceInfo> list_devices();
 
 // The same by every address that can be opened: a tablet on USB stands there by its node and, at

@@ -90,6 +90,47 @@ Result<std::optional<RawReport>> HidLink::read(Duration timeout)
     return std::optional(report);
 }
 
+class HidFeatureLink final : public RealPacketLink {
+public:
+    HidFeatureLink(HidHandle handle, DeviceInfo info)
+        : info_(std::move(info))
+        , handle_(std::move(handle))
+    {
+    }
+
+    Result<void> write(std::span<std::byte const> packet) override;
+    Result<std::optional<RawReport>> read(Duration) override
+    {
+        return std::exchange(answer_, std::nullopt);
+    }
+
+private:
+    DeviceInfo info_;
+    HidHandle handle_;
+    std::optional<RawReport> answer_; // Not read yet.
+};
+
+Result<void> HidFeatureLink::write(std::span<std::byte const> packet)
+{
+    std::array<unsigned char, sizeof(RawReport::storage)> buffer {};
+    CHECK(!packet.empty() && packet.size() <= buffer.size());
+    std::memcpy(buffer.data(), packet.data(), packet.size());
+    int const size = packet.size() == 1
+        ? hid_get_feature_report(handle_.get(), buffer.data(), buffer.size())
+        : hid_send_feature_report(handle_.get(), buffer.data(), packet.size());
+    auto const arrival = now();
+    if (size < 0)
+        return fail(Fault::Device,
+                    fmt::format("lost {} at {}: {} (was it unplugged?)", info_.name, info_.location,
+                                narrow(hid_error(handle_.get()))));
+    if (packet.size() > 1)
+        return {};
+    RawReport report { .received = arrival, .size = static_cast<std::size_t>(size) };
+    std::memcpy(report.storage.data(), buffer.data(), report.size);
+    answer_ = report;
+    return {};
+}
+
 std::string why(int error)
 {
     switch (error) {
@@ -114,23 +155,36 @@ std::string cannot_open_hidraw(DeviceInfo const& info, int error)
     return fmt::format("cannot open {} at {}: {}", info.name, info.location, why(error));
 }
 
-Result<std::unique_ptr<PacketLink>> open_hid_link(DeviceInfo info)
+// The node at `info.location`. Fails as open_hid_link() does.
+static Result<HidHandle> open_hidraw(DeviceInfo const& info)
 {
     // hidapi does not tell why it cannot.
     int const node = ::open(info.location.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
     if (node < 0)
         return fail(Fault::User, cannot_open_hidraw(info, errno));
     ::close(node);
-    static constexpr HidBackEnd kHidraw {
-        .write = hid_write, .read_timeout = hid_read_timeout, .close = hid_close, .error = hid_error
-    };
     hid_init();
-    HidHandle handle(hid_open_path(info.location.c_str()), kHidraw.close);
+    HidHandle handle(hid_open_path(info.location.c_str()), hid_close);
     if (!handle)
         return fail(Fault::User,
                     fmt::format("cannot open {} at {}: {}", info.name, info.location,
                                 narrow(hid_error(nullptr))));
+    return handle;
+}
+
+Result<std::unique_ptr<PacketLink>> open_hid_link(DeviceInfo info)
+{
+    static constexpr HidBackEnd kHidraw {
+        .write = hid_write, .read_timeout = hid_read_timeout, .close = hid_close, .error = hid_error
+    };
+    auto handle = TRY(open_hidraw(info));
     return make_hid_link(kHidraw, std::move(handle), std::move(info));
+}
+
+Result<std::unique_ptr<PacketLink>> open_hid_feature_link(DeviceInfo info)
+{
+    auto handle = TRY(open_hidraw(info));
+    return std::make_unique<HidFeatureLink>(std::move(handle), std::move(info));
 }
 
 std::unique_ptr<PacketLink> make_hid_link(HidBackEnd const& back_end, HidHandle handle,

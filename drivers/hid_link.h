@@ -18,6 +18,12 @@ namespace tractus {
 // rules in drivers/70-tractus.rules permit.
 Result<std::unique_ptr<PacketLink>> open_hid_link(DeviceInfo info);
 
+// The feature reports of such a device, as a link for drivers that ask: to write a single byte, a
+// report's id, asks for that report, which is read next; to write more sets the report that begins
+// so. Writing waits for the device's answer, so there is never anything to wait for when reading.
+// Fails like open_hid_link().
+Result<std::unique_ptr<PacketLink>> open_hid_feature_link(DeviceInfo info);
+
 // Why a hidraw node cannot be opened, in a sentence for its user: not permitted, busy, gone.
 // `error` is what open() has left in errno.
 std::string cannot_open_hidraw(DeviceInfo const& info, int error);

@@ -1,7 +1,10 @@
 #include "sim/uhid_converters.h"
 
+#include "drivers/sensors/linak_desk.h"
 #include "engine/base/time.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace tractus {
@@ -61,6 +64,26 @@ Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input)
         = [model = Mcp2221aModel(options), input = std::move(input)](
               std::span<std::byte const> command) mutable { return answer(model, input, command); };
     return UhidDevice::create(mcp2221a_info(), std::move(answers));
+}
+
+Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input)
+{
+    auto const desk = std::make_shared<LinakDeskModel>(); // Shared by both answers.
+    UhidAnswers answers;
+    answers.get_feature = [desk, input = std::move(input)](std::uint8_t id) {
+        auto const tenths_mm = std::lround(input() * kLinakFullScale) - kLinakCountsBelow;
+        desk->move_to(static_cast<std::int16_t>(std::max(tenths_mm, 0L)));
+        return desk->get_feature(id);
+    };
+    answers.set_feature
+        = [desk](std::span<std::byte const> report) { return desk->set_feature(report); };
+    return UhidDevice::create({ .name = "LINAK USB Control Link",
+                                .location = "simulated",
+                                .physical_path = "simulated/desk",
+                                .vendor_id = 0x12d3,
+                                .product_id = 0x0002,
+                                .report_descriptor = LinakDeskModel::report_descriptor() },
+                              std::move(answers));
 }
 
 // Through this bridge a conversion takes milliseconds, and the real converter's capacitor would

@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "sim/cp2112_model.h"
+#include "sim/linak_desk_model.h"
 #include "sim/mcp2221a_model.h"
 #include "sim/mcp3208_model.h"
 #include "sim/uhid_device.h"
@@ -18,6 +19,10 @@ using InputNow = std::function<double()>;
 
 // An MCP2221A whose inputs GP1 to GP3 all are `input`, read anew for each command.
 Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input);
+
+// A standing desk whose height is `input` as the decoder's fraction of full scale
+// (drivers/sensors/linak_desk.h), read anew for each question.
+Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input);
 
 // An MCP3208 wired to lines of a CP2112, which the kernel's hid-cp2112 makes a gpiochip.
 class Cp2112WithMcp3208 {

@@ -2,8 +2,10 @@
 
 #include "app/diagnosis/udev_rules.h"
 #include "drivers/device_address.h"
+#include "drivers/gpio/gpio_encoder.h"
 #include "drivers/library_versions.h"
 #include "drivers/report_descriptor.h"
+#include "drivers/sensors/linak_desk.h"
 #include "drivers/sensors/mcp2221a.h"
 #include "drivers/tablets/tablet_lookup.h"
 
@@ -283,14 +285,40 @@ std::vector<Finding> diagnose_system(SystemFacts const& facts)
     return findings;
 }
 
+// The cable answers, and the desk behind it does not, or has lost its place.
+static Finding desk_refusal(DeviceInfo const& info, Error const& error)
+{
+    return { .kind = FindingKind::HeightFault,
+             .subject = who(info),
+             .what = fmt::format("It may be read, but tells no height: {}.", error.message),
+             .remedy = { "See that the cable is in the desk's control box, and the box has mains.",
+                         "Hold the desk's own down key until it is at its lowest, and for ten "
+                         "seconds more: it finds its place again.",
+                         "Close other programs that use the cable." } };
+}
+
 Finding diagnose_refusal(DeviceInfo const& info, Error const& error)
 {
+    if (is_linak_desk(info))
+        return desk_refusal(info, error);
     return { .kind = FindingKind::DriverInTheWay,
              .subject = who(info),
              .what = fmt::format("It may be read, but could not be opened: {}.", error.message),
              .remedy = { "Close other programs that use it (a second tractus, OpenTabletDriver, a "
                          "maker's own driver).",
                          "Then unplug it and plug it in again." } };
+}
+
+static std::vector<std::string> broken_report_remedy(DeviceInfo const& info)
+{
+    if (is_gpio_encoder(info))
+        return {
+            "Set the surface to where it was at the beginning, and run tractus calibrate zero.",
+            "Where it happens again: shorter and screened wires, 1 nF from each line to "
+            "ground, and real-time priority for the station (firmware-notes/encoder.md)."
+        };
+    return { "A few are lost packets: try a shorter cable, no hub. "
+             "Many: record them, and report it." };
 }
 
 std::vector<Finding> diagnose_device(DeviceReading const& reading, Duration listened)
@@ -304,8 +332,7 @@ std::vector<Finding> diagnose_device(DeviceReading const& reading, Duration list
               .what = fmt::format("{} of {} reports are not as they should be; the "
                                   "first: {}.",
                                   reading.broken_reports, reading.reports, reading.first_broken),
-              .remedy = { "A few are lost packets: try a shorter cable, no hub. "
-                          "Many: record them, and report it." } });
+              .remedy = broken_report_remedy(reading.info) });
     for (auto const& sentence : reading.height_faults)
         findings.push_back({ .kind = FindingKind::HeightFault,
                              .subject = who(reading.info),

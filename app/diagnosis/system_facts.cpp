@@ -161,8 +161,13 @@ int opening_error(DeviceInfo const& info, fs::path const& root)
         return 0;
     if (auto const* const hidraw = std::get_if<HidrawAddress>(&*address))
         return access_error(root / fs::path(hidraw->node).relative_path());
+    auto const chip_error = [&](std::string const& chip) {
+        return chip.starts_with("gpiochip") ? access_error(root / "dev" / chip) : 0;
+    };
     if (auto const* const gpio = std::get_if<GpioAddress>(&*address))
-        return gpio->chip.starts_with("gpiochip") ? access_error(root / "dev" / gpio->chip) : 0;
+        return chip_error(gpio->chip);
+    if (auto const* const encoder = std::get_if<GpioEncoderAddress>(&*address))
+        return chip_error(encoder->chip);
     auto const* const usb = std::get_if<UsbAddress>(&*address);
     auto const& port = usb ? usb->port : std::get<LibusbAddress>(*address).port;
     auto const folder = root / "sys/bus/usb/devices" / print_usb_port(port);

@@ -88,7 +88,7 @@ std::string udev_rules(RuleHolder holder)
 std::string udev_rule_for(DeviceInfo const& info)
 {
     auto const address = parse_device_address(info.location);
-    if (address && std::holds_alternative<GpioAddress>(*address))
+    if (address && is_on_gpio(*address))
         return "SUBSYSTEM==\"gpio\", KERNEL==\"gpiochip*\", TAG+=\"uaccess\"";
     if (address && !std::holds_alternative<HidrawAddress>(*address))
         return fmt::format("SUBSYSTEM==\"usb\", ATTR{{idVendor}}==\"{:04x}\", "

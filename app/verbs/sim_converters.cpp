@@ -86,6 +86,14 @@ Result<void> play_mcp2221a(SimPlayArguments const& arguments)
     return play_part(*device, part, arguments);
 }
 
+Result<void> play_desk(SimPlayArguments const& arguments)
+{
+    auto const log = TRY(load_sim_play(arguments));
+    HeightPart part(TRY(HeightCurve::read(log)));
+    auto const device = TRY(play_linak_desk([&part] { return part.fraction_now(); }));
+    return play_part(*device, part, arguments);
+}
+
 Result<void> play_cp2112(SimConvertersArguments const& arguments)
 {
     auto const log = TRY(load_sim_play(arguments.play));
@@ -113,6 +121,19 @@ void add_mcp2221a_verb(CLI::App& sim, Action& action)
         "when a program reads it. Needs root, or the right to use /dev/uhid.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return play_mcp2221a(*arguments); }; });
+}
+
+void add_desk_verb(CLI::App& sim, Action& action)
+{
+    auto* const verb = sim.add_subcommand(
+        "desk", "A LINAK standing desk that moves as a recording's surface, through /dev/uhid");
+    auto arguments = std::make_shared<SimPlayArguments>();
+    add_sim_play_options(*verb, *arguments);
+    verb->footer(
+        "It answers as the cable USB2LIN06 does, and has to be initialised as that one. It moves\n"
+        "from when a program reads it. Needs root, or the right to use /dev/uhid.");
+    verb->callback(
+        [arguments, &action] { action = [arguments] { return play_desk(*arguments); }; });
 }
 
 void add_cp2112_verb(CLI::App& sim, Action& action)
@@ -150,6 +171,7 @@ void add_cp2112_verb(CLI::App& sim, Action& action)
 void add_sim_converter_verbs(CLI::App& sim, Action& action)
 {
     add_mcp2221a_verb(sim, action);
+    add_desk_verb(sim, action);
     add_cp2112_verb(sim, action);
 }
 

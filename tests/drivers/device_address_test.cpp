@@ -9,7 +9,8 @@ TEST(DeviceAddress, ReadsWhatItPrints)
 {
     for (auto const* const text :
          { "/dev/hidraw3", "libusb:1-2.3:0", "usb:2-1", "usb:1-1.2.3.4.5.6.7",
-           "gpio:gpiochip0:11,10,9,8:mcp3208:0", "gpio:CP2112 at 10c4:ea90:0,1,2,3:mcp3008:7" }) {
+           "gpio:gpiochip0:11,10,9,8:mcp3208:0", "gpio:CP2112 at 10c4:ea90:0,1,2,3:mcp3008:7",
+           "gpio:gpiochip0:17,27:quadrature", "gpio:a:b:0,1:quadrature" }) {
         auto const address = parse_device_address(text);
         ASSERT_TRUE(address) << address.error().message;
         EXPECT_EQ(print_device_address(*address), text);
@@ -57,7 +58,10 @@ TEST(DeviceAddress, RefusesWhatIsNone)
                                     "gpio:c:1,2,3:a:0",
                                     "gpio:c:1,2,3,4:a:",
                                     "gpio::1,2,3,4:a:0",
-                                    "gpio:c:1,2,3,x:a:0" }) {
+                                    "gpio:c:1,2,3,x:a:0",
+                                    "gpio:c:1:quadrature",
+                                    "gpio::1,2:quadrature",
+                                    "gpio:c:1,x:quadrature" }) {
         auto const address = parse_device_address(text);
         ASSERT_FALSE(address) << text;
         EXPECT_EQ(address.error().fault, Fault::User);

@@ -1,5 +1,6 @@
 #include "app/diagnosis/diagnose.h"
 
+#include "drivers/gpio/gpio_encoder.h"
 #include "tests/app/diagnosis/reports.h"
 #include "tests/drivers/devices.h"
 
@@ -234,6 +235,32 @@ TEST(DiagnoseRefusal, KeepsTheReason)
         = diagnose_refusal(simple_pen(), { Fault::User, "another program has its interface" });
     EXPECT_EQ(name_of(finding.kind), "driver-in-the-way");
     EXPECT_TRUE(mentions(finding, "another program has its interface"));
+}
+
+TEST(DiagnoseDevice, SaysWhatToDoAboutAnEncodersLostEdges)
+{
+    DeviceReading reading;
+    reading.info = describe_gpio_encoder("gpio:gpiochip0:17,27:quadrature").value();
+    reading.reports = 100;
+    reading.broken_reports = 1;
+    reading.first_broken = "the encoder has lost 3 edges";
+    auto const findings = diagnose_device(reading, std::chrono::seconds(3));
+    ASSERT_EQ(kinds(findings), Names { "broken-reports" });
+    EXPECT_TRUE(mentions(findings[0], "the encoder has lost 3 edges"));
+    EXPECT_TRUE(mentions(findings[0], "calibrate zero"));
+}
+
+TEST(DiagnoseRefusal, SaysHowADeskFindsItsPlaceAgain)
+{
+    DeviceInfo const desk { .name = "USB Control Link",
+                            .location = "/dev/hidraw3",
+                            .vendor_id = 0x12d3,
+                            .product_id = 0x0002 };
+    auto const finding
+        = diagnose_refusal(desk, { Fault::User, "the desk does not know how high it is" });
+    EXPECT_EQ(name_of(finding.kind), "height-fault");
+    EXPECT_TRUE(mentions(finding, "the desk does not know how high it is"));
+    EXPECT_TRUE(mentions(finding, "own down key"));
 }
 
 TEST(DiagnoseClocks, TellsSleepFromASetClock)

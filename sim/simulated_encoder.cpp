@@ -1,0 +1,70 @@
+#include "sim/simulated_encoder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tractus {
+
+// Where A and B are high in a period of four counts: A in its second and third quarter, B in its
+// third and fourth.
+static bool is_line_high(QuadratureEdge::Line line, std::int64_t count)
+{
+    auto const quarter = count & 3;
+    return line == QuadratureEdge::Line::A ? quarter == 1 || quarter == 2 : quarter >= 2;
+}
+
+static std::int64_t whole_counts(double position)
+{
+    return static_cast<std::int64_t>(std::floor(position));
+}
+
+SimulatedEncoder::SimulatedEncoder(Position position, Options options)
+    : position_(std::move(position))
+    , options_(std::move(options))
+    , count_(whole_counts(position_(now_)))
+    , first_count_(count_)
+{
+}
+
+Quadrature::Beginning SimulatedEncoder::beginning() const
+{
+    return { .a = is_line_high(QuadratureEdge::Line::A, first_count_),
+             .b = is_line_high(QuadratureEdge::Line::B, first_count_) };
+}
+
+void SimulatedEncoder::emit(std::int64_t to, std::vector<QuadratureEdge>& edges)
+{
+    auto const line
+        = is_line_high(QuadratureEdge::Line::A, to) != is_line_high(QuadratureEdge::Line::A, count_)
+        ? QuadratureEdge::Line::A
+        : QuadratureEdge::Line::B;
+    count_ = to;
+    ++edge_count_;
+    if (options_.unnumbered.contains(edge_count_))
+        return;
+    ++number_;
+    if (!options_.lost.contains(edge_count_))
+        edges.push_back(
+            { .time = now_, .line = line, .is_rising = is_line_high(line, to), .number = number_ });
+}
+
+void SimulatedEncoder::step(std::vector<QuadratureEdge>& edges)
+{
+    now_ += kStep;
+    auto const target = whole_counts(position_(now_));
+    while (count_ != target)
+        emit(count_ + (target > count_ ? 1 : -1), edges);
+}
+
+Result<void> SimulatedEncoder::read(Duration timeout, std::vector<QuadratureEdge>& edges)
+{
+    auto const end = now_ + std::max(timeout, Duration(0));
+    while (now_ < end && edges.empty())
+        step(edges);
+    if (options_.gone_after && edge_count_ > *options_.gone_after)
+        return fail(Fault::Device, "lost the lines of the GPIO chip: it is gone");
+    return {};
+}
+
+} // namespace tractus
