@@ -88,7 +88,7 @@ static void add_verbs(CLI::App& root, Action& action, Methods const& methods)
     add_sim_verb(root, action);
     add_tools_verb(root, action, methods);
     add_decode_verb(root, action);
-    add_convert_verb(root, action);
+    add_convert_verb(root, action, methods);
     add_desktop_verbs(root, action);
 }
 

@@ -16,8 +16,6 @@
 
 namespace tractus {
 
-namespace {
-
 // An open file descriptor, closed at its end.
 class SocketDescriptor {
 public:
@@ -45,11 +43,6 @@ public:
 private:
     int number_;
 };
-
-SocketDescriptor new_socket()
-{
-    return SocketDescriptor(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-}
 
 // One program that reads.
 class LineReader {
@@ -117,6 +110,13 @@ private:
     std::size_t left_out_ = 0;
     bool is_gone_ = false;
 };
+
+namespace {
+
+SocketDescriptor new_socket()
+{
+    return SocketDescriptor(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+}
 
 Result<sockaddr_un> socket_address(std::filesystem::path const& path)
 {

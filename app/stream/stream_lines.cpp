@@ -45,10 +45,13 @@ std::string pressure_text(double pressure)
 
 std::string stream_line(Bounds const& volume_mm)
 {
-    return fmt::format(R"({{"type":"stream","version":{},"volume_mm":[[{}],[{}]]}})"
+    auto const corners = volume_mm.empty()
+        ? std::string("null")
+        : fmt::format("[[{}],[{}]]", coordinates_text(volume_mm.min_mm),
+                      coordinates_text(volume_mm.max_mm));
+    return fmt::format(R"({{"type":"stream","version":{},"volume_mm":{}}})"
                        "\n",
-                       kStreamVersion, coordinates_text(volume_mm.min_mm),
-                       coordinates_text(volume_mm.max_mm));
+                       kStreamVersion, corners);
 }
 
 std::string tip_line(PenMoment const& moment)

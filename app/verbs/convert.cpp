@@ -39,6 +39,7 @@ struct ConvertArguments {
     std::string rig;
     std::string height;
     std::string view = kFrontView;
+    Methods methods;
 };
 
 // "256c:006e" → both numbers.
@@ -133,16 +134,15 @@ bool wants_strokes(ConvertArguments const& arguments)
     return arguments.format.empty() && is_written_of_strokes(arguments.output);
 }
 
-// Those that draw something in space: not those that choose, point or erase.
-bool is_drawing(Tool::Kind tool)
+// Those that draw something: not those that choose, point or erase.
+bool is_drawing(ToolKind const& tool)
 {
-    return tool == Tool::Kind::Draw || tool == Tool::Kind::DrawInOrder
-        || tool == Tool::Kind::Oversketch;
+    return tool.previewer && tool.ink.look == InkStyle::Look::Line;
 }
 
 Result<std::vector<Stroke>> drawn_strokes(ConvertArguments const& arguments, Log const& log)
 {
-    ReplayOptions options;
+    ReplayOptions options { .methods = arguments.methods };
     if (!arguments.rig.empty())
         options.rig = TRY(load_rig(arguments.rig));
     if (!arguments.height.empty())
@@ -155,7 +155,7 @@ Result<std::vector<Stroke>> drawn_strokes(ConvertArguments const& arguments, Log
         return tl::unexpected(outcome.error());
     std::vector<Stroke> strokes;
     for (auto& stroke : replay.station().take_strokes())
-        if (is_drawing(stroke.tool.kind) && !stroke.stroke.tips.front().eraser)
+        if (is_drawing(stroke.tool.kind()) && !stroke.stroke.tips.front().eraser)
             strokes.push_back(std::move(stroke.stroke));
     return strokes;
 }
@@ -215,9 +215,10 @@ Result<void> convert(ConvertArguments const& arguments)
 
 } // namespace
 
-void add_convert_verb(CLI::App& root, Action& action)
+void add_convert_verb(CLI::App& root, Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<ConvertArguments>();
+    arguments->methods = methods;
     auto* const verb = root.add_subcommand(
         "convert", "Turn a recording into another program's format, or into curves");
     verb->add_option("IN", arguments->input,
@@ -246,8 +247,8 @@ void add_convert_verb(CLI::App& root, Action& action)
         ->check(one_of({ kFrontView, kSideView, kTopView }))
         ->capture_default_str();
     verb->footer(
-        "Curves are the strokes that draw, in millimetres: .glb has lines in metres, +y up, .svg\n"
-        "a view at true scale, and .txt a point a line, which \"tractus replay\" reads.\n"
+        "Curves are the strokes that draw, in millimetres: .glb has lines in metres, +y up,\n"
+        ".svg a view at true scale, and .txt a point a line, which \"tractus replay\" reads.\n"
         "hid-recorder's format, which hid-replay plays, has no place for the rig, changes of\n"
         "tool, unplugging, USB strings and what is no HID device: they stay behind.");
     verb->callback([arguments, &action] { action = [arguments] { return convert(*arguments); }; });

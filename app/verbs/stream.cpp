@@ -194,8 +194,8 @@ void add_stream_verb(CLI::App& root, Action& action, Methods const& methods)
         "each\n"
         "sample of the pen, \"stroke\" for each stroke that is finished, and \"end\". Lengths are\n"
         "millimetres, z up. The manual's page \"Streaming\" has all members, and a script for\n"
-        "Blender. Standard output waits for its reader, and a socket never does: for who is too\n"
-        "slow tips are left out. A log begins when the socket has a reader.");
+        "Blender. Standard output waits for its reader, and a socket never does: for one that\n"
+        "is too slow tips are left out. A log begins when the socket has a reader.");
     verb->callback([arguments, &action] {
         action = [arguments] {
             return arguments->log.empty() ? stream_devices(*arguments)

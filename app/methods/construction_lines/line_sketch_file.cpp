@@ -1,6 +1,6 @@
 #include "app/methods/construction_lines/line_sketch_file.h"
 
-#include "app/methods/construction_lines/svg_sketch.h"
+#include "app/svg/svg_sketch.h"
 #include "drivers/file.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "app/stream/stream_drawing.h"
 
+#include "app/methods/all_methods.h"
 #include "app/stream/stream_lines.h"
 #include "drivers/log.h"
 #include "tests/app/simple_rig.h"
@@ -20,7 +21,7 @@ std::string text_of(std::filesystem::path const& path)
 
 LogReplay small_replay(Log const& log)
 {
-    return LogReplay::create(log, {}).value();
+    return LogReplay::create(log, { .methods = all_methods() }).value();
 }
 
 Log small_log()

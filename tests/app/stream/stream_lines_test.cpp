@@ -1,5 +1,7 @@
 #include "app/stream/stream_lines.h"
 
+#include "app/tools/draw_tool.h"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -44,7 +46,7 @@ TEST(StreamLines, CountTimesBeforeALogsBeginning)
 
 TEST(StreamLines, HaveAStrokeWithWhatItIsFor)
 {
-    ToolStroke stroke { .tool = { .kind = Tool::Kind::Draw, .propagation = Propagation::Both } };
+    ToolStroke stroke { {}, DrawTool { Propagation::Both } };
     stroke.stroke.tips.push_back(
         { .time = timestamp_ns(1'000'000), .position_mm = { 1, 2, 3 }, .pressure = 0.5 });
     stroke.stroke.tips.push_back(

@@ -1,6 +1,6 @@
 #include "app/methods/silhouettes/silhouette_file.h"
 
-#include "app/methods/construction_lines/svg_sketch.h"
+#include "app/svg/svg_sketch.h"
 
 #include <filesystem>
 #include <fstream>

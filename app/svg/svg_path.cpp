@@ -1,6 +1,6 @@
-#include "app/methods/construction_lines/svg_path.h"
+#include "app/svg/svg_path.h"
 
-#include "app/methods/construction_lines/svg_numbers.h"
+#include "app/svg/svg_numbers.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
-#include "app/methods/construction_lines/svg_sketch.h"
+#include "app/svg/svg_sketch.h"
 
-#include "app/methods/construction_lines/svg_path.h"
-#include "app/methods/construction_lines/svg_transform.h"
+#include "app/svg/svg_path.h"
+#include "app/svg/svg_transform.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "app/methods/construction_lines/svg_numbers.h"
+#include "app/svg/svg_numbers.h"
 
 #include <charconv>
 #include <cmath>

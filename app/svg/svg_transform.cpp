@@ -1,6 +1,6 @@
-#include "app/methods/construction_lines/svg_transform.h"
+#include "app/svg/svg_transform.h"
 
-#include "app/methods/construction_lines/svg_numbers.h"
+#include "app/svg/svg_numbers.h"
 
 #include <cmath>
 #include <string>
