@@ -21,15 +21,15 @@ struct Work {
                       // 0: so little that memory says nothing about the time.
     Limit limit = Limit::Copy;
     std::filesystem::path file = {}; // Limit::Cp: what cp copies, in its folder.
-    // Of one iteration: pages of memory that it was the first to touch, which is what makes the same
-    // work take different times on different machines. Less than 0: this process' own since the
-    // table's line before, so the first iteration's and what was prepared, shared among all.
+    // Of one iteration: pages of memory that it was the first to touch, which is what makes the
+    // same work take different times on different machines. Less than 0: this process' own since
+    // the table's line before, so the first iteration's and what was prepared, shared among all.
     double faults = -1;
 };
 
 // Adds a benchmark to the table: items per second, the time and bytes of each, the time of an
-// iteration, its minor page faults, and the share of what the machine's memory or disk allows (1: as fast as moving the
-// bytes and nothing else). Call it once, after the loop.
+// iteration, its minor page faults, and the share of what the machine's memory or disk allows (1:
+// as fast as moving the bytes and nothing else). Call it once, after the loop.
 //
 // The limits are measured by the same program on one thread, on blocks that no cache holds. The
 // time is the thread's own; a benchmark that works on several threads needs UseRealTime().
