@@ -83,6 +83,20 @@ inline GrowthParameters random_growth()
     return growth;
 }
 
+inline ItemId random_id()
+{
+    return *rc::gen::arbitrary<ItemId>();
+}
+
+// Only a plant that is added stands somewhere and has an id of its own.
+template<typename T> void give_place(T& edit)
+{
+    if (edit.drawn != Drawn::Beside)
+        return;
+    edit.stands_at_mm = random_vec3();
+    edit.id = random_id();
+}
+
 inline LoadModel random_model()
 {
     LoadModel edit;
@@ -91,7 +105,8 @@ inline LoadModel random_model()
     if (*rc::gen::arbitrary<bool>())
         edit.steps = *rc::gen::arbitrary<int>();
     edit.seed = *rc::gen::arbitrary<std::uint64_t>();
-    edit.drawn = random_enum<Drawn>(2);
+    edit.drawn = random_enum<Drawn>(3);
+    give_place(edit);
     return edit;
 }
 
@@ -102,13 +117,9 @@ inline LoadSkeleton random_skeleton()
     edit.lines.resize(*rc::gen::inRange<std::size_t>(0, 5));
     for (auto& line : edit.lines)
         line = { random_vec3(), random_vec3() };
-    edit.drawn = random_enum<Drawn>(2);
+    edit.drawn = random_enum<Drawn>(3);
+    give_place(edit);
     return edit;
-}
-
-inline ItemId random_id()
-{
-    return *rc::gen::arbitrary<ItemId>();
 }
 
 // By ids, or as sessions before format 4 say it.
@@ -160,6 +171,20 @@ inline Edit random_edit()
             edit.ranges.push_back({ number, *rc::gen::arbitrary<std::size_t>() });
         return edit;
     }
+    case 11:
+        return ActivatePlant { random_id() };
+    case 12:
+        return MovePlant { random_id(), random_vec3() };
+    case 13:
+        return CopyPlant { random_id(), random_vec3(), random_id() };
+    case 14:
+        return HidePlant { random_id(), *rc::gen::arbitrary<bool>() };
+    case 15:
+        return NamePlant { random_id(), random_bytes() };
+    case 16:
+        return RemovePlant { random_id() };
+    case 17:
+        return SetScale { random_double() };
     default:
         return SetGrowth { random_growth(), *rc::gen::arbitrary<std::uint64_t>(), random_double(),
                            random_double() };

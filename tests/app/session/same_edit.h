@@ -72,13 +72,14 @@ inline bool same(LoadModel const& one, LoadModel const& other)
     return one.source.name == other.source.name && one.source.text == other.source.text
         && one.source.view_name == other.source.view_name
         && one.source.view_text == other.source.view_text && one.includes == other.includes
-        && one.steps == other.steps && one.seed == other.seed && one.drawn == other.drawn;
+        && one.steps == other.steps && one.seed == other.seed && one.drawn == other.drawn
+        && same(one.stands_at_mm, other.stands_at_mm) && one.id == other.id;
 }
 
 inline bool same(LoadSkeleton const& one, LoadSkeleton const& other)
 {
-    if (one.name != other.name || one.drawn != other.drawn
-        || one.lines.size() != other.lines.size())
+    if (one.name != other.name || one.drawn != other.drawn || one.id != other.id
+        || !same(one.stands_at_mm, other.stands_at_mm) || one.lines.size() != other.lines.size())
         return false;
     for (std::size_t i = 0; i < one.lines.size(); ++i)
         if (!same(one.lines[i].from_mm, other.lines[i].from_mm)
@@ -146,6 +147,42 @@ inline bool same(SetGrowth const& one, SetGrowth const& other)
         && same(one.variability, other.variability) && same(one.age, other.age);
 }
 
+inline bool same(ActivatePlant const& one, ActivatePlant const& other)
+{
+    return one.plant == other.plant;
+}
+
+inline bool same(MovePlant const& one, MovePlant const& other)
+{
+    return one.plant == other.plant && same(one.to_mm, other.to_mm);
+}
+
+inline bool same(CopyPlant const& one, CopyPlant const& other)
+{
+    return one.plant == other.plant && same(one.stands_at_mm, other.stands_at_mm)
+        && one.id == other.id;
+}
+
+inline bool same(HidePlant const& one, HidePlant const& other)
+{
+    return one.plant == other.plant && one.hidden == other.hidden;
+}
+
+inline bool same(NamePlant const& one, NamePlant const& other)
+{
+    return one.plant == other.plant && one.name == other.name;
+}
+
+inline bool same(RemovePlant const& one, RemovePlant const& other)
+{
+    return one.plant == other.plant;
+}
+
+inline bool same(SetScale const& one, SetScale const& other)
+{
+    return same(one.scale, other.scale);
+}
+
 inline bool same(UnknownEdit const& one, UnknownEdit const& other)
 {
     return one.word == other.word && one.fields == other.fields && one.numbers == other.numbers;
@@ -166,7 +203,10 @@ inline bool same(Edit const& one, Edit const& other)
         || same_of<DeleteStroke>(one, other) || same_of<EraseTips>(one, other)
         || same_of<Indicate>(one, other) || same_of<ChangeIndicator>(one, other)
         || same_of<DeleteIndicator>(one, other) || same_of<SetGrowth>(one, other)
-        || same_of<UnknownEdit>(one, other);
+        || same_of<ActivatePlant>(one, other) || same_of<MovePlant>(one, other)
+        || same_of<CopyPlant>(one, other) || same_of<HidePlant>(one, other)
+        || same_of<NamePlant>(one, other) || same_of<RemovePlant>(one, other)
+        || same_of<SetScale>(one, other) || same_of<UnknownEdit>(one, other);
 }
 
 } // namespace tractus
