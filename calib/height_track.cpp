@@ -77,10 +77,10 @@ Timestamp HeightTrack::newest() const
 }
 
 // The nearer neighbour's height where the reading is a spike, its own otherwise.
-double HeightTrack::without_spike_mm(Place reading) const
+double HeightTrack::without_spike_mm(Place const& reading) const
 {
     constexpr double kLeastSpike_mm = 1;          // Less is noise, which the fit smooths.
-    constexpr double kQuickest_mm_per_s2 = 20000; // Of a hand that turns.
+    constexpr double kQuickest_mm_per_ss = 20000; // Of a hand that turns.
     if (reading == readings_.begin() || std::next(reading) == readings_.end())
         return reading->height_mm;
     auto const& before = *std::prev(reading);
@@ -89,7 +89,7 @@ double HeightTrack::without_spike_mm(Place reading) const
     double const nearer_mm = std::clamp(reading->height_mm, low, high);
     double const seconds
         = to_seconds(std::max(reading->time - before.time, after.time - reading->time));
-    double const most_mm = kLeastSpike_mm + kQuickest_mm_per_s2 / 2 * seconds * seconds;
+    double const most_mm = kLeastSpike_mm + kQuickest_mm_per_ss / 2 * seconds * seconds;
     return std::abs(reading->height_mm - nearer_mm) > most_mm ? nearer_mm : reading->height_mm;
 }
 
@@ -108,7 +108,7 @@ std::optional<HeightTrack::LineAt> HeightTrack::fit(Timestamp centre, Timestamp 
 
 // Between `before` and the reading after it, which are far apart: the cubic Hermite curve, or a
 // straight line where a side has too few readings to tell its slope.
-double HeightTrack::across_mm(Place before, Timestamp time) const
+double HeightTrack::across_mm(Place const& before, Timestamp time) const
 {
     auto const after = std::next(before);
     double const width_s = to_seconds(after->time - before->time);
@@ -168,7 +168,7 @@ Duration HeightTrack::usual_spacing() const
 }
 
 // The reading some time before another one: far enough for a speed that is not all noise.
-HeightTrack::Place HeightTrack::some_time_before(Place reading) const
+HeightTrack::Place HeightTrack::some_time_before(Place const& reading) const
 {
     constexpr Duration kLeastApart = std::chrono::milliseconds(6);
     auto before = reading;
@@ -177,7 +177,7 @@ HeightTrack::Place HeightTrack::some_time_before(Place reading) const
     return before;
 }
 
-double HeightTrack::speed_mm_per_s(Place from, Place to)
+double HeightTrack::speed_mm_per_s(Place const& from, Place const& to)
 {
     double const seconds = to_seconds(to->time - from->time);
     return seconds > 0 ? (to->height_mm - from->height_mm) / seconds : 0;

@@ -84,11 +84,11 @@ private:
     std::optional<LineAt> fit(Timestamp centre, Timestamp time) const;
 
     Place first_not_before(Timestamp time) const;
-    double without_spike_mm(Place reading) const;
-    double across_mm(Place before, Timestamp time) const;
+    double without_spike_mm(Place const& reading) const;
+    double across_mm(Place const& before, Timestamp time) const;
     Duration usual_spacing() const;
-    Place some_time_before(Place reading) const;
-    static double speed_mm_per_s(Place from, Place to);
+    Place some_time_before(Place const& reading) const;
+    static double speed_mm_per_s(Place const& from, Place const& to);
     double newest_speed_mm_per_s() const;
 
     Duration memory_;

@@ -90,7 +90,7 @@ Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info)
     if (std::holds_alternative<GpioAddress>(address))
         return open_gpio_adc(std::move(info));
     if (std::holds_alternative<GpioEncoderAddress>(address))
-        return open_gpio_encoder(std::move(info));
+        return open_gpio_encoder(info);
     if (is_linak_desk(info))
         return open_linak_desk(std::move(info));
     return open_tablet(std::move(info));

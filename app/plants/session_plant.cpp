@@ -144,7 +144,7 @@ Result<Session> begin_session(std::filesystem::path const& path, std::vector<Edi
 {
     auto options = session_by_the_clock(kinds, [] { return load_options(); });
     SessionOrigin const origin { plant_name(edits), TRACTUS_VERSION, options.now() };
-    return Session::create(path, origin, edits, std::move(options));
+    return Session::create(path, origin, edits, options);
 }
 
 } // namespace tractus

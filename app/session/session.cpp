@@ -60,7 +60,7 @@ SessionOptions session_by_the_clock(EditKinds kinds, MakeLoadOptions load_option
 }
 
 Result<Session> Session::create(fs::path const& path, SessionOrigin const& origin,
-                                std::span<Edit const> edits, SessionOptions options)
+                                std::span<Edit const> edits, SessionOptions const& options)
 {
     CHECK(!edits.empty());
     auto const read_beginning = [&](std::size_t) {

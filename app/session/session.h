@@ -36,7 +36,7 @@ public:
     // least one, usually loading a plant; undo ends there. Fails, as the user's fault, if the file
     // is there already or cannot be written, and where an edit fails.
     static Result<Session> create(std::filesystem::path const& path, SessionOrigin const& origin,
-                                  std::span<Edit const> edits, SessionOptions options);
+                                  std::span<Edit const> edits, SessionOptions const& options);
 
     // Goes on with a session. One of an older format is brought up to date, and stays beside it as
     // it was, with ".bak" after its name. Fails like read_session(), and if another program draws

@@ -157,14 +157,14 @@ Result<DeviceInfo> describe_gpio_encoder(std::string const& address)
                         .bus = kBusHost };
 }
 
-Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo info)
+Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo const& info)
 {
     auto const place = TRY(parse_encoder_place(info.location));
     auto edges = TRY(open_gpio_edges(place.chip, place.a_line, place.b_line));
-    return open_gpio_encoder(std::move(info), std::move(edges));
+    return open_gpio_encoder(info, std::move(edges));
 }
 
-Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo info,
+Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo const& info,
                                                         std::unique_ptr<GpioEdges> edges)
 {
     return std::make_unique<GpioEncoderSource>(TRY(describe_gpio_encoder(info.location)),

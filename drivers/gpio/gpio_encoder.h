@@ -39,10 +39,10 @@ Result<DeviceInfo> describe_gpio_encoder(std::string const& address);
 
 // Opens the lines that `info.location` names. Fails as open_gpio_edges() does; a read fails, as the
 // device's fault, when the lines do.
-Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo info);
+Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo const& info);
 
 // The same on lines that are open already, be they real or simulated.
-Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo info,
+Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo const& info,
                                                         std::unique_ptr<GpioEdges> edges);
 
 // Whether a device, live or from a log, is one of these.
