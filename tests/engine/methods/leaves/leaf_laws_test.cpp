@@ -81,7 +81,7 @@ TEST(LeafLaws, PicturesAreTheSameOnAnyNumberOfThreads)
                             .larvae = { .count = 3 } });
     };
     auto const one = painted(1);
-    for (std::size_t const threads : { 2, 8 }) {
+    for (std::size_t const threads : { 2u, 8u }) {
         auto const other = painted(threads);
         EXPECT_EQ(one.color, other.color);
         EXPECT_EQ(one.normal, other.normal);
