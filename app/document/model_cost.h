@@ -23,7 +23,7 @@ struct ModelCost {
 // to 100,000 characters.
 LoadOptions load_options(ModelCost const& cost = {});
 
-// The same for each plant from the moment on in which it is built.
+// Gives load_options(cost) anew for each plant: its time counts from when it is built.
 MakeLoadOptions make_load_options(ModelCost const& cost = {});
 
 } // namespace tractus
