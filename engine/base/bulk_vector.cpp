@@ -34,7 +34,7 @@ void free_bulk(void* memory, std::size_t bytes)
 {
     if (bytes < kLargeBytes)
         return ::operator delete(memory);
-    // Not by size, too: clang 14 has that only when asked for it.
+    // The form with a size is missing: clang 14 has that only when asked for it.
     ::operator delete (memory, std::align_val_t { kHugePageBytes });
 }
 

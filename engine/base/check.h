@@ -6,8 +6,8 @@ namespace tractus::detail {
 
 } // namespace tractus::detail
 
-// For our own mistakes, in every build: prints the condition and its place, then aborts. Never for
-// what a device, a file or a user can do: that is a Result.
+// CHECK is for our own mistakes, in every build: prints the condition and its place, then aborts.
+// It is never for what a device, a file or a user can do: that is a Result.
 #define CHECK(condition)                                                                           \
     do {                                                                                           \
         if (!(condition)) [[unlikely]]                                                             \

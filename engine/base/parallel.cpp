@@ -86,7 +86,8 @@ void parallel_in_order(std::size_t slots, OrderedWork const& work)
     };
     release(&next_order);
     auto const next = [&](tbb::flow_control& control) -> std::size_t {
-        // As many are on their way as there are slots, and they end in order: so this one is free.
+        // This slot is free: as many pieces are on their way as there are slots, and they end in
+        // order.
         auto const slot = count++ % slots;
         if (ended || !ordered(next_order, slot_order[slot], [&] { return work.next(slot); }))
             control.stop();
@@ -111,7 +112,7 @@ void parallel_in_order(std::size_t slots, OrderedWork const& work)
                                & tbb::make_filter<std::size_t, void>(Mode::serial_in_order, use));
     acquire(&next_order);
     acquire(&use_order);
-    for (char& order : slot_order) // What was made and not used any more.
+    for (char& order : slot_order) // Pieces that were made and never used.
         acquire(&order);
 }
 

@@ -10,7 +10,7 @@ namespace tractus {
 // `work` writes must not depend on how the pieces are cut or in which order they run. Loops may be
 // nested.
 //
-// All parallel loops go through here: the library that runs them is not built for the thread
+// Every parallel loop goes through here: the library that runs them is not built for the thread
 // sanitizer, so this is where the sanitizer is told of the order between the caller and the pieces.
 void parallel_for(std::size_t count, std::size_t grain,
                   std::function<void(std::size_t begin, std::size_t end)> const& work);

@@ -5,20 +5,20 @@
 
 namespace tractus {
 
-// Which numbers a random stream gives. Streams with different keys are independent, so a branch's
-// numbers do not depend on order, threads, or edits elsewhere: name what the numbers are for
-// (plant, branch, step) and ask.
+// Names a random stream. Streams with different keys are independent, so a branch's numbers do not
+// depend on order, threads, or edits elsewhere: name what the numbers are for (plant, branch, step)
+// and ask.
 struct RandomKey {
     std::uint64_t seed = 0;
-    std::uint32_t stream = 0;    // What for: a constant of the caller.
-    std::uint32_t substream = 0; // Which one: a plant, a branch, …
+    std::uint32_t stream = 0;    // Purpose of the numbers: a constant of the caller.
+    std::uint32_t substream = 0; // Plant, branch, … that they are for.
 };
 
 // Four random words for position `index` of the stream `key`: Philox4x32-10 (Salmon, Moraes, Dror,
 // Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC 2011). A pure function.
 std::array<std::uint32_t, 4> random_block(RandomKey const& key, std::uint64_t index);
 
-// The same words read one after another. Copying it copies its position.
+// Reads a stream's words one after another. Copying it copies its position.
 class Random {
 public:
     explicit Random(RandomKey const& key)

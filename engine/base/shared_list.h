@@ -82,10 +82,10 @@ public:
         ++size_;
     }
 
-    // Those after it move up.
+    // Removes an element; those after it move up.
     void erase(std::size_t index)
     {
-        auto const first = index / kBlock * kBlock; // Of its block.
+        auto const first = index / kBlock * kBlock; // The block's first element.
         auto const before = std::exchange(*this, {});
         blocks_.assign(before.blocks_.begin(),
                        before.blocks_.begin() + static_cast<std::ptrdiff_t>(first / kBlock));
@@ -97,8 +97,8 @@ public:
 
     void clear() { *this = {}; }
 
-    // What `make` gives for each element. Where `before` shares a block with this list, what was
-    // made of that block is taken from `made`, the list that this call gave for `before`.
+    // Returns what `make` gives for each element. Where `before` shares a block with this list,
+    // what was made of that block is taken from `made`, the list that this call gave for `before`.
     template<typename U, typename Make>
     SharedList<U> map(SharedList const& before, SharedList<U> const& made, Make const& make) const
     {
@@ -118,7 +118,7 @@ public:
         return result;
     }
 
-    // All of them, in order.
+    // Returns all elements, in order.
     std::vector<T> vector() const { return { begin(), end() }; }
 
 private:

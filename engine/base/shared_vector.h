@@ -56,7 +56,7 @@ public:
     }
     bool is_in_memory() const { return !shared_ || shared_->is_in_memory; }
 
-    // The same elements, left to their source, which they must have.
+    // Returns the same elements, left to their source, which they must have.
     SharedVector parked() const
     {
         if (!is_in_memory())
@@ -66,8 +66,8 @@ public:
         return parked;
     }
 
-    // The same elements in memory, which those of this need not be afterwards. Fails as their
-    // source does, and then changes nothing: whoever asks again reads again.
+    // Returns the same elements in memory, which those of this one need not be afterwards. Fails as
+    // their source does, and then changes nothing: a later call reads again.
     Result<SharedVector> in_memory() const
     {
         if (is_in_memory())
@@ -82,8 +82,8 @@ public:
         return source() ? static_cast<void const*>(source().get()) : shared_.get();
     }
 
-    // Those that are not in memory are read, and stay; where they cannot be read there are none,
-    // for this once. Who must know that asks for in_memory().
+    // The elements; those that are not in memory are read, and stay. If they cannot be read, it is
+    // empty for this call: callers that must know ask for in_memory().
     std::vector<T> const& vector() const { return shared_ ? shared_->look() : nothing(); }
     operator std::vector<T> const&() const
     {

@@ -9,7 +9,7 @@ namespace tractus {
 
 static thread_local Urgency present = Urgency::Now;
 
-// Of the calling thread alone. A system that refuses leaves it as it is.
+// Lowers the calling thread alone. A system that refuses leaves it as it is.
 static void lower_to(Urgency urgency)
 {
     constexpr int kNice = 10;

@@ -9,7 +9,7 @@ using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Quat = Eigen::Quaterniond;
 
-// For bulk data that goes to a graphics card or a file.
+// Single precision, for bulk data that goes to a graphics card or a file.
 using Vec2f = Eigen::Vector2f;
 using Vec3f = Eigen::Vector3f;
 using Quatf = Eigen::Quaternionf;

@@ -166,7 +166,7 @@ template<typename Color> TextureSlot paint_colors(Color const& color)
 
 Vec3 normal_color(int column, int row)
 {
-    constexpr double kBump = 0.055; // As the window's.
+    constexpr double kBump = 0.055; // The window's bark has the same.
     auto const& heights = relief();
     double const per_step = 0.5 * kSize * kBump;
     double const slope_u = per_step * (heights.at(column + 1, row) - heights.at(column - 1, row));

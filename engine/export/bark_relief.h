@@ -14,7 +14,8 @@ GreyPicture bark_color_picture();
 // Normals (glTF 2.0 section 3.9.3: green points against v).
 TextureSlot bark_normals();
 
-// In red what the furrows hide of the sky, with roughness in green as it is and no metal in blue.
+// Occlusion: red holds how much of the sky the furrows hide, green the roughness as it is, and blue
+// no metal.
 TextureSlot bark_occlusion();
 
 } // namespace tractus

@@ -7,7 +7,7 @@
 namespace tractus {
 
 constexpr int kBillboardViews = 8;
-constexpr int kBillboardColumns = 4; // Of the atlas.
+constexpr int kBillboardColumns = 4; // Columns of the atlas.
 
 // A plant as pictures from all sides. View k shows it from the horizontal direction at k * 45
 // degrees: view 0 from -y, the next ones from farther to the right (counter-clockwise from above).

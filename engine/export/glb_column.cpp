@@ -56,7 +56,7 @@ std::size_t add_zeros(GltfJson& json, NumberFormat const& format, std::size_t co
     return json.accessors.add(accessor);
 }
 
-// As doubles: the decimal that is exactly the float.
+// The limits become doubles: the decimal that is exactly the float.
 Json limits_json(Vec3f const& low, Vec3f const& high)
 {
     return { { "min", json_numbers(low.cast<double>().eval()) },

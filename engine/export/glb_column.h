@@ -33,7 +33,7 @@ std::size_t add_view(GltfJson& json, GlbStream::Block const& block,
 std::size_t add_accessor(GltfJson& json, GlbColumn const& column, int target,
                          Json const& more = Json::object());
 
-// The same for zeros, which take no bytes (section 3.6.2.3).
+// Adds an accessor of zeros, which take no bytes (section 3.6.2.3).
 std::size_t add_zeros(GltfJson& json, NumberFormat const& format, std::size_t count,
                       Json const& more = Json::object());
 

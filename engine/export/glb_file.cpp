@@ -60,7 +60,7 @@ std::string level_name(LevelInFile const& level)
     return level.number == 0 ? name : fmt::format("{} level {}", name, level.number);
 }
 
-// Of all levels.
+// Lists the coverage of all levels.
 Json coverages(PlacedMesh const& placed)
 {
     auto of_levels = Json::array({ json_number(placed.least_coverage) });

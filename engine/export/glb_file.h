@@ -19,7 +19,7 @@ namespace tractus {
 
 // How a plant's pieces are written.
 struct PlantFormat {
-    SurfaceFormat vertices {}; // Of its surfaces, but for the size of indices.
+    SurfaceFormat vertices {}; // Format of surfaces, but for the size of indices.
     InstanceFormat instances {};
 
     SurfaceFormat of(MeshPieces const& plant, MeshPieces::Surface const& surface) const;
@@ -81,7 +81,7 @@ private:
     std::uint64_t json_room_;
     GltfJson json_;
     GltfMaterials materials_;
-    std::map<std::string, std::size_t> prototypes_; // By their material and arrays.
+    std::map<std::string, std::size_t> prototypes_; // Keyed by material and arrays.
     GlbSummary summary_;
     std::uint64_t json_bytes_ = 0;
 
@@ -92,10 +92,10 @@ private:
     Json primitives_;
     std::vector<std::size_t> children_;
     Json finest_; // Its plant's node, to which the coarser ones are yet to be added.
-    std::vector<std::size_t> coarser_; // Their nodes.
-    std::optional<Columns> open_;      // Of the surface or organ whose pieces are coming.
-    EncodedPiece limits_;              // Of its positions so far.
-    std::size_t open_index_ = 0;       // Of its material, or its prototype.
+    std::vector<std::size_t> coarser_; // Nodes of the coarser levels.
+    std::optional<Columns> open_;      // The surface or organ whose pieces are coming.
+    EncodedPiece limits_;              // Limits of its positions so far.
+    std::size_t open_index_ = 0;       // Its material, or its prototype.
 };
 
 } // namespace tractus

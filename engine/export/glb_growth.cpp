@@ -81,7 +81,7 @@ private:
     GlbStream stream_;
     GltfMaterials materials_;
     Json primitives_ = Json::array(); // One for each surface.
-    Json names_ = Json::array();      // Of the targets.
+    Json names_ = Json::array();      // Names of the targets.
     GlbSummary summary_;
     std::uint64_t json_bytes_ = 0;
 
@@ -193,7 +193,8 @@ GlbColumn FilmWriter::add_numbers(std::span<float const> values)
     return column;
 }
 
-// At the time of each age its own target has the weight 1; at the last one, none has.
+// Animates the weights: at the time of each age its own target has the weight 1; at the last one,
+// none has.
 void FilmWriter::add_animation()
 {
     auto const count = film_.ages.size();
@@ -232,7 +233,7 @@ Result<std::optional<GlbSummary>> FilmWriter::finish()
 // Where every vertex moves and turns at every age, and without JSON and pictures.
 Result<void> check_size(GrowthFilm const& film)
 {
-    constexpr double kRoom = 16 << 20; // For JSON and pictures.
+    constexpr double kRoom = 16 << 20; // Room for JSON and pictures.
     constexpr std::size_t kVector = sizeof(Vec3f);
     double bytes = kRoom;
     for (auto const& surface : film.mesh->whole().surfaces)

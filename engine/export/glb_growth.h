@@ -14,7 +14,7 @@ struct GrowthFilm {
     std::string name = "plant"; // UTF-8; what is not becomes a replacement character.
     AgedMesh const* mesh = nullptr;
     std::vector<double> ages {}; // Ascending, and the last is that of mesh->whole().
-    double seconds = 10;         // From the first age to the last; above 0.
+    double seconds = 10;         // Time from the first age to the last; above 0.
 
     // The plant at an age, as AgedMesh::at() takes it. Called for each age but the last, in order,
     // and perhaps again; what it answers need only hold until the next call.

@@ -11,9 +11,9 @@ namespace tractus {
 // taken to our frame (millimetres, +z up). A mesh that stands in several places, by nodes or by
 // EXT_mesh_gpu_instancing, becomes instances; one that stands once becomes part of the surfaces.
 //
-// Of materials the name, base colour, roughness, and for our own files kind and translucency are
-// kept; in others' files what is double-sided is taken for leaves and the rest for solids.
-// Textures, skins, animations, points and lines are not read.
+// Materials keep their name, base colour and roughness, in our own files kind and translucency too;
+// in others' files what is double-sided is taken for leaves and the rest for solids. Textures,
+// skins, animations, points and lines are not read.
 //
 // Fails, as the user's fault, on what is no such file, is truncated or contradicts itself, needs an
 // extension that changes geometry in a way not known here, or expands to more than 67 million

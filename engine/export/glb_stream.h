@@ -17,7 +17,7 @@ class GlbStream {
 public:
     // A stretch of the binary chunk, filled from its beginning.
     struct Block {
-        std::uint64_t start = 0; // In the chunk; a multiple of four.
+        std::uint64_t start = 0; // Offset in the chunk; a multiple of four.
         std::uint64_t size = 0;
         std::uint64_t written = 0;
     };

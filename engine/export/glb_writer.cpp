@@ -40,7 +40,7 @@ struct Unit {
 
     Kind kind = Kind::End;
     std::shared_ptr<PlantOnItsWay const> plant {};
-    std::size_t index = 0; // Of the surface or the organ in its plant.
+    std::size_t index = 0; // Index of the surface or the organ in its plant.
     std::size_t piece = 0;
     std::size_t piece_count = 0;
     bool begins_level = false;
@@ -102,7 +102,7 @@ private:
         return true;
     }
 
-    // Of the surface or organ that it is at.
+    // Counts the pieces of the surface or organ that it is at.
     std::size_t piece_count() const
     {
         auto const& pieces = *plant_->pieces;
@@ -198,8 +198,8 @@ Result<void> write_plants(Units units, GlbOptions const& options, GlbFile& file)
     return result;
 }
 
-// What a file takes of the first plant, all levels of detail together: the others are likely to be
-// like it. Its finest level is kept, since it is the first to be written.
+// Measures the first plant in the file, all levels of detail together: the others are likely to be
+// like it. The finest level is kept, since it is the first to be written.
 struct FirstPlant {
     std::unique_ptr<MeshPieces const> pieces {};
     std::uint64_t bytes = 0;

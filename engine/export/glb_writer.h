@@ -10,18 +10,18 @@
 
 namespace tractus {
 
-// What a file can hold: its length is a number of 32 bits (glTF 2.0 section 4.4.2).
+// Size limit of a file: its length is a number of 32 bits (glTF 2.0 section 4.4.2).
 constexpr std::uint64_t kMaxGlbBytes = 0xFFFFFFFF;
 
 struct GlbSummary {
-    std::uint64_t bytes = 0;     // Of the whole file.
+    std::uint64_t bytes = 0;     // Size of the whole file.
     std::uint64_t triangles = 0; // As drawn: every instance counted, the finest level only.
 };
 
 struct GlbOptions {
     // How the copies of an organ, such as leaves, are written.
     enum class Organs {
-        Merged,    // In the plant's mesh, one primitive per material: every program opens it.
+        Merged,    // Part of the plant's mesh, one primitive per material: every program opens it.
         Instanced, // EXT_mesh_gpu_instancing, which a reader must then know: small and fast.
         Nodes,     // A node per organ: every reader knows it, many are slow with so many.
     };

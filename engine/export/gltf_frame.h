@@ -4,8 +4,8 @@
 
 namespace tractus {
 
-// Between our frame (millimetres, +z up) and glTF's (metres, +y up): x stays, our z is its y, our
-// -y is its z. A rotation, so triangles keep their sense.
+// Conversions between our frame (millimetres, +z up) and glTF's (metres, +y up): x stays, our z is
+// its y, our -y is its z. A rotation, so triangles keep their sense.
 
 template<typename Scalar>
 Eigen::Matrix<Scalar, 3, 1> turn_to_gltf(Eigen::Matrix<Scalar, 3, 1> const& v)
@@ -31,8 +31,8 @@ Eigen::Matrix<Scalar, 3, 1> from_gltf(Eigen::Matrix<Scalar, 3, 1> const& positio
     return turn_from_gltf(position_m) * Scalar(1000);
 }
 
-// For a prototype that was taken to glTF's frame, too. The translation that it answers is in
-// metres.
+// Converts an instance of a prototype that was taken to glTF's frame, too. The result's translation
+// is in metres.
 inline InstanceTransform to_gltf(InstanceTransform const& instance)
 {
     auto const& r = instance.rotation;

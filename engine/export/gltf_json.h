@@ -38,7 +38,7 @@ public:
     std::size_t add(Json const& element);
 
     std::size_t count() const { return count_; }
-    std::string const& text() const { return text_; } // Without brackets.
+    std::string const& text() const { return text_; } // Excludes the brackets.
 
 private:
     std::string text_;
@@ -50,7 +50,7 @@ struct GltfJson {
     std::vector<std::size_t> scene; // The scene's root nodes.
     JsonArray nodes, meshes, materials, textures, images, samplers, accessors, buffer_views,
         animations;
-    // Those that a reader must know, and those that it may pass over.
+    // Extensions that a reader must know, and those that it may pass over.
     std::set<std::string> required_extensions;
     std::set<std::string> optional_extensions;
 

@@ -31,8 +31,8 @@ private:
     GltfJson& json_;
     GlbStream& stream_;
     bool has_textures_;
-    std::map<std::string, std::size_t> textures_; // By their bytes: few, and each is there once.
-    std::map<std::string, std::size_t> indices_;  // By their JSON.
+    std::map<std::string, std::size_t> textures_; // Keyed by their bytes: few, each there once.
+    std::map<std::string, std::size_t> indices_;  // Keyed by their JSON.
 };
 
 } // namespace tractus

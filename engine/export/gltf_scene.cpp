@@ -12,7 +12,7 @@ namespace tractus {
 
 namespace {
 
-constexpr std::size_t kMostPlaces = std::size_t { 1 } << 24; // Of all meshes together.
+constexpr std::size_t kMostPlaces = std::size_t { 1 } << 24; // Limit for all meshes together.
 constexpr int kDeepestJson = 64;
 constexpr std::string_view kInstancing = "EXT_mesh_gpu_instancing";
 

@@ -11,7 +11,7 @@
 
 namespace tractus {
 
-// What the readers of glTF files have in common.
+// Shared parts of the readers of glTF files.
 
 // An error, as the user's fault, that begins with what all of them say.
 tl::unexpected<Error> fail_reading(std::string const& reason);

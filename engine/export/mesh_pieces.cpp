@@ -25,7 +25,7 @@ Copies copies_in(std::size_t count, std::size_t piece, std::size_t piece_count)
 
 // Takes an organ's directions to the plant's.
 struct NormalTurn {
-    // Of the scale's cofactors, which unlike its inverse are there when a scale is zero.
+    // Uses the scale's cofactors, which unlike its inverse exist when a scale is zero.
     explicit NormalTurn(InstanceTransform const& instance)
         : rotation(instance.rotation.toRotationMatrix())
         , is_mirrored(instance.scale.prod() < 0)
@@ -158,7 +158,7 @@ void MeshPieces::add_surface(MaterialId material, MeshExtent const& extent, std:
     surfaces_.push_back({ material, extent, piece_count });
 }
 
-// What has no surface of its material yet begins one.
+// Materials that have no surface yet get one.
 void MeshPieces::merge_organs()
 {
     auto const organs = all_organs();

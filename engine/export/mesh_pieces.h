@@ -20,7 +20,7 @@ struct TriangleView {
     std::span<std::uint32_t const> indices;
     std::uint32_t first_vertex = 0;
     std::span<Eigen::Vector4f const>
-        tangents {}; // As find_tangents() has them; empty for what needs none.
+        tangents {}; // From find_tangents(); empty for what needs none.
 };
 
 TriangleView view_of(TriangleMesh const& mesh, std::uint32_t first_vertex = 0);
@@ -46,13 +46,13 @@ public:
         std::size_t piece_count = 0;
     };
     std::span<Surface const> surfaces() const { return surfaces_; }
-    std::span<InstancedMesh const> organs() const; // None if they are merged.
+    std::span<InstancedMesh const> organs() const; // Empty if they are merged.
     Material const& material(MaterialId id) const;
-    std::uint64_t triangle_count() const; // As drawn: every instance counted.
-    // What a piece's vertices need for the wind, into `buffer`; nothing for what has no wind.
+    std::uint64_t triangle_count() const; // Triangles as drawn: every instance counted.
+    // Writes what a piece's vertices need for the wind into `buffer`; nothing if it has no wind.
     bool has_wind() const { return wind_.has_value(); }
     void wind(std::size_t surface, std::size_t piece, std::vector<WindVertex>& buffer) const;
-    // The same for the instances of an organ.
+    // Returns the same for the instances of an organ.
     std::span<WindVertex const> organ_wind(std::size_t organ) const;
 
     // A billboard's picture, in PNG, on all of its surfaces; empty for what is none.
@@ -60,10 +60,11 @@ public:
     // A box around all surfaces, found without making what is not there yet.
     Bounds bounds_mm() const;
 
-    // What has this material has tangents.
+    // Whether surfaces and organs with this material have tangents.
     bool has_tangents(MaterialId material) const;
 
-    // What has to be made of a piece; kept from piece to piece, so that it is allocated once.
+    // Memory for what has to be made of a piece; kept from piece to piece, so that it is allocated
+    // once.
     struct Buffer {
         TriangleMesh triangles {};
         BulkVector<Eigen::Vector4f> tangents {};
@@ -76,10 +77,10 @@ private:
     // Pieces of a surface that follow each other and have one origin.
     struct Run {
         enum class Of { Surface, Organ } of = Of::Surface;
-        std::size_t index = 0; // Of the plan's or mesh's surface, or of the organ.
+        std::size_t index = 0; // Index of the plan's or mesh's surface, or of the organ.
         std::size_t first_piece = 0;
         std::size_t piece_count = 0;
-        MeshExtent start {}; // What lies before it in the surface.
+        MeshExtent start {}; // Extent of what lies before it in the surface.
     };
 
     void use_mesh(Mesh const& mesh);

@@ -222,7 +222,7 @@ Result<std::vector<MtlPicture>> write_mtl(std::ostream& out, std::span<PlacedMes
     for (auto const& placed : plants) {
         std::optional<Mesh> made;
         auto const& mesh = mesh_of(placed.mesh, made);
-        // Those that are used, in write_obj()'s order, so that names agree.
+        // Adds the materials that are used, in write_obj()'s order, so that names agree.
         auto const add = [&](TriangleMesh const& part) {
             auto const& material = mesh.materials[part.material];
             if (auto const [name, is_new] = names.name_of(material); is_new)

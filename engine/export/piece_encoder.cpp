@@ -130,7 +130,7 @@ public:
         return whole_bits(number) & 0xFFFF;
     }
 
-    // Of the numbers that were written.
+    // Limits of the numbers that were written.
     float low() const { return std::nearbyint(std::min({ low_[0], low_[1], low_[2], low_[3] })); }
     float high() const
     {

@@ -21,7 +21,7 @@ enum class ComponentType {
     Float = 5126
 };
 
-// What an accessor says of its numbers.
+// Format of an accessor's numbers.
 struct NumberFormat {
     ComponentType type = ComponentType::Float;
     int components = 3;
@@ -37,8 +37,8 @@ struct SurfaceFormat {
     // all three components, so that normals stay what they are.
     Vec3 origin_m = Vec3::Zero();
     double step_m = 1;
-    bool short_indices = false; // 16 bits.
-    bool tangents = false;      // For a normal map.
+    bool short_indices = false; // Indices have 16 bits.
+    bool tangents = false;      // There are tangents, for a normal map.
 
     NumberFormat positions() const;
     NumberFormat normals() const;
@@ -56,11 +56,11 @@ constexpr std::size_t kMostStreams = 10;
 struct EncodedPiece {
     std::array<std::span<std::byte const>, kMostStreams> streams {};
     bool is_finite = true;
-    // Of positions, as they are written; low above high if there are none.
+    // Limits of the positions, as they are written; low above high if there are none.
     Vec3f low = Vec3f::Constant(std::numeric_limits<float>::infinity());
     Vec3f high = -low;
 
-    // What the streams lie in, if it is not the mesh itself.
+    // Memory that the streams lie in, if it is not the mesh itself.
     std::array<BulkVector<std::byte>, kMostStreams> storage {};
 };
 

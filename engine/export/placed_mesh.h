@@ -31,7 +31,7 @@ using MeshSource
 // A plant as it is seen from afar.
 struct DetailLevel {
     MeshSource mesh = static_cast<Mesh const*>(nullptr);
-    double least_coverage = 0; // As PlacedMesh::least_coverage; less than the level before.
+    double least_coverage = 0; // As in PlacedMesh::least_coverage; less than the level before.
 };
 
 // One plant of an exported file: a name, a place, and its triangles.
@@ -42,8 +42,8 @@ struct PlacedMesh {
 
     MeshSource mesh = static_cast<Mesh const*>(nullptr);
 
-    // What stands for the plant where it takes less of the screen's area than `least_coverage`, 0
-    // to 1, from the finest to the coarsest. Only .glb files have it.
+    // Levels that stand for the plant where it takes less of the screen's area than
+    // `least_coverage`, 0 to 1, from the finest to the coarsest. Only .glb files have it.
     std::vector<DetailLevel> details {};
     double least_coverage = 0;
 };

@@ -29,14 +29,15 @@ void append_chunk(std::string& bytes, std::string_view type, std::string_view da
     append_u32_be(bytes, libdeflate_crc32(0, bytes.data() + start, bytes.size() - start));
 }
 
-using Bytes = std::unique_ptr<std::uint8_t[]>; // Not filled first, as a vector's are.
+using Bytes = std::unique_ptr<std::uint8_t[]>; // Not filled first, as a vector is.
 
 std::size_t row_bytes(PngPicture const& picture)
 {
     return static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels);
 }
 
-// Each row after a filter byte: 2, the difference to the row above, which suits soft pictures.
+// Puts a filter byte before each row: 2, the difference to the row above, which suits soft
+// pictures.
 Bytes filtered_rows(PngPicture const& picture)
 {
     auto const width = row_bytes(picture);
@@ -57,8 +58,8 @@ Bytes filtered_rows(PngPicture const& picture)
     return rows;
 }
 
-// What zlib's deflate makes, with either library; libdeflate is some times as fast at level 1, and
-// its best takes longer than it is worth.
+// Result of zlib's deflate, with either library; libdeflate is several times as fast at level 1,
+// and its best takes longer than it is worth.
 struct Packed {
     Bytes bytes;
     std::size_t size = 0;

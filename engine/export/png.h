@@ -9,7 +9,7 @@ namespace tractus {
 // A picture of 8 bits per channel: rows from the top, pixels from the left, channels side by side.
 struct PngPicture {
     int width = 0;    // 1 and more.
-    int height = 0;   // The same.
+    int height = 0;   // 1 and more.
     int channels = 1; // 1: grey, 3: red, green, blue, 4: and alpha, not premultiplied.
     std::span<std::uint8_t const> pixels {};
 

@@ -84,7 +84,7 @@ std::string write_strokes(GlbStream& stream, std::span<Stroke const> strokes)
 Result<void> check(std::span<Stroke const> strokes)
 {
     constexpr std::uint64_t kBytesPerTip = 20;
-    constexpr std::uint64_t kBytesPerStroke = 1500; // Of JSON, and more than it takes.
+    constexpr std::uint64_t kBytesPerStroke = 1500; // JSON's bytes, and more than it takes.
     std::uint64_t bytes = 0;
     for (auto const& stroke : strokes) {
         bytes += kBytesPerStroke + kBytesPerTip * stroke.tips.size();

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMargin_mm = 5;
 
-// On the page: y points down.
+// Position on the page: y points down.
 Vec2 on_page(Vec3 const& position_mm, StrokeView view)
 {
     switch (view) {

@@ -8,11 +8,11 @@
 
 namespace tractus {
 
-// From where strokes are looked at, in parallel projection.
+// Direction in which strokes are looked at, in parallel projection.
 enum class StrokeView {
-    Front, // As whoever draws sees them: x to the right, z up.
-    Side,  // From the right: what is away from the user is to the right, z up.
-    Top,   // From above: x to the right, what is away from the user up.
+    Front, // The view of whoever draws: x to the right, z up.
+    Side,  // The view from the right: what is away from the user is to the right, z up.
+    Top,   // The view from above: x to the right, what is away from the user up.
 };
 
 // Writes strokes as an SVG 1.1 drawing at true scale: one polyline per stroke, in the order in

@@ -23,14 +23,15 @@ GreyPicture bark_picture();
 // last (engine/mesh/mesh.h says so of blades).
 GreyPicture leaf_picture();
 
-// What an exporter writes: a material's own pictures, and for those that it has not, what its kind
-// looks like.
+// Returns the textures that an exporter writes: a material's own pictures, and where it has none,
+// the usual ones of its kind.
 MaterialTextures textures_of(Material const& material);
 
 // Whether a normal map is among them.
 bool has_relief(Material const& material);
 
-// As a PNG file, the picture of the material's colour with that colour in it; empty if it has none.
+// Returns a PNG file with the picture of the material's colour, in that colour; empty if it has
+// none.
 std::string colored_picture(Material const& material);
 
 // The picture as a PNG file (ISO/IEC 15948), greyscale of 8 bits. Same picture, same bytes.

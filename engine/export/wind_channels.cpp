@@ -14,7 +14,7 @@ constexpr NumberFormat kScalar { ComponentType::Float, 1, false, 4 };
 constexpr NumberFormat kPair { ComponentType::Float, 2, false, 8 };
 constexpr NumberFormat kVector {};
 constexpr NumberFormat kColour { ComponentType::UnsignedByte, 4, true, 4 };
-constexpr float kMostLevels = 8; // That a colour tells apart.
+constexpr float kMostLevels = 8; // Most levels that a colour tells apart.
 
 constexpr std::array<WindStream, 5> kAttributes { { { "_PIVOT", kVector },
                                                     { "_AXIS", kVector },

@@ -19,13 +19,14 @@ struct WindStream {
     NumberFormat format {};
 };
 
-// What GlbOptions::Wind says, in the order of the streams: at most kMostStreams - kFirstWindStream.
+// The streams that GlbOptions::Wind asks for, in their order: at most kMostStreams -
+// kFirstWindStream.
 std::span<WindStream const> wind_streams(GlbOptions::Wind channels);
 
 // Fills those streams of `piece`; leaves them empty where there is no wind.
 void encode_wind(std::span<WindVertex const> wind, GlbOptions::Wind channels, EncodedPiece& piece);
 
-// What Attributes says, as the extras of a node.
+// Returns what Attributes says, as the extras of a node.
 Json wind_extras(WindVertex const& wind);
 
 } // namespace tractus

@@ -7,7 +7,7 @@
 
 namespace tractus {
 
-// As C's % for ints, with the edges defined: beyond the range of int there is no remainder.
+// Does as C's % for ints, with the edges defined: beyond the range of int there is no remainder.
 static double remainder(double left, double right)
 {
     double const dividend = std::trunc(left);

@@ -8,7 +8,7 @@
 
 namespace tractus {
 
-// Without branches, which processors could not foresee.
+// Has no branches, which processors could not foresee.
 void BlockScan::find(Kinds const& kinds, std::span<KindId const> modules)
 {
     CHECK(modules.size() <= kMost);

@@ -15,7 +15,7 @@ public:
     // A part has at most so many modules.
     static constexpr std::size_t kMost = 2048;
 
-    // What there is to know of a kind of modules.
+    // Facts about a kind of modules.
     struct Kind {
         std::uint8_t parameter_count = 0;
         bool changes = false; // Other modules stay as they are.
@@ -25,7 +25,7 @@ public:
 
     // A module that changes.
     struct Change {
-        std::uint32_t module = 0;    // From the beginning of the part.
+        std::uint32_t module = 0;    // Number of the module from the beginning of the part.
         std::uint32_t parameter = 0; // Where its parameters begin, likewise.
     };
 
@@ -34,7 +34,7 @@ public:
     // first that VirtualMachine would give for each. Modules have numbers below 2^32.
     void draw(std::uint64_t seed, std::uint32_t step, std::size_t begin);
 
-    // Of the last find(), in order.
+    // The changes that the last find() found, in order.
     std::span<Change const> changes() const { return { changes_.data(), count_ }; }
     std::uint32_t parameter_count() const { return parameter_count_; }
     // [0, 1) for a change that draws; for others anything.
@@ -46,7 +46,7 @@ private:
     std::size_t drawing_count_ = 0;
     std::array<Change, kMost + 1> changes_ {};
     std::array<double, kMost> numbers_ {};
-    std::array<std::uint32_t, kMost + 1> drawing_ {}; // Which changes draw.
+    std::array<std::uint32_t, kMost + 1> drawing_ {}; // Numbers of the changes that draw.
 };
 
 } // namespace tractus

@@ -60,16 +60,16 @@ private:
         int depth = 0; // Change behind the module.
     };
     static constexpr std::int32_t kNoOpening = 1 << 20; // No depth in a block is as great.
-    // What two modules do, one behind the other: blocks are measured by twos.
+    // Effect of two modules, one behind the other: blocks are measured by twos.
     struct Pair {
         std::uint16_t parameters = 0;
         std::int8_t depth = 0;
         std::int8_t floor = 0;    // Least depth behind one of them.
-        std::int32_t opening = 0; // Of a branch that one of them opens; kNoOpening if none does.
+        std::int32_t opening = 0; // Depth of a branch that one opens; kNoOpening if none does.
     };
     struct Block {
-        std::size_t parameter = 0; // Before its first module.
-        std::int64_t depth = 0;    // The same.
+        std::size_t parameter = 0; // Index before its first module.
+        std::int64_t depth = 0;    // Depth before its first module.
         std::int64_t floor = 0;    // No depth in it is less.
         // The least depth of a branch that begins in it, far beyond all if none does; then whether
         // it may be a long one.
@@ -85,10 +85,10 @@ private:
     ModuleString const& string_;
     std::size_t long_branch_;
     std::size_t kind_count_;
-    std::array<Step, 256> steps_ {}; // By kind.
-    std::vector<Pair> pairs_;        // By first kind * kind_count_ + second kind.
+    std::array<Step, 256> steps_ {}; // Indexed by kind.
+    std::vector<Pair> pairs_;        // Indexed by first kind * kind_count_ + second kind.
     std::vector<Block> blocks_;
-    std::vector<std::int64_t> floors_; // Of superblocks.
+    std::vector<std::int64_t> floors_; // Least depths of superblocks.
 };
 
 // Says which branches of one part of a string are to be parts of their own: long ones that a long
@@ -100,7 +100,7 @@ public:
     {
     }
 
-    // For the part [begin, end) of the string.
+    // Begins to follow the part [begin, end) of the string.
     void begin(std::size_t begin, std::size_t end)
     {
         look_from_ = begin;

@@ -20,7 +20,7 @@ struct Operator {
     std::string_view symbol;
     int strength; // The greater, the tighter it binds.
 };
-// Those of two characters before their beginnings.
+// Operators; those of two characters come before their beginnings.
 constexpr std::array kOperators {
     Operator { "||", 1 }, Operator { "&&", 2 }, Operator { "==", 6 }, Operator { "!=", 6 },
     Operator { "<=", 7 }, Operator { ">=", 7 }, Operator { "<<", 8 }, Operator { ">>", 8 },
@@ -29,7 +29,8 @@ constexpr std::array kOperators {
     Operator { "/", 10 }, Operator { "%", 10 },
 };
 
-// As C's intmax_t and uintmax_t: a value without sign makes those without sign that it meets.
+// Behaves as C's intmax_t and uintmax_t: a value without sign makes those without sign that it
+// meets.
 struct Value {
     std::int64_t number = 0;
     bool is_unsigned = false;

@@ -27,7 +27,7 @@ public:
     void rewrite(Column<KindId> const& in, Column<KindId>& out, std::size_t max_modules);
 
 private:
-    // What a kind is to its neighbours. In a row of modules that all are seen, the neighbours are
+    // Role of a kind for its neighbours. In a row of modules that all are seen, the neighbours are
     // those next to it.
     enum class Role : std::uint8_t { Seen, Ignored, Opening, Closing };
 
@@ -45,9 +45,9 @@ private:
     KindId none_ = 0; // Stands for "no neighbour".
     std::array<Role, 256> roles_ {};
     bool is_row_ = true;
-    bool sees_branches_ = true;        // In right contexts.
+    bool sees_branches_ = true;        // Right contexts see branches.
     bool is_one_to_one_ = true;        // Every successor is one module.
-    std::vector<std::uint16_t> table_; // Of successors_.
+    std::vector<std::uint16_t> table_; // Indices into successors_.
     std::vector<KindId> one_to_one_;   // The successors themselves, if is_one_to_one_.
     std::vector<FixedSuccessor> successors_;
     std::size_t longest_ = 1;

@@ -113,7 +113,7 @@ std::vector<Vec3> sample(ControlPoints const& contour)
                           { .ends = BSplineOptions::Ends::Uniform });
 }
 
-// The same line by points at equal steps of its length in the plane of the contour.
+// Describes the same line by points at equal steps of its length in the plane of the contour.
 std::vector<Vec3f> at_equal_steps(std::vector<Vec3> const& line)
 {
     std::vector<double> lengths(line.size(), 0);
@@ -141,7 +141,7 @@ double signed_area(std::vector<Vec3> const& outline)
     return twice / 2;
 }
 
-// So that contours which blend into one another correspond.
+// Turns an outline to begin towards x, so that contours which blend into one another correspond.
 void turn_to_x(std::vector<Vec3>& outline)
 {
     Vec2 const start = outline.front().head<2>();

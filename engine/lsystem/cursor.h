@@ -43,7 +43,7 @@ public:
     // Inside a block of statements lines end nothing.
     void enter_block() { ++block_depth_; }
     void leave_block() { --block_depth_; }
-    // From here on an arrow on a line of its own begins another rule.
+    // Says that from here on an arrow on a line of its own begins another rule.
     void set_arrow_seen(bool seen) { arrow_seen_ = seen; }
 
     std::size_t position() const { return at_; }

@@ -24,7 +24,7 @@ struct CurveTable {
     std::vector<Vec3> control; // At least 4.
     // Length of the curve up to equal steps of its parameter, as shares of the whole, 0 to 1.
     std::vector<double> lengths;
-    double length = 0; // Of the whole, in the file's units.
+    double length = 0; // Length of the whole, in the file's units.
 
     // The point that `share` of the curve's length leads to; outside of [0, 1] the nearest end.
     Vec3 at(double share) const;

@@ -74,7 +74,7 @@ std::array<Vec2, 4> radius_curve(CylinderPoint const& from, CylinderPoint const&
 // The line of one piece, and how its sections follow it.
 struct CylinderCourse {
     Cubic path;
-    double twist_rad = 0; // From one end to the other.
+    double twist_rad = 0; // Turn from one end to the other.
     int rings = 1;
 };
 

@@ -9,13 +9,12 @@
 
 namespace tractus {
 
-// What a generalised cylinder looks like at one of its control points, as @Gt, @Gr, @# and @! set
-// it.
+// Looks of a generalised cylinder at one of its control points, as @Gt, @Gr, @# and @! set it.
 struct CylinderStyle {
     // Length of the path's tangent at the point, as a share of the distance to the point before and
     // to the one behind.
     std::array<double, 2> tangents { 1.2, 1.2 };
-    // The same for the radius: (share of the path, change of radius in turtle units). Zero: the
+    // Tangents of the radius: (share of the path, change of radius in turtle units). Zero: the
     // radius changes evenly.
     std::array<Vec2, 2> radius_tangents { Vec2::Zero(), Vec2::Zero() };
     bool scales_radius_tangents = false; // They grow with the distance.
@@ -40,7 +39,7 @@ struct CylinderSection {
     Vec3 position_mm = Vec3::Zero();
     Vec3 normal = Vec3::UnitY();
     double radius_mm = 0;
-    double share = 0; // Of the way from one control point to the next.
+    double share = 0; // Share of the way from one control point to the next.
 };
 
 // A generalised cylinder while the turtle draws it (Mech, "CPFG User's Manual"; Foley et al.,
@@ -55,7 +54,7 @@ public:
         Path path = Path::OpenHermite;
         int rings = 4; // Pieces between two control points that do not say how many.
         bool twists = false;
-        double unit_mm = 1; // Of radius tangents.
+        double unit_mm = 1; // Unit of radius tangents.
     };
 
     Cylinder() = default;
@@ -86,10 +85,10 @@ private:
     Piece add_to_bspline(CylinderPoint const& point, int rings);
 
     Options options_;
-    std::size_t count_ = 0;            // Of control points.
+    std::size_t count_ = 0;            // Number of control points.
     CylinderPoint current_;            // The end of the piece that came last.
-    std::vector<CylinderPoint> first_; // Of a closed path: what it goes on into in the end.
-    std::vector<CylinderPoint> last_;  // Of a B-spline: the last three.
+    std::vector<CylinderPoint> first_; // Start of a closed path, which its end meets.
+    std::vector<CylinderPoint> last_;  // The last three points of a B-spline.
 };
 
 } // namespace tractus

@@ -63,8 +63,8 @@ public:
 private:
     // Where a piece begins, and what becomes of it.
     struct PiecePlace {
-        Place from; // In in_.
-        Place to;   // In out_.
+        Place from; // Place in in_.
+        Place to;   // Place in out_.
     };
 
     Result<void> start();
@@ -87,7 +87,7 @@ private:
     VirtualMachine machine_;
     std::optional<ContextTable> table_;
     RulePlan plan_;
-    Branches branches_; // Of in_, where rules have contexts.
+    Branches branches_; // Branches of in_, where rules have contexts.
     RangeRewriter rewriter_;
     std::optional<SubsystemRewriter> subsystems_;
     Environment environment_;
@@ -184,8 +184,8 @@ Result<void> Derivation::step(int number)
     return {};
 }
 
-// Of the string that a step makes. Columns grow by half of themselves, and what is rewritten, with
-// the places of its branches, stays until the step is done.
+// Returns the limit of the string that a step makes. Columns grow by half of themselves, and what
+// is rewritten, with the places of its branches, stays until the step is done.
 StringLimit Derivation::limit() const
 {
     auto const held = in_.byte_size()
@@ -304,8 +304,8 @@ std::vector<Derivation::PiecePlace> Derivation::find_pieces() const
     return places;
 }
 
-// What every module becomes has a size that is known beforehand: counts what comes out, then lets
-// pieces be written: write(places) those between the places.
+// Rewrites where the size of what every module becomes is known beforehand: counts what comes out,
+// then lets pieces be written: write(places) those between the places.
 template<typename Write> Result<void> Derivation::rewrite_known_sizes(Write const& write)
 {
     auto const places = find_pieces();
@@ -350,8 +350,8 @@ Result<void> Derivation::rewrite_to_places()
 void Derivation::write_fixed(PiecePlace const& begin, PiecePlace const& end_place)
 {
     auto const& [from, to] = begin;
-    // In local variables: kinds are bytes, and the compiler must think that writing them changes
-    // whatever else lies in memory.
+    // Local copies: kinds are bytes, and the compiler must think that writing them changes whatever
+    // else lies in memory.
     auto const* kind = in_.kinds.data() + from.module;
     auto const* const end = in_.kinds.data() + end_place.from.module;
     auto const* parameters = in_.parameters.data() + from.parameter;

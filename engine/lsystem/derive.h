@@ -26,8 +26,8 @@ struct DeriveOptions {
     // parameters without. The rules of the next step see the answers.
     Environment environment {};
 
-    // What printf in rules and blocks prints; goes nowhere without. Homomorphism rules print when
-    // their modules are drawn (interpret.h).
+    // Takes what printf in rules and blocks prints; nothing does by default. Homomorphism rules
+    // print when their modules are drawn (interpret.h).
     std::function<void(std::string_view text)> print {};
 
     // Long strings are rewritten in pieces of so many modules, several at a time; the string is the

@@ -15,7 +15,7 @@ namespace {
 
 struct Number {
     std::string_view key;
-    double value; // By default.
+    double value; // Value by default.
     double least;
     double most;
 };

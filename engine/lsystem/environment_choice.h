@@ -8,7 +8,8 @@
 
 namespace tractus {
 
-// Which built-in environment answers a model's ?E modules (environments.h), and its numbers.
+// Names the built-in environment that answers a model's ?E modules (environments.h), and its
+// numbers.
 struct EnvironmentChoice {
     std::string name; // Empty for none.
     std::map<std::string, double, std::less<>> values;

@@ -57,7 +57,8 @@ double asked(EnvironmentQuery const& query, std::size_t index, double otherwise)
     return std::isfinite(value) && value >= 0 ? value : 0;
 }
 
-// Of what a function gives at the neighbours of a cell; 0 where it is the same all round.
+// Direction in which a function grows among the neighbours of a cell; 0 where it is the same all
+// round.
 template<typename Value> Vec3 direction_of_more(Cell const& cell, Value const& value_at)
 {
     Vec3 result = Vec3::Zero();
@@ -119,7 +120,7 @@ public:
     // False if the grid would be too large.
     bool fill(std::span<std::optional<Cell> const> cells, std::span<double const> weights);
 
-    // In the cells at most `reach` to each side of (x, z) in layer y.
+    // Weight in the cells at most `reach` to each side of (x, z) in layer y.
     double weight(Cell const& cell, std::int64_t layer, std::int64_t reach) const
     {
         auto const y = cell[1] + layer - low_[1];
@@ -224,7 +225,7 @@ private:
     Watch watch_;
     double cell_;
     double full_;
-    std::vector<double> strengths_; // By layers below what casts the shade.
+    std::vector<double> strengths_; // Strengths by layers below what casts the shade.
 };
 
 class Space {
@@ -283,7 +284,7 @@ private:
 
     Watch watch_;
     double radius_;
-    std::map<int, std::map<Cell, std::vector<Ball>>> balls_; // By the power of 2, and the voxel.
+    std::map<int, std::map<Cell, std::vector<Ball>>> balls_; // Keyed by power of 2 and voxel.
 };
 
 class Terrain {
@@ -340,7 +341,7 @@ public:
             if (cell)
                 demands[*cell] += asked(query, 1, 1);
         }
-        std::map<Cell, double> given; // For a demand of 1.
+        std::map<Cell, double> given; // Amount given for a demand of 1.
         for (auto const& [cell, demand] : demands) {
             double const taken = std::min(at(cell), uptake_ * demand);
             given[cell] = demand > 0 ? taken / demand : 0;
@@ -365,7 +366,7 @@ private:
         return found != changed_.end() ? found->second : cell[1] < 0 ? content_ : 0;
     }
 
-    // What a voxel has more of than its neighbours goes there; none leaves the soil.
+    // Spreads what a voxel has more of than its neighbours to them; nothing leaves the soil.
     Result<void> spread()
     {
         if (diffusion_ == 0)
@@ -397,7 +398,7 @@ private:
     double content_;
     double uptake_;
     double diffusion_;
-    std::map<Cell, double> changed_; // The others are as at the beginning.
+    std::map<Cell, double> changed_; // Cells that are not as at the beginning.
 };
 
 } // namespace

@@ -32,8 +32,8 @@ namespace tractus {
 //   below y = 0; water spreads between voxels after each step.
 //   cell=1 content=1 uptake=0.1 diffusion=0.1
 //
-// For no environment, the function is empty. It fails, as the user's fault, when the plant spans
-// too many voxels and when the time is over, which is asked about every few thousand voxels.
+// The function is empty if no environment is chosen. It fails, as the user's fault, when the plant
+// spans too many voxels and when the time is over, which is asked about every few thousand voxels.
 Environment make_environment(EnvironmentChoice const& choice, TimeLimit const& time = {});
 
 } // namespace tractus

@@ -13,7 +13,7 @@ namespace tractus {
 // work. Their contexts are looked for around the module in the string that is being rewritten.
 class Expander {
 public:
-    // Of one L-system of the model; without it, of the main one.
+    // Expands with one L-system of the model; without it, with the main one.
     Expander(Model const& model, LSystem const& system, RuleSet const& rules,
              VirtualMachine& machine)
         : model_(model)

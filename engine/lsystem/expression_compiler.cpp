@@ -368,7 +368,7 @@ Result<Register> ExpressionCompiler::text()
     return frame_.constant(static_cast<double>(number));
 }
 
-// What stands between double quotes; a backslash takes the next character along.
+// Reads what stands between double quotes; a backslash takes the next character along.
 Result<std::string> ExpressionCompiler::quoted_text()
 {
     auto const begin = cursor_.position();

@@ -58,7 +58,7 @@ public:
         Register value = 0;
         bool is_parameter = false;
         bool is_assigned = false;
-        std::optional<std::size_t> first_read {}; // In the text.
+        std::optional<std::size_t> first_read {}; // Place of the first reading in the text.
     };
     std::map<std::string, Local, std::less<>> const& locals() const { return locals_; }
 

@@ -10,15 +10,15 @@
 
 namespace tractus {
 
-// What becomes of a module, where that is known beforehand: a string of modules whose parameters
-// are constants or parameters of the module. Short ones are copied in one move.
+// Successor of a module, where it is known beforehand: a string of modules whose parameters are
+// constants or parameters of the module. Short ones are copied in one move.
 struct FixedSuccessor {
     static constexpr std::size_t kShort = 16;
 
     std::array<KindId, kShort> first_kinds {};
     std::uint32_t length = 0;
-    std::uint32_t parameter_count = 0;      // Of the successor.
-    std::uint32_t read_parameter_count = 0; // Of the module.
+    std::uint32_t parameter_count = 0;      // Parameters of the successor.
+    std::uint32_t read_parameter_count = 0; // Parameters of the module.
     KindId const* kinds = nullptr;
     Register const* parameters = nullptr; // nullptr: the module's own, in their order.
     double const* frame = nullptr;
@@ -34,7 +34,7 @@ struct FixedSuccessor {
         return result;
     }
 
-    // Of a rule whose successor needs no program. The rule must outlive it.
+    // Describes a rule whose successor needs no program. The rule must outlive it.
     static FixedSuccessor of(Rule const& rule)
     {
         FixedSuccessor result;
@@ -66,7 +66,7 @@ struct FixedSuccessor {
         write_parameters(from, to.parameters);
     }
 
-    // The same, into no more room than it needs.
+    // Writes into no more room than it needs.
     void write_narrowly(float const* from, ModuleWriter& to) const
     {
         to.kinds = std::copy_n(length <= kShort ? first_kinds.data() : kinds, length, to.kinds);

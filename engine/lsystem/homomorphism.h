@@ -57,7 +57,7 @@ private:
 struct HomomorphismOptions {
     StringLimit limit {};
     TimeLimit time {};
-    std::function<void(std::string_view text)> print {}; // For printf.
+    std::function<void(std::string_view text)> print {}; // Takes what printf prints.
     // % means something where it stands in the string, and nothing where a rule makes it.
     enum class Cuts { Keep, KeepThoseOfTheString };
     Cuts cuts = Cuts::Keep;

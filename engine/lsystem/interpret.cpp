@@ -55,7 +55,7 @@ bool draw_generation(DrawingJob& job, std::span<Piece const> pieces, BranchIndex
     return is_good;
 }
 
-// What the pieces of a string have drawn, and the axes and segments that are in the plant already.
+// Drawn pieces of a string, and the axes and segments that are in the plant already.
 struct DrawnString {
     std::vector<Piece> pieces;
     Plant plant {};
@@ -148,7 +148,7 @@ Result<DrawnString> draw_at_once(DrawingJob& job)
     return DrawnString { std::move(pieces) };
 }
 
-// Each once, in the order of the string.
+// Gathers the warnings, each once, in the order of the string.
 std::vector<std::string> gather_warnings(Model const& model, std::vector<Piece> const& pieces)
 {
     std::vector<TurtleDrawing::Warning> all;

@@ -18,12 +18,12 @@ struct TurtleOptions {
     double unit_mm = 10;                   // Length of one turtle unit.
     std::size_t max_modules = 100'000'000; // Drawn ones, after homomorphism.
     std::size_t max_parts = 4'000'000;     // Segments, organs and polygons: what memory can hold.
-    std::size_t max_memory_bytes = ModelLimits().max_memory_bytes; // Of what is drawn.
+    std::size_t max_memory_bytes = ModelLimits().max_memory_bytes; // Memory of what is drawn.
     // A branch of at least so many modules may be drawn by another thread, if at least so many
     // follow it. The plant is the same; the default keeps a branch in a processor's second cache.
     std::size_t long_branch = 8192;
-    TimeLimit time {}; // For homomorphism rules.
-    // What printf in homomorphism rules prints; goes nowhere without.
+    TimeLimit time {}; // Time for homomorphism rules.
+    // Takes what printf in homomorphism rules prints; nothing does by default.
     std::function<void(std::string_view text)> print {};
 };
 
@@ -69,7 +69,7 @@ struct TurtlePlant {
 Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString const& string,
                                             TurtleOptions const& options = {});
 
-// The same, without the warnings.
+// Interprets without the warnings.
 Result<Plant> interpret(Model const& model, ModuleString const& string,
                         TurtleOptions const& options = {});
 

@@ -11,10 +11,10 @@ struct TimeLimit {
     // Asked every 65,536 modules, rules applied or rounds of a loop, from any thread; true ends the
     // work with an error. Never asked where there is none.
     std::function<bool()> is_over {};
-    double seconds = 0; // For the message.
+    double seconds = 0; // Seconds to be named in the message.
 };
 
-// What the derivation of a model may cost. Memory is that of the strings; the plant comes on top.
+// Limits of a model's derivation. Memory is that of the strings; the plant comes on top.
 struct ModelLimits {
     std::size_t max_modules = 100'000'000;
     std::size_t max_memory_bytes = std::numeric_limits<std::size_t>::max();

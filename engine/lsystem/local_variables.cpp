@@ -57,7 +57,7 @@ namespace {
 
 enum class Reaches { Read, End, Neither };
 
-// What running the program from its beginning may come to before the variable is set.
+// Finds what running the program from its beginning may come to before the variable is set.
 Reaches follow(Program const& program, Register variable)
 {
     std::vector<bool> seen(program.size() + 1);

@@ -9,7 +9,7 @@
 
 namespace tractus {
 
-// What a hostile model may make of itself by macros that double at each use.
+// Limits for hostile models, whose macros may double at each use.
 static constexpr std::size_t kMaxTextSize = std::size_t { 16 } << 20;
 static constexpr std::size_t kMaxWork = std::size_t { 64 } << 20;
 static constexpr std::size_t kTokenCost = 16;
@@ -156,11 +156,11 @@ bool MacroTable::becomes_place(Token& token) const
     return true;
 }
 
-// As far as that can be seen without replacing anything: cheaper than expanding it in vain.
+// Judges without replacing anything, as far as that is possible: cheaper than expanding in vain.
 bool MacroTable::ends_in_call(PlacedText const& text) const
 {
     std::string_view const characters = text.characters;
-    int depth = 0; // Of parentheses, from a call's on.
+    int depth = 0; // Depth of parentheses, from a call's on.
     bool follows_macro = false;
     for (std::size_t i = 0; i < characters.size();) {
         auto const end = token_end(characters, i);
@@ -371,8 +371,8 @@ Result<MacroTable::Tokens> MacroTable::substitute(Macro const& macro, Call& call
     return result;
 }
 
-// What one token of a body becomes: itself, or the argument for it. An argument next to ## is not
-// expanded, and an empty one is one empty token there.
+// Appends what one token of a body becomes: itself, or the argument for it. An argument next to ##
+// is not expanded, and an empty one is one empty token there.
 Result<void> MacroTable::substitute_token(Macro const& macro, Call& call, std::size_t at,
                                           Tokens& result)
 {
@@ -416,7 +416,7 @@ Result<void> MacroTable::expand_argument(Call& call, std::size_t index)
     });
 }
 
-// What # makes of an argument: a string, in which blanks are single.
+// Makes a string of an argument, as # does; blanks in it are single.
 std::string MacroTable::quoted(Tokens const& argument)
 {
     std::string result = "\"";

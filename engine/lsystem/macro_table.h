@@ -27,7 +27,7 @@ public:
     {
     }
 
-    // What stands behind #define in `line`, of which `rest` is a part.
+    // Reads what stands behind #define in `line`, of which `rest` is a part.
     Result<void> define(PlacedText const& line, std::string_view rest);
     void undefine(std::string_view name);
     bool is_defined(std::string_view name) const
@@ -38,17 +38,18 @@ public:
     // Appends the text with its macros replaced.
     Result<void> expand(PlacedText const& text, PlacedText& out);
 
-    // The same, unless the text ends inside a macro's call, or perhaps before its parentheses: then
-    // nothing is appended, as what follows belongs to it, and the result is false.
+    // Does as expand(), unless the text ends inside a macro's call, or perhaps before its
+    // parentheses: then nothing is appended, as what follows belongs to it, and the result is
+    // false.
     Result<bool> expand_whole(PlacedText const& text, PlacedText& out);
 
 private:
-    using HiddenId = std::uint32_t; // Of a set of macros, in hidden_; 0 is the empty one.
+    using HiddenId = std::uint32_t; // Number of a set of macros in hidden_; 0 is the empty one.
 
     // A preprocessing token, or one blank.
     struct Token {
         std::string characters;
-        SourcePlace place;       // Of its first character.
+        SourcePlace place;       // Place of its first character.
         bool is_in_body = false; // Then all its characters are at the call's place.
         bool is_paste = false;   // The operator ##, in a body.
         HiddenId hidden = 0;     // The macros that it came from, which do not replace it again.
@@ -64,10 +65,10 @@ private:
     };
     struct Call {
         std::vector<Tokens> arguments;
-        std::vector<Tokens> expanded; // The same, with macros replaced; filled where asked for.
+        std::vector<Tokens> expanded; // Arguments with macros replaced; filled where asked for.
         std::vector<bool> is_expanded;
         SourcePlace place;
-        int depth = 0;                // Of calls in arguments of calls.
+        int depth = 0;                // Depth of calls in arguments of calls.
         bool leaves_out_rest = false; // There is no comma before the variable arguments.
     };
 

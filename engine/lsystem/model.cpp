@@ -20,11 +20,11 @@ using NewNames = ExpressionCompiler::NewNames;
 
 constexpr int kMaxDepth = 1'000'000;
 constexpr double kMaxArraySize = 1e6;
-constexpr std::size_t kMaxArrayElements = 10'000'000; // Of all arrays.
+constexpr std::size_t kMaxArrayElements = 10'000'000; // Limit for all arrays together.
 constexpr std::size_t kMaxRules = 65'000;
 constexpr std::size_t kMaxSystems = 1'000;
 
-// What begins a line, for those who misspell it.
+// Words that begin a line, for those who misspell one.
 constexpr std::array<std::string_view, 18> kStatements {
     "Lsystem:",       "Axiom:",       "derivation length:", "Seed:",
     "maximum depth:", "ignore:",      "consider:",          "ring L-system",
@@ -89,7 +89,7 @@ private:
     LSystem system_; // The one that is being read.
     RuleSet* rules_ = &system_.rules;
     SymbolList seen_;                 // Its ignore: or consider: statement.
-    std::vector<SymbolList> ignored_; // Of those that have been read, the main one first.
+    std::vector<SymbolList> ignored_; // Lists of those that have been read, the main one first.
     bool has_axiom_ = false;
     std::size_t array_elements_ = 0;
 };
@@ -116,7 +116,7 @@ bool Parser::sees_word(std::string_view word)
     return found;
 }
 
-// What is no rule and looks like none is taken for a statement.
+// Takes a line that is no rule and looks like none for a statement.
 Result<void> Parser::rule_or_misspelt_statement()
 {
     auto const begin = cursor_.position();

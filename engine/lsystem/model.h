@@ -62,7 +62,7 @@ struct Rule {
     std::vector<KindId> left;        // Nearest to the predecessor first.
     std::vector<KindId> predecessor; // At least one.
     std::vector<KindId> right;
-    std::size_t parameter_count = 0; // Of the predecessor, right and left, in this order.
+    std::size_t parameter_count = 0; // The predecessor's, right's and left's, in this order.
     std::size_t predecessor_parameter_count = 0;
 
     Program condition; // before, and the condition's value into condition_result.
@@ -76,7 +76,7 @@ struct Rule {
 
     RegisterFile frame;
     bool keeps_locals = false; // It may find its local variables as its last match left them.
-    std::uint32_t line = 0;    // Of the arrow, for messages.
+    std::uint32_t line = 0;    // Line of the arrow, for messages.
 };
 
 // Rules in the order in which they are tried.
@@ -94,7 +94,7 @@ struct Block {
 
 struct ArrayVariable {
     std::string name;
-    std::vector<double> values; // At the start.
+    std::vector<double> values; // Values at the start.
 };
 
 // A name of a sub-L-system's that stands for a variable, or an array, of the L-system that has
@@ -120,8 +120,8 @@ struct LSystem {
     bool stochastic = false;
     std::uint64_t seed = 0; // The model's own; 0 when it has none.
     bool ring = false;
-    // By kind: contexts look past these. Right contexts look past brackets as well, as in cpfg:
-    // where they are ignored, branches are no different from what bears them.
+    // Indexed by kind: contexts look past these. Right contexts look past brackets as well, as in
+    // cpfg: where they are ignored, branches are no different from what bears them.
     std::array<bool, 256> ignored {};
 
     Block start;
@@ -148,10 +148,10 @@ struct LSystem {
 // derivation length mean nothing. Scale is the turtle's, up to the $.
 struct Model : LSystem {
     std::string name;
-    Alphabet alphabet; // Of all L-systems.
+    Alphabet alphabet; // Kinds of all L-systems.
     int steps = 0;     // derivation length.
     std::vector<LSystem> subsystems;
-    std::vector<PrintFormat> formats; // Of printf.
+    std::vector<PrintFormat> formats; // Formats of printf.
     View view;
     std::vector<std::string> warnings; // Features we lack, names never defined: once each.
 };

@@ -86,7 +86,7 @@ private:
     std::size_t capacity_ = 0;
 };
 
-// What belongs to one ?(…) in a string: the state of the sub-L-system that it calls.
+// State of the sub-L-system that one ?(…) in a string calls.
 struct SubsystemCall {
     std::uint16_t subsystem = 0; // Into Model::subsystems.
     bool has_started = false;    // Its Start block has run.
@@ -127,7 +127,7 @@ struct ModuleString {
     std::vector<SubsystemCall> calls; // One for each ?(…) in the string, in their order.
     std::vector<KeptCut> cuts;        // In the order of the string.
     std::vector<KeptTurtle> turtles;  // %(x,i) goes on with turtle i.
-    std::uint64_t seed = 0;           // Of the numbers that homomorphism rules draw.
+    std::uint64_t seed = 0;           // Seed of the numbers that homomorphism rules draw.
 
     std::size_t size() const { return kinds.size(); }
     std::size_t byte_size() const
@@ -135,7 +135,7 @@ struct ModuleString {
         return kinds.size() * sizeof(KindId) + parameters.size() * sizeof(float);
     }
 
-    // What is beyond the present size has no value yet.
+    // Grows to a size; what is beyond the present one has no value yet.
     void grow(std::size_t module_count, std::size_t parameter_count)
     {
         kinds.reserve_more(module_count - kinds.size());

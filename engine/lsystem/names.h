@@ -31,7 +31,7 @@ struct Names {
     std::vector<std::string> warnings;
     std::set<std::string> warned_of;
 
-    // Of variables, and of arrays: they have 16-bit numbers.
+    // Most variables, and most arrays: they have 16-bit numbers.
     static constexpr std::size_t kMax = 60'000;
 
     std::optional<std::uint16_t> find_variable(std::string_view name) const;

@@ -43,7 +43,8 @@ private:
         auto operator<=>(Identity const&) const = default;
     };
 
-    // What has the turtle's colour is one shape for all colours of one material.
+    // Identifies a shape; what has the turtle's colour is one shape for all colours of one
+    // material.
     Identity identity(TurtleDrawing::ShapeKey const& key) const;
     void add_materials(View const& view, std::span<DrawnPiece const> pieces);
     OrganShape make_shape(View const& view, Identity const& identity);
@@ -51,7 +52,7 @@ private:
     MaterialId add_leaf(std::string const& name);
 
     std::array<MaterialId, 256> materials_by_color_ {}; // 0, bark, for what is not defined.
-    MaterialId surface_material_ = 0; // Of surfaces whose colour has none; 0 until there is one.
+    MaterialId surface_material_ = 0; // Used where a colour has none; 0 until there is one.
     double unit_mm_;
     std::span<DrawnPiece const> pieces_;
     std::vector<Material> materials_;

@@ -8,7 +8,7 @@
 
 namespace tractus {
 
-// So many modules may be drawn before the limits are looked at.
+// Modules that may be drawn before the limits are looked at again.
 static constexpr std::size_t kDrawnBatch = 1024;
 
 PieceTurtle::PieceTurtle(DrawingJob& job, BranchIndex const* index)

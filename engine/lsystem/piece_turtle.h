@@ -21,27 +21,27 @@ struct Piece {
     std::size_t begin = 0;
     std::size_t end = 0;
     std::size_t parameter = 0; // Where the first module's parameters begin.
-    std::int64_t depth = 0;    // Of the first module, counted from the string's beginning.
+    std::int64_t depth = 0;    // Depth of the first module, counted from the string's beginning.
     Turtle::Start start;
     TurtleDrawing::Target
-        target; // Of planned pieces: where the first axis and segment come to lie.
+        target; // Place where the first axis and segment of a planned piece come to lie.
     DrawnPiece drawn;
     std::vector<Piece> branches; // Left out, in the order of the string.
     bool is_complete = true;     // Ends as if it had been drawn by itself.
 };
 
-// What all pieces of one string share.
+// Data that all pieces of one string share.
 struct DrawingJob {
     Model const& model;
     ModuleString const& string;
     TurtleOptions const& options;
     bool is_expanded = false; // The homomorphism has been applied.
-    bool is_finite = false;   // All parameters of the string are.
+    bool is_finite = false;   // All parameters of the string are finite.
     Branches branches {};     // Where homomorphism rules have contexts.
-    Arena memory {};          // What pieces have drawn.
+    Arena memory {};          // Holds what pieces have drawn.
     std::atomic<std::size_t> drawn { 0 };
     std::atomic<std::size_t> parts { 0 };
-    std::atomic<std::size_t> bytes { 0 }; // Of those in pieces.
+    std::atomic<std::size_t> bytes { 0 }; // Bytes of those in pieces.
 
     bool is_over_limit() const
     {
@@ -86,7 +86,7 @@ private:
     VirtualMachine machine_;
     Expander homomorphism_;
     Turtle turtle_;
-    TurtleDrawing drawing_; // Of one piece: the same memory for one after the other.
+    TurtleDrawing drawing_; // Drawing of one piece: the same memory for one after the other.
     std::array<bool, 256> has_rules_ {};
     std::array<bool, 256> opens_ {};
     std::array<bool, 256> stops_ {}; // Kinds that are more than a symbol to draw.
@@ -94,7 +94,7 @@ private:
     std::size_t at_ = 0;
     std::size_t parameter_ = 0;
     std::size_t look_from_ = 0; // Branches that begin before it are drawn here.
-    std::size_t drawn_ = 0;     // Not counted yet.
+    std::size_t drawn_ = 0;     // Drawn, but not counted yet.
     std::size_t counted_parts_ = 0;
     std::size_t counted_bytes_ = 0;
 };

@@ -34,7 +34,7 @@ tl::unexpected<Error> error_in(PlacedText const& text, std::size_t index,
 PlacedText without_comments(std::string_view source, std::uint32_t file,
                             std::optional<SourcePlace>& open_comment);
 
-// What the preprocessor's tokens are made of.
+// Characters that the preprocessor's tokens are made of.
 bool is_name_start(char c);
 bool is_digit(char c);
 bool is_blank(char c);
@@ -43,7 +43,7 @@ bool is_blank(char c);
 // string, or one character. Macro names inside numbers and strings are not replaced.
 std::size_t token_end(std::string_view text, std::size_t begin);
 
-// Without the blanks, and line ends, on both sides.
+// Removes the blanks, and line ends, on both sides.
 std::string_view trimmed_line(std::string_view text);
 
 // The name that the text begins with; empty for none.

@@ -22,7 +22,7 @@ struct Counts {
     std::size_t polygon_vertices = 0;
 };
 
-// What a piece draws between two gaps: from where on in the piece, and to where in the plant.
+// Part that a piece draws between two gaps: from where on in the piece, and to where in the plant.
 struct Run {
     Counts from;
     Counts to;
@@ -31,10 +31,10 @@ struct Run {
 // Where the parts of a piece come to lie.
 struct Target {
     std::vector<Run> runs;
-    std::vector<std::uint32_t> segments_before; // Of each axis, in the piece; and of all.
-    std::vector<std::uint32_t> orders;          // Of each axis, the lowest in the piece has 0.
+    std::vector<std::uint32_t> segments_before; // Segments before each axis in the piece; all.
+    std::vector<std::uint32_t> orders; // Order of each axis; the lowest in the piece has 0.
     std::vector<AxisId> axis_ids;
-    std::vector<SegmentId> first_segments; // Of each axis.
+    std::vector<SegmentId> first_segments; // First segment of each axis.
     SegmentId root_segment = kNone;
     AxisId root_axis = kNone;
     std::uint32_t lowest_order = 0;
@@ -131,7 +131,7 @@ void Assembly::measure(std::size_t piece)
     }
 }
 
-// What a piece has drawn before one of its gaps, or in all.
+// Counts what a piece has drawn before one of its gaps, or in all.
 Counts Assembly::counts_at(std::size_t piece, std::size_t gap) const
 {
     auto const& drawing = pieces_[piece].drawing;

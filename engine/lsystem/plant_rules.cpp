@@ -19,14 +19,14 @@ Vec3 in_model(Vec3 const& v)
     return { v.x(), v.z(), 0 - v.y() };
 }
 
-// What the arrays say of each segment.
+// One segment, as the arrays have it.
 struct SegmentRow {
     Vec3 heading = Vec3::Zero();
-    double length = 0;       // In turtle units, as widths.
-    double width = 0;        // At its base.
+    double length = 0;       // Length in turtle units, as widths.
+    double width = 0;        // Width at its base.
     double tip = -1;         // The axis' at its end; -1 where the axis goes on.
     std::int64_t bears = -1; // The first segment of the first axis that stands on it.
-    std::int64_t other = -1; // Of the next axis that stands where this one does.
+    std::int64_t other = -1; // First segment of the next axis that stands where this one does.
     int depth = 0;           // Derivation steps until it is there.
 };
 

@@ -83,7 +83,7 @@ KindCounts count_kinds(std::span<KindId const> modules)
     return result;
 }
 
-// The same, on as many threads as it is worth.
+// Counts the same on as many threads as it is worth.
 static KindCounts count_kinds_of_all(std::span<KindId const> modules)
 {
     constexpr std::size_t kPiece = std::size_t { 1 } << 18;

@@ -26,7 +26,7 @@ static char escaped(char c)
     }
 }
 
-// As many characters of `text` from `at` on as belong to `characters`, at most `most`.
+// Takes as many characters of `text` from `at` on as belong to `characters`, at most `most`.
 static std::string_view take_all(std::string_view text, std::size_t& at,
                                  std::string_view characters, std::size_t most)
 {

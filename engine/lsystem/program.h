@@ -9,7 +9,7 @@ namespace tractus {
 // One register of a program's frame.
 using Register = std::uint16_t;
 
-// What an instruction does with the registers `left` and `right`; the result goes to `target`.
+// Operation of an instruction with the registers `left` and `right`; the result goes to `target`.
 // Angles are in degrees, comparisons give 0 or 1, and division by zero gives the dividend, as cpfg
 // has it.
 enum class Op : std::uint8_t {
@@ -19,7 +19,7 @@ enum class Op : std::uint8_t {
     Subtract,
     Multiply,
     Divide,
-    Remainder, // Of the integer parts.
+    Remainder, // Remainder of the integer parts.
     Power,
     Less,
     LessEqual,
@@ -47,15 +47,15 @@ enum class Op : std::uint8_t {
     Sqrt,
     Random,   // Uniform in [0, left).
     Normal,   // Mean left, standard deviation right.
-    Beta,     // With the parameters left and right.
+    Beta,     // Beta distribution with the parameters left and right.
     Binomial, // left trials that succeed with probability right.
     SeedRandom,
     Function, // The value at `right` of the model's function number `left`, from 1.
-    CurveX,   // Of the point at `right` of the model's curve number `left`, from 1.
+    CurveX,   // X of the point at `right` of the model's curve number `left`, from 1.
     CurveY,
     CurveZ,
-    CurveLength, // Of the model's curve number `left`, from 1.
-    Print,       // By the model's format number `target`: `right` registers from `left` on.
+    CurveLength, // Length of the model's curve number `left`, from 1.
+    Print,       // Prints by the model's format number `target`: `right` registers from `left` on.
     LoadGlobal,  // target <- global left.
     StoreGlobal, // global target <- left.
     LoadArray,   // target <- array left at index right.

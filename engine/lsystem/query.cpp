@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::string_view kQueries = "PHLUQE";
 
-// From the plant's space to the turtle's: from_model() the other way round.
+// Takes a vector from the plant's space to the turtle's: from_model() the other way round.
 Vec3 to_model(Vec3 const& v)
 {
-    return { v.x(), v.z(), 0 - v.y() }; // Not -0, which would be printed so.
+    return { v.x(), v.z(), 0 - v.y() }; // Subtracted, as -0 would be printed so.
 }
 
 class Questioning {

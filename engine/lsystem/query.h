@@ -26,7 +26,7 @@ struct EnvironmentQuery {
     // The symbol behind the ?E, such as the organ that is asked about; 0 at the string's end.
     char next_symbol = 0;
     std::span<float const> next_parameters;
-    std::span<float> parameters; // Of the ?E: to be read, and set as the answer.
+    std::span<float> parameters; // Parameters of the ?E: to be read, and set as the answer.
 };
 
 // Answers all ?E of a string at once, in the order of the string: an environment in which plants

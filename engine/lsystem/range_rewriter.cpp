@@ -219,8 +219,8 @@ std::size_t RangeRewriter::write_block(Range const& range, Room room, ModuleWrit
     bool const wide_kinds = range.end + FixedSuccessor::kShort <= in_->kinds.capacity();
     bool const wide_parameters
         = room == Room::ForWideRuns && end + kWideRun <= in_->parameters.capacity();
-    // In a local variable: kinds are bytes, and the compiler must think that writing them changes
-    // whatever else lies in memory.
+    // A local copy: kinds are bytes, and the compiler must think that writing them changes whatever
+    // else lies in memory.
     auto writer = to;
     BlockScan::Change copied;
     auto const copy_until = [&](BlockScan::Change const& place) {
@@ -253,7 +253,7 @@ std::size_t RangeRewriter::write_block(Range const& range, Room room, ModuleWrit
     return end;
 }
 
-// As many blocks as it takes.
+// Writes as many blocks as it takes.
 std::size_t RangeRewriter::write_blocks(Range const& range, Room room, ModuleWriter& to)
 {
     auto parameter = range.parameter;

@@ -16,10 +16,10 @@
 
 namespace tractus {
 
-// What rewriting needs to know of a model's rules, found out once.
+// Facts about a model's rules that rewriting needs, found out once.
 class RulePlan {
 public:
-    // For one L-system of the model, which must outlive it.
+    // Plans one L-system of the model, which must outlive it.
     RulePlan(Model const& model, LSystem const& system);
 
     Model const& model() const { return model_; }
@@ -29,14 +29,14 @@ public:
     enum class Way : std::uint8_t {
         Copy,   // It stays as it is.
         Fixed,  // Always to the same successor.
-        Batch,  // As Chance, and all its rules' programs can run for many modules at once.
+        Batch,  // Does as Chance, and all its rules' programs can run for many modules at once.
         Chance, // Chance alone chooses among rules without contexts and conditions.
         Search, // Rules must be tried one after the other.
     };
     Way way(KindId kind) const { return ways_[kind]; }
     FixedSuccessor const& fixed(KindId kind) const { return fixed_[kind]; }
 
-    // Without chance there is one candidate.
+    // A kind without chance has one candidate.
     bool has_chance(KindId kind) const { return candidates_[kind].size() > 1; }
     // The number, in RuleSet::rules, of the rule that a random number of [0, 1) chooses.
     std::size_t choose(KindId kind, double number) const;
@@ -44,7 +44,8 @@ public:
 
     // Every kind's way is Copy or Fixed.
     bool is_fixed() const { return is_fixed_; }
-    // What modules of every kind become has one size, whatever chance and their parameters are.
+    // Whether what modules of every kind become has one size, whatever chance and their parameters
+    // are.
     bool has_known_sizes() const { return has_known_sizes_ && has_bounds_; }
     struct Size {
         std::size_t modules = 0;
@@ -54,8 +55,8 @@ public:
     // A string may be cut into ranges that are rewritten by different rewriters, in any order: no
     // rule changes a global variable or prints, and none reads more modules than its predecessor.
     bool is_divisible() const { return is_divisible_; }
-    // What one module becomes has at most so many modules and parameters, where the model has
-    // neither decomposition rules nor cuts.
+    // Whether what one module becomes is bounded: at most so many modules and parameters, where the
+    // model has neither decomposition rules nor cuts.
     bool has_bounds() const { return has_bounds_; }
     // Some kind's way is Batch.
     bool has_batches() const { return has_batches_; }
@@ -109,11 +110,11 @@ public:
         std::size_t parameter = 0; // Where the first module's parameters begin.
     };
 
-    // What is rewritten, and where to.
+    // A piece of work: what is rewritten, and where to.
     struct Task {
         ModuleString const& in;
         std::uint32_t step;
-        StringLimit limit; // Of `out`.
+        StringLimit limit; // Limit of `out`.
         ModuleString& out;
     };
 
@@ -167,7 +168,7 @@ private:
     ModuleString const* in_ = nullptr; // Not owned.
     ModuleString* out_ = nullptr;      // Not owned.
     StringLimit limit_;
-    ModuleString successor_; // Of one rule, before decomposition.
+    ModuleString successor_; // Successor of one rule, before decomposition.
     struct Kept {
         Range range;
         std::size_t turtle = 0;

@@ -22,7 +22,7 @@ struct Modules {
 
 // Where the branches of a string begin and end, so that contexts can pass over them at once.
 struct Branches {
-    // At each bracket the place of the one that matches it, or the string's size.
+    // The place of the bracket that matches each one, or the string's size.
     std::vector<std::uint32_t> partner;
     // Where each module's parameters begin; empty for strings that have none.
     std::vector<std::uint32_t> parameters;
@@ -32,9 +32,8 @@ struct Branches {
 // its sub-L-system, whichever comes first; the string's size when none does.
 std::size_t branch_end(Model const& model, ModuleString const& string, std::size_t from);
 
-// What a cut before module `from` removes ends here: at the branch's end, or before the next %(x)
-// or
-// %(x,i) of the branch, as in cpfg.
+// Returns where the part ends that a cut before module `from` removes: at the branch's end, or
+// before the next %(x) or %(x,i) of the branch, as in cpfg.
 std::size_t cut_end(Model const& model, ModuleString const& string, std::size_t from);
 
 // Fills `branches` for a string of fewer than 2^32 modules and parameters.
@@ -54,7 +53,7 @@ struct Surroundings {
 // Finds and applies the rules of one set. Holds the frames in which their programs run.
 class Rewriter {
 public:
-    // For rules of one L-system of the model.
+    // Rewrites with rules of one L-system of the model.
     Rewriter(Model const& model, LSystem const& system, RuleSet const& rules,
              VirtualMachine& machine);
 
@@ -123,7 +122,7 @@ private:
     RuleSet const& rules_;
     VirtualMachine& machine_;
     std::vector<RegisterFile> frames_;
-    std::vector<FixedSuccessor> successors_; // Of them only the kinds are used.
+    std::vector<FixedSuccessor> successors_; // Only their kinds are used.
     struct Candidate {
         Rule const* rule = nullptr;
         double weight = 0;
@@ -132,7 +131,7 @@ private:
     bool has_contexts_ = false;
     std::array<Bracket, 256> brackets_ {};
     std::array<std::uint8_t, 256> parameter_counts_ {};
-    Neighbour right_; // Of the modules that find() is looking at.
+    Neighbour right_; // Right neighbour of the modules that find() is looking at.
     Neighbour left_;
 };
 

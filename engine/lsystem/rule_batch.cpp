@@ -43,7 +43,7 @@ void RuleBatch::finish()
     count_ = 0;
 }
 
-// Those operations that are most of what rules do are vectors here.
+// Executes the operations that are most of what rules do as vectors.
 void RuleBatch::execute(Instruction const& instruction)
 {
     Lanes const left = registers_[instruction.left];

@@ -18,7 +18,7 @@ public:
     // does the same for every module, and nothing else.
     static bool is_possible(Rule const& rule);
 
-    // For a rule that a module has been found to match, with no contexts and no condition. The
+    // Prepares a rule that a module has been found to match, with no contexts and no condition. The
     // rule must outlive it.
     explicit RuleBatch(Rule const& rule);
 
@@ -44,12 +44,12 @@ private:
     void execute(Instruction const& instruction);
 
     Rule const& rule_;
-    FixedSuccessor successor_; // Of it only the kinds are used.
+    FixedSuccessor successor_; // Only its kinds are used.
     std::size_t count_ = 0;
     std::array<float const*, kSize> from_ {}; // Not owned.
     std::array<float*, kSize> to_ {};         // Not owned.
     std::vector<Lanes> registers_;
-    std::vector<std::array<float, kSize>> parameters_; // Of the successor.
+    std::vector<std::array<float, kSize>> parameters_; // Parameters of the successor.
 };
 
 } // namespace tractus

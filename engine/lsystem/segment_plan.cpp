@@ -15,7 +15,7 @@ namespace tractus {
 
 namespace {
 
-// What a symbol changes about the segments that are drawn.
+// Effect of a symbol on the segments that are drawn.
 enum class Effect : std::uint8_t {
     None,
     Draw,
@@ -46,7 +46,7 @@ Effect effect_of(ModuleKind const& kind)
         return Effect::Push;
     case ']':
         return Effect::Pop;
-    case '{': // With parameters it may begin a cylinder.
+    case '{': // A cylinder may begin, if there are parameters.
         return kind.parameter_count == 0 ? Effect::BeginPolygon : Effect::Unclear;
     case '}':
         return kind.parameter_count == 0 ? Effect::EndPolygon : Effect::Unclear;
@@ -110,7 +110,7 @@ public:
     double reach_mm() const { return reach_mm_; }
 
 private:
-    static constexpr std::uint32_t kClosed = kNone; // For an axis: the next segment begins one.
+    static constexpr std::uint32_t kClosed = kNone; // The next segment begins an axis.
 
     struct Step {
         Effect effect = Effect::None;
@@ -123,11 +123,11 @@ private:
     struct Walk {
         std::size_t at = 0;
         std::size_t parameter = 0;  // Where lengths are looked at.
-        std::size_t axis_count = 0; // Of the piece.
-        std::size_t depth = 0;      // In brackets.
+        std::size_t axis_count = 0; // Axes of the piece.
+        std::size_t depth = 0;      // Depth in brackets.
         std::size_t open_polygons = 0;
         double reach_mm = 0;
-        std::uint32_t axis = kClosed; // That the next segment goes on with.
+        std::uint32_t axis = kClosed; // Axis that the next segment goes on with.
     };
 
     template<StepLengths kLengths>
@@ -147,7 +147,7 @@ private:
     BranchCutter cutter_;
     std::array<Step, 256> steps_ {};
     std::array<bool, 256> is_plain_second_ {}; // Behind @: a symbol of two modules.
-    Column<std::uint32_t> lengths_;            // Of the piece's axes, in segments.
+    Column<std::uint32_t> lengths_;            // Lengths of the piece's axes, in segments.
     Column<std::uint32_t> stack_;              // Axes to go on with behind brackets.
     double reach_mm_ = 0;
 };
@@ -241,7 +241,7 @@ template<StepLengths kLengths> bool SegmentCounter::apply(Effect effect, Walk& w
     }
 }
 
-// As Turtle::step().
+// Does as Turtle::step().
 template<StepLengths kLengths> void SegmentCounter::step(bool draws, Walk& walk)
 {
     if (kLengths == StepLengths::Any) {

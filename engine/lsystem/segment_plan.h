@@ -31,10 +31,10 @@ struct PlannedPiece {
     std::size_t begin = 0; // Modules.
     std::size_t end = 0;
     std::size_t end_parameter = 0; // Where those of the module at the end begin; not of the first.
-    std::int64_t depth = 0;        // In brackets, of the first module.
+    std::int64_t depth = 0;        // Depth in brackets of the first module.
     std::vector<Gap> gaps;
-    std::vector<std::uint32_t> axis_lengths; // In segments; axes in the order of their beginnings.
-    // With what fills its gaps.
+    std::vector<std::uint32_t> axis_lengths; // Segments; axes in the order in which they begin.
+    // Counts include what fills its gaps.
     std::size_t axis_count = 0;
     std::size_t segment_count = 0;
 };

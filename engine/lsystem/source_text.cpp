@@ -14,7 +14,7 @@ namespace tractus {
 
 namespace {
 
-// What a hostile model may make of itself by files that include themselves.
+// Limits for hostile models, whose files may include themselves.
 constexpr int kMaxIncludeNesting = 64;
 constexpr std::size_t kMaxFiles = 1000; // Includes of includes double, too.
 
@@ -278,7 +278,7 @@ Result<void> Preprocessor::next_part(PlacedText const& line, std::string_view wo
     return {};
 }
 
-// Of an #if's expression. `defined` is replaced before macros are.
+// Value of an #if's expression. `defined` is replaced before macros are.
 Result<bool> Preprocessor::value(PlacedText const& line, std::string_view rest)
 {
     auto const text = part_of(line, rest);

@@ -35,8 +35,8 @@ public:
 private:
     enum class Read { Rewritten, Cut };
 
-    // What `modules` call and end, once they have been read. What they become has its calls from
-    // `first_new_call` on.
+    // Follows what modules call and end, once they have been read. What they become has its calls
+    // from `first_new_call` on.
     Result<void> follow(std::span<KindId const> kinds, float const* parameters,
                         std::size_t first_new_call, Read read);
     void enter(std::size_t target, Read read);
@@ -54,7 +54,7 @@ private:
     std::vector<std::size_t> targets_; // Where in out_->calls those at work go when they end.
     ModuleString const* in_ = nullptr; // Not owned.
     ModuleString* out_ = nullptr;      // Not owned.
-    std::size_t next_call_ = 0;        // Of in_->calls.
+    std::size_t next_call_ = 0;        // Next of in_->calls.
     bool is_last_step_ = false;
 };
 

@@ -18,8 +18,8 @@ constexpr std::size_t kMaxPatches = 4096;
 // A patch as the file has it.
 struct NamedPatch {
     std::string name;
-    std::array<std::string, 4> neighbors; // By BezierPatch::Side; "~" or empty for none.
-    std::vector<double> numbers;          // Of its points, 48 in the end.
+    std::array<std::string, 4> neighbors; // Indexed by BezierPatch::Side; "~" or empty: none.
+    std::vector<double> numbers;          // Coordinates of its points, 48 in the end.
 };
 
 struct Header {
@@ -136,7 +136,7 @@ Result<void> SurfaceParser::patch_line(std::string_view line)
         for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
             static constexpr std::array<std::string_view, 4> kSides { "A:", "B:", "L:", "R:" };
             auto const* const side = std::find(kSides.begin(), kSides.end(), words[i]);
-            if (side != kSides.end()) // Those at the corners meet by way of the sides.
+            if (side != kSides.end()) // Neighbours at the corners meet by way of the sides.
                 patches_.back().neighbors[static_cast<std::size_t>(side - kSides.begin())]
                     = words[i + 1];
         }

@@ -71,7 +71,7 @@ private:
                 return error("expected a vertex: three coordinates, at most 1e6");
             position[static_cast<int>(i)] = *value * size_;
         }
-        // From the turtle's left, heading and cpfg's up to the organ frame.
+        // Axes change from the turtle's left, heading and cpfg's up to the organ frame.
         triangle_[vertex_++] = { -position.x(), position.y(), -position.z() };
         if (vertex_ < 3)
             return {};
@@ -85,7 +85,7 @@ private:
     TextLines lines_;
     double size_;
     Triangle triangle_;
-    std::size_t vertex_ = 3; // That comes next; 3 between triangles.
+    std::size_t vertex_ = 3; // Vertex that comes next; 3 between triangles.
     BezierSurface surface_;
 };
 

@@ -279,9 +279,9 @@ void Turtle::draw_at_symbol(Symbol const& symbol)
     case 'S':
         return warn(fmt::format("{}: models run no programs here; @S does nothing", model_.name));
     case 'I':
-    case 'J': // For a ray tracer of cpfg's.
+    case 'J': // Meant for a ray tracer of cpfg's.
     case 'Z':
-    case 'Y': // Of other programs.
+    case 'Y': // Meant for other programs.
         return;
     default:
         warn(fmt::format("{}: the turtle symbol @{} is not supported; it draws nothing",
@@ -296,7 +296,7 @@ void Turtle::draw_movement_symbol(Symbol const& symbol)
     case 's':
     case 'i':
     case 'd':
-    case '\0': // As @Ti.
+    case '\0': // Treated as @Ti.
         return set_elasticity(symbol);
     case 'p':
         return state_.frame.carry_from(extras_.carried);

@@ -30,22 +30,22 @@ public:
     // All must outlive it.
     Turtle(Model const& model, TurtleOptions const& options);
 
-    // What brackets save.
+    // State that brackets save.
     struct State {
         TurtleFrame frame;
         double width = 0; // Diameter in turtle units.
         double scale = 1;
-        double elasticity = 0; // Of the older tropism.
+        double elasticity = 0; // Elasticity of the older tropism.
         std::uint8_t color = 0;
         // An open generalised cylinder: its control points are steps and dots, or @Gc and dots.
         enum class Path : std::uint8_t { None, OfSteps, OfSymbols };
         Path path = Path::None;
         TurtleDrawing::Place place;
     };
-    // What brackets save, too, where a model uses any of it.
+    // State that brackets save, too, where a model uses any of it.
     struct Extras {
         Elasticities elasticities {};
-        TurtleFrame carried; // From where the sides are carried when a tropism bends.
+        TurtleFrame carried; // Frame from which the sides are carried when a tropism bends.
         CylinderStyle style;
     };
     struct Start {
@@ -53,15 +53,15 @@ public:
         Extras extras;
     };
 
-    // As the view has it.
+    // Returns the start that the view asks for.
     Start start() const;
 
-    // What %(x,i) goes on with; must outlive the drawing.
+    // Sets the turtles that %(x,i) goes on with; they must outlive the drawing.
     void set_kept(std::span<KeptTurtle const> turtles) { kept_ = turtles; }
-    // As a %(x) here keeps it.
+    // Returns the state as a %(x) here keeps it.
     KeptTurtle kept() const;
 
-    // From here on draws into `drawing`, beginning as given.
+    // Begins as given, and draws into `drawing` from here on.
     void begin(Start const& start, TurtleDrawing& drawing);
 
     // Draws modules up to the first for which `stops` is true, that is not a symbol of its own or
@@ -93,7 +93,7 @@ public:
     bool is_complete() const { return depth_ == 0 && polygons_.empty() && !has_unpaired_; }
 
 private:
-    static constexpr double kMinWidth = 1e-7; // As cpfg.
+    static constexpr double kMinWidth = 1e-7; // cpfg has the same.
     static constexpr double kMaxReachMm = 1e12;
 
     // One symbol with its parameters.
@@ -127,7 +127,7 @@ private:
         std::uint32_t given = 0; // One bit for each point.
     };
 
-    // What draw_quick() knows.
+    // Cases that draw_quick() knows.
     enum class Quick : std::uint8_t {
         Other, // Nothing of these.
         Nothing,
@@ -146,7 +146,7 @@ private:
         bool is_single = false; // A symbol by itself, and no cut.
         bool draws = false;     // A step.
         Quick quick = Quick::Other;
-        double sign = 1; // Of a turn or a step of the width.
+        double sign = 1; // Sign of a turn or a step of the width.
     };
 
     static Kind describe(ModuleKind const& kind);
@@ -250,12 +250,12 @@ private:
     State state_;
     Extras extras_;
     bool has_extras_ = false;
-    std::vector<State> stack_; // Of which `depth_` count.
+    std::vector<State> stack_; // Saved states, of which `depth_` count.
     std::size_t depth_ = 0;
     std::vector<Extras> extras_stack_; // Used if there are extras.
     std::vector<OpenPolygon> polygons_;
     std::span<KeptTurtle const> kept_;
-    std::vector<double> call_scales_; // Of the calls of sub-L-systems that are open.
+    std::vector<double> call_scales_; // Scales of the calls of sub-L-systems that are open.
     OpenCylinder cylinder_;           // While state_.path is not None.
     std::vector<OpenCylinder> cylinder_stack_;
     std::map<float, OpenPatch> patches_;

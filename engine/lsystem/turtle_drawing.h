@@ -11,7 +11,7 @@
 
 namespace tractus {
 
-// What a turtle draws along one piece of a string, in the order in which it draws it. Segments and
+// Drawing of a turtle along one piece of a string, in the order in which it draws it. Segments and
 // axes are numbered within the piece; plant_assembly.h puts pieces together.
 //
 // A piece stands on a segment of another piece (kBelow), or on the ground (kNone). Branches that
@@ -33,12 +33,12 @@ struct TurtleDrawing {
         Plant* plant = nullptr; // Not owned; nullptr: they are kept in the drawing.
         AxisId next_axis = 0;
         SegmentId next_segment = 0;
-        std::span<std::uint32_t const> axis_lengths {}; // In segments, of the axes to come.
+        std::span<std::uint32_t const> axis_lengths {}; // Segments of each axis to come.
     };
 
     struct Segment {
         Vec3 tip_mm = Vec3::Zero();
-        float radius_mm = 0; // At its base.
+        float radius_mm = 0; // Radius at its base.
         std::uint32_t axis = 0;
         std::uint32_t index = 0; // Within the axis.
         std::uint8_t color = 0;
@@ -51,11 +51,11 @@ struct TurtleDrawing {
         float tip_radius_mm = 0;
     };
 
-    // Which shape an organ has: an organ of the view's by its letter, or one of the turtle's own.
+    // Shape of an organ: one of the view's by its letter, or one of the turtle's own.
     struct ShapeKey {
         OrganShape::Kind kind = OrganShape::Kind::Blade;
-        char letter = 0;        // Of ~; 0 for the turtle's own.
-        std::uint8_t color = 0; // Of balls, discs and surfaces.
+        char letter = 0;        // Letter behind ~; 0 for the turtle's own.
+        std::uint8_t color = 0; // Colour of balls, discs and surfaces.
         // A surface that the turtle made: its number in `patches`, from 1; 0 for the view's.
         std::uint32_t patch = 0;
 
@@ -79,7 +79,7 @@ struct TurtleDrawing {
     };
 
     struct Warning {
-        std::size_t module = 0; // Of the string: where it arose.
+        std::size_t module = 0; // Number of the module in the string where it arose.
         std::string text;
     };
 
@@ -101,7 +101,7 @@ struct TurtleDrawing {
     // Drops what was drawn and keeps the memory.
     void clear();
 
-    // Of the arrays that grow with the string.
+    // Size of the arrays that grow with the string.
     std::size_t byte_size() const
     {
         return segments.size() * sizeof(Segment) + axes.size() * sizeof(Axis)

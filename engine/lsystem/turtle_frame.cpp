@@ -80,7 +80,7 @@ static void twist_by_torques(TurtleFrame& frame, TurtleFrame& before,
     before = frame;
 }
 
-// What one tropism adds to the direction that pulls the heading.
+// Returns what one tropism adds to the direction that pulls the heading.
 static Vec3 pull_of(Tropism const& tropism, double elasticity, TurtleFrame const& frame)
 {
     Vec3 const direction = from_model(tropism.direction);

@@ -12,7 +12,7 @@ namespace tractus {
 
 struct Tropism;
 
-// From cpfg's space (x right, y up, z to the viewer) to the plant's (z up).
+// Takes a vector from cpfg's space (x right, y up, z to the viewer) to the plant's (z up).
 inline Vec3 from_model(Vec3 const& v)
 {
     return { v.x(), -v.z(), v.y() };
@@ -48,7 +48,8 @@ struct TurtleFrame {
     Vec3 position_mm = Vec3::Zero();
     Vec3 heading = Vec3::UnitZ();
     Vec3 left = -Vec3::UnitX();
-    // What cpfg calls up; it points away from the upper side, so that heading x down = left.
+    // The direction that cpfg calls up; it points away from the upper side, so that heading x down
+    // = left.
     Vec3 down = Vec3::UnitY();
 
     // Turns one of the directions towards another in their plane.

@@ -9,7 +9,7 @@ namespace tractus {
 
 namespace {
 
-constexpr std::size_t kMaxPlacedPatches = 60'000; // As many shapes as a plant can have, about.
+constexpr std::size_t kMaxPlacedPatches = 60'000; // About as many as a plant can have shapes.
 
 // The turtle's right, its heading and its upper side: an organ's frame.
 Eigen::Matrix3d organ_axes(TurtleFrame const& frame)
@@ -49,7 +49,7 @@ void Turtle::add_organ(char letter, Symbol const& symbol)
     drawing_->organs.push_back(organ);
     if (!surface)
         return;
-    // As cpfg, all three parts by the first scale.
+    // The end scales all three parts by the first scale, as in cpfg.
     Vec3 const end_mm = static_cast<double>(organ.scale[0]) * options_.unit_mm * surface->end_point;
     Vec3 const position_mm = state_.frame.position_mm + axes * end_mm;
     if (end_mm.squaredNorm() > 0 && position_mm.cwiseAbs().maxCoeff() < 1e12) {

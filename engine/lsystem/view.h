@@ -22,7 +22,7 @@ struct Tropism {
     Vec3 direction = Vec3::UnitY(); // Its length is the intensity, at most 1.
     double angle_deg = 0;           // 0 towards the direction, 90 perpendicular to it.
     double elasticity = 0;          // Initial.
-    double elasticity_step = 0;     // What @Ti and @Td change it by.
+    double elasticity_step = 0;     // Change by @Ti and @Td.
     bool is_torque = false;         // Twists about the heading instead of bending it.
 };
 
@@ -42,7 +42,7 @@ struct OrganDefinition {
     OrganShape shape;
 };
 
-// What a view file (.v) says about geometry. Angles in degrees, lengths in turtle units.
+// Geometry that a view file (.v) describes. Angles in degrees, lengths in turtle units.
 //
 // Besides cpfg's statements there are five of our own, which cpfg reports and skips:
 //   material: INDEX NAME kind=bark|stem|leaf|petal|solid color=R,G,B [roughness=] [translucency=]
@@ -61,9 +61,9 @@ struct View {
     double angle_increment_deg = 45;
     double line_width = 0.1;
     double line_width_step = 0;
-    double width_unit = 1; // What a width of 1 means: less where widths are pixels.
+    double width_unit = 1; // Meaning of a width of 1: less where widths are pixels.
     double scale = 1;
-    double scale_step = 1;      // Of @Di and @Dd without a parameter.
+    double scale_step = 1;      // Step of @Di and @Dd without a parameter.
     bool draws_past_cut = true; // What follows a % in the string is drawn.
     int color = 0;
     int color_step = 1;
@@ -73,13 +73,13 @@ struct View {
     std::vector<Tropism> tropisms;
     std::vector<FunctionTable> functions; // func(1, x) is the first.
     std::vector<CurveTable> curves;       // curveX(1, t) is the first.
-    std::map<int, Contour> contours;      // By the number that @# names.
+    std::map<int, Contour> contours;      // Keyed by the number that @# names.
     int contour_sides = 8;
     bool twist_of_cylinders = false;        // Generalised cylinders turn with the turtle's rolls.
-    std::map<char, BezierSurface> surfaces; // By the letter that ~ names.
-    std::map<int, Material> materials;      // By turtle colour.
+    std::map<char, BezierSurface> surfaces; // Keyed by the letter that ~ names.
+    std::map<int, Material> materials;      // Keyed by turtle colour.
     std::vector<OrganDefinition> organs;
-    EnvironmentChoice environment; // Of the model's ?E modules.
+    EnvironmentChoice environment; // Answers the model's ?E modules.
     bool pipe_model = false;
     double pipe_exponent = 2;
     double pipe_tip_radius = 0.05;

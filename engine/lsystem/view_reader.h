@@ -12,7 +12,7 @@
 
 namespace tractus {
 
-// What the statements of a view file share while it is read: the view so far, the place for
+// State that the statements of a view file share while it is read: the view so far, the place for
 // messages, and the words that statements are made of.
 struct ViewReader {
     SourceText const& source;

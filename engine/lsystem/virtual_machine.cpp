@@ -155,7 +155,7 @@ double VirtualMachine::draw(Op op, double left, double right)
     }
 }
 
-// As cpfg: an index out of range means the nearest element.
+// Takes the nearest element for an index out of range, as cpfg does.
 double& VirtualMachine::array_element(std::uint16_t array, double index)
 {
     auto& values = arrays[array];
@@ -189,7 +189,7 @@ void VirtualMachine::print(Instruction const& instruction, double const* frame) 
                                    { frame + instruction.left, instruction.right }));
 }
 
-// What an instruction gives that only needs its two operands.
+// Returns the result of an instruction that needs only its two operands.
 double VirtualMachine::evaluate(Op op, double left, double right)
 {
     switch (op) {

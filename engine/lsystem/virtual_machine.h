@@ -15,10 +15,10 @@
 
 namespace tractus {
 
-// For numbers that belong to a step, not to a module.
+// Position of numbers that belong to a step, not to a module.
 constexpr std::uint64_t kNoPosition = ~std::uint64_t { 0 };
 
-// What homomorphism rules draw at random is of this step.
+// Step of what homomorphism rules draw at random.
 constexpr std::uint32_t kHomomorphismStep = 0xffffffff;
 
 // [0, 1), in steps of 2^-53, of two random words.
@@ -34,14 +34,14 @@ inline double unit_number(std::uint32_t high, std::uint32_t low)
 // so a string may be rewritten in any order.
 class VirtualMachine {
 public:
-    // For one L-system of the model.
+    // Runs the programs of one L-system of the model.
     VirtualMachine(Model const& model, LSystem const& system, std::uint64_t seed);
-    // For the main one.
+    // Runs those of the main one.
     VirtualMachine(Model const& model, std::uint64_t seed)
         : VirtualMachine(model, model, seed)
     {
     }
-    // As the derivation of `string` left it.
+    // Starts from where the derivation of `string` left it.
     VirtualMachine(Model const& model, ModuleString const& string);
 
     // Where printf prints; nowhere without it. Must outlive the machine.
@@ -51,7 +51,7 @@ public:
     void set_time_limit(TimeLimit const* limit) { time_limit_ = limit; }
     Printer const* printer() const { return printer_; }
     TimeLimit const* time_limit() const { return time_limit_; }
-    // What the rules of one module may hold while they rewrite each other's modules.
+    // Limits the memory of one module's rules while they rewrite each other's modules.
     void set_memory_limit(std::size_t bytes) { memory_limit_ = bytes; }
     std::size_t memory_limit() const { return memory_limit_; }
 
@@ -85,7 +85,7 @@ public:
     bool has_stopped() const { return stop_ != Stop::None; }
     // Takes note that another machine, which ran a part of the same step, has stopped.
     void stop_too(Stop reason) { stop_ = std::max(stop_, reason); }
-    // That as an error, the user's fault.
+    // Returns that as an error, the user's fault.
     Result<void> check() const;
 
     // Takes note of work, in modules, so that the clock is looked at now and then.
