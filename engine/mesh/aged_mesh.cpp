@@ -53,14 +53,14 @@ void append_organ(TriangleMesh const& prototype, Organ const& organ, TriangleMes
 struct AgedMesh::Carrier {
     Vec3 from_mm = Vec3::Zero(); // Its base in the whole plant, and at the age.
     Vec3 to_mm = Vec3::Zero();
-    Vec3 direction = Vec3::Zero(); // Of the whole segment.
+    Vec3 direction = Vec3::Zero(); // Direction of the whole segment.
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-    double length_mm = 0;      // Of the whole segment.
-    double share = 0;          // Of its length that has grown.
-    double whole_radius_mm[2]; // At its base and its tip.
+    double length_mm = 0;      // Length of the whole segment.
+    double share = 0;          // Share of its length that has grown.
+    double whole_radius_mm[2]; // Radii at its base and its tip.
     double radius_mm[2];
 
-    // At a share of the length: how wide the branch is, as a share of its full width.
+    // Width of the branch at a share of the length, as a share of its full width.
     double width_at(double along) const
     {
         double const whole = (1 - along) * whole_radius_mm[0] + along * whole_radius_mm[1];
@@ -159,8 +159,8 @@ std::vector<AgedMesh::Carrier> AgedMesh::carriers(Plant const& young) const
     return carriers;
 }
 
-// By how much each vertex moves is added to where it is: so nothing moves in the last bit where
-// nothing has changed.
+// Adds to each vertex by how much it moves: so nothing moves in the last bit where nothing has
+// changed.
 void AgedMesh::move_rings(std::size_t surface, std::span<Carrier const> carriers,
                           Vertices& to) const
 {

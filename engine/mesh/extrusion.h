@@ -17,11 +17,11 @@ struct Extrusion {
     struct Station {
         Vec3 center_mm;
         Vec3 tangent; // Unit length.
-        Vec3 normal;  // Of the section, across the tangent.
+        Vec3 normal;  // Normal of the section, across the tangent.
         double radius_mm;
         double arc_mm;
-        SegmentId segment; // That the stretch from the station before belongs to.
-        NodeId node;       // Whose section it has.
+        SegmentId segment; // Segment that the stretch from the station before belongs to.
+        NodeId node;       // Node whose section it has.
     };
 
     std::vector<Station> stations; // None, or two and more.
@@ -34,7 +34,7 @@ struct Extrusion {
 void trace_extrusion(Plant const& plant, Axis const& axis, MeshOptions const& options,
                      Extrusion& extrusion);
 
-// What write_extrusion() will write of the stretch `part` of stations.
+// Returns what write_extrusion() will write of the stretch `part` of stations.
 MeshExtent extrusion_extent(Plant const& plant, Extrusion const& extrusion, TubePart const& part);
 
 void write_extrusion(Plant const& plant, Extrusion const& extrusion, TubePart const& part,

@@ -20,14 +20,14 @@ constexpr std::uint32_t kPolygons = 0x706F; // and which polygon.
 // A far plant is that much smaller in a picture, so that much of its size is not seen.
 constexpr double kUnseen = 0.001;
 constexpr std::uint32_t kLongestRun = 16; // Nodes that one straight stretch may replace.
-constexpr int kRounds = 4;                // Of looking for the twigs that may stay.
+constexpr int kRounds = 4;                // Rounds of looking for the twigs that may stay.
 
 double chance(std::uint32_t stream, std::size_t index)
 {
     return random_block({ .stream = stream }, index)[0] / 0x1p32;
 }
 
-// Of the segments that end at a node of an axis, or of all between two nodes.
+// Volume of the segments that end at a node of an axis, or of all between two nodes.
 double volume_between(Plant const& plant, NodeId from, NodeId to)
 {
     double const length = (plant.node_position_mm[to] - plant.node_position_mm[from]).norm();
@@ -200,7 +200,7 @@ Branches Coarsener::branches(std::vector<char> const& stays)
     std::vector<AxisId> new_axis(plant_.axes.size(), kNone);
     for (AxisId id = 0; id < plant_.axes.size(); ++id) {
         auto const& axis = plant_.axes[id];
-        if (!stays[id]) { // What it bore rides on what bore it.
+        if (!stays[id]) { // Children of a removed axis ride on its parent.
             std::fill_n(&made.new_segment[axis.first_segment], axis.segment_count,
                         made.now(axis.parent_segment));
             continue;
@@ -234,7 +234,7 @@ void keep_volume(Plant& coarse, double volume)
     }
 }
 
-// As many axes as make at most `budget` triangles, more or less as many as may.
+// Keeps as many axes as make at most `budget` triangles, more or less as many as may.
 Branches coarser_branches(Plant const& plant, Coarsener& coarsener, MeshOptions const& options,
                           double budget)
 {
@@ -273,7 +273,7 @@ Branches coarser_branches(Plant const& plant, Coarsener& coarsener, MeshOptions 
     return best;
 }
 
-// Of `count` things so many that stay at a share: those with the least chance, in their own order.
+// Chooses as many of `things` as stay at a share: those with the least chance, in their own order.
 std::vector<std::size_t> those_that_stay(std::span<std::size_t const> things, std::uint32_t stream,
                                          double share)
 {

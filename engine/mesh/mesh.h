@@ -37,8 +37,8 @@ struct InstanceTransform {
 // One organ shape and all its copies in a plant.
 struct InstancedMesh {
     TriangleMesh prototype;
-    std::vector<InstanceTransform> instances; // In the order of the plant's organs.
-    std::uint16_t shape = 0;                  // Which of the plant's organ shapes.
+    std::vector<InstanceTransform> instances; // Instances in the order of the plant's organs.
+    std::uint16_t shape = 0;                  // Index of the plant's organ shape.
 };
 
 // A plant as triangles: what renderers and exporters take.

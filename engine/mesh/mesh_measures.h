@@ -7,7 +7,7 @@ namespace tractus {
 
 float triangle_area(Vec3f const& a, Vec3f const& b, Vec3f const& c);
 
-// Of all triangles, in the square of the mesh's unit.
+// Sum over all triangles, in the square of the mesh's unit.
 float surface_area(TriangleMesh const& mesh);
 
 // Whether the surface has no rim: then its area vectors sum to nothing, even where vertices are

@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t kAxesPerBlock = 1024;
 constexpr std::size_t kStationsPerSegment = 2; // About, to begin with.
 constexpr std::size_t kPolygonsPerTask = 4096;
-// Of a piece: about half a megabyte, so that it stays in a cache until it is written to a file.
+// Vertices of a piece: about half a megabyte, so that it stays in a cache until it is written to a
+// file.
 constexpr std::size_t kPieceVertices = 12 << 10;
 
 // An item before it has a place.
@@ -87,7 +88,7 @@ void place(MeshPlan::Surface& surface, Planned const& item)
 
 void cut_into_pieces(MeshPlan::Surface& surface)
 {
-    std::size_t end = 0; // Of the vertices of the piece that is being filled.
+    std::size_t end = 0; // End of the vertices of the piece that is being filled.
     for (std::uint32_t i = 0; i < surface.items.size(); ++i)
         if (surface.items[i].first_vertex >= end) {
             surface.pieces.push_back(i);

@@ -27,27 +27,27 @@ public:
 
     // A tube, a part of one, or a polygon.
     struct Item {
-        std::uint32_t number = 0; // Of the axis or the polygon.
+        std::uint32_t number = 0; // Number of the axis or the polygon.
         TubePart part {};         // Tubes only.
         std::uint32_t first_vertex = 0;
         std::uint64_t first_index = 0;
     };
 
-    // What make_mesh() makes of one material. Tubes come first, then polygons.
+    // Surface that make_mesh() makes of one material. Tubes come first, then polygons.
     struct Surface {
         MaterialId material = 0;
         MeshExtent extent {};
         std::vector<Item> items {};
-        std::size_t tube_count = 0;           // Of the items.
+        std::size_t tube_count = 0;           // How many of the items are tubes.
         std::vector<std::uint32_t> pieces {}; // The first item of each piece, and the end of all.
 
         std::size_t piece_count() const { return pieces.size() - 1; }
-        // What lies before a piece; for the number of pieces, the whole extent.
+        // Extent of what lies before a piece; for the number of pieces, the whole extent.
         MeshExtent start_of(std::size_t piece) const;
         MeshExtent extent_of(std::size_t piece) const;
     };
 
-    // In the order of materials; none is empty.
+    // Surfaces in the order of materials; none is empty.
     std::span<Surface const> surfaces() const { return surfaces_; }
 
     // A box around all triangles, found without making them: up to a radius larger than it has to
@@ -58,15 +58,16 @@ public:
     // count from the surface's first vertex if place.vertex is start_of(piece).vertices.
     void make_piece(Surface const& surface, std::size_t piece, TrianglePlace place) const;
 
-    // What the vertices of one piece need for the wind: as many as the piece's extent has.
+    // Writes what the vertices of one piece need for the wind: `to` has as many as the piece's
+    // extent.
     void make_wind(Surface const& surface, std::size_t piece, WindKey const& key,
                    std::span<WindVertex> to) const;
 
     // A run of vertices of one cross-section of an axis, filled ends and tips included.
     struct Ring {
         Vec3 center_mm;
-        SegmentId segment = 0;          // That the stretch up to here belongs to.
-        std::uint32_t first_vertex = 0; // In the surface.
+        SegmentId segment = 0;          // Segment that the stretch up to here belongs to.
+        std::uint32_t first_vertex = 0; // Index in the surface.
         std::uint32_t vertex_count = 0;
     };
 
@@ -84,13 +85,13 @@ private:
     Bounds bounds_mm_;
     std::vector<Surface> surfaces_;
 
-    // As they are traced once: the stations of consecutive axes together, and of each axis its
-    // spine, which has none where its sections are not round.
+    // Traced once: the stations of consecutive axes together, and of each axis its spine, which has
+    // none where its sections are not round.
     std::vector<std::vector<SpineStation>> stations_;
     std::vector<Spine> spines_;
 };
 
-// All pieces of all surfaces at once, on all threads. `stop` as for make_mesh().
+// Makes all pieces of all surfaces at once, on all threads. `stop` as for make_mesh().
 std::vector<TriangleMesh> make_surfaces(MeshPlan const& plan, std::stop_token const& stop = {});
 
 } // namespace tractus

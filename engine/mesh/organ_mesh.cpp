@@ -200,7 +200,7 @@ struct ProfilePoint {
 void revolve(TriangleMesh& mesh, std::span<ProfilePoint const> profile, std::uint32_t sides)
 {
     auto const vertex = [&](ProfilePoint const& point, double turn) {
-        // From +z towards +x, so that counter-clockwise is outside.
+        // Angles go from +z towards +x, so that counter-clockwise is outside.
         Vec3 const out(std::sin(2 * kPi * turn), 0, std::cos(2 * kPi * turn));
         return add_vertex(mesh, point.radius_mm * out + Vec3(0, point.y_mm, 0),
                           point.normal_radial * out + Vec3(0, point.normal_y, 0),

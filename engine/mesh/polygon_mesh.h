@@ -11,7 +11,7 @@ namespace tractus {
 // around it, v from the first vertex towards the one farthest from it, as a blade's. A polygon
 // without area has no vertices. At least three vertices are given.
 
-// What write_polygon() will write.
+// Returns what write_polygon() will write.
 MeshExtent polygon_extent(std::span<Vec3 const> vertices_mm);
 
 void write_polygon(std::span<Vec3 const> vertices_mm, TrianglePlace& place);

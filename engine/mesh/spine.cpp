@@ -9,12 +9,12 @@ namespace {
 
 constexpr double kLeastRadius_mm = 1e-3;   // A tube's, so that its sections keep a direction.
 constexpr double kPointedShare = 0.02;     // A tip below this share of the axis' radius is a point.
-constexpr double kTurnPerPiece_rad = 0.1;  // Of a rounded bend.
-constexpr double kElbowStep_rad = 0.5;     // Between sections of an elbow.
+constexpr double kTurnPerPiece_rad = 0.1;  // Turn per piece of a rounded bend.
+constexpr double kElbowStep_rad = 0.5;     // Turn between sections of an elbow.
 constexpr double kRoundable_cosine = 0.26; // Bends sharper than 75 degrees become elbows.
-constexpr double kStraight_cosine = 0.878; // The same without rounding: 0.5 radians.
+constexpr double kStraight_cosine = 0.878; // Limit without rounding: 0.5 radians.
 
-// What an axis starts on.
+// Place that an axis starts on.
 struct Parent {
     double radius_mm;
     Vec3 direction;
@@ -57,7 +57,7 @@ int sides_for(std::vector<SpineRoom::Node> const& nodes, MeshOptions const& opti
                       std::min(options.min_sides, options.max_sides), options.max_sides);
 }
 
-// Of a regular polygon with the area of a circle of radius 1: to its corners.
+// Distance to the corners of a regular polygon with the area of a circle of radius 1.
 double same_area_radius(int sides)
 {
     return std::sqrt(2 * kPi / (sides * std::sin(2 * kPi / sides)));
@@ -147,7 +147,8 @@ private:
         stations_.push_back(station);
     }
 
-    // From node `i` to the next: a cubic Hermite curve in as many pieces as its turn needs.
+    // Adds the stretch from node `i` to the next: a cubic Hermite curve in as many pieces as its
+    // turn needs.
     void add_stretch(std::size_t i, Vec3 const& start, Vec3 const& end)
     {
         auto const& from = nodes_[i];
@@ -220,8 +221,8 @@ void insert_station(std::vector<SpineStation>& stations, double arc_mm, double s
 // lateral axis falls fast at first, as the swelling around a real branch does; one that continues
 // its parent leaves with the parent's own slope.
 struct Collar {
-    double base_radius_mm; // At the parent's centre line.
-    double level_mm;       // So far along the axis it keeps that radius.
+    double base_radius_mm; // Radius at the parent's centre line.
+    double level_mm;       // The axis keeps that radius so far.
     double fall_mm;        // Over this length it falls to the axis' own.
     bool soft;             // The fall begins gently, too.
 

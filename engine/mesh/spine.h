@@ -13,7 +13,7 @@ struct SpineStation {
     Vec3 tangent;      // Unit length.
     double radius_mm;  // Above 0, but for a point at the tip.
     double arc_mm;     // Along the spine from its first station.
-    SegmentId segment; // That the stretch from the station before belongs to.
+    SegmentId segment; // Segment that the stretch from the station before belongs to.
 };
 
 // An axis made ready for sections: bends rounded, collar flared, coinciding nodes joined.
@@ -31,10 +31,11 @@ struct SpineRoom {
 
     struct Node {
         Vec3 position_mm;
-        Vec3 direction; // Of the stretch that starts here; the last node repeats the one before.
+        // Direction of the stretch that starts here; the last node repeats the one before.
+        Vec3 direction;
         double length_mm;
         double radius_mm;
-        SegmentId segment; // That ends here.
+        SegmentId segment; // Segment that ends here.
     };
     std::vector<Node> nodes {}; // Scratch space.
 };

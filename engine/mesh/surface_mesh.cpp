@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMaxStrips = 24;
 constexpr double kFlatness = 0.064;  // Deviation allowed at subdivision 1, as a share of the size.
-constexpr double kSameVertex = 1e-5; // As a share of the size.
+constexpr double kSameVertex = 1e-5; // Distance as a share of the size.
 
 Eigen::AlignedBox3d box_of(OrganShape const& shape)
 {
@@ -46,7 +46,7 @@ struct Grid {
     int strips = 1;
     std::vector<Vec3> positions;
     std::vector<Vec3> normals;
-    std::vector<std::size_t> same_as; // For a vertex that a neighbour has too: the neighbour's.
+    std::vector<std::size_t> same_as; // Neighbour's vertex at the same place, if there is one.
 
     std::size_t at(std::size_t patch, int i, int j) const
     {
@@ -197,7 +197,7 @@ private:
     Grid const& grid_;
     Eigen::AlignedBox3d const& box_;
     TriangleMesh& mesh_;
-    std::vector<std::uint32_t> index_; // In the mesh, by root vertex.
+    std::vector<std::uint32_t> index_; // Indices in the mesh, by root vertex.
 };
 
 } // namespace

@@ -14,13 +14,14 @@ constexpr double kSteepest = 4; // Slopes beyond this come from sections that ne
 constexpr int kLanes = 12;
 using Lanes = Eigen::Array<float, kLanes, 1>;
 
-// What all rings with one number of sides have in common. The first corner comes again as the last.
+// Values that all rings with one number of sides have in common. The first corner comes again as
+// the last.
 struct Circle {
     // Three times each: for x, y and z.
     std::array<float, 3 * (kMaxSides + 1)> cosines;
     std::array<float, 3 * (kMaxSides + 1)> sines;
-    std::array<float, kMaxSides + 1> shares;        // Of the way around.
-    std::array<Vec2f, kMaxSides> middles;           // Between two corners.
+    std::array<float, kMaxSides + 1> shares;        // Shares of the way around.
+    std::array<Vec2f, kMaxSides> middles;           // Middles between two corners.
     std::array<std::uint32_t, 6 * kMaxSides> quads; // Counted from the lower ring's first corner.
 };
 
@@ -55,7 +56,7 @@ Circle const& circle_of(int sides)
     return circles[static_cast<std::size_t>(sides)];
 }
 
-// The same point four times.
+// Returns the point four times.
 Lanes repeated(Vec3f const& point)
 {
     return point.replicate<kLanes / 3, 1>();
@@ -104,7 +105,7 @@ Vec3 carry(Vec3 const& normal, Vec3 const& from, Vec3 const& to)
         return to.unitOrthogonal();
     Vec3 const carried = normal - (to.dot(normal) / w) * (from + to);
     Vec3 const flat = carried - to * to.dot(carried);
-    return flat * (1.5 - 0.5 * flat.squaredNorm()); // Of unit length but for rounding errors.
+    return flat * (1.5 - 0.5 * flat.squaredNorm()); // Length 1 but for rounding errors.
 }
 
 // Writes the pieces of a tube one after another.

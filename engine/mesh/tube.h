@@ -28,7 +28,7 @@ struct Section {
 // texture coordinates. What was in `sections` is lost.
 void frame_sections(Spine const& spine, std::vector<Section>& sections);
 
-// What write_tube() will write.
+// Returns what write_tube() will write.
 MeshExtent tube_extent(Spine const& spine, TubePart const& part);
 
 // Writes one part of a tube, with its caps if it is the first or the last one. Parts that do not

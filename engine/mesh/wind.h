@@ -11,9 +11,9 @@
 
 namespace tractus {
 
-// What it takes to bend a plant in the wind, for one vertex or one organ: every axis turns about
-// its base. Engines differ in what they want of it and where; this is what all of them can be given
-// (Unreal's pivot painter has pivot and axis, CryEngine's and Source's foliage phase and bend).
+// Data to bend a plant in the wind, for one vertex or one organ: every axis turns about its base.
+// Engines differ in what they want of it and where; this is what all of them can be given (Unreal's
+// pivot painter has pivot and axis, CryEngine's and Source's foliage phase and bend).
 struct WindVertex {
     Vec3f pivot_mm = Vec3f::Zero(); // Plant frame: the base of the axis that it belongs to.
     Vec3f axis = Vec3f::UnitZ();    // Unit length: from there to the axis' tip.
@@ -22,17 +22,18 @@ struct WindVertex {
     float bend = 0; // 0 at the base to 1 at the tip, with the length along the axis.
 };
 
-// Of which plant: axes of plants with other keys have other phases.
+// Names a plant: axes of plants with other keys have other phases.
 struct WindKey {
     std::uint64_t seed = 0;
     std::uint32_t plant = 0;
 };
 
-// Of any vertex at the base of an axis. A branch keeps its phase in every level of detail.
+// Returns the data of any vertex at the base of an axis. A branch keeps its phase in every level of
+// detail.
 WindVertex wind_of(Plant const& plant, Axis const& axis, WindKey const& key);
 
-// What moves an organ or a polygon: the place where its segment ends, whatever bends there. On the
-// ground nothing does.
+// Returns the data of an organ or a polygon: it moves with the place where its segment ends.
+// Nothing moves on the ground.
 WindVertex wind_at(Plant const& plant, SegmentId segment, WindKey const& key);
 
 // How far along its axis each vertex is that write_tube() or write_extrusion() makes, as `bend`.

@@ -11,7 +11,7 @@ std::size_t segment_count(PathAddress const& path)
 {
     if (path.first.empty())
         return 0;
-    std::size_t count = 0; // From the first's axis on, whole.
+    std::size_t count = 0; // Axes from the first's on, whole.
     for (auto i = path.first.size(); i <= path.last.size(); i += 2)
         count += path.last[i - 1] + std::size_t { 1 };
     return count - std::min(count, std::size_t { path.first.back() });

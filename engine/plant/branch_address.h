@@ -29,7 +29,7 @@ std::size_t segment_count(PathAddress const& path);
 // segments, in a time that grows with the order of their axes and hardly with the plant.
 class AddressIndex {
 public:
-    AddressIndex() = default; // Of a plant without axes.
+    AddressIndex() = default; // Index of a plant without axes.
 
     // `plant` is the one that is asked about afterwards.
     explicit AddressIndex(Plant const& plant);

@@ -12,7 +12,7 @@ namespace tractus {
 // Index into Plant::contours.
 using ContourId = std::uint16_t;
 
-// In place of a contour: the section is a circle.
+// Says in place of a contour that the section is a circle.
 constexpr ContourId kNoContour = std::numeric_limits<ContourId>::max();
 
 // The outline of an axis' cross-section: fluted stems, ribbons, leaf blades along a midrib.
@@ -30,7 +30,7 @@ struct Contour {
 // How an axis' cross-section looks at one of its nodes.
 struct NodeSection {
     ContourId contour = kNoContour;
-    ContourId next_contour = kNoContour; // What it is becoming.
+    ContourId next_contour = kNoContour; // Contour that it is becoming.
     float share = 0;                     // 0 `contour` to 1 `next_contour`.
     Vec3f normal = Vec3f::Zero();        // The contour's x in the plant's frame; across the axis.
     std::uint16_t sides = 8;             // Into how many sides the outline is to be cut; 3 or more.

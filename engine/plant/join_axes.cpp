@@ -7,7 +7,7 @@ namespace tractus {
 
 namespace {
 
-// Which axis each one goes on into, if any, and whether it is itself such a continuation.
+// Axis that each one goes on into, if any, and whether it is itself such a continuation.
 struct Continuations {
     std::vector<AxisId> next;
     std::vector<bool> continues;

@@ -6,7 +6,7 @@ namespace tractus {
 
 namespace {
 
-// By how much the numbers of what is added are higher than in its own plant.
+// Difference between the numbers of what is added and those in its own plant.
 struct Shift {
     explicit Shift(Plant const& plant)
         : axis(static_cast<AxisId>(plant.axes.size()))

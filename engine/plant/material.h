@@ -24,7 +24,7 @@ using TextureSlot = std::shared_ptr<TexturePicture const>;
 // coordinates of meshes (engine/mesh/mesh.h), rows along v, the first at v = 0.
 struct MaterialTextures {
     TextureSlot base_color {};          // sRGB, and alpha if the picture has it.
-    TextureSlot normal {};              // In tangent space; green points against v.
+    TextureSlot normal {};              // Normals in tangent space; green points against v.
     TextureSlot occlusion_roughness {}; // Red: sky that is seen; green: roughness; blue: metal.
     TextureSlot translucency {};        // Alpha: how much light passes.
 
@@ -39,7 +39,7 @@ struct Material {
         Bark,  // Opaque tubes; the renderer and the texture maker roughen it along the axis.
         Stem,  // Opaque tubes, smooth and green: herbs and petioles.
         Leaf,  // Thin, seen from both sides, lets light through.
-        Petal, // As Leaf, without veins.
+        Petal, // Like Leaf, without veins.
         Solid, // Fruit, buds, flower centres.
     };
 
@@ -48,7 +48,7 @@ struct Material {
     Vec3f base_color { 0.31f, 0.23f, 0.16f }; // sRGB as people write it, 0 to 1.
     float roughness = 0.9f;                   // 0 to 1, as in glTF 2.0 section 3.9.2.
     float translucency = 0; // Share of light that passes through, 0 to 1; Leaf and Petal only.
-    MaterialTextures textures {}; // Those that are missing are the exporter's own for the kind.
+    MaterialTextures textures {}; // Missing ones are the exporter's own for the kind.
 };
 
 } // namespace tractus

@@ -86,7 +86,7 @@ private:
         plant_.node_radius_mm.push_back(static_cast<float>(radius_mm));
     }
 
-    void follow(AxisStart start) // By value: starts_ grows.
+    void follow(AxisStart start) // A copy, as starts_ grows.
     {
         Axis axis { .first_node = static_cast<NodeId>(plant_.node_position_mm.size()),
                     .first_segment = static_cast<SegmentId>(plant_.segment_count()),
@@ -109,8 +109,8 @@ private:
     }
 
     std::span<MeasuredNode const> nodes_;
-    std::vector<std::uint32_t> next_;                  // On the same axis.
-    std::vector<std::vector<std::uint32_t>> laterals_; // In the order of the nodes.
+    std::vector<std::uint32_t> next_;                  // Next node on the same axis.
+    std::vector<std::vector<std::uint32_t>> laterals_; // Laterals in the order of the nodes.
     std::vector<double> radius_mm_;
     std::vector<AxisStart> starts_;
     Plant plant_;

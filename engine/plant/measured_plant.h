@@ -15,7 +15,7 @@ struct MeasuredNode {
     bool continues = false;      // The axis of `below` goes on here; otherwise a lateral begins.
     Vec3 position_mm = Vec3::Zero(); // Plant frame, anywhere.
     std::optional<double> radius_mm {};
-    // Of the segment that ends here, where it begins. Counts at the base of an axis only.
+    // Radius of the segment that ends here, where it begins. Counts at the base of an axis only.
     std::optional<double> base_radius_mm {};
 };
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMaxScales = 64;
 constexpr std::size_t kMaxGraphColumns = 100'000;
-constexpr long kMaxRepeats = 1'000'000; // Of entities that << and ++ stand for, in all.
+constexpr long kMaxRepeats = 1'000'000; // Sum over all entities for which << and ++ stand.
 
 constexpr std::array<std::string_view, 5> kOrgans { "organ", "leaf", "flower", "fruit", "bud" };
 constexpr std::array<std::string_view, 5> kTopDiameters { "topdiameter", "topdia", "diameter",
@@ -37,7 +37,7 @@ std::string lower_letters(std::string_view text)
 
 // Where one stands in the graph: what the next entity is a part of, or stands on.
 struct GraphPlace {
-    std::array<bool, kMaxScales> has_entity {}; // At each scale.
+    std::array<bool, kMaxScales> has_entity {}; // Whether there is one at each scale.
     std::uint32_t node = kNone;                 // The last one that had a position.
     bool is_branch = false;                     // A + came since then.
 };
@@ -69,7 +69,7 @@ private:
     struct Entity {
         char relation = '/';
         Class kind {};
-        bool is_last = false; // Of its line: to it the columns belong.
+        bool is_last = false; // Last of its line: the columns belong to it.
     };
     enum class Section { None, Classes, Other, Header, Graph };
 

@@ -151,9 +151,9 @@ private:
 
     std::ostream& out_;
     Plant const& plant_;
-    std::vector<std::vector<AxisId>> standing_; // On the end of each segment.
+    std::vector<std::vector<AxisId>> standing_; // Axes on the end of each segment.
     std::vector<std::vector<std::size_t>> organs_;
-    std::uint32_t columns_ = 0; // Of entities.
+    std::uint32_t columns_ = 0; // Columns for entities.
     std::size_t part_count_ = 0;
 };
 

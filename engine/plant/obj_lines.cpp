@@ -8,7 +8,7 @@ namespace tractus {
 
 namespace {
 
-// What is below this in extent is given in metres.
+// Largest extent of files that are taken to be in metres.
 constexpr double kLargestInMetres = 100;
 
 // The words of a line of text, one after the other.
@@ -95,7 +95,7 @@ private:
                             fmt::format("{}:{}: \"{}\" is not a coordinate", name_, line_, word));
             coordinate = *value;
         }
-        vertices_.push_back({ read.x(), -read.z(), read.y() }); // From y up to z up.
+        vertices_.push_back({ read.x(), -read.z(), read.y() }); // The file has y up, a plant z.
         return {};
     }
 

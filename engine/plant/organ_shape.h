@@ -12,7 +12,7 @@ namespace tractus {
 // Index into Plant::organ_shapes.
 using OrganShapeId = std::uint16_t;
 
-// What an organ looks like at scale 1, as parameters; engine/mesh makes its triangles.
+// Looks of an organ at scale 1, as parameters; engine/mesh makes its triangles.
 //
 // Organ frame: origin where the organ is attached, +y along its length (the turtle's heading),
 // +x to its right, +z out of its upper (adaxial) side. All lengths in millimetres.
@@ -28,17 +28,17 @@ struct OrganShape {
     std::string name = "leaf";
     Kind kind = Kind::Blade;
     MaterialId material = 0;
-    double length_mm = 50; // From the attachment to the tip, petiole included.
+    double length_mm = 50; // Distance from the attachment to the tip, petiole included.
     double width_mm = 25;  // Greatest width.
     double petiole_mm = 0; // Bare stalk before the blade begins; Blade only.
     // Where the greatest width lies along the blade, 0 base to 1 tip; Blade only.
     double widest = 0.4;
     double tip_sharpness = 1;    // 0 round, 1 pointed, above 1 drawn out (acuminate); Blade only.
-    double base_sharpness = 0.3; // The same for the blade's base; Blade only.
+    double base_sharpness = 0.3; // Sharpness of the blade's base; Blade only.
     // Depth of the margin's lobes as a share of the half width, 0 entire; Blade only.
     double lobes = 0;
     int lobe_count = 0;    // Lobes on each side; Blade only.
-    double fold_rad = 0.3; // Each half is folded up about the midrib by this angle; Blade only.
+    double fold_rad = 0.3; // Angle by which each half is folded up about the midrib; Blade only.
     // The midrib bends down by this angle from base to tip; Blade and Needle.
     double curl_rad = 0.4;
     // Surface only, where length_mm and width_mm are the sizes of its box along y and x.

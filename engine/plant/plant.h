@@ -26,7 +26,7 @@ struct Axis {
     SegmentId first_segment = 0;
     std::uint32_t segment_count = 0;  // At least 1; the axis has one more node than segments.
     SegmentId parent_segment = kNone; // Stands on its end; kNone: stands on the ground.
-    AxisId parent_axis = kNone;       // Whose segment that is.
+    AxisId parent_axis = kNone;       // The axis of that segment.
     std::uint32_t order = 0; // 0 for the trunk; a lateral axis has its parent's order plus 1.
 };
 

@@ -45,7 +45,7 @@ PlyType const* find_ply_type(std::string_view name)
 struct PlyProperty {
     std::string name;
     PlyType const* type = nullptr;
-    PlyType const* count_type = nullptr; // Of a list.
+    PlyType const* count_type = nullptr; // Type of a list's count.
 };
 struct PlyElement {
     std::string name;
@@ -90,8 +90,8 @@ private:
     std::string_view rest_;
     Format format_ = Format::Ascii;
     std::vector<PlyElement> elements_;
-    std::vector<Vec3> vertices_; // In the file's units.
-    std::vector<double> radii_;  // Of vertices; empty where there are none.
+    std::vector<Vec3> vertices_; // Positions in the file's units.
+    std::vector<double> radii_;  // Radii of vertices; empty where there are none.
     std::vector<std::array<double, 2>> edges_;
 };
 

@@ -68,7 +68,7 @@ constexpr std::array kQsmNames {
 };
 
 struct QsmCylinder {
-    Vec3 start = Vec3::Zero(); // In the file's units.
+    Vec3 start = Vec3::Zero(); // The file's units.
     Vec3 end = Vec3::Zero();
     double radius = 0;
     double id = 0;
@@ -211,7 +211,7 @@ std::vector<std::size_t> QsmReader::parents() const
     return result;
 }
 
-// Which cylinders go on from the one below.
+// Tells which cylinders go on from the one below.
 std::vector<bool> QsmReader::continued(std::span<std::size_t const> parents) const
 {
     std::vector<bool> result(cylinders_.size());

@@ -120,8 +120,8 @@ private:
         return (joints_[child].place_mm - joints_[joint].place_mm).norm() + reach_mm_[child];
     }
 
-    // Each part from its lowest joint upwards, breadth first, so that a loop is cut at its far
-    // side.
+    // Roots each part at its lowest joint and follows it upwards, breadth first, so that a loop is
+    // cut at its far side.
     void find_roots()
     {
         std::vector<std::uint32_t> lowest_first(joints_.size());
@@ -149,7 +149,7 @@ private:
     std::vector<SkeletonJoint> const& joints_;
     std::vector<std::uint32_t> below_; // A root is below itself.
     std::vector<double> reach_mm_;
-    std::vector<std::vector<std::uint32_t>> children_; // That with the longest way first.
+    std::vector<std::vector<std::uint32_t>> children_; // The one with the longest way comes first.
     std::vector<std::uint32_t> roots_;
     std::vector<std::uint32_t> order_;
 };

@@ -9,7 +9,7 @@
 
 namespace tractus {
 
-// What readers of tables share: lines, and the columns of a line.
+// Functions that readers of tables share: lines, and the columns of a line.
 
 // The next line, without its end; takes it off the text.
 inline std::string_view take_text_line(std::string_view& text)
@@ -30,7 +30,7 @@ inline std::string_view without_blanks(std::string_view text)
     return text.substr(0, text.find_last_not_of(kBlanks) + 1);
 }
 
-// Between separators, of which each counts; blanks and quotes around them go.
+// Returns what stands between separators, of which each counts; blanks and quotes around it go.
 inline std::vector<std::string_view> columns_of(std::string_view line, char separator)
 {
     std::vector<std::string_view> columns;
@@ -42,7 +42,7 @@ inline std::vector<std::string_view> columns_of(std::string_view line, char sepa
     return columns;
 }
 
-// Between blanks, of which several are one.
+// Returns what stands between blanks, of which several are one.
 inline std::vector<std::string_view> words_of(std::string_view line)
 {
     constexpr std::string_view kBlanks = " \t";

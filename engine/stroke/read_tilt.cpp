@@ -120,13 +120,13 @@ Result<std::vector<std::byte>> find_sketch(std::string const& name, Bytes zip)
     }
 }
 
-// Which of the optional numbers a stroke and its points have (bits of two masks), each 4 bytes but
-// for the first stroke extension that says its own length.
 struct SketchStroke {
     Stroke stroke;
     bool has_time = false;
 };
 
+// Bits of two masks that say which of the optional numbers a stroke and its points have, each 4
+// bytes but for the first stroke extension that says its own length.
 constexpr std::uint32_t kPressureBit = 1;
 constexpr std::uint32_t kTimeBit = 2;
 

@@ -12,7 +12,7 @@ namespace tractus {
 // A polyline that is asked for its point at a share of its length. Repeated points do no harm.
 class ArcLength {
 public:
-    // At least one point, all finite.
+    // Measures at least one point, all finite.
     explicit ArcLength(std::span<Vec3 const> points);
 
     double length_mm() const { return length_to_mm_.back(); }
@@ -25,7 +25,7 @@ private:
     std::vector<Vec3> points_;
     std::vector<double> length_to_mm_; // Along the polyline to each point.
 
-    // As many equal shares of the length as there are points: the last point before each begins.
+    // Last point before each share of the length begins; there are as many equal shares as points.
     std::vector<std::uint32_t> first_in_share_;
 };
 

@@ -6,7 +6,7 @@
 
 namespace tractus {
 
-// What remains of a line after all rounds backwards: enough for a helix of three turns.
+// Points that remain of a line after all rounds backwards: enough for a helix of three turns.
 constexpr std::size_t kControlPoints = 18;
 
 std::vector<Vec3> smooth_hand(std::span<Vec3 const> points, double detail_weight)

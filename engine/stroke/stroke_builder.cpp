@@ -17,7 +17,7 @@ void StrokeBuilder::push_live(TipSample const& tip)
     auto const last = live_.empty() ? last_settled_ : live_.back().time;
     if (!tip.position_mm.allFinite() || (last && tip.time <= *last))
         return;
-    // Of a pen that hovers, one tip is enough to part two strokes.
+    // One tip of a hovering pen is enough to part two strokes.
     bool const ink_goes_on = live_.empty() ? !stroke_.tips.empty() : live_.back().touching;
     if (tip.touching || ink_goes_on)
         live_.push_back(tip);

@@ -36,8 +36,8 @@ public:
     // The end of all tips: the stroke that was still being drawn, if it is one. Forgets the ink.
     [[nodiscard]] std::optional<Stroke> finish();
 
-    // What is to be seen while it is drawn: the settled tips of the stroke under way, then the live
-    // tips later than these. Tips that do not touch stand between two strokes.
+    // Returns what is to be seen while it is drawn: the settled tips of the stroke under way, then
+    // the live tips later than these. Tips that do not touch stand between two strokes.
     std::vector<TipSample> ink() const;
 
 private:

@@ -15,7 +15,7 @@ namespace tractus {
 // blanks, commas or semicolons. A line that is empty ends a stroke; what follows a # is a comment.
 // Tips without time are 10 ms apart.
 //
-// What tilt2txt writes of VR sketches is read, too: there a stroke begins with a line
+// Text that tilt2txt writes of VR sketches is read, too: there a stroke begins with a line
 // `S points brush size`, lengths are decimetres and y is up.
 //
 // Refuses, in a sentence that begins with `name` and the line's number, what is neither, numbers
@@ -23,7 +23,7 @@ namespace tractus {
 // out.
 Result<std::vector<Stroke>> parse_strokes(std::string const& name, std::string_view text);
 
-// The same text of strokes, with pressure and time, so that parse_strokes() reads it back: each
+// Writes the text of strokes, with pressure and time, so that parse_strokes() reads it back: each
 // number as short as it can be without another one's being read, and times to the nanosecond as far
 // as a double holds them.
 std::string print_strokes(std::span<Stroke const> strokes);

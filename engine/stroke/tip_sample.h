@@ -15,10 +15,11 @@ struct TipSample {
     Timestamp time {}; // When the pen was there: the tablet's latency is already taken off.
     Vec3 position_mm = Vec3::Zero(); // World frame.
     double pressure = 0;             // 0 to 1; 1 while touching where the tablet measures none.
-    std::optional<Vec2> tilt_rad {}; // Of the pen from upright towards +x and towards +y of the
-                                     // world; no value where the tablet tells none.
-    bool touching = false;           // The tip (or the eraser's end) is down.
-    bool eraser = false;             // The eraser's end points at the tablet.
+    // Tilt of the pen from upright towards +x and towards +y of the world; no value where the
+    // tablet tells none.
+    std::optional<Vec2> tilt_rad {};
+    bool touching = false; // The tip (or the eraser's end) is down.
+    bool eraser = false;   // The eraser's end points at the tablet.
 
     // How the height was found.
     enum class HeightSource {

@@ -11,9 +11,9 @@
 
 namespace tractus {
 
-// Which branches take a stroke's shape (Streit 2006 section 4.3).
+// Chooses the branches that take a stroke's shape (Streit 2006 section 4.3).
 enum class Propagation {
-    Selected,    // Those of the path.
+    Selected,    // The path's own branches.
     Descendants, // Every branch that the path bears, down to the leaf branches, and not the path.
     Both,
 };
@@ -24,17 +24,17 @@ enum class StrokeFit {
     // The stroke is turned, with least twist, so that it starts (its first twentieth does, since
     // single samples tremble) in the direction in which the branch starts in the base plant.
     Start,
-    // The same, so that it leads from its first point to its last in the direction from the
+    // As Start, but so that it leads from its first point to its last in the direction from the
     // branch's base to its tip: the tip stays where it was seen from the base, only nearer or
     // farther.
     Chord,
-    // Not turned at all: each segment points as it was drawn, whatever bears it.
+    // The stroke is not turned at all: each segment points as it was drawn, whatever bears it.
     World,
 };
 
 // A stroke that shapes branches, whichever they are.
 struct ShapingStroke {
-    Stroke stroke {}; // As those of Association, as the next ones.
+    Stroke stroke {}; // As in Association, as the next ones.
     Propagation propagation = Propagation::Selected;
     StrokeFit fit = StrokeFit::Start;
     double detail_weight = 1;
@@ -42,7 +42,7 @@ struct ShapingStroke {
 
 // "These branches shall have this shape."
 struct Association {
-    // From root to tip, each the child of the one before. At least one.
+    // Segments from root to tip, each the child of the one before. At least one.
     SharedVector<SegmentId> path {};
     Stroke stroke {}; // World frame, at any scale: only its shape counts.
     Propagation propagation = Propagation::Selected;

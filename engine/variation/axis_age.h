@@ -17,7 +17,7 @@ constexpr double kSkeletonShare = 0.85;
 // the longest way through the plant grows evenly, and every part of it grows to the end.
 struct AxisAge {
     double begin = 0;    // Age of the plant; 0 to kSkeletonShare.
-    double reach_mm = 0; // From the axis' base along branches to the farthest tip that it bears.
+    double reach_mm = 0; // Reach from the axis' base along branches to the farthest tip above it.
 
     // Age of the plant when the apex has come so far along the axis.
     double birth_at(double along_mm) const
@@ -46,7 +46,7 @@ inline double ripeness(double age, double birth)
     return std::clamp((age - birth) / (1 - birth), 0.0, 1.0);
 }
 
-// The same for organs, which unfold in a short time and without a jerk.
+// How far an organ has unfolded, which takes a short time and goes without a jerk.
 inline double unfolded(double age, double birth)
 {
     double const t = std::clamp((age - birth) / (1 - kSkeletonShare), 0.0, 1.0);

@@ -16,7 +16,7 @@ struct AxisLevels {
     // neighbours grow side by side; those that are equal in the plant's order.
     std::vector<AxisId> axes;
     std::vector<std::uint32_t> first;       // Where each level begins in `axes`, and the end.
-    std::vector<std::size_t> segment_count; // Of each level.
+    std::vector<std::size_t> segment_count; // Number of segments of each level.
 
     std::size_t count() const { return segment_count.size(); }
     std::span<AxisId const> level(std::size_t number) const

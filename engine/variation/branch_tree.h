@@ -15,7 +15,7 @@ struct BranchTree {
     std::vector<AxisId> axis;               // The axis of each segment.
     std::vector<std::uint32_t> depth;       // Segments below: 0 for what stands on the ground.
     std::vector<std::uint32_t> first_child; // Where each segment's children begin, and the end.
-    std::vector<SegmentId> children;        // Of all segments, in the segments' order.
+    std::vector<SegmentId> children;        // Children of all segments, in the segments' order.
 
     // Numbers from a walk through the tree: those of a segment and all its descendants are
     // [rank, rank_end).

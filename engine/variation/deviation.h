@@ -22,9 +22,10 @@ template<typename Number> struct HalfAngle {
     Number sine_share;
 };
 
-// Of an angle 0 to kMostDeviation, given by its square. Both are polynomials in (a / 2)²: no square
-// root, no division, no branch, and exact for 0. They are the Taylor series, economised by
-// Chebyshev polynomials on 0 to 2.25: errors are below 2e-18 and 6e-17.
+// Returns the HalfAngle of an angle, 0 to kMostDeviation, given by its square. Both numbers are
+// polynomials in (a / 2)²: no square root, no division, no branch, and exact for 0. They are the
+// Taylor series, economised by Chebyshev polynomials on 0 to 2.25: errors are below 2e-18 and
+// 6e-17.
 template<typename Number>
 [[gnu::always_inline]] inline HalfAngle<Number> half_angle(Number const& angle_squared)
 {

@@ -12,7 +12,7 @@ namespace tractus {
 // of the same number, millimetres. Both have the same number of them; 0 for none.
 double distance_mm(std::span<Vec3 const> one, std::span<Vec3 const> other);
 
-// Of several distances.
+// Spread of several distances.
 struct DistanceSpread {
     std::size_t count = 0;
     double mean_mm = 0;

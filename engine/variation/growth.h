@@ -29,11 +29,11 @@ public:
     // The plant of `key`. It is the grower's own and holds until the next call: growing many plants
     // needs the memory of one.
     //
-    // At an `age` below 1 (0 to 1) it is the same plant when it was young: what its apices had
-    // reached by then (AxisAge) stands, thinner, and where it has matured all the way as it will
-    // stand; organs unfold when the segment below them is complete, but leaves are on every shoot
-    // that grows (YoungLeaves). The topology is that of the whole plant: what has not grown yet has
-    // no length, radius or size, and lies where its apex is. So plants of all ages can be blended,
+    // An `age` below 1 (0 to 1) gives the same plant when it was young: what its apices had reached
+    // by then (AxisAge) stands, thinner, and where it has matured all the way as it will stand;
+    // organs unfold when the segment below them is complete, but leaves are on every shoot that
+    // grows (YoungLeaves). The topology is that of the whole plant: what has not grown yet has no
+    // length, radius or size, and lies where its apex is. So plants of all ages can be blended,
     // vertex by vertex; without_unborn gives one alone.
     //
     // Ends early when `stop` asks for it; the plant is good for nothing then.
@@ -54,13 +54,13 @@ private:
 // Orders stay, numbers are new. A leaf whose segment has not grown belongs to what will bear that.
 Plant without_unborn(Plant const& plant);
 
-// All that a varied plant is made of.
+// Everything that a varied plant is made of.
 struct GrowthJob {
     Plant plant {};
     std::vector<Association> associations {};
     std::vector<MotionIndicator> indicators {};
-    double shown_height_mm = 0; // Of ShownPlant; above 0 where there are indicators.
-    double scale = 1;           // The same.
+    double shown_height_mm = 0; // As in ShownPlant; above 0 where there are indicators.
+    double scale = 1;           // As in ShownPlant.
     GrowthParameters parameters {};
     PlantKey key {};
     double age = 1;

@@ -11,7 +11,7 @@ namespace tractus {
 
 namespace {
 
-constexpr std::size_t kWidth = 4; // Of a Four.
+constexpr std::size_t kWidth = 4; // Width of a Four.
 
 template<typename Quats> FourQuats four_quats(Quats const& quats, std::size_t lane)
 {

@@ -29,7 +29,7 @@ public:
     // Plan and noise must outlive the bundle.
     GrowthBundle(GrowthPlan const& plan, GrowthNoise const& noise, double age, Grown const& grown);
 
-    // At most kGrowthLanes axes, at least one; what bears them must be grown.
+    // Grows at least one and at most kGrowthLanes axes, whose parents must be grown.
     void grow(std::span<AxisId const> axes);
 
 private:
@@ -65,32 +65,33 @@ private:
     GrowthNoise const& noise_;
     double age_;
     Grown grown_;
-    bool is_stepped_; // By SteppedTip.
+    bool is_stepped_; // SteppedTip grows it.
     bool is_pushed_;
     bool is_noisy_;
 
     // The axes. Lanes that are left over repeat the first axis, and write nothing.
-    std::uint32_t longest_ = 0; // In segments.
+    std::uint32_t longest_ = 0; // Segments of the longest.
     std::array<AxisId, kGrowthLanes> axis_ {};
     std::array<NodeId, kGrowthLanes> first_node_ {};
     std::array<SegmentId, kGrowthLanes> first_segment_ {};
     std::array<std::uint32_t, kGrowthLanes> segment_count_ {}; // 0: left over.
 
-    alignas(64) QuatLanes turn_; // Of the axis as a whole, by what bears it.
-    VectorLanes position_mm_;    // Of the tip.
+    alignas(64) QuatLanes turn_; // Turn of the axis as a whole, with its parent.
+    VectorLanes position_mm_;    // Position of the tip.
     Lanes left_mm_;              // To grow, at this age.
     VectorLanes everywhere_;     // The influence, in the axis' coordinates.
     Lanes deviation_x_, deviation_y_;
     Lanes memory_x_, memory_y_;
 
-    // Of the segment that is being grown.
+    // State of the segment that is being grown.
     QuatLanes frame_;
     QuatLanes turned_frame_;
-    VectorLanes influence_; // In the frame.
+    VectorLanes influence_; // Influence in the frame.
     StepLanes step_;
     Lanes length_mm_;
 
-    std::array<Lanes, kStepsAtOnce> deviations_x_, deviations_y_; // Of the next segments.
+    // Deviations of the next segments.
+    std::array<Lanes, kStepsAtOnce> deviations_x_, deviations_y_;
     std::array<StepNoiseLanes, kStepsAtOnce> drawn_;
 };
 

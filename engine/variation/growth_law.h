@@ -44,7 +44,7 @@ struct GrowthParameters {
     double indicator_gain = 0.05; // Radians per step for indicators as long as the plant is high.
 
     double circumnutation_rad = 0;          // The tip's own circling; radians per step.
-    double circumnutation_period_steps = 8; // At least 2.
+    double circumnutation_period_steps = 8; // Steps of one turn; at least 2.
 
     // An influence that is there without being drawn, in plant heights: the wind of a place.
     Vec3 prevailing = Vec3::Zero();

@@ -9,7 +9,7 @@
 
 namespace tractus {
 
-// Which plant of a collection. The same key always gives the same plant; keys that differ in
+// Names a plant of a collection. The same key always gives the same plant; keys that differ in
 // anything give plants that have nothing in common but what was drawn.
 struct PlantKey {
     std::uint64_t seed = 0;
@@ -22,7 +22,7 @@ struct StepNoise {
     std::array<float, 2> second {};
 };
 
-// The same for one step of several axes side by side: component, then axis.
+// Noise for one step of several axes side by side: component, then axis.
 constexpr std::size_t kGrowthLanes = RandomBlocks::kCount;
 struct StepNoiseLanes {
     using Component = std::array<float, kGrowthLanes>;
@@ -40,7 +40,7 @@ public:
     // The steps from `first` on.
     void fill(std::uint32_t axis, std::uint32_t first, std::span<StepNoise> noise) const;
 
-    // Any number of steps of these axes.
+    // Fills any number of steps of these axes.
     void fill(std::array<std::uint32_t, kGrowthLanes> const& axes, std::uint32_t first,
               std::span<StepNoiseLanes> noise) const;
 

@@ -42,8 +42,8 @@ public:
         return segment == kNone ? Quat::Identity() : rest_.frame[segment].conjugate();
     }
 
-    // From the seat to `position_mm`, in the bearing segment's frame. What stands on the ground is
-    // measured from the origin.
+    // Returns the offset from the seat to `position_mm`, in the parent segment's frame. What stands
+    // on the ground is measured from the origin.
     Vec3 offset_mm(SegmentId segment, GrowthPlan::Seat const& seat, Vec3 const& position_mm) const
     {
         if (segment == kNone)
@@ -76,7 +76,7 @@ void seat_axes(GrowthPlan& plan, RestShape const& rest, Parents& parents)
     }
 }
 
-// What rides on the segments. Each is born when its segment is complete.
+// Seats what rides on the segments. Each is born when its segment is complete.
 void seat_riders(GrowthPlan& plan, Parents& parents)
 {
     auto const& base = plan.base;
@@ -171,7 +171,7 @@ void find_steps_per_segment(GrowthPlan& plan, Axis const& axis)
                 = circumnutation(plan.parameters, i - 1.0, 1);
 }
 
-// From the middle of a segment to the middle of the next, beginning at the base.
+// Finds the steps from the middle of a segment to the middle of the next, beginning at the base.
 void find_steps_per_length(GrowthPlan& plan, Axis const& axis, double length_mm, StepTable& table)
 {
     double const unit_mm = length_mm / plan.parameters.steps_per_axis;

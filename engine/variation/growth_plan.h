@@ -27,7 +27,7 @@ struct GrowthPlan {
 
     // Something that stands on the end of a segment: an axis, organ or polygon.
     struct Seat {
-        std::uint32_t parent = kNone; // As above; kNone: stands on the ground.
+        std::uint32_t parent = kNone; // Parent as above; kNone: stands on the ground.
         NodeId node = 0;              // The bearing segment's tip.
     };
 
@@ -35,7 +35,7 @@ struct GrowthPlan {
     // something stands on the ground.
     struct AxisSeat {
         Seat seat;
-        Vec3 offset_mm = Vec3::Zero(); // From the seat's node; usually zero.
+        Vec3 offset_mm = Vec3::Zero(); // Offset from the seat's node; usually zero.
         AxisAge age;
     };
 
@@ -51,21 +51,22 @@ struct GrowthPlan {
         double birth = 0;
     };
 
-    Plant base; // What is grown is a copy of it, moved.
+    Plant base; // Copied and moved to grow.
     GrowthParameters parameters;
     Influence influence;
 
     AxisLevels levels;
-    std::vector<Segment> segments; // In the plant's order, as the next ones.
+    std::vector<Segment> segments; // Segments in the plant's order, as the next ones.
     std::vector<AxisSeat> axes;
     std::vector<OrganSeat> organs;
     std::vector<PolygonSeat> polygons;
-    std::vector<Vec3> vertex_offset_mm; // Of polygon vertices, from their polygon's seat.
-    // Of nodes whose section is not round (Plant::node_section), in the frame of the segment above,
-    // or of the axis' last; empty where there is none. Then every segment is a bearing one.
+    std::vector<Vec3> vertex_offset_mm; // Offset of polygon vertices, from their polygon's seat.
+    // Normals of nodes whose section is not round (Plant::node_section), in the frame of the
+    // segment above, or of the axis' last; empty where there is none. Then every segment is a
+    // bearing one.
     std::vector<Vec3f> section_normal;
     std::vector<GrowthStep> steps;
-    // What each segment's step adds; empty where there is none.
+    // Deviation that each segment's step adds; empty where there is none.
     std::vector<Vec2> circumnutation_rad;
     std::vector<double> axis_length_mm;
     // Per bearing segment: its predefined frame.

@@ -11,7 +11,7 @@ namespace tractus {
 // Growth by a name that people understand.
 struct GrowthPreset {
     std::string_view name;
-    std::string_view description; // In a few words, lower case.
+    std::string_view description; // A few words, lower case.
     GrowthParameters parameters;
 };
 

@@ -40,7 +40,7 @@ double sag_angle(double softness, double sine, double cosine)
 
 } // namespace
 
-// Of each segment with all that it bears, where it hangs now.
+// Finds the load of each segment with all that it bears, where it hangs now.
 void Sagger::find_loads(Plant const& plant)
 {
     load_.assign(plant.segment_count(), {});

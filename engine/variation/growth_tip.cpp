@@ -16,7 +16,8 @@ SteppedTip::SteppedTip(GrowthPlan const& plan, GrowthNoise const& noise, AxisId 
     , unit_mm_(plan.axis_length_mm[axis] / plan.parameters.steps_per_axis)
     , per_length_(plan.parameters.steps == GrowthParameters::Steps::PerLength)
 {
-    // All steps that some segment is read from: up to the middle of the last one, or to its base.
+    // Counts all steps that some segment is read from: up to the middle of the last one, or to its
+    // base.
     double const last
         = per_length_ ? plan.parameters.steps_per_axis : static_cast<double>(segment_count_ - 1);
     auto const all = static_cast<std::size_t>(std::ceil(last));
@@ -32,7 +33,8 @@ SteppedTip::SteppedTip(GrowthPlan const& plan, GrowthNoise const& noise, AxisId 
         = static_cast<std::size_t>(std::lround(static_cast<double>(zone) * progress.ripe));
     for (std::size_t i = 1; steps == all && i <= rest; ++i)
         mature(steps + i > zone ? steps + i - zone : 0, steps);
-    deviation_.resize(all + 1, deviation_.back()); // What has not grown yet points with the tip.
+    // Parts that have not grown yet point with the tip.
+    deviation_.resize(all + 1, deviation_.back());
 }
 
 double SteppedTip::length_of(std::uint32_t segment) const
@@ -102,12 +104,12 @@ void SteppedTip::mature(std::size_t begin, std::size_t end)
     double const kept = 1 - plan_.parameters.maturation_straightening;
     if (begin >= end)
         return;
-    Vec2 below = deviation_[begin]; // As it was, and as it is now.
+    Vec2 below = deviation_[begin]; // Deviation before and after it grew.
     Vec2 now = below;
     for (std::size_t n = begin + 1; n <= end; ++n) {
         Vec2 change = kept * (deviation_[n] - below);
         if (!influence_.empty()) {
-            // What bends a piece is across its own direction, half way between its ends.
+            // An influence bends a piece across its own direction, half way between its ends.
             Vec2 const middle = (below + deviation_[n]) / 2;
             Quat const turn = turn_by(middle, half_angle(middle.squaredNorm()));
             change += bending * (turn.conjugate() * influence_[n - 1]).tail<2>();

@@ -11,7 +11,7 @@
 
 namespace tractus {
 
-// What pushes an axis, in the axis' coordinates.
+// Influence that pushes an axis, in the axis' coordinates.
 class AxisInfluence {
 public:
     // `turn` takes the axis' coordinates to the plant's.
@@ -22,7 +22,7 @@ public:
     {
     }
 
-    // In the segment's frame.
+    // Returns the influence in the segment's frame.
     Vec3 at(SegmentId segment) const
     {
         Quat const to_segment = plan_.segments[segment].frame.conjugate();
@@ -40,7 +40,7 @@ private:
 // How far an axis has come.
 struct AxisProgress {
     double along_mm = 0; // The apex, from the base.
-    double ripe = 1;     // Of the time to mature after the apex has reached the end: 0 to 1.
+    double ripe = 1;     // Share of the time to mature after the apex has reached the end: 0 to 1.
 };
 
 // The tip of one axis by the law with delay or maturation: where it points, segment by segment, in
@@ -61,7 +61,7 @@ private:
     void grow(GrowthNoise const& noise, AxisId axis, std::size_t steps);
     void find_influence(AxisInfluence const& influence, std::size_t steps);
     void mature(std::size_t begin, std::size_t end);
-    double length_of(std::uint32_t segment) const; // In steps.
+    double length_of(std::uint32_t segment) const; // Length in steps.
 
     GrowthPlan const& plan_;
     SegmentId first_segment_ = 0;
@@ -69,9 +69,10 @@ private:
     double unit_mm_ = 0;
     bool per_length_ = true;
 
-    // By the number of steps from the base.
+    // Deviations by the number of steps from the base.
     std::vector<Vec2> deviation_;
-    std::vector<Vec3> influence_; // In the frame of the segment there; empty where there is none.
+    // Influence in the frame of the segment there; empty where there is none.
+    std::vector<Vec3> influence_;
 
     std::uint32_t next_ = 0; // Number in the axis of the segment to come.
     double next_start_ = 0;  // Where it begins, in steps from the base.

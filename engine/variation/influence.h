@@ -10,8 +10,8 @@
 
 namespace tractus {
 
-// What motion indicators do to a plant, in units of the plant's height: an indicator as long as the
-// plant is high has length 1, at whatever scale the plant is shown.
+// Influence of motion indicators on a plant, in units of the plant's height: an indicator as long
+// as the plant is high has length 1, at whatever scale the plant is shown.
 struct Influence {
     Vec3 everywhere = Vec3::Zero();
     std::vector<Vec3> local {}; // Per segment, besides; empty where there is none.

@@ -13,7 +13,7 @@ namespace tractus {
 
 namespace {
 
-// What has less of w is too near to the eye to have a place on the plane.
+// Least w: below it, a point is too near to the eye to have a place on the plane.
 constexpr double kLeastW = 1e-6;
 
 // Cells per line: enough that most cells hold few lines, few enough that their counts stay in a
@@ -25,8 +25,8 @@ constexpr double kMostCells = 1 << 18;
 // Below this many lines the grid is built before other threads have woken up.
 constexpr std::size_t kLinesWorthThreads = 16'384;
 
-// What a point must not be outside of, as products with its homogeneous coordinates that are not
-// negative: in front of the eye, and no farther beside the view than the view is large, so that
+// Planes that a point must not be outside of, as products with its homogeneous coordinates that are
+// not negative: in front of the eye, and no farther beside the view than the view is large, so that
 // single precision is enough for what remains.
 using ClipPlanes = Eigen::Matrix<double, 5, 4>;
 
@@ -44,7 +44,7 @@ ClipPlanes clip_planes(SkeletonProjection const& view)
 struct Projected {
     Eigen::Vector4d homogeneous;
     Vec3 place;
-    bool is_inside = false; // Of the clip planes.
+    bool is_inside = false; // Within the clip planes.
 };
 
 // Projects lines, most of which lie within the clip planes whole.
@@ -164,7 +164,7 @@ void ProjectedSkeleton::project(Plant const& plant, SkeletonProjection const& vi
 
 void ProjectedSkeleton::find_lines(Plant const& plant, SkeletonProjection const& view)
 {
-    // Each axis knows where its lines go, so that several threads may write; what is not seen is
+    // Lines of each axis have a known place, so that several threads may write; what is not seen is
     // taken out afterwards.
     std::vector<std::uint32_t> first_line(plant.axes.size() + 1);
     for (AxisId id = 0; id < plant.axes.size(); ++id) {

@@ -31,7 +31,7 @@ struct SkeletonProjection {
 // matrices, the plane is the window in pixels with v downwards, as windows count.
 SkeletonProjection view_in_pixels(Eigen::Matrix4d const& clip_from_plant, Vec2 const& size_px);
 
-// What counts as under the pen, in units of the plane.
+// Limits for what counts as under the pen, in units of the plane.
 struct PickOptions {
     double line_half_width = 1.5; // Half of the width in which the skeleton is drawn.
     double finger = 6;            // How far beside a line the pen may be and still mean it.
@@ -51,11 +51,11 @@ public:
 
     ProjectedSkeleton(Plant const& plant, SkeletonProjection const& view) { project(plant, view); }
 
-    // The same for another plant or view, in the memory that is already there: when a view turns.
+    // Projects another plant or view into the memory that is already there: when a view turns.
     // Works on all threads.
     void project(Plant const& plant, SkeletonProjection const& view);
 
-    // What is to be seen, in the order of the segments. Lines are cut behind the eye, and far
+    // Lines that are to be seen, in the order of the segments. They are cut behind the eye, and far
     // outside of the view.
     std::span<Line const> lines() const { return lines_; }
 
@@ -64,8 +64,8 @@ public:
     // thickness. No value where there is nothing, and outside of the view.
     std::optional<SegmentId> pick(Vec2 const& point, PickOptions const& options = {}) const;
 
-    // All segments whose lines cover `point`, near and far, in no particular order and perhaps more
-    // than once; put into `covering`, which is kept for its memory.
+    // Finds all segments whose lines cover `point`, near and far, in no particular order and
+    // perhaps more than once; put into `covering`, which is kept for its memory.
     void find_covering(Vec2 const& point, PickOptions const& options,
                        std::vector<SegmentId>& covering) const;
 
@@ -90,9 +90,10 @@ private:
     float cell_size_ = 1;
     int columns_ = 1;
     int rows_ = 1;
-    std::vector<std::uint32_t> first_in_cell_;             // Per cell and the end.
-    std::vector<std::uint32_t> in_cell_;                   // Numbers of lines.
-    std::vector<std::vector<std::uint32_t>> next_in_cell_; // Of each thread's share of the lines.
+    std::vector<std::uint32_t> first_in_cell_; // Per cell and the end.
+    std::vector<std::uint32_t> in_cell_;       // Numbers of lines.
+    // One for each thread's share of the lines.
+    std::vector<std::vector<std::uint32_t>> next_in_cell_;
 };
 
 } // namespace tractus

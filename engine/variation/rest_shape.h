@@ -8,8 +8,8 @@
 
 namespace tractus {
 
-// What of a plant's shape strokes and growth start from: found once for a base plant, and then used
-// for every stroke and every variation.
+// The shape of a plant from which strokes and growth start: found once for a base plant, and then
+// used for every stroke and every variation.
 //
 // The frame of a segment is a rotation that takes +x to its direction and +y to its normal, plant
 // frame (frame_rotation.h). Along an axis the frames turn no more than the segments do. At the
@@ -20,10 +20,10 @@ struct RestShape {
     AxisLevels levels;
     std::vector<Quat> frame; // Per segment, as the next one.
     std::vector<double> length_mm;
-    std::vector<double> end_mm;         // From the axis' base along it to the segment's end.
+    std::vector<double> end_mm;         // Length from the axis' base along it to the segment's end.
     std::vector<double> axis_length_mm; // Per axis, along its segments.
     std::vector<AxisId> drawing_order;  // See axes_in_drawing_order().
-    AddressIndex addresses;             // Of what was drawn.
+    AddressIndex addresses;             // Addresses of what was drawn.
 };
 
 RestShape find_rest_shape(Plant const& plant);

@@ -111,8 +111,8 @@ std::optional<SegmentId> SelectionPen::common() const
     return common;
 }
 
-// What begins the path, once `segment` shows which one it is: the nearest segment below it of those
-// that lay under the pen where it came down.
+// Returns the segment that begins the path, once `segment` shows which one it is: the nearest
+// segment below it of those that lay under the pen where it came down.
 SegmentId SelectionPen::beginning_of(SegmentId segment) const
 {
     SegmentId nearest = kNone;

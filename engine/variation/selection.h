@@ -43,7 +43,7 @@ public:
 
     SegmentState state(SegmentId segment) const { return states_[segment]; }
 
-    // What is not unselected: the selected path from root to tip, and what is undetermined.
+    // The selected path from root to tip, and the segments that are undetermined.
     std::vector<SegmentId> const& selected() const { return path_; }
     std::vector<SegmentId> const& undetermined() const { return undetermined_; }
 
@@ -90,9 +90,10 @@ private:
     PickOptions options_;
     std::optional<Vec2> last_point_;
     std::optional<SegmentId> last_touched_;
-    std::optional<SegmentId> ambiguous_; // In front at the last place, where that was ambiguous.
-    std::vector<SegmentId> beginnings_;  // All that lay under the pen where it came down.
-    std::vector<SegmentId> covering_;    // What could be meant at the present place.
+    // The segment in front at the last place, if that was ambiguous.
+    std::optional<SegmentId> ambiguous_;
+    std::vector<SegmentId> beginnings_; // Segments that lay under the pen where it came down.
+    std::vector<SegmentId> covering_;   // Segments that could be meant at the present place.
 };
 
 } // namespace tractus

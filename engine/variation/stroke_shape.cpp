@@ -51,7 +51,8 @@ Vec3 chord_of(ArcLength const& curve)
     return curve.at(1) - curve.at(0);
 }
 
-// From the base of the first segment to the tip of the last; `otherwise` where that is nowhere.
+// Direction from the base of the first segment to the tip of the last; `otherwise` if they are in
+// one place.
 Vec3 chord_direction(Plant const& plant, SegmentId first, SegmentId last, Vec3 const& otherwise)
 {
     Vec3 const chord = plant.node_position_mm[nodes_of(plant, last).tip]
@@ -115,13 +116,13 @@ std::vector<Joint> joints_along(std::span<SegmentId const> path, RestShape const
     std::vector<Joint> joints(path.size());
     Vec3 base_before = tangent_of(rest.frame[path.front()]);
     Vec3 bent_before = base_before;
-    Quat turn_before = Quat::Identity(); // From the base plant, of the segment below.
+    Quat turn_before = Quat::Identity(); // From the base plant to here, of the segment below.
     for (std::size_t i = 0; i < directions.size(); ++i) {
         if (stroke.fit == StrokeFit::World) {
             joints[i] = { .kind = Joint::Kind::World, .direction = directions[i] };
             continue;
         }
-        // Both curves are followed without twist; what differs is the segment's own rotation.
+        // The curves are followed without twist; what differs is the segment's own rotation.
         Vec3 const base = tangent_of(rest.frame[path[i]]);
         Quat const turn = (least_rotation(bent_before, directions[i]) * turn_before
                            * least_rotation(base_before, base).conjugate())
@@ -189,7 +190,7 @@ Quat curve_to_axis(Plant const& plant, RestShape const& rest, StrokeShape const&
     Quat const along_start = rest.frame[axis.first_segment] * stroke.from_path;
     if (stroke.fit == StrokeFit::Start)
         return along_start;
-    // As on the path, but then the chords are made to agree.
+    // The turn is that of the path, but then the chords are made to agree.
     auto const nodes = plant.positions(axis);
     Vec3 const chord = nodes.back() - nodes.front();
     double const length = chord.norm();

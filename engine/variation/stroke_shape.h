@@ -10,7 +10,7 @@
 
 namespace tractus {
 
-// What a stroke does to one segment of its path.
+// Change of one segment of a stroke's path.
 struct Joint {
     enum class Kind {
         None,  // Nothing: the segment rides as in the base plant.

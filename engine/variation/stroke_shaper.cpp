@@ -204,7 +204,7 @@ void StrokeShaper::lay_joints(AxisId id, Quat const& turn)
     auto const& axis = plant_.axes[id];
     auto const& source = sources_[id];
     auto const& joints = joints_[source.joints];
-    // What was propagated to the axis, where nothing bears it.
+    // Frames that were propagated to the axis, where nothing bears it.
     std::vector<Quat> own(rest_.frame.begin() + axis.first_segment,
                           rest_.frame.begin() + axis.first_segment + axis.segment_count);
     bool const is_world
@@ -212,7 +212,7 @@ void StrokeShaper::lay_joints(AxisId id, Quat const& turn)
     if (source.propagated != kNoStroke)
         lay_propagated(id, strokes_[source.propagated], Quat::Identity(), own);
 
-    Quat turned = turn; // From the base plant, of the segment below.
+    Quat turned = turn; // Turn from the base plant, of the segment below.
     Quat own_before = Quat::Identity();
     for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
         Quat const& rest = rest_.frame[axis.first_segment + i];

@@ -20,8 +20,8 @@ public:
     // plant's.
     StrokeShaper(Plant const& plant, RestShape const& rest);
 
-    // From here on these are the associations. If one is refused (check_association) all stays as
-    // it was.
+    // Sets the associations from here on. If one is refused (check_association) all stays as it
+    // was.
     Result<void> set(std::span<Association const> associations);
 
     PredefinedShape const& shape() const { return shape_; }
@@ -32,7 +32,7 @@ public:
 private:
     static constexpr std::uint32_t kNoStroke = kNone;
 
-    // What shapes an axis: a stroke that was propagated to the whole of it, and paths that run
+    // Origin of an axis' shape: a stroke that was propagated to the whole of it, and paths that run
     // along it.
     struct Source {
         std::uint32_t propagated = kNoStroke; // Number of the association.

@@ -12,10 +12,10 @@ namespace tractus {
 
 namespace {
 
-constexpr std::uint32_t kLeafStream = 0x796C; // Which leaves come early, and where they sit.
+constexpr std::uint32_t kLeafStream = 0x796C; // Draws which leaves come early, and where they sit.
 constexpr std::size_t kLeavesAtOnce = 2048;
 constexpr double kShare = 1.5; // Leaves of a shoot, of those of a twig of the whole plant.
-constexpr double kReach = 0.6; // Of a twig's length: how far behind an apex they sit at most.
+constexpr double kReach = 0.6; // Distance behind an apex at most, as a share of a twig's length.
 
 bool is_leaf(Plant const& plant, Organ const& organ)
 {
@@ -72,7 +72,8 @@ void YoungLeaves::find_leaves()
             * random_block({ .seed = 0, .stream = kLeafStream }, leaf.organ)[1];
 }
 
-// Of the leaves that an axis and all that it bears will have, the first few sprout as it begins.
+// Finds the leaves that sprout as an axis begins: the first few of those that it and all that it
+// bears will have.
 void YoungLeaves::find_sprouts()
 {
     auto const& axes = plan_.base.axes;
@@ -134,7 +135,7 @@ Vec3 YoungLeaves::point_on(Plant const& plant, AxisId id, double along_mm) const
     auto const i = std::min(static_cast<std::size_t>(found - ends.begin()),
                             axis.segment_count - std::size_t(1));
     auto const nodes = plant.positions(axis).subspan(i, 2);
-    double const length_mm = (nodes[1] - nodes[0]).norm(); // As far as it has grown.
+    double const length_mm = (nodes[1] - nodes[0]).norm(); // Length that has grown.
     double const into_mm = along_mm - (ends[i] - plan_.segments[axis.first_segment + i].length_mm);
     if (into_mm >= length_mm)
         return nodes[1];

@@ -30,7 +30,7 @@ private:
     struct Leaf {
         std::uint32_t organ = 0;
         AxisId axis = 0;
-        double along_mm = 0;  // Of its place, from the base of its axis.
+        double along_mm = 0;  // Distance from the base of its axis.
         double behind_mm = 0; // How far behind an apex it sits.
     };
 
@@ -41,8 +41,8 @@ private:
 
     GrowthPlan const& plan_;
     std::vector<double> sprout_; // Per organ.
-    std::vector<double> end_mm_; // Of each segment, from the base of its axis.
-    std::vector<Leaf> leaves_;   // In the order of organs.
+    std::vector<double> end_mm_; // Distance of each segment's end from the base of its axis.
+    std::vector<Leaf> leaves_;   // Leaves in the order of organs.
     std::size_t per_shoot_ = 0;
 };
 

@@ -182,7 +182,7 @@ constexpr std::array kOperators {
 };
 constexpr int kComparisonRank = 4;
 constexpr int kSignRank = 7;    // -a ^ b is -(a ^ b).
-constexpr int kHighestRank = 9; // Of what binds more tightly than any operator.
+constexpr int kHighestRank = 9; // Above all operators.
 constexpr int kDeepest = 200;
 
 class ExpressionReader {
@@ -227,7 +227,7 @@ private:
         add({ .kind = kind });
         return made_.operations.size();
     }
-    // What was added as that skip goes on behind what was added last.
+    // Moves what was added as that skip behind what was added last.
     void land(std::size_t skip)
     {
         made_.operations[skip - 1].target = made_.operations.size() - skip;

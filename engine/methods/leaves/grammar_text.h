@@ -13,7 +13,7 @@ class GrammarText {
 public:
     GrammarText(std::string_view text, std::string name);
 
-    TextPlace place() const; // Of what comes next.
+    TextPlace place() const; // Place of what comes next.
     bool is_over() { return peek() == '\0'; }
 
     // The next character that means something; '\0' at the end.
@@ -32,7 +32,7 @@ public:
     // Up to the end of this, nothing comes after the line's end.
     void stay_in_line(bool stays) { stays_in_line_ = stays; }
 
-    // What is wrong at that place, or at the next character.
+    // Fails with what is wrong at that place, or at the next character.
     tl::unexpected<Error> fail_at(TextPlace const& place, std::string const& what) const;
     tl::unexpected<Error> fail_here(std::string const& what);
     tl::unexpected<Error> fail_expected(std::string_view what);
@@ -44,7 +44,7 @@ private:
     std::string_view text_;
     std::string name_;
     std::size_t at_ = 0;
-    int line_ = 1; // At at_.
+    int line_ = 1; // Line of at_.
     std::size_t line_begin_ = 0;
     bool stays_in_line_ = false;
 };

@@ -9,7 +9,7 @@ namespace tractus::leaf {
 
 namespace {
 
-constexpr double kMostEdges = 9'999; // Of a face.
+constexpr double kMostEdges = 9'999; // Limit for one face.
 constexpr std::size_t kMostDarts = 2'000'000;
 constexpr std::size_t kMostWork = 500'000'000; // Some seconds.
 
@@ -85,7 +85,7 @@ tl::unexpected<Error> Leaf::fail_at(TextPlace const& place, std::string const& w
                             step_, what));
 }
 
-// What takes longer than anybody waits is refused.
+// Refuses what takes longer than anybody waits.
 Result<void> Leaf::spend(std::size_t work)
 {
     work_ += work;
@@ -170,7 +170,7 @@ std::vector<Vec3> Leaf::corners_of(Attributes const& attributes, Stand const& st
     return corners;
 }
 
-// On the free edge that `on` starts; without it, the axiom's.
+// Makes a face on the free edge that `on` starts; without it, on the axiom's.
 Result<FaceId> Leaf::make_face(char name, Fields const& fields, std::optional<Dart> on,
                                TextPlace const& place)
 {
@@ -224,7 +224,7 @@ Vec2 Leaf::Blade::to_flat(Vec2 const& on_outline) const
     return base + scale * (on_outline.x() * Vec2(axis.y(), -axis.x()) + on_outline.y() * axis);
 }
 
-// As large as the grammar's variable `blade` says by now.
+// Begins a blade as large as the grammar's variable `blade` says by now.
 void Leaf::begin_blade(FaceId stalk)
 {
     auto& face = faces_[static_cast<std::size_t>(stalk)];
@@ -360,7 +360,7 @@ Result<bool> Leaf::apply(Rule const& rule, FaceId face)
 
 Result<void> Leaf::grow(Rule const& rule, Growing const& growing, FaceId face)
 {
-    // What overloads the parent's own attributes is what its formal names read later.
+    // Fields that overload the parent's own attributes are what its formal names read later.
     auto own = faces_[static_cast<std::size_t>(face)].attributes;
     for (std::size_t i = 0; i < growing.fields.size(); ++i)
         if (!growing.fields[i].empty())

@@ -15,7 +15,7 @@
 
 namespace tractus::leaf {
 
-// What a grammar derives to: a leaf's veins as a 2-G-map of faces, and its limb between them.
+// Derivation of a grammar: a leaf's veins as a 2-G-map of faces, and its limb between them.
 //
 // The frame of the first face is x along it, y to its left and z out of its upper side; the middle
 // of its edge O is the origin. Lengths are the grammar's.
@@ -33,8 +33,8 @@ public:
     };
 
     struct Options {
-        int final_step = 0; // What the grammar reads as `finalstep`.
-        double age = 1;     // And as `age`, 0 to 1.
+        int final_step = 0; // Value that the grammar reads as `finalstep`.
+        double age = 1;     // Value that it reads as `age`, 0 to 1.
         std::uint64_t seed = 1;
         // How far the outline differs from the grammar's: 1 as leaves of a tree do, 0 not at all.
         double variation = 1;
@@ -59,7 +59,7 @@ public:
 
     int step() const { return step_; }
     LeafMap const& map() const { return map_; }
-    // Of the veins, by their letters' faces.
+    // Numbers of the veins' faces, by their letters.
     std::map<char, std::size_t> face_counts() const;
     // Edges E on the border: vein tips, from which more may grow.
     std::size_t free_extremities() const;
@@ -95,9 +95,9 @@ private:
         Attributes attributes {};
         Frame frame;
         Dart first = 0;       // Starts an edge; of one that was not split, its O.
-        int edge_count = 0;   // As made: neighbours that are split may add to its edges.
-        bool is_part = false; // Of one that was split: it may lack edges.
-        int order = 1;        // As a vein.
+        int edge_count = 0;   // Edges as made: neighbours that are split may add to them.
+        bool is_part = false; // Part of one that was split: it may lack edges.
+        int order = 1;        // Order as a vein.
         std::size_t blade = 0;
     };
     // Where an outline lies in the flat leaf: it begins at a stalk's end.
@@ -112,7 +112,7 @@ private:
     // A child's place on its parent: the way across the edge's end.
     struct Stand {
         Frame frame;
-        Vec3 left = Vec3::Zero();  // Of the edge O: where it starts,
+        Vec3 left = Vec3::Zero();  // Left side of the edge O: where it starts,
         Vec3 right = Vec3::Zero(); // and ends.
     };
 
@@ -120,7 +120,7 @@ private:
 
     tl::unexpected<Error> fail_at(TextPlace const& place, std::string const& what) const;
     Result<Attributes> attributes_of(char face, Fields const& fields, TextPlace const& place);
-    // As it grows, or as if it neither bent nor twisted.
+    // Shape as it grows, or as if it neither bent nor twisted.
     enum class Shape { Grown, Flat };
     Vec3 place_of(Dart d, Shape shape) const;
     Stand stand_on(Dart edge, Shape shape) const;
@@ -155,7 +155,7 @@ private:
     Grammar const* grammar_;
     LeafMap map_;
     std::vector<Face> faces_;
-    std::vector<double> values_; // By the names' numbers; no number where nothing has given one.
+    std::vector<double> values_; // Indexed by names' numbers; NaN where nothing has given one.
     // Variables that a face's attributes of the same names hide while a rule is at work.
     std::map<std::size_t, double> hidden_;
     Random random_;
@@ -164,7 +164,7 @@ private:
     Random unevenness_; // Its own, so that a pose changes nothing in the flat leaf.
     std::vector<Blade> blades_;
     int step_ = 0;
-    std::size_t work_ = 0;                  // So far, in darts looked at.
+    std::size_t work_ = 0;                  // Work so far, in darts looked at.
     std::optional<std::size_t> limb_begin_; // The first of its darts, if it is filled.
     FaceId limb_faces_ = 0;
     Limb limb_;

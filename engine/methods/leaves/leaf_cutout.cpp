@@ -64,7 +64,7 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points)
                 hull.pop_back();
             hull.push_back(point);
         }
-        hull.pop_back(); // The other half begins with it.
+        hull.pop_back(); // Removed, as the other half begins with it.
         if (half == 0)
             std::ranges::reverse(points);
     }
@@ -146,7 +146,7 @@ private:
         double const length = (b - a).norm();
         auto seen = seen_from(a, b);
         std::ranges::sort(seen, std::ranges::greater(), &Seen::from_start);
-        // From the start, ways rise; from the end, none may rise above a point that was passed.
+        // Ways rise from the start; towards the end, none may rise above a point that was passed.
         double steepest = -std::numeric_limits<double>::infinity();
         Bay best { .behind = i };
         for (auto const& [from_start, from_end] : seen) {

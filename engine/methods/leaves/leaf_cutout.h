@@ -12,13 +12,13 @@ namespace tractus::leaf {
 // A flat shape on which a leaf's picture is shown: it holds all that the picture has of the leaf,
 // and little else, so that little is drawn that cannot be seen.
 struct Cutout {
-    std::vector<Vec2> corners; // In pixels from the picture's upper left; within the picture.
+    std::vector<Vec2> corners; // Pixels from the picture's upper left; within the picture.
     // Counter-clockwise as one looks at the picture.
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
 struct CutoutOptions {
-    float least_alpha = 0; // What is not above that need not be held.
+    float least_alpha = 0; // Pixels of at most this alpha need not be held.
     int most_corners = 16; // May be passed where the leaf has no simpler shape; at least 4.
     int most_bays = 6;     // How often the shape turns inwards.
 };

@@ -56,7 +56,7 @@ struct FunctionName {
 // Null if there is none of that name.
 FunctionName const* find_function(std::string_view name);
 
-// What an expression is made of: in which order its values are found and put together.
+// Steps of an expression: in which order its values are found and put together.
 struct Operation {
     enum class Kind : std::uint8_t {
         Number,
@@ -68,7 +68,7 @@ struct Operation {
         Subtract,
         Multiply,
         Divide,
-        Remainder, // Of whole numbers.
+        Remainder, // Remainder of whole numbers.
         Power,
         Less,
         LessOrEqual,

@@ -33,7 +33,8 @@ constexpr std::size_t kTwist = 2;
 constexpr std::size_t kBend = 3;
 constexpr std::size_t kLength = 5;
 
-// What overloads attributes; empty expressions leave them as they are. May be fewer than all.
+// Values that overload attributes; empty expressions leave them as they are. There may be fewer
+// than attributes.
 using Fields = std::vector<Expression>;
 
 struct Statement {
@@ -53,7 +54,7 @@ struct Child {
 };
 
 struct Growing {
-    Fields fields; // Of the face that bears.
+    Fields fields; // Fields of the parent's face.
     std::vector<Child> children;
 };
 
@@ -92,10 +93,10 @@ struct Rule {
 // A leaf grammar (Peyrat, Terraz, Mérillou, Galin, "Generating vast varieties of realistic leaves
 // with parametric 2Gmap L-systems", The Visual Computer 24, 2008).
 struct Grammar {
-    std::string name; // For messages: the file's.
+    std::string name; // The file's name, for messages.
     std::map<char, Attributes> faces;
     NameTable names;
-    std::map<std::size_t, double> variables; // With their values at the beginning.
+    std::map<std::size_t, double> variables; // Values at the beginning.
     char axiom = 'A';
     Fields axiom_fields;
     std::vector<Rule> rules;
@@ -107,7 +108,7 @@ struct Grammar {
     std::set<char> reaching;
     // The margin between vein tips, in the frame of the stalk's end: #outline and #margin.
     HalfOutline outline;
-    // What the leaf is as an adult: #steps, #size. 0: the text says nothing.
+    // Properties of the adult leaf: #steps, #size. 0: the text says nothing.
     int steps = 0;
     double size_mm = 0; // The blade's length.
     // sRGB, 0 to 1: #young and #old.

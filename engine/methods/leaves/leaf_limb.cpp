@@ -36,7 +36,7 @@ Result<void> Leaf::fill()
         auto const first_bare = std::ranges::find_if(way, is_bare);
         if (first_bare == way.end()) {
             TRY(fill_way(way));
-        } else if (grammar_->has_base) { // Each leaflet has a limb of its own.
+        } else if (grammar_->has_base) { // Leaflets each have a limb of their own.
             auto const behind_last = std::find_if(way.rbegin(), way.rend(), is_bare).base();
             TRY(fill_way({ way.begin(), first_bare }));
             TRY(fill_way({ behind_last, way.end() }));
@@ -57,7 +57,7 @@ Result<void> Leaf::fill_way(std::vector<Dart> const& way)
         if (part.size() < 2 && (outline_.empty() || part.empty()))
             continue;
         TRY(spend(part.size()));
-        // With an outline, in the flat leaf, where it lies: leaves that curl keep their limb.
+        // An outline counts in the flat leaf, where it lies: leaves that curl keep their limb.
         auto const shape = outline_.empty() ? Shape::Grown : Shape::Flat;
         Vec3 const from = place_of(part.front(), shape);
         Vec3 const chord = place_of(LeafMap::a0(part.back()), shape) - from;
@@ -82,12 +82,12 @@ Result<void> Leaf::fill_way(std::vector<Dart> const& way)
     return {};
 }
 
-// What follows the outline from one end of the way to the other. In space it keeps its place beside
-// the line between the two.
+// Follows the outline from one end of the way to the other. In space the outline keeps its place
+// beside the line between the two.
 void Leaf::add_margin(std::span<Dart const> way, std::vector<Vertex>& corners,
                       std::vector<EdgeLabel>& labels)
 {
-    constexpr double kTolerance = 0.03; // Of the blade's length: tips have a width.
+    constexpr double kTolerance = 0.03; // Share of the blade's length: tips have a width.
     auto const& line = outline_.line();
     if (line.empty())
         return;

@@ -8,7 +8,7 @@ namespace tractus::leaf {
 
 namespace {
 
-// Which maps lead from dart to dart of a cell.
+// Maps that lead from dart to dart of a cell, as bits.
 constexpr unsigned kA0 = 1;
 constexpr unsigned kA1 = 2;
 constexpr unsigned kA2 = 4;
@@ -48,7 +48,7 @@ Vertex LeafMap::add_vertex(Vec3 const& position, Vec2 const& flat)
     return static_cast<Vertex>(positions_.size() - 1);
 }
 
-// Both free, and not yet next to any other.
+// Adds an edge whose sides are free and that is not yet next to any other.
 Dart LeafMap::add_edge(Vertex start, Vertex end, FaceId face, EdgeLabel label)
 {
     auto const first = static_cast<Dart>(dart_count());

@@ -40,7 +40,8 @@ struct MapCounts {
     std::size_t components = 0;
     std::size_t border_edges = 0;
     std::size_t border_cycles = 0;
-    std::size_t triangles = 0; // That the faces can be cut into: n - 2 for each of n edges.
+    // Triangles that the faces can be cut into: n - 2 for each of n edges.
+    std::size_t triangles = 0;
 
     std::ptrdiff_t euler_characteristic() const
     {
@@ -83,7 +84,7 @@ public:
     // Joins two free edges: d and e, ends of them, come to lie together, and so do their other
     // ends, each halfway between the two.
     void sew(Dart d, Dart e);
-    // The same where the ends lie together already.
+    // Sews two edges whose ends lie together already.
     void sew_in_place(Dart d, Dart e);
     // The edge of d is two again.
     void unsew(Dart d);
@@ -104,14 +105,14 @@ public:
     // The darts that start the edges of a face, from d's edge on, counter-clockwise.
     std::vector<Dart> cycle(Dart d) const;
 
-    // From the start of a free edge to that of the next one on the border.
+    // Leads from the start of a free edge to that of the next one on the border.
     Dart next_on_border(Dart d) const;
     std::vector<Dart> border(Dart d) const;
 
     MapCounts counts() const;
 
-    // What contradicts the axioms of a 2-G-map with closed faces that can be oriented; empty if
-    // nothing does.
+    // Returns what contradicts the axioms of a 2-G-map with closed faces that can be oriented;
+    // empty if nothing does.
     std::string fault() const;
 
 private:

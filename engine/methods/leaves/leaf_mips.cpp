@@ -88,8 +88,8 @@ CellPage half_page(CellPage const& page, PageKind kind)
 
 namespace {
 
-// Each cell's pixels' alphas, one cell after another: work(number of the cell, alphas). What it
-// does to them is put back.
+// Passes each cell's alphas, one cell after another: work(number of the cell, alphas). What it does
+// to them is put back.
 void for_cells(CellPage const& page, std::vector<std::uint8_t>* back,
                std::function<void(std::size_t, std::vector<std::uint8_t>&)> const& work)
 {

@@ -8,20 +8,20 @@ namespace tractus::leaf {
 
 // A page of square cells with a leaf each, rows from the top; `channels` bytes to a pixel.
 struct CellPage {
-    int side = 0; // In pixels; a multiple of `cell`, which is a power of two.
+    int side = 0; // Pixels; a multiple of `cell`, which is a power of two.
     int cell = 0;
     int channels = 4;
     std::vector<std::uint8_t> pixels {};
 };
 
-// What a page's bytes are, which says how four of them become one.
+// Content of a page, which says how four of its bytes become one.
 enum class PageKind {
     Color,  // sRGB, mixed in linear light; a fourth channel is alpha.
     Normal, // Directions: they stay of length 1.
     Plain,
 };
 
-// The same page half as wide and high. Its cells must be 2 pixels wide or more.
+// Returns the page half as wide and high. Its cells must be 2 pixels wide or more.
 CellPage half_page(CellPage const& page, PageKind kind);
 
 // How much of each cell is there where what is less than half opaque is cut away, 0 to 1, in the

@@ -81,7 +81,7 @@ std::vector<Vec2> with_margin(std::vector<Vec2> const& line, HalfOutline const& 
     ByLength const by_length(line);
     bool const has_teeth = half.margin == HalfOutline::Margin::Teeth;
     double const peak = 0.5 + 0.4 * std::clamp(half.lean, 0.0, 1.0);
-    std::vector<double> phases; // Of a tooth: its foot, its point, and what is between.
+    std::vector<double> phases; // Phases of a tooth: its foot, its point, and what is between.
     if (has_teeth)
         phases = { 0, 0.35 * peak, 0.7 * peak, peak, 0.5 + 0.5 * peak };
     else

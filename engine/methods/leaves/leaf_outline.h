@@ -19,7 +19,7 @@ struct HalfOutline {
 
     enum class Margin { Entire, Teeth, Scallops };
     Margin margin = Margin::Entire;
-    int count = 0;    // Of teeth or scallops, on this half.
+    int count = 0;    // Number of teeth or scallops, on this half.
     double depth = 0; // Theirs, as a length; they fade towards both ends.
     double lean = 0;  // 0 to 1: how far they point towards the tip.
 };
@@ -29,8 +29,8 @@ class Outline {
 public:
     // How far one leaf differs from the next: standard deviations.
     struct Variation {
-        double width = 0.06;  // Of the factor on x.
-        double point = 0.012; // Of each point's place, as a share of the blade's length.
+        double width = 0.06;  // Variation of the factor on x.
+        double point = 0.012; // Variation of each point's place, as a share of the blade's length.
     };
 
     // No points: an outline that nothing reaches. The halves vary each by itself.
@@ -48,7 +48,7 @@ public:
 
 private:
     struct Place {
-        double along = 0; // In points of the line.
+        double along = 0; // Place in points of the line.
         double distance = 0;
     };
     // A piece of the line in a circle, so that what is elsewhere need not be looked at.

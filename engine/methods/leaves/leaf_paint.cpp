@@ -13,20 +13,20 @@
 
 namespace tractus::leaf {
 
-// What a painter keeps from leaf to leaf: memory, and nothing that is read before it is written.
+// Memory that a painter keeps from leaf to leaf: nothing in it is read before it is written.
 struct LeafPainter::Canvas {
     LeafPicture picture;
     CoverageRaster raster;
     TileGrid tiles;
     std::vector<float> profile;      // V of the veins, and their order:
     std::vector<std::uint8_t> order; // VeinMaps has them.
-    std::vector<float> net;          // Of the smallest veins, 0 to 1.
+    std::vector<float> net;          // Net of the smallest veins, 0 to 1.
     std::vector<float> eaten; // 1 in holes, fading along their rims. Empty: nothing has eaten.
     // How far a pixel is in a spot, in its ring, in a mine. Empty: there are none.
     std::vector<float> spots;
     std::vector<float> rings;
     std::vector<float> mines;
-    std::vector<double> sums; // Of rows of tiles.
+    std::vector<double> sums; // Sums of rows of tiles.
 };
 
 namespace {
@@ -371,7 +371,7 @@ private:
         return (1 - tip) * patches + tip * from_tip;
     }
 
-    // Each leaf is a little mottled, and paler along its veins.
+    // Mottles each leaf a little, and makes it paler along its veins.
     static void mottle(ColorRow& color, Row const& clouds, Row const& d)
     {
         Row const share = 0.82f + 0.36f * clouds + 0.08f * (d - 0.5f);
@@ -496,12 +496,12 @@ private:
     PictureFrame const& frame_;
     int side_;
     VeinMaps veins_;
-    std::size_t count_;           // Of pixels.
+    std::size_t count_;           // Number of pixels.
     std::array<Vec3f, 3> colors_; // Young, old, dead; linear.
     Noise patches_;
     Noise mottle_;
     Noise mildew_;
-    std::vector<Vec2> pixels_; // Of the leaf's vertices.
+    std::vector<Vec2> pixels_; // Pixels of the leaf's vertices.
     Vec2 base_ = Vec2::Zero();
     double radius_ = 1; // The distance at which D is 1, in pixels.
 };

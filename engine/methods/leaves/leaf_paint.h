@@ -22,7 +22,7 @@ struct PictureStand {
 };
 
 struct PaintOptions {
-    int side = 512; // Of the pictures, in pixels.
+    int side = 512; // Side of the pictures, in pixels.
     PictureStand stand {};
     bool has_underside = false;      // Whether that is painted, too.
     double age = 0;                  // 0: young, 1: old, as the colours go.
@@ -30,7 +30,7 @@ struct PaintOptions {
     Vec3 old { 0.72, 0.50, 0.16 };
     Vec3 dead { 0.35, 0.24, 0.14 };
     double dead_age = 0; // 0 to 1: how far the old colour has become the dead one, by the same law.
-    enum class First { NearVeins, BetweenVeins }; // What grows old first.
+    enum class First { NearVeins, BetweenVeins }; // Places that grow old first.
     First first = First::NearVeins;
     double near_veins = 0.8; // How much earlier it does.
     double noise = 0.5;      // How much later masks let places grow old.
@@ -54,20 +54,20 @@ struct LeafPicture {
     // glTF's: red is occlusion, green roughness, blue metal, which is 0.
     std::vector<std::array<std::uint8_t, 3>> roughness;
     std::vector<std::uint8_t> translucency;
-    // Of the leaf seen from below, in the same places; empty unless it was asked for. Its veins
-    // stand out twice as far where they are grooves above.
+    // Pictures of the leaf seen from below, in the same places; empty unless it was asked for. Its
+    // veins stand out twice as far where they are grooves above.
     std::vector<std::array<std::uint8_t, 3>> under_color;
     std::vector<std::array<std::uint8_t, 3>> under_normal;
 
-    // What the pictures are made from, for each pixel. Only coverage, alpha and protection have
-    // values where neither the leaf is nor its edge.
-    std::vector<float> coverage;  // Of the pixel by the leaf, before larvae: 0 to 1.
-    std::vector<float> alpha;     // What is left of it.
+    // Values that the pictures are made from, for each pixel. Only coverage, alpha and protection
+    // have values where neither the leaf is nor its edge.
+    std::vector<float> coverage;  // Share of the pixel under the leaf, before larvae.
+    std::vector<float> alpha;     // Rest of it after larvae.
     std::vector<float> distance;  // To the nearest vein's side, in pixels, 0 inside; at most reach.
     std::vector<float> closeness; // D of the colour law: 0 at veins, 1 between them.
     std::vector<float> protection; // P: 1 where larvae spare a vein.
     std::vector<float> age;        // m of the colour law: 0 young, 1 old.
-    std::vector<float> height;     // Of the relief, as a share of what a vein stands out twice.
+    std::vector<float> height; // Height of the relief, as a share of what a vein stands out twice.
     float reach = 0;
 };
 
@@ -78,7 +78,7 @@ struct PictureFrame {
     {
         return { x0 + scale * (flat.x() - origin.x()), y0 - scale * (flat.y() - origin.y()) };
     }
-    Vec2 origin = Vec2::Zero(); // In the flat leaf: what stands on the middle,
+    Vec2 origin = Vec2::Zero(); // Point of the flat leaf that stands on the middle,
     double x0 = 0;              // and its pixel.
     double y0 = 0;
     double scale = 1; // Pixels for a length of 1.
@@ -103,7 +103,7 @@ private:
     std::unique_ptr<Canvas> canvas_;
 };
 
-// The same for a single leaf.
+// Paints a single leaf.
 LeafPicture paint_leaf(Leaf const& leaf, LeafTriangles const& triangles,
                        PaintOptions const& options);
 

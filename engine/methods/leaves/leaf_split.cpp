@@ -33,7 +33,7 @@ std::optional<EdgeLabel> Leaf::opposite(FaceId face, EdgeLabel label) const
 // so that neighbours which are split alike share it.
 Dart Leaf::end_of_first_half(std::vector<Dart> const& chain)
 {
-    constexpr double kNear = 0.05; // Of the side's length.
+    constexpr double kNear = 0.05; // Share of the side's length.
     std::vector<double> lengths;
     double whole = 0;
     for (auto const d : chain) {
@@ -47,7 +47,7 @@ Dart Leaf::end_of_first_half(std::vector<Dart> const& chain)
         if (std::abs(done + lengths[i] - half) <= kNear * whole && i + 1 < chain.size())
             return LeafMap::a0(d);
         if (done + lengths[i] > half) {
-            auto const start = LeafMap::a0(map_.a2(d)); // Of the edge on the other side.
+            auto const start = LeafMap::a0(map_.a2(d)); // Start of the edge on the other side.
             bool const is_sewn = !map_.is_free(d);
             auto const end = map_.insert_vertex(d, (half - done) / lengths[i]);
             auto& other = faces_[static_cast<std::size_t>(map_.face(start))];
@@ -147,7 +147,7 @@ bool Leaf::glue_one(Gluing const& gluing)
     return false;
 }
 
-// Each rule in turn, until none fits.
+// Applies each rule in turn, until none fits.
 Result<void> Leaf::glue()
 {
     for (bool is_any = true; std::exchange(is_any, false);)

@@ -83,7 +83,7 @@ private:
         std::size_t after = 0;
         bool is_hollow = false; // The face turns the other way there: it may lie in others' ears.
     };
-    // What became of a corner, instead of its triangle's shape.
+    // Marks in place of a triangle's shape that say what became of its corner.
     static constexpr double kNoEar = -1;
     static constexpr double kCut = -2;
 
@@ -181,7 +181,7 @@ private:
     }
 
     std::vector<Corner> ring_;
-    std::vector<double> shapes_; // Of each corner's triangle: how wide for its sides.
+    std::vector<double> shapes_; // Shape of each corner's triangle: how wide for its sides.
     std::vector<Vec2> hollows_;
     LeafTriangles const& leaf_;
 };

@@ -13,7 +13,7 @@ namespace tractus::leaf {
 // touch share vertices, so there are no gaps between them.
 struct LeafTriangles {
     std::vector<Vec3> positions;
-    std::vector<Vec2> flat; // Of each vertex: its place in the flat leaf, in the grammar's lengths.
+    std::vector<Vec2> flat; // Place of each vertex in the flat leaf, in the grammar's lengths.
     std::vector<std::array<std::uint32_t, 3>> veins;
     std::vector<std::array<std::uint32_t, 3>> limb;
     // Faces of the limb that overlap themselves in the flat leaf, as lobes do that cover each

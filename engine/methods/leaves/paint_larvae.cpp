@@ -47,7 +47,7 @@ public:
     void mine(std::uint64_t seed, int number, std::span<float> mined) const
     {
         constexpr int kSteps = 110;
-        constexpr double kLastShare = 0.011; // Of the side: half the way's width at its end.
+        constexpr double kLastShare = 0.011; // Share of the side: half the way's width at its end.
         Random random({ .seed = seed,
                         .stream = kLarvaStream,
                         .substream = static_cast<std::uint32_t>(number) });
@@ -94,7 +94,8 @@ private:
         return !is_spared(at);
     }
 
-    // On the margin, seen from a random place in a random direction; or that place itself.
+    // Returns a place on the margin, seen from a random place in a random direction; or that place
+    // itself.
     Vec2 find_start(Random& random) const
     {
         Vec2 at(0, 0);
@@ -214,7 +215,7 @@ void keep_connected(LarvaGround const& ground, Vec2 const& base, std::span<float
         if (is_kept[i] || alpha[i] <= 0)
             return;
         is_kept[i] = 1;
-        // What is as good as eaten stays as an edge, and holds nothing.
+        // Pixels that are as good as eaten stay as an edge, and hold nothing.
         if (alpha[i] >= 0.5f * ground.coverage[i])
             pending.push_back(at);
     };

@@ -8,10 +8,10 @@
 
 namespace tractus::leaf {
 
-// What larvae do to a leaf. Lengths are shares of the picture's side.
+// Damage that larvae do to a leaf. Lengths are shares of the picture's side.
 struct Larvae {
     int count = 0;
-    double least_radius = 0.008; // Of a bite,
+    double least_radius = 0.008; // Radius of a bite,
     double most_radius = 0.025;
     int least_bites = 15;
     int most_bites = 90;

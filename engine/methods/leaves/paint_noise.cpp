@@ -7,7 +7,7 @@ namespace tractus::leaf {
 
 namespace {
 
-constexpr int kCells = 16; // Of a table, in a row: of the first octave, or the larger meshes.
+constexpr int kCells = 16; // Cells in a row of a table: of the first octave, or the larger meshes.
 
 double eased(double x)
 {

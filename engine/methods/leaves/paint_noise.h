@@ -20,8 +20,8 @@ public:
     // (Worley, "A cellular texture basis function", 1996).
     static NoiseTable const& net();
 
-    // In meshes or clouds of the first octave; at least 0. Between the table's points it is
-    // interpolated.
+    // Value at a place in meshes or clouds of the first octave; at least 0. Between the table's
+    // points it is interpolated.
     float at(float x, float y) const
     {
         float const u = x * per_cell_;

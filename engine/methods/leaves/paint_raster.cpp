@@ -193,7 +193,8 @@ public:
     }
 
 private:
-    // Those that may be the nearest to a pixel of the tile, or so near that it sees their profile.
+    // Chooses the veins that may be the nearest to a pixel of the tile, or so near that it sees
+    // their profile.
     void choose(float x, float y)
     {
         constexpr float kHalfDiagonal = 0.7072f * TileGrid::kTile;

@@ -19,7 +19,7 @@ public:
     void find(std::span<float const> coverage, int side);
 
     int side() const { return side_; }
-    int columns() const { return columns_; } // And rows.
+    int columns() const { return columns_; } // Rows as well.
     bool is_near(int column, int row) const { return is_near_[index(column, row)] != 0; }
 
 private:
@@ -32,14 +32,14 @@ private:
     int side_ = 0;
     int columns_ = 0;
     std::vector<std::uint8_t> is_near_;
-    std::vector<std::uint8_t> blocks_; // Of 4 pixels: whether they have one of the leaf.
+    std::vector<std::uint8_t> blocks_; // Blocks of 4 pixels: whether they have one of the leaf.
 };
 
 // How much of each pixel a leaf covers: lines' signed areas, summed along rows.
 class CoverageRaster {
 public:
     void begin(int side);
-    // In pixels; either way round.
+    // Adds a triangle, in pixels; either way round.
     void add_triangle(Vec2 const& a, Vec2 const& b, Vec2 const& c);
     // 0 to 1 for each pixel.
     void finish(std::vector<float>& coverage) const;
@@ -60,7 +60,7 @@ struct VeinMaps {
     std::vector<float>& distance;     // To the nearest vein's side, in pixels, 0 inside.
     std::vector<float>& profile;      // V: 1 on a vein's middle, 0 beside it.
     std::vector<float>& protection;   // P: 1 where a vein is spared, fading beside it; 0 far away.
-    std::vector<std::uint8_t>& order; // Of the vein of which V is; 9 where none is.
+    std::vector<std::uint8_t>& order; // Order of the vein of which V is; 9 where none is.
 };
 
 struct VeinMapOptions {

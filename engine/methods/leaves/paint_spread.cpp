@@ -138,7 +138,7 @@ private:
     LeafPicture& picture_;
     TileGrid const& tiles_;
     bool has_underside_;
-    std::vector<std::vector<Mean>> levels_; // Of squares of 1, 2, 4 … tiles.
+    std::vector<std::vector<Mean>> levels_; // Means of squares of 1, 2, 4 … tiles.
 };
 
 } // namespace

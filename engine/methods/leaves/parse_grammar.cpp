@@ -153,7 +153,7 @@ private:
         return {};
     }
 
-    // Of what a definition says: by then earlier definitions have values, and nothing else.
+    // Value of what a definition says: by then earlier definitions have values, and nothing else.
     Result<double> constant(Expression const& expression, TextPlace const& place)
     {
         std::vector<double> values(grammar_.names.count(), std::nan(""));
@@ -210,7 +210,7 @@ private:
         return {};
     }
 
-    // So many numbers in parentheses, all of which have values by now.
+    // Reads that many numbers in parentheses, all of which have values by now.
     Result<std::vector<double>> numbers(std::size_t least, std::size_t most, std::string_view what)
     {
         auto const place = text_.place();
@@ -283,7 +283,7 @@ private:
         return {};
     }
 
-    // What an adult leaf is like: "#steps(9)", "#size(80)".
+    // Reads properties of the adult leaf: "#steps(9)", "#size(80)".
     Result<void> adult(std::string_view what)
     {
         constexpr double kMost = 1000;
@@ -503,7 +503,8 @@ private:
         return {};
     }
 
-    // What a rule reads has a value: a variable's, its face's attributes', or one that it gives.
+    // Checks that what a rule reads has a value: a variable's, its face's attributes', or one that
+    // it gives.
     Result<void> check_names(Rule const& rule) const
     {
         std::vector<bool> has_value(grammar_.names.count());

@@ -10,10 +10,9 @@
 
 namespace tractus::sketch {
 
-// By how much an axis turns before one of its segments, against the frame of the segment before it,
-// which is carried along by the least rotation and does not roll: `/(plane)+(bend)\(plane)` in
-// turtle commands. Degrees; plane -180 to 180, bend 0 to 180. Where the axis goes straight on both
-// are 0.
+// Turn of an axis before one of its segments, against the frame of the segment before it, which is
+// carried along by the least rotation and does not roll: `/(plane)+(bend)\(plane)` in turtle
+// commands. Degrees; plane -180 to 180, bend 0 to 180. Where the axis goes straight on both are 0.
 struct Turn {
     double plane_deg = 0;
     double bend_deg = 0;
@@ -21,8 +20,9 @@ struct Turn {
     bool operator==(Turn const&) const = default;
 };
 
-// What a stroke gives a model to grow along: as many turns as the stroke has segments, and how
-// often laterals may fork. All numbers are as the model's text gives them, six significant digits.
+// Description of a stroke for a model that grows along it: as many turns as the stroke has
+// segments, and how often laterals may fork. All numbers are as the model's text gives them, six
+// significant digits.
 struct DrawnAxis {
     Vec3 base_mm = Vec3::Zero(); // Where the pen came down; the plant's own origin.
     std::vector<Turn> turns;
@@ -39,7 +39,7 @@ DrawnAxis draw_axis(Rule const& rule, std::span<Vec3 const> nodes_mm);
 // to six digits costs.
 std::vector<Vec3> nodes_of(DrawnAxis const& axis, Rule const& rule);
 
-// What stands at the live lateral apices and at the top.
+// Whether leaves stand at the live lateral apices and at the top.
 enum class Leaves { Bare, Leafy };
 
 // The plant as a model in cpfg's language, and what it looks like. A turtle's unit is a millimetre

@@ -14,11 +14,13 @@ namespace tractus::sketch {
 
 namespace {
 
-// In the order of the enumerations' values; a stroke whose surface is not decided is in no edit.
+// Words in the order of the enumerations' values; a stroke whose surface is not decided is in no
+// edit.
 constexpr std::array kSurfaces { "space", "paper", "decided" };
 constexpr std::array kLeaves { "bare", "leafy" };
 
-constexpr double kModelScale = 0.1; // Of a model's text: a millimetre drawn is a centimetre grown.
+// Scale of a model's text: a millimetre drawn is a centimetre grown.
+constexpr double kModelScale = 0.1;
 
 bool same(GrowAlongStroke const& one, GrowAlongStroke const& other)
 {
@@ -39,7 +41,7 @@ constexpr SourceKind kSketch {
         },
 };
 
-// By the letters of rule files.
+// Lists the fields by the letters of rule files.
 void list(Fields& fields, Rule& rule)
 {
     fields.field("l", &rule.first_length_mm);
@@ -86,7 +88,7 @@ Result<std::vector<Vec3>> nodes_of(GrowAlongStroke const& edit)
     return nodes_mm;
 }
 
-// So that the model's millimetre on the desk is one of the document.
+// Scales a rule so that the model's millimetre on the desk is one of the document.
 Rule at_scale(Rule rule, double scale)
 {
     rule.first_length_mm *= kModelScale / scale;

@@ -21,14 +21,14 @@ struct GrowAlongStroke {
     // World millimetres per plant millimetre: what was drawn is a plant of so many times its size.
     // A document whose scale nobody has set keeps this one.
     double scale = 0.1;
-    ItemId id = 0; // Of the plant; 0: it has none yet.
+    ItemId id = 0; // The plant's; 0: it has none yet.
 };
 
 // The edit's plant as a model in cpfg's language. Fails, as the user's fault, for a rule that is
 // out of its ranges and for a stroke along which it is not applied once.
 Result<ModelSource> model_of(GrowAlongStroke const& edit);
 
-// The same grown: a plant frame whose origin is where the pen came down.
+// Grows that model: a plant frame whose origin is where the pen came down.
 Result<BuiltSource> build_sketch(GrowAlongStroke const& edit, LoadOptions const& options);
 
 // Where the plant stands. World frame. On paper on the desk, below where the pen came down.

@@ -8,7 +8,7 @@ namespace tractus::sketch {
 
 // How a stroke is read as the axis of a plant.
 enum class Surface {
-    Space,   // As it was drawn in space.
+    Space,   // Keeps the stroke as it was drawn in space.
     Paper,   // The tablet is a sheet that stands upright: what was drawn away from the user is up.
     Decided, // Paper where the surface has hardly moved: by less than a twentieth of the stroke's
              // length on the tablet.
