@@ -13,14 +13,15 @@
 
 namespace tractus {
 
-// What a fit changes in a rig, and the record that it leaves there. Numbers are rounded to what a
-// reader of the rig file can take in, far below their errors. `date` is today's, "2026-11-21".
+// Functions for what a fit changes in a rig, and for the record that it leaves there. Numbers are
+// rounded to what a reader of the rig file can take in, far below their errors. `date` is today's,
+// "2026-11-21".
 
 SensorIdentity identity_of(DeviceInfo const& info);
 
 struct HeightCalibration {
     HeightFit fit {};
-    std::vector<HeightCapture> captures {}; // That the fit was made from.
+    std::vector<HeightCapture> captures {}; // Captures that the fit was made from.
     HeightFitOptions options {};
     std::int32_t full_scale_counts = 0;
     SensorIdentity sensor {};

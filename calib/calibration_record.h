@@ -14,7 +14,7 @@ namespace tractus {
 // How a rig came to its numbers: kept with it for whoever asks how good they are, or wants to fit
 // them anew. Dates are "2026-11-21"; standard errors are named errors.
 
-// Which height sensor it was. Another one of the same make has another potentiometer.
+// Identity of a height sensor. Another one of the same make has another potentiometer.
 struct SensorIdentity {
     std::string name {};
     std::string id {};     // "0003:1209:0001": bus, vendor, product, hexadecimal.
@@ -27,26 +27,26 @@ struct HeightRecord {
     std::string date {};
     SensorIdentity sensor {};
 
-    // What went in: enough to do the fit again.
+    // Input: enough to do the fit again.
     std::vector<HeightCapture> captures {};
     double ruler_error_mm = 0.3;
     std::optional<HeightModelKind> asked_kind {};
 
-    // What came out.
+    // Results.
     std::string reason {};
-    std::vector<double> errors {};        // Of the model's parameters, in their order.
-    std::vector<std::size_t> slipped {};  // Indices of captures.
-    double rms_mm = 0;                    // Of the residuals, slipped captures left out …
-    double max_mm = 0;                    // … and the greatest.
+    std::vector<double> errors {};       // Errors of the model's parameters, in their order.
+    std::vector<std::size_t> slipped {}; // Indices of captures.
+    double rms_mm = 0; // Root mean square of the residuals, slipped captures left out …
+    double max_mm = 0; // … and the greatest.
     Vec2 heights_mm = Vec2::Zero();       // The calibrated range, lowest and highest …
     Vec2 mm_per_count = Vec2::Zero();     // … and what a count is worth there.
-    double noise_counts = 0;              // At rest.
-    std::optional<Vec2> hysteresis_mm {}; // From below less from above, and its error.
+    double noise_counts = 0;              // Noise at rest.
+    std::optional<Vec2> hysteresis_mm {}; // Height from below less from above, and its error.
 
-    // By how much re-zeroing has raised the model since the fit.
+    // Millimetres by which re-zeroing has raised the model since the fit.
     double raised_mm = 0;
 
-    // By how much each height reads more since the fit, by re-zeroing after the string slipped.
+    // Counts that each height reads more since the fit, by re-zeroing after the string slipped.
     double shifted_counts = 0;
 };
 
@@ -74,7 +74,7 @@ struct LatencyRecord {
 
 struct CheckRecord {
     std::string date {};
-    std::vector<double> heights_mm {}; // By the ruler.
+    std::vector<double> heights_mm {}; // Heights by the ruler.
     std::vector<double> errors_mm {};  // The rig's height less the ruler's.
     double within_mm = 0;
 };

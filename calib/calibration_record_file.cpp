@@ -13,7 +13,8 @@ namespace {
 
 using From = HeightCapture::From;
 
-std::vector<std::string_view> const kFroms { "nowhere", "below", "above" }; // As in From.
+// Words in the order of From.
+std::vector<std::string_view> const kFroms { "nowhere", "below", "above" };
 std::vector<std::string_view> const kKinds { "linear", "string", "monotone" };
 
 // A text in quotes, as TOML wants it.

@@ -21,7 +21,7 @@ struct ScriptedHeight {
     Timestamp last_pen {};  // … and of its last.
 };
 
-// What a fuser has seen, for reports and for telling why there are no strokes.
+// Counts of what a fuser has seen, for reports and for telling why there are no strokes.
 struct FuserCounts {
     // Pen samples pushed; of them, settled to a tip; of them, given up because no reading lay
     // within Rig::max_height_age.
@@ -35,20 +35,20 @@ struct FuserCounts {
     std::size_t heights_refused = 0;
     std::size_t heights_uncalibrated = 0;
 
-    // Of the settled tips, those outside the calibrated range.
+    // How many of the settled tips are outside the calibrated range.
     std::size_t settled_uncalibrated = 0;
 };
 
 // Joins the two sensors: a pen on the tablet and the height of the tablet's carriage.
 //
-// Each pen sample gives two tips. One at once, for live ink, whose height is mostly carried on from
-// the last readings (HeightTrack::newest_at). And one later, final: settled, once the readings
-// around its instant have come, from a line fitted through them (height_track.h). The instants are
-// those of the samples less their sensor's latency. Whether a tip touches, and how strongly, is as
-// the rig's PressureResponse has it.
+// Each pen sample gives two tips. One comes at once, for live ink; its height is mostly carried on
+// from the last readings (HeightTrack::newest_at). The other comes later and is final: settled,
+// once the readings around its instant have come, from a line fitted through them (height_track.h).
+// The instants are those of the samples less their sensor's latency. Whether a tip touches, and how
+// strongly, is as the rig's PressureResponse has it.
 //
-// With heights 500 times a second of 12 bits and one count of noise, and a hand at 300 mm/s in the
-// plane and 200 mm/s in height, tips lie 0.1 mm from the truth in the mean; settled ones at most
+// Tips lie 0.1 mm from the truth in the mean, with heights 500 times a second of 12 bits and one
+// count of noise, and a hand at 300 mm/s in the plane and 200 mm/s in height; settled ones at most
 // 0.5 mm, live ones at most 1 mm.
 //
 // A tip more than kCalibrationMargin_mm above or below the rig's calibrated range is marked as
@@ -65,7 +65,7 @@ public:
 
     explicit Fuser(Rig const& rig);
 
-    // For a log without a height sensor: heights are the scenario's, every tip is final at once,
+    // Serves a log without a height sensor: heights are the scenario's, every tip is final at once,
     // and height samples are ignored.
     Fuser(Rig const& rig, ScriptedHeight const& height);
 
@@ -106,7 +106,7 @@ private:
     std::optional<HeightRange> calibrated_;
     std::optional<ScriptedHeight> scripted_;
     HeightTrack heights_;
-    std::deque<PenSample> pending_; // Not settled yet.
+    std::deque<PenSample> pending_; // Samples that are not settled yet.
     std::vector<TipSample> settled_;
     bool presses_ = false; // Above the rig's pressure threshold.
     bool gap_before_live_ = false;

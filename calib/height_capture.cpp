@@ -24,11 +24,11 @@ constexpr Duration kLongestCaptureGap = std::chrono::milliseconds(250);
 constexpr std::size_t kBlocks = 8;
 constexpr int kScatterReach = 12; // Bins to either side of the middle one.
 
-// What readings at rest have in common.
+// Statistics of readings at rest.
 struct Statistics {
     double mean = 0;
     double deviation = 0; // Standard deviation.
-    double noise = 0;     // From differences of neighbours: free of slow movement.
+    double noise = 0;     // Noise from differences of neighbours: free of slow movement.
     std::array<double, kBlocks> block_means {};
     std::size_t on_low_rail = 0;
     std::size_t on_high_rail = 0;
@@ -163,7 +163,7 @@ std::vector<int> scatter_about(double mean, std::span<HeightSample const> sample
     return { scatter.begin() + spare, scatter.end() - spare };
 }
 
-// For whoever reads them in a file; far below what a mean can tell.
+// Rounds for whoever reads them in a file; far below what a mean can tell.
 double to_thousandths(double counts)
 {
     return std::round(counts * 1000) / 1000;

@@ -16,7 +16,7 @@ namespace tractus {
 
 // One height that a person set with a ruler or blocks, and what the sensor read there.
 struct HeightCapture {
-    double ruler_mm = 0; // What the person says.
+    double ruler_mm = 0; // Height that the person says.
 
     // The mean of the readings, and their standard deviation.
     double counts = 0;
@@ -28,7 +28,7 @@ struct HeightCapture {
     // known.
     std::vector<int> scatter {};
 
-    // From where the carriage came: what hysteresis is seen from.
+    // Side from which the carriage came: what hysteresis is seen from.
     enum class From {
         Nowhere, // The first capture, or one at the height of that before.
         Below,
@@ -51,14 +51,15 @@ constexpr double kSameHeight_mm = 2;
 // How long readings are averaged for a capture.
 constexpr Duration kCaptureTime = std::chrono::seconds(1);
 
-// What the sensor reads now, as a person who calibrates wants to see it.
+// Present reading of the sensor, as a person who calibrates wants to see it.
 struct HeightReading {
     double counts = 0; // Mean.
     double noise_counts = 0;
     std::size_t readings = 0;
     std::int32_t full_scale_counts = 0;
-    bool is_on_rail = false; // At either end of the converter's range, where nothing is measured.
-    bool is_at_rest = false; // What may be captured.
+    // Whether it is at an end of the converter's range, where nothing is measured.
+    bool is_on_rail = false;
+    bool is_at_rest = false; // Whether it may be captured.
 };
 
 // The readings of about kCaptureTime as one. No value for none.
@@ -70,10 +71,10 @@ std::optional<HeightReading> summarize(std::span<HeightSample const> samples);
 // - as the user's: readings at either end of the converter's range, readings that jump about (a
 //   loose wire), readings that go up or down (the carriage moves or swings).
 //
-// At rest means that the means over an eighth of the time each lie within what their noise makes of
-// them, or within a 2048th of full scale, a quarter of a millimetre on half a metre of string. The
-// noise is taken from the differences of neighbours (J. von Neumann, "Distribution of the ratio of
-// the mean square successive difference to the variance", Ann. Math. Stat. 12, 1941), so that a
+// "At rest" means that the means over an eighth of the time each lie within what their noise makes
+// of them, or within a 2048th of full scale, a quarter of a millimetre on half a metre of string.
+// The noise is taken from the differences of neighbours (J. von Neumann, "Distribution of the ratio
+// of the mean square successive difference to the variance", Ann. Math. Stat. 12, 1941), so that a
 // slow movement does not pass for noise.
 Result<HeightCapture> capture_at_rest(std::span<HeightSample const> samples, double ruler_mm);
 

@@ -15,8 +15,8 @@ using Captures = std::span<HeightCapture const>;
 
 constexpr double kLeastSpan_mm = 20;
 constexpr double kLeastCounts = 5;
-constexpr double kLeastStep_mm = 5; // Between heights that must read differently.
-constexpr double kSlackPart = 0.05; // Of the usual counts per millimetre.
+constexpr double kLeastStep_mm = 5; // Least difference of heights that must read differently.
+constexpr double kSlackPart = 0.05; // Part of the usual counts per millimetre.
 
 std::vector<std::size_t> by_height(Captures captures)
 {

@@ -12,7 +12,7 @@ namespace tractus {
 
 // How well a rig measures, from captures at heights that were not used to calibrate it.
 struct HeightCheck {
-    std::vector<double> heights_mm {}; // By the ruler, in the captures' order …
+    std::vector<double> heights_mm {}; // Heights by the ruler, in the captures' order …
     std::vector<double> errors_mm {};  // … and the rig's height less the ruler's.
     double within_mm = 0;              // The greatest error, rounded up to a tenth.
     double low_mm = 0;                 // The ruler's lowest and highest.
@@ -29,7 +29,7 @@ struct HeightCheck {
 Result<HeightCheck> check_height(std::span<HeightCapture const> captures,
                                  std::int32_t full_scale_counts, Rig const& rig);
 
-// As a person would quote it: "within 0.6 mm over 60–380 mm".
+// Quotes a check as a person would: "within 0.6 mm over 60–380 mm".
 std::string quote(HeightCheck const& check);
 
 // Fails, as the user's fault, if a height sensor has another converter than the rig's.

@@ -17,13 +17,13 @@ namespace {
 
 using Captures = std::span<HeightCapture const>;
 
-constexpr double kGreatestChance = 0.01; // Of a monotone curve's gain.
-// Of a string's. A string where a line would do costs a tenth of a millimetre, and a line where the
-// string is aslant costs many, so that it takes less to believe in the string.
+constexpr double kGreatestChance = 0.01; // Chance of a monotone curve's gain.
+// Chance of a string's gain. A string where a line would do costs a tenth of a millimetre, and a
+// line where the string is aslant costs many, so that it takes less to believe in the string.
 constexpr double kChanceOfAslant = 0.05;
 constexpr double kSlipDeviations = 4;
 constexpr double kRarityOfSlips = 9.2;       // -2 ln of one slip in a hundred captures.
-constexpr std::size_t kFreedomThatTells = 3; // As few captures over tell a model's variance.
+constexpr std::size_t kFreedomThatTells = 3; // Captures over, from which a variance can be told.
 constexpr std::size_t kMostKnots = 12;
 constexpr std::array<std::string_view, 3> kNames { "linear", "string", "monotone" };
 
@@ -99,8 +99,8 @@ std::size_t distinct_readings(Captures captures)
     return static_cast<std::size_t>(end - counts.begin());
 }
 
-// With the number of knots that leaves the least variance. Where the captures are too few to tell
-// one (asked for all the same), through all of them.
+// Fits with the number of knots that leaves the least variance. Where the captures are too few to
+// tell one (asked for all the same), through all of them.
 std::optional<RobustFit> fit_best_monotone(Captures captures, HeightFitOptions const& options)
 {
     auto const kind = HeightModelKind::Monotone;
@@ -217,7 +217,7 @@ Result<Choice> choose_model(Captures captures, HeightFitOptions const& options)
     std::vector<HeightCandidate> candidates;
     for (auto const kind :
          { HeightModelKind::Linear, HeightModelKind::String, HeightModelKind::Monotone }) {
-        // What leaves no capture over cannot be told from what is simpler.
+        // Models that leave no capture over cannot be told from simpler ones.
         if (captures.size() < parameter_count(kind) + (kind == HeightModelKind::Linear ? 0 : 1))
             continue;
         auto const fit = fit_kind(kind, captures, options);
@@ -285,7 +285,7 @@ std::vector<FitParameter> parameters_with_errors(HeightModel const& model,
 
 struct Mean {
     double value = 0;
-    double variance = 0; // Of the mean.
+    double variance = 0; // Variance of the mean.
     std::size_t count = 0;
 };
 

@@ -27,7 +27,7 @@ struct HeightFitOptions {
 
 // One number of a model with its standard error.
 struct FitParameter {
-    std::string_view name; // As in the rig file: "mm_per_count".
+    std::string_view name; // Key of the rig file: "mm_per_count".
     double value = 0;
     double standard_error = 0;
 };
@@ -57,16 +57,16 @@ struct HeightFit {
     std::vector<HeightCandidate> candidates;
 
     std::vector<FitParameter> parameters;
-    Eigen::MatrixXd covariance; // Of parameters_of(model).
+    Eigen::MatrixXd covariance; // Covariance of parameters_of(model).
 
     std::vector<double> residuals_mm; // Ruler less model, for each capture, slipped ones too.
     std::vector<std::size_t> slipped; // Captures that were left out, rising.
-    double rms_mm = 0;                // Of the captures that were used; as the next.
+    double rms_mm = 0; // Root mean square over the captures that were used; as the next.
     double max_mm = 0;
-    double capture_error_mm = 0; // What the errors rest on: the standard deviation of a capture.
+    double capture_error_mm = 0; // Standard deviation of a capture, on which the errors rest.
 
     std::optional<Hysteresis> hysteresis; // No value unless two captures came from either side.
-    double noise_counts = 0;              // At rest, of all captures.
+    double noise_counts = 0;              // Noise at rest, of all captures.
     double low_counts = 0;                // The captures' range, slipped ones left out …
     double high_counts = 0;
     double low_mm
@@ -107,7 +107,8 @@ double height_error_mm(HeightFit const& fit, double counts);
 Result<HeightFit> fit_height(std::span<HeightCapture const> captures,
                              HeightFitOptions const& options = {});
 
-// From where the surface came to a height, given the one before it; no value: from nowhere.
+// Returns the side from which the surface came to a height, given the one before it; no value: from
+// nowhere.
 HeightCapture::From direction(std::optional<double> before_mm, double ruler_mm);
 
 // Fills in each capture's `from`, from the heights in their order.

@@ -16,7 +16,7 @@ namespace {
 using Captures = std::span<HeightCapture const>;
 
 constexpr double kLeastTravel_mm = 100;
-constexpr double kMostErrors = 3;             // Of the ruler.
+constexpr double kMostErrors = 3;             // Limit in errors of the ruler.
 constexpr std::size_t kLeastFreedom = 2;      // Captures that confirm a law.
 constexpr std::size_t kFreedomAfterSlips = 3; // Captures that confirm it where others do not.
 constexpr std::size_t kMostForPairs = 20;     // Captures; beyond, pairs take too long to try.
@@ -46,7 +46,8 @@ struct LeftOut {
     double variance_mm2 = std::numeric_limits<double>::infinity();
 };
 
-// Of all pairs the one without which the rest fits best: two that are swapped hide each other.
+// Finds, of all pairs, the one without which the rest fits best: two that are swapped hide each
+// other.
 LeftOut best_pair(Captures captures)
 {
     LeftOut best;

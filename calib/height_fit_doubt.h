@@ -13,7 +13,7 @@ namespace tractus {
 
 // Why the rig that a fit gives had better not be kept.
 struct HeightFitDoubt {
-    std::string reason; // What is wrong with the captures: one sentence.
+    std::string reason; // One sentence: what is wrong with the captures.
 
     // The captures that disagree with the others, rising: to be measured again. Empty if none can
     // be told from the rest.
@@ -29,7 +29,7 @@ struct HeightFitDoubt {
 //   - if captures were left out, and fewer than three are left over that would tell whether the
 //     rest is right.
 //
-// Which captures disagree is found by trial, as long as they are a third at most: those whose
+// Captures that disagree are found by trial, as long as they are a third at most: those whose
 // absence lets a line or a string fit what is left within three times the ruler's error, with two
 // captures over that confirm it (least trimmed squares: P. Rousseeuw, "Least median of squares
 // regression", JASA 79, 1984); one capture, else the best pair, else one more after the other. No

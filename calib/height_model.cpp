@@ -26,8 +26,8 @@ double secant(std::vector<Knot> const& knots, std::size_t i)
     return (knots[i + 1].height_mm - knots[i].height_mm) / (knots[i + 1].counts - knots[i].counts);
 }
 
-// At an end: from the parabola through the outer three knots, kept between limits within which the
-// curve is monotone and its straight continuation leads on.
+// Slope at an end: that of the parabola through the outer three knots, kept between limits within
+// which the curve is monotone and its straight continuation leads on.
 double end_slope(std::vector<Knot> const& knots, std::size_t outer, std::size_t next)
 {
     double const outer_secant = secant(knots, outer);
@@ -114,7 +114,7 @@ std::optional<double> to_counts(StringHeight const& model, double height_mm)
     return if_finite((length_mm - model.zero_length_mm) / model.mm_per_count);
 }
 
-// By halving, since the curve is monotone.
+// Solves by halving, since the curve is monotone.
 double solve_between(std::vector<Knot> const& knots, std::size_t i, double height_mm)
 {
     bool const rises = knots[i].height_mm < knots[i + 1].height_mm;
@@ -137,7 +137,7 @@ std::optional<double> to_counts(MonotoneHeight const& model, double height_mm)
         return std::nullopt;
     bool const rises = knots.front().height_mm < knots.back().height_mm;
     auto const is_before
-        = [&](double a, double b) { return rises ? a < b : a > b; }; // In the order of the knots.
+        = [&](double a, double b) { return rises ? a < b : a > b; }; // Order of the knots.
     if (is_before(height_mm, knots.front().height_mm))
         return if_finite(knots.front().counts
                          + (height_mm - knots.front().height_mm) / slope(knots, 0));

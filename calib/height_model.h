@@ -8,7 +8,7 @@
 
 namespace tractus {
 
-// What a reading of the height sensor means in millimetres. Height is that of the tablet's carriage
+// Meaning of the height sensor's readings in millimetres. Height is that of the tablet's carriage
 // over the rig's zero, which is where the ruler of the calibration had its own. It grows upwards;
 // readings may grow or fall with it, since a potentiometer counts down when its two outer wires are
 // swapped.
@@ -18,7 +18,7 @@ namespace tractus {
 //
 //     height = mm_per_count * (counts - zero_counts)
 struct LinearHeight {
-    double mm_per_count = 0.1; // Not 0; below 0 where readings fall as the carriage rises.
+    double mm_per_count = 0.1; // Never 0; below 0 where readings fall as the carriage rises.
     double zero_counts = 0;    // The reading at height zero; may lie outside the converter's range.
 };
 
@@ -66,7 +66,7 @@ struct MonotoneHeight {
         double counts = 0;
         double height_mm = 0;
     };
-    // At least two; counts increase, heights increase or decrease throughout.
+    // At least two knots; counts increase, heights increase or decrease throughout.
     std::vector<Knot> knots;
 };
 
@@ -89,10 +89,10 @@ std::optional<double> counts_at_height(HeightModel const& model, double height_m
 // sign says whether readings grow or fall as the carriage rises. No value as for height_mm.
 std::optional<double> mm_per_count_at(HeightModel const& model, double counts);
 
-// The same model for a zero that is `rise_mm` lower: each reading means so much more height.
+// Returns the model for a zero that is `rise_mm` lower: each reading means so much more height.
 HeightModel raised(HeightModel model, double rise_mm);
 
-// The same model for a string that has slipped on its spool: each height now reads
+// Returns the model for a string that has slipped on its spool: each height now reads
 // `shift_counts` more.
 HeightModel shifted(HeightModel model, double shift_counts);
 

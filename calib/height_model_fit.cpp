@@ -108,8 +108,8 @@ std::optional<StringHeight> string_through(Columns const& columns, double offset
                           .base_mm = base_mm };
 }
 
-// With the spool below. The sum of squares has long valleys, so the search starts from the best of
-// several places in them.
+// Fits with the spool below. The sum of squares has long valleys, so the search starts from the
+// best of several places in them.
 std::optional<ModelFit> fit_string_from_below(Captures captures)
 {
     constexpr std::size_t kStarts = 3;

@@ -34,8 +34,8 @@ struct ModelFit {
     Eigen::MatrixXd unit_covariance {};
 };
 
-// Which knots a monotone model has: `count` of them, at readings among those of the captures, so
-// that each piece has its share of captures.
+// Knots of a monotone model: `count` of them, at readings among those of the captures, so that each
+// piece has its share of captures.
 struct MonotoneKnots {
     std::size_t count = 5;
 };

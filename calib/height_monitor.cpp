@@ -250,7 +250,7 @@ void HeightMonitor::watch_rate(Timestamp time)
     constexpr Duration kSpan = std::chrono::seconds(1);
     constexpr std::size_t kMostPerSecond = 20'000; // Beyond what USB's 8 kHz allow.
     if (!recent_.empty() && time < recent_.back())
-        recent_.clear(); // Of a log that was put together.
+        recent_.clear(); // Times go back in logs that were put together.
     recent_.push_back(time);
     while (time - recent_.front() > kSpan || recent_.size() > kMostPerSecond)
         recent_.pop_front();

@@ -14,7 +14,7 @@
 
 namespace tractus {
 
-// What can be wrong with a height sensor that goes on being a device.
+// Faults of a height sensor that goes on being a device.
 enum class HeightFaultKind {
     Silence, // No reading comes.
     Rail,    // Readings lie at an end of the converter's range: an open wiper or cable, a short.
@@ -30,14 +30,14 @@ struct HeightFault {
     Timestamp begin {};
     Timestamp end {};          // When it was last seen so.
     std::int32_t counts = 0;   // The reading, for a jump the one after it; 0 for silence.
-    double speed_mm_per_s = 0; // Of a jump, the greatest …
+    double speed_mm_per_s = 0; // Speed of a jump, the greatest …
     double step_mm = 0; // … and by how much the height stepped aside, up or down; 0: not told yet.
 };
 
-// All faults of one kind.
+// Total of all faults of one kind.
 struct HeightFaultTotal {
     std::size_t count = 0;
-    Duration duration {}; // In all.
+    Duration duration {}; // Sum of their durations.
     HeightFault worst {}; // The longest, of jumps the fastest.
 };
 
@@ -53,18 +53,18 @@ struct HeightMonitorLimits {
     Duration jump_shortest = std::chrono::microseconds(2500);
     double jump_noise_counts = 4; // A step of no more than this is noise, not a movement.
 
-    // What slips slower than that, within some 30 ms, leaves the movement before and after it as it
-    // was: of equal speed within this much, and aside by this much and by so many times what the
-    // readings scatter. (A hand that begins or ends a movement changes the speed.)
+    // A step that slips slower than that, within some 30 ms, leaves the movement before and after
+    // it as it was: of equal speed within this much, and aside by this much and by so many times
+    // what the readings scatter. (A hand that begins or ends a movement changes the speed.)
     double step_mm = 3;
     double step_scatters = 6;
     double step_speed_mm_per_s = 60;
 
-    // Without any reading.
+    // Time without any reading.
     Duration silence_after = std::chrono::milliseconds(250);
 
-    // With exactly the same reading: of a sensor whose readings flicker at rest, and of one whose
-    // readings never did, as those of 10 bits may not.
+    // Time with exactly the same reading: of a sensor whose readings flicker at rest, and of one
+    // whose readings never did, as those of 10 bits may not.
     Duration stuck_after = std::chrono::seconds(5);
     Duration stuck_without_noise_after = std::chrono::seconds(60);
 };
@@ -87,8 +87,8 @@ public:
     // The first call, or the first reading, begins the watch.
     void advance(Timestamp now);
 
-    // What is wrong at this moment; the first of HeightFaultKind's order if several things are. A
-    // jump counts as present for half a second.
+    // Returns what is wrong at this moment; the first of HeightFaultKind's order if several things
+    // are. A jump counts as present for half a second.
     std::optional<HeightFault> present() const;
 
     // Everything so far, what is present included.
@@ -125,10 +125,10 @@ private:
 
     std::optional<Timestamp> alive_ {};      // The last reading, or when the watch began.
     std::optional<HeightSample> last_ {};    // The last reading.
-    std::optional<Timestamp> rail_since_ {}; // As long as readings are there.
+    std::optional<Timestamp> rail_since_ {}; // Set as long as readings are there.
     Timestamp same_since_ {};                // Since when all readings are like the last.
 
-    // For steps: the heights of the last 0.1 s.
+    // Heights of the last 0.1 s, to find steps.
     struct Height {
         Timestamp time {};
         double mm = 0;
@@ -143,12 +143,12 @@ private:
     std::deque<Timestamp> recent_ {}; // Readings of the last second.
 };
 
-// All that was wrong, a sentence each, for the user: what it was, how often and how long, and what
-// to look at. Empty if nothing was. Times in them count from `start`.
+// Returns all that was wrong, a sentence each, for the user: what it was, how often and how long,
+// and what to look at. Empty if nothing was. Times in them count from `start`.
 std::vector<std::string> describe_faults(HeightMonitor const& monitor, Timestamp start);
 
-// What is wrong now, in a few words for a line of the screen, which need not be drawn anew more
-// than once a second: "height sensor silent for 3 s: is it plugged in?"
+// Returns what is wrong now, in a few words for a line of the screen, which need not be drawn anew
+// more than once a second: "height sensor silent for 3 s: is it plugged in?"
 std::string describe_fault(HeightFault const& fault);
 
 } // namespace tractus

@@ -26,7 +26,7 @@ struct HeightScenario {
         Sway,
     };
     Kind kind = Kind::Constant;
-    double constant_mm = 0; // For Constant alone.
+    double constant_mm = 0; // Height for Constant alone.
 };
 
 // A scenario's name as above, or a number of millimetres. Fails as the user's fault.

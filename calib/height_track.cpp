@@ -80,7 +80,7 @@ Timestamp HeightTrack::newest() const
 double HeightTrack::without_spike_mm(Place const& reading) const
 {
     constexpr double kLeastSpike_mm = 1;          // Less is noise, which the fit smooths.
-    constexpr double kQuickest_mm_per_ss = 20000; // Of a hand that turns.
+    constexpr double kQuickest_mm_per_ss = 20000; // Acceleration of a hand that turns.
     if (reading == readings_.begin() || std::next(reading) == readings_.end())
         return reading->height_mm;
     auto const& before = *std::prev(reading);
@@ -106,8 +106,8 @@ std::optional<HeightTrack::LineAt> HeightTrack::fit(Timestamp centre, Timestamp 
     return line ? std::optional(LineAt { line->at_zero, line->per_second }) : std::nullopt;
 }
 
-// Between `before` and the reading after it, which are far apart: the cubic Hermite curve, or a
-// straight line where a side has too few readings to tell its slope.
+// Height between `before` and the reading after it, which are far apart: the cubic Hermite curve,
+// or a straight line where a side has too few readings to tell its slope.
 double HeightTrack::across_mm(Place const& before, Timestamp time) const
 {
     auto const after = std::next(before);
@@ -156,7 +156,7 @@ std::optional<HeightTrack::Estimate> HeightTrack::at(Timestamp time, Duration ma
                       TipSample::HeightSource::Extrapolated };
 }
 
-// Between the last few readings, the shortest ones left out: bursts bring several at once.
+// Spacing of the last few readings, the shortest ones left out: bursts bring several at once.
 Duration HeightTrack::usual_spacing() const
 {
     constexpr std::size_t kLast = 8;
@@ -201,7 +201,7 @@ double HeightTrack::newest_speed_mm_per_s() const
 
 std::optional<HeightTrack::Estimate> HeightTrack::newest_at(Timestamp time, Duration max_age) const
 {
-    constexpr double kLeeway_mm = 0.2; // For noise, in which a fit sees more than readings.
+    constexpr double kLeeway_mm = 0.2; // Room for noise, in which a fit sees more than readings.
     if (empty() || time <= newest() || time - newest() > max_age)
         return at(time, max_age);
     auto const& last = readings_.back();

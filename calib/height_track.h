@@ -92,7 +92,7 @@ private:
     double newest_speed_mm_per_s() const;
 
     Duration memory_;
-    std::deque<Reading> readings_; // In time order.
+    std::deque<Reading> readings_; // Readings in time order.
 };
 
 } // namespace tractus

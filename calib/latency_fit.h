@@ -24,9 +24,10 @@ struct LatencyFit {
     double direction_mm = 0;
     double direction_error_mm = 0;
 
-    double correlation = 0; // Of place and height at that delay: 1 for a perfect edge and hand.
-    double rms_mm = 0;      // By how much the pen strayed from the edge.
-    double run_mm = 0;      // How far it went along the tablet.
+    // Correlation of place and height at that delay: 1 for a perfect edge and hand.
+    double correlation = 0;
+    double rms_mm = 0; // Root mean square by which the pen strayed from the edge.
+    double run_mm = 0; // How far it went along the tablet.
     std::size_t touches = 0;
 };
 

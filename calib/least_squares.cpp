@@ -12,8 +12,8 @@ namespace tractus {
 namespace {
 
 constexpr int kMostSteps = 200;
-constexpr double kSmallestStep = 1e-10; // Of a parameter, relative.
-constexpr double kSmallestGain = 1e-12; // Of the sum of squares, relative.
+constexpr double kSmallestStep = 1e-10; // Relative step of a parameter.
+constexpr double kSmallestGain = 1e-12; // Relative gain of the sum of squares.
 constexpr double kGreatestDamping = 1e12;
 
 // Central differences, or one-sided ones at the model's border.
@@ -45,7 +45,7 @@ Eigen::MatrixXd inverse_normal(Eigen::MatrixXd const& jacobian)
 {
     Eigen::VectorXd const scale = jacobian.colwise().norm().cwiseMax(1e-300);
     Eigen::MatrixXd const scaled = jacobian * scale.cwiseInverse().asDiagonal();
-    // With J = Q R, J^T J = R^T R, and R is small.
+    // J = Q R gives J^T J = R^T R, and R is small.
     Eigen::MatrixXd const r
         = scaled.householderQr().matrixQR().topRows(jacobian.cols()).triangularView<Eigen::Upper>();
     Eigen::MatrixXd const half = r.completeOrthogonalDecomposition().pseudoInverse();

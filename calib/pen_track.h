@@ -12,7 +12,7 @@
 
 namespace tractus {
 
-// What travel_fit.h and latency_fit.h have in common: a pen that touches while the carriage moves.
+// Shared by travel_fit.h and latency_fit.h: a pen that touches while the carriage moves.
 
 // Where the pen touched the tablet, the tablet's turn and centre taken off: world frame at height
 // zero, before the carriage's travel. Times are those of arrival, less the rig's tablet latency.

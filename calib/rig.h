@@ -11,9 +11,9 @@
 
 namespace tractus {
 
-// What calibration found out about one rig: how its two sensors' readings become a place in the
-// world. rig_file.h keeps it in a file. The default is a rig that exists nowhere, for tests and for
-// logs without a height sensor.
+// Calibration of one rig: how its two sensors' readings become a place in the world. rig_file.h
+// keeps it in a file. The default is a rig that exists nowhere, for tests and for logs without a
+// height sensor.
 struct Rig {
     // The height sensor. Its readings are refused if its converter's greatest reading is another
     // one. Readings outside the range in which the model was fitted are used, but the fuser marks
@@ -22,7 +22,7 @@ struct Rig {
     std::int32_t full_scale_counts = 4095;
     double calibrated_min_counts = 0;
     double calibrated_max_counts = 4095;
-    Duration height_latency {}; // From the height's being so to its report's arrival.
+    Duration height_latency {}; // Time from the height's being so to its report's arrival.
 
     // The tablet. It is turned counterclockwise, seen from above, on its carriage. (In degrees
     // since the file is, and its round trip is exact.)
@@ -31,7 +31,7 @@ struct Rig {
     // The active area as somebody measured it, for a tablet that does not tell its size: what such
     // a tablet's pen is scaled to. Then tablet_size_mm is that, too.
     std::optional<Vec2> surface_mm {};
-    Duration tablet_latency {}; // From the pen's being there to its report's arrival.
+    Duration tablet_latency {}; // Time from the pen's being there to its report's arrival.
     double rotation_deg = 0;
 
     // How far the carriage drifts to +x and +y per millimetre that it rises.

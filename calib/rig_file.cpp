@@ -35,9 +35,10 @@ static Result<Duration> duration_ms(TomlTable& table, std::string_view key, Numb
     return from_milliseconds(milliseconds);
 }
 
-// What no rig that can be built goes beyond: a value that does is a slip of somebody's keyboard.
+// Limits that no rig that can be built goes beyond: a value that does is a slip of somebody's
+// keyboard.
 static constexpr double kFarthest_mm = 10'000; // Any height.
-static constexpr double kMinSide_mm = 1;       // Of a tablet,
+static constexpr double kMinSide_mm = 1;       // Sides of a tablet,
 static constexpr double kMaxSide_mm = 5'000;   // as its maker or a drawing says.
 static constexpr double kMaxRotation_deg = 360;
 static constexpr double kMaxShear = 1; // A carriage that rises at 45 degrees.

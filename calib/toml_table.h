@@ -14,7 +14,7 @@
 
 namespace tractus {
 
-// Which numbers a key takes; infinities and NaN never.
+// Numbers that a key takes; infinities and NaN never.
 enum class NumberRange {
     Any,
     Positive,    // Greater than 0.
@@ -93,7 +93,7 @@ private:
     // Shared by the tables of one file: they all point into it.
     std::shared_ptr<Document const> document_;
     toml::table const* table_ = nullptr;
-    std::string path_; // Of the table: "height", "gesture[2]"; empty for the whole file.
+    std::string path_; // Path of the table: "height", "gesture[2]"; empty for the whole file.
     std::set<std::string, std::less<>> known_;
 };
 

@@ -14,15 +14,15 @@ namespace tractus {
 // How the carriage really travels, from a pen held against a vertical straight edge that stands on
 // the desk: what the pen seems to drift over the tablet, the tablet drifts under it.
 struct TravelFit {
-    Vec2 shear = Vec2::Zero(); // As Rig::travel_shear: drift to +x and +y per millimetre of rise.
+    Vec2 shear = Vec2::Zero(); // Rig::travel_shear: drift to +x and +y per millimetre of rise.
     Vec2 shear_error = Vec2::Zero(); // Standard errors.
 
-    // Between the carriage's way and the tablet's normal.
+    // Angle between the carriage's way and the tablet's normal.
     double tilt_rad = 0;
     double tilt_error_rad = 0;
 
-    double rise_mm = 0; // Between the lowest and the highest touch.
-    double rms_mm = 0;  // By how much the pen strayed from the edge.
+    double rise_mm = 0; // Rise between the lowest and the highest touch.
+    double rms_mm = 0;  // Root mean square by which the pen strayed from the edge.
     std::size_t touches = 0;
 };
 

@@ -14,9 +14,9 @@ namespace {
 using Captures = std::span<HeightCapture const>;
 
 constexpr std::array<std::string_view, 2> kCauseNames { "slipped", "moved" };
-constexpr double kTellingErrors = 4; // Of the ruler.
+constexpr double kTellingErrors = 4; // Errors of the ruler that tell.
 
-// What one cause makes of the rig, and how well the captures fit then.
+// Effect of one cause on the rig, and how well the captures fit then.
 struct Trial {
     Rig rig {};
     double sum_of_squares_mm2 = 0;
@@ -35,7 +35,7 @@ Result<double> misfit_mm2(Captures captures, Rig const& rig)
     return sum;
 }
 
-// In micrometres, for the reader of the file.
+// Rounds to micrometres, for the reader of the file.
 Result<Trial> after_move(Rig rig, Captures captures)
 {
     double rise_mm = 0;

@@ -9,11 +9,11 @@ namespace tractus {
 class ClosingSignals {
 public:
     ClosingSignals();
-    ~ClosingSignals(); // From now on signals do what they did before.
+    ~ClosingSignals(); // Makes signals do what they did before.
     ClosingSignals(ClosingSignals const&) = delete;
     ClosingSignals& operator=(ClosingSignals const&) = delete;
 
-    // One of them has come, in the life of this or of an earlier one.
+    // Whether one of them has come, in the life of this object or of an earlier one.
     static bool have_come();
 };
 

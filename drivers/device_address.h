@@ -22,8 +22,8 @@ struct HidrawAddress {
 // The place of a USB device: the bus and the ports on the way to it, as in the names of
 // /sys/bus/usb/devices: "1-2.3".
 struct UsbPort {
-    int bus = 0;               // From 1.
-    std::vector<int> ports {}; // From 1; at least one, at most seven.
+    int bus = 0;               // Bus number, from 1.
+    std::vector<int> ports {}; // Port numbers from 1; at least one, at most seven.
 
     bool operator==(UsbPort const&) const = default;
 };
@@ -62,7 +62,7 @@ struct GpioAddress {
 
 // "gpio:gpiochip0:17,27:quadrature": an encoder's two lines.
 struct GpioEncoderAddress {
-    std::string chip {}; // As above.
+    std::string chip {}; // Name or path of the chip, as above.
     unsigned a_line = 0;
     unsigned b_line = 0;
 
@@ -82,7 +82,7 @@ inline bool is_on_gpio(DeviceAddress const& address)
 // Fails, as the user's fault, with the form that was expected.
 Result<DeviceAddress> parse_device_address(std::string_view text);
 
-// What parse_device_address reads.
+// Prints what parse_device_address reads.
 std::string print_device_address(DeviceAddress const& address);
 std::string print_usb_port(UsbPort const& port); // "1-2.3"
 

@@ -17,9 +17,9 @@ public:
     virtual bool wait(Duration timeout) = 0;
 };
 
-// Those of udev's daemon: HID devices' nodes and USB devices, once udev's rules have given them
-// their permissions. Null where no daemon runs, as in many containers and small systems, or the
-// kernel gives no socket. Converters on GPIO lines send no events.
+// Listens to the events of udev's daemon: HID devices' nodes and USB devices, once udev's rules
+// have given them their permissions. Null where no daemon runs, as in many containers and small
+// systems, or the kernel gives no socket. Converters on GPIO lines send no events.
 std::unique_ptr<DeviceEvents> listen_to_udev();
 
 } // namespace tractus

@@ -11,9 +11,9 @@
 
 namespace tractus {
 
-// What is known of a device before its first report, in the words of a hid-recorder file.
+// Facts about a device that are known before its first report, in the words of a hid-recorder file.
 struct DeviceInfo {
-    std::string name {};          // As the device calls itself.
+    std::string name {};          // The device's own name.
     std::string manufacturer {};  // USB string; may be empty.
     std::string serial_number {}; // USB string; may be empty, and the same in all of its kind.
 
@@ -22,8 +22,8 @@ struct DeviceInfo {
     // it came from: "FILE:device 1", "simulated".
     std::string location {};
 
-    // What its user wants of it, behind the @ of an address: "GP2,4.096V" (drivers/device_list.h).
-    // Empty for what the driver takes by itself.
+    // Wishes of its user, behind the @ of an address: "GP2,4.096V" (drivers/device_list.h). Empty
+    // for what the driver takes by itself.
     std::string settings {};
 
     // The kernel's: "usb-0000:00:14.0-2/input1"; may be empty. The number behind "/input" is the
@@ -47,8 +47,8 @@ struct DeviceInfo {
     // (drivers/input_size.h). For what neither its descriptor nor our table tells.
     std::optional<Vec2> size_mm {};
 
-    // What went wrong at opening and does not keep the device from working after a fashion: each is
-    // one sentence for the user. Not in a log.
+    // Troubles at opening that do not keep the device from working after a fashion: each is one
+    // sentence for the user. Not in a log.
     std::vector<std::string> warnings {};
 };
 

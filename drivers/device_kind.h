@@ -6,7 +6,7 @@
 
 namespace tractus {
 
-// What a device is to the station.
+// Role of a device in the station.
 enum class DeviceKind {
     Pen,    // make_pen_decoder takes it.
     Height, // make_height_decoder takes it.

@@ -15,13 +15,13 @@ namespace tractus {
 // its address. Needs no permission. Safe to call from any thread.
 std::vector<DeviceInfo> list_devices();
 
-// The same by every address that can be opened: a tablet on USB stands there by its node and, at
-// the end, by its "libusb:" address as well, as list_usb_tablets has it.
+// Lists devices by every address that can be opened: a tablet on USB stands there by its node and,
+// at the end, by its "libusb:" address as well, as list_usb_tablets has it.
 std::vector<DeviceInfo> list_device_addresses();
 
-// What is known of the device at an address (see drivers/device_address.h). A GPIO converter is
-// known by its address alone. Fails, as the user's fault, if the text is no address or nothing is
-// there.
+// Returns what is known of the device at an address (see drivers/device_address.h). A GPIO
+// converter is known by its address alone. Fails, as the user's fault, if the text is no address or
+// nothing is there.
 //
 // Behind an @ may stand settings, of which height sensors know some:
 //   /dev/hidraw3@GP2,4.096V   MCP2221A: the wiper's pin, GP1 to GP3, and the reference,

@@ -220,10 +220,10 @@ static Result<void> write_and_rename(fs::path const& path, fs::path const& writt
     return {};
 }
 
-// What a path leads to, though the last link may lead to what is not there yet.
+// Returns the path that a path leads to, though the last link may lead to what is not there yet.
 static fs::path follow_links(fs::path path)
 {
-    constexpr int kMostLinks = 40; // As the kernel allows.
+    constexpr int kMostLinks = 40; // The kernel allows as many.
     std::error_code error;
     for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i)
         path = path.parent_path() / fs::read_symlink(path, error);

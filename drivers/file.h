@@ -16,8 +16,8 @@ namespace tractus {
 Result<std::string> read_file(std::filesystem::path const& path,
                               std::size_t max_bytes = std::size_t { 1 } << 30);
 
-// The same for a text in UTF-8 or ASCII. Fails, as the user's fault, for one in UTF-16 or UTF-32,
-// which other systems' editors write.
+// Reads a text in UTF-8 or ASCII. Fails, as the user's fault, for one in UTF-16 or UTF-32, which
+// other systems' editors write.
 Result<std::string> read_text_file(std::filesystem::path const& path,
                                    std::size_t max_bytes = std::size_t { 1 } << 30);
 
@@ -56,12 +56,11 @@ void flush_name_to_disk(std::filesystem::path const& path);
 // they are.
 Result<void> rename_on_disk(std::filesystem::path const& from, std::filesystem::path const& to);
 
-// From now on a signal that ends the program (Ctrl-C, SIGTERM, SIGHUP) first removes the temporary
-// files of each write_file() under way, in all threads. For main(). Signals that are ignored stay
-// so.
+// Makes a signal that ends the program (Ctrl-C, SIGTERM, SIGHUP) first remove the temporary files
+// of each write_file() under way, in all threads. For main(). Signals that are ignored stay so.
 void remove_unfinished_file_on_signals();
 
-// The same for bytes at hand.
+// Writes bytes at hand.
 Result<void> write_file(std::filesystem::path const& path, std::string_view bytes);
 
 } // namespace tractus

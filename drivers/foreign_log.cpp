@@ -29,7 +29,7 @@ static Result<Log> parse_foreign_log(LogFormat format, std::istream& in, std::st
                                            : parse_libinput_record(in, name);
 }
 
-// What cannot be read again is kept while its format is guessed.
+// Keeps a log that cannot be read again while its format is guessed.
 static Result<Log> read_piped_log(std::filesystem::path const& path)
 {
     auto const text = TRY(read_text_file(path, kMostPipedLogBytes));

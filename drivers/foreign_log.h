@@ -14,8 +14,8 @@ namespace tractus {
 // text no more than a line is kept; what holds more than kMostPipedLogBytes of reports is refused,
 // and so is a line of more than 1 MiB.
 
-// What usbhid-dump prints with --entity=all or --entity=stream: for each interface of a USB device
-// its descriptor, then one block per transfer,
+// Reads what usbhid-dump prints with --entity=all or --entity=stream: for each interface of a USB
+// device its descriptor, then one block per transfer,
 //
 //   003:005:001:STREAM             1436110030.141241
 //    08 80 10 27 10 27 00 00
@@ -34,7 +34,7 @@ bool begins_usbhid_dump_block(std::string_view line);
 Result<Log> parse_libinput_record(std::istream& in, std::string_view name);
 
 enum class LogFormat {
-    TractusLog, // And hid-recorder's, of which it is a superset.
+    TractusLog, // Hid-recorder's too, of which it is a superset.
     UsbhidDump,
     LibinputRecord,
 };

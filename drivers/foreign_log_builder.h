@@ -23,7 +23,8 @@ public:
     Result<void> append_report(std::size_t line, std::size_t device, Timestamp time,
                                std::span<std::byte const> bytes);
 
-    // Another device: the index of it. Fails, as the user's fault, for more than a computer has.
+    // Adds another device and returns its index. Fails, as the user's fault, for more than a
+    // computer has.
     Result<std::size_t> add_device(DeviceInfo info);
 
     // The log, with its first report at 0.

@@ -13,8 +13,8 @@
 
 namespace tractus {
 
-// What came of a sensor's stream besides its samples, since the decoder was made. All 0 for sensors
-// that send no frames of their own.
+// Counts of what came in a sensor's stream besides its samples, since the decoder was made. All 0
+// for sensors that send no frames of their own.
 struct HeightStreamCounts {
     std::uint64_t frames = 0;         // Whole ones.
     std::uint64_t lost_frames = 0;    // Their numbers are missing.

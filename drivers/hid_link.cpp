@@ -107,7 +107,7 @@ public:
 private:
     DeviceInfo info_;
     HidHandle handle_;
-    std::optional<RawReport> answer_; // Not read yet.
+    std::optional<RawReport> answer_; // An answer that is not read yet.
 };
 
 Result<void> HidFeatureLink::write(std::span<std::byte const> packet)

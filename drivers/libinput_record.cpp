@@ -93,7 +93,7 @@ private:
     // One list or map that is open.
     struct Level {
         enum class Kind { List, Map } kind = Kind::List;
-        std::string key {}; // In a map, of the value that comes; in a list empty.
+        std::string key {}; // Key in a map, of the value that comes; in a list empty.
         bool has_key = false;
     };
 
@@ -174,7 +174,7 @@ private:
         return {};
     }
 
-    // What is more than `most` values is left out.
+    // Leaves out values beyond `most`.
     template<typename Value>
     static Result<void> append(std::vector<Value>& values, std::string_view text, std::size_t most,
                                std::int64_t largest)
@@ -223,12 +223,12 @@ private:
 
     ForeignLogBuilder builder_;
     std::vector<Level> levels_;
-    DeviceInfo info_; // Of the device that is read.
+    DeviceInfo info_; // The device that is read.
     std::vector<std::uint16_t> ids_;
     std::map<std::string, std::size_t> nodes_; // Its hidraw nodes → index in the log's devices.
-    std::vector<std::int64_t> time_;           // Of the report that is read: seconds, microseconds.
+    std::vector<std::int64_t> time_; // Time of the report that is read: seconds, microseconds.
     std::map<std::string, std::vector<std::byte>> reports_;
-    std::size_t line_ = 0; // Of the event that is taken.
+    std::size_t line_ = 0; // Line of the event that is taken.
     std::size_t report_line_ = 0;
 };
 

@@ -9,7 +9,8 @@ namespace tractus {
 struct LibraryVersion {
     std::string name {}; // "hidapi"
     std::string
-        version {};        // That runs, or where it does not tell, that the program was built with.
+        // The one that runs, or where it does not tell, that the program was built with.
+        version {};
     std::string needed {}; // The oldest that does all we ask of it.
 };
 

@@ -28,7 +28,7 @@ public:
 private:
     std::string name_;
     std::function<Result<void>(std::string_view line)> take_;
-    std::string begun_; // What the last piece had of a line that it did not end.
+    std::string begun_; // Beginning of a line that the last piece did not end.
     std::size_t lines_ = 0;
 };
 

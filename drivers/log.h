@@ -33,14 +33,14 @@ namespace tractus {
 //   C: max_travel_mm = 400        a line of the rig's calibration, opaque here (ours)
 //   T: 000001.250000 draw trunk   a change of tool: seconds, its name, what it needs (ours)
 //
-// Without our lines it is the hid-recorder format, so anybody's recording is a log, and other
+// A log without our lines is in the hid-recorder format, so anybody's recording is a log, and other
 // readers skip our lines. See parse_log for the liberties that files in the wild take. In M, U and
 // S lines a backslash, a control character and a blank at either end are written "\xHH".
 
 // One report. Its bytes lie in Log::bytes.
 struct LogRecord {
     Timestamp time {};        // Since the start of the recording.
-    std::uint32_t offset = 0; // In Log::bytes.
+    std::uint32_t offset = 0; // Offset in Log::bytes.
     std::uint16_t size = 0;   // 0: not a report, the device went away.
     std::uint16_t device = 0; // Index in Log::devices.
 
@@ -57,25 +57,25 @@ struct LogTool {
 
 // Something odd in a log that did not keep it from being read.
 struct LogWarning {
-    std::size_t line = 0; // From 1.
+    std::size_t line = 0; // Line number, from 1.
     std::string message {};
 };
 
 struct LogRest; // Where the reports are that are not in memory.
 
-// Of a large file, only the first reports are in memory: read them with a LogCursor.
+// A log. Of a large file, only the first reports are in memory: read them with a LogCursor.
 struct Log {
-    std::string name; // Of the file, for messages.
+    std::string name; // The file's name, for messages.
     std::vector<DeviceInfo> devices;
     std::vector<LogRecord> records;      // In the file's order; the first of them in a large file.
     std::vector<std::byte> bytes;        // Their bytes, one after another.
     std::shared_ptr<LogRest const> rest; // Null where all are in memory.
-    std::vector<LogTool> tools;          // In the file's order.
+    std::vector<LogTool> tools;          // Tools in the file's order.
     std::string rig_text;                // The C lines, each ended by a line break; empty if none.
     std::vector<LogWarning> warnings;    // The first kMaxLogWarnings of them.
-    std::size_t warning_count = 0;       // All of them.
+    std::size_t warning_count = 0;       // Number of all of them.
 
-    // Of all records, in memory or not.
+    // Number of all records, in memory or not.
     std::size_t record_count() const;
     bool empty() const { return records.empty(); }
     Timestamp begin() const; // The time of the first one; 0 if there is none.
@@ -112,7 +112,7 @@ public:
     Result<LogReport const*> peek();
     void skip();
 
-    // Both in one: the report is valid until the next call.
+    // Does both in one: the report is valid until the next call.
     Result<LogReport const*> next();
 
     // How many were skipped or given by next().
@@ -143,7 +143,7 @@ Result<Log> parse_log(std::string_view text, std::string_view name);
 // kMostPipedLogBytes of them.
 Result<Log> read_log(std::filesystem::path const& path);
 
-// In memory: a report takes sizeof(LogRecord) and its own bytes.
+// Limits of what is in memory: a report takes sizeof(LogRecord) and its own bytes.
 constexpr std::size_t kMostLogBytes = std::size_t { 1 } << 20;
 constexpr std::size_t kMostPipedLogBytes = std::size_t { 32 } << 20;
 

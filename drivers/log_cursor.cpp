@@ -52,7 +52,7 @@ private:
     LogRest const& rest_;
     LogText text_;
     std::uint64_t offset_;
-    std::size_t next_ = 0; // In the text's records.
+    std::size_t next_ = 0; // Index in the text's records.
     bool has_ended_ = false;
     std::string piece_ = std::string(std::size_t { 1 } << 16, '\0');
 };

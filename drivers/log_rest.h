@@ -22,7 +22,7 @@ struct LogRest {
 
     int file; // Open for reading; owned.
     LogPlace place {};
-    LogTotals totals {}; // Of the whole log.
+    LogTotals totals {}; // Totals of the whole log.
 };
 
 } // namespace tractus

@@ -130,12 +130,12 @@ Result<void> LogText::read_line(std::string_view line)
     return read_described_line(line[0], content);
 }
 
-// What stays in memory, however large the log is.
+// Reads what stays in memory, however large the log is.
 Result<void> LogText::read_described_line(char kind, std::string_view content)
 {
     if (std::string_view("RDNPMUASITC").find(kind) == std::string_view::npos)
         return {};
-    if (kind != 'D' && kind != 'I') // These two only say which.
+    if (kind != 'D' && kind != 'I') // Letters D and I only say which device it is.
         described_bytes_ += content.size() + sizeof(LogTool);
     if (described_bytes_ > kMaxDescribedBytes)
         return broken(fmt::format("more than {} bytes that describe devices, the rig and tools: "

@@ -13,7 +13,7 @@
 
 namespace tractus {
 
-// What is known of a device number of a log.
+// Facts about a device number of a log.
 struct LogDeviceNumber {
     std::size_t number = 0;
     bool has_descriptor = false;
@@ -29,10 +29,10 @@ struct LogPlace {
     std::optional<std::size_t> device {};     // Its index; none until something is said of it.
 };
 
-// All records of a log.
+// Totals over all records of a log.
 struct LogTotals {
     std::size_t count = 0;
-    Timestamp begin {}; // Of the first and
+    Timestamp begin {}; // Time of the first and
     Timestamp end {};   // of the last one.
 };
 
@@ -49,7 +49,7 @@ public:
     LogText(LogText const&) = delete;
     LogText& operator=(LogText const&) = delete;
 
-    // So many bytes will come, or fewer.
+    // Announces at most that many bytes.
     void expect(std::size_t bytes);
 
     // The next piece of the text, cut anywhere.
@@ -92,10 +92,10 @@ private:
     Log log_;
     std::size_t most_bytes_;
     LineSplitter lines_;
-    LogPlace place_; // Of the line that is read.
+    LogPlace place_; // Place of the line that is read.
     std::optional<LogPlace> rest_;
     LogTotals totals_;
-    std::size_t described_bytes_ = 0; // Of lines that are neither reports nor departures.
+    std::size_t described_bytes_ = 0; // Bytes of lines that are neither reports nor departures.
     bool is_begin_ = true;            // Nothing has come.
     bool is_whole_ = true;            // Does the line end with a line break?
 };

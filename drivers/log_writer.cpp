@@ -19,7 +19,7 @@ static std::string one_line(std::string_view text)
     return line;
 }
 
-// Any text as one line that read_log makes the same text of again.
+// Returns any text as one line that read_log makes the same text of again.
 static std::string escaped(std::string_view text)
 {
     std::string line;

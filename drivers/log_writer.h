@@ -13,7 +13,7 @@
 
 namespace tractus {
 
-// What stands at the top of a log.
+// Contents of the top of a log.
 struct LogHeader {
     std::vector<DeviceInfo> devices {};
     std::string rig_text {}; // The rig's calibration, any text; empty for none.
@@ -49,7 +49,7 @@ private:
     Timestamp start_;
     std::size_t device_count_;
     std::size_t current_device_ = 0; // The one that the last D line names.
-    std::string line_;               // What write_line() sends next; kept for its memory.
+    std::string line_;               // The line that write_line() sends next; kept for its memory.
 };
 
 } // namespace tractus

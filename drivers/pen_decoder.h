@@ -15,15 +15,15 @@
 
 namespace tractus {
 
-// What a pen device can say, known before its first report.
+// Abilities of a pen device, known before its first report.
 struct PenTraits {
-    Vec2 size_mm = Vec2::Zero();  // Of the active area.
+    Vec2 size_mm = Vec2::Zero();  // Size of the active area.
     bool is_size_assumed = false; // The device does not tell its size; see PenLayout::Size.
     bool has_pressure = false;
     bool has_tilt = false;
-    bool has_in_range = false; // Without it the pen is in range until it is silent.
+    bool has_in_range = false; // If false, the pen is in range until it is silent.
     bool has_eraser = false;
-    unsigned button_count = 0; // On the pen's barrel.
+    unsigned button_count = 0; // Buttons on the pen's barrel.
 
     // The greatest values of PenSample's raw_x, raw_y and raw_pressure.
     std::int32_t raw_x_maximum = 0;

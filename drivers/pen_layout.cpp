@@ -63,8 +63,8 @@ HidUsage standard_usage(HidUsage usage)
     }
 }
 
-// What kind of tool a field in this collection belongs to: the innermost collection that names one
-// decides, since a pen may lie within a touch screen's collection and the reverse.
+// Returns the kind of tool that a field in this collection belongs to: the innermost collection
+// that names one decides, since a pen may lie within a touch screen's collection and the reverse.
 Tool tool_of(HidReportDescriptor const& descriptor, std::optional<std::size_t> collection)
 {
     while (collection) {

@@ -27,7 +27,7 @@ struct PenLayout {
 
     HidField x;
     HidField y;                  // Counts downwards from the far edge, as on a screen.
-    std::optional<HidField> tip; // At least one of tip and pressure is there.
+    std::optional<HidField> tip; // Tip, pressure or both are there.
     std::optional<HidField> pressure;
     std::optional<HidField> in_range;
     std::optional<HidField> invert; // The eraser's end points at the tablet.
@@ -39,7 +39,7 @@ struct PenLayout {
     std::optional<HidField> tool_type; // Wacom's numbers for kinds of pens.
 
     Vec2 mm_per_count = Vec2::Ones();
-    Vec2 size_mm = Vec2::Zero();            // Of the active area.
+    Vec2 size_mm = Vec2::Zero();            // Size of the active area.
     Vec2 tilt_rad_per_count = Vec2::Zero(); // Times the logical value.
 
     // The descriptor's physical range, or a guess where that is missing or makes no sense (a side
@@ -57,10 +57,11 @@ struct PenLayout {
     // Believes the proportions, from elsewhere, of a size that is a guess.
     void take_proportions(double width_to_height);
 
-    // Both axes have one range, so that it says nothing of the proportions.
+    // Whether both axes have one range, so that it says nothing of the proportions.
     bool has_square_counts() const;
 
-    // By its proper name, and not by one of those that some makers use in its place.
+    // Whether there is one by its proper name, and not by one of those that some makers use in its
+    // place.
     bool has_second_barrel_switch() const;
 
     // The second button is called a secondary tip switch, for want of a better one.

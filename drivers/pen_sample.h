@@ -23,11 +23,12 @@ struct PenSample {
     bool eraser = false;       // The eraser's end points at the tablet.
     std::uint32_t buttons = 0; // Bit 0: first barrel button, bit 1: second, …
 
-    // Which pen it is, and of what kind, where the device tells; 0 where not.
+    // Serial number and type of the pen, if the device tells them; else 0.
     std::uint32_t tool_serial = 0;
     std::uint32_t tool_type = 0;
 
-    // As the report had them, before scaling. y counts from the device's own origin (top, usually).
+    // Counts as the report had them, before scaling. y counts from the device's own origin (top,
+    // usually).
     std::int32_t raw_x = 0;
     std::int32_t raw_y = 0;
     std::int32_t raw_pressure = 0;

@@ -44,7 +44,7 @@ Reconnection system_reconnection()
     };
 }
 
-// What is read through the kernel's driver stays so, and what is read past it.
+// Whether both are read through the kernel's driver, or both past it, since a device stays so.
 static bool are_reached_alike(DeviceInfo const& a, DeviceInfo const& b)
 {
     auto const first = parse_device_address(a.location);

@@ -55,9 +55,10 @@ struct Reconnection {
 // The system's means (list_device_addresses, open_device, listen_to_udev).
 Reconnection system_reconnection();
 
-// Which of these devices, if any, is the one that was lost: same kind of address, ids, interface,
-// serial number and report descriptor; of several, the one at the same place of the bus. Without a
-// serial number a single candidate may stand at another place, since people use another socket.
+// Returns which of these devices, if any, is the one that was lost: same kind of address, ids,
+// interface, serial number and report descriptor; of several, the one at the same place of the bus.
+// Without a serial number a single candidate may stand at another place, since people use another
+// socket.
 std::optional<std::size_t> find_again(DeviceInfo const& lost, std::vector<DeviceInfo> const& found);
 
 // A device that may go away and come back. When it is lost, by unplugging or because the machine
@@ -74,12 +75,12 @@ public:
                                                             Reconnection reconnection);
     ~ReconnectingSource() override;
 
-    // As it was first opened, whatever it is called when it comes back.
+    // Describes the device as it was first opened, whatever it is called when it comes back.
     DeviceInfo const& info() const override { return info_; }
 
     Result<std::optional<RawReport>> read(Duration timeout) override;
 
-    // Those of the device before it went away, too.
+    // Counts those of the device before it went away, too.
     std::uint64_t too_long_count() const override;
 
     bool is_connected() const { return is_connected_.load(std::memory_order_relaxed); }
@@ -101,7 +102,7 @@ private:
     bool is_told_of_it() const;
     void try_to_open(DeviceInfo const& info);
 
-    DeviceInfo listed_; // As it was found; opening may tell more of it.
+    DeviceInfo listed_; // The device as it was found; opening may tell more of it.
     Reconnection reconnection_;
     std::unique_ptr<ReportSource> source_; // Null while the device is away.
     DeviceInfo info_;

@@ -39,7 +39,7 @@ inline int u24_le(std::span<std::byte const> report, std::size_t at)
     return u16_le(report, at) | u8(report, at + 2) << 16;
 }
 
-// Those of a sensor are what its protocol says, little-endian.
+// Numbers in sensors' frames are little-endian, as their protocols say.
 inline std::uint16_t u16(std::span<std::byte const> frame, std::size_t at)
 {
     return static_cast<std::uint16_t>(u16_le(frame, at));

@@ -48,7 +48,7 @@ struct Item {
     Tag tag {};
     std::uint8_t size = 0; // Bytes of data: 0, 1, 2 or 4.
     std::uint32_t data = 0;
-    std::size_t offset = 0; // Of the prefix, for error messages.
+    std::size_t offset = 0; // Offset of the prefix, for error messages.
 
     std::int64_t as_signed() const
     {

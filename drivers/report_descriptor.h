@@ -34,7 +34,7 @@ struct HidField {
     // The innermost; index in HidReportDescriptor::collections.
     std::optional<std::size_t> collection;
 
-    // From the first bit of the report as it comes off the wire, its id byte included.
+    // Counted from the first bit of the report as it comes off the wire, its id byte included.
     std::uint32_t bit_offset = 0;
     std::uint32_t bit_size = 0; // 1 to 256; only fields of up to 32 bits can be read as numbers.
 
@@ -44,7 +44,8 @@ struct HidField {
 
     std::int64_t logical_minimum = 0;
     std::int64_t logical_maximum = 0;
-    std::int64_t physical_minimum = 0; // Both 0 where the descriptor gives no physical range.
+    // Physical range: both 0 where the descriptor gives none.
+    std::int64_t physical_minimum = 0;
     std::int64_t physical_maximum = 0;
     std::uint32_t unit = 0; // HID 1.11 section 6.2.2.7, "Unit": one nibble per dimension.
     int unit_exponent = 0;  // Power of ten of the unit, -8 to 7.
@@ -57,7 +58,7 @@ struct HidReportSize {
     std::size_t bytes = 0;
 };
 
-// What a device says of its reports, as plain lists in the descriptor's order.
+// Description of a device's reports, as plain lists in the descriptor's order.
 struct HidReportDescriptor {
     std::vector<HidCollection> collections;
     std::vector<HidField> fields;

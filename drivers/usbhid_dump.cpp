@@ -153,7 +153,7 @@ private:
     ForeignLogBuilder builder_;
     std::map<std::string, std::size_t> devices_; // Interface name → index in the log's devices.
     std::size_t line_ = 0;
-    std::optional<DumpHead> head_; // Of the block that is read.
+    std::optional<DumpHead> head_; // Head of the block that is read.
     std::size_t head_line_ = 0;
     std::vector<std::byte> bytes_;
 };

@@ -15,7 +15,7 @@ constexpr std::uint8_t kSetLines = 4;          // Levels, mask.
 constexpr std::uint8_t kVersion = 5;           // Part number, version.
 constexpr std::uint8_t kBusConfiguration = 6;
 constexpr std::size_t kSetLinesBytes = 3;
-constexpr std::size_t kOutputs = 1; // In report 2.
+constexpr std::size_t kOutputs = 1; // Offset in report 2.
 
 template<std::size_t Size> std::array<std::byte, Size> report(std::initializer_list<int> values)
 {

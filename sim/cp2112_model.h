@@ -19,7 +19,7 @@ class Cp2112Model {
 public:
     static constexpr unsigned kLines = 8;
 
-    // What is wired to the lines. Bits are lines.
+    // Wiring of the lines. Bits are lines.
     struct Wiring {
         // The host has set the lines that it drives to these levels; all others are 0.
         std::function<void(std::uint8_t levels)> driven {};
@@ -29,7 +29,7 @@ public:
 
     explicit Cp2112Model(Wiring wiring);
 
-    // As the kernel sees it: ids, name, and a report descriptor with these reports.
+    // Returns what the kernel sees: ids, name, and a report descriptor with these reports.
     static DeviceInfo info();
 
     // The feature report of an id; no value for one that is not there, and for the lines' levels
@@ -39,7 +39,7 @@ public:
     // False for a report that is not there or too short.
     bool set_feature(std::span<std::byte const> report);
 
-    // From now on the device is as if its cable were bad: every reading of lines fails.
+    // Makes the device behave from now on as if its cable were bad: every reading of lines fails.
     void fail_readings() { is_failing_ = true; }
 
 private:
@@ -49,7 +49,7 @@ private:
     Wiring wiring_;
     std::array<std::byte, 5> configuration_ {}; // Report 2.
     std::array<std::byte, 14> bus_ {};          // Report 6, kept for the host.
-    std::uint8_t latch_ = 0;                    // What lines that are outputs are set to.
+    std::uint8_t latch_ = 0;                    // Levels that lines that are outputs are set to.
     bool is_failing_ = false;
 };
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What the system has no functions for.
+// Wrappers of system calls that the library has no functions for.
 long io_setup(unsigned count, aio_context_t* context)
 {
     return ::syscall(SYS_io_setup, count, context);
@@ -63,7 +63,7 @@ std::size_t count_descriptors(std::vector<std::byte> const& bytes)
     return count;
 }
 
-// In the form of linux/usb/functionfs.h.
+// Writes the form of linux/usb/functionfs.h.
 std::vector<std::byte> block_of(UsbFunctionDescriptors const& descriptors)
 {
     std::vector<std::byte> block;

@@ -28,8 +28,8 @@ struct UsbFunctionDescriptors {
     std::string name {};
 };
 
-// What a device answers to control requests that the kernel does not answer itself. What it does
-// not know it refuses, and the host sees a stall.
+// Answers of a device to control requests that the kernel does not answer itself. It refuses what
+// it does not know, and the host sees a stall.
 struct UsbControlAnswers {
     // No value refuses. What is longer than the host asked for is cut.
     std::function<std::optional<std::vector<std::byte>>(UsbSetup const&)> get {};
@@ -43,8 +43,8 @@ struct UsbControlAnswers {
 // Made with the kernel's FunctionFS.
 class FunctionFsDevice final : public KernelDevice {
 public:
-    // So many transfers wait for the host to ask for them, as in a microcontroller's memory; a
-    // report that finds no place is lost.
+    // Transfers that wait for the host to ask for them, as in a microcontroller's memory; a report
+    // that finds no place is lost.
     static constexpr std::size_t kMaxWaiting = 8;
     static constexpr std::size_t kMaxReportBytes = 512;
 

@@ -28,8 +28,8 @@ std::size_t packet_bytes(HidReportDescriptor const& descriptor)
     return bytes;
 }
 
-// What kind of interface it is (HID 1.11 sections 4.2 and 4.3): a tablet that begins as a mouse
-// also knows the mouse's reports that a computer understands before it has read a descriptor.
+// Kind of an interface (HID 1.11 sections 4.2 and 4.3): a tablet that begins as a mouse also knows
+// the mouse's reports that a computer understands before it has read a descriptor.
 struct InterfaceKind {
     char const* subclass = "0";
     char const* protocol = "0";

@@ -11,7 +11,7 @@ static constexpr std::int64_t kScriptVersion = 1;
 static constexpr double kSlowest_mm_s = 5;
 static constexpr double kFastest_mm_s = 1000;
 
-// In the order of their enums.
+// Words in the order of their enums.
 static constexpr std::array<std::string_view, 3> kTools { "select", "draw", "indicate" };
 static constexpr std::array<std::string_view, 3> kPropagations { "selected", "descendants",
                                                                  "both" };

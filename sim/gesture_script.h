@@ -78,7 +78,7 @@ struct AxisTrace {
 
 struct Gesture {
     GestureTool tool = GestureTool::Draw;
-    std::optional<GesturePropagation> propagation {}; // For Draw, always; for others, never.
+    std::optional<GesturePropagation> propagation {}; // Set for Draw, always; for others, never.
     // An AxisTrace for Select alone. Shapes are drawable.
     std::variant<PathShape, AxisTrace> path {};
     double speed_mm_s = 150;
@@ -96,9 +96,9 @@ Result<GestureScript> parse_gesture_script(std::string_view text, std::string co
 // The branch of a rank as the user sees it: points in the tablet frame, millimetres.
 using AxisTracer = std::function<Result<std::vector<Vec2>>(std::size_t rank)>;
 
-// What the hand draws: one stroke per gesture, in order, for a Hand and simulate_rig(). `tracer` is
-// asked for the branches. Fails, as the user's fault, if a gesture is out of the rig's reach, and
-// with the tracer's error; both name the gesture's place.
+// Returns what the hand draws: one stroke per gesture, in order, for a Hand and simulate_rig().
+// `tracer` is asked for the branches. Fails, as the user's fault, if a gesture is out of the rig's
+// reach, and with the tracer's error; both name the gesture's place.
 Result<std::vector<HandStroke>> strokes_of(GestureScript const& script, RigGeometry const& geometry,
                                            AxisTracer const& tracer);
 

@@ -11,9 +11,11 @@
 namespace tractus {
 
 static constexpr double kMoveSpeed_mm_s = 250;
-static constexpr Duration kAbsence = std::chrono::milliseconds(200); // At the start and at the end.
+// Pause at the start and at the end.
+static constexpr Duration kAbsence = std::chrono::milliseconds(200);
 
-// On its way to the next stroke the pen is lifted high for all but the first and last moments.
+// Limits of the way to the next stroke: the pen is lifted high for all but the first and last
+// moments.
 static constexpr double kLongMove_s = 0.4;
 static constexpr double kLowMoment_s = 0.1;
 
@@ -56,7 +58,8 @@ double SpeedProfile::speed_mm_s(double seconds) const
         double const u = t / duration_s_;
         return 30 * length_mm_ / duration_s_ * u * u * (1 - u) * (1 - u);
     }
-    // From one speed to another with the least jerk: the cubic without acceleration at its ends.
+    // Changes from one speed to another with the least jerk: the cubic without acceleration at its
+    // ends.
     double const u = std::min({ 1.0, t / kRamp_s, (duration_s_ - t) / kRamp_s });
     return cruise_mm_s_ * u * u * (3 - 2 * u);
 }

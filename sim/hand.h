@@ -42,14 +42,14 @@ private:
 struct HandStroke {
     Path path;
     double speed_mm_s = 150; // Cruising along the path, unless a limit of HandOptions is lower.
-    double pressure = 0.6;   // In the stroke's middle, 0 to 1.
+    double pressure = 0.6;   // Pressure in the stroke's middle, 0 to 1.
     bool eraser = false;     // Drawn with the pen's other end.
 };
 
 struct HandOptions {
-    std::uint64_t seed = 1; // Of the tremor.
+    std::uint64_t seed = 1; // Seed of the tremor.
 
-    // Of the pen over the tablet and of the carriage.
+    // Limits for the pen over the tablet and for the carriage.
     double max_plane_speed_mm_s = 300;
     double max_height_speed_mm_s = 200;
 
@@ -91,7 +91,7 @@ public:
     HandState at(Timestamp time) const;
 
     struct StrokeTimes {
-        Timestamp chosen {}; // Between the stroke before and this one: when to change tools.
+        Timestamp chosen {}; // Time between the stroke before and this one: when to change tools.
         Timestamp down {};
         Timestamp up {};
     };
@@ -101,8 +101,8 @@ public:
 
 private:
     enum class Doing {
-        Absent, // At rest, out of range.
-        Hover,  // At rest, in range.
+        Absent, // Rests out of range.
+        Hover,  // Rests in range.
         Move,
         Draw,
     };
@@ -114,7 +114,7 @@ private:
         Vec3 rest_mm = Vec3::Zero(); // Where the hand is, unless it goes along a path.
         std::optional<Path> path {};
         SpeedProfile profile {};
-        std::size_t stroke = 0; // Which one it draws or comes to.
+        std::size_t stroke = 0; // The one it draws or comes to.
     };
 
     // One sine of an axis's tremor.
@@ -134,7 +134,7 @@ private:
 
     HandOptions options_;
     std::vector<HandStroke> strokes_;
-    std::vector<Part> parts_; // In time order, without gaps.
+    std::vector<Part> parts_; // Parts in time order, without gaps.
     std::vector<StrokeTimes> stroke_times_;
     std::array<std::array<Wave, 6>, 3> tremor_ {};
     Timestamp end_ {};

@@ -25,7 +25,7 @@ Result<HeightCurve> HeightCurve::read(Log const& log)
         std::vector<HeightSample> samples;
         LogCursor cursor(log);
         while (auto const* const report = TRY(cursor.next()))
-            if (report->device == device) // What is broken in a report is not in the curve.
+            if (report->device == device) // Broken parts of a report are not in the curve.
                 static_cast<void>((*decoder)->decode(report->time, report->bytes, samples));
         std::vector<Point> points;
         for (auto const& sample : samples)

@@ -18,10 +18,10 @@ public:
     // user's fault, if there is none or it has sent nothing.
     static Result<HeightCurve> read(Log const& log);
 
-    // Of full scale: 0 to 1.
+    // Height as a share of full scale: 0 to 1.
     double fraction_at(Timestamp time) const;
 
-    // The same as a reading of a converter with this full scale.
+    // Height as a reading of a converter with this full scale.
     std::int32_t counts_at(Timestamp time, std::int32_t full_scale) const;
 
     // The recorded sensor's own.
@@ -37,7 +37,7 @@ private:
 
     HeightCurve(std::vector<Point> points, std::int32_t full_scale);
 
-    std::vector<Point> points_; // At least one, in time order.
+    std::vector<Point> points_; // Points in time order, at least one.
     std::int32_t full_scale_;
 };
 

@@ -26,13 +26,13 @@ class HeightFaults {
 public:
     explicit HeightFaults(std::vector<SimulatedHeightFault> faults);
 
-    // What the sensor reads at `now` in place of `counts`; no value if it is silent. Jumps are
-    // clamped to 0 to `full_scale`. Where faults overlap, the earlier in the list counts.
+    // Returns what the sensor reads at `now` in place of `counts`; no value if it is silent. Jumps
+    // are clamped to 0 to `full_scale`. Where faults overlap, the earlier in the list counts.
     std::optional<std::int32_t> apply(Timestamp now, std::int32_t counts, std::int32_t full_scale);
 
 private:
     std::vector<SimulatedHeightFault> faults_;
-    std::optional<std::int32_t> last_ {}; // What was read last, where a string may be stuck.
+    std::optional<std::int32_t> last_ {}; // The last reading, where a string may be stuck.
 };
 
 } // namespace tractus

@@ -39,14 +39,14 @@ public:
     std::vector<std::byte> configuration_descriptor(UsbSpeed) const;
     std::vector<std::byte> bos_descriptor() const;
     std::vector<std::byte> microsoft_os_descriptors() const;
-    std::vector<std::string> strings() const; // From string 1 on.
+    std::vector<std::string> strings() const; // Strings from number 1 on.
 
-    // What stands behind the configuration's header: the interface and its endpoint, which is all
-    // that FunctionFS wants. `string` is the number of the interface's text.
+    // Returns what stands behind the configuration's header: the interface and its endpoint, which
+    // is all that FunctionFS wants. `string` is the number of the interface's text.
     std::vector<std::byte> interface_descriptors(UsbSpeed, std::uint8_t string) const;
     std::string interface_string() const;
 
-    // What the station knows of the sensor once it has opened it.
+    // Returns what the station knows of the sensor once it has opened it.
     DeviceInfo info() const;
 
     // The data of the answer, at most `setup.length` bytes; no value for a request that stalls.

@@ -17,17 +17,17 @@ public:
     struct Options {
         bool is_high_voltage = false; // U3-HV: FIO0 to FIO3 are always analog, from -10 V to 20 V.
         std::uint32_t serial_number = 320012345;
-        double volts_per_count = 3.7231e-05; // Of the low-voltage inputs, single-ended.
+        double volts_per_count = 3.7231e-05; // Value of the low-voltage inputs, single-ended.
         double offset_volts = 0;
-        double high_volts_per_count = 0.000314; // Of the high-voltage inputs.
+        double high_volts_per_count = 0.000314; // Value of the high-voltage inputs.
         double high_offset_volts = -10.3;
     };
 
     LabJackU3Model();
     explicit LabJackU3Model(Options const& options);
 
-    // From now on channel `channel`, 0 to 15, reads so many counts of 16 bits, of which the
-    // converter has the upper 12.
+    // Makes channel `channel`, 0 to 15, read so many counts of 16 bits from now on; the converter
+    // has the upper 12.
     void set_counts(int channel, std::uint16_t counts);
 
     std::vector<std::byte> answer(std::span<std::byte const> command);

@@ -16,10 +16,10 @@ class LinakDeskModel {
 public:
     static constexpr std::size_t kReportBytes = 64;
 
-    // What a desk does not do by itself is lost with its power: it has to be initialised again.
+    // Loses with the power what the desk does not do by itself: it has to be initialised again.
     void lose_power() { initialisation_ = Initialisation::None; }
 
-    // For good: of an actuator that has lost its place, whatever it is told.
+    // Loses the place for good: that of an actuator that does not know it, whatever it is told.
     void lose_place() { has_place_ = false; }
 
     // Where somebody has moved it with its own keys, in tenths of a millimetre above its lowest

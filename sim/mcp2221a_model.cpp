@@ -17,7 +17,7 @@ constexpr std::byte kGetSettings { 0x61 };
 
 constexpr std::byte kNotSupported { 0x01 };
 constexpr std::byte kChange { 0x80 };
-constexpr std::uint8_t kConverterFunction = 2; // Of GP1 to GP3.
+constexpr std::uint8_t kConverterFunction = 2; // Function of GP1 to GP3.
 
 void put_u16(Mcp2221aModel::Packet& packet, std::size_t at, unsigned value)
 {

@@ -26,7 +26,7 @@ public:
     Mcp2221aModel();
     explicit Mcp2221aModel(Options const& options);
 
-    // From now on there are so many volts at GP`pin`, 1 to 3.
+    // Puts so many volts at GP`pin`, 1 to 3, from now on.
     void set_volts(int pin, double volts);
 
     // The reply to one command, of which bytes beyond 64 are left out and missing ones are 0.
@@ -35,7 +35,7 @@ public:
     // Whether some pin is the converter's.
     bool converts() const;
 
-    // What GP`pin`, 1 to 3, converts to now: 0 to 1023.
+    // Returns what GP`pin`, 1 to 3, converts to now: 0 to 1023.
     std::uint16_t counts(int pin) const;
 
 private:
@@ -48,7 +48,7 @@ private:
     std::array<std::uint8_t, 4> pins_;
     // Bits 2 and 1: which voltage; bit 0: it and not the supply.
     std::uint8_t reference_ = 0;
-    std::uint8_t told_reference_ = 0; // What the settings say that it is.
+    std::uint8_t told_reference_ = 0; // Reference that the settings claim.
 };
 
 } // namespace tractus

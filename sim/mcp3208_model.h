@@ -31,8 +31,9 @@ public:
     using Inputs = std::function<double(unsigned channel, Timestamp time)>;
 
     struct Options {
-        unsigned bits = 12;             // 10 for an MCP3008.
-        double droop_per_second = 0.25; // Of the reference: a count of 12 bits in a millisecond.
+        unsigned bits = 12; // 10 for an MCP3008.
+        // Droop of the reference: a count of 12 bits in a millisecond.
+        double droop_per_second = 0.25;
     };
 
     Mcp3208Model(Inputs inputs, Options options);
@@ -49,7 +50,7 @@ public:
     // once, DIN is what it was before for an edge of CLK, as with a master of SPI mode 0.
     void set_pins(Timestamp time, Pins const& pins);
 
-    // What DOUT is. No value: high impedance, and whatever pulls the wire decides.
+    // Level of DOUT. No value: high impedance, and whatever pulls the wire decides.
     std::optional<bool> dout() const;
 
     // A wire that is broken. A broken CLK or DIN is taken to read low; a broken CS reads high,
@@ -73,12 +74,12 @@ private:
     Inputs inputs_;
     Options options_;
     unsigned broken_ = 0; // One bit per wire.
-    Pins pins_ {};        // As the chip sees them.
+    Pins pins_ {};        // Pins as the chip sees them.
     Timestamp now_ {};
 
     unsigned clock_ = 0;   // Rising edges since the start bit, with it; 0 before.
     unsigned command_ = 0; // The four bits after it.
-    double held_ = 0;      // On the capacitor when sampling stopped.
+    double held_ = 0;      // Voltage on the capacitor when sampling stopped.
     Timestamp held_since_ {};
     std::uint32_t code_ = 0; // The bits decided so far, in their places.
     std::optional<bool> dout_ {};

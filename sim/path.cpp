@@ -113,7 +113,7 @@ static std::vector<Vec3> points_of_any(PathShape const& shape)
 bool is_drawable(PathShape const& shape)
 {
     double const length_mm = polyline_length_mm(points_of_any(shape));
-    return length_mm > 0 && length_mm <= kLongest_mm; // Not for NaN and infinity, either.
+    return length_mm > 0 && length_mm <= kLongest_mm; // False for NaN and infinity, too.
 }
 
 Path make_path(PathShape const& shape)

@@ -17,7 +17,7 @@ public:
     double length_mm() const { return arc_mm_.back(); }
     std::vector<Vec3> const& points_mm() const { return points_mm_; }
 
-    // At `arc_mm` from the start, clamped to the path.
+    // Returns the place at `arc_mm` from the start, clamped to the path.
     Vec3 position_mm(double arc_mm) const;
 
     // Unit vector along the path there.
@@ -30,8 +30,8 @@ private:
     std::vector<double> arc_mm_;  // One per point.
 };
 
-// What a hand may be told to draw. World frame, millimetres and radians; angles of directions are
-// counterclockwise from +x seen from above.
+// Shapes that a hand may be told to draw. World frame, millimetres and radians; angles of
+// directions are counterclockwise from +x seen from above.
 
 struct LineShape {
     Vec3 from_mm = Vec3::Zero();
@@ -49,7 +49,7 @@ struct HelixShape {
     double rise_mm = 0;
 };
 
-// From one point to another, swinging to the left of the way and then as far to its right, or
+// Goes from one point to another, swinging to the left of the way and then as far to its right, or
 // towards +x and then -x where the way is upright.
 struct SCurveShape {
     Vec3 from_mm = Vec3::Zero();
@@ -57,13 +57,13 @@ struct SCurveShape {
     double swing_mm = 0;
 };
 
-// As branches grow: sets out in one direction and bends steadily.
+// Sets out in one direction and bends steadily, as branches grow.
 struct BranchShape {
     Vec3 from_mm = Vec3::Zero();
     double length_mm = 0;
-    double heading_rad = 0;   // At the start.
+    double heading_rad = 0;   // Direction at the start.
     double elevation_rad = 0; // Over the horizon, at the start.
-    double turn_rad = 0;      // By how much the heading changes on the way …
+    double turn_rad = 0;      // Change of the heading on the way …
     double bend_rad = 0;      // … and the elevation.
 };
 

@@ -4,7 +4,7 @@
 
 namespace tractus {
 
-// What the simulation's random numbers are for (RandomKey::stream), so that one seed serves all and
+// Streams of the simulation's random numbers (RandomKey::stream), so that one seed serves all and
 // none depends on another.
 constexpr std::uint32_t kTremorStream = 0x73'69'6d'01;
 constexpr std::uint32_t kTabletTimingStream = 0x73'69'6d'02;

@@ -13,12 +13,14 @@ namespace tractus {
 // runs aslant (height_model.h has the drawing), so that height is far from linear in counts.
 struct RigGeometry {
     Vec2 tablet_size_mm = Vec2(254, 159);
-    double rotation_deg = 0;          // Of the tablet on its carriage, counterclockwise from above.
+    // Rotation of the tablet on its carriage, counterclockwise from above.
+    double rotation_deg = 0;
     Vec2 travel_shear = Vec2::Zero(); // Drift to +x and +y per millimetre of rise.
     double travel_mm = 400;           // The carriage goes from height 0 to here.
 
-    double string_offset_mm = 120; // From the spool across to the way of the string's end.
-    double string_base_mm = 80;    // From the spool up to the string's end at height zero.
+    // Distance from the spool across to the way of the string's end.
+    double string_offset_mm = 120;
+    double string_base_mm = 80; // Distance from the spool up to the string's end at height zero.
     double string_at_zero_counts_mm = 124;
     double string_per_count_mm = 0.1;
     std::int32_t full_scale_counts = 4095;
@@ -27,10 +29,11 @@ struct RigGeometry {
 // Length of string out of the spool.
 double string_length_mm(RigGeometry const& geometry, double height_mm);
 
-// What an ideal converter would read: a real number, neither rounded nor clamped.
+// Returns what an ideal converter would read: a real number, neither rounded nor clamped.
 double ideal_counts(RigGeometry const& geometry, double height_mm);
 
-// What a perfect calibration of the rig would find; the latencies are the caller's to fill in.
+// Returns what a perfect calibration of the rig would find; the latencies are the caller's to fill
+// in.
 Rig true_rig(RigGeometry const& geometry);
 
 // Takes a place of the tip in the world to (x, y, height): where on the tablet it is, in the tablet

@@ -22,8 +22,8 @@ struct SimulatedDevice {
 
 // How a device's measurements become arrivals.
 struct DeviceTiming {
-    Duration period {};  // Between measurements.
-    Duration latency {}; // From measurement to arrival, in the mean.
+    Duration period {};  // Time between measurements.
+    Duration latency {}; // Mean time from measurement to arrival.
     Duration jitter {};  // Standard deviation of the latency; arrivals never overtake each other.
 };
 

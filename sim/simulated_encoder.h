@@ -22,8 +22,8 @@ public:
 
     struct Options {
         std::set<std::uint32_t> lost {};            // Edges by their number that never arrive.
-        std::set<std::uint32_t> unnumbered {};      // The same, but nobody numbers them either.
-        std::optional<std::uint32_t> gone_after {}; // With this edge the chip goes away.
+        std::set<std::uint32_t> unnumbered {};      // Lost edges that nobody numbers either.
+        std::optional<std::uint32_t> gone_after {}; // Edge with which the chip goes away.
     };
 
     SimulatedEncoder(Position position, Options options);

@@ -18,7 +18,7 @@ class SimulatedGpio final : public GpioLines {
 public:
     struct Options {
         Duration request_time = std::chrono::microseconds(2); // A Raspberry Pi's.
-        bool dout_pull = false; // What DOUT reads where nobody drives it.
+        bool dout_pull = false; // Level that DOUT reads where nobody drives it.
 
         // Pauses, by the number of the request, from 0, before which they come.
         std::map<std::uint64_t, Duration> pauses {};

@@ -153,7 +153,7 @@ public:
 
 private:
     HeightSensorModel model_;
-    double clock_rate_; // Of the sensor's clock.
+    double clock_rate_; // Rate of the sensor's clock.
 };
 
 std::unique_ptr<Encoder> make_encoder(std::int32_t full_scale_counts, HeightOptions const& options)
@@ -163,7 +163,8 @@ std::unique_ptr<Encoder> make_encoder(std::int32_t full_scale_counts, HeightOpti
     return std::make_unique<SliderEncoder>(full_scale_counts);
 }
 
-// Of frames the decoder's clock decides, which sees the least latency and not the mean.
+// Mean latency. For frames the decoder's clock decides, which sees the least latency and not the
+// mean.
 Duration mean_latency(SimulatedDevice const& device, std::vector<Timestamp> const& instants)
 {
     auto const decoder = make_height_decoder(device.info);
@@ -188,7 +189,8 @@ SimulatedHeight simulate_height(Hand const& hand, RigGeometry const& geometry,
     DeviceClock clock(options.timing, { .seed = options.seed, .stream = kHeightTimingStream });
     HeightFaults faults(options.faults);
     Random noise({ .seed = options.seed, .stream = kHeightNoiseStream });
-    std::vector<Timestamp> instants; // Of the readings in reports; then of those for the next one.
+    // Times of the readings in reports; then of those for the next one.
+    std::vector<Timestamp> instants;
     std::size_t sent = 0;
     for (auto now = clock.next_instant(); now < hand.end(); now = clock.next_instant()) {
         double const counts = ideal_counts(geometry, hand.at(now).position_mm.z())

@@ -26,10 +26,10 @@ struct HeightOptions {
         .jitter = std::chrono::microseconds(200),
     };
     HeightWire wire = HeightWire::HidSlider;
-    int samples_per_frame = 5;                   // Of frames.
+    int samples_per_frame = 5;                   // Number for frames.
     double clock_drift_ppm = 0;                  // How much the clock that frames tell is slow.
     double noise_counts = 1;                     // Standard deviation, before rounding.
-    std::vector<SimulatedHeightFault> faults {}; // By the time of measuring.
+    std::vector<SimulatedHeightFault> faults {}; // Faults by the time of measuring.
 };
 
 struct SimulatedHeight {
@@ -38,8 +38,8 @@ struct SimulatedHeight {
     Duration latency {};
 };
 
-// What the height sensor of a rig sends while a hand draws. Readings beyond the converter's range
-// are clamped to it. Full scale is at most 16 bits.
+// Simulates what the height sensor of a rig sends while a hand draws. Readings beyond the
+// converter's range are clamped to it. Full scale is at most 16 bits.
 SimulatedHeight simulate_height(Hand const& hand, RigGeometry const& geometry,
                                 HeightOptions const& options);
 

@@ -15,21 +15,21 @@ namespace tractus {
 
 struct Slip {
     std::size_t capture = 0;
-    double wrong_by_mm = 20; // What the person says is so much too high.
+    double wrong_by_mm = 20; // Error of what the person says, upwards.
 };
 
 struct PersonOptions {
     std::uint64_t seed = 1;
     double ruler_error_mm = 0.3; // Standard deviation.
     std::optional<Slip> slip {};
-    double noise_counts = 1;    // Of the sensor, before rounding.
+    double noise_counts = 1;    // Noise of the sensor, before rounding.
     std::size_t readings = 500; // Per capture.
 };
 
-// What a person means to do and really does.
+// A height that a person means to set, and the one really set.
 struct SetHeight {
     double true_mm = 0; // Where the carriage is.
-    double said_mm = 0; // What the person says.
+    double said_mm = 0; // Height that the person says.
 };
 
 // The heights that a person sets who aims at `aimed_mm`.

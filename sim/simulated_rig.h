@@ -19,11 +19,11 @@ struct SimulatedRigOptions {
     std::uint64_t seed = 1;
 };
 
-// All that comes of a hand's drawing on a rig: the bytes, and the truth beside them.
+// Results of a hand's drawing on a rig: the bytes, and the truth beside them.
 struct SimulatedRun {
     SimulatedDevice tablet {};
     SimulatedDevice height {};
-    Rig rig {};                    // As a user's perfect calibration would have it.
+    Rig rig {};                    // Rig as a user's perfect calibration would have it.
     std::vector<TrueTip> truth {}; // One per report of the tablet.
 
     // Device 0 is the tablet, 1 the height sensor.

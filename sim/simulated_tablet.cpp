@@ -24,7 +24,7 @@ constexpr std::uint8_t kEraser = 1 << 3;
 constexpr std::uint8_t kInvert = 1 << 4;
 constexpr std::uint8_t kInRange = 1 << 5;
 
-// What one report says, in the device's units.
+// Contents of one report, in the device's units.
 struct PenReport {
     std::uint8_t bits = 0;
     std::uint16_t x = 0;

@@ -33,7 +33,7 @@ struct TabletOptions {
     };
 };
 
-// What really was, when the tablet measured.
+// Truth at the time when the tablet measured.
 struct TrueTip {
     Timestamp time {};
     Vec3 position_mm = Vec3::Zero(); // World frame.
@@ -45,14 +45,14 @@ struct SimulatedTablet {
     std::vector<TrueTip> truth; // One per report.
 };
 
-// What the tablet of a rig sends while a hand draws on it. Out of range it sends one report that
-// says so, then nothing. A pen off the active area is out of range. No side of the tablet may be
-// longer than 655 mm.
+// Simulates what the tablet of a rig sends while a hand draws on it. Out of range it sends one
+// report that says so, then nothing. A pen off the active area is out of range. No side of the
+// tablet may be longer than 655 mm.
 SimulatedTablet simulate_tablet(Hand const& hand, RigGeometry const& geometry,
                                 TabletOptions const& options);
 
-// The same device, moved by somebody who is no Hand: what it is, and what it sends in one state of
-// a pen. The pen's place is on the tablet's active area, in the tablet frame.
+// Simulates the device when somebody moves it who is no Hand: what it is, and what it sends in one
+// state of a pen. The pen's place is on the tablet's active area, in the tablet frame.
 struct TabletPen {
     Vec2 place_mm = Vec2::Zero();
     bool in_range = false;

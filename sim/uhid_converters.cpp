@@ -39,7 +39,7 @@ DeviceInfo mcp2221a_info()
 std::vector<std::byte> answer(Mcp2221aModel& model, InputNow const& input,
                               std::span<std::byte const> command)
 {
-    if (command.size() > Mcp2221aModel::kPacketBytes) // From a program, with a 0 for its id.
+    if (command.size() > Mcp2221aModel::kPacketBytes) // Programs send a 0 for its id.
         command = command.subspan(1);
     if (model.converts())
         for (int pin = 1; pin <= 3; ++pin)

@@ -14,7 +14,7 @@ namespace tractus {
 
 // Converters that the kernel and every program take for real ones, through uhid.
 
-// What a converter's input is now, as a fraction of full scale: 0 to 1.
+// Present input of a converter, as a fraction of full scale: 0 to 1.
 using InputNow = std::function<double()>;
 
 // An MCP2221A whose inputs GP1 to GP3 all are `input`, read anew for each command.
@@ -43,7 +43,7 @@ public:
     // This must outlive the device.
     Result<std::unique_ptr<UhidDevice>> play();
 
-    // From now on the lines cannot be read.
+    // Makes the lines unreadable from now on.
     void fail_readings() { bridge_.fail_readings(); }
 
 private:

@@ -17,7 +17,7 @@ struct uhid_event; // linux/uhid.h
 
 namespace tractus {
 
-// What a device answers. Reports begin with their id if the device numbers them. Each may be left
+// Answers of a device. Reports begin with their id if the device numbers them. Each may be left
 // out: then features are an input/output error to the kernel, and output reports are ignored.
 struct UhidAnswers {
     // An output report has come; what this gives, unless it is empty, is sent as an input report.

@@ -12,9 +12,10 @@
 
 namespace tractus {
 
-// What a USB device that this computer plays says of itself.
+// Identity of a USB device that this computer plays.
 struct UsbGadgetIdentity {
-    std::string name = "tractus"; // Of its folder in configfs: one gadget of a name at a time.
+    // Name of its folder in configfs: one gadget of a name at a time.
+    std::string name = "tractus";
     std::uint16_t vendor_id = 0;
     std::uint16_t product_id = 0;
     std::uint16_t release = 0x0100; // Binary coded decimal.
@@ -27,7 +28,7 @@ struct UsbGadgetIdentity {
 struct UsbGadgetPlace {
     std::filesystem::path configfs = "/sys/kernel/config";
     std::filesystem::path ports = "/sys/class/udc"; // USB device controllers.
-    std::filesystem::path mounts = "/run";          // For FunctionFS.
+    std::filesystem::path mounts = "/run";          // Folder for FunctionFS.
 };
 
 // A USB device that this computer plays on a port of its own: that of a Raspberry Pi, say, or on

@@ -33,7 +33,7 @@ constexpr std::array<Converter, 2> kConverters { {
 } };
 constexpr unsigned kChannels = 8;
 
-// What the address says, checked.
+// The address' parts, checked.
 struct Place {
     GpioAddress address;
     Converter const* converter = nullptr;
@@ -107,7 +107,7 @@ private:
     Mcp3208Channel channel_;
     std::unique_ptr<GpioLines> lines_;
     GpioClock clock_;
-    Timestamp due_ {}; // Of the next reading.
+    Timestamp due_ {}; // Time of the next reading.
     Duration hold_limit_ = kMcp3208HoldLimit;
 };
 
@@ -153,7 +153,7 @@ Result<std::optional<RawReport>> GpioAdcSource::read(Duration timeout)
     auto reading = TRY(convert());
     for (; reading.held > hold_limit_ && repeats < kMaxRepeats; ++repeats)
         reading = TRY(convert());
-    due_ = std::max(due_ + kGpioAdcPeriod, clock_.now()); // What was missed is not made up for.
+    due_ = std::max(due_ + kGpioAdcPeriod, clock_.now()); // Missed readings are not made up for.
     return std::optional(encode(reading, repeats));
 }
 

@@ -32,8 +32,8 @@ struct GpioClock {
     std::function<void(Timestamp)> sleep_until;
 };
 
-// What is known of the converter at an address, whether it is there or not. Fails, as the user's
-// fault, if the text is no address of such a converter.
+// Describes the converter at an address, whether it is there or not. Fails, as the user's fault, if
+// the text is no address of such a converter.
 Result<DeviceInfo> describe_gpio_adc(std::string const& address);
 
 // Opens the converter at `info.location` through libgpiod and reads it a few times. A conversion
@@ -45,7 +45,8 @@ Result<DeviceInfo> describe_gpio_adc(std::string const& address);
 // device's if nothing answers on DOUT. A read fails, as the device's fault, when the lines do.
 Result<std::unique_ptr<ReportSource>> open_gpio_adc(DeviceInfo info);
 
-// The same on lines that are open already, those of mcp3208_lines, be they real or simulated.
+// Opens the converter on lines that are open already, those of mcp3208_lines, be they real or
+// simulated.
 Result<std::unique_ptr<ReportSource>>
 open_gpio_adc(DeviceInfo info, std::unique_ptr<GpioLines> lines, GpioClock clock);
 

@@ -20,9 +20,9 @@ public:
     // `timeout`. Fails, as the device's fault, when the chip has gone.
     virtual Result<void> read(Duration timeout, std::vector<QuadratureEdge>& edges) = 0;
 
-    virtual Timestamp now() = 0; // By the clock of the edges' times.
+    virtual Timestamp now() = 0; // Time by the clock of the edges' times.
 
-    // What the lines were before the first edge that is read.
+    // Returns what the lines were before the first edge that is read.
     virtual Quadrature::Beginning beginning() const = 0;
 };
 

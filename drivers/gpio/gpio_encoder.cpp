@@ -54,7 +54,7 @@ private:
     Quadrature quadrature_;
     std::vector<QuadratureEdge> new_edges_; // Kept for its memory.
     Timestamp last_report_;                 // When it was made.
-    Timestamp last_time_ {};                // What it said.
+    Timestamp last_time_ {};                // Time that it said.
     Timestamp last_edge_ {};
     std::uint32_t edge_count_ = 0; // Since the last report.
     std::uint32_t told_lost_ = 0;

@@ -33,15 +33,15 @@ constexpr Duration kEncoderRestingPeriod = std::chrono::milliseconds(10);
 constexpr std::int32_t kEncoderCountsBelow = 1 << 20;
 constexpr std::int32_t kEncoderFullScale = (1 << 21) - 1;
 
-// What is known of the encoder at an address, whether it is there or not. Fails, as the user's
-// fault, if the text is no address of one.
+// Describes the encoder at an address, whether it is there or not. Fails, as the user's fault, if
+// the text is no address of one.
 Result<DeviceInfo> describe_gpio_encoder(std::string const& address);
 
 // Opens the lines that `info.location` names. Fails as open_gpio_edges() does; a read fails, as the
 // device's fault, when the lines do.
 Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo const& info);
 
-// The same on lines that are open already, be they real or simulated.
+// Opens the encoder on lines that are open already, be they real or simulated.
 Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo const& info,
                                                         std::unique_ptr<GpioEdges> edges);
 

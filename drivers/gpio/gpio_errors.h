@@ -8,7 +8,7 @@
 
 namespace tractus {
 
-// What both versions of libgpiod say in errno, as a person reads it.
+// Messages for what both versions of libgpiod say in errno.
 
 // Why a chip could not be opened.
 tl::unexpected<Error> cannot_open_gpio_chip(std::string const& chip, int error_number);

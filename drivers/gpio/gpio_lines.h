@@ -13,9 +13,9 @@ namespace tractus {
 struct GpioLine {
     enum class Direction { Input, Output };
 
-    unsigned offset = 0; // On its chip, as gpioinfo counts.
+    unsigned offset = 0; // Number on its chip, as gpioinfo counts.
     Direction direction = Direction::Input;
-    bool initial = false; // What an output is when it is opened: high or low.
+    bool initial = false; // State of an output when it is opened: high or low.
 };
 
 // A few lines of one GPIO chip, held for us alone. Values are bits: bit i is the line that was i-th
@@ -34,8 +34,8 @@ public:
     // a failing write. A failing get shows those a moment later.
     [[nodiscard]] virtual Result<void> set(std::uint32_t values) = 0;
 
-    // What the inputs are; bits of outputs are 0. Fails, as the device's fault, when the chip has
-    // gone or does not answer.
+    // Returns the levels of the inputs; bits of outputs are 0. Fails, as the device's fault, when
+    // the chip has gone or does not answer.
     [[nodiscard]] virtual Result<std::uint32_t> get() = 0;
 };
 

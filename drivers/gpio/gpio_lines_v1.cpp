@@ -14,7 +14,7 @@ namespace tractus {
 
 namespace {
 
-constexpr char kConsumer[] = "tractus"; // As gpioinfo shows it.
+constexpr char kConsumer[] = "tractus"; // Name that gpioinfo shows.
 
 struct CloseChip {
     void operator()(gpiod_chip* chip) const { gpiod_chip_close(chip); } // Gives its lines back.

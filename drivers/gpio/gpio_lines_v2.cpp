@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char kConsumer[] = "tractus"; // As gpioinfo shows it.
+constexpr char kConsumer[] = "tractus"; // Name that gpioinfo shows.
 
 // Frees what the library gave with the function that the library has for it.
 template<auto function> struct FreeWith {
@@ -115,8 +115,8 @@ Chip open_if_called(fs::path const& node, std::string const& name)
     return nullptr;
 }
 
-// None, with errno, if there is no such chip. A chip that may not be opened tells no label, so it
-// may be the one.
+// Returns null, with errno, if there is no such chip. A chip that may not be opened tells no label,
+// so it may be the one.
 Chip find_chip(std::string const& name)
 {
     std::vector<fs::path> nodes;
@@ -137,7 +137,7 @@ Chip find_chip(std::string const& name)
     return nullptr;
 }
 
-// None, with errno, if the kernel does not give them.
+// Returns null, with errno, if the kernel does not give them.
 LineRequest take(gpiod_chip& chip, std::span<GpioLine const> lines)
 {
     LineSettings const settings(gpiod_line_settings_new());

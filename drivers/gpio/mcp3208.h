@@ -40,7 +40,7 @@ struct Mcp3208Reading {
     // False if DOUT was high where the converter sends a zero: nobody drives the line.
     bool is_answered = false;
     Timestamp sampled {}; // When the converter stopped sampling.
-    Duration held {};     // From then, at the earliest, to the last bit, at the latest.
+    Duration held {};     // Time from then, at the earliest, to the last bit, at the latest.
 };
 
 // The hold capacitor leaks: a conversion must be over this long after sampling (DS21298, section

@@ -9,10 +9,11 @@ namespace tractus {
 void Quadrature::push(QuadratureEdge const& edge)
 {
     auto& is_high = is_high_[static_cast<std::size_t>(edge.line)];
-    auto const missing = edge.number - last_number_ - 1; // Of 32 bits: they may begin anew at 0.
+    // Counts 32 bits: numbers may begin anew at 0.
+    auto const missing = edge.number - last_number_ - 1;
     last_number_ = edge.number;
     if (missing > 0)
-        is_known_ = { false, false }; // Whose edges they were nobody knows.
+        is_known_ = { false, false }; // Nobody knows whose edges they were.
     auto& is_known = is_known_[static_cast<std::size_t>(edge.line)];
     bool const rises_twice = is_known && is_high == edge.is_rising;
     lost_count_ += missing + (rises_twice ? 1 : 0);

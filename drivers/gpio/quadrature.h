@@ -27,7 +27,7 @@ public:
     struct Beginning {
         bool a = false;           // High.
         bool b = false;           // High.
-        std::uint32_t number = 0; // Of the last edge before the next.
+        std::uint32_t number = 0; // Number of the last edge before the next.
     };
     explicit Quadrature(Beginning const& beginning)
         : is_high_ { beginning.a, beginning.b }
@@ -37,13 +37,13 @@ public:
 
     void push(QuadratureEdge const& edge);
 
-    std::int32_t count() const { return count_; } // From 0.
+    std::int32_t count() const { return count_; } // Counts from 0.
 
     // How many edges are missing at least. Then `count` is no longer true.
     std::uint32_t lost_count() const { return lost_count_; }
 
 private:
-    std::array<bool, 2> is_high_;                 // By their line.
+    std::array<bool, 2> is_high_;                 // Indexed by line.
     std::array<bool, 2> is_known_ { true, true }; // Likewise: whether is_high_ is what it says.
     std::uint32_t last_number_;
     std::int32_t count_ = 0;

@@ -116,7 +116,7 @@ PenFields read_fields(DescribedPen const& pen, std::span<std::byte const> report
     return fields;
 }
 
-// What the pens' reports have among them; a mouse's do not count.
+// Returns what the pens' reports have among them; a mouse's do not count.
 PenButtons buttons_of(std::vector<PenLayout> const& layouts)
 {
     PenButtons buttons;
@@ -159,7 +159,8 @@ private:
 
     std::vector<DescribedPen> pens_; // One for each report id that carries a pen.
     PenTraits traits_;
-    std::bitset<256> is_described_; // By report id: those of touches, pads and batteries, too.
+    // Indexed by report id: those of touches, pads and batteries, too.
+    std::bitset<256> is_described_;
     PenState state_;
 };
 

@@ -11,16 +11,17 @@
 
 namespace tractus {
 
-// What a format's reports leave to be remembered from one to the next. Each device has its own.
+// State that a format's reports leave to be remembered from one to the next. Each device has its
+// own.
 struct FamilyState {
     std::uint32_t tool_serial = 0;
     std::uint32_t tool_type = 0;
     std::uint32_t buttons = 0;
     bool is_eraser = false;
-    bool is_pen = true;     // Not a mouse on the tablet.
+    bool is_pen = true;     // False for a mouse on the tablet.
     bool is_inside = false; // The pen is in range.
 
-    std::size_t frame = 0; // Which of a report's states is asked for; see PenFamily::frames.
+    std::size_t frame = 0; // The state of a report that is asked for; see PenFamily::frames.
 
     std::int32_t x_maximum = 0; // The tablet's, which does not change; 0: not known.
 
@@ -50,7 +51,7 @@ struct PenFamily {
     Duration frame_interval {};
 };
 
-// All formats that are known. Their names are unique.
+// Returns all formats that are known. Their names are unique.
 std::span<PenFamily const> pen_families();
 
 // Null if there is none of that name.

@@ -63,8 +63,9 @@ private:
     PenScale scale_;
     FamilyState format_;
     PenState pen_;
-    std::vector<PenFields> frames_;      // Of the newest report.
-    std::optional<Timestamp> last_time_; // Of the pen's newest report, or when it left after that.
+    std::vector<PenFields> frames_; // Frames of the newest report.
+    // Time of the pen's newest report, or when it left after that.
+    std::optional<Timestamp> last_time_;
 };
 
 Result<void> FamilyDecoder::decode(Timestamp received, std::span<std::byte const> report,

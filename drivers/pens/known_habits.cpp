@@ -10,7 +10,8 @@ struct KnownHabits {
     PenHabits habits {};
 };
 
-// As they press the second button, these send that the pen is gone, and then that it hovers.
+// Habits of pens that, as their second button is pressed, send that they are gone, and then that
+// they hover.
 constexpr PenHabits kArtist24 {
     .second_button_is_eraser = true,
     .false_leave = std::chrono::milliseconds(20),

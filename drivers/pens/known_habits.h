@@ -6,16 +6,16 @@
 
 namespace tractus {
 
-// What a report descriptor says of a pen's buttons and ends.
+// Buttons and ends of a pen, as a report descriptor says.
 struct PenButtons {
     bool has_second = false;         // A second barrel button, under whatever name.
     bool has_second_by_name = false; // Under its own.
-    bool has_second_as_tip = false;  // As a secondary tip switch, and under no other name.
+    bool has_second_as_tip = false;  // A secondary tip switch, under no other name.
     bool has_eraser = false;
     bool has_invert = false;
 };
 
-// What is known of pens whose report descriptor misleads; the default for all others.
+// Returns what is known of pens whose report descriptor misleads; the default for all others.
 //
 // Linux can put such a descriptor right ("HID-BPF"): one that names a second barrel button has
 // been, and needs no habits. A pen that has one button and an eraser, but cannot be turned round,

@@ -7,7 +7,7 @@
 
 namespace tractus {
 
-// What one report says of a pen, as the device counts. Where a report does not say, the member has
+// Content of one report of a pen, as the device counts. Where a report does not say, the member has
 // no value, and PenState knows what to make of that.
 struct PenFields {
     // Counts; y from the far edge towards the user. Not looked at if the report has no place in it.
@@ -26,7 +26,7 @@ struct PenFields {
     bool eraser_touch = false; // The eraser's end is down, whatever `tip` and `invert` say.
     std::uint32_t buttons = 0; // Bit 0: first barrel button, bit 1: second, …
 
-    // Which pen it is, and of what kind, where it tells; 0 where not.
+    // Serial number and type of the pen, if the report tells them; else 0.
     std::uint32_t tool_serial = 0;
     std::uint32_t tool_type = 0;
 };

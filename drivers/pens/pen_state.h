@@ -10,11 +10,11 @@
 
 namespace tractus {
 
-// What turns the counts of a report into units: the ranges that the device declares, and the size
-// of one count.
+// Scale that turns the counts of a report into units: the ranges that the device declares, and the
+// size of one count.
 struct PenScale {
     std::int32_t x_minimum = 0;
-    std::int32_t y_maximum = 0; // Of the edge near the user.
+    std::int32_t y_maximum = 0; // Maximum at the edge near the user.
     Vec2 mm_per_count = Vec2::Ones();
 
     bool has_pressure = false;
@@ -28,8 +28,8 @@ struct PenScale {
 
 // How a device differs from what its reports say. The default is a device that does not.
 struct PenHabits {
-    // Without: the format has no way to say that the pen has left, whatever its reports say of
-    // being in range, and kSilence stands for it.
+    // False: the format has no way to say that the pen has left, whatever its reports say of being
+    // in range, and kSilence stands for it.
     bool reports_leaving = true;
 
     bool second_button_is_eraser = false; // The eraser's bit is the second barrel button.
@@ -44,8 +44,8 @@ struct PenHabits {
     double coil_height_mm = 0;
 };
 
-// What a pen does, as its device's reports tell it one after another. The one state machine for
-// every format, and for what devices are known to do (PenDecoder says which samples come out).
+// Follows a pen, as its device's reports tell of it one after another. It is the one state machine
+// for every format, and for what devices are known to do (PenDecoder says which samples come out).
 //
 // It reads no clock: the same reports give the same samples.
 class PenState {

@@ -51,8 +51,8 @@ std::optional<PenFields> decode_waltop(Report report, FamilyState&)
     };
 }
 
-// The same without a bit for the tip; its tilt is an azimuth and an altitude in bytes that are not
-// known.
+// Decodes reports like the above without a bit for the tip; their tilt is an azimuth and an
+// altitude in bytes that are not known.
 std::optional<PenFields> decode_lifetec(Report report, FamilyState&)
 {
     if (!has_id(report, 0x02, 8))

@@ -50,7 +50,7 @@ std::optional<PenFields> decode_v1(Report report, FamilyState&)
     return fields;
 }
 
-// The same with the bit the other way round.
+// Decodes reports with the bit the other way round.
 std::optional<PenFields> decode_v1_upright(Report report, FamilyState&)
 {
     if (report.size() < 8 || is_pad_report(report))

@@ -10,8 +10,9 @@ namespace tractus {
 // Monoprice and many others send after they were switched: "uclogic-…" and "huion-giano". Offsets
 // below count from the report id.
 //
-// All begin alike: flags in byte 1, then X, Y and pressure, 16 bits each. Of the flags, bit 0 is
-// the tip and bits 1 to 3 are buttons; the upper bits tell pen, pad keys and dials apart.
+// Reports of all of them begin alike: flags in byte 1, then X, Y and pressure, 16 bits each. Of the
+// flags, bit 0 is the tip and bits 1 to 3 are buttons; the upper bits tell pen, pad keys and dials
+// apart.
 std::span<PenFamily const> uclogic_families();
 
 } // namespace tractus

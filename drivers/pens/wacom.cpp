@@ -12,7 +12,7 @@ using Report = std::span<std::byte const>;
 using Fields = std::optional<PenFields>;
 
 constexpr std::uint8_t kPenReport = 0x02;
-constexpr std::uint8_t kSecondPenReport = 0x10; // The same, or IntuosV2's own.
+constexpr std::uint8_t kSecondPenReport = 0x10; // A pen's report too, or IntuosV2's own.
 constexpr std::uint8_t kLongPenReport = 0x1E;
 constexpr std::uint8_t kShortPenReport = 0x1F;
 
@@ -115,7 +115,7 @@ Vec2 intuos_pro_tilt_deg(Report report)
     return { ((u8(report, 7) << 1 & 0x7E) | u8(report, 8) >> 7) - 64, (u8(report, 8) & 0x7F) - 64 };
 }
 
-// What the four bits of a report's kind say. A pen's own reports have its buttons there.
+// Meaning of the four bits of a report's kind. A pen's own reports have its buttons there.
 enum class IntuosProKind { Pen, Rotation, Airbrush, Other };
 
 IntuosProKind kind_of(Report report)
@@ -158,7 +158,7 @@ PenFields intuos_pro_fields(Report report, FamilyState& state)
     return fields;
 }
 
-// At their right edge Intuos5 and Pro say that the pen is too high while it draws.
+// Whether an Intuos5 or Pro draws at its right edge, where these say that the pen is too high.
 bool presses_at_right_edge(Report report, FamilyState const& state)
 {
     constexpr int kSurely = 10; // Above what the sensor reports of itself.
@@ -195,7 +195,7 @@ Fields decode_intuos_pro(Report report, FamilyState& state)
     return intuos_pro_fields(report, state);
 }
 
-// What the second Intuos Pro and the third one agree on, the places aside.
+// Places in a report that differ between the second Intuos Pro and the third one.
 struct WideLayout {
     std::size_t flags = 0;
     unsigned eraser_bit = 0;
@@ -410,7 +410,7 @@ Fields decode_intuos_bluetooth(Report report, FamilyState& state)
     return decode_bluetooth(report, kIntuosBluetooth, state.frame);
 }
 
-// The same with a byte before it.
+// Decodes reports with a byte before what `decode` reads.
 template<auto decode> Fields after_one_byte(Report report, FamilyState& state)
 {
     return report.empty() ? std::nullopt : decode(report.subspan(1), state);

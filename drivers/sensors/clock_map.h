@@ -24,11 +24,11 @@ public:
     // Whether the device's own numbers say that a message is one of the next after the last one.
     enum class Order { Follows, Unknown };
 
-    // What is told of a message: the device sent it at `device_us` of its clock, and it arrived at
-    // `arrival`. False if the device's clock has begun anew since the last message, and with it the
-    // map: where the order is not known, a clock is taken for a new one when it went back, or
-    // forward by half a second more or less than the host's. Gaps of more than the clock's 71
-    // minutes are no reason.
+    // Adds a message: the device sent it at `device_us` of its clock, and it arrived at `arrival`.
+    // False if the device's clock has begun anew since the last message, and with it the map: where
+    // the order is not known, a clock is taken for a new one when it went back, or forward by half
+    // a second more or less than the host's. Gaps of more than the clock's 71 minutes are no
+    // reason.
     bool add(std::uint32_t device_us, Timestamp arrival, Order order);
 
     // Forgets everything: the next message is the first.
@@ -69,7 +69,7 @@ private:
     std::int64_t window_end_us_ = 0;
 
     double slope_ = 0;     // Nanoseconds of delay per microsecond.
-    double offset_ns_ = 0; // Of the line at the first message.
+    double offset_ns_ = 0; // Height of the line at the first message.
 };
 
 } // namespace tractus

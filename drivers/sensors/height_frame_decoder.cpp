@@ -45,7 +45,7 @@ private:
 
     std::uint16_t full_scale_;
     HeightFrameParser parser_;
-    std::vector<HeightFrame> frames_; // Of the report at hand; kept for its memory.
+    std::vector<HeightFrame> frames_; // Frames of the report at hand; kept for its memory.
     ClockMap clock_;
     std::optional<std::uint16_t> last_sequence_;
     Timestamp last_time_ = Timestamp::min();

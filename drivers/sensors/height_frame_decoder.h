@@ -11,10 +11,11 @@ namespace tractus {
 // Whether the device is the station's own height sensor: one of its strings says so.
 bool is_height_frame_device(DeviceInfo const&);
 
-// For the station's own height sensor (firmware-notes/height-sensor-protocol.md): its frames, as
-// they came over the wire, in pieces of any length. Each reading has the time at which it was
-// taken, by the sensor's clock mapped to the host's, so that a frame that comes late does not move
-// the height; of the latency only the least transmission time remains. Times never go back.
+// Makes a decoder for the station's own height sensor (firmware-notes/height-sensor-protocol.md):
+// for its frames, as they came over the wire, in pieces of any length. Each reading has the time at
+// which it was taken, by the sensor's clock mapped to the host's, so that a frame that comes late
+// does not move the height; of the latency only the least transmission time remains. Times never go
+// back.
 //
 // Fails, as the device's fault, if its string does not tell the greatest reading. Decoding fails
 // for reports with corrupt frames, bytes between frames or impossible readings, and goes on with

@@ -41,7 +41,7 @@ HeightFrame read_frame(Bytes bytes)
 
 void HeightFrameParser::push(Bytes bytes, std::vector<HeightFrame>& out)
 {
-    if (unfinished_.empty()) { // As a rule: a transfer is one frame.
+    if (unfinished_.empty()) { // Usually so: a transfer is one frame.
         auto const used = parse(bytes, out);
         unfinished_.assign(bytes.begin() + static_cast<std::ptrdiff_t>(used), bytes.end());
         return;

@@ -18,7 +18,8 @@ public:
     void push(std::span<std::byte const> bytes, std::vector<HeightFrame>& out);
 
     std::uint64_t corrupt_frames() const { return corrupt_frames_; } // Their CRC was wrong.
-    std::uint64_t garbage_bytes() const { return garbage_bytes_; }   // Those of corrupt frames too.
+    // Includes those of corrupt frames.
+    std::uint64_t garbage_bytes() const { return garbage_bytes_; }
 
 private:
     std::size_t parse(std::span<std::byte const> bytes, std::vector<HeightFrame>& out);

@@ -34,7 +34,7 @@ constexpr std::uint8_t kVendorInterfaceOut = 0x41;
 constexpr std::size_t kHeightIdentityBytes = 20;
 constexpr std::size_t kHeightRateBytes = 4;
 
-// What the potentiometer's ends hang on, which is what full scale means.
+// Supply of the potentiometer's ends, which is what full scale means.
 enum class HeightReference : std::uint8_t {
     Supply = 0,   // The converter's supply: ratiometric, its drift cancels.
     Internal = 1, // The converter's own reference.
@@ -59,7 +59,7 @@ struct HeightFrame {
     std::uint8_t flags = 0;
     std::uint16_t sequence = 0;  // One more per frame, lost ones too; wraps.
     std::uint32_t device_us = 0; // The sensor's clock at the first reading; wraps.
-    std::uint16_t period_us = 0; // Between readings.
+    std::uint16_t period_us = 0; // Time between readings.
     std::size_t count = 0;       // 1 to kMaxHeightFrameSamples.
     std::array<std::uint16_t, kMaxHeightFrameSamples> counts {};
 

@@ -8,8 +8,8 @@
 
 namespace tractus {
 
-// For a HID device with one absolute Generic Desktop "Slider" (HID Usage Tables, page 0x01, usage
-// 0x36) whose logical range is 0 to the converter's full scale. See
+// Makes a decoder for a HID device with one absolute Generic Desktop "Slider" (HID Usage Tables,
+// page 0x01, usage 0x36) whose logical range is 0 to the converter's full scale. See
 // firmware-notes/height-sensor.md for a descriptor and a report byte by byte. Without state: the
 // same report always gives the same sample.
 //

@@ -21,7 +21,7 @@ enum class LabJackCommand : std::uint8_t {
 // A packet with both checksums. `data` is filled up to whole words.
 std::vector<std::byte> labjack_packet(LabJackCommand command, std::span<std::byte const> data);
 
-// What is wrong with a packet, if anything is.
+// Faults of a packet.
 enum class LabJackDefect {
     None,
     TooShort, // Than its own header says, or than a header.

@@ -22,7 +22,8 @@ constexpr std::uint16_t kLabjackProductId = 0x0003;
 constexpr std::uint8_t kCommandEndpoint = 0x01;
 constexpr std::uint8_t kAnswerEndpoint = 0x82;
 
-constexpr Duration kLabjackPeriod = std::chrono::milliseconds(4); // What its firmware does at ease.
+// The firmware does as much at ease.
+constexpr Duration kLabjackPeriod = std::chrono::milliseconds(4);
 constexpr int kLabjackAttempts = 5;
 constexpr std::int32_t kLabjackFullScale = 0xFFF0;
 
@@ -50,7 +51,7 @@ PacketTest answers(LabJackCommand command)
 struct Question {
     LabJackCommand command {};
     std::vector<std::byte> data {};
-    std::size_t answer_bytes = 0; // Of its data.
+    std::size_t answer_bytes = 0; // Size of its data.
 };
 
 // The data of the answer, its error code first.
@@ -89,7 +90,7 @@ Result<Identity> read_identity(PacketLink& link, std::string const& who)
 }
 
 struct Calibration {
-    double volts_per_count = 0; // Of 16 bits.
+    double volts_per_count = 0; // Counts are of 16 bits.
     double offset_volts = 0;
 };
 
@@ -206,7 +207,8 @@ open_labjack_u3(DeviceInfo info, std::unique_ptr<PacketLink> link, LabJackU3Opti
     auto const identity = TRY(read_identity(*link, who));
     auto const calibration
         = TRY(read_calibration(*link, identity.is_high_voltage, options.channel, who));
-    // Not in info's serial number: that is USB's, by which the device is found again.
+    // The name tells it, not info's serial number: that is USB's, by which the device is found
+    // again.
     info.name
         = fmt::format("LabJack U3-{} {}, AIN{}, {}", identity.is_high_voltage ? "HV" : "LV",
                       identity.serial_number, options.channel,

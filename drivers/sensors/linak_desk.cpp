@@ -24,7 +24,8 @@ using DeskReport = std::array<std::byte, kDeskReportBytes>;
 
 constexpr std::byte kDeskStatus { 0x04 };       // Asked for.
 constexpr std::byte kDeskStatusLength { 0x38 }; // Its second byte.
-constexpr std::size_t kDeskFirstValueAt = 2;    // All is zero from here on until the desk is ready.
+// Bytes from here on are all zero until the desk is ready.
+constexpr std::size_t kDeskFirstValueAt = 2;
 constexpr std::size_t kDeskHeightAt = 4;
 
 // How often the cable stands to be asked is published nowhere.

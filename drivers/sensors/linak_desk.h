@@ -32,7 +32,7 @@ bool is_linak_desk(DeviceInfo const&);
 // though it was initialised: it has to be set to its lowest position by its own keys.
 Result<std::unique_ptr<ReportSource>> open_linak_desk(DeviceInfo info);
 
-// The same over any link on which a single byte asks for that feature report, and more bytes set
+// Opens one over any link on which a single byte asks for that feature report, and more bytes set
 // one (open_hid_feature_link).
 Result<std::unique_ptr<ReportSource>> open_linak_desk(DeviceInfo info,
                                                       std::unique_ptr<PacketLink> link);

@@ -28,13 +28,13 @@ constexpr std::byte kGetSettings { 0x61 };
 constexpr std::byte kDone { 0x00 };
 
 constexpr std::byte kChange { 0x80 };
-constexpr std::byte kConverterFunction { 0x02 }; // Of GP1 to GP3.
-constexpr std::size_t kReferenceAt = 5;          // In the command that sets.
+constexpr std::byte kConverterFunction { 0x02 }; // Function of GP1 to GP3.
+constexpr std::size_t kReferenceAt = 5;          // Place in the command that sets.
 constexpr std::size_t kChangePinsAt = 7;
 constexpr std::size_t kSetPinsAt = 8;
-constexpr std::size_t kToldPinsAt = 22; // In the answer of the command that gets.
+constexpr std::size_t kToldPinsAt = 22; // Place in the answer of the command that gets.
 constexpr std::size_t kPins = 4;
-constexpr std::size_t kReadingsAt = 50; // In the status: GP1, GP2, GP3.
+constexpr std::size_t kReadingsAt = 50; // Place in the status: GP1, GP2, GP3.
 
 // The fastest host controllers carry 500 questions and answers a second.
 constexpr Duration kMcp2221aPeriod = std::chrono::milliseconds(2);

@@ -18,8 +18,8 @@ enum class Mcp2221aReference { Supply, Volts1024, Volts2048, Volts4096 }; // 1.0
 
 struct Mcp2221aOptions {
     int pin = 1; // Wiper on GP1, GP2 or GP3.
-    // What full scale is. With the potentiometer between the chip's supply and ground, only the
-    // supply lets its drift cancel.
+    // Voltage that full scale means. With the potentiometer between the chip's supply and ground,
+    // only the supply lets its drift cancel.
     Mcp2221aReference reference = Mcp2221aReference::Supply;
 };
 
@@ -44,7 +44,7 @@ bool is_mcp2221a(DeviceInfo const&);
 // not answer as such a chip does.
 Result<std::unique_ptr<ReportSource>> open_mcp2221a(DeviceInfo info);
 
-// The same over any link.
+// Opens one over any link.
 Result<std::unique_ptr<ReportSource>>
 open_mcp2221a(DeviceInfo info, std::unique_ptr<PacketLink> link, Mcp2221aOptions const& options);
 

@@ -24,12 +24,12 @@ Result<std::optional<RawReport>> exchange(PacketLink& link, std::span<std::byte 
 struct Polling {
     std::vector<std::byte> command {}; // Asks for one reading.
     PacketTest is_reply {};            // Whether a packet is the answer to it.
-    Duration period {};                // Between two questions; the answers may be slower.
+    Duration period {};                // Time between two questions; the answers may be slower.
 
     // Prepares the sensor: called first of all, and again after a packet that `spoils` takes, since
     // somebody else has changed its settings.
     std::function<Result<void>(PacketLink&)> set_up {};
-    PacketTest spoils {}; // None if it is empty.
+    PacketTest spoils {}; // Spoiling packets; none if it is empty.
 };
 
 // Asks in read(), so whoever reads from a thread of its own polls from that thread. An answer that

@@ -6,8 +6,8 @@
 
 namespace tractus {
 
-// What a reading is in volts, for converters whose reference is a voltage. It stands in the name of
-// the device (DeviceInfo::name), so that a log tells it, too.
+// Meaning of a reading in volts, for converters whose reference is a voltage. It stands in the name
+// of the device (DeviceInfo::name), so that a log tells it, too.
 
 // "0.002 V per count from 0 V", to be put behind a name.
 std::string print_volts_per_count(double volts_per_count, double volts_at_zero);

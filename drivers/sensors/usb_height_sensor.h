@@ -15,9 +15,9 @@
 
 namespace tractus {
 
-// What to ask of the station's own height sensor; what has no value stays as the sensor has it.
+// Wishes for the station's own height sensor; what has no value stays as the sensor has it.
 struct UsbHeightSensorOptions {
-    std::optional<std::uint16_t> period_us {};        // Between readings.
+    std::optional<std::uint16_t> period_us {};        // Time between readings.
     std::optional<std::uint8_t> samples_per_frame {}; // 1 to kMaxHeightFrameSamples.
     std::optional<HeightReference> reference {};
 };
@@ -51,7 +51,7 @@ public:
     virtual Result<std::optional<RawReport>> read(Duration timeout) = 0;
 };
 
-// The same over any link.
+// Opens one over any link.
 Result<std::unique_ptr<ReportSource>> open_usb_height_sensor(DeviceInfo info,
                                                              std::unique_ptr<HeightSensorLink> link,
                                                              UsbHeightSensorOptions const& options);

@@ -35,7 +35,7 @@ public:
         return mutex;
     }
 
-    // With the mutex locked.
+    // Requires that the mutex is locked.
     static void begin()
     {
         if (open_count == 0)

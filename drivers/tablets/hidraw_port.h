@@ -11,8 +11,8 @@
 
 namespace tractus {
 
-// Which of a tablet's interfaces takes a report: `own` if its descriptor has the report or none of
-// the others has, else the other one.
+// Returns which of a tablet's interfaces takes a report: `own` if its descriptor has the report or
+// none of the others has, else the other one.
 enum class HostReportKind { Feature, Output };
 std::size_t find_receiver(std::vector<DeviceInfo> const& interfaces, std::size_t own,
                           HostReportKind kind, std::uint8_t report_id);
@@ -36,8 +36,8 @@ public:
 private:
     Result<void> send(HostReportKind kind, std::span<std::byte const> report);
 
-    std::vector<DeviceInfo> interfaces_; // Of this tablet.
-    std::size_t own_ = 0;                // Which of them is the one it is opened for.
+    std::vector<DeviceInfo> interfaces_; // Interfaces of this tablet.
+    std::size_t own_ = 0;                // Index of the one it is opened for.
     SwitchedBy switched_by_ = SwitchedBy::Nobody;
     UsbStrings strings_;
 };

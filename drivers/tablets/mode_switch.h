@@ -16,9 +16,9 @@ enum class SwitchedBy { Nobody, Kernel };
 // 3. reads the strings, then sends the feature reports, then the output reports that the table
 //    names for it, in the table's order.
 //
-// What was read goes to `info.strings`, an empty text for a string that the tablet does not have.
-// What fails goes to `info.warnings`, one sentence for each of the three kinds at most; the tablet
-// then stays in the mode it is in, and its decoder will be the one for that mode.
+// Strings that were read go to `info.strings`, an empty text for one that the tablet does not have.
+// Failures go to `info.warnings`, one sentence for each of the three kinds at most; the tablet then
+// stays in the mode it is in, and its decoder will be the one for that mode.
 void switch_to_full_mode(DeviceInfo& info, TabletPort& port, SwitchedBy switched_by);
 
 } // namespace tractus

@@ -59,7 +59,7 @@ Result<std::unique_ptr<ReportSource>> open_through_hidraw(DeviceInfo info)
     HidrawPort port(info, enumerate_hid());
     if (port.is_open())
         switch_to_full_mode(info, port, port.switched_by());
-    return open_hid(std::move(info)); // Which says why if the node cannot be opened.
+    return open_hid(std::move(info)); // Says why if the node cannot be opened.
 }
 
 } // namespace

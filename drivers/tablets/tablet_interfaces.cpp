@@ -7,7 +7,8 @@
 
 namespace tractus {
 
-// All interfaces of a USB device have the same path but for the interface's number.
+// Key of a tablet: all interfaces of a USB device have the same path but for the interface's
+// number.
 static std::string tablet_key(DeviceInfo const& info)
 {
     auto const path = info.physical_path.substr(0, info.physical_path.rfind("/input"));

@@ -20,7 +20,7 @@ struct Candidate {
     Tablet const* tablet = nullptr;
     TabletIdentifier const* identifier = nullptr;
     std::size_t conditions_held = 0;
-    bool is_refuted = false; // One of its strings is another.
+    bool is_refuted = false; // Proof that one of its strings is another.
 
     // Candidates with the same shape are the same for whoever reads their reports.
     auto shape() const
@@ -85,7 +85,7 @@ void prefer_told_maxima(Candidates& candidates, DeviceInfo const& info)
             });
 }
 
-// As TabletIdentifier counts it; no value if there is no such report.
+// Counts as TabletIdentifier does; no value if there is no such report.
 std::optional<std::size_t> longest_report(HidReportDescriptor const& descriptor, HidReportKind kind)
 {
     std::optional<std::size_t> longest;
@@ -153,7 +153,7 @@ std::string lower_case(std::string_view text)
     return result;
 }
 
-// Without its maker: "HS610".
+// Name without its maker: "HS610".
 std::string model_of(Tablet const& tablet)
 {
     auto const blank = tablet.name.find(' ');

@@ -10,7 +10,7 @@
 
 namespace tractus {
 
-// Which tablet a device is. Never null; both live as long as the program.
+// A tablet that a device is. The pointers are never null; both live as long as the program.
 struct TabletMatch {
     Tablet const* tablet = nullptr;
     TabletIdentifier const* identifier = nullptr;
@@ -33,7 +33,7 @@ struct TabletMatch {
 // strings are of none of them: new models come with old ids, and differ little.
 std::optional<TabletMatch> find_tablet(DeviceInfo const& info);
 
-// The same in a table of one's own.
+// Looks in a table of one's own.
 std::optional<TabletMatch> find_tablet(std::span<Tablet const> tablets, DeviceInfo const& info);
 
 // The name of a match for a person to read: "Huion HS610", or "Huion H640P (or one of 21 others

@@ -8,7 +8,7 @@
 
 namespace tractus {
 
-// What a tablet says of itself in a string descriptor.
+// A tablet's description of itself in a string descriptor.
 struct TabletParameters {
     std::int32_t x_maximum = 0;
     std::int32_t y_maximum = 0;

@@ -19,7 +19,7 @@ std::string_view trimmed(std::string_view text)
     return text.substr(first, text.find_last_not_of(' ') + 1 - first);
 }
 
-// What stands before the separator; `text` is left with the rest.
+// Returns what stands before the separator; `text` is left with the rest.
 std::string_view take(std::string_view& text, std::string_view separator)
 {
     auto const end = text.find(separator);

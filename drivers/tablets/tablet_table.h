@@ -13,8 +13,8 @@
 
 namespace tractus {
 
-// What the host does, in this order, so that a tablet leaves the mode in which it powers up, which
-// is often that of a mouse.
+// Steps that the host takes, in this order, so that a tablet leaves the mode in which it powers up,
+// which is often that of a mouse.
 struct TabletSetup {
     std::vector<int> strings {}; // USB string descriptors: reading them is the switch.
     std::vector<std::vector<std::byte>> feature_reports {}; // Whole reports, the report id first.
@@ -37,7 +37,8 @@ struct StringCondition {
 struct TabletIdentifier {
     std::uint16_t vendor_id = 0;
     std::uint16_t product_id = 0;
-    // Any product that is not known otherwise, if its longest input report is of `input_size`.
+    // Whether it is any product that is not known otherwise, if its longest input report is of
+    // `input_size`.
     bool is_any_product = false;
     // The longest of the interface's reports in bytes, the report id's included, which a device
     // that uses no ids counts as well; 0: it has none. No value: not known.
@@ -45,7 +46,7 @@ struct TabletIdentifier {
     std::optional<std::size_t> output_size {};
 
     std::string family {};                      // See drivers/pens/families.h.
-    std::vector<StringCondition> conditions {}; // All must hold.
+    std::vector<StringCondition> conditions {}; // Conditions, all of which must hold.
     TabletSetup setup {};
     std::optional<int> interface_number {}; // Only on this USB interface.
 };
@@ -54,8 +55,8 @@ struct TabletIdentifier {
 struct Tablet {
     std::string name {}; // "Huion HS610".
     Vec2 size_mm = Vec2::Zero();
-    // What is known of its size and of its maxima does not fit together: where the pen is may be
-    // wrong by some per cent, or altogether.
+    // Whether its size and its maxima do not fit together: where the pen is may be wrong by some
+    // per cent, or altogether.
     bool is_size_in_doubt = false;
     std::int32_t x_maximum = 0;
     std::int32_t y_maximum = 0;
@@ -68,7 +69,7 @@ struct Tablet {
 // The family of an interface of keys or touch, which carries no pen.
 inline constexpr std::string_view kPadFamily = "pad";
 
-// All tablets that are known, in the order of drivers/tablets/tablets.txt.
+// Returns all tablets that are known, in the order of drivers/tablets/tablets.txt.
 std::span<Tablet const> known_tablets();
 
 // Reads the form that drivers/tablets/tablets.txt explains. Fails, as the station's fault, with the

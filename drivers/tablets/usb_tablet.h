@@ -21,7 +21,7 @@ public:
     {
     }
 
-    // As TabletPort::read_string.
+    // Does as TabletPort::read_string.
     Result<std::string> read(int index);
 
 private:

@@ -136,7 +136,7 @@ void UsbDevice::close()
     if (handle_ == nullptr)
         return;
     for (int const interface_number : claimed_)
-        libusb_release_interface(handle_, interface_number); // Of an unplugged device it fails.
+        libusb_release_interface(handle_, interface_number); // Fails for an unplugged device.
     libusb_close(handle_);
     handle_ = nullptr;
 }

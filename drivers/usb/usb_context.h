@@ -43,7 +43,7 @@ public:
     // there is none or it may not be opened; the message says what to do.
     static Result<UsbDevice> open(std::string_view address);
 
-    // The other one is left without a device: it may only be destroyed or assigned to.
+    // Leaves the other one without a device: it may only be destroyed or assigned to.
     UsbDevice(UsbDevice&&) noexcept;
     UsbDevice& operator=(UsbDevice&&) noexcept;
     ~UsbDevice();
@@ -59,7 +59,7 @@ public:
     // is a text. Fails, as the device's fault, if it has none or does not answer.
     Result<std::vector<std::byte>> string_bytes(std::uint8_t index) const;
 
-    // The same as text in UTF-8.
+    // Returns the same as text in UTF-8.
     Result<std::string> string(std::uint8_t index) const;
 
 private:

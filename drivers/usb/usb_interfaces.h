@@ -10,7 +10,7 @@ namespace tractus {
 
 // One interface of a USB device that is plugged in.
 struct UsbInterface {
-    std::filesystem::path folder {}; // In sysfs: ".../1-2.3:1.0".
+    std::filesystem::path folder {}; // Folder in sysfs: ".../1-2.3:1.0".
     std::string port {};             // "1-2.3"
 
     // USB 2.0 section 9.6.5: what it is for. Class 3 is HID, 255 its maker's own.

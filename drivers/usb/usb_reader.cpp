@@ -43,7 +43,7 @@ private:
         std::unique_ptr<libusb_transfer, FreeTransfer> handle {};
         std::array<unsigned char, kTransferBytes> bytes {};
         bool is_under_way = false;
-        Reader* reader = nullptr; // None when it did not live to the transfer's end.
+        Reader* reader = nullptr; // Null when it did not live to the transfer's end.
     };
 
     static void LIBUSB_CALL ended(libusb_transfer* transfer);
@@ -121,7 +121,7 @@ void Reader::handle_events(Duration timeout)
 Result<std::optional<RawReport>> Reader::read(Duration timeout)
 {
     auto const end = monotonic_now() + timeout;
-    handle_events(0ms); // What has ended already is stamped as soon as can be.
+    handle_events(0ms); // Stamps what has ended already as soon as can be.
     while (ready_.empty() && failure_.empty()) {
         auto const left = end - monotonic_now();
         if (left <= 0ms)
@@ -147,7 +147,7 @@ Reader::~Reader()
     is_stopping_ = true;
     for (auto const& transfer : transfers_)
         if (transfer && transfer->is_under_way)
-            libusb_cancel_transfer(transfer->handle.get()); // Of a device that is gone, it fails.
+            libusb_cancel_transfer(transfer->handle.get()); // Fails for a device that is gone.
     auto const end = monotonic_now() + kCancelLimit;
     while (is_any_under_way() && monotonic_now() < end)
         handle_events(50ms);
