@@ -65,7 +65,7 @@ static Result<void> carry_out(Action const& action)
     }
 }
 
-// Each verb registers itself here, in the order that --help lists them.
+// Registers each verb, in the order that --help lists them.
 static void add_verbs(CLI::App& root, Action& action, Methods const& methods)
 {
     add_demo_verb(root, action, methods);
@@ -103,7 +103,7 @@ int run_command_line(int argc, char const* const* argv, Methods const& methods)
     add_verbs(root, action, methods);
     for (auto* const verb : root.get_subcommands({})) {
         verb->set_help_flag("-h,--help", "Print this help");
-        if (!verb->get_group().empty()) // Those without are not listed.
+        if (!verb->get_group().empty()) // Verbs without a group are not listed.
             verb->group("Verbs");
     }
     root.footer( // After the verbs, which would inherit it.

@@ -13,7 +13,7 @@ namespace tractus {
 std::filesystem::path dated_path(std::filesystem::path const& folder, std::string_view plant,
                                  std::string_view ending, std::chrono::sys_seconds now);
 
-// The same, named after the present.
+// Returns such a path named after the present.
 std::filesystem::path dated_path(std::filesystem::path const& folder, std::string_view plant,
                                  std::string_view ending);
 

@@ -16,7 +16,8 @@ public:
     std::string make_subcommand(CLI::App const* verb) const override;
 };
 
-// What --help says of an option, on one line: its sentence, its default and what it goes with.
+// Returns what --help says of an option, on one line: its sentence, its default and what it goes
+// with.
 std::string option_text(CLI::Option const& option);
 
 } // namespace tractus

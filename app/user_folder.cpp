@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 fs::path user_folder()
 {
-    // What is no absolute path does not count: so the specification.
+    // The specification lets only absolute paths count.
     auto const folder = [](char const* variable) -> fs::path {
         char const* const value = std::getenv(variable); // NOLINT(concurrency-mt-unsafe): nobody
                                                          // changes the environment.

@@ -8,9 +8,8 @@ namespace tractus {
 // A library of the system that a driver stands on.
 struct LibraryVersion {
     std::string name {}; // "hidapi"
-    std::string
-        // The one that runs, or where it does not tell, that the program was built with.
-        version {};
+    // The one that runs, or where it does not tell, that the program was built with.
+    std::string version {};
     std::string needed {}; // The oldest that does all we ask of it.
 };
 

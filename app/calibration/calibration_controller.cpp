@@ -228,7 +228,7 @@ Result<void> CalibrationController::command(Timestamp time, std::string_view wor
                     takes_captures(procedure()) ? "capture MM, undo or drop N" : "begin or end"));
 }
 
-// What was before does not count.
+// Forgets what came before the movement.
 void CalibrationController::begin_movement()
 {
     pens_.clear();

@@ -20,9 +20,9 @@
 
 namespace tractus {
 
-// What a person calibrates.
+// Procedures by which a person calibrates.
 enum class CalibrationProcedure {
-    Height,  // What the sensor's readings mean.
+    Height,  // Meaning of the sensor's readings.
     Travel,  // How the surface moves aside while it rises.
     Latency, // How much later the pen arrives than the height.
     Zero,    // Where height zero is; the scale stays.
@@ -34,11 +34,11 @@ std::string_view name_of(CalibrationProcedure procedure); // "height", "travel",
 // Whether a procedure consists of captures at rest; the others are one movement, from begin to end.
 bool takes_captures(CalibrationProcedure procedure);
 
-// What came of a procedure.
+// Result of a procedure.
 struct CalibrationOutcome {
-    Rig rig {};                             // With what was found out, and its record.
+    Rig rig {};                             // The rig with what was found out, and its record.
     std::optional<HeightFit> height_fit {}; // After Height.
-    std::string report {};                  // For the person; lines that end in a line break.
+    std::string report {};                  // Text for the person; lines that end in a line break.
 };
 
 // A calibration under way: devices' reports and a person's commands in, a rig out. Live devices,
@@ -57,7 +57,7 @@ class CalibrationController {
 public:
     struct Options {
         CalibrationProcedure procedure = CalibrationProcedure::Height;
-        Rig rig {}; // As it was so far.
+        Rig rig {}; // The rig so far.
         HeightFitOptions height {};
         std::optional<ZeroCause> zero_cause {}; // No value: what the captures tell, or the usual.
         bool is_forced = false; // Whether a height fit is kept in spite of a doubt about it.
@@ -74,34 +74,35 @@ public:
     // Fails, as the user's fault, for words that mean nothing here, and for times that go back.
     Result<void> command(Timestamp time, std::string_view words);
 
-    // What is wrong with the last capture: a sentence that says what to do. Empty if nothing is.
+    // Says what is wrong with the last capture: a sentence that says what to do. Empty if nothing
+    // is.
     std::string const& refusal() const { return refusal_; }
 
     // Why the heights captured so far had better not be kept; no value if they may be, if there is
     // no fit yet, and after other procedures than Height.
     std::optional<HeightFitDoubt> doubt() const;
 
-    // What the captures of Zero amount to, if it matters why heights are off and nothing tells it
-    // yet; otherwise no value.
+    // Returns what the captures of Zero amount to, if it matters why heights are off and nothing
+    // tells it yet; otherwise no value.
     std::optional<Zeroing> open_question() const;
 
     bool is_capturing() const { return pending_.has_value(); }
-    bool is_moving() const { return is_moving_; } // Between begin and end.
+    bool is_moving() const { return is_moving_; } // True between begin and end.
 
     CalibrationProcedure procedure() const { return options_.procedure; }
     Rig const& rig() const { return options_.rig; }
     std::vector<HeightCapture> const& captures() const { return captures_; }
     std::optional<HeightReading> reading() const { return recent_.reading(); }
-    SensorIdentity const& sensor() const { return sensor_; }     // Whose reading that is.
+    SensorIdentity const& sensor() const { return sensor_; }     // The sensor of that reading.
     std::optional<PenSample> const& pen() const { return pen_; } // The last one.
-    std::size_t touches() const { return touches_; }             // Of the movement, so far.
+    std::size_t touches() const { return touches_; }             // Touches of the movement, so far.
 
     // When the pen has touched for a while without moving, once for each touch: a person's sign
     // that the surface rests. The time is that of the data.
     bool take_pen_rest();
 
-    // What follows from everything so far. Fails as the procedure's fit does, if a capture was
-    // refused and not made again, and for a doubt about the heights that is not forced. The
+    // Returns what follows from everything so far. Fails as the procedure's fit does, if a capture
+    // was refused and not made again, and for a doubt about the heights that is not forced. The
     // report names every capture that was refused, those that were made again, too.
     Result<CalibrationOutcome> finish(std::string const& date) const;
 
@@ -146,7 +147,7 @@ private:
     std::vector<HeightCapture> captures_;
     std::optional<double> last_ruler_mm_; // Where the surface was last captured, dropped or not.
     std::string refusal_;
-    std::vector<std::string> refusals_; // All of them, for the report.
+    std::vector<std::string> refusals_; // Kept for the report, all of them.
     std::optional<Timestamp> last_command_;
 
     std::optional<PenSample> pen_;
@@ -154,10 +155,10 @@ private:
     bool is_rest_told_ = false;
     bool is_pressing_ = false; // The present touch is none of the calibration's.
 
-    bool is_moving_ = true; // In a log without begin and end, always.
+    bool is_moving_ = true; // Always true in a log without begin and end.
     std::size_t touches_ = 0;
-    std::vector<PenSample> pens_;       // Of travel and latency.
-    std::size_t pens_before_touch_ = 0; // Of pens_, before the present touch.
+    std::vector<PenSample> pens_;       // Pen samples of travel and latency.
+    std::size_t pens_before_touch_ = 0; // Number of pens_ before the present touch.
     std::vector<HeightSample> heights_;
 };
 

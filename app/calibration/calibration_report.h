@@ -9,7 +9,7 @@
 
 namespace tractus {
 
-// What a person reads after a calibration: lines that end in a line break.
+// Texts that a person reads after a calibration: lines that end in a line break.
 
 std::string describe(HeightCalibration const& calibration, Rig const& rig);
 std::string describe(TravelFit const& fit);
@@ -20,7 +20,7 @@ std::string describe(HeightCheck const& check);
 std::string describe(Zeroing const& zeroing, Rig const& before,
                      std::span<HeightCapture const> captures);
 
-// What is at stake where nobody has told why heights are off, and how to tell it.
+// Says what is at stake where nobody has told why heights are off, and how to tell it.
 std::string describe_question(Zeroing const& zeroing);
 
 // Heights in millimetres as "0.0 to 400.1 mm", in no line of its own.

@@ -10,31 +10,31 @@
 
 namespace tractus {
 
-// All that the calibration's panel shows at one moment.
+// Everything that the calibration's panel shows at one moment.
 struct CalibrationView {
     CalibrationProcedure procedure = CalibrationProcedure::Height;
     std::string reading {}; // The sensor's, with noise and whether it rests.
     bool is_on_rail = false;
     bool may_capture = false; // The surface rests, and nothing is being captured.
     bool is_capturing = false;
-    bool is_moving = false; // Between begin and end of travel and latency.
+    bool is_moving = false; // True between begin and end of travel and latency.
     std::vector<HeightCapture> captures {};
     std::vector<double> residuals_mm {}; // One per capture, or empty before the first fit.
     std::vector<std::size_t> slipped {}; // Captures that the fit leaves out.
     double proposed_mm = 0;              // The height to go to next, and to capture there.
-    std::string message {};              // What to do, or what was refused and why.
-    bool is_refusal = false;             // Of the message.
-    std::string report {};               // Of the fit so far; empty before the first.
-    std::vector<Plot> plots {};          // Of the fit so far.
+    std::string message {};              // Says what to do, or what was refused and why.
+    bool is_refusal = false;             // The message is one.
+    std::string report {};               // Report of the fit so far; empty before the first.
+    std::vector<Plot> plots {};          // Plots of the fit so far.
     bool may_keep = false;               // There is something to write to the rig's file.
 };
 
-// What a person asks for in the panel.
+// Requests of a person in the panel.
 struct ChooseProcedure {
     CalibrationProcedure procedure = CalibrationProcedure::Height;
 };
 struct ProposeHeight {
-    double height_mm = 0; // What is captured next, by CaptureAt or by the pen's rest.
+    double height_mm = 0; // The height that is captured next, by CaptureAt or by the pen's rest.
 };
 struct CaptureAt {
     double ruler_mm = 0;
@@ -53,7 +53,7 @@ class CalibrationModel {
 public:
     virtual ~CalibrationModel() = default;
 
-    // As of now; valid until the next perform() or until the window's model advances.
+    // The present state; valid until the next perform() or until the window's model advances.
     virtual CalibrationView const& view() const = 0;
 
     virtual void perform(CalibrationCommand const& command) = 0;

@@ -122,8 +122,8 @@ Plot residual_plot(HeightFit const& fit, Captures captures)
     return plot;
 }
 
-// By how much the model's height is greater than the ruler's, going up and going down, in order of
-// height, with the mean of each.
+// Shows by how much the model's height is greater than the ruler's, going up and going down, in
+// order of height, with the mean of each.
 Plot hysteresis_plot(HeightFit const& fit, Captures captures)
 {
     Plot plot { .title = "Up against down: too few captures to tell",

@@ -17,7 +17,7 @@ constexpr char kEndOfInput = '\4';
 constexpr char kBackspace = '\b';
 constexpr char kDelete = '\177';
 
-// As a log writes it: microseconds since its start.
+// Time in a log: microseconds since its start.
 Timestamp time_in_log(Timestamp time, Timestamp start)
 {
     auto const since = std::max(time - start, Duration {});
@@ -93,13 +93,13 @@ private:
         return {};
     }
 
-    // What is typed waits until the capture is over, but for a person who wants out.
+    // Keys that are typed wait until the capture is over, but for a person who wants out.
     Result<void> hear_while_capturing()
     {
         if (person_.is_script)
             return {};
         auto const key = person_.key();
-        if (!key || *key == kEndOfInput) // Which comes again.
+        if (!key || *key == kEndOfInput) // The end of input comes again.
             return {};
         if (*key == 'q') {
             is_away_ = true;
@@ -200,7 +200,7 @@ private:
         return {};
     }
 
-    // What was typed, else what is to be measured again, else the next of the list.
+    // Returns what was typed, else what is to be measured again, else the next of the list.
     std::optional<std::string> next_height() const
     {
         if (!entry_.empty())
@@ -348,7 +348,7 @@ private:
     bool is_asking_cause_ = false; // Why the height is off.
     bool is_done_ = false;
     bool is_away_ = false;
-    Timestamp newest_ {}; // Of the reports.
+    Timestamp newest_ {}; // Time of the newest report.
     Timestamp shown_ {};
 };
 

@@ -25,7 +25,7 @@ namespace tractus {
 struct CalibrationPerson {
     std::function<std::optional<char>()> key;     // No value: none now. '\4' is the input's end.
     std::function<void(std::string const&)> say;  // A line, without its break.
-    std::function<void(std::string const&)> show; // What the line under all others says now.
+    std::function<void(std::string const&)> show; // Shows what the line under all others says now.
     bool is_script = false; // Nobody is there to try again: what is refused is a failure.
 };
 
@@ -33,7 +33,7 @@ struct LiveCalibrationOptions {
     std::vector<double> heights_mm {}; // To be captured in this order; empty: the person says them.
     bool is_forced = false;            // Captures that disagree are no reason to go on.
     LiveRecorder* recorder = nullptr;  // Not owned; null: nothing is recorded.
-    Timestamp start {};                // Of the recording.
+    Timestamp start {};                // Start of the recording.
     std::function<Timestamp()> now {};
     std::function<void(Duration)> rest {};
 };
@@ -49,7 +49,7 @@ Result<bool> calibrate_live(CalibrationController& controller, LiveDevices& devi
                             CalibrationPerson const& person, LiveCalibrationOptions const& options,
                             std::atomic<bool> const& stop);
 
-// What the reading is like, in one line for the screen: "2034 counts (49.7 %), noise 1.0, at rest,
+// Describes the reading in one line for the screen: "2034 counts (49.7 %), noise 1.0, at rest,
 // 123.4 mm".
 std::string describe_reading(CalibrationController const& controller);
 

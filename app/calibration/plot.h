@@ -9,15 +9,15 @@ namespace tractus {
 
 // Diagrams as values: drawn as SVG beside the rig file (plot_svg.h) and in the window.
 
-// What a series is about; each drawing has its own colours for them.
+// Subject of a series; each drawing has its own colours for them.
 enum class PlotTone {
-    Model,     // What the fit says.
+    Model,     // The fit.
     FromBelow, // Captures, by where the carriage came from …
     FromAbove,
     FromNowhere,
     Slipped,  // … and those that were left out.
-    Expected, // What errors should be like.
-    Measured, // What they are like.
+    Expected, // Errors as they should be.
+    Measured, // Errors as they are.
 };
 
 struct PlotSeries {
@@ -25,13 +25,13 @@ struct PlotSeries {
         Line,
         Dots,
         Crosses,
-        Bars, // From zero to y, `bar_width` wide.
-        Band, // Between points and upper.
+        Bars, // Bars from zero to y, `bar_width` wide.
+        Band, // A band between points and upper.
     };
 
     Kind kind = Kind::Line;
     PlotTone tone = PlotTone::Model;
-    std::string label {}; // For the legend; empty: not in it.
+    std::string label {}; // Label for the legend; empty: not in it.
     std::vector<Vec2> points {};
     std::vector<Vec2> upper {};
     double bar_width = 0;
@@ -39,7 +39,7 @@ struct PlotSeries {
 
 struct Plot {
     std::string title {};
-    std::string x_label {}; // With the unit.
+    std::string x_label {}; // Label with the unit.
     std::string y_label {};
     Vec2 low = Vec2::Zero();           // The corner of what is shown …
     Vec2 high = Vec2::Ones();          // … and the opposite one, greater in both.
@@ -49,7 +49,7 @@ struct Plot {
 // Sets low and high so that everything shows, with a margin, and zero in the middle if asked for.
 enum class PlotRange {
     Tight,
-    SymmetricY, // As far below zero as above.
+    SymmetricY, // The range goes as far below zero as above.
     FromZeroY,
 };
 void fit_range(Plot& plot, PlotRange range);

@@ -17,7 +17,7 @@ struct Command {
     std::string words;
 };
 
-// What the person does: what the hand draws, and how it is said.
+// Actions of the person: what the hand draws, and how it is said.
 struct Performance {
     std::vector<HandStroke> strokes;
     std::vector<std::string> words; // One per stroke for captures.

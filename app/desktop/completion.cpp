@@ -47,11 +47,11 @@ CLI::App* find_verb(CLI::App& parent, std::string const& name)
     return nullptr;
 }
 
-// What has been read of the line before its last word.
+// State after the words before the line's last word.
 struct Place {
     CLI::App* verb;
     CLI::Option* option = nullptr; // Takes the next word, or may take it, if it is no option.
-    int values = 0;                // That it has taken already.
+    int values = 0;                // Number of values that it has taken already.
     std::size_t positionals = 0;
 
     bool needs_value() const { return option && values < option->get_items_expected_min(); }
@@ -96,7 +96,7 @@ public:
             completion.words.push_back({ text, about });
     }
 
-    // What an option or an argument may be; the words are put behind `prefix`.
+    // Lists what an option or an argument may be; the words are put behind `prefix`.
     void values_of(CLI::Option& option, std::string const& prefix = {})
     {
         for (auto const& text : words_offered_by(option))

@@ -6,11 +6,11 @@
 
 namespace tractus {
 
-// What may stand next on a command line that is being typed: what a shell offers when Tab is
+// Words that may stand next on a command line that is being typed: a shell offers them when Tab is
 // pressed.
 struct Completion {
     struct Word {
-        std::string text;  // In place of what has been typed of the last word.
+        std::string text;  // Text in place of what has been typed of the last word.
         std::string about; // A sentence about it, or nothing.
     };
     std::vector<Word> words;
@@ -26,8 +26,8 @@ struct Completion {
 Completion complete(CLI::App& root, std::vector<std::string> typed,
                     std::vector<std::string> const& models);
 
-// For the shells' scripts: a line for each word, with a tab before what it is about, and at last
-// ":files" or ":folders" if names of such may follow.
+// Prints a completion for the shells' scripts: a line for each word, with a tab before what it is
+// about, and at last ":files" or ":folders" if names of such may follow.
 std::string print_completion(Completion const& completion);
 
 } // namespace tractus

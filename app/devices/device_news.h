@@ -15,11 +15,11 @@ public:
     {
     }
 
-    // What has changed since the last call.
+    // Tells what has changed since the last call.
     void tell(LiveDevices const& devices);
 
 private:
-    // What has been said of a device.
+    // News of a device that has been told.
     struct Told {
         LiveDevices::State state = LiveDevices::State::Connected;
         std::string refusal {};

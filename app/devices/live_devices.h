@@ -43,11 +43,11 @@ public:
     // Sources at hand. Fails, as the station's fault, if the system gives no threads.
     static Result<LiveDevices> start(std::vector<std::unique_ptr<ReportSource>> sources);
 
-    // Those of the real devices that can be opened; the others, and why, into `refused`.
+    // Opens the real devices that can be opened; the others, and why, go into `refused`.
     static LiveDevices open_usable(std::vector<DeviceInfo> const& devices,
                                    std::vector<RefusedDevice>& refused);
 
-    // The devices and logs that people name: see name_help().
+    // Opens the devices and logs that people name: see device_name_help().
     static Result<LiveDevices> open_named(std::span<std::string const> names);
 
     // One more, to be read like the others. Fails like start().
@@ -58,7 +58,7 @@ public:
 
     std::vector<DeviceInfo> const& infos() const { return infos_; }
     State state(std::size_t device) const;
-    bool any_left() const; // Not all have ended.
+    bool any_left() const; // False if all have ended.
 
     // Why a device that is away though it is plugged in cannot be opened; else empty.
     std::string refusal(std::size_t device) const;
@@ -69,7 +69,7 @@ public:
     static Result<LiveDevices> play_log(std::string const& name,
                                         std::function<Timestamp()> const& now);
 
-    // What has come since the last call, in the order of its times, into `reports`.
+    // Puts what has come since the last call, in the order of its times, into `reports`.
     void take(std::vector<LiveReport>& reports);
 
     // Reports that came faster than they were taken, or are longer than a RawReport holds.
@@ -81,7 +81,7 @@ public:
 private:
     struct Device {
         std::unique_ptr<ReportSource> source;             // Null when it has ended.
-        ThreadedSource const* threaded = nullptr;         // The same; null if no thread reads it.
+        ThreadedSource const* threaded = nullptr;         // Null, too, if no thread reads it.
         ReconnectingSource const* reconnecting = nullptr; // Within source; null for a log.
     };
 
@@ -95,7 +95,7 @@ private:
     std::string rig_text_;
 };
 
-// What open_named() takes, for a command's help.
+// Describes what open_named() takes, for a command's help.
 std::string_view device_name_help();
 
 // The devices that are of use by themselves: every pen tablet and height sensor that can be found.

@@ -8,8 +8,8 @@
 
 namespace tractus {
 
-// What a person may want to know of the devices while drawing with them: their newest raw values,
-// how regularly they send, and what is the matter with them or with the machine.
+// Diagnosis of the devices for a person who draws with them: their newest raw values, how regularly
+// they send, and what is the matter with them or with the machine.
 class LiveDiagnosis {
 public:
     // Looks at the machine, which takes some milliseconds, and begins to listen.

@@ -41,7 +41,7 @@ public:
     Result<void> flush();
 
     std::size_t report_count() const { return report_count_; }
-    std::uint64_t byte_count() const { return byte_count_; } // As of the last flush.
+    std::uint64_t byte_count() const { return byte_count_; } // Bytes up to the last flush.
 
 private:
     bool ends_stroke(LiveReport const& report);

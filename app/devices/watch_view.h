@@ -9,8 +9,8 @@
 
 namespace tractus {
 
-// What `tractus watch` shows at one moment, line by line, the same in a terminal's screen and in
-// plain output: per device its name, its pace, and its newest bytes beside what they mean.
+// Returns what `tractus watch` shows at one moment, line by line, the same in a terminal's screen
+// and in plain output: per device its name, its pace, and its newest bytes beside what they mean.
 // No line is longer than `width` characters, at least 20.
 std::vector<std::string> watch_lines(std::span<DeviceReading const> readings, std::size_t width);
 

@@ -22,7 +22,7 @@ DeviceMonitor::DeviceMonitor(DeviceInfo const& info)
     else if (auto height = make_height_decoder(info))
         height_ = *std::move(height);
     if (height_) {
-        Rig rig; // Without a calibration: jumps cannot be told, the other faults can.
+        Rig rig; // A rig without a calibration: jumps cannot be told, the other faults can.
         rig.full_scale_counts = height_->full_scale();
         height_monitor_.emplace(rig);
     }

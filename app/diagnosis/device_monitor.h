@@ -22,19 +22,19 @@ namespace tractus {
 // How regularly reports come, over the last second of them.
 struct ReportPace {
     double rate_hz = 0;        // 0 until there are two reports.
-    Duration mean_interval {}; // Between reports; pauses (the pen is away) do not count.
+    Duration mean_interval {}; // Mean time between reports; pauses (the pen is away) do not count.
     Duration jitter {};        // Standard deviation of the intervals.
     Duration longest_interval {};
 };
 
-// What one device has sent so far, and what became of it.
+// Facts about what one device has sent so far, and what became of it.
 struct DeviceReading {
     DeviceInfo info {};
     DeviceDescription description {};
     bool is_away = false; // It went away and has not sent since.
 
     std::size_t reports = 0;
-    std::size_t samples = 0; // Of the pen or of the height.
+    std::size_t samples = 0; // Samples of the pen or of the height.
     std::size_t broken_reports = 0;
     std::string first_broken {};
     std::size_t departures = 0;
@@ -47,7 +47,7 @@ struct DeviceReading {
     // The newest sample as names and values: ("x", "101.25 mm").
     std::vector<std::pair<std::string, std::string>> fields {};
 
-    // What is or was wrong with a height sensor, a sentence each.
+    // Faults that a height sensor has or had, a sentence each.
     std::vector<std::string> height_faults {};
 };
 
@@ -79,7 +79,7 @@ private:
     std::optional<Timestamp> begin_;
     std::vector<HeightSample> heights_; // Kept for its memory.
     std::vector<PenSample> pens_;       // Likewise.
-    std::deque<Timestamp> recent_;      // Of the last second.
+    std::deque<Timestamp> recent_;      // Times of the last second's reports.
 };
 
 } // namespace tractus

@@ -50,7 +50,7 @@ bool is_tablet(std::uint16_t vendor_id, std::uint16_t product_id)
         || find_tablet({ .vendor_id = vendor_id, .product_id = product_id }).has_value();
 }
 
-// What works for this device comes first: the rules that we bring, if they name it or its usage.
+// Says first what works for this device: the rules that we bring, if they name it or its usage.
 std::vector<std::string> how_to_permit(DeviceInfo const& info)
 {
     constexpr auto kReload = "sudo udevadm control --reload-rules && sudo udevadm trigger";
@@ -78,7 +78,7 @@ Finding not_permitted(DeviceFacts const& device)
              .remedy = how_to_permit(device.info) };
 }
 
-// What a tablet that nobody knows should be asked for.
+// Says what a tablet that nobody knows should be asked for.
 std::vector<std::string> how_to_describe_it(DeviceInfo const& info)
 {
     // A recording's device has no address.
@@ -120,7 +120,7 @@ void diagnose_found(DeviceFacts const& device, std::vector<Finding>& findings)
         findings.push_back(not_permitted(device));
 }
 
-// Of one tablet's nodes one has to carry the pen.
+// Finds tablets of which no node carries the pen, though one has to.
 void diagnose_unknown(SystemFacts const& facts, std::vector<Finding>& findings)
 {
     std::set<std::pair<std::uint16_t, std::uint16_t>> with_pen;

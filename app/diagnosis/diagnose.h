@@ -10,16 +10,16 @@
 
 namespace tractus {
 
-// What is to be found without reading a device: permissions, drivers, unknown tablets, libraries.
-// Empty if nothing is the matter.
+// Returns what is to be found without reading a device: permissions, drivers, unknown tablets,
+// libraries. Empty if nothing is the matter.
 std::vector<Finding> diagnose_system(SystemFacts const& facts);
 
 // A device that the system permits, but that could not be opened.
 Finding diagnose_refusal(DeviceInfo const& info, Error const& error);
 
-// What a device's reports show: a tablet in mouse mode or with unknown reports, broken reports, a
-// sensor's faults, times that go backwards. `listened` is how long it was listened to. Empty if
-// nothing is the matter.
+// Returns what a device's reports show: a tablet in mouse mode or with unknown reports, broken
+// reports, a sensor's faults, times that go backwards. `listened` is how long it was listened to.
+// Empty if nothing is the matter.
 std::vector<Finding> diagnose_device(DeviceReading const& reading, Duration listened);
 
 // The machine's clocks at one instant.
@@ -31,7 +31,7 @@ struct ClockReading {
 
 ClockReading read_clocks();
 
-// What happened to the clocks between two readings. Empty if nothing did.
+// Returns what happened to the clocks between two readings. Empty if nothing did.
 std::vector<Finding> diagnose_clocks(ClockReading const& before, ClockReading const& after);
 
 } // namespace tractus

@@ -7,7 +7,7 @@
 
 namespace tractus {
 
-// What can be the matter with the hardware and its way into the program.
+// Troubles with the hardware and its way into the program.
 enum class FindingKind {
     Fine,           // Nothing is.
     NoTablet,       // None is plugged in.
@@ -29,9 +29,10 @@ std::string_view name_of(FindingKind kind);
 // One thing that was found, for a person to act on.
 struct Finding {
     FindingKind kind = FindingKind::Fine;
-    std::string subject {}; // What it is about: "Wacom CTL-472 at /dev/hidraw3".
+    std::string subject {}; // Device or place that it is about: "Wacom CTL-472 at /dev/hidraw3".
     std::string what {};    // A sentence: what is the matter, and why.
-    // What to do, in this order, a line each: commands and file contents as they are to be typed.
+    // Steps to take, in this order, a line each: commands and file contents as they are to be
+    // typed.
     std::vector<std::string> remedy {};
     bool lacks_size = false; // A tablet that works, and does not tell the size of its surface.
 };

@@ -98,7 +98,7 @@ std::vector<HiddenHidFacts> gather_hidden(fs::path const& root)
     return devices;
 }
 
-// Of the first endpoint into the computer; "8ms", "1ms", "125us".
+// Rate of the first endpoint into the computer; "8ms", "1ms", "125us".
 std::optional<double> poll_rate_hz(fs::path const& interface)
 {
     for (auto const& entry : entries_of(interface)) {

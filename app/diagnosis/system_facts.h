@@ -35,13 +35,13 @@ struct UsbDeviceFacts {
     std::string port {}; // "1-2.3"
     std::uint16_t vendor_id = 0;
     std::uint16_t product_id = 0;
-    std::string name {}; // As it calls itself.
+    std::string name {}; // The device's own name.
     std::vector<UsbInterfaceFacts> interfaces {};
 };
 
 // A HID device that no hidraw node belongs to.
 struct HiddenHidFacts {
-    std::string name {}; // As the kernel names it: "0003:04D8:00DD.0001".
+    std::string name {}; // The kernel's name: "0003:04D8:00DD.0001".
     std::uint16_t vendor_id = 0;
     std::uint16_t product_id = 0;
     std::string driver {}; // The kernel's, bound to it; empty: none.
@@ -53,7 +53,7 @@ struct LibraryFacts {
     std::string needed {}; // The oldest version that does all we ask of it.
 };
 
-// What the system says of itself, as values: everything that diagnose_system() judges.
+// Description of the system, as values: everything that diagnose_system() judges.
 struct SystemFacts {
     std::vector<DeviceFacts> devices {};
     std::vector<UsbDeviceFacts> usb {};

@@ -32,23 +32,23 @@ struct WantedStep {
     };
     std::function<Result<Change>(Scene const& scene)> change;
 
-    enum class Of { Scene, Growth } of = Of::Scene; // Of Growth nothing else changes.
+    enum class Of { Scene, Growth } of = Of::Scene; // A step of Growth changes nothing else.
 };
 
 // A step beside drawing as it was done once, to be done again.
 struct LoggedStep {
     enum class What { Edits, Undo, Redo, BeginAgain } what = What::Edits;
     std::size_t strokes_before = 0; // Strokes that came before it.
-    std::vector<Edit> edits {};     // Of What::Edits.
+    std::vector<Edit> edits {};     // Set for What::Edits.
 };
 
-// What became of a step.
+// Outcome of a step.
 struct DoneStep {
     Result<std::string> status; // Or why nothing has changed.
     WantedStep::Of of = WantedStep::Of::Scene;
     LoggedStep::What what = LoggedStep::What::Edits;
-    std::size_t strokes_before = 0; // Of all that the document was given.
-    std::vector<Edit> edits {};     // Of What::Edits.
+    std::size_t strokes_before = 0; // Strokes of all that the document was given.
+    std::vector<Edit> edits {};     // Set for What::Edits.
 };
 
 // The document at one moment. Nobody changes it.
@@ -60,11 +60,11 @@ struct Snapshot {
     std::string not_kept {};          // Why; empty where it is only a matter of time.
 };
 
-// What somebody draws: the one owner of the scene and of the session that keeps its steps. Finished
-// strokes, steps, undo and redo go in and are done one after the other in the order in which they
-// came. Each is given its meaning by the scene that all earlier ones left, is shown to all in a
-// snapshot, and then written to the session. What cannot be written, since the disk is full, say,
-// stays in the document and is tried again; drawing goes on meanwhile.
+// A drawing: the one owner of the scene and of the session that keeps its steps. Finished strokes,
+// steps, undo and redo go in and are done one after the other in the order in which they came. Each
+// is given its meaning by the scene that all earlier ones left, is shown to all in a snapshot, and
+// then written to the session. What cannot be written, since the disk is full, say, stays in the
+// document and is tried again; drawing goes on meanwhile.
 //
 // Everything here is called from one thread.
 class Document {
@@ -73,7 +73,7 @@ public:
     // own. AtOnce: it is done when they return.
     enum class Working { OnItsThread, AtOnce };
 
-    // With a scene, what is drawn stays in memory.
+    // Without a session, what is drawn stays in memory.
     Document(Scene scene, Working working);
     Document(Session session, Working working);
     Document(Document const&) = delete;
@@ -84,11 +84,12 @@ public:
 
     void draw(ToolStroke stroke);
     void make(WantedStep step);
-    void make(LoggedStep step); // In its turn, whatever came before it.
+    void make(LoggedStep step); // Done in its turn, whatever came before it.
     void undo();
     void redo();
 
-    // As it began, but that its growth may be left as it is. A step like another.
+    // Makes the document what it was when it began, but that its growth may be left as it is. It is
+    // a step like another.
     enum class Growth { AsItBegan, AsItIs };
     void begin_again(std::string status, Growth growth = Growth::AsItBegan);
 
@@ -101,17 +102,17 @@ public:
     // Strokes that have come, in order, and are not in the newest snapshot yet.
     std::vector<ToolStroke> waiting() const;
 
-    // What the strokes since the last call have meant, in order.
+    // Returns what the strokes since the last call have meant, in order.
     std::vector<DrawnStroke> take_drawn();
 
     // The next step that is done since the last call; no value: none.
     std::optional<DoneStep> take_done();
 
-    // What could not be written is tried again when a second has passed, or at once.
+    // Tries again to write what could not be written: when a second has passed, or at once.
     void pass_time(Timestamp now);
     void try_again();
 
-    // All that has come is done, and written where it can be for now.
+    // Whether all that has come is done, and written where it can be for now.
     bool is_settled() const;
     void settle();
 
@@ -125,7 +126,7 @@ private:
         Growth growth = Growth::AsItBegan;
     };
     using Work = std::variant<ToolStroke, WantedStep, Undo, Redo, Restart>;
-    // That is part of the scene already.
+    // A step that is part of the scene already.
     struct Step {
         std::vector<Edit> edits;
         std::optional<Session::Prepared> prepared {}; // No value where earlier ones are unkept.
@@ -136,7 +137,7 @@ private:
     void run();
     void do_next(std::unique_lock<std::mutex>& lock);
 
-    // On the document's thread, without the lock.
+    // Runs on the document's thread, without the lock.
     void perform(ToolStroke const& stroke);
     void perform(WantedStep const& step);
     void perform(Undo const&);
@@ -159,14 +160,14 @@ private:
     std::deque<std::vector<Edit>> unkept_; // Steps of the scene that the session lacks.
     std::string not_kept_;
 
-    mutable std::mutex mutex_; // Of what follows.
+    mutable std::mutex mutex_; // Protects what follows.
     std::condition_variable changed_;
     std::deque<Work> queue_; // The first is at work, if is_at_work_.
     std::shared_ptr<Snapshot const> newest_;
     std::vector<DrawnStroke> drawn_;
     std::deque<DoneStep> done_;
     bool is_at_work_ = false;
-    bool is_first_shown_ = false; // What is at work is in the newest snapshot.
+    bool is_first_shown_ = false; // The work under way is in the newest snapshot.
     bool is_trying_again_ = false;
     bool is_closing_ = false;
 

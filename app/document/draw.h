@@ -15,11 +15,10 @@ struct DrawnStroke {
     Stroke stroke;
     Tool tool;
     std::string refusal {};     // Why it changed nothing; empty if it did.
-    std::vector<Edit> edits {}; // What it changed; none if it was refused.
+    std::vector<Edit> edits {}; // Edits that it made; none if it was refused.
 };
 
-// What a stroke in the hand of a tool does to a scene, which is changed by all of its edits, or by
-// none if one is refused.
+// Applies a stroke in the hand of a tool to a scene: all of its edits, or none if one is refused.
 DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene);
 
 // The scene after edits that belong together; models cost what load_options() says. Fails where one

@@ -19,7 +19,7 @@ struct StepWords {
     std::string arguments;
 };
 
-// Of a step that was done after so many strokes of the log.
+// Returns the words of a step that was done after so many strokes of the log.
 StepWords words_for(DoneStep const& step, std::size_t strokes_before);
 
 // No value for a word that no step has. Fails, as the user's fault, for a step in other words than

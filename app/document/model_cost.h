@@ -11,8 +11,8 @@ namespace tractus {
 // less.
 std::uint64_t machine_memory_mb();
 
-// What a model may cost before it is stopped with an error. The defaults suit the machine: a model
-// that runs away must not take it down.
+// Limits at which a model is stopped with an error. The defaults suit the machine: a model that
+// runs away must not take it down.
 struct ModelCost {
     std::size_t max_modules = ModelLimits().max_modules;
     std::uint64_t max_memory_mb = machine_memory_mb() / 2; // The plant needs memory, too.

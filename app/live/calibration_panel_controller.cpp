@@ -127,7 +127,7 @@ bool CalibrationPanelController::command(Timestamp time, std::string const& word
     return done.has_value();
 }
 
-// What the captures amount to so far; too few are no reason to complain yet.
+// Fits the captures so far; too few are no reason to complain yet.
 void CalibrationPanelController::fit()
 {
     constexpr std::size_t kFewCaptures = 3;
@@ -154,7 +154,7 @@ void CalibrationPanelController::fit()
     }
 }
 
-// What to do next.
+// Proposes what to do next.
 void CalibrationPanelController::propose()
 {
     auto const heights = options_.heights_mm.empty() ? proposed_heights_mm(controller_.procedure())

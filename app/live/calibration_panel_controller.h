@@ -24,7 +24,7 @@ struct CalibrationPanelControllerOptions {
     std::function<Result<std::string>(CalibrationOutcome const&)> keep {};
 };
 
-// What the window shows while a person calibrates devices: the reading, the captures and, from the
+// Contents of the window while a person calibrates devices: the reading, the captures and, from the
 // second one on, the fit and its plots. A pen that rests on the tablet captures the proposed
 // height. What one procedure found out is what the next begins with; nothing is written before the
 // person asks for it.
@@ -34,7 +34,7 @@ public:
     static Result<CalibrationPanelController> create(std::vector<DeviceInfo> devices,
                                                      CalibrationPanelControllerOptions options);
 
-    // What a device has sent; advance() draws conclusions from all that has come.
+    // Takes what a device has sent; advance() draws conclusions from all that has come.
     void push(LiveReport const& report);
     void advance();
 
@@ -69,7 +69,7 @@ private:
     std::vector<DeviceInfo> devices_;
     CalibrationPanelControllerOptions options_;
     CalibrationController controller_;
-    std::optional<CalibrationOutcome> outcome_; // Of everything so far.
+    std::optional<CalibrationOutcome> outcome_; // Outcome of everything so far.
     std::optional<Rig> kept_;
     bool was_capturing_ = false;
     bool is_moving_ = false;

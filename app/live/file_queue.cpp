@@ -26,7 +26,7 @@ void FileQueue::add(WantedFile file)
     collect();
 }
 
-// What has been written makes room for the next one.
+// Makes room for the next file where one has been written.
 void FileQueue::collect()
 {
     if (auto written = job_.take()) {

@@ -14,7 +14,7 @@ namespace tractus {
 
 namespace {
 
-constexpr double kMousePressure = 0.5; // As of a hand that draws without effort.
+constexpr double kMousePressure = 0.5; // Pressure of a hand that draws without effort.
 
 bool has_height_sensor(LiveDevices const& devices)
 {
@@ -29,7 +29,7 @@ bool has_pen(LiveDevices const& devices)
                        [](auto const& info) { return make_pen_decoder(info).has_value(); });
 }
 
-// What the mouse stands in for.
+// Devices that the mouse stands in for.
 struct MouseParts {
     bool pen = false;
     bool height = false;
@@ -51,7 +51,7 @@ Result<MouseParts> add_mouse(LiveDevices& devices, LiveWindowOptions const& opti
     return parts;
 }
 
-// What the first tablet says of itself.
+// Traits that the first tablet tells.
 std::optional<PenTraits> first_tablet(LiveDevices const& devices)
 {
     for (auto const& info : devices.infos())
@@ -92,7 +92,7 @@ Result<Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions const& opti
     return rig;
 }
 
-// What to do about a tablet whose sides nobody knows: drawings may be squashed.
+// Says what to do about a tablet whose sides nobody knows: drawings may be squashed.
 std::optional<std::string> size_note(LiveDevices const& devices, Rig const& rig)
 {
     auto const tablet = first_tablet(devices);
@@ -175,7 +175,7 @@ Result<void> LiveWindow::close()
     auto const kept = finish();
     auto const recorded = recorder_ ? stop_recording() : Result<void>();
     auto const written = controller_.finish_files();
-    if (!kept) // What was drawn is worth most.
+    if (!kept) // The drawing is worth most.
         return kept;
     return recorded ? written : recorded;
 }
@@ -221,8 +221,8 @@ void LiveWindow::record_tool_changes()
     }
 }
 
-// Each with the number of strokes of the recording that came before it, since it is known later
-// that it was done than strokes may have begun that come after it.
+// Records each step with the number of strokes that came before it in the recording: when it is
+// known that it was done, strokes after it may have begun.
 void LiveWindow::record_steps()
 {
     for (auto const& step : controller_.take_done()) {
@@ -285,10 +285,11 @@ Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
                                            .rig_text = print_rig(station_options_.rig),
                                            .start = now }));
     (void)controller_.finish(station_, now);
-    (void)controller_.take_done(); // What was done before is not of the recording.
+    (void)controller_.take_done(); // Steps from before are not of the recording.
     recorded_from_stroke_ = controller_.document().stroke_count();
     auto const tools = station_.tools_to_go_on_with();
-    if (tools != std::vector { Tool(*station_options_.tools.front()) }) // As a replay begins.
+    if (tools
+        != std::vector { Tool(*station_options_.tools.front()) }) // A replay begins with these.
         for (auto const& tool : tools) {
             auto const words = words_for(tool);
             recorder_->write_tool(now, words.name, words.arguments);
@@ -330,7 +331,8 @@ void LiveWindow::perform_kind(SetRecording const& command)
         status = begun ? fmt::format("Recording into {}", path.string()) : begun.error().message;
         return;
     }
-    (void)controller_.finish(station_, options_.now()); // What was asked for is part of it.
+    // Steps that were asked for are part of it.
+    (void)controller_.finish(station_, options_.now());
     record_steps();
     auto const stopped = stop_recording();
     auto const& [is_on, file, bytes] = view().state().recording;
@@ -348,7 +350,7 @@ void LiveWindow::perform_kind(Restart const&)
     controller_.begin_again(station_, "The plant is as its model gives it");
 }
 
-// In the present one's place, with what is in the hand.
+// Takes the present station's place, with what is in the hand.
 void LiveWindow::go_on_with(Station station)
 {
     auto const tools = station_.tools_to_go_on_with();
@@ -407,7 +409,7 @@ void LiveWindow::perform_kind(WatchDevices const& command)
     next_look_ = options_.now();
 }
 
-// As often as a person can read it.
+// Shows them as often as a person can read it.
 void LiveWindow::show_devices()
 {
     constexpr Duration kLookEvery = std::chrono::milliseconds(100);

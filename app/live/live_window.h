@@ -30,7 +30,7 @@ struct LiveWindowOptions {
     std::filesystem::path rig_file {};
     // The surface's height in place of a height sensor, above the controller.
     std::optional<double> height_mm {};
-    Scene scene {}; // What the pen works on; its base plant is loaded.
+    Scene scene {}; // The scene that the pen works on; its base plant is loaded.
     // The folder in which saved pictures, exports, and recordings that nobody named appear.
     std::filesystem::path folder = ".";
     std::filesystem::path recording {}; // The new log of all that comes; empty: none at first.
@@ -38,14 +38,14 @@ struct LiveWindowOptions {
     // takes it over.
     std::optional<Session> session {};
     std::function<Timestamp()> now {}; // The clock of the reports.
-    // That clock, where it goes on by each advance()'s step and by nothing else: what `now` tells.
+    // The time that `now` tells, where it goes on by each advance()'s step and by nothing else.
     std::shared_ptr<Timestamp> counted_time {};
     // Stands in for the pen, the height sensor, or both, where the devices lack them; `height_mm`
     // is where its surface is at first.
     std::optional<MouseRig> mouse {};
 };
 
-// What the station's window shows while somebody draws: devices are read on threads of their own,
+// Contents of the station's window while somebody draws: devices are read on threads of their own,
 // and each advance() takes what they have sent. Devices may go away and come back meanwhile.
 class LiveWindow final : public WindowModel {
 public:
@@ -67,7 +67,8 @@ public:
     CalibrationModel* calibration() override { return calibration_ ? &*calibration_ : nullptr; }
 
     Station const& station() const { return station_; }
-    Scene const& scene() const { return *controller_.view().grown_scene(); } // That is shown.
+    // The scene that is shown.
+    Scene const& scene() const { return *controller_.view().grown_scene(); }
 
 private:
     LiveWindow(LiveDevices devices, LiveWindowOptions options, StationOptions station_options,
@@ -112,13 +113,14 @@ private:
     Station station_;
     StationController controller_;
     std::optional<LiveRecorder> recorder_;
-    std::size_t recorded_from_stroke_ = 0;   // Of the document's, the first of the recording.
+    // Number of the recording's first stroke in the document.
+    std::size_t recorded_from_stroke_ = 0;
     std::optional<LiveDiagnosis> diagnosis_; // While the devices are watched.
-    Timestamp next_look_ {};                 // At what it found.
+    Timestamp next_look_ {};                 // Time of the next look at what it found.
     std::optional<CalibrationPanelController> calibration_; // While a person calibrates.
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
     std::vector<LiveReport> reports_;        // Kept for its memory.
-    std::vector<LiveDevices::State> states_; // As the person was told.
+    std::vector<LiveDevices::State> states_; // States that the person was told.
     std::uint64_t lost_reports_ = 0;         // Likewise.
 };
 

@@ -28,12 +28,12 @@ constexpr std::size_t kMostWaiting = 4096; // Reports that nobody reads.
 
 struct MouseRig::Shared {
     std::function<Timestamp()> now;
-    std::atomic<double> wanted_mm = 0;  // Of the surface.
+    std::atomic<double> wanted_mm = 0;  // Height wanted of the surface.
     std::atomic<double> surface_mm = 0; // Where it is.
 
     std::mutex mutex;
     std::condition_variable has_moved;
-    std::deque<RawReport> reports; // Of the pen, not read yet.
+    std::deque<RawReport> reports; // Reports of the pen that are not read yet.
 };
 
 namespace {

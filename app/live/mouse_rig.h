@@ -26,7 +26,7 @@ public:
     // `now` is the clock of the reports. It is called on the threads that read the sources, too.
     explicit MouseRig(std::function<Timestamp()> now);
 
-    // What a calibration of both would find.
+    // Returns what a calibration of both would find.
     static Rig rig();
     // The height sensor's part of it, for a tablet that is there.
     static void set_height_sensor_in(Rig& rig);
@@ -44,7 +44,7 @@ public:
     void move_surface(double by_mm);
     void set_surface(double height_mm);
 
-    struct Shared; // What it and its sources know of each other.
+    struct Shared; // State that it and its sources share.
 
 private:
     std::shared_ptr<Shared> shared_;

@@ -11,8 +11,8 @@
 
 namespace tractus {
 
-// What the station's window shows while a log is replayed at the pace of the hand that drew it: the
-// hand, its strokes, what is selected, and the plant, which is grown anew after each stroke.
+// Contents of the station's window while a log is replayed at the pace of the hand that drew it:
+// the hand, its strokes, what is selected, and the plant, which is grown anew after each stroke.
 class ReplayWindow final : public WindowModel {
 public:
     // The log must outlive the window. `pictures` is the folder in which saved pictures appear. A
@@ -60,7 +60,7 @@ private:
     Log const* log_;        // Not owned.
     ReplayOptions options_; // To begin again.
     LogReplay replay_;
-    Timestamp now_; // Of the log.
+    Timestamp now_; // Time of the log.
     StationController controller_;
 };
 

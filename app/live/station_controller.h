@@ -16,8 +16,8 @@
 
 namespace tractus {
 
-// What a person does to a drawing, wherever its station's reports come from: finished strokes go to
-// the document, and what is drawn and done is shown and can be undone.
+// Applies what a person does to a drawing, wherever its station's reports come from: finished
+// strokes go to the document, and what is drawn and done is shown and can be undone.
 class StationController {
 public:
     // Strokes work on the session's scene if there is one, else on `scene`. `folder` is where saved
@@ -34,7 +34,7 @@ public:
     // and what has been done in the background meanwhile.
     void show(Station& station, Timestamp now);
 
-    // The same when all that is under way is done, or cannot be done for now.
+    // Does as show() when all that is under way is done, or cannot be done for now.
     void settle(Station& station, Timestamp now);
 
     // Waits until what was drawn, and what was done beside drawing, is kept. Fails, as the user's
@@ -83,11 +83,12 @@ private:
 
     std::unique_ptr<Document> document_; // On the heap, as this moves.
     StationView view_;
-    std::vector<DoneStep> done_;      // Not taken yet.
-    Timestamp now_ {};                // Of the last show().
+    std::vector<DoneStep> done_;      // Steps that are not taken yet.
+    Timestamp now_ {};                // Time of the last show().
     bool knows_what_is_lost_ = false; // A person who has asked to leave.
     std::filesystem::path folder_;
-    std::unique_ptr<FileQueue> files_ = std::make_unique<FileQueue>(); // As this moves.
+    // On the heap, as this moves.
+    std::unique_ptr<FileQueue> files_ = std::make_unique<FileQueue>();
 };
 
 } // namespace tractus

@@ -25,7 +25,7 @@ namespace tractus {
 
 Methods all_methods()
 {
-    // In the order of their buttons; the first is in hand at first.
+    // Tools in the order of their buttons; the first is in hand at first.
     static constexpr std::array kTools {
         &DrawInOrderTool::kKind, &DrawTool::kKind,          &OversketchTool::kKind,
         &SmoothTool::kKind,      &DeleteTool::kKind,        &SelectTool::kKind,

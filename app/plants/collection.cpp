@@ -20,10 +20,10 @@ namespace tractus {
 
 namespace {
 
-constexpr std::size_t kCompared = 64;     // Plants of whose diversity the report speaks.
-constexpr std::size_t kMeasured = 8;      // Plants by whose width all are set apart.
-constexpr double kSpacing = 1.15;         // Of their width: leaves stand out, and some are wider.
-constexpr double kScatter = 0.35;         // Of the spacing, at most, to each side.
+constexpr std::size_t kCompared = 64; // Plants of whose diversity the report speaks.
+constexpr std::size_t kMeasured = 8;  // Plants by whose width all are set apart.
+constexpr double kSpacing = 1.15; // Spacing in their widths: leaves stand out, and some are wider.
+constexpr double kScatter = 0.35; // Share of the spacing, at most, to each side.
 constexpr std::uint32_t kPlaces = 0x706C; // The random stream of ages and places.
 
 // One collection on its way: each member function is a stage.
@@ -77,7 +77,7 @@ private:
 
 Result<CollectionReport> Collection::run()
 {
-    // What can fail fails before the work.
+    // Checks come before the work.
     TRY(check_writable(manifest_path(options_)));
     if (!options_.sheet.empty())
         TRY(check_writable(options_.sheet));
@@ -138,7 +138,7 @@ void Collection::compare(Grower& grower, Plant const& drawn)
     report_.from_drawn = diversity.from_drawn();
 }
 
-// The same for all shards.
+// Returns one spacing for all shards.
 double Collection::spacing_mm(Grower& grower)
 {
     double width_mm = 1;
@@ -165,8 +165,8 @@ PlacedMesh Collection::placed(PlantPlace const& place) const
     return mesh;
 }
 
-// At its level's share of the screen's area a plant has about as many pixels for each triangle as
-// at every other level's.
+// Adds levels of detail: at its level's share of the screen's area a plant has about as many pixels
+// for each triangle as at every other level's.
 void Collection::add_details(PlacedMesh& mesh, std::function<Plant()> const& plant)
 {
     constexpr double kFullCoverage = 0.2;
@@ -191,7 +191,7 @@ void Collection::add_details(PlacedMesh& mesh, std::function<Plant()> const& pla
 // Keeps the first error: who asks cannot be told.
 Billboard Collection::billboard(Plant const& plant)
 {
-    constexpr double kShare = 0.25; // What more there is does not show in so few pixels.
+    constexpr double kShare = 0.25; // More detail than this does not show in so few pixels.
     auto const coarse = coarser_plant(plant, options_.mesh, kShare);
     auto const mesh = make_mesh(coarse, coarser_options(options_.mesh, kShare));
     Result<Billboard> drawn;

@@ -25,11 +25,12 @@ struct Shard {
 
 // How the plants of a collection stand.
 enum class Stand {
-    Grid,    // In rows, all facing one way.
+    Grid,    // Stands in rows, all facing one way.
     Scatter, // Out of line and turned, as if they had grown there; none within another's place.
 };
 
-// From the youngest to the oldest; each plant's is drawn evenly from between. See Grower::grow().
+// Ages from the youngest to the oldest; each plant's is drawn evenly from between. See
+// Grower::grow().
 struct AgeRange {
     double youngest = 1;
     double oldest = 1;
@@ -39,12 +40,12 @@ constexpr std::size_t kMostDetails = 6;
 
 struct CollectionOptions {
     std::filesystem::path model {};
-    EditKinds kinds {};                       // Of its edits, if it is a session.
-    std::optional<DrawingOptions> drawing {}; // Without it, plants vary by chance alone.
+    EditKinds kinds {};                       // Kinds of its edits, if it is a session.
+    std::optional<DrawingOptions> drawing {}; // If there is none, plants vary by chance alone.
     GrowthOptions growth {};
     AgeRange ages {};
     std::uint64_t seed = 1;
-    std::size_t count = 12; // In all shards together; at least 1.
+    std::size_t count = 12; // Plants in all shards together; at least 1.
     Shard shard {};
     Stand stand = Stand::Grid;
 
@@ -55,7 +56,7 @@ struct CollectionOptions {
     std::filesystem::path sheet {};
     MeshOptions mesh {};
     GlbOptions glb {};
-    bool has_wind = false; // What the wind needs is in the files; glb.wind says where.
+    bool has_wind = false; // Whether files have what the wind needs; glb.wind says where.
 
     // Coarser levels that each plant has beside itself, each of half the triangles of the one
     // before (engine/mesh/level_of_detail.h); the last one is a billboard. 0 to kMostDetails.
@@ -64,7 +65,7 @@ struct CollectionOptions {
 
 // One plant of a collection. A pure function of the collection's seed, size and the plant's number.
 struct PlantPlace {
-    std::uint32_t index = 0; // With the seed, its PlantKey.
+    std::uint32_t index = 0; // Makes its PlantKey, together with the seed.
     double age = 1;
     Vec3 position_mm = Vec3::Zero(); // Ground frame: where the first plant stands, +z up.
     double rotation_rad = 0;         // About +z.
@@ -77,14 +78,14 @@ std::vector<PlantPlace> place_plants(CollectionOptions const& options, double sp
 struct CollectionReport {
     DrawingReport drawing;
     std::size_t plants = 0;      // Written: of this shard.
-    std::size_t segments = 0;    // Of one full-grown plant.
-    std::uint64_t triangles = 0; // Of all plants.
-    std::uint64_t bytes = 0;     // Of all .glb files.
+    std::size_t segments = 0;    // Segments of one full-grown plant.
+    std::uint64_t triangles = 0; // Triangles of all plants.
+    std::uint64_t bytes = 0;     // Bytes of all .glb files.
 
-    // Of at most 64 plants of the whole collection, full-grown.
+    // Distances of at most 64 plants of the whole collection, full-grown.
     DistanceSpread between_plants;
     DistanceSpread from_drawn;
-    double height_mm = 0; // Of the plant as drawn.
+    double height_mm = 0; // Height of the plant as drawn.
 
     std::filesystem::path manifest;
     std::filesystem::path sheet; // Empty if there is none.

@@ -29,7 +29,7 @@ Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants, Progre
 {
     auto const tile_count = sheet_plant_count(plants.count);
     progress.begin("drawing the plants", 2 * tile_count);
-    Framing framing({}, kSheetTile.aspect()); // So that all are shown at one scale.
+    Framing framing({}, kSheetTile.aspect()); // Shows all at one scale.
     for (std::size_t tile = 0; tile < tile_count; ++tile) {
         framing.add(make_mesh(plants.plant(sheet_plant(tile, plants.count)), kSheetMesh));
         progress.step();

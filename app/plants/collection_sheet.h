@@ -20,8 +20,8 @@ struct SheetPlants {
 // How many plants a sheet shows at most: what a screen shows at once.
 constexpr std::size_t kMostSheetPlants = 48;
 
-// Which plant the `tile`-th picture of a sheet shows: all of them, or kMostSheetPlants from the
-// first to the last, evenly apart.
+// Returns which plant the `tile`-th picture of a sheet shows: all of them, or kMostSheetPlants from
+// the first to the last, evenly apart.
 std::size_t sheet_plant(std::size_t tile, std::size_t count);
 
 // A small picture of each of these plants, all at one scale. Memory holds the pictures and one

@@ -100,7 +100,7 @@ Result<void> DrawingReader::take_drawn()
     return {};
 }
 
-// All of it, at a multiple of the hand's pace or at once.
+// Plays all of it, at a multiple of the hand's pace or at once.
 Result<void> DrawingReader::play(LogReplay& replay)
 {
     constexpr Duration kStep = std::chrono::milliseconds(10);

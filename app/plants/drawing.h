@@ -33,16 +33,16 @@ struct PlantChoice {
     EditKinds kinds;
 };
 
-// What loads a plant to be drawn on and says how it grows: a model (load_plant_edit), or a session
-// with all that was drawn in it. Fails, as the user's fault, for what is neither, or a growth that
-// does not exist.
+// Returns the edits that load a plant to be drawn on and say how it grows: a model
+// (load_plant_edit), or a session with all that was drawn in it. Fails, as the user's fault, for
+// what is neither, or a growth that does not exist.
 Result<std::vector<Edit>> growing_plant_edits(PlantChoice const& plant, GrowthOptions const& growth,
                                               std::uint64_t seed);
 
 // The scene that such edits give. Fails, as the user's fault, for a plant without branches.
 Result<Scene> growing_plant(std::filesystem::path const& model, std::vector<Edit> const& edits);
 
-// Both.
+// Does both: the edits of the choice, and their scene.
 Result<Scene> load_growing_plant(PlantChoice const& plant, GrowthOptions const& growth,
                                  std::uint64_t seed);
 
@@ -51,13 +51,13 @@ struct DrawingOptions {
     // A log, or a file of strokes (stroke_file.h), which are drawn with the first of all tools:
     // each shapes the next branch in drawing order.
     std::filesystem::path log {};
-    Methods methods {};                          // What a log may name; with at least one tool.
+    Methods methods {}; // Methods that a log may name; with at least one tool.
     std::optional<std::filesystem::path> rig {}; // A calibration in place of the log's own.
     std::optional<std::string> height {};        // A height scenario in place of the height sensor.
     std::optional<double> speed {}; // Times the pace of the hand; no value: as fast as it is read.
 };
 
-// What was read of it.
+// Facts about a drawing that was read.
 struct DrawingReport {
     std::string log;
     std::size_t reports = 0;
@@ -71,7 +71,7 @@ struct DrawingReport {
     std::vector<std::string> notes; // Strokes that changed nothing, warnings: a sentence each.
 };
 
-// What was drawn, and the scene that it amounts to.
+// A drawing, and the scene that it amounts to.
 struct Drawing {
     Scene scene;
     std::vector<DrawnStroke> strokes;
@@ -82,7 +82,7 @@ struct Drawing {
 Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene, Progress& progress,
                              DrawingReport& report);
 
-// The same in a document that works at once. Fails, as the user's fault, too, where its session
+// Reads it in a document that works at once. Fails, as the user's fault, too, where its session
 // cannot keep something.
 Result<Drawing> read_drawing(DrawingOptions const& options, Document& document, Progress& progress,
                              DrawingReport& report);

@@ -14,8 +14,8 @@ constexpr std::uint64_t kManyTriangles = 5'000'000;
 // How large such a file is, as a part of a sentence. Nothing for smaller ones.
 std::optional<std::string> large_glb_size(GlbSummary const& summary);
 
-// What to say before such a file is written: how large it will be, and the options that make it
-// smaller. Nothing for smaller ones.
+// Returns what to say before such a file is written: how large it will be, and the options that
+// make it smaller. Nothing for smaller ones.
 std::optional<std::string> large_glb_note(GlbSummary const& expected, GlbOptions::Organs organs);
 
 } // namespace tractus

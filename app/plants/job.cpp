@@ -25,7 +25,7 @@ constexpr PictureSize kTile { 420, 420 };
 // Enough for a tile, in which the thickest trunk is a few pixels wide.
 constexpr MeshOptions kTileMesh { .min_sides = 3, .max_sides = 8, .subdivision = 2 };
 
-// Of a sheet or a field of `count` plants: a little wider than high.
+// Columns of a sheet or a field of `count` plants: a little wider than high.
 int columns(std::size_t count)
 {
     return static_cast<int>(std::ceil(std::sqrt(1.2 * static_cast<double>(count))));
@@ -139,7 +139,7 @@ Result<void> Job::make_collection(Scene const& scene)
     report_.plants = options_.variations;
 
     progress_.begin("growing the collection", options_.variations);
-    Framing framing({}, kTile.aspect()); // So that all are shown at one scale.
+    Framing framing({}, kTile.aspect()); // Shows all at one scale.
     Bounds frame;
     for (std::size_t i = 0; i < options_.variations; ++i) {
         auto const mesh = make_mesh(plant(i)); // Leaves and petals stand out.
@@ -169,7 +169,8 @@ Result<void> Job::make_collection(Scene const& scene)
 Result<void> Job::write_collection(Bounds const& frame,
                                    std::function<Mesh(std::size_t)> const& mesh)
 {
-    constexpr double kPlantSpacing = 1.15; // Of a plant's width, so that neighbours do not touch.
+    // Spacing in a plant's width, so that neighbours do not touch.
+    constexpr double kPlantSpacing = 1.15;
     progress_.begin("writing the collection");
     double const spacing_mm
         = kPlantSpacing * std::max((frame.max_mm - frame.min_mm).head<2>().maxCoeff(), 1.0);

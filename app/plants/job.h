@@ -17,25 +17,25 @@ namespace tractus {
 struct JobOptions {
     DrawingOptions drawing {};
     std::filesystem::path model {};
-    std::uint64_t seed = 1;             // Of the variations.
-    std::size_t variations = 12;        // In the collection; at least 1.
+    std::uint64_t seed = 1;             // Seed of the variations.
+    std::size_t variations = 12;        // Plants in the collection; at least 1.
     std::filesystem::path folder = "."; // Made if it is not there.
     GrowthOptions growth {};
-    double age = 1;                   // Of all plants; see Grower::grow().
-    GlbOptions glb {};                // Of the collection's file.
+    double age = 1;                   // Age of all plants; see Grower::grow().
+    GlbOptions glb {};                // Options of the collection's file.
     std::filesystem::path session {}; // The new file that keeps what is drawn; empty: none.
 };
 
-// What was read, and what became of it.
+// Facts about what was read, and what became of it.
 struct JobReport : DrawingReport {
     std::string model;
     std::uint64_t seed = 1;
     GrowthOptions growth;
     double age = 1;
     std::size_t plants = 0;
-    std::size_t segments = 0;  // Of one plant.
-    std::size_t organs = 0;    // Of one plant.
-    std::size_t triangles = 0; // Of one plant.
+    std::size_t segments = 0;  // Segments of one plant.
+    std::size_t organs = 0;    // Organs of one plant.
+    std::size_t triangles = 0; // Triangles of one plant.
     std::uint64_t collection_triangles = 0;
     std::vector<std::filesystem::path> files;
     std::vector<Progress::StageTime> times;

@@ -114,7 +114,7 @@ Result<ModelSource> load_model_source(std::filesystem::path const& path,
     if (!colors.empty() && colors.extension() != ".mat" && colors.extension() != ".map")
         return fail(Fault::User,
                     fmt::format("{}: colours are in .mat or .map files", colors.string()));
-    // What cpfg is given on its command line. The first that names a colour counts: materials.
+    // Colours come as on cpfg's command line. The first that names a colour counts: materials.
     TRY(add_colors(colors_of(path, companions, ".mat"), material_file_statements,
                    source.view_text));
     TRY(add_colors(colors_of(path, companions, ".map"), color_map_statements, source.view_text));
@@ -137,7 +137,7 @@ std::vector<std::string> unused_companions(std::filesystem::path const& path,
             auto model = file;
             std::error_code ignored;
             if (std::filesystem::exists(model.replace_extension(path.extension()), ignored))
-                continue; // Another model's.
+                continue; // It is another model's.
             result.push_back(fmt::format("{} is not used, since its name is not the model's; "
                                          "{} {} uses it",
                                          file.string(), option, file.string()));
@@ -203,7 +203,7 @@ Result<Edit> load_plant_edit(std::filesystem::path const& path, ModelCompanions 
     auto lines = TRY(load_lines(path));
     if (!lines.empty())
         return LoadSkeleton { path.string(), std::move(lines) };
-    // By way of a name: g++ 14 warns wrongly of what it would destroy otherwise.
+    // A name for it, as g++ 14 warns wrongly of what it would destroy otherwise.
     LoadModel model = TRY(load_model_edit(path, companions));
     return model;
 }

@@ -10,11 +10,12 @@
 
 namespace tractus {
 
-// What cpfg is given beside the rules on its command line; without it, what lies beside the model.
+// Files that cpfg is given beside the rules on its command line; without them, those beside the
+// model.
 struct ModelCompanions {
     std::filesystem::path view;
     std::filesystem::path colors; // .mat or .map
-    std::string environment;      // For parse_environment(); the view's without it.
+    std::string environment;      // Text for parse_environment(); the view's without it.
 };
 
 // Reads a model: the rules at `path` and the view beside them (MODEL.v for MODEL.l) where there is
@@ -35,7 +36,8 @@ bool leads_out_of_folder(std::filesystem::path const& name);
 // of that folder are refused.
 IncludeReader model_includes(std::filesystem::path const& path);
 
-// All of it as an edit, so that a scene holds the model's texts and needs no file again.
+// Reads a model and its companions as an edit, so that a scene holds the model's texts and needs no
+// file again.
 Result<LoadModel> load_model_edit(std::filesystem::path const& path,
                                   ModelCompanions const& companions = {});
 
@@ -45,7 +47,7 @@ Result<LoadModel> load_model_edit(std::filesystem::path const& path,
 Result<Edit> load_plant_edit(std::filesystem::path const& path,
                              ModelCompanions const& companions = {});
 
-// Both, compiled.
+// Reads and compiles a model and its companions.
 Result<Model> load_model(std::filesystem::path const& path, ModelCompanions const& companions = {});
 
 } // namespace tractus

@@ -18,7 +18,7 @@ struct PictureThread::Shared {
     std::mutex mutex;
     std::condition_variable changed;
     std::optional<Result<void>> begun; // Once the thread can draw, or cannot.
-    std::function<void(PictureMaker&)> const* wanted = nullptr; // Until it is drawn.
+    std::function<void(PictureMaker&)> const* wanted = nullptr; // Set until it is drawn.
     bool stop = false;
     std::thread thread;
 };
@@ -86,7 +86,7 @@ void PictureThread::draw(std::function<void(PictureMaker&)> const& draw)
     shared_->changed.wait(lock, [&] { return !shared_->wanted; });
     shared_->wanted = &draw;
     shared_->changed.notify_all();
-    // Another one may be wanted as soon as this one is done.
+    // The next wish may be there as soon as this one is done.
     shared_->changed.wait(lock, [&] { return shared_->wanted != &draw; });
 }
 

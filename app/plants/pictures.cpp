@@ -17,8 +17,8 @@ namespace {
 
 constexpr float kStrokeWidth_mm = 4;
 
-// What a plant looks like of which pictures before black and before white are there: where they
-// differ, the ground shows. `ground` is the white one alone, which is darker towards the corners.
+// Returns the plant of which pictures before black and before white are there: where they differ,
+// the ground shows. `ground` is the white one alone, which is darker towards the corners.
 Image without_ground(Image const& on_black, Image const& on_white, Image const& ground)
 {
     Image cutout(on_black.width(), on_black.height());
@@ -91,7 +91,7 @@ std::vector<Image> PictureMaker::cutouts(Mesh const& mesh, std::span<Cutout cons
     auto empty = stage;
     empty.meshes.clear();
     std::vector<Image> pictures;
-    Image ground; // The same for all views of one size.
+    Image ground; // Ground for all views of one size.
     for (auto const& view : views) {
         auto const before = [&](float grey, Stage& seen) {
             seen.backdrop.top = seen.backdrop.bottom = Vec3f::Constant(grey);

@@ -33,8 +33,8 @@ static void fill_transparent(Image& picture)
             pixel = { mean(0), mean(1), mean(2), 0 };
 }
 
-// Of everything in the mesh, from the vertical line through `center_mm`: seen from any side, the
-// plant is not wider.
+// Radius of everything in the mesh around the vertical line through `center_mm`: seen from any
+// side, the plant is not wider.
 static double radius_around(Vec3 const& center_mm, Mesh const& mesh)
 {
     Vec2f const center = center_mm.head<2>().cast<float>();

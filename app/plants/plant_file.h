@@ -14,7 +14,7 @@
 namespace tractus {
 
 struct PlantFileOptions {
-    std::optional<Camera> camera {}; // For a picture; without it, all of the plant is seen.
+    std::optional<Camera> camera {}; // Camera of a picture; without it, all of the plant is seen.
     GlbOptions glb {};
 };
 
@@ -26,7 +26,7 @@ Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& na
                                        std::filesystem::path const& path,
                                        PlantFileOptions const& options = {});
 
-// What is meshed already.
+// Writes a plant that is meshed already.
 Result<std::uint64_t> write_mesh_file(Mesh const& mesh, std::string const& name,
                                       std::filesystem::path const& path,
                                       PlantFileOptions const& options = {});

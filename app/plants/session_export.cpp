@@ -61,7 +61,7 @@ Result<void> write_plant(FolderWriter& out, LoadModel const& edit)
     return {};
 }
 
-// As parse_obj_lines() reads it: y up, and metres if the whole is small.
+// Writes what parse_obj_lines() reads: y up, and metres if the whole is small.
 Result<void> write_plant(FolderWriter& out, LoadSkeleton const& edit)
 {
     constexpr double kSmall = 100;

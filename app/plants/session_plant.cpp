@@ -122,7 +122,7 @@ Result<Plant> shown_plants(Scene const& scene)
     for (auto const& plant : scene.plants) {
         if (plant->drawn->is_hidden)
             continue;
-        // What is said of the active plant may be other than what the document has.
+        // The scene may have the active plant otherwise than the document has it.
         bool const is_active = plant->drawn->id == scene.drawn->id;
         auto shown = TRY(shown_plant(is_active ? static_cast<BuiltPlant const&>(scene) : *plant));
         if (!first) {

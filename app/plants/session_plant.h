@@ -21,25 +21,26 @@ bool is_session_file(std::filesystem::path const& path);
 // the session was damaged is left out. Fails like read_session().
 Result<std::vector<Edit>> session_edits(std::filesystem::path const& path, EditKinds kinds);
 
-// What they amount to.
+// Returns the scene that they amount to.
 Result<Scene> load_session_scene(std::filesystem::path const& path, EditKinds kinds,
                                  ModelCost const& cost = {});
 
-// What the edits of a session amount to, as far as they can be made, and how many of its steps
-// cannot.
+// Scene that the edits of a session amount to, as far as they can be made, and how many of its
+// steps cannot.
 struct FoldedSession {
     Scene scene;
     std::vector<Edit> edits;
     UnknownEdits unknown;
-    std::size_t skipped_steps = 0; // That need what was lost; those with unknown edits apart.
+    // Steps that need what was lost; those with unknown edits apart.
+    std::size_t skipped_steps = 0;
 };
 Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost const& cost = {});
 
 // A plant as the station's window shows it: as drawn, grown as is set, at its age.
 Result<Plant> shown_plant(BuiltPlant const& built);
 
-// All plants of a document that are not hidden, each as above and where it stands, as one in the
-// frame of the first of them. Fails, as the user's fault, where all are hidden.
+// Returns all plants of a document that are not hidden, each as above and where it stands, as one
+// in the frame of the first of them. Fails, as the user's fault, where all are hidden.
 Result<Plant> shown_plants(Scene const& scene);
 
 // Begins a session that this program, at this time, begins with `edits`. Fails like

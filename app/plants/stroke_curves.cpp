@@ -9,7 +9,8 @@ namespace tractus {
 
 namespace {
 
-constexpr float kThinnestPart = 0.35f; // Of a stroke's width, where the pen is hardly pressed.
+// Share of a stroke's width, where the pen is hardly pressed.
+constexpr float kThinnestPart = 0.35f;
 
 Vec3f const kSkeletonColor(0.62f, 0.60f, 0.57f);
 Vec3f const kIndicatorColor(0.20f, 0.56f, 0.80f);
@@ -77,7 +78,7 @@ Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& color, float
 
 std::vector<Curve> skeleton_curves(Scene const& scene)
 {
-    // What a stroke shapes is drawn once, in the stroke's colour.
+    // Branches that a stroke shapes are drawn once, in the stroke's colour.
     std::vector<bool> is_shaped(scene.base->segment_count(), false);
     for (auto const& association : scene.associations)
         for (auto const segment : association.what.path)

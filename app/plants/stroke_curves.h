@@ -9,8 +9,8 @@
 
 namespace tractus {
 
-// What is drawn of a scene besides its plant, as curves in the world frame: the same in pictures
-// and in the window.
+// Curves that are drawn of a scene besides its plant, in the world frame: the same in pictures and
+// in the window.
 
 // The colour of the n-th stroke and of what it shapes: seven that colour-blind people can tell
 // apart (Okabe and Ito, "Color Universal Design", 2002), then the same again. sRGB, 0 to 1.

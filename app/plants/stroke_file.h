@@ -18,7 +18,8 @@ bool is_stroke_file(std::filesystem::path const& path);
 // The strokes in such a file. Fails, as the user's fault, if it cannot be read or is no such file.
 Result<std::vector<Stroke>> load_strokes(std::filesystem::path const& path);
 
-// What is drawn of a scene: the strokes that shape branches, each once, however many it shapes.
+// Returns what is drawn of a scene: the strokes that shape branches, each once, however many it
+// shapes.
 std::vector<Stroke> strokes_of(Scene const& scene);
 
 // Whether write_strokes() writes such a file, by its ending alone: .strokes or .txt

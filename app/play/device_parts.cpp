@@ -17,10 +17,11 @@ namespace {
 using Then = DevicePlay::Then;
 
 constexpr Duration kKnockEvery = std::chrono::milliseconds(10);
-constexpr Duration kLongestSleep = std::chrono::milliseconds(50); // Until `stop` is looked at.
+// Time until `stop` is looked at.
+constexpr Duration kLongestSleep = std::chrono::milliseconds(50);
 // Programs look at a device before they open it for good.
 constexpr Duration kGreeting = std::chrono::milliseconds(100);
-// And of a USB HID device Linux lets nothing through in the first 50 ms, since it may be old.
+// Linux lets nothing of a USB HID device through in the first 50 ms, since it may be old.
 constexpr Duration kUsbGreeting = std::chrono::milliseconds(500);
 constexpr Duration kFarewell = std::chrono::milliseconds(100);
 constexpr Duration kLongestFarewell = std::chrono::seconds(2);
@@ -96,7 +97,7 @@ Result<void> go_on_for(Duration duration, DevicePlay const& play, std::atomic<bo
     return {};
 }
 
-// For readers to take what waits, and then what the kernel still holds for them.
+// Gives readers time to take what waits, and then what the kernel still holds for them.
 Result<void> say_farewell(DevicePlay const& play, std::atomic<bool> const& stop)
 {
     auto const latest = monotonic_now() + kLongestFarewell;

@@ -13,7 +13,7 @@
 
 namespace tractus {
 
-// What a device does at times of its own while it is played to the kernel. Times are of the
+// Actions of a device at times of its own while it is played to the kernel. Times are of the
 // monotonic clock.
 class DevicePart {
 public:
@@ -58,14 +58,14 @@ private:
     std::function<NextReport()> reports_;
     NextReport next_report_;
     std::optional<RawReport> next_;
-    Result<void> read_ {}; // What became of reading the next one.
+    Result<void> read_ {}; // Outcome of reading the next one.
     std::optional<Timestamp> begin_ {};
     Timestamp next_knock_ {};
 };
 
 // Everything that is played at once.
 struct DevicePlay {
-    std::vector<KernelDevice*> devices {}; // All are served.
+    std::vector<KernelDevice*> devices {}; // Devices that are served, all of them.
     std::vector<DevicePart*> parts {};
 
     // When all devices are read for the first time; may be empty.
@@ -73,8 +73,8 @@ struct DevicePlay {
 
     enum class Then {
         Leave,  // When the reports have been taken.
-        Stay,   // Until asked to stop.
-        Repeat, // From the begin, until asked to stop.
+        Stay,   // Stays until asked to stop.
+        Repeat, // Begins again, until asked to stop.
     };
     Then then = Then::Leave;
 };

@@ -43,7 +43,7 @@ public:
 
 private:
     std::shared_ptr<Log const> log_;
-    LogSource source_; // Of log_.
+    LogSource source_; // Source of log_.
     Pace pace_;
     std::optional<RawReport> next_; // Read, but its time has not come.
 };

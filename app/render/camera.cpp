@@ -11,7 +11,7 @@ namespace tractus {
 
 // The share of the picture that the framed shape may fill: the rest is air.
 static constexpr double kFill = 0.94;
-// From the eye to what is framed, as a share of its radius.
+// Distance from the eye to what is framed, as a share of its radius.
 static constexpr double kLeastClearance = 0.3;
 
 Eigen::Matrix4f T_camera_world(Camera const& camera)

@@ -18,7 +18,7 @@ struct Camera {
                              // parallel.
     Projection projection = Projection::Perspective;
     double field_of_view_rad = 0.55; // Vertical; Perspective only.
-    double view_height_mm = 1000;    // What the picture's height shows; Orthographic only.
+    double view_height_mm = 1000;    // Height that the picture shows; Orthographic only.
     double near_mm = 10;             // Nothing nearer or farther is drawn.
     double far_mm = 10000;
 
@@ -31,7 +31,7 @@ Eigen::Matrix4f T_camera_world(Camera const& camera);
 // Takes the camera's coordinates to OpenGL's clip space. `aspect` is width over height.
 Eigen::Matrix4f projection_matrix(Camera const& camera, double aspect);
 
-// From which side.
+// Direction of the view.
 struct ViewAngles {
     // 0: from -y, where the person sits; growing: walking to the right, around the plant.
     double azimuth_rad = 0;

@@ -5,7 +5,7 @@
 
 namespace tractus {
 
-// What the renderer draws on: an off-screen picture with four samples to a pixel.
+// Surface that the renderer draws on: an off-screen picture with four samples to a pixel.
 class Canvas {
 public:
     // `width` and `height` are pixels, at least 1.

@@ -15,7 +15,7 @@ struct SheetTile {
 
 struct SheetStyle {
     int columns = 4;
-    int gap_px = 18; // Between tiles and around the sheet.
+    int gap_px = 18; // Gap between tiles and around the sheet.
     double caption_size_px = 22;
     double title_size_px = 34;
     std::string title; // Above the tiles; empty: no room is left for it.

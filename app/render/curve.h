@@ -20,14 +20,14 @@ struct Curve {
     // Flat lines keep their colour; round ones are shaded as tubes.
     enum class Look { Flat, Round };
 
-    // What stands at the last point.
+    // Shape of the last point.
     enum class End { Plain, Arrow };
 
     std::vector<Point> points; // One point draws a dot.
     WidthUnit width_unit = WidthUnit::Pixels;
     Look look = Look::Round;
     End end = End::Plain;
-    bool fades = false; // With the depth: see Stage::fade.
+    bool fades = false; // Fades with the depth: see Stage::fade.
 };
 
 } // namespace tractus

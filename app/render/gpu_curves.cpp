@@ -22,7 +22,7 @@ struct SegmentVertex {
 constexpr float kArrowWidth = 4.5f; // The head's base and length, in line widths.
 constexpr float kArrowLength = 7.0f;
 
-// What SegmentVertex::traits.y is the sum of.
+// Summands of SegmentVertex::traits.y.
 constexpr float kRound = 1;
 constexpr float kHead = 2;
 constexpr float kFades = 4;

@@ -88,7 +88,8 @@ void use_instances(gl::VertexArray const& vertex_array, GLuint instances)
     glBindVertexArray(0);
 }
 
-// In an order that has nothing to do with the plant's, so that the first ones stand for all.
+// Returns instances in an order that has nothing to do with the plant's, so that the first ones
+// stand for all.
 std::vector<InstanceVertex> shuffled_instances(InstancedMesh const& organ, SkyVisibility const& sky)
 {
     std::vector<InstanceVertex> instances;
@@ -134,7 +135,7 @@ void draw_from_afar(GpuMesh::Part const& part, Shader const& shader, float pixel
     auto const& rhombus = *part.rhombus;
     float const area_px = rhombus.length_mm * rhombus.width_mm / (2 * pixel_mm * pixel_mm);
     float const share = std::clamp(area_px / kSmallestArea_px, kSmallestShare, 1.0f);
-    // What is narrow grows across only, or it would reach out of the plant.
+    // Narrow organs grow across only, or they would reach out of the plant.
     bool const narrow = rhombus.width_mm < 0.25f * rhombus.length_mm;
     float const across = narrow ? 1 / share : 1 / std::sqrt(share);
     shader.set("instance_growth", Vec3f(across, narrow ? 1 : across, narrow ? across : 1));

@@ -20,7 +20,7 @@ struct Color {
     bool operator==(Color const&) const = default;
 };
 
-// The same from 0-to-1 components, clamped and rounded.
+// Makes a colour from 0-to-1 components, clamped and rounded.
 Color color_from(Vec3f const& srgb);
 
 // A picture in memory: rows from top to bottom, pixels from left to right.

@@ -44,14 +44,14 @@ struct Renderer::Parts {
     SunShadow shadow;
     gl::VertexArray no_vertices {};
 
-    // What the passes of one picture share.
+    // State that the passes of one picture share.
     struct View {
         Stage const& stage;
         Camera const& camera;
         Canvas const& canvas;
         Bounds box {};
         Eigen::Matrix4f T_clip_world = Eigen::Matrix4f::Identity();
-        float pixels_per_mm = 1;           // At clip w = 1.
+        float pixels_per_mm = 1;           // Scale at clip w = 1.
         Vec2f depth_terms = Vec2f::Zero(); // The projection's elements (2, 2) and (2, 3).
     };
 
@@ -120,7 +120,8 @@ void Renderer::draw(Stage const& stage, Camera const& camera, Canvas const& canv
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
     parts_->draw_backdrop(view);
-    // What follows says by its alpha how much of a pixel it covers; the picture itself is opaque.
+    // Passes from here on say by their alpha how much of a pixel they cover; the picture itself is
+    // opaque.
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     if (stage.backdrop.has_ground) {
         parts_->draw_ground(view);
@@ -224,7 +225,7 @@ void Renderer::Parts::draw_meshes(View const& view) const
         shader->set("sun_strength", view.stage.sun.strength);
         shader->set("is_lit", view.stage.lighting == Stage::Lighting::Lit ? 1.0f : 0.0f);
     }
-    // What a pixel shows at the target; nearer organs are drawn no finer.
+    // Size of a pixel at the target; nearer organs are drawn no finer.
     bool const perspective = view.camera.projection == Camera::Projection::Perspective;
     float const pixel_mm
         = (perspective ? static_cast<float>(view.camera.distance_mm()) : 1.0f) / view.pixels_per_mm;

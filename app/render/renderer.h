@@ -28,7 +28,7 @@ public:
     // Draws over the whole canvas and resolves it.
     void draw(Stage const& stage, Camera const& camera, Canvas const& canvas);
 
-    // The same as a value. Pixels; both at least 1.
+    // Draws a picture as a value. Pixels; both at least 1.
     Image picture(Stage const& stage, Camera const& camera, int width, int height);
 
 private:

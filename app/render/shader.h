@@ -11,7 +11,7 @@ namespace tractus {
 
 // The pieces of GLSL that make up one program; each list is joined in order after "#version 330".
 struct ShaderSource {
-    std::string_view name; // For errors.
+    std::string_view name; // Name for errors.
     std::initializer_list<std::string_view> vertex;
     std::initializer_list<std::string_view> fragment;
 };

@@ -21,7 +21,7 @@ extern std::string_view const kBackdropFragment;
 extern std::string_view const kGroundVertex;
 extern std::string_view const kGroundFragment;
 extern std::string_view const
-    kGroundShadeFragment; // What a plant keeps of the sky from the ground.
+    kGroundShadeFragment; // Share of the sky that a plant leaves to the ground.
 
 extern std::string_view const kShadowVertex; // The sun's view of plants.
 extern std::string_view const kShadowFragment;

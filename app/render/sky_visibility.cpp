@@ -12,9 +12,10 @@ namespace tractus {
 namespace {
 
 constexpr int kLongestSide = 28; // Cells.
-constexpr float kMargin = 0.2f;  // Of the longest side, around the plant, for the ground's shade.
+// Share of the longest side, around the plant, for the ground's shade.
+constexpr float kMargin = 0.2f;
 
-// Of a surface turned any way, a half of its area hides the light behind it on the average.
+// Half of the area of a surface turned any way hides the light behind it on the average.
 constexpr float kExtinction = 0.5f;
 
 struct Patch {

@@ -21,11 +21,11 @@ public:
     // 0 dark to 1 open sky. Plant frame; beyond the grid, which has a margin, as at its border.
     float at(Vec3f const& position_mm) const;
 
-    // The same on the ground below the plant, as a square picture for a texture.
+    // Visibility on the ground below the plant, as a square picture for a texture.
     struct GroundPicture {
         std::vector<float> values; // side * side, rows along +x, first row at the least y.
         int side = 0;
-        Vec2f corner_mm = Vec2f::Zero(); // Of the first value's corner, plant frame.
+        Vec2f corner_mm = Vec2f::Zero(); // Corner of the first value, plant frame.
         Vec2f size_mm = Vec2f::Ones();
     };
     GroundPicture ground() const;

@@ -20,12 +20,12 @@ struct Sun {
     float strength = 1;
 };
 
-// What is behind everything, and the ground, which fades into it. Colours are sRGB, 0 to 1.
+// Background, and the ground, which fades into it. Colours are sRGB, 0 to 1.
 struct Backdrop {
     Vec3f top { 0.83f, 0.87f, 0.90f };
     Vec3f bottom { 0.95f, 0.94f, 0.92f };
     Vec3f ground { 0.80f, 0.77f, 0.72f };
-    bool has_ground = true; // At z = 0, with shadows on it.
+    bool has_ground = true; // Ground at z = 0, with shadows on it.
 };
 
 // Dark surroundings for pictures inside a dark window.
@@ -44,8 +44,8 @@ struct Stage {
     // Curves are cut off above this height.
     double hidden_above_mm = std::numeric_limits<double>::infinity();
     bool curves_cast_shadows = true;
-    // What becomes of the colours of curves that fade: between `from_mm` and `range_mm` below it
-    // they go towards another one, by `share` at the most.
+    // Fading of curves' colours: between `from_mm` and `range_mm` below it they go towards another
+    // one, by `share` at the most.
     struct Fade {
         Vec3f color = Vec3f::Zero();
         float share = 0;

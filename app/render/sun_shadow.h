@@ -6,8 +6,8 @@
 
 namespace tractus {
 
-// What the sun sees: a depth map for the shadows on plants, and made from it a map of how much of
-// the ground is hidden and from how far, whose coarser levels give the ground's shadow a blur that
+// View of the sun: a depth map for the shadows on plants, and made from it a map of how much of the
+// ground is hidden and from how far, whose coarser levels give the ground's shadow a blur that
 // grows with the distance to what casts it. Lives and dies with the context.
 class SunShadow {
 public:
@@ -40,7 +40,7 @@ private:
     Eigen::Matrix4f T_clip_world_ = Eigen::Matrix4f::Identity();
     Vec3f sun_ = Vec3f::UnitZ();
     float texel_mm_ = 1;
-    float depth_mm_ = 1; // From the near to the far plane.
+    float depth_mm_ = 1; // Depth from the near to the far plane.
 };
 
 } // namespace tractus

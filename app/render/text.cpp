@@ -52,7 +52,7 @@ void blend(Color& pixel, Color const& over, int coverage)
 
 struct GlyphPlace {
     int glyph = 0;
-    double x_px = 0; // Of its origin, from the line's left end.
+    double x_px = 0; // Distance of its origin from the line's left end.
 };
 
 // Where each glyph of a line goes, kerned; the line's width comes with it.

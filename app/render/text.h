@@ -8,7 +8,7 @@ namespace tractus {
 
 // How one line of text is set.
 struct TextStyle {
-    double size_px = 24; // From the highest ascender to the lowest descender.
+    double size_px = 24; // Size from the highest ascender to the lowest descender.
     Color color { 40, 42, 46, 255 };
 };
 

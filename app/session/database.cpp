@@ -37,7 +37,7 @@ bool is_there(fs::path const& path)
     return fs::exists(path, ignored);
 }
 
-// Another program's journal lies beside the file: what stands in it is part of the file.
+// Whether another program's journal lies beside the file: what stands in it is part of the file.
 bool has_journal(fs::path const& path)
 {
     return is_there(path.string() + "-wal") || is_there(path.string() + "-journal");
@@ -140,8 +140,8 @@ Result<Database> Database::open(fs::path const& path, Access access)
     int const flags = access == Access::Read ? SQLITE_OPEN_READONLY | SQLITE_OPEN_URI
         : access == Access::Write            ? SQLITE_OPEN_READWRITE
                                              : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
-    // Without a journal nobody writes to it, and what lies in a folder that may not be written can
-    // be read.
+    // Nobody writes to a file without a journal, and what lies in a folder that may not be written
+    // can be read.
     bool const is_still = access == Access::Read && !has_journal(whole_path);
     auto const name = access == Access::Read ? uri_of(whole_path) + (is_still ? "?immutable=1" : "")
                                              : whole_path.string();

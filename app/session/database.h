@@ -33,7 +33,7 @@ public:
     // Back to before the first row, to be bound again.
     void reset();
 
-    // Of the row.
+    // Values of the row.
     std::int64_t whole(int column) const;
     std::string bytes(int column) const; // Text or blob; empty for null.
 
@@ -43,7 +43,7 @@ private:
 
     sqlite3_stmt* statement_;
     Database const* database_;
-    int error_ = 0; // Of a bind.
+    int error_ = 0; // Error of a bind.
 };
 
 // A SQLite file. Everything that fails does so in a sentence that names the file and says what to

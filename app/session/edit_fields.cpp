@@ -12,7 +12,7 @@ namespace tractus {
 namespace {
 
 constexpr char const* kBytes = "bytes";
-constexpr std::size_t kTipSize = 5 * 8 + 1; // Without its tilt.
+constexpr std::size_t kTipSize = 5 * 8 + 1; // Size without its tilt.
 constexpr std::size_t kTiltSize = 2 * 8;
 constexpr std::size_t kLineSize = 6 * 8;
 
@@ -180,7 +180,7 @@ Json written(TipRange const& value)
 
 Json written(std::map<std::string, std::string> const& texts)
 {
-    auto list = Json::array(); // Not an object: names may be no UTF-8.
+    auto list = Json::array(); // An array, not an object: names may be no UTF-8.
     for (auto const& [name, text] : texts)
         list.push_back({ { "name", written(name) }, { "text", written(text) } });
     return list;

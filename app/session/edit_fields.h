@@ -98,7 +98,7 @@ private:
 // Reads them back; what is missing stays as it is.
 class FieldReader final : public Fields {
 public:
-    // Both must outlive the reader.
+    // Keeps references: both must outlive the reader.
     FieldReader(Json const& json, std::string_view numbers)
         : json_(json)
         , numbers_(numbers)

@@ -12,18 +12,18 @@ struct EditRecord {
     std::string kind;   // "load_model", "select", …
     std::string fields; // A JSON object: the edit's fields by the names that its kind gives them.
 
-    // What there is too much of for JSON, one after the other, little-endian, floating-point
-    // numbers as IEEE 754 has them. Of a stroke each tip: its time in nanoseconds as int64, x, y, z
-    // and pressure as float64, and a byte of flags (1 touching, 2 eraser, 4 height extrapolated, 8
-    // outside the calibration, 16 tilted), and behind that, if it is tilted, the tilt towards x and
-    // y as float64. Of a skeleton each line: x, y and z of both ends as float64. Of other edits
-    // nothing.
+    // Numbers of which there are too many for JSON, one after the other, little-endian,
+    // floating-point numbers as IEEE 754 has them. Of a stroke each tip: its time in nanoseconds as
+    // int64, x, y, z and pressure as float64, and a byte of flags (1 touching, 2 eraser, 4 height
+    // extrapolated, 8 outside the calibration, 16 tilted), and behind that, if it is tilted, the
+    // tilt towards x and y as float64. Of a skeleton each line: x, y and z of both ends as float64.
+    // Of other edits nothing.
     std::string numbers;
 };
 
-// In the JSON, numbers that are not finite are strings of 16 hexadecimal digits: their bits. A
-// string that is no UTF-8, as texts and names of files may be, is {"bytes": "…"} with a character
-// U+0000 to U+00FF for each byte.
+// Converts an edit. In the JSON, numbers that are not finite are strings of 16 hexadecimal digits:
+// their bits. A string that is no UTF-8, as texts and names of files may be, is {"bytes": "…"} with
+// a character U+0000 to U+00FF for each byte.
 EditRecord record_of(Edit const& edit);
 
 // Refuses, in a sentence without the file's name, a kind that is none of `kinds`, a field that it

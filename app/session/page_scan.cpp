@@ -15,7 +15,7 @@ using Kind = FoundColumn::Kind;
 using Standing = FoundRow::Standing;
 
 constexpr std::size_t kEditColumns = 7;
-constexpr std::size_t kEditColumnsOfFormat1 = 5; // Without time and checksum.
+constexpr std::size_t kEditColumnsOfFormat1 = 5; // Lacks time and checksum.
 constexpr std::size_t kMetaColumns = 2;
 
 bool has_kinds(FoundRow const& row, std::initializer_list<Kind> kinds)

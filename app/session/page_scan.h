@@ -10,10 +10,12 @@
 
 namespace tractus {
 
-// What can still be read of a session's file whose structure is damaged.
+// Contents that can still be read of a session's file whose structure is damaged.
 struct ScannedSession {
-    std::vector<EditRow> rows;    // By their numbers, each once; all whose checksum holds.
-    std::int64_t last_number = 0; // Of the rows and of what is left of others, as far as is known.
+    // Rows in the order of their numbers, each once; all whose checksum holds.
+    std::vector<EditRow> rows;
+    // Greatest of the rows and of what is left of others, as far as is known.
+    std::int64_t last_number = 0;
     // "plant", "program", "created" and "step" of the meta table, as texts; what is not found is
     // missing.
     std::map<std::string, std::string> meta;

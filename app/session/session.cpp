@@ -19,7 +19,7 @@ Result<Database> open_to_write(fs::path const& path)
     auto database = TRY(Database::open(path, Database::Access::Write));
     TRY(database.execute("PRAGMA synchronous = FULL"));
     TRY(database.execute("PRAGMA cache_size = -256")); // KiB: it is written on, and seldom read.
-    TRY(database.execute("BEGIN IMMEDIATE"));          // From here on no other program writes.
+    TRY(database.execute("BEGIN IMMEDIATE"));          // No other program writes from here on.
     return database;
 }
 
@@ -29,7 +29,7 @@ ReadStep read_from(SessionStore const& store)
     return [&store](std::size_t step) { return store.read_step(step); };
 }
 
-// The same of steps in memory, of which the first is step 1.
+// Reads steps in memory, of which the first is step 1.
 ReadStep read_from(std::vector<std::vector<Edit>> const& steps)
 {
     return [&steps](std::size_t step) -> Result<std::vector<SessionEdit>> {
@@ -161,7 +161,7 @@ Result<void> Session::keep(Prepared prepared)
         steps_.push_back(std::move(prepared.stored.edits));
     }
     history_.push(std::move(prepared.scene.state));
-    scene_ = TRY(builder_.build(history_.state())); // Without the tips that the file has now.
+    scene_ = TRY(builder_.build(history_.state())); // Leaves out the tips that the file has now.
     return {};
 }
 

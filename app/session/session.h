@@ -17,17 +17,17 @@
 namespace tractus {
 
 struct SessionOptions {
-    EditKinds kinds; // That a file may have; others are unknown.
+    EditKinds kinds; // Kinds that a file may have; others are unknown.
     MakeLoadOptions load_options;
     std::function<std::chrono::sys_seconds()> now; // The clock on the wall: when steps are made.
 };
 
-// By the system's clock, models cost what `load_options` says.
+// Takes times from the system's clock; models cost what `load_options` says.
 SessionOptions session_by_the_clock(EditKinds kinds, MakeLoadOptions load_options);
 
-// What somebody draws, kept in a file (session_file.h) as it is drawn. When a call here returns
-// what it did is on the disk, whatever becomes of the program or the machine; when it fails nothing
-// has changed. One program at a time draws in a session; others may read it meanwhile.
+// A drawing that is kept in a file (session_file.h) as it is drawn. When a call here returns what
+// it did is on the disk, whatever becomes of the program or the machine; when it fails nothing has
+// changed. One program at a time draws in a session; others may read it meanwhile.
 //
 // A session without a file keeps its steps in memory, and ends with the program.
 class Session {
@@ -43,17 +43,17 @@ public:
     // in it or it may not be written.
     static Result<Session> open(std::filesystem::path const& path, SessionOptions options);
 
-    // Without a file, on from a scene, where undo ends.
+    // Begins a session without a file at a scene, where undo ends.
     static Session in_memory(Scene beginning, SessionOptions options);
 
     bool is_in_file() const { return store_.has_value(); }
-    std::filesystem::path const& path() const { return store_->path(); } // Of the file.
+    std::filesystem::path const& path() const { return store_->path(); } // Path of the file.
 
     // Its plants are built once, from what all of its steps amount to. Of one in a file the tips of
     // its strokes are not in memory: see SessionStore.
     Scene const& scene() const { return scene_; }
 
-    // What of it this program did not know when it was opened.
+    // The edits that this program did not know when it was opened.
     UnknownEdits const& unknown() const { return unknown_; }
 
     // Edits that lead from any scene of it to the one that it began with: those of step 0, without
@@ -67,13 +67,13 @@ public:
     // cannot be redone any more. No edits are no step.
     Result<void> append(std::span<Edit const> edits);
 
-    // The same in two parts, for who shows what a step makes before the disk has it. Between them
-    // nothing else is done with the session.
+    // Two parts of append(), for those who show what a step makes before the disk has it. Between
+    // them nothing else is done with the session.
     struct Prepared {
         SessionStore::NewStep stored;
         Scene scene; // After the step.
     };
-    Result<Prepared> prepare(std::span<Edit const> edits); // At least one edit.
+    Result<Prepared> prepare(std::span<Edit const> edits); // Takes at least one edit.
     Result<void> keep(Prepared prepared);
 
     // Take the last step back, or do the next one again. Without limit, but for the beginning.
@@ -89,11 +89,11 @@ private:
     Result<void> go_to(std::size_t step);
 
     std::optional<SessionStore> store_;
-    std::vector<std::vector<Edit>> steps_ {}; // Without a store: those after the beginning.
+    std::vector<std::vector<Edit>> steps_ {}; // Steps after the beginning, if there is no store.
     SessionOptions options_;
     SessionHistory history_;
     SceneBuilder builder_;
-    Scene scene_; // Of the history's state.
+    Scene scene_; // The scene of the history's state.
     UnknownEdits unknown_;
 };
 

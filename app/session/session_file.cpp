@@ -55,7 +55,7 @@ std::int64_t checksum(std::size_t step, EditRecord const& record)
 {
     auto sum = crc32(0, nullptr, 0);
     for (auto const& part : { std::to_string(step), record.kind, record.fields, record.numbers }) {
-        // With its end, so that nothing can go over from one part to the next.
+        // The end is part of it, so that nothing can go over from one part to the next.
         auto const* const bytes = reinterpret_cast<Bytef const*>(part.c_str());
         sum = crc32_z(sum, bytes, part.size() + 1);
     }
@@ -92,7 +92,7 @@ Result<void> for_each_row(Database const& database, std::int64_t format,
     return {};
 }
 
-// What is done with each edit, and what kinds there are.
+// Function that is called with each edit, and the kinds that there are.
 struct EditReader {
     EditKinds kinds;
     std::function<void(SessionEdit&&)> take;
@@ -268,7 +268,7 @@ static Result<void> appear(fs::path const& made, fs::path const& path)
     int const reason = errno;
     std::error_code ignored;
     if (!is_linked && reason != EEXIST && !fs::exists(path, ignored)) {
-        if (rename_on_disk(made, path)) // On file systems without links.
+        if (rename_on_disk(made, path)) // File systems without links need it.
             return {};
     }
     fs::remove(made, ignored);
@@ -378,7 +378,7 @@ Result<Edit> read_edit(Database const& database, EditPlace const& place, EditKin
     return checked_edit(row, kinds);
 }
 
-// What the first format lacked.
+// Adds what the first format lacked.
 static Result<void> add_checksums(Database const& database)
 {
     TRY(database.execute("ALTER TABLE edits ADD COLUMN made INTEGER NOT NULL DEFAULT 0;"
@@ -395,7 +395,7 @@ Result<void> migrate(Database const& database, std::filesystem::path const& path
     auto const format = TRY(read_format(database, path.string()));
     if (format == kSessionFormat)
         return {};
-    // By another connection, since one that may write cannot be copied from.
+    // A second connection, since one that may write cannot be copied from.
     auto const as_it_was = TRY(Database::open(path, Database::Access::Read));
     TRY(as_it_was.back_up(path.string() + ".bak"));
     if (format == 1)

@@ -34,25 +34,25 @@ constexpr std::int64_t kSessionFormat = 4;
 struct SessionOrigin {
     std::string plant {};                // The name of the model that it began with.
     std::string program {};              // The version of tractus that began it.
-    std::chrono::sys_seconds created {}; // By the clock on the wall.
+    std::chrono::sys_seconds created {}; // Time by the clock on the wall.
 };
 
-// By which an edit is found again in its file, and known to be the same.
+// Identifies an edit in its file, so that it is found again and known to be the same.
 struct EditPlace {
     std::int64_t number = 0;
     std::int64_t checksum = 0;
 };
 
 struct SessionEdit {
-    std::size_t step = 0; // Those of one step stand together, and no step is without.
+    std::size_t step = 0; // Step number; edits of one step stand together, and no step is without.
     Edit edit;
-    std::chrono::sys_seconds made {}; // By the clock on the wall; 0 where nobody knows.
+    std::chrono::sys_seconds made {}; // Time by the clock on the wall; 0 where nobody knows.
     EditPlace place {};
 };
 
-// What another tractus has drawn in a session, a newer one or one with more methods, and this
-// program does not know (UnknownEdit). It stays in the file as it is, and what belongs to the same
-// step changes nothing, either.
+// Edits by another tractus, a newer one or one with more methods, that this program does not know
+// (UnknownEdit). Each stays in the file as it is, and what belongs to the same step changes
+// nothing, either.
 struct UnknownEdits {
     std::size_t count = 0;
     std::string first {}; // "edit 4: its kind …".
@@ -63,7 +63,7 @@ struct UnknownEdits {
     std::string sentence() const;
 };
 
-// All that a session's file holds.
+// Everything that a session's file holds.
 struct SessionContents {
     SessionOrigin origin {};
     std::vector<SessionEdit> edits {}; // At least one.
@@ -72,7 +72,7 @@ struct SessionContents {
     std::size_t last_step() const { return edits.back().step; }
 };
 
-// The same without the edits, of which there may be very many.
+// The contents without the edits, of which there may be very many.
 struct SessionSummary {
     SessionOrigin origin {};
     std::size_t step = 0; // The last that counts.
@@ -85,7 +85,7 @@ struct SessionSummary {
 // damaged, or is newer than this program.
 Result<SessionContents> read_session(std::filesystem::path const& path, EditKinds kinds);
 
-// The same from a database that is open, of which `name` is the file's: all edits are checked, and
+// Checks a database that is open, of which `name` is the file's: all edits are checked, and
 // forgotten.
 Result<SessionSummary> check_session(Database const& database, std::string const& name,
                                      EditKinds kinds);
@@ -110,7 +110,7 @@ struct EditRow {
 Result<void> write_new_session(std::filesystem::path const& path, SessionOrigin const& origin,
                                std::span<EditRow const> rows, std::size_t step);
 
-// What a row's checksum is if it is as it was written.
+// Returns what a row's checksum is if it is as it was written.
 std::int64_t checksum_of(EditRow const& row);
 
 // The rows that a session begins with: step 0.

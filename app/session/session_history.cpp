@@ -11,9 +11,9 @@
 
 namespace tractus {
 
-// Which states are kept: those of so many steps around the last that counts, and of every so many
-// farther away, up to a distance. Few, since each has a list of all strokes, though their tips are
-// shared; and making a step again costs next to nothing.
+// Distances of the states that are kept: those of so many steps around the last that counts, and of
+// every so many farther away, up to a distance. Few, since each has a list of all strokes, though
+// their tips are shared; and making a step again costs next to nothing.
 static constexpr std::size_t kNear = 2;
 static constexpr std::size_t kEvery = 64;
 static constexpr std::size_t kFar = 192;
@@ -38,7 +38,7 @@ static std::string described(BeginAgain const&)
 
 constexpr EditKind BeginAgain::kKind = make_edit_kind<BeginAgain, list, applied, described>("");
 
-// What is in the file leaves memory.
+// Takes what is in the file out of memory.
 static void park_tips(DocumentState& state)
 {
     auto const is_in_both = [](auto const& tips) { return tips.source() && tips.is_in_memory(); };
@@ -102,7 +102,7 @@ Result<DocumentState> SessionHistory::at(std::size_t wanted, ReadStep const& rea
                                          SceneBuilder& builder)
 {
     CHECK(wanted <= last_step());
-    // From the nearest state before it that is known; that of the beginning always is.
+    // Starts from the nearest state before it that is known; that of the beginning always is.
     auto const& [kept_step, kept_state] = *std::prev(kept_.upper_bound(wanted));
     if (step() <= wanted && step() >= kept_step)
         return fold(state_, step() + 1, wanted, read, builder);
@@ -116,7 +116,7 @@ Result<DocumentState> SessionHistory::fold(DocumentState state, std::size_t firs
         auto const edits = TRY(read(next));
         state = next == 0 ? TRY(begin_document(edits, builder))
                           : apply_step(std::move(state), edits, builder);
-        // Not after each, since it looks at all strokes.
+        // Parks tips now and then, since it looks at all strokes.
         if (is_worth_keeping(next) || next % kEvery == 0 || next == last)
             park_tips(state);
         if (is_worth_keeping(next))

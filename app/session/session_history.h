@@ -28,30 +28,29 @@ struct BeginAgain {
     static EditKind const kKind;
 };
 
-// What the steps of a session amount to. The steps themselves are read when they are needed; so
-// that undo and redo need not begin at the first, some states on the way are kept, the newest ones
-// and a few of old. The tips of strokes are left to their source, if they have one (SharedVector),
-// and read again by who needs them. So memory stays bounded however long the session is, but for
-// some 200 bytes for each stroke that still counts. No plant is built, but for edits of sessions
-// before format 4.
+// States that the steps of a session amount to. The steps themselves are read when they are needed;
+// so that undo and redo need not begin at the first, some states on the way are kept, the newest
+// ones and a few of old. The tips of strokes are left to their source, if they have one
+// (SharedVector), and read again by who needs them. So memory stays bounded however long the
+// session is, but for some 200 bytes for each stroke that still counts. No plant is built, but for
+// edits of sessions before format 4.
 class SessionHistory {
 public:
-    // Of a session that has a beginning. Fails where an edit of that which brings a plant does,
-    // saying which, and where reading does. A later step whose edits cannot be made changes
-    // nothing: what they need was lost when the session was damaged, or this program does not know
-    // one of them.
+    // Opens the history of a session that has a beginning. Fails where an edit of that which brings
+    // a plant does, saying which, and where reading does. A later step whose edits cannot be made
+    // changes nothing: what they need was lost when the session was damaged, or this program does
+    // not know one of them.
     static Result<SessionHistory> create(SessionExtent const& extent, ReadStep const& read,
                                          SceneBuilder& builder);
 
-    // Of a session without steps, whose beginning is a state.
+    // Begins the history of a session without steps, whose beginning is a state.
     explicit SessionHistory(DocumentState beginning);
 
     DocumentState const& state() const { return state_; }
     std::size_t step() const { return extent_.step; }
     std::size_t last_step() const { return extent_.last_step; }
 
-    // What the state would be after one more step, whose tips are in memory. Fails where an edit
-    // does.
+    // Returns the state after one more step, whose tips are in memory. Fails where an edit does.
     Result<DocumentState> after(std::span<Edit const> edits, SceneBuilder& builder) const;
 
     // The state as it is, or was, at another step. Fails where reading does.
@@ -66,7 +65,7 @@ public:
 private:
     explicit SessionHistory(SessionExtent const& extent);
 
-    // On from the state before step `first`.
+    // Goes on from the state before step `first`.
     Result<DocumentState> fold(DocumentState state, std::size_t first, std::size_t last,
                                ReadStep const& read, SceneBuilder& builder);
     Result<DocumentState> apply(DocumentState state, Edit const& edit, SceneBuilder& builder) const;
@@ -77,7 +76,7 @@ private:
 
     SessionExtent extent_;
     DocumentState state_;
-    std::map<std::size_t, DocumentState> kept_; // By step.
+    std::map<std::size_t, DocumentState> kept_; // States by step.
 };
 
 // The state after the edits that a session begins with. Each does what it can, since there is no

@@ -35,7 +35,7 @@ std::string text_of(ScannedSession const& scanned, char const* key, char const* 
     return found == scanned.meta.end() ? otherwise : found->second;
 }
 
-// Those between the first number that a session has and the last that was found.
+// Numbers that are missing between the first number that a session has and the last that was found.
 std::vector<std::int64_t> missing_numbers(std::vector<EditRow> const& rows)
 {
     constexpr std::size_t kMost = 1'000'000;
@@ -49,7 +49,7 @@ std::vector<std::int64_t> missing_numbers(std::vector<EditRow> const& rows)
     return missing;
 }
 
-// What an edit of an older session makes is known by the edit's number, which it is about to lose.
+// Names what an edit of an older session makes by the edit's number, which it is about to lose.
 void give_id(EditRow& row, EditKinds kinds)
 {
     auto const edit = edit_of(row.record, kinds);

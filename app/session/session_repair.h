@@ -11,15 +11,15 @@
 
 namespace tractus {
 
-// What is left of a session that may be damaged anywhere.
+// Remains of a session that may be damaged anywhere.
 struct SalvagedSession {
-    EditKinds kinds {}; // That the program knows.
+    EditKinds kinds {}; // Kinds that the program knows.
     SessionOrigin origin {};
-    std::vector<EditRow> rows {};         // As they were written, in order; at least one.
+    std::vector<EditRow> rows {};         // Rows as they were written, in order; at least one.
     std::vector<std::int64_t> missing {}; // The numbers of those that are lost among them.
     std::optional<std::size_t> step {};   // The last that counts; no value where that is lost, too.
 
-    // Of the steps that have lost an edit: how many have another that is still there.
+    // How many of the steps that have lost an edit have another that is still there.
     std::size_t broken_steps = 0;
 };
 
@@ -28,8 +28,8 @@ struct SalvagedSession {
 // for a file that cannot be read or is larger than 4 GiB.
 Result<SalvagedSession> salvage_session(std::filesystem::path const& path, EditKinds kinds);
 
-// Those edits as a session contents, numbered anew without gaps. Those that this program does
-// not know are UnknownEdits.
+// Makes a session's contents of those edits, numbered anew without gaps. Edits that this program
+// does not know are UnknownEdits.
 SessionContents contents_of(SalvagedSession const& session);
 
 // Writes what was salvaged as a new session, which appears whole. `beginning` comes before it: a

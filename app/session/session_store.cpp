@@ -11,7 +11,7 @@ namespace tractus {
 
 using Tips = SharedVector<TipSample>;
 
-// Any thread may read, while one writes.
+// Lets any thread read, while one writes.
 class SessionStore::File {
 public:
     File(std::filesystem::path path, Database database, EditKinds kinds)
@@ -22,9 +22,9 @@ public:
     }
 
     std::filesystem::path const& path() const { return path_; }
-    EditKinds kinds() const { return kinds_; } // That its edits may have.
+    EditKinds kinds() const { return kinds_; } // Kinds that its edits may have.
 
-    // From here on it is only read.
+    // Closes it for writing: from here on it is only read.
     void close()
     {
         std::lock_guard const lock(mutex_);

@@ -32,15 +32,15 @@ public:
     // The edits of a step that is in the file.
     Result<std::vector<SessionEdit>> read_step(std::size_t step) const;
 
-    // What a new step will be in the file, and its edits as read_step() will give them.
+    // Form of a new step in the file, and its edits as read_step() will give them.
     struct NewStep {
         std::vector<EditRow> rows;
         std::vector<Edit> edits;
     };
     Result<NewStep> prepare(SessionStep const& step) const;
 
-    // In one transaction, which is on the disk when this returns. Afterwards the next one is begun,
-    // which is what keeps others from writing.
+    // Writes in one transaction, which is on the disk when this returns. Afterwards the next one is
+    // begun, which is what keeps others from writing.
     Result<void> write(NewStep const& step);
     Result<void> write_cursor(std::size_t step);
 

@@ -83,7 +83,7 @@ std::vector<std::size_t> SqlitePages::likely_page_sizes(std::string_view file)
             sizes.push_back(size);
     };
     add(written == 1 ? 65536 : written);
-    add(4096); // What the library takes where nobody says otherwise.
+    add(4096); // Default of the library.
     for (std::size_t size = 512; size <= 65536; size *= 2)
         add(size);
     return sizes;
@@ -227,8 +227,8 @@ std::optional<SqlitePages::Header> SqlitePages::header_at(std::string_view page,
     return place == end && total == header.payload_bytes ? std::optional(header) : std::nullopt;
 }
 
-// What does not fit in its page goes on in a chain of others (section 1.6, "Cell payload overflow
-// pages").
+// Follows a payload that does not fit in its page through a chain of others (section 1.6, "Cell
+// payload overflow pages").
 std::optional<std::string> SqlitePages::payload(Page const& page, Header const& header,
                                                 std::vector<std::string_view> const& pages) const
 {

@@ -15,10 +15,10 @@ namespace tractus {
 struct FoundColumn {
     enum class Kind { Null, Whole, Real, Text, Blob } kind = Kind::Null;
     std::int64_t whole = 0;
-    std::string bytes {}; // Of Text and Blob.
+    std::string bytes {}; // Value of Text and Blob.
 };
 
-// What looks like a row of a table.
+// Bytes that look like a row of a table.
 struct FoundRow {
     std::int64_t id = 0;
     std::vector<FoundColumn> columns;
@@ -27,7 +27,7 @@ struct FoundRow {
     enum class Standing {
         Deleted, // Its page is whole and does not list it, or is not in use any more.
         Unknown, // Its page is damaged.
-        Listed,  // By a page that is in use.
+        Listed,  // A page that is in use lists it.
     };
     Standing standing = Standing::Unknown;
 };
@@ -55,12 +55,12 @@ private:
     struct Page {
         std::string_view bytes;
         std::uint32_t number = 0;
-        bool is_current = false; // Not overwritten by a later one.
+        bool is_current = false; // True if no later one overwrites it.
     };
     struct Header {
         std::uint64_t payload_bytes = 0;
         std::int64_t id = 0;
-        std::size_t begin = 0; // Of the payload, in the page.
+        std::size_t begin = 0; // Offset of the payload, in the page.
         std::array<std::uint64_t, kMostColumns> types {};
         std::size_t columns = 0;
         std::size_t header_bytes = 0;
@@ -75,9 +75,10 @@ private:
 
     std::size_t page_size_;
     std::vector<Page> pages_;
-    std::vector<std::string_view> newest_; // By number, from 1; the log's where it has one.
+    std::vector<std::string_view> newest_; // Pages by number, from 1; the log's where it has one.
     std::vector<std::string_view> oldest_; // The file's own.
-    std::vector<bool> is_free_; // By number; all false where the list of free pages is broken.
+    // Indexed by number; all false where the list of free pages is broken.
+    std::vector<bool> is_free_;
 };
 
 } // namespace tractus

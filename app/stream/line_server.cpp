@@ -95,7 +95,7 @@ public:
     std::size_t waiting_bytes() const { return waiting_.size() - sent_; }
 
 private:
-    // Not at each send, since the rest has to be moved.
+    // Called now and then, since the rest has to be moved.
     void forget_sent()
     {
         if (sent_ < waiting_.size() / 2)
@@ -106,7 +106,7 @@ private:
 
     SocketDescriptor socket_;
     std::string waiting_;
-    std::size_t sent_ = 0; // Of waiting_.
+    std::size_t sent_ = 0; // Part of waiting_ that is sent.
     std::size_t left_out_ = 0;
     bool is_gone_ = false;
 };

@@ -32,7 +32,7 @@ public:
     LineServer& operator=(LineServer&&) noexcept;
     ~LineServer(); // Takes the socket's name away.
 
-    // What may happen to a line that a reader is too slow for.
+    // Fate of a line that a reader is too slow for.
     enum class Importance {
         LeaveOut, // It is left out; how many were, a line says before the next that is not.
         Keep,     // It waits.
@@ -46,7 +46,7 @@ public:
 
     std::size_t reader_count() const;
 
-    // What waits for the reader for whom the most does.
+    // Bytes that wait for the reader for whom the most do.
     std::size_t waiting_bytes() const;
 
 private:

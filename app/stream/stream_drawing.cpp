@@ -24,7 +24,7 @@ static void serve_until(StreamOutput& output, Pace const& pace, std::atomic<bool
     }
 }
 
-// All reports of the next moment of the log.
+// Streams all reports of the next moment of the log.
 static Result<void> stream_moment(LogReplay& replay, StreamOutput& output)
 {
     auto const time = replay.next_time();

@@ -8,7 +8,7 @@ namespace tractus {
 
 namespace {
 
-// With so many decimals_text, and never -0.
+// Text with so many decimals, and never -0.
 std::string decimals_text(double number, int count)
 {
     auto text = fmt::format("{:.{}f}", number, count);

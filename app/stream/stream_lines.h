@@ -8,7 +8,7 @@
 
 namespace tractus {
 
-// What `tractus stream` says to other programs: one JSON object a line, in ASCII, each with its
+// Lines of `tractus stream` for other programs: one JSON object a line, in ASCII, each with its
 // line's end. app/manual/streaming.md describes them for whoever reads them; whatever is taken from
 // them or changes its meaning raises the version, and what is added does not.
 //
@@ -26,7 +26,7 @@ std::string tip_line(PenMoment const& moment);
 // A finished stroke, the `number`-th, whose tips are settled, and what it is for. It has tips.
 std::string stroke_line(std::size_t number, ToolStroke const& stroke);
 
-// So many lines of tips were left out, since the reader was too slow for them.
+// Says how many lines of tips were left out, since the reader was too slow for them.
 std::string lost_line(std::size_t tips);
 
 // The last line.

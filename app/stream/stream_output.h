@@ -16,7 +16,7 @@ namespace tractus {
 // does not (line_server.h).
 class StreamOutput {
 public:
-    // What of a drawing is told.
+    // Parts of a drawing that are told.
     enum class What { All, Strokes };
 
     // `write` takes the lines, as print_out() does, and fails as it does.
@@ -38,7 +38,7 @@ public:
     // Whether there is nobody to read: of a socket at which nobody has called.
     bool has_readers() const { return !server_ || server_->reader_count() > 0; }
 
-    // What waits for readers.
+    // Bytes that wait for readers.
     std::size_t waiting_bytes() const { return server_ ? server_->waiting_bytes() : 0; }
 
 private:

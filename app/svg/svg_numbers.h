@@ -23,7 +23,7 @@ public:
     // The next letter or bracket; no value at the end.
     std::optional<char> symbol();
 
-    // What is left, without the spaces and commas before it.
+    // Returns what is left, without the spaces and commas before it.
     std::string_view rest();
 
 private:

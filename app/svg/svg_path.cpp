@@ -14,16 +14,16 @@ namespace {
 
 constexpr int kCurvePieces = 24;
 
-// What an arc's command says, but for its end.
+// An arc's command, but for its end.
 struct ArcShape {
     Vec2 radii = Vec2::Zero();
-    double turn = 0; // Of the ellipse, radians.
+    double turn = 0; // Turn of the ellipse, radians.
     bool large = false;
     bool sweep = false;
 };
 
-// From an ellipse's end points to its middle and angles (SVG 2, appendix B.2.4): the points behind
-// the first.
+// Returns an arc's points behind the first, by way of the ellipse's middle and angles (SVG 2,
+// appendix B.2.4).
 std::vector<Vec2> arc_points(Vec2 const& from, Vec2 const& to, ArcShape const& shape)
 {
     Vec2 radii = shape.radii.cwiseAbs();
@@ -91,7 +91,7 @@ private:
 
     bool draw(char kind)
     {
-        if (closed_) { // What follows begins where the closed line did.
+        if (closed_) { // The next line begins where the closed line did.
             lines_.push_back({ at_ });
             closed_ = false;
         }
@@ -238,7 +238,7 @@ private:
     SvgNumbers numbers_;
     std::vector<std::vector<Vec2>> lines_;
     Vec2 at_ = Vec2::Zero();
-    Vec2 control_ = Vec2::Zero(); // Of the last curve.
+    Vec2 control_ = Vec2::Zero(); // Control point of the last curve.
     char command_ = ' ';
     char last_kind_ = ' ';
     bool closed_ = false;

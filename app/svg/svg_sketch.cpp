@@ -23,7 +23,7 @@ constexpr double kPixel_mm = 25.4 / 96;
 
 // An element that is open: what it hands on to those in it.
 struct Surroundings {
-    Eigen::Affine2d to_sheet = Eigen::Affine2d::Identity(); // From its units to the drawing's.
+    Eigen::Affine2d to_sheet = Eigen::Affine2d::Identity(); // Takes its units to the drawing's.
     std::string role;
     bool is_drawn = true;
 };

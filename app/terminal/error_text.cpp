@@ -43,7 +43,7 @@ struct Place {
     std::string file;
     std::size_t line = 0;
     std::size_t column = 0;
-    std::size_t length = 0; // Of the text.
+    std::size_t length = 0; // Length of the text.
 };
 
 // A number from `at` on, and the colon behind it; 0 for none.
@@ -138,7 +138,7 @@ ErrorStyle error_style()
     char const* const terminal = std::getenv("TERM");
     // NOLINTEND(concurrency-mt-unsafe)
     bool const is_dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
-    bool const refuses = no_color != nullptr && *no_color != '\0'; // As no-color.org has it.
+    bool const refuses = no_color != nullptr && *no_color != '\0'; // See no-color.org.
     return is_dumb || refuses ? ErrorStyle::Excerpt : ErrorStyle::Colored;
 }
 

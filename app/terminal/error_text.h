@@ -10,8 +10,8 @@ namespace tractus {
 // How errors and warnings are shown to whoever reads them.
 enum class ErrorStyle {
     Plain,   // One line, for logs and other programs.
-    Excerpt, // With the line of the file that is wrong, and a caret under the column.
-    Colored, // That in colours.
+    Excerpt, // Shows the line of the file that is wrong, and a caret under the column.
+    Colored, // Excerpt in colours.
 };
 
 // How standard error wants them: plain unless it is a terminal, and without colours where NO_COLOR
@@ -22,7 +22,7 @@ ErrorStyle error_style();
 // "FILE:LINE:COLUMN: ", if the file can be read.
 std::string error_text(Error const& error, ErrorStyle style);
 
-// The same for what does not end the work.
+// Returns the text of what does not end the work.
 std::string warning_text(std::string_view message, ErrorStyle style);
 
 // Writes a warning to standard error as it wants them.

@@ -8,7 +8,7 @@
 
 namespace tractus {
 
-// What ncurses knows of the terminal.
+// Data that ncurses keeps of the terminal.
 struct Terminal::Screen {
     explicit Screen(SCREEN* opened)
         : curses(opened)

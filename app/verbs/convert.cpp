@@ -134,7 +134,7 @@ bool wants_strokes(ConvertArguments const& arguments)
     return arguments.format.empty() && is_written_of_strokes(arguments.output);
 }
 
-// Those that draw something: not those that choose, point or erase.
+// Whether a tool draws something: not those that choose, point or erase.
 bool is_drawing(ToolKind const& tool)
 {
     return tool.previewer && tool.ink.look == InkStyle::Look::Line;

@@ -44,7 +44,7 @@ struct Device {
     std::size_t touching = 0;
     std::size_t strokes = 0;
     bool was_touching = false;
-    std::vector<Duration> intervals {}; // Between the first kMostIntervals samples.
+    std::vector<Duration> intervals {}; // Times between the first kMostIntervals samples.
     Timestamp last {};
     std::size_t bad_reports = 0;
     std::string first_problem {};

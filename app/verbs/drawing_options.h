@@ -8,7 +8,7 @@
 
 namespace tractus {
 
-// What was drawn over a verb's plant.
+// Options for what was drawn over a verb's plant.
 struct DrawingArguments {
     std::string log; // Empty: nothing.
     std::string rig;

@@ -36,8 +36,8 @@ struct GrowArguments {
     DrawingArguments drawing;
     std::filesystem::path output;
     PlantFileOptions file;
-    std::size_t ages = 0;   // Of an animation in one file; 0 for none.
-    std::size_t frames = 0; // Of one in a file for each; 0 for none.
+    std::size_t ages = 0;   // Ages of an animation in one file; 0 for none.
+    std::size_t frames = 0; // Frames of one in a file for each; 0 for none.
     double seconds = 10;
 
     bool is_varied() const
@@ -93,7 +93,7 @@ Result<void> write_sequence(GrowArguments const& arguments, Scene const& scene,
     return {};
 }
 
-// All ages in one file, as morph targets.
+// Writes all ages into one file, as morph targets.
 Result<void> write_animation(GrowArguments const& arguments, Scene const& scene,
                              std::string const& name)
 {

@@ -34,7 +34,7 @@ std::string features_text(Model const& model)
     return text;
 }
 
-// What the turtle leaves out is known only once it has drawn.
+// Draws the string, since what the turtle leaves out is known only then.
 Result<std::string> drawing_text(Model const& model, ModuleString const& string,
                                  LoadOptions const& run)
 {

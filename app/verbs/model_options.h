@@ -11,11 +11,11 @@
 
 namespace tractus {
 
-// Which plant a verb is about: MODEL, --steps and --seed mean the same everywhere.
+// Options that say which plant a verb is about: MODEL, --steps and --seed mean the same everywhere.
 struct ModelOptions {
-    std::string model; // For find_model().
+    std::string model; // Name for find_model().
     std::optional<int> steps;
-    std::optional<std::uint64_t> seed; // Without it 1, or what a session has.
+    std::optional<std::uint64_t> seed; // If there is none, 1 or what a session has.
 };
 
 // --view, --colors and --environment. `companions` must live as long as the verb.

@@ -23,14 +23,14 @@ namespace tractus {
 namespace {
 
 struct SessionArguments {
-    EditKinds kinds; // That this program knows.
+    EditKinds kinds; // Kinds that this program knows.
     std::filesystem::path file;
     std::filesystem::path folder = ".";
     std::filesystem::path repaired {};
-    std::string plant {}; // In place of a lost one.
+    std::string plant {}; // A plant in place of a lost one.
 };
 
-// In UTC, so that a session says the same everywhere.
+// Date in UTC, so that a session says the same everywhere.
 std::string date_text(std::chrono::sys_seconds time)
 {
     constexpr std::int64_t kEndOfYear9999 = 253'402'300'799;

@@ -20,8 +20,8 @@ CLI::Option* add_rig_option(CLI::App& verb, std::string& file);
 // "--height MM|MOVEMENT": a height in place of the height sensor's.
 CLI::Option* add_height_option(CLI::App& verb, std::string& height);
 
-// Such a height while devices are read. Fails, as the user's fault, for a movement: nobody knows
-// how long it would have to last.
+// Returns such a height while devices are read. Fails, as the user's fault, for a movement: nobody
+// knows how long it would have to last.
 Result<double> constant_height_mm(std::string const& height);
 
 // "--seed N": of the variations.
@@ -37,7 +37,7 @@ template<typename Path> CLI::Option* add_folder_option(CLI::App& verb, Path& fol
         ->capture_default_str();
 }
 
-// What a job writes, for the end of a verb's help.
+// Says what a job writes, for the end of a verb's help.
 char const* job_footer();
 
 } // namespace tractus

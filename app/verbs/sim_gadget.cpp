@@ -18,7 +18,7 @@ namespace tractus {
 
 namespace {
 
-// Of pid.codes, which reserves 1209:0001 to 1209:0010 for tests at home.
+// Ids of pid.codes, which reserves 1209:0001 to 1209:0010 for tests at home.
 constexpr std::uint16_t kTestVendor = 0x1209;
 constexpr std::uint16_t kSensorProduct = 0x0002;
 constexpr std::uint16_t kPenProduct = 0x0003;
@@ -31,7 +31,7 @@ struct SimGadgetArguments {
     std::string name = "tractus";
 };
 
-// What is played on the gadget, which outlives it.
+// Functions that are played on the gadget, which outlives them.
 struct Functions {
     std::vector<std::unique_ptr<GadgetHid>> pens;
     std::vector<std::unique_ptr<ReportPart>> pen_parts;

@@ -12,7 +12,7 @@
 
 namespace tractus {
 
-// What the ways of "tractus sim" that play a recording or a script have in common.
+// Options that the ways of "tractus sim" that play a recording or a script share.
 struct SimPlayArguments {
     std::string log;
     std::string script;

@@ -46,7 +46,7 @@ Result<StreamOutput> open_stream_output(StreamArguments const& arguments, Bounds
     return output;
 }
 
-// What became of reports that nobody can use.
+// Warns of reports that nobody can use.
 void warn_of_losses(Station const& station)
 {
     auto const& counts = station.counts();
@@ -70,7 +70,8 @@ Result<void> stream_recording(StreamArguments const& arguments)
     auto replay = TRY(LogReplay::create(log, options));
     for (auto const& sentence : replay.left_out())
         print_warning(sentence);
-    auto const& stop = stop_on_signals(); // From before there is a socket to be taken away.
+    // Catches signals before there is a socket to be taken away.
+    auto const& stop = stop_on_signals();
     auto output = TRY(open_stream_output(arguments, replay.station().volume_mm()));
     TRY(stream_log(replay, output, arguments.speed, stop));
     warn_of_losses(replay.station());

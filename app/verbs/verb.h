@@ -7,8 +7,8 @@
 
 namespace tractus {
 
-// What the command line asked for: each verb's parser sets it, main() runs it. An error becomes one
-// line on standard error and exit code 1.
+// Action that the command line asked for: each verb's parser sets it, main() runs it. An error
+// becomes one line on standard error and exit code 1.
 using Action = std::function<Result<void>()>;
 
 } // namespace tractus

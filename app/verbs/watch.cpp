@@ -152,7 +152,7 @@ Result<void> run(WatchArguments const& arguments)
         if (terminal)
             wants_to_end = TRY(take_keys(*terminal, watch));
         bool const is_over = arguments.seconds && to_seconds(now() - begin) >= *arguments.seconds;
-        // At its last report a log stays on the screen until a key is pressed.
+        // A log's last report stays on the screen until a key is pressed.
         goes_on = !stop && !wants_to_end && !is_over && (terminal || watch.goes_on());
         if (now() >= next || !goes_on) {
             next = now() + (terminal ? kScreenPeriod : kPlainPeriod);

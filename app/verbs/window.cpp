@@ -112,14 +112,14 @@ Result<void> show_replay(WindowArguments const& arguments)
     std::optional<Session> session;
     if (!arguments.session.empty())
         session = TRY(keep_in(arguments.session, model, arguments.methods.edits));
-    ClosingSignals const signals; // Until the window is closed and all is kept.
+    ClosingSignals const signals; // Held until the window is closed and all is kept.
     auto window = TRY(ReplayWindow::create(log, options, std::move(scene),
                                            std::filesystem::current_path(), std::move(session)));
     auto const name = std::filesystem::path(log.name).filename().string();
     return run_window(window, window_options(arguments, name, model));
 }
 
-// What is drawn is kept in the session that was asked for; else in a new one, which is `unnamed`
+// Keeps what is drawn in the session that was asked for; else in a new one, which is `unnamed`
 // then. Where that has no place the person is told, and may draw.
 Result<void> keep(WindowArguments const& arguments, std::filesystem::path const& model,
                   LiveWindowOptions& options, std::filesystem::path& unnamed)
@@ -148,7 +148,7 @@ Result<void> keep(WindowArguments const& arguments, std::filesystem::path const&
 Result<void> draw_in_window(LiveDevices devices, LiveWindowOptions options,
                             WindowOptions const& how)
 {
-    // Until the window is closed and all is kept.
+    // Held until the window is closed and all is kept.
     ClosingSignals const signals;
     auto window = TRY(LiveWindow::create(std::move(devices), std::move(options)));
     return run_window(window, how);
@@ -156,7 +156,7 @@ Result<void> draw_in_window(LiveDevices devices, LiveWindowOptions options,
 
 struct Clock {
     std::function<Timestamp()> now;
-    std::shared_ptr<Timestamp> counted {}; // By frames, if it is not the machine's.
+    std::shared_ptr<Timestamp> counted {}; // Time by frames, if it is not the machine's.
 };
 
 Clock clock_for(WindowArguments const& arguments)
@@ -187,7 +187,7 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
     options.now = clock.now;
     options.counted_time = clock.counted;
     if (!clock.counted)
-        options.mouse.emplace(options.now); // On threads of their own, by the machine's clock.
+        options.mouse.emplace(options.now); // The mouse's threads go by the machine's clock.
     auto const name = devices.infos().empty() ? "mouse" : devices.infos().front().name;
     auto how = window_options(arguments, name, model);
     auto const tidy_up = [&unnamed] {
@@ -224,7 +224,7 @@ Result<WindowArguments> sort_out(WindowArguments arguments)
     return arguments;
 }
 
-// What was asked for; else the devices that are there; else a mouse.
+// Opens what was asked for; else the devices that are there; else a mouse.
 Result<void> open_window(WindowArguments const& arguments)
 {
     return_large_blocks();

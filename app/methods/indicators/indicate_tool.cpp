@@ -10,14 +10,14 @@ namespace tractus {
 
 namespace {
 
-// In the order of Reach,
+// Words in the order of Reach.
 constexpr std::array<OptionWord, 3> kReachWords { {
     { "everywhere", "Everywhere" },
     { "below", "Selected and above" },
     { "near", "Near it" },
 } };
 
-// and of MotionIndicator::Kind.
+// Words in the order of MotionIndicator::Kind.
 constexpr std::array<OptionWord, 2> kIndicatorWords { {
     { "push", "Wind" },
     { "light", "Light" },

@@ -11,7 +11,7 @@ struct IndicateTool {
 
     enum class Reach {
         Everywhere,
-        Below, // On the selected branches and what they bear.
+        Below, // The selected branches and what they bear.
         Near,  // Falling off around the stroke.
     };
     Reach reach = Reach::Everywhere;

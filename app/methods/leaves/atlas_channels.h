@@ -11,7 +11,7 @@
 
 namespace tractus {
 
-// What one channel of a map holds, 0 to 1 unless it says otherwise.
+// Contents of one channel of a map, 0 to 1 unless it says otherwise.
 enum class AtlasChannel : std::uint8_t {
     Zero,
     Red, // sRGB.
@@ -20,7 +20,7 @@ enum class AtlasChannel : std::uint8_t {
     Alpha,
     NormalX, // -1 to 1.
     NormalUp,
-    NormalDown, // The same turned round, as DirectX takes it.
+    NormalDown, // NormalUp turned round, as DirectX takes it.
     NormalZ,
     Occlusion, // 1: nothing keeps light away.
     Roughness,
@@ -30,7 +30,7 @@ enum class AtlasChannel : std::uint8_t {
     BackRed,   // Colour times translucency: light from behind.
     BackGreen,
     BackBlue,
-    UnderRed, // Of the underside.
+    UnderRed, // Red of the underside.
     UnderGreen,
     UnderBlue,
     UnderX,
@@ -40,12 +40,12 @@ enum class AtlasChannel : std::uint8_t {
 };
 
 struct AtlasMap {
-    std::string name; // In the file's: page-0-NAME.png.
+    std::string name; // NAME in the file's: page-0-NAME.png.
     leaf::PageKind kind = leaf::PageKind::Plain;
     std::vector<AtlasChannel> channels {};
 };
 
-// Which maps an engine takes, and what it wants in which channel.
+// Maps that an engine takes, and what it wants in which channel.
 struct AtlasChannels {
     std::string engine;
     std::vector<AtlasMap> maps;

@@ -195,7 +195,7 @@ private:
                       { "cells", cells_json(leaves) } };
     }
 
-    // What no leaf lies on is as its neighbours are, without alpha.
+    // Fills pixels that no leaf lies on like their neighbours, without alpha.
     void fill_unused(PageMaps& maps, std::size_t count) const
     {
         auto const columns = static_cast<std::size_t>(options_.page / options_.cell);
@@ -258,7 +258,7 @@ private:
         auto const columns = static_cast<std::size_t>(options_.page / options_.cell);
         return double(options_.cell) * Vec2(double(cell % columns), double(cell / columns));
     }
-    // Of the stalk's end, in a cell.
+    // Place of the stalk's end, in a cell.
     Vec2 stem() const { return { 0.5 * options_.cell, options_.cell - gutter(options_.cell) }; }
 
     Json cells_json(std::vector<AtlasLeaf> const& leaves) const

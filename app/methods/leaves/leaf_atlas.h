@@ -12,7 +12,7 @@
 
 namespace tractus {
 
-// What has befallen the leaves of an atlas, each of them, as tractus leaves paint has it.
+// Damage to each leaf of an atlas, as tractus leaves paint has it.
 struct LeafDamage {
     int larvae = 0;
     double spots = 0;
@@ -24,7 +24,7 @@ struct LeafDamage {
 
 struct AtlasOptions {
     std::vector<std::string> leaves {}; // Grammars, as load_leaf_grammar() takes them.
-    int count = 16;                     // Of each.
+    int count = 16;                     // Number of each.
     int cell = 512;                     // A leaf's square in pixels, and a page's: powers of two.
     int page = 2048;
     double age_from

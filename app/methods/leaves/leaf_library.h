@@ -25,8 +25,8 @@ Result<leaf::Grammar> load_leaf_grammar(std::string const& name);
 struct LeafLife {
     double age = 0.5;
     std::uint64_t seed = 1;
-    double variation = 1;        // From leaf to leaf: 0 is none.
-    std::optional<int> steps {}; // Of an adult; else the grammar's own.
+    double variation = 1;        // Variation from leaf to leaf: 0 is none.
+    std::optional<int> steps {}; // Steps of an adult; else the grammar's own.
 };
 
 // A leaf and its triangles. `grammar` must outlive it.
@@ -48,7 +48,7 @@ double color_age(double age);
 // kinds that have one seed do not have their spots in the same places.
 leaf::PaintOptions paint_options(leaf::Grammar const& grammar, LeafLife const& life);
 
-// What a user called a leaf: its file's name without folders and ending.
+// Returns what a user called a leaf: its file's name without folders and ending.
 std::string short_leaf_name(std::string const& name);
 
 } // namespace tractus

@@ -20,7 +20,7 @@ Vec3f upright(Vec3 const& position)
     return Vec3(position.x(), -position.z(), position.y()).cast<float>();
 }
 
-// By the areas of the triangles round each vertex.
+// Weights normals by the areas of the triangles round each vertex.
 std::vector<Vec3f> find_normals(leaf::LeafTriangles const& leaf)
 {
     std::vector<Vec3> sums(leaf.positions.size(), Vec3::Zero());

@@ -14,7 +14,7 @@ namespace tractus {
 // extent.
 Result<Mesh> leaf_mesh(leaf::LeafTriangles const& leaf, double size_mm);
 
-// The same with pictures on it, as one material that is cut out along the pictures' alpha.
+// Returns that mesh with pictures on it, as one material that is cut out along the pictures' alpha.
 Result<Mesh> painted_leaf_mesh(leaf::LeafTriangles const& leaf, leaf::LeafPicture const& picture,
                                double size_mm);
 

@@ -133,7 +133,7 @@ Result<void> check_grammar(LeavesArguments const& arguments)
                                  grammar.variables.size()));
 }
 
-// With a number of steps, after so many; else as old as the leaf is to be.
+// Grows the leaf by a number of steps, if there is one; else as old as it is to be.
 Result<GrownLeaf> leaf_to_draw(leaf::Grammar const& grammar, LeavesArguments const& arguments)
 {
     if (!arguments.steps)

@@ -29,13 +29,13 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kMostSide = 16'384; // Of a page, in pixels.
+constexpr int kMostSide = 16'384; // Side of a page, in pixels.
 constexpr int kMostLeaves = 4096;
 
 struct PaintArguments {
     std::vector<std::string> leaves;
     fs::path output;
-    int count = 1; // Of each.
+    int count = 1; // Number of each.
     int side = 512;
     double age = 0.5;
     std::optional<double> age_to;
@@ -55,7 +55,7 @@ struct PaintedLeaf {
     std::string name;
     std::uint64_t seed = 0;
     double age = 0;
-    double length_mm = 0; // Of the picture's side.
+    double length_mm = 0; // Length of the picture's side.
     leaf::LeafPicture picture;
 };
 
@@ -91,7 +91,7 @@ Result<PaintedLeaf> paint_one(leaf::Grammar const& grammar, PaintArguments const
     return made;
 }
 
-// Each kind in turn, a leaf to a task.
+// Paints each kind in turn, a leaf to a task.
 Result<std::vector<PaintedLeaf>> paint_all(PaintArguments const& arguments)
 {
     std::vector<leaf::Grammar> grammars;

@@ -4,7 +4,7 @@
 
 namespace tractus {
 
-// From here on what is drawn goes to the plant that the pen touches.
+// Makes the plant that the pen touches take what is drawn from here on.
 struct ChoosePlantTool {
     static ToolKind const kKind;
 };

@@ -10,7 +10,7 @@ namespace tractus {
 
 namespace {
 
-// In the order of What.
+// Words in the order of What.
 constexpr std::array<OptionWord, 2> kWords { {
     { "active", "Hide", nullptr, true },
     { "none", "Show all", nullptr, true },

@@ -35,7 +35,7 @@ Result<int> read_count(TomlTable& table, char const* key, int fallback)
     return static_cast<int>(count);
 }
 
-// What the other numbers suggest where a file does not say it.
+// Sets what the other numbers suggest where a file does not say it.
 void set_defaults(TomlTable& table, Rule& rule)
 {
     constexpr double kSlender = 0.15;

@@ -35,9 +35,9 @@ struct SketchArguments {
     fs::path stroke;
     fs::path rule;
     fs::path folder;
-    std::size_t number = 1; // Of the stroke in its file.
+    std::size_t number = 1; // Number of the stroke in its file.
     std::string surface;    // Empty: as surface_for() has it.
-    std::string height;     // Of a log without a height sensor.
+    std::string height;     // Height for a log without a height sensor.
     bool bare = false;
     bool report = false;
     bool session = false;

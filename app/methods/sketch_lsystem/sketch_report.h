@@ -8,7 +8,7 @@
 
 namespace tractus::sketch {
 
-// What a stroke and a rule amount to, as one line of JSON for other programs:
+// Returns what a stroke and a rule amount to, as one line of JSON for other programs:
 //
 //   segments   how many internodes the drawn axis has
 //   nodes      [[x, y, z], …]: its base and the ends of its internodes as the model's turtle has

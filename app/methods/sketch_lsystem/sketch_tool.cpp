@@ -9,7 +9,7 @@ namespace tractus {
 
 namespace {
 
-// In the order of the tool's values, of which the first is what no word means.
+// Words in the order of the tool's values, of which the first is what no word means.
 constexpr std::array<OptionWord, 2> kLeavesWords { {
     { "leafy", "Leaves" },
     { "bare", "Bare" },
@@ -39,7 +39,7 @@ void visit(OptionVisitor& visitor, SketchTool& tool)
                                 : sketch::Surface::Paper;
 }
 
-// As rule files have it that say no more.
+// Returns the rule of a rule file that says no more.
 sketch::Rule rule_of(SketchTool const& tool)
 {
     constexpr double kSlender = 0.15;

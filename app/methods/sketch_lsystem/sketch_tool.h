@@ -9,7 +9,8 @@ namespace tractus {
 struct SketchTool {
     static ToolKind const kKind;
 
-    // Of the rule; all else of it is as usual, the twist such that rings of laterals alternate.
+    // Numbers of the rule; all else of it is as usual, the twist such that rings of laterals
+    // alternate.
     double laterals = 2;
     double angle_deg = 45;
     double first_length_mm = 30;
@@ -19,7 +20,7 @@ struct SketchTool {
     sketch::Surface surface = sketch::Surface::Decided;
 };
 
-// What a stroke with the tool means: the tips drawn so far, in a document as it is built.
+// Returns what a stroke with the tool means: the tips drawn so far, in a document as it is built.
 sketch::GrowAlongStroke grown_along(SketchTool const& tool, Stroke const& stroke,
                                     Scene const& scene);
 
