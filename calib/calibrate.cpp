@@ -8,7 +8,8 @@ namespace tractus {
 
 namespace {
 
-// To so many significant digits, by way of their decimal form, so that the file shows no more.
+// Rounds to so many significant digits, by way of their decimal form, so that the file shows no
+// more.
 double rounded(double value, int digits)
 {
     return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
@@ -59,7 +60,7 @@ Rig with_height(Rig rig, HeightCalibration const& calibration, std::string const
     record.slipped = fit.slipped;
     record.rms_mm = rounded(fit.rms_mm, kErrorDigits);
     record.max_mm = rounded(fit.max_mm, kErrorDigits);
-    // To hundredths, and without a zero below zero.
+    // Rounds to hundredths, and without a zero below zero.
     record.heights_mm
         = Vec2(std::round(fit.low_mm * 100) / 100 + 0.0, std::round(fit.high_mm * 100) / 100 + 0.0);
     record.mm_per_count = rounded(Vec2(worth_of_a_count(rig.height_model, fit.low_mm + 0.1),

@@ -91,7 +91,7 @@ public:
     // are. A jump counts as present for half a second.
     std::optional<HeightFault> present() const;
 
-    // Everything so far, what is present included.
+    // Returns the total of everything so far, what is present included.
     HeightFaultTotal total(HeightFaultKind kind) const;
 
     // Readings per second, over the last second of readings; 0 until there are two.

@@ -210,7 +210,7 @@ Result<void> LogText::read_departure(std::string_view content)
     return {};
 }
 
-// Its bytes are the last ones, from there on.
+// The record's bytes are the last ones, from there on.
 void LogText::take_record(Timestamp time, std::size_t offset)
 {
     if (totals_.count++ == 0)

@@ -58,7 +58,7 @@ public:
     // The text has ended: a last line without a line break counts as far as it is whole.
     Result<void> end();
 
-    // After end(). Fails if no device was described.
+    // Returns the log, after end(). Fails if no device was described.
     Result<Log> take_log();
 
     // The records that came since the last forget_records(), and their bytes.

@@ -70,7 +70,7 @@ enum class GesturePropagation {
 std::string_view name_of(GestureTool tool);
 std::string_view name_of(GesturePropagation propagation);
 
-// Over a branch of the plant on the screen; what its rank counts is the tracer's affair.
+// Goes over a branch of the plant on the screen; what its rank counts is the tracer's affair.
 struct AxisTrace {
     std::size_t rank = 0;
     double height_mm = 50;

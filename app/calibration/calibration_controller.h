@@ -97,8 +97,8 @@ public:
     std::optional<PenSample> const& pen() const { return pen_; } // The last one.
     std::size_t touches() const { return touches_; }             // Touches of the movement, so far.
 
-    // When the pen has touched for a while without moving, once for each touch: a person's sign
-    // that the surface rests. The time is that of the data.
+    // True when the pen has touched for a while without moving, once for each touch: a person's
+    // sign that the surface rests. The time is that of the data.
     bool take_pen_rest();
 
     // Returns what follows from everything so far. Fails as the procedure's fit does, if a capture

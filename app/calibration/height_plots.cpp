@@ -77,7 +77,7 @@ Plot fit_plot(HeightFit const& fit, Captures captures)
     return plot;
 }
 
-// Two deviations to either side: of a capture, and of the model itself.
+// Adds bands of two deviations to either side: of a capture, and of the model itself.
 void add_bands(Plot& plot, HeightFit const& fit)
 {
     double const capture_mm = kBandDeviations * fit.capture_error_mm;

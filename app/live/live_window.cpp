@@ -253,7 +253,7 @@ void LiveWindow::tell_device_changes()
     }
 }
 
-// More urgent than what else may be wrong.
+// Tells which devices are away, more urgent than what else may be wrong.
 void LiveWindow::tell_who_is_away()
 {
     for (std::size_t i = 0; i < states_.size(); ++i) {

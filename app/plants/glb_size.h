@@ -8,7 +8,7 @@
 
 namespace tractus {
 
-// More than these, as drawn, and many programs take long to open a file.
+// Triangles, as drawn, above which many programs take long to open a file.
 constexpr std::uint64_t kManyTriangles = 5'000'000;
 
 // How large such a file is, as a part of a sentence. Nothing for smaller ones.

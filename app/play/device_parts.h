@@ -68,7 +68,7 @@ struct DevicePlay {
     std::vector<KernelDevice*> devices {}; // Devices that are served, all of them.
     std::vector<DevicePart*> parts {};
 
-    // When all devices are read for the first time; may be empty.
+    // Called when all devices are read for the first time; may be empty.
     std::function<void()> on_begin {};
 
     enum class Then {

@@ -27,7 +27,7 @@ public:
     // The next row: false when there is none any more. Fails like the database.
     Result<bool> step();
 
-    // To the end, for statements without rows. Then it may be bound and run again.
+    // Runs to the end, for statements without rows. Then the statement may be bound and run again.
     Result<void> run();
 
     // Back to before the first row, to be bound again.

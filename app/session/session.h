@@ -49,8 +49,8 @@ public:
     bool is_in_file() const { return store_.has_value(); }
     std::filesystem::path const& path() const { return store_->path(); } // Path of the file.
 
-    // Its plants are built once, from what all of its steps amount to. Of one in a file the tips of
-    // its strokes are not in memory: see SessionStore.
+    // The scene; its plants are built once, from what all steps amount to. Of a session in a file
+    // the tips of its strokes are not in memory: see SessionStore.
     Scene const& scene() const { return scene_; }
 
     // The edits that this program did not know when it was opened.

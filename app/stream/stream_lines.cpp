@@ -21,7 +21,7 @@ std::string millimetres_text(double length_mm)
     return decimals_text(length_mm, 3);
 }
 
-// To the nanosecond, which a double of seconds_text would not hold.
+// Seconds to the nanosecond, which a double would not hold.
 std::string seconds_text(Timestamp time)
 {
     constexpr std::int64_t kPerSecond = 1'000'000'000;

@@ -17,7 +17,7 @@ struct PenFields {
 
     std::optional<std::int32_t> pressure {}; // Counts. No value: as in the report before.
 
-    // To the right and towards the user, from upright. No value: as in the report before.
+    // Tilt to the right and towards the user, from upright. No value: as in the report before.
     std::optional<Vec2> tilt_deg {};
 
     std::optional<bool> in_range {}; // No value: a pen that is reported is in range.

@@ -75,8 +75,8 @@ public:
         return SharedVector(TRY(shared_->source->read()), shared_->source);
     }
 
-    // Two with the same id have the same elements, as long as one of them is there; nobody needs to
-    // look at them to know.
+    // Identifies the elements: two with the same id have the same ones, as long as one of the two
+    // is there; nobody needs to look at them to know.
     void const* id() const
     {
         return source() ? static_cast<void const*>(source().get()) : shared_.get();
@@ -99,7 +99,8 @@ public:
     auto begin() const { return vector().begin(); }
     auto end() const { return vector().end(); }
 
-    // To change them: they are the source's no more. Holds until the next copy is made.
+    // Elements to be changed: they are the source's no more. The reference holds until the next
+    // copy is made.
     std::vector<T>& own()
     {
         if (!shared_)

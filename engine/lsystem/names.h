@@ -35,7 +35,7 @@ struct Names {
     static constexpr std::size_t kMax = 60'000;
 
     std::optional<std::uint16_t> find_variable(std::string_view name) const;
-    // Its number. Fails, at the cursor's place, when there are too many.
+    // Returns its number. Fails, at the cursor's place, when there are too many.
     Result<std::uint16_t> add_variable(std::string name, Cursor const& cursor);
     void warn(std::string warning); // Once each.
     // Once for all warnings about the same thing: the first place is enough.

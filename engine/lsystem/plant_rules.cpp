@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRuledUnit_mm = 10;
 
-// To the turtle's space, as models have it.
+// Takes a vector to the turtle's space, as models have it.
 Vec3 in_model(Vec3 const& v)
 {
     return { v.x(), v.z(), 0 - v.y() };

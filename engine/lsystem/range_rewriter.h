@@ -58,7 +58,7 @@ public:
     // Whether what one module becomes is bounded: at most so many modules and parameters, where the
     // model has neither decomposition rules nor cuts.
     bool has_bounds() const { return has_bounds_; }
-    // Some kind's way is Batch.
+    // Whether some kind's way is Batch.
     bool has_batches() const { return has_batches_; }
     std::size_t longest() const { return longest_; }
     std::size_t most_parameters() const { return most_parameters_; }

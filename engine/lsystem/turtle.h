@@ -196,7 +196,7 @@ private:
     void push();
     void pop();
     void close_polygon();
-    // To the value if it is given, else by as many steps.
+    // Sets the width to the value if it is given, else changes it by as many steps.
     void set_width(State& state, bool is_given, double value)
     {
         double const change = value * view_.line_width_step * state.scale;

@@ -68,7 +68,7 @@ Json labels_json(leaf::Leaf const& leaf)
     return labels;
 }
 
-// To nine digits behind the point; what is no number is null.
+// Numbers have nine digits behind the point; what is no number is null.
 Json variables_json(leaf::Grammar const& grammar, leaf::Leaf const& leaf)
 {
     Json variables = Json::object();
