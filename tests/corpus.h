@@ -14,7 +14,7 @@ inline std::filesystem::path corpus()
     return folder ? std::filesystem::path(folder) : std::filesystem::path();
 }
 
-// Of data that come with the tests, tests/data: a file or folder of them.
+// Path of a file or folder of the data that come with the tests, tests/data.
 inline std::filesystem::path shipped(std::filesystem::path const& name)
 {
     return std::filesystem::path(__FILE__).parent_path() / "data" / name;

@@ -9,7 +9,7 @@
 
 namespace tractus {
 
-// What a log amounts to.
+// Result of a log.
 struct Replayed {
     StationCounts counts;
     Scene scene;

@@ -62,7 +62,7 @@ inline Station flat_station(std::optional<Tool> const& tool = {})
     return Station::create(std::vector { simple_pen() }, options).value();
 }
 
-// The same, and what it draws on.
+// Returns such a station, and what it draws on.
 inline DrawingStation station_on(Scene scene, std::optional<Tool> const& tool = {})
 {
     return { flat_station(tool), std::move(scene) };

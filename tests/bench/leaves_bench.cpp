@@ -42,7 +42,7 @@ struct Used {
     rusage usage {};
 };
 
-// Of the program since `before`; memory at most since it began.
+// Prints what the program took since `before`; memory at most since it began.
 void say(char const* what, Used const& before, double items)
 {
     Used const now;
@@ -96,7 +96,7 @@ void leaves_with_maps(benchmark::State& state)
 }
 BENCHMARK(leaves_with_maps)->Unit(benchmark::kSecond)->UseRealTime();
 
-// As a window shows it while somebody drags a slider.
+// Measures a leaf as a window shows it while somebody drags a slider.
 void leaf_with_maps(benchmark::State& state)
 {
     auto const grammar = load_leaf_grammar("maple").value();

@@ -40,7 +40,7 @@ std::string row_of_signals()
         + "\nB < A --> B\nB --> A\nendlsystem\n";
 }
 
-// As many threads as the benchmark's second argument says.
+// Allows as many threads as the benchmark's second argument says.
 tbb::global_control limited_threads(benchmark::State const& state)
 {
     return { tbb::global_control::max_allowed_parallelism,

@@ -41,7 +41,7 @@ constexpr MeshOptions kBareTubes {
     .min_sides = 8, .max_sides = 8, .subdivision = 0, .collar = 0, .ends = MeshOptions::Ends::Open
 };
 
-// As many threads as the benchmark's argument says.
+// Allows as many threads as the benchmark's argument says.
 class Threads {
 public:
     explicit Threads(benchmark::State const& state)
@@ -58,7 +58,7 @@ constexpr std::size_t kCollectionPlants = 200;
 constexpr std::size_t kCollectionSegments = 10000;
 constexpr std::size_t kCollectionLeaves = 5000;
 
-// What a collection's plants are variations of: axes of eight segments on the nodes of earlier
+// Plant of which a collection's are variations: axes of eight segments on the nodes of earlier
 // ones, leaves on the last.
 Plant collected_plant()
 {
@@ -130,7 +130,7 @@ void make_mesh_bench(benchmark::State& state, MeshOptions const& options)
              .limit = Limit::Fill });
 }
 
-// The same arrays, also new in every run, filled by memset.
+// Fills the same arrays, also new in every run, by memset.
 void fill_arrays_of_bare_tubes(benchmark::State& state)
 {
     Mesh const mesh = make_mesh(plant(), kBareTubes);

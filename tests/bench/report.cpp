@@ -51,7 +51,7 @@ double measure_bytes_per_second(Limit limit)
         case Limit::Disk:
             write_once(from);
             break;
-        case Limit::Cp: // Of a file: copy_bytes_per_second().
+        case Limit::Cp: // Limit for a file: copy_bytes_per_second().
             break;
         }
         benchmark::DoNotOptimize(to.data());

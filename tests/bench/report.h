@@ -6,7 +6,7 @@
 
 namespace tractus {
 
-// What bounds the work on this machine.
+// Limit of the work on this machine.
 enum class Limit {
     Copy, // memcpy: for work that reads as much as it writes.
     Fill, // memset: for work that writes.
@@ -16,14 +16,15 @@ enum class Limit {
 
 struct Work {
     double items = 1;      // Done in one iteration.
-    std::string item = {}; // What they are, in the plural: "reports", "segments".
+    std::string item = {}; // Plural noun for them: "reports", "segments".
     double bytes = 0; // What one iteration has to read (Copy) or write (Fill, Disk, Cp) at least.
                       // 0: so little that memory says nothing about the time.
     Limit limit = Limit::Copy;
     std::filesystem::path file = {}; // Limit::Cp: what cp copies, in its folder.
-    // Of one iteration: pages of memory that it was the first to touch, which is what makes the
-    // same work take different times on different machines. Less than 0: this process' own since
-    // the table's line before, so the first iteration's and what was prepared, shared among all.
+    // Page faults of one iteration: pages of memory that it was the first to touch, which is what
+    // makes the same work take different times on different machines. Less than 0: this process'
+    // own since the table's line before, so the first iteration's and what was prepared, shared
+    // among all.
     double faults = -1;
 };
 

@@ -8,7 +8,7 @@ namespace tractus {
 namespace {
 
 constexpr std::size_t kFrames = 200'000;
-constexpr std::size_t kSamplesPerFrame = 5; // As the sensor sends of itself.
+constexpr std::size_t kSamplesPerFrame = 5; // The sensor's own choice.
 constexpr std::uint16_t kPeriodUs = 1000;
 
 struct Frame {

@@ -47,7 +47,7 @@ public:
     BigSession()
         : path_(fs::temp_directory_path() / fmt::format("tractus-bench-{}.tractus", ::getpid()))
     {
-        return_large_blocks(); // As the window does.
+        return_large_blocks(); // The window does it, too.
         fs::remove(path_);
         Edit const model = LoadModel { .source = { .name = "tree.l", .text = kMonopodialTree },
                                        .steps = kSteps };

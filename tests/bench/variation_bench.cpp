@@ -32,7 +32,7 @@ Plant const& branches()
     return plant;
 }
 
-// What one plant's growth reads and writes of memory when it is copied and nothing else.
+// Bytes that one plant's growth reads and writes of memory when it is copied and nothing else.
 double bytes_of(Plant const& plant)
 {
     return static_cast<double>(plant.node_position_mm.size() * sizeof(Vec3)

@@ -1,4 +1,4 @@
-// What the station's window has to do itself, without the graphics card, while plants grow in the
+// Work of the station's window itself, without the graphics card, while plants grow in the
 // background, 60 times a second: from a frame's reports to their ink's vertices in the list of what
 // is drawn (ink, by the clock, so only an idle machine shows it), and a whole frame's own work
 // (cpu).
@@ -76,12 +76,12 @@ public:
         : document_(std::move(scene), Document::Working::OnItsThread)
         , view_(station_, document_)
     {
-        return_large_blocks(); // As the window does.
+        return_large_blocks(); // The window does it, too.
     }
 
     struct Took {
         double ink_s = 0; // By the clock, from when the reports are taken to their ink's vertices.
-        double cpu_s = 0; // Of the thread's own time: all that a frame does.
+        double cpu_s = 0; // Own time of the thread: all that a frame does.
     };
 
     Took frame()

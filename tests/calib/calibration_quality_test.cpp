@@ -12,7 +12,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-// What calibration promises, against the truth, a hundred times each. The distributions are in the
+// Promises of calibration, against the truth, a hundred times each. The distributions are in the
 // tests' properties and in their failures.
 
 namespace tractus {

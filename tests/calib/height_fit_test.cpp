@@ -11,7 +11,7 @@ HeightCapture capture(double ruler_mm, double counts)
     return { .ruler_mm = ruler_mm, .counts = counts, .noise_counts = 1, .readings = 500 };
 }
 
-// What a person without any error captures from a sensor.
+// Captures from a sensor by a person who makes no error.
 std::vector<HeightCapture> captures_of(HeightModel const& model, std::vector<double> const& heights)
 {
     std::vector<HeightCapture> captures;
@@ -75,7 +75,7 @@ TEST(HeightFit, TakesFiveCapturesOfAStringForAString)
                     0.8);
 }
 
-// The same captures with the potentiometer's outer wires swapped.
+// Returns those captures with the potentiometer's outer wires swapped.
 std::vector<HeightCapture> counting_down(std::vector<HeightCapture> captures)
 {
     for (auto& one : captures)

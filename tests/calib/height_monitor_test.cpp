@@ -180,7 +180,7 @@ TEST(HeightMonitor, DoesNotTakeABurstForAJump)
 {
     HeightMonitor monitor(kRig);
     push(monitor, seconds(0), milliseconds(100), [](int i) { return 1000 + 10 * i; });
-    // What was held up for 50 ms comes at once: readings of a hand at 0.5 m/s, 50 us apart.
+    // Readings that were held up for 50 ms come at once: a hand at 0.5 m/s, 50 us apart.
     auto time = milliseconds(150);
     for (int i = 0; i < 25; ++i)
         monitor.push({ .time = at(time + i * std::chrono::microseconds(50)),
@@ -224,7 +224,7 @@ TEST(HeightMonitor, AddsUpWhatHappenedSeveralTimes)
                                          "the longest at 3.0 s: check its plug and its cable" }));
 }
 
-// What a monitor sees in the simulated height sensor's bytes, counts at places 1 and 2.
+// Shows a monitor the simulated height sensor's bytes, counts at places 1 and 2.
 HeightMonitor watch(SimulatedRun const& run)
 {
     HeightMonitor monitor(run.rig);

@@ -6,7 +6,7 @@
 
 namespace tractus {
 
-// What one report alone gives.
+// Decodes one report alone.
 inline Result<std::vector<HeightSample>> decode_heights(HeightDecoder& decoder, Timestamp received,
                                                         std::span<std::byte const> report)
 {

@@ -61,7 +61,8 @@ std::set<State> our_states(Log const& log)
         EXPECT_TRUE(sample) << sample.error().message;
         if (!sample || !*sample)
             continue;
-        // That kernel's BTN_TOUCH is the tip alone; the eraser's contact is ours to tell apart.
+        // The kernel's BTN_TOUCH there is the tip alone; the eraser's contact is ours to tell
+        // apart.
         auto const& pen = **sample;
         states.insert({ pen.raw_x, pen.raw_y, pen.touching && !pen.eraser });
     }

@@ -204,7 +204,7 @@ TEST_F(PenDecoderTest, BoundsThePressure)
 TEST(PenDecoder, KeepsItsPlaceWhereTheDeviceSaysNull)
 {
     auto info = simple_pen();
-    // The same with X and Y that may be null: Input (Data, Variable, Absolute, Null state).
+    // X and Y may be null here: Input (Data, Variable, Absolute, Null state).
     for (std::size_t i = 0; i + 1 < info.report_descriptor.size(); ++i)
         if (info.report_descriptor[i] == std::byte { 0x81 }
             && info.report_descriptor[i + 1] == std::byte { 0x02 })

@@ -196,7 +196,7 @@ TEST(ReconnectingSource, LooksForItNoOftenerThanAsked)
     EXPECT_EQ(lists, 2);
 }
 
-// What a test says that has come.
+// Events that a test says have come.
 class FakeEvents final : public DeviceEvents {
 public:
     explicit FakeEvents(bool& has_come)
@@ -313,7 +313,7 @@ TEST(ReconnectingSource, FindsATabletReadPastTheKernelInAnotherSocket)
     auto const tablet = [](std::string location, std::string path) {
         auto info = pen_at(std::move(location), std::move(path));
         if (info.location.starts_with("libusb:"))
-            info.report_descriptor.clear(); // Which is not known before it is opened.
+            info.report_descriptor.clear(); // The descriptor is not known before it is opened.
         return info;
     };
     Bus bus { .plugged = { tablet("libusb:1-2:0", "usb-1-2/input0") } };

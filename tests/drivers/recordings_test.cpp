@@ -17,7 +17,7 @@
 namespace tractus {
 namespace {
 
-// What is known of a recording, by the beginning of its file's name.
+// Facts known of a recording, by the beginning of its file's name.
 struct Published {
     std::string_view file;
     Vec2 size_mm = Vec2::Zero();
@@ -145,7 +145,7 @@ std::vector<DecodedPen> const& recorded_pens()
     return all;
 }
 
-// Those, if there is a corpus, and the pens of our own demonstrations.
+// Pens of the corpus, if there is one, and those of our own demonstrations.
 std::vector<DecodedPen> const& all_pens()
 {
     static auto const all = [] {
@@ -164,7 +164,7 @@ TEST(Recordings, DecodeAll)
     EXPECT_GE(recorded_pens().size(), 41u);
     for (auto const& pen : recorded_pens()) {
         EXPECT_EQ(pen.refused, 0u) << pen.file;
-        // Of these, one is of a mouse on the tablet, one of the tablet's dials.
+        // One of the files is of a mouse on the tablet, one of the tablet's dials.
         bool const has_pen = !pen.file.starts_with("Wacom_Intuos3")
             && pen.file.find("frame_dials") == std::string::npos;
         EXPECT_EQ(pen.samples.empty(), !has_pen) << pen.file;

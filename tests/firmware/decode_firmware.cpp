@@ -1,4 +1,4 @@
-// What the firmware sent in simavr, through our decoder: see usb_host.c.
+// Decodes what the firmware sent in simavr: see usb_host.c.
 #include "drivers/height_decoder.h"
 #include "drivers/log.h"
 #include "tests/drivers/bytes.h"
@@ -34,7 +34,7 @@ std::vector<std::int32_t> decoded(Log const& log)
     return counts;
 }
 
-// What the readings should be, from what the converter was fed with: 64 conversions over 8.
+// Returns what the readings should be, from what the converter was fed with: 64 conversions over 8.
 std::vector<std::int32_t> expected()
 {
     std::ifstream in(TRACTUS_FIRMWARE "/conversions.txt");
@@ -64,7 +64,7 @@ TEST(Firmware, SendsEachReadingToTheBit)
     ASSERT_EQ(counts.size(), 400u);
     EXPECT_EQ(counts.front(), 0);
     EXPECT_EQ(*std::max_element(counts.begin(), counts.end()), 8184);
-    // Those that came before the host was there are not among them; from then on none is missing.
+    // Frames that came before the host was there are not among them; from then on none is missing.
     constexpr std::size_t kMostBefore = 10;
     std::size_t before = 0;
     while (before < kMostBefore

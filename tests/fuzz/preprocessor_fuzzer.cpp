@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
-// What stands before a zero byte is a model's text, what follows it the text of every file that
-// it includes. Every character that comes out has its place.
+// The input before a zero byte is a model's text, the rest the text of every file that it includes.
+// Every character that comes out has its place.
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
     std::string_view const input(reinterpret_cast<char const*>(data), size);

@@ -1,5 +1,5 @@
-// What the height sensors' decoders make of anything. The first byte chooses the sensor, and with
-// its highest bit every report ends with the CRC of a frame, which no fuzzer finds by itself. What
+// Feeds the height sensors' decoders with anything. The first byte chooses the sensor, and with its
+// highest bit every report ends with the CRC of a frame, which no fuzzer finds by itself. What
 // follows is cut into reports: a byte of length, then so many bytes.
 
 #include "drivers/height_decoder.h"

@@ -2,7 +2,7 @@
 
 namespace tractus::physics {
 
-// Which rigs a check looks at: so many of each row, with the seeds from the first on.
+// Rigs that a check looks at: so many of each row, with the seeds from the first on.
 struct Run {
     unsigned rigs = 60;
     unsigned first_seed = 1;
@@ -12,11 +12,12 @@ struct Run {
 
 // Each prints a table, a row for each kind of physics, with the seeds of the rigs that miss the
 // row's goal. False if a row that is held to its goal misses it.
-bool check_heights(Run const& run); // Of `calibrate height`.
-bool check_zeroing(Run const& run); // Of `calibrate zero`, after a string slipped or a table moved.
-bool check_fusing(Run const& run);  // Of live and settled tips while the table moves.
-bool check_latency(Run const& run); // Of `calibrate latency`.
-bool check_slips(Run const& run);   // Of what tells a slip while drawing.
+bool check_heights(Run const& run); // Checks `calibrate height`.
+// Checks `calibrate zero`, after a string slipped or a table moved.
+bool check_zeroing(Run const& run);
+bool check_fusing(Run const& run);  // Checks live and settled tips while the table moves.
+bool check_latency(Run const& run); // Checks `calibrate latency`.
+bool check_slips(Run const& run);   // Checks what tells a slip while drawing.
 
 // Whether so great a part of a run's rigs is good enough for a row's goal: a small run may miss by
 // what chance makes of so many rigs.

@@ -25,7 +25,7 @@ struct Scenario {
     Heights heights_mm {};
     Faults faults {};
     Mistake mistake = Mistake::None;
-    double least_part = 0; // Of the rigs, within kGoal_mm or refused; 0: only measured.
+    double least_part = 0; // Share of the rigs, within kGoal_mm or refused; 0: only measured.
 };
 
 constexpr double kGoal_mm = 0.5;

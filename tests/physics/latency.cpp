@@ -32,7 +32,7 @@ std::vector<Scenario> scenarios()
     };
 }
 
-// What follows something within a play of some width.
+// Follows something within a play of some width.
 class Follower {
 public:
     explicit Follower(double width)

@@ -46,7 +46,7 @@ std::vector<PenSample> pen_samples(Sampling const& sampling, Dice& dice)
     double const phase_s = uniform(dice, 0, 1 / sampling.pen_hz);
     for (double t = phase_s; t < sampling.seconds; t += 1 / sampling.pen_hz)
         samples.push_back({ .time = at(arrival_s(t, sampling.burst_s)),
-                            .position_mm = { t, 0 }, // Which tells when the pen was there.
+                            .position_mm = { t, 0 }, // The place tells when the pen was there.
                             .pressure = 1,
                             .in_range = true,
                             .touching = true });

@@ -21,11 +21,11 @@ struct Sampling {
     double noise_counts = 1;
     double gap_from_s = 0; // No readings come from here …
     double gap_to_s = 0;   // … to here.
-    double spike_part = 0; // Of the readings, that are off by 30 mm, alone.
+    double spike_part = 0; // Share of the readings that are off by 30 mm, alone.
     double burst_s = 0;    // Readings and pen samples come together, so often; 0: as they are.
 };
 
-// What the program made of a pen sample.
+// Result of the program for a pen sample.
 struct Tip {
     double seconds = 0; // When the pen was there.
     double error_mm = 0;

@@ -9,7 +9,7 @@ namespace tractus::physics {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kFirstPart = 0.08; // Of the track, at height zero.
+constexpr double kFirstPart = 0.08; // Share of the track, at height zero.
 
 } // namespace
 

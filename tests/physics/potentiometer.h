@@ -14,14 +14,14 @@ using Dice = std::mt19937_64;
 double uniform(Dice& dice, double low, double high);
 double normal(Dice& dice, double deviation);
 
-// What may be wrong with a rig. Nothing is, by default.
+// Faults that a rig may have. It has none by default.
 struct Faults {
     double pulley_radius_mm = 0;   // The string leaves a pulley, not a point.
     double nonlinearity = 0;       // Greatest deviation of the track, in parts of its length.
     double loading = 0;            // Resistance of the track over that of the converter's input.
     double noise_counts = 0.5;     // White.
     double hum_counts = 0;         // At 50 Hz.
-    double drift_counts_per_s = 0; // Of the supply, as it warms up.
+    double drift_counts_per_s = 0; // Drift of the supply, as it warms up.
     double hysteresis_mm = 0;      // The string's end lags behind the table by half of it.
 };
 

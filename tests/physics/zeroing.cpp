@@ -18,10 +18,10 @@ namespace {
 // A calibrated rig to which something happens, and that is zeroed then.
 struct Scenario {
     char const* name = "";
-    double slip_mm = 0; // Of the string.
-    double move_mm = 0; // Of the table's zero.
+    double slip_mm = 0; // Slip of the string.
+    double move_mm = 0; // Move of the table's zero.
     std::vector<double> zeroed_at_mm { 0 };
-    double least_part = 0; // Of the rigs, at most kLoss_mm worse than before.
+    double least_part = 0; // Share of the rigs, at most kLoss_mm worse than before.
 };
 
 constexpr double kLoss_mm = 0.5;

@@ -10,7 +10,7 @@
 
 namespace tractus {
 
-// What a station makes of a simulated run.
+// Result of a simulated run in a station.
 struct FusedRun {
     std::vector<TipSample> live;
     std::vector<TipSample> settled;

@@ -241,7 +241,8 @@ TEST(SimulatedRig, FramesAreNoWorseThanASlider)
     EXPECT_LT(frames_errors.max_mm, 1.02 * slider_errors.max_mm);
 }
 
-// What comes while the host looks away, 60 ms in each half second, comes at the end of that.
+// Delays reports that come while the host looks away, 60 ms in each half second, to the end of
+// that.
 void look_away(SimulatedDevice& device)
 {
     for (auto& report : device.reports)

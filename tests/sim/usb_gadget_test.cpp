@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-// What the kernel does with gadgets is for tests/vm; here is what is said where it cannot.
+// Messages for kernels that cannot play gadgets; what the kernel does with gadgets is for tests/vm.
 
 namespace tractus {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// What the scenarios let judge. Each check prints what it finds, figures as "figure: NAME = VALUE
+// Checks that the scenarios call. Each check prints what it finds, figures as "figure: NAME = VALUE
 // UNIT", and fails if it is not as it should be.
 
 namespace tractus {
@@ -32,7 +32,7 @@ Result<void> compare_reports(std::string const& sent_name, std::string const& go
 Result<void> measure_gaps(std::string const& log_name, std::size_t device, double pause_ms);
 
 struct HeightExpectation {
-    double fraction = 0;       // Of full scale, in the mean …
+    double fraction = 0;       // Share of full scale, in the mean …
     double tolerance = 0.0005; // … of all samples, so far off at most.
 };
 
@@ -54,9 +54,9 @@ struct StreamExpectation {
 Result<void> check_stream(std::string const& log_name, StreamExpectation const& expected);
 
 struct TruthOptions {
-    std::string script; // What the simulated hand was told to do, one stroke to a gesture.
-    std::string sent;   // What the simulated rig sent.
-    std::string got;    // What was recorded of it, with the rig's calibration.
+    std::string script; // The script of the simulated hand, one stroke to a gesture.
+    std::string sent;   // The log that the simulated rig sent.
+    std::string got;    // The recording of it, with the rig's calibration.
     std::string model;  // A plant, for the station to work on.
 };
 

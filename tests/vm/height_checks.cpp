@@ -20,7 +20,7 @@ struct DecodedHeights {
     std::size_t broken_reports = 0;
 };
 
-// Of the log's first height sensor.
+// Decodes the log's first height sensor.
 Result<DecodedHeights> decode_heights(std::string const& log_name)
 {
     auto const log = TRY(read_log(log_name));

@@ -34,7 +34,8 @@ Result<std::size_t> find_device(Log const& log, DeviceInfo const& wanted)
         fmt::format("{} has no device with the report descriptor of {}", log.name, wanted.name));
 }
 
-// What the kernel hands on to hidraw: reports that the descriptor has, in its length at least.
+// Reports that the kernel hands on to hidraw: those that the descriptor has, in its length at
+// least.
 std::vector<LogRecord> delivered(Log const& log, std::size_t device)
 {
     auto records = records_of(log, device);

@@ -11,7 +11,7 @@ namespace tractus {
 
 namespace {
 
-// Of all checks together; each uses some.
+// Arguments of all checks together; each uses some.
 struct Arguments {
     TruthOptions truth;
     std::vector<std::size_t> devices;

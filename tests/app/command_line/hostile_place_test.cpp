@@ -140,7 +140,7 @@ TEST_F(HostilePlace, NumbersDoNotDependOnTheLocale)
     }
 }
 
-// What each verb that writes is told to write, with its file or folder in place of {}.
+// Command lines of each verb that writes, with its file or folder in place of {}.
 constexpr std::array kWriting {
     "grow small.l -o {}/a.glb",
     "grow small.l --sequence 2 -o {}/a.obj",

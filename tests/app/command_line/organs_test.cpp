@@ -8,7 +8,7 @@ namespace {
 
 class Organs : public Workshop {
 protected:
-    // Of a file, without the counts of bytes.
+    // Returns a file's JSON, without the counts of bytes.
     nlohmann::json json_of(std::string const& name) const
     {
         auto const glb = read(name);

@@ -90,7 +90,7 @@ TEST_F(StreamCommand, WritesCurvesThatOtherProgramsReadAndWeReadBack)
     EXPECT_EQ(run("tractus convert strokes.txt -o strokes.glb").exit_code, 0);
     EXPECT_EQ(read("strokes.glb").substr(0, 4), "glTF");
     auto const grown = run("tractus render strokes.glb -o lines.png --size 64x64");
-    EXPECT_EQ(grown.exit_code, 0) << grown.err; // As a skeleton of lines.
+    EXPECT_EQ(grown.exit_code, 0) << grown.err; // A skeleton of lines.
 
     EXPECT_EQ(run("tractus convert strokes.txt -o top.svg --view top").exit_code, 0);
     EXPECT_NE(read("top.svg").find("points=\"50.000,-40.000 "), std::string::npos);

@@ -15,7 +15,7 @@ protected:
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     }
 
-    // Of a manifest.
+    // Returns the plants of a manifest.
     nlohmann::json plants(std::string const& name) const
     {
         return nlohmann::json::parse(read(name), nullptr, false)["plants"];
@@ -94,7 +94,7 @@ TEST_F(Vary, PlantsAreAsOldAsTheManifestSays)
     EXPECT_LT(read("young/small-1.glb").size(), read("old/small-1.glb").size());
 }
 
-// Of a PNG: the size is in its first chunk (ISO/IEC 15948 section 11.2.2).
+// Returns the size of a PNG, which is in its first chunk (ISO/IEC 15948 section 11.2.2).
 std::pair<int, int> picture_size(std::string const& png)
 {
     auto const number = [&](std::size_t at) {
@@ -197,7 +197,7 @@ TEST_F(Vary, ADiskThatFillsUpInTheMiddleLeavesWholeFiles)
     std::string const what = "small.l --count 24 --ages 0.05..1 --sides 64 -o ";
     vary(what + "whole");
     // The first plant that is larger, by a block, than all before it: that one does not fit.
-    constexpr std::size_t kBlock = 512; // What dash's ulimit counts in.
+    constexpr std::size_t kBlock = 512; // Unit of dash's ulimit.
     auto const files = plants("whole/manifest.json");
     std::size_t too_large = 0;
     std::size_t blocks = 0;
@@ -238,7 +238,7 @@ TEST_F(Vary, CtrlCLeavesWholeFiles)
         auto const plant
             = read("out/small-" + std::string(6 - number.size(), '0') + number + ".glb");
         ASSERT_GE(plant.size(), 12u) << i;
-        std::uint32_t length = 0; // Of the whole file (glTF 2.0 section 4.4.2).
+        std::uint32_t length = 0; // Length of the whole file (glTF 2.0 section 4.4.2).
         std::memcpy(&length, &plant[8], 4);
         EXPECT_EQ(length, plant.size()) << i;
     }

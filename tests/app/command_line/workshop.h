@@ -12,7 +12,7 @@
 
 namespace tractus {
 
-// What a command left behind. The exit code is the shell's: 128 more than a signal that ended it.
+// Outcome of a command. The exit code is the shell's: 128 more than a signal that ended it.
 struct CommandOutcome {
     int exit_code = 0;
     std::string out {};

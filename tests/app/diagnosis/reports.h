@@ -16,7 +16,7 @@ inline RawReport report_at_ms(std::int64_t milliseconds, std::string const& hex)
     return report;
 }
 
-// Of simple_pen(): touches at 100 mm from the left and 50 mm from the far edge.
+// Report of simple_pen(): it touches at 100 mm from the left and 50 mm from the far edge.
 constexpr char const* kTouching = "02 21 10 27 88 13 00 04 00 00";
 
 } // namespace tractus

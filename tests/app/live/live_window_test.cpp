@@ -499,7 +499,7 @@ TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
     EXPECT_EQ(again.scene().associations.size(), 2u);
     EXPECT_EQ(read_session(path, all_methods().edits).value().step, 2u);
     EXPECT_EQ(read_session(path, all_methods().edits).value().last_step(),
-              2u); // What was undone is gone.
+              2u); // Undone steps are gone.
     fs::remove(path);
 }
 
@@ -587,7 +587,8 @@ TEST_F(LiveWindowWithSession, RefusesGrowthThatThereIsNot)
     EXPECT_EQ(read_session(path_, all_methods().edits).value().last_step(), 0u);
 }
 
-// What the window says is wrong after the height sensor has sent `counts` for 100 ms, at `now_ms`.
+// Returns what the window says is wrong after the height sensor has sent `counts` for 100 ms, at
+// `now_ms`.
 std::string trouble_after(int counts, std::int64_t now_ms)
 {
     std::vector<RawReport> heights;

@@ -39,7 +39,8 @@ protected:
         }
     }
 
-    Scene const& scene() const { return *controller_.view().grown_scene(); } // That is seen.
+    // The scene that is seen.
+    Scene const& scene() const { return *controller_.view().grown_scene(); }
 
     fs::path const path_
         = fs::temp_directory_path() / fmt::format("tractus_long_{}.tractus", ::getpid());
@@ -141,7 +142,7 @@ TEST_F(LongDrawing, ANewStationLosesNothingThatAFullDiskCouldNotKeep)
         draw(1);
         EXPECT_EQ(controller_.view().state().unkept_steps, 1u);
         EXPECT_NE(controller_.view().state().trouble.find("is not kept"), std::string::npos);
-        station_ = flat_station(); // As another calibration makes one.
+        station_ = flat_station(); // Another calibration makes one, too.
         controller_.show_again(station_, "");
         draw(1);
         EXPECT_FALSE(controller_.finish(station_, at_ms(now_ms_)));

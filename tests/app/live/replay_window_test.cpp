@@ -70,7 +70,7 @@ TEST_F(ReplayedWindow, ShowsInkThenStrokesAndChangesThePlantAfterEach)
         plants = state.plant_revision;
     });
     EXPECT_TRUE(has_shown_ink);
-    EXPECT_EQ(window.state().strokes.size(), 2u); // What selects is not shown.
+    EXPECT_EQ(window.state().strokes.size(), 2u); // Strokes that select are not shown.
     EXPECT_EQ(window.state().plant_revision, before + 3);
     EXPECT_EQ(window.state().indicators.size(), 1u);
     EXPECT_EQ(window.state().progress, 1);
@@ -149,7 +149,7 @@ TEST_F(ReplayedWindow, KeepsWhatIsDrawnInASession)
                                begin_session(path, { small_model() }, all_methods().edits).value())
               .value();
     play(window);
-    EXPECT_EQ(read_session(path, all_methods().edits)->last_step(), 3u); // What selects, too.
+    EXPECT_EQ(read_session(path, all_methods().edits)->last_step(), 3u); // Includes what selects.
     EXPECT_EQ(window.state().indicators.size(), 1u);
     window.perform(Undo {});
     window.settle();

@@ -40,7 +40,7 @@ private:
     double value_ = 0;
 };
 
-// What a plant amounts to: how many parts it has, and sums over where and how thick they are.
+// Digest of a plant: how many parts it has, and sums over where and how thick they are.
 std::vector<double> digest(Plant const& plant)
 {
     Sum places;
@@ -65,7 +65,7 @@ std::vector<double> digest(Plant const& plant)
              organs.value() };
 }
 
-// What was drawn, and the plant at two seeds and young.
+// Digest of what was drawn, and of the plant at two seeds and young.
 std::vector<double> digest(Scene scene)
 {
     std::vector<double> numbers { static_cast<double>(scene.associations.size()),

@@ -17,7 +17,7 @@ namespace {
 // How a plant stands. World frame.
 struct Posture {
     Vec3 tips = Vec3::Zero(); // Mean direction of the last tenth of all axes.
-    double height = 0;        // As a share of that as drawn.
+    double height = 0;        // Height as a share of that as drawn.
     double sway = 0;          // Mean angle of axes with what they were as drawn, in radians.
 };
 
@@ -41,7 +41,7 @@ Posture posture(Plant const& plant, Plant const& drawn)
     return posture;
 }
 
-// Of one model, grown by any preset.
+// One model, grown by any preset.
 class Presets : public testing::TestWithParam<std::string> {
 protected:
     static Plant base()

@@ -11,13 +11,13 @@
 namespace tractus {
 namespace {
 
-// What is promised of a model at its full age.
+// Promises of a model at its full age.
 struct Expected {
     std::string name;
     int steps; // Its derivation length.
     std::size_t min_segments;
     std::size_t min_organs;
-    std::uint32_t min_axis_segments; // Of its longest axis, so that a stroke can bend it.
+    std::uint32_t min_axis_segments; // Segments of its longest axis, so that a stroke can bend it.
     double min_height_mm;
     double max_height_mm;
     double tuft_mm = 0;       // How far from the origin its axes may leave the ground.
@@ -63,7 +63,7 @@ double height_mm(Plant const& plant)
     return bounds(plant).max_mm.z();
 }
 
-// Of the organs' outlines, laid flat.
+// Area of the organs' outlines, laid flat.
 double organ_area_mm2(Plant const& plant)
 {
     double sum = 0;

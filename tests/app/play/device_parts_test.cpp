@@ -9,7 +9,7 @@
 namespace tractus {
 namespace {
 
-// What the devices of a test were sent, in order: "DEVICE:FIRST BYTE".
+// Reports that the devices of a test were sent, in order: "DEVICE:FIRST BYTE".
 using Sent = std::vector<std::string>;
 
 // A device whose kernel is the test.

@@ -37,7 +37,7 @@ RC_GTEST_PROP(EditRecord, TakesAnyBytesWithoutHarm, ())
         RC_ASSERT(!read.error().message.empty());
 }
 
-// What an engineer finds in the file, and what files of today must stay readable by.
+// Engineers find this in the file, and files of today must stay readable by it.
 TEST(EditRecord, IsReadableByEyeAndStaysAsItIs)
 {
     auto const select = record_of(Select { { { 0, 1 }, { 7 } } });

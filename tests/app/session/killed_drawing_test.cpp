@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// What a child said before its end: numbers, the last of which counts.
+// Numbers that a child said before its end, the last of which counts.
 using Say = std::function<void(int)>;
 
 // Runs `work` in a program of its own, which is killed after so long; answers the last number that
@@ -95,8 +95,8 @@ protected:
 
     void TearDown() override { fs::remove_all(folder_); }
 
-    // As the program does, frame by frame, but as fast as it can. Says how many strokes the window
-    // shows as done whenever there are more.
+    // Draws as the program does, frame by frame, but as fast as it can. Says how many strokes the
+    // window shows as done whenever there are more.
     void draw_into(fs::path const& path, Say const& say) const
     {
         constexpr Duration kFrame = std::chrono::milliseconds(16);

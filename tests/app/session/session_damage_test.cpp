@@ -6,7 +6,7 @@
 namespace tractus {
 namespace {
 
-// What to do about a damaged file, without the file's name.
+// Remedy for a damaged file, without the file's name.
 std::string const kRemedy = "\"tractus session repair  -o NEW.tractus\" brings back what is whole";
 
 // Files that are no good session: each is refused in a sentence, or is one after all.
@@ -28,7 +28,7 @@ protected:
         ASSERT_TRUE(database.execute(sql)) << sql;
     }
 
-    // Such a copy's refusal, without the file's name.
+    // Returns such a copy's refusal, without the file's name.
     std::string refusal_after(std::string const& sql) const
     {
         change("changed", sql);

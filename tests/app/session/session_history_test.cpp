@@ -16,7 +16,7 @@ public:
     {
     }
 
-    // Those of `step` and later ones are gone.
+    // Adds a step; `step` and later ones of before are gone.
     void push(std::size_t step, std::vector<Edit> edits)
     {
         steps_.resize(step);
@@ -186,7 +186,7 @@ TEST(SessionHistory, SaysWhichPlantCannotBeLoaded)
     EXPECT_EQ(scene.error().message.find("edit 2: bad.l:2:"), 0u) << scene.error().message;
 }
 
-// What an edit needs may have been lost when the file was damaged.
+// The file's damage may have taken what an edit needs.
 TEST(SessionHistory, GoesOnWithoutAStepThatCannotBeMade)
 {
     SetGrowth const seven { {}, 7 };

@@ -89,8 +89,8 @@ protected:
         for (auto const& edit : edits_) {
             auto const record = record_of(edit.edit);
             auto const& bytes = record.numbers;
-            auto last
-                = std::string::npos; // What follows is near, but for what crosses to another page.
+            // The next ones are near, but for what crosses to another page.
+            auto last = std::string::npos;
             for (std::size_t at = 0; at + kPiece <= bytes.size(); at += kPiece) {
                 auto const piece = std::string_view(bytes).substr(at, kPiece);
                 auto const from = last == std::string::npos ? 0 : last;
@@ -168,7 +168,7 @@ TEST_F(SessionRepair, BringsBackAllBeforeATornTail)
     for (std::size_t pages = 3; pages < whole_.size() / kPageBytes; pages += 7) {
         auto const cut = pages * kPageBytes - 100;
         auto const back = count_back(whole_.substr(0, cut));
-        // Those of which the last byte is before the cut.
+        // Rows of which the last byte is before the cut.
         std::map<std::int64_t, std::size_t> ends;
         for (auto const& [at, number] : bytes_of_edits())
             ends[number] = std::max(ends[number], at.second);
@@ -218,7 +218,7 @@ TEST_F(SessionRepair, LeavesOutWhatWasUndoneAndReplaced)
 TEST_F(SessionRepair, NamesWhatIsLostAndGoesOnWithoutIt)
 {
     auto salvaged = salvage_session(path(), core_edit_kinds()).value();
-    salvaged.rows.erase(salvaged.rows.begin() + 10); // As if it had been damaged.
+    salvaged.rows.erase(salvaged.rows.begin() + 10); // Stands for damage.
     ASSERT_TRUE(write_repaired(salvaged, {}, path("new.tractus")));
     auto const session = open("new.tractus");
     ASSERT_TRUE(session) << session.error().message;

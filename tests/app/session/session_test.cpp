@@ -109,7 +109,7 @@ TEST_F(SessionTest, OnlyOneProgramDrawsInIt)
 
 TEST_F(SessionTest, ThatTheProgramLeftOpenIsReadAsItWas)
 {
-    // What kill -9 leaves behind: the file and its journal.
+    // kill -9 leaves the file and its journal behind.
     auto session = create().value();
     ASSERT_TRUE(session.append(drawing_step(1)));
     std::filesystem::copy_file(path(), path("b.tractus"));
@@ -122,7 +122,7 @@ TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
 {
     struct Older {
         int format;
-        char const* statements; // That make it so old.
+        char const* statements; // Statements that make it so old.
         std::int64_t made;      // When its edits were made: the first format did not know.
     };
     for (auto const& [older, statements, made] :

@@ -6,7 +6,7 @@
 namespace tractus {
 namespace {
 
-// As another tractus would write them, with more methods than this one.
+// Edits that another tractus would write, with more methods than this one.
 EditRecord graft()
 {
     return { "graft", R"({"on":[3,0.5],"height":1e999})", std::string("\0\x01\xff", 3) };

@@ -28,7 +28,7 @@ public:
     LocalReader(LocalReader const&) = delete;
     LocalReader& operator=(LocalReader const&) = delete;
 
-    // What is there now; nothing if nothing is.
+    // Returns what is there now; nothing if nothing is.
     std::string read_now() const
     {
         std::string text;

@@ -45,7 +45,8 @@ Result<std::unique_ptr<ReportSource>> open(SimulatedConverter& converter,
           .sleep_until = [&](Timestamp time) { converter.lines.sleep_until(time); } });
 }
 
-// Which request of the n-th conversion comes k-th; three conversions try the lines out.
+// Number of the request that comes k-th in the n-th conversion; three conversions try the lines
+// out.
 constexpr std::uint64_t request(std::uint64_t conversion, std::uint64_t k)
 {
     return conversion * 51 + k;

@@ -29,7 +29,7 @@ double hand(Timestamp time)
     return 4000 - 4000 * std::cos(to_seconds(time) * kPi / 2);
 }
 
-// What is read until `end`, as the decoder has it, and what it complains of.
+// Samples that are read until `end`, and what the decoder complains of.
 struct Read {
     std::vector<HeightSample> samples;
     std::vector<std::string> errors;

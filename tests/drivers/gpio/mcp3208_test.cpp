@@ -10,7 +10,7 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-constexpr unsigned kRequests = 51; // Of one conversion of 12 bits.
+constexpr unsigned kRequests = 51; // Requests of one conversion of 12 bits.
 
 // The request that ends the sampling: CS low, ten for the command, one rising edge before it.
 constexpr std::uint64_t kSamplingEnds = 12;

@@ -50,7 +50,7 @@ TEST(Quadrature, NoticesEachLostEdgeByItsNumber)
 {
     EXPECT_EQ(after("A+ B+ A- B-").lost_count(), 0u);
     EXPECT_EQ(after("A+ b+ A- B-").lost_count(), 1u);
-    EXPECT_EQ(after("A+ b+ a- b- A+").lost_count(), 3u); // Which no level would show.
+    EXPECT_EQ(after("A+ b+ a- b- A+").lost_count(), 3u); // No level would show it.
 }
 
 TEST(Quadrature, NoticesALineThatRisesTwice)

@@ -27,7 +27,7 @@ public:
         return decode_one(*decoder_, time_, bytes(text)).value();
     }
 
-    // Of a report that must give one.
+    // Returns the sample of a report that must give one.
     PenSample sample(std::string const& text)
     {
         auto const result = report(text);

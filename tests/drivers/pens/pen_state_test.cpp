@@ -1,5 +1,5 @@
-// What pens do, and what their devices make of it: the behaviours that Linux's own tests of tablets
-// ask for, each as a test.
+// Pens, and what their devices make of them: the behaviours that Linux's own tests of tablets ask
+// for, each as a test.
 
 #include "drivers/pens/pen_state.h"
 

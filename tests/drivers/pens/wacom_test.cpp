@@ -37,7 +37,7 @@ public:
 
     std::optional<PenSample> leave(Timestamp time) { return decoder_->leave(time); }
 
-    // Of a report that must give one.
+    // Returns the sample of a report that must give one.
     PenSample sample(std::string const& text)
     {
         auto const result = report(text);

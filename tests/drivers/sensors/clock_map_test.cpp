@@ -16,7 +16,7 @@ using Order = ClockMap::Order;
 // A device that sends every millisecond by a clock of its own, and a host that hears of it late.
 struct SimulatedClock {
     double drift_ppm = 0;          // The device's clock is slow by so much.
-    std::uint32_t first_us = 1000; // Of the device's clock at the host's time 0.
+    std::uint32_t first_us = 1000; // The device's clock at the host's time 0.
     double jitter_us = 0;          // Mean of what is added to the least transmission time.
     double stall_ms = 0;           // Now and then the host looks away for so long.
     Random random { { .seed = 1 } };

@@ -23,10 +23,10 @@ struct FakeWire {
     Timestamp now {};
     bool is_plugged = true;
 
-    // Of each answer: what comes in its place, in order. Lets it through if it is empty.
+    // Gives for each answer what comes in its place, in order. Lets all through if it is empty.
     std::function<std::vector<Bytes>(Bytes)> disturb {};
 
-    std::vector<Bytes> commands {};                        // As they were written.
+    std::vector<Bytes> commands {};                        // Commands as they were written.
     std::deque<std::pair<Timestamp, Bytes>> on_the_way {}; // Answers, by the time of arrival.
 
     // A packet that nobody asked for, now.

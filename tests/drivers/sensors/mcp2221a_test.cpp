@@ -122,7 +122,7 @@ TEST_F(Mcp2221a, DoesNotTakeAnOldAnswerForANewOne)
 {
     auto const source = open().value();
     EXPECT_EQ(read(*source), 409);
-    wire.intrude(foreign(0x10)); // Of when the wiper was at 2 V.
+    wire.intrude(foreign(0x10)); // Taken when the wiper was at 2 V.
     model.set_volts(1, 3);
     EXPECT_EQ(read(*source), 614);
 }

@@ -12,7 +12,7 @@
 namespace tractus {
 namespace {
 
-// What a report is expected to say; `tilt_deg` and `buttons` only where they are not 0.
+// Expectations of a report; `tilt_deg` and `buttons` only where they are not 0.
 struct Expected {
     char const* family;
     char const* report;
@@ -251,7 +251,7 @@ NoPen const kOthers[] {
     { "uclogic-v1-upright", "07 e0 01 10 01 00 00 00" },     // A wheel.
     { "uclogic-v2", "08 f0 01 01 00 05 00 00 00 00 dd 10" }, // An HS610's dial.
     { "uclogic-v2", "08 e0 01 01 01 00 00 00 00 00 00 00" }, // Keys.
-    { "uclogic-v2", "78 cc 00 08 78 cc 00 08 78 cc 00 08" }, // What an HS610 sent once.
+    { "uclogic-v2", "78 cc 00 08 78 cc 00 08 78 cc 00 08" }, // An HS610 sent it once.
     { "uclogic-v2-tilt", "08 e3 01 01 01 00 00 00 00 00 00 00" },
     { "huion-giano", "08 f1 01 01 00 05 00 00 00 00 00 00" },
     { "xp-pen", "02 f0 01 00 00 00 00 00 00 00" }, // Keys.

@@ -26,7 +26,7 @@ std::string hex(std::span<std::byte const> bytes)
 class FakePort final : public TabletPort {
 public:
     std::map<int, std::string> strings;
-    std::string refused_report; // As `told` has it.
+    std::string refused_report; // The same form as `told`.
     bool has_usb = true;
     std::vector<std::string> told;
 
@@ -200,7 +200,7 @@ TEST(ModeSwitch, WarnsWhereItCannotTellTabletsApart)
         << warning;
 }
 
-// Which interface takes a report.
+// Tests of which interface takes a report.
 
 DeviceInfo interface_with(std::string_view descriptor)
 {

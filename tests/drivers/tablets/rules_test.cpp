@@ -17,7 +17,7 @@
 namespace tractus {
 namespace {
 
-// What a line asks of a device on USB before it lets the seat's user read it.
+// Conditions of a line for a device on USB before it lets the seat's user read it.
 struct Rule {
     bool is_for_usb = false; // The device itself, not its hidraw nodes.
     std::string vendors;     // Alternatives: "0458|056a".
@@ -71,7 +71,7 @@ TEST(Rules, PermitEveryKnownTablet)
         }
 }
 
-// What the program of a rule says of a device with this descriptor.
+// Returns what the program of a rule says of a device with this descriptor.
 bool is_permitted_by_usage(std::string const& descriptor_path)
 {
     auto const text
@@ -109,7 +109,7 @@ TEST(Rules, PermitByUsageNoDeviceOfTheCorpusThatIsNoPen)
     }
 }
 
-// These makers of chips have ids on very many devices that are no tablets.
+// Makers of chips have ids on very many devices that are no tablets.
 TEST(Rules, PermitNotAllDevicesOfMakersOfChips)
 {
     std::vector<std::uint16_t> const vendor_ids { 0x0483, 0x0a12, 0x04d8, 0x1209 };

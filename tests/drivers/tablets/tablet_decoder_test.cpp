@@ -66,8 +66,8 @@ TEST(TabletDecoder, AssumesTheSizeOfAWacomThatItDoesNotKnow)
     EXPECT_TRUE(pen->touching);
 }
 
-// What a Cintiq Pro 22 or 27 says of its report 1e, all of it in Wacom's own page: switches in byte
-// 2, of which bit 5 is Invert and bit 6 In Range; axes of 24 bits; tilts of 16 bits at 11 and 13.
+// Report 1e of a Cintiq Pro 22 or 27, all of it in Wacom's own page: switches in byte 2, of which
+// bit 5 is Invert and bit 6 In Range; axes of 24 bits; tilts of 16 bits at 11 and 13.
 TEST(TabletDecoder, ReadsACintiqPro27)
 {
     auto decoder = make_pen_decoder(
@@ -125,7 +125,7 @@ TEST(TabletDecoder, TakesNoTabletForSquare)
         EXPECT_TRUE(decoder && (*decoder)->traits().is_size_assumed);
         return decoder ? (*decoder)->traits().size_mm : Vec2(0, 0);
     };
-    // Of a tablet that nobody knows: 16 to 10.
+    // Size of a tablet that nobody knows: 16 to 10.
     auto const unknown = size_of(square_pen(0x1234, 0x5678, "", ""));
     EXPECT_NEAR(unknown.x() / unknown.y(), 1.6, 1e-9);
 }
@@ -201,8 +201,8 @@ TEST(TabletDecoder, AssumesASizeThatTheTableDoubts)
 TEST(TabletDecoder, BelievesADescriptorThatLinuxHasRewritten)
 {
     auto info = hs610();
-    // As hid-uclogic has it: report 8 is a pen with a bit "in range", 0 to 32000 on 160 mm, and
-    // report F7 is keys.
+    // The descriptor is hid-uclogic's: report 8 is a pen with a bit "in range", 0 to 32000 on 160
+    // mm, and report F7 is keys.
     info.report_descriptor = bytes(
         "05 0d 09 02 a1 01 85 08 09 20 a1 00 15 00 25 01 75 01 09 42 09 44 09 5a 95 03 81 02"
         "95 03 81 03 09 32 95 01 81 02 95 01 81 03 05 01 65 11 55 0f 35 00 75 18 95 01"
@@ -313,8 +313,8 @@ TEST(TabletDecoder, KnowsATabletOverBluetooth)
 
 struct Recorded {
     char const* file;
-    Vec2 size_mm = Vec2::Zero(); // As published.
-    // As published, where its owner drew round the edges and pressed fully; 0: he did not.
+    Vec2 size_mm = Vec2::Zero(); // Size as published.
+    // Published, where its owner drew round the edges and pressed fully; 0: he did not.
     std::int32_t x_reached = 0;
     std::int32_t y_reached = 0;
     std::int32_t pressure_reached = 0;

@@ -132,7 +132,7 @@ TEST(TabletLookup, TellsATabletsPadFromItsPen)
     EXPECT_EQ(pen->identifier->family, "wacom-intuos");
 }
 
-// Those of an XP-Pen Artist 13.3 differ in their output reports alone.
+// Pad and pen of an XP-Pen Artist 13.3 differ in their output reports alone.
 TEST(TabletLookup, TellsATabletsPadFromItsPenByOutputReports)
 {
     auto info = device(0x28bd, 0x000b);

@@ -8,7 +8,7 @@
 namespace tractus {
 namespace {
 
-// What a Huion HS610 answers to a request for its string 200, without length and type.
+// Answer of a Huion HS610 to a request for its string 200, without length and type.
 std::string hs610_string_200()
 {
     return string_descriptor_text(bytes("70 c6 00 06 7c 00 ff 1f d8 13 00 00 00 00 00 00 00"));

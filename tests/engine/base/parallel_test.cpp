@@ -75,7 +75,7 @@ std::ptrdiff_t thread_count()
 
 TEST(WorkerThreads, AreGoneWhenTheyAreEnded)
 {
-    end_worker_threads(); // Those of other tests.
+    end_worker_threads(); // Other tests have some.
     auto const before = thread_count();
     bool were_there = false;
     for (int round = 0; round < 20; ++round) {

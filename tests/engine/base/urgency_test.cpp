@@ -23,7 +23,7 @@ TEST(Urgency, WhatMayComeLaterIsBelowTheOthersWithItsHelpers)
 {
     int const usual = priority_here();
     std::mutex mutex;
-    std::map<pid_t, int> priorities; // Of the threads that took part.
+    std::map<pid_t, int> priorities; // Priorities of the threads that took part.
     std::thread([&] {
         set_urgency(Urgency::Later);
         // Workers come when they wake: a hundred loops wait for one another's pieces.

@@ -143,7 +143,7 @@ TEST_F(GlbGrowth, LooksAtEachAgeAsTheYoungPlantItselfDoes)
             for (auto const& position : surface.positions_mm)
                 box.add(position.cast<double>());
         Plant const alone = without_unborn(young);
-        Bounds expected; // Of its own mesh, leaves as triangles, too.
+        Bounds expected; // Bounds of its own mesh, leaves as triangles, too.
         AgedMesh const own(alone);
         for (auto const& surface : own.whole().surfaces)
             for (auto const& position : surface.positions_mm)

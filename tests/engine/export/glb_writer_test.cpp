@@ -105,7 +105,7 @@ TEST(GlbWriter, EveryPlantIsOneMeshThatAnyReaderKnows)
     EXPECT_EQ(json["meshes"].size(), 2u);
     EXPECT_EQ(json["materials"].size(), 2u);
     for (auto const& made : json["meshes"]) {
-        ASSERT_EQ(made["primitives"].size(), 2u); // Of bark and of leaves.
+        ASSERT_EQ(made["primitives"].size(), 2u); // Primitives of bark and of leaves.
         std::size_t indices = 0;
         for (auto const& primitive : made["primitives"])
             indices += json["accessors"][primitive["indices"].get<std::size_t>()]["count"]
@@ -292,7 +292,7 @@ TEST(GlbWriter, WritesWhatTheWindNeeds)
         std::span(&placed, 1),
         { .organs = GlbOptions::Organs::Instanced, .vertices = GlbOptions::Vertices::Quantized });
     auto const json = json_of(glb);
-    nlohmann::json attributes; // Of the tubes, and of the leaves.
+    nlohmann::json attributes; // Attributes of the tubes, and of the leaves.
     nlohmann::json of_leaves;
     for (auto const& mesh : json["meshes"])
         if (mesh["primitives"][0]["attributes"].contains("_BEND"))
@@ -349,7 +349,7 @@ TEST(GlbWriter, OrgansThatAreNodesHaveTheWindInTheirExtras)
     auto const nodes
         = json_of(glb_of(std::span(&placed, 1), { .organs = GlbOptions::Organs::Nodes }));
     auto const json = json_of(glb);
-    nlohmann::json attributes; // Of the same leaves where they are instanced.
+    nlohmann::json attributes; // Attributes of the same leaves where they are instanced.
     for (auto const& node : json["nodes"])
         if (node.contains("extensions"))
             attributes = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
@@ -386,7 +386,7 @@ TEST(GlbWriter, BarkHasItsFurrowsColourReliefAndOcclusion)
     ASSERT_TRUE(bark.contains("occlusionTexture"));
     EXPECT_EQ(bark["occlusionTexture"], bark["pbrMetallicRoughness"]["metallicRoughnessTexture"]);
     EXPECT_TRUE(bark.contains("normalTexture"));
-    EXPECT_EQ(json["images"].size(), 4u); // Of bark, and the leaf's veins.
+    EXPECT_EQ(json["images"].size(), 4u); // Images of bark, and the leaf's veins.
     EXPECT_FALSE(json["materials"][1].contains("normalTexture"));
     for (auto const& primitive : json["meshes"][0]["primitives"])
         EXPECT_EQ(primitive["attributes"].contains("TANGENT"), primitive["material"] == 0);

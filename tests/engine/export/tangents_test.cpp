@@ -36,7 +36,7 @@ TEST(Tangents, OfASquareAreItsPicturesSides)
     auto mesh = square();
     for (auto const& tangent : tangents_of(mesh))
         EXPECT_TRUE(tangent.isApprox(Eigen::Vector4f(1, 0, 0, 1))) << tangent.transpose();
-    for (auto& texture : mesh.texture_coordinates) // As seen in a mirror.
+    for (auto& texture : mesh.texture_coordinates) // Mirrors them.
         texture.x() = 1 - texture.x();
     for (auto const& tangent : tangents_of(mesh))
         EXPECT_TRUE(tangent.isApprox(Eigen::Vector4f(-1, 0, 0, -1))) << tangent.transpose();

@@ -119,7 +119,7 @@ TEST(Statements, StopALoopThatDoesNotEnd)
               "condition ever becomes 0");
 }
 
-// What a model prints.
+// Returns what a model prints.
 std::string printed(std::string const& axiom_and_rules, int steps = 1)
 {
     auto const model = compiled(with_header(axiom_and_rules, steps));

@@ -145,7 +145,7 @@ TEST(WaterEnvironment, SharesAVoxelAndRunsDry)
     Asking water("water:uptake=0.4,diffusion=0");
     auto const first = water.ask(
         0, { { 0.2, -0.5, 0.2 }, { 0.8, -0.5, 0.2 }, { 5, -0.5, 0 }, { 0, 1, 0 } }, { 1, 3, 1, 1 });
-    EXPECT_FLOAT_EQ(first[0][0], 0.25F); // Of all that there is.
+    EXPECT_FLOAT_EQ(first[0][0], 0.25F); // Share of all that there is.
     EXPECT_FLOAT_EQ(first[1][0], 0.75F);
     EXPECT_FLOAT_EQ(first[2][0], 0.4F);
     EXPECT_FLOAT_EQ(first[3][0], 0);
@@ -185,7 +185,7 @@ TEST(Environments, AreChosenByTheView)
     EXPECT_EQ(refused.error().message, "no answer");
 }
 
-// What is remembered begins anew with each derivation.
+// Environments begin anew with each derivation.
 TEST(Environments, GiveTheSamePlantEachTime)
 {
     auto const model = compiled(with_header("Axiom: A?E(1,1)\nA > ?E(x,r) : x>0 --> "

@@ -12,8 +12,8 @@
 namespace tractus {
 namespace {
 
-// What a rule, an L-system and a model say, without how. Parameters of successors are whole
-// numbers; those of contexts and predecessors have names that the printer makes up.
+// Contents of a rule, an L-system and a model, without their form. Parameters of successors are
+// whole numbers; those of contexts and predecessors have names that the printer makes up.
 struct PlainModule {
     char symbol = 'A';
     std::vector<int> parameters;
@@ -36,7 +36,7 @@ struct PlainSystem {
     std::string ignored;
     std::vector<int> array; // Empty: none.
     std::vector<PlainRule> rules, decomposition, homomorphism;
-    int depth = 1; // Of both.
+    int depth = 1; // Depth of both.
 
     bool operator==(PlainSystem const&) const = default;
 };
@@ -169,7 +169,7 @@ std::string print(PlainSystem const& system)
     return text + "endlsystem\n";
 }
 
-// What was compiled, as it was said.
+// Returns what was compiled, as it was said.
 std::vector<PlainModule> read_back(Model const& model, std::vector<KindId> const& kinds)
 {
     std::vector<PlainModule> modules;
@@ -245,7 +245,7 @@ RC_GTEST_PROP(LanguageProperty, LSystemsPrintAndParse, ())
         auto const& compiled_system
             = i == 0 ? static_cast<LSystem const&>(*model) : model->subsystems[i - 1];
         auto found = read_back(*model, compiled_system);
-        // Of what is ignored only what stands somewhere is known.
+        // Symbols that are ignored are known only if they stand somewhere.
         for (auto const symbol : found.ignored)
             RC_ASSERT(systems[i].ignored.find(symbol) != std::string::npos);
         found.ignored = systems[i].ignored;
@@ -256,7 +256,7 @@ RC_GTEST_PROP(LanguageProperty, LSystemsPrintAndParse, ())
 // An expression as a tree: a number, or an operation on one or two others.
 struct Expression {
     double number = 0;
-    std::string text; // Of the operator.
+    std::string text; // Text of the operator.
     Op op = Op::Copy;
     int level = 9; // How strongly it binds.
     std::unique_ptr<Expression> left, right;
@@ -323,8 +323,8 @@ RC_GTEST_PROP(LanguageProperty, ExpressionsKeepTheirTree, ())
 {
     auto const expression = random_expression(4);
     auto const text = print(*expression, 0);
-    // As a constant, which is computed when the model is compiled, and with a parameter, which is
-    // computed by the machine.
+    // The expression is tried as a constant, which is computed when the model is compiled, and with
+    // a parameter, which is computed by the machine.
     auto const model = compiled(with_header("Axiom: A(" + text + ")B(0)\nB(zero) : { x = zero + ("
                                             + text + "); } 1 --> B(x)"));
     auto const string = derive(model);

@@ -114,7 +114,7 @@ TEST(MemoryLimit, StopsOneModuleThatBecomesMany)
               "limit of memory");
 }
 
-// What one module becomes, deep within rules that never end, is drawn until a limit is reached.
+// Modules within one module, deep within rules that never end, are drawn until a limit is reached.
 TEST(DrawingLimits, HoldWithinOneModule)
 {
     auto const model = compiled(with_header("Axiom: A\nhomomorphism\nmaximum depth: 100000\n"

@@ -52,7 +52,7 @@ std::string dump(TurtlePlant const& drawn)
     return result;
 }
 
-// What is drawn in pieces of the given length, or what went wrong.
+// Returns what is drawn in pieces of the given length, or what went wrong.
 std::string drawn_in_pieces(Model const& model, ModuleString const& string, int threads,
                             std::size_t long_branch, std::size_t max_parts = 1'000'000)
 {
@@ -223,7 +223,7 @@ TEST(Pieces, AreCountedBeforeTheyAreDrawn)
     EXPECT_EQ(pieces->front().segment_count, plant.segment_count());
 }
 
-// What they draw cannot be counted without drawing it.
+// Symbols that draw more cannot be counted without drawing it.
 TEST(Pieces, AreNotCountedWhereSymbolsDoMore)
 {
     for (std::string const symbol : { "@Gs", "@D(2)", "@M(1,2,3)", "@bo", "{(1)", "%", "@", "H" }) {

@@ -10,7 +10,7 @@
 namespace tractus {
 namespace {
 
-// Of segments, whatever their order: from, to, the radius at the base and at an axis' tip.
+// Rows of segments, whatever their order: from, to, the radius at the base and at an axis' tip.
 std::vector<std::array<double, 8>> segments(Plant const& plant)
 {
     std::vector<std::array<double, 8>> result;

@@ -12,7 +12,7 @@
 namespace tractus {
 namespace {
 
-// The same cases each time, unless the environment says otherwise.
+// Makes the same cases each time, unless the environment says otherwise.
 [[maybe_unused]] bool const has_parameters
     = setenv("RC_PARAMS", "seed=1 max_success=500", 0) == 0; // NOLINT(concurrency-mt-unsafe)
 
@@ -284,7 +284,7 @@ TEST(LSystemThreads, KnownSuccessorsDoNotDependOnTheirNumber)
     EXPECT_TRUE(derived_by(4, model, {}) == one);
 }
 
-// What a module's rule does to later modules it does to those whose own rules are plain arithmetic.
+// A module's rule affects later modules, those too whose own rules are plain arithmetic.
 TEST(LSystemThreads, SeedsThatARuleSetsHoldFromThereOn)
 {
     std::string const start

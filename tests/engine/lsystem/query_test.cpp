@@ -162,7 +162,8 @@ TEST(Cuts, EndTheDrawingOnlyIfTheViewSaysSo)
     EXPECT_EQ(drawn("F[FF%FF]F", "interpretation past %: off\n").segment_count(), 4u);
 }
 
-// As cpfg: the branch goes to the string's end in the step after the cut, and stays where it was.
+// cpfg does so: the branch goes to the string's end in the step after the cut, and stays where it
+// was.
 TEST(KeptCuts, GoToTheStringsEnd)
 {
     std::string const rules = "Axiom: F[+(90)F(2)A]F(3)\nA --> %(7)F(4)B\nB --> F(1)B";
@@ -190,13 +191,14 @@ TEST(KeptCuts, EndBeforeTheNextOneAndInsideOfPlainOnes)
     EXPECT_EQ(derived("Axiom: F%(1)A\n%(x) --> G(x+1)"), "FG(2)A");
 }
 
-// What is behind a %(…) stands by itself: contexts look no further.
+// Modules behind a %(…) stand by themselves: contexts look no further.
 TEST(KeptCuts, EndContexts)
 {
     std::string const rules = "\nA < B --> C\nA > B --> D\nA < F > B --> G";
     EXPECT_EQ(derived("Axiom: AB%(1,0)AB" + rules), "DC%(1,0)DC");
     EXPECT_EQ(derived("Axiom: A%(1,0)BA%(2,1)FB" + rules), "A%(1,0)BA%(2,1)FB");
-    EXPECT_EQ(derived("Axiom: A[%(1)B]B" + rules), "D[]C%(1,0)B"); // And before it is cut off.
+    // The same before it is cut off.
+    EXPECT_EQ(derived("Axiom: A[%(1)B]B" + rules), "D[]C%(1,0)B");
     EXPECT_EQ(derived("ignore: %\nAxiom: A%(1,0)B" + rules), "A%(1,0)B");
 }
 

@@ -27,7 +27,7 @@ inline std::string with_header(std::string const& axiom_and_rules, int steps = 1
         + "\nendlsystem\n";
 }
 
-// What the axiom becomes.
+// Returns what the axiom becomes.
 inline std::string derived(std::string const& axiom_and_rules, int steps = 1,
                            std::uint64_t seed = 1)
 {
@@ -37,7 +37,7 @@ inline std::string derived(std::string const& axiom_and_rules, int steps = 1,
     return string ? to_string(model, *string) : std::string();
 }
 
-// What compiling wrong rules, or a wrong view, says.
+// Returns what compiling wrong rules, or a wrong view, says.
 inline std::string compile_error(std::string const& rules, std::string const& view = {})
 {
     ModelSource source;

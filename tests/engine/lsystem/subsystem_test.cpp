@@ -21,7 +21,7 @@ std::string derived_text(std::string const& text)
     return string ? to_string(model, *string) : std::string();
 }
 
-// What the blocks and rules print, in their order.
+// Returns what the blocks and rules print, in their order.
 std::string printed_by(std::string const& text)
 {
     auto const model = compiled(text);

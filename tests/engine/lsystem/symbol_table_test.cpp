@@ -19,8 +19,8 @@ struct Row {
     std::size_t segments = 0;
     std::size_t organs = 0;
     std::size_t polygons = 0;
-    float radius = 0.5f;       // Of the F.
-    char const* color = "one"; // The same.
+    float radius = 0.5f;       // Radius of the F.
+    char const* color = "one"; // Colour of the F.
 };
 
 std::string const kSymbolsView

@@ -21,7 +21,7 @@ Mesh mesh_at(Plant const& plant, double share)
     return make_mesh(coarser_plant(plant, {}, share), coarser_options({}, share));
 }
 
-// Of the frusta between nodes.
+// Volume of the frusta between nodes.
 double skeleton_volume_mm3(Plant const& plant)
 {
     double volume = 0;
@@ -36,7 +36,7 @@ double skeleton_volume_mm3(Plant const& plant)
     return volume;
 }
 
-// Of both sides of leaves, as they lie in the plant.
+// Area of both sides of leaves, as they lie in the plant.
 double organ_area_mm2(Mesh const& mesh)
 {
     double area = 0;

@@ -81,7 +81,7 @@ inline double volume_mm3(TriangleMesh const& mesh)
     return volume;
 }
 
-// The same bytes in every array.
+// Whether every array has the same bytes.
 inline bool same_triangles(TriangleMesh const& a, TriangleMesh const& b)
 {
     return a.material == b.material && a.positions_mm == b.positions_mm && a.normals == b.normals

@@ -9,7 +9,7 @@
 namespace tractus {
 namespace {
 
-// The same cases each time, unless the environment says otherwise.
+// Makes the same cases each time, unless the environment says otherwise.
 [[maybe_unused]] bool const has_parameters
     = setenv("RC_PARAMS", "seed=1 max_success=60", 0) == 0; // NOLINT(concurrency-mt-unsafe)
 

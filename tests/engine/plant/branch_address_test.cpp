@@ -34,7 +34,7 @@ TEST(BranchAddress, HoldsWhenThePlantChangesElsewhere)
     std::vector<SegmentId> const path { 1, 4, 7, 8 };
     auto const address = AddressIndex(plant).address_of(plant, path);
 
-    // The same with a new branch low on the trunk, so that all numbers change.
+    // A copy with a new branch low on the trunk, so that all numbers change.
     Plant changed;
     auto const trunk = add_axis(changed, straight({ 0, 0, 0 }, { 0, 0, 400 }, 4));
     add_axis(changed, straight({ 0, 0, 100 }, { 0, 90, 100 }, 5), trunk, 0);

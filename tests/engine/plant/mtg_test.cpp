@@ -79,7 +79,7 @@ TEST(Mtg, ReadsWhatItWrites)
     }());
     ASSERT_EQ(read->axes.size(), plant.axes.size());
     ASSERT_EQ(read->segment_count(), plant.segment_count());
-    auto const lines = [](Plant const& of) { // Of segments, whatever their order.
+    auto const lines = [](Plant const& of) { // Lines of segments, whatever their order.
         std::vector<std::array<double, 8>> result;
         for (SegmentId i = 0; i < of.segment_count(); ++i) {
             auto const [base, tip] = nodes_of(of, i);
@@ -95,7 +95,7 @@ TEST(Mtg, ReadsWhatItWrites)
     EXPECT_EQ(lines(*read), lines(plant)); // To the last digit.
 }
 
-// As fieldwork has it: branches named in the column of what bears them, or one further right;
+// Fieldwork has it so: branches named in the column of their parent, or one further right;
 // intermediate entities left out; entities without a position.
 TEST(Mtg, ReadsBothWaysToNameBranches)
 {

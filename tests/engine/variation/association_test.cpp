@@ -107,7 +107,7 @@ TEST(Association, DescendantsTakeTheStrokeInTheirOwnFrames)
     // direction, so both branches bend up.
     EXPECT_GT(direction_of(bent, 6).z(), 0.9);
     EXPECT_GT(direction_of(bent, 10).z(), 0.8);
-    // And the twig on the right branch, to where that branch points at its seat.
+    // The twig on the right branch turns to where that branch points at its seat.
     EXPECT_GT(direction_of(bent, 8).dot(direction_of(bent, 4)), 0.8);
 }
 
@@ -144,7 +144,7 @@ TEST(Association, APathMayGoOnIntoALateralAxis)
         = shaped(plant, { { .path = path, .stroke = stroke_of({ { 0, 0, 0 }, { 0, 0, 50 } }) } });
     for (auto const segment : path)
         EXPECT_LT((direction_of(straightened, segment) - Vec3::UnitZ()).norm(), 1e-12) << segment;
-    // What the path left behind keeps its own shape.
+    // The rest, which the path left behind, keeps its own shape.
     EXPECT_NEAR(bend_deg(plant, straightened, 2), 0, 1e-5);
     EXPECT_NEAR(bend_deg(plant, straightened, 6), 0, 1e-5);
 }

@@ -65,7 +65,7 @@ TEST(GrowthAge, OnlyEverAddsToWhatStands)
         }
         for (std::size_t i = 0; i < now.node_radius_mm.size(); ++i)
             EXPECT_GE(now.node_radius_mm[i], before.node_radius_mm[i]);
-        // What has grown stands where it will stand.
+        // Parts that have grown stand where they will stand.
         for (auto const& axis : now.axes)
             for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
                 auto const node = axis.first_node + i;

@@ -103,7 +103,7 @@ TEST(GrowthStatistics, FinerSegmentsSpreadTheirTipsAsFar)
     };
     double const fine = spread_mm(160);
     EXPECT_NEAR(spread_mm(20), fine, 0.05 * fine);
-    EXPECT_GT(fine, 30); // Of 1000 mm: it can be seen, and the shape is kept.
+    EXPECT_GT(fine, 30); // Out of 1000 mm: it can be seen, and the shape is kept.
     EXPECT_LT(fine, 150);
 }
 

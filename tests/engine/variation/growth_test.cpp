@@ -150,7 +150,7 @@ TEST(Growth, OrgansAndPolygonsRideOnTheirSegments)
     EXPECT_EQ(varied.organs[0].position_mm, varied.positions(varied.axes[2]).back());
     EXPECT_NEAR((varied.organs[1].position_mm - varied.node_position_mm[4]).norm(), 5, 1e-12);
     EXPECT_EQ(varied.organs[2].position_mm, plant.organs[2].position_mm);
-    // As the segment turned, so did the organ.
+    // The organ turned with the segment.
     Vec3 const up = varied.organs[1].orientation * Vec3::UnitZ();
     EXPECT_LT((up - direction_of(varied, 3)).norm(), 1e-12);
 

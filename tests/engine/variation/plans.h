@@ -6,7 +6,7 @@
 
 namespace tractus {
 
-// What resolve_associations gives, for a plant whose rest shape nobody needs else.
+// Returns what resolve_associations gives, for a plant whose rest shape nobody needs else.
 inline Result<PredefinedShape> shape_of(Plant const& plant,
                                         std::vector<Association> const& associations)
 {

@@ -85,8 +85,8 @@ Descriptor draw(leaf::Grammar const& grammar, std::uint64_t seed, Drawn const& d
     return describe(leaf::paint_leaf(grown->leaf, grown->triangles, options));
 }
 
-// Of each species 200 that vary, half of them drawn at 64 pixels, every fourth one eaten, grown-up
-// to dead of age; compared with 50 others of each, whole and grown-up.
+// Compares 200 leaves of each species, which vary, half of them drawn at 64 pixels, every fourth
+// one eaten, grown-up to dead of age, with 50 others of each, whole and grown-up.
 TEST(LeafSpecies, AreNamedByTheirOutlines)
 {
     constexpr std::size_t kKnown = 50;

@@ -76,7 +76,7 @@ TEST(LeafSpecies, FillTheirOutlines)
     }
 }
 
-// What rolls up in space loses nothing of the flat leaf.
+// Leaves that roll up in space lose nothing of the flat leaf.
 TEST(LeafSpecies, LoseNothingOfTheirAreaAsTheyCurl)
 {
     auto const area = [](leaf::Grammar const& grammar, double age) {

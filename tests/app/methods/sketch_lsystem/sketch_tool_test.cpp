@@ -39,7 +39,7 @@ TEST(SketchTool, AddsAPlantInTheDocumentsScale)
     EXPECT_EQ(both.plants[0], scene.plants[0]) << "it stays as it was";
 }
 
-// What grows under the pen is what stands there afterwards.
+// The plant that grows under the pen is the one that stands there afterwards.
 TEST(SketchTool, ShowsThePlantThatItWillGrow)
 {
     Tool const tool = SketchTool { .leaves = sketch::Leaves::Bare };

@@ -66,7 +66,7 @@ bool defines(SourceText const& source, std::string const& word)
     return false;
 }
 
-// What a source includes of this program: "app/tools/tool.h".
+// Returns what a source includes of this program: "app/tools/tool.h".
 std::vector<fs::path> includes_of(SourceText const& source)
 {
     constexpr std::string_view kInclude = "\n#include \"";
@@ -93,9 +93,10 @@ bool is_another_language(std::string const& path, std::string const& word)
         { "sim/gesture_script.cpp", "select" }, // The script of a simulated hand.
         { "sim/gesture_script.cpp", "draw" },
         { "sim/gesture_script.cpp", "indicate" },
-        { "app/verbs/window.cpp", "draw" },                       // "tractus draw",
-        { "app/methods/leaves/leaves_command.cpp", "draw" },      // and "tractus leaves draw".
-        { "app/live/calibration_panel_controller.cpp", "press" }, // Of the tool line "calibrate".
+        { "app/verbs/window.cpp", "draw" },                  // "tractus draw",
+        { "app/methods/leaves/leaves_command.cpp", "draw" }, // and "tractus leaves draw".
+        // Stands for the tool line "calibrate".
+        { "app/live/calibration_panel_controller.cpp", "press" },
         { "app/calibration/calibration_controller.cpp", "press" },
     };
     return others.contains({ path, word });
@@ -118,7 +119,7 @@ TEST(MethodWords, StandInTheFilesOfTheirRowsAlone)
     for (auto const& word : all_words()) {
         auto const literal = fmt::format("\"{}\"", word);
         int definitions = 0;
-        std::set<std::string> methods; // Those whose word it is.
+        std::set<std::string> methods; // Methods whose word it is.
         for (auto const& file : files)
             if (defines(file, word)) {
                 ++definitions;
@@ -156,7 +157,7 @@ TEST(MethodWords, ToolsAreIncludedByTheirFolderAndTheList)
     EXPECT_GT(count, 10);
 }
 
-// What a method has in its folders nobody else includes, but the two files of the list.
+// Only the two files of the list include what a method has in its folders.
 TEST(MethodWords, MethodsAreIncludedByTheListAlone)
 {
     int count = 0;

@@ -68,7 +68,7 @@ protected:
         return Session::create(path(), { .plant = "small.l", .program = "1" }, beginning, options())
             .value();
     }
-    // What the simple pen draws with the tool goes to a document on the session.
+    // Strokes of the simple pen with the tool go to a document on the session.
     void draw(Document& document) const
     {
         StationOptions rig;

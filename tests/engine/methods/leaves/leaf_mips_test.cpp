@@ -46,7 +46,7 @@ TEST(LeafMips, KeepAsMuchOfEachLeafDownToSixteenPixels)
     }
 }
 
-// What the test above guards against.
+// Shows what the test above guards against.
 TEST(LeafMips, LoseWhatIsThinWhereNothingIsKept)
 {
     auto page = alphas();

@@ -36,7 +36,7 @@ protected:
         return paint_leaf(*leaf_, triangles_, options);
     }
 
-    // Those of the leaf, and of its edge.
+    // Pixels of the leaf, and of its edge.
     static std::vector<std::size_t> pixels_of(LeafPicture const& picture)
     {
         std::vector<std::size_t> made;

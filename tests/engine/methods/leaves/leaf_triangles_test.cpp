@@ -89,7 +89,8 @@ TEST(LeafTriangles, FaceUpInTheFlatLeaf)
     }
 }
 
-// What neither bends nor twists lies where the flat leaf has it; what does keeps its lengths there.
+// Leaves that neither bend nor twist lie where the flat leaf has them; the others keep their
+// lengths there.
 TEST(LeafTriangles, TheFlatLeafIsTheOneThatDoesNotBend)
 {
     std::string const bent = "#define A(4,1,5,30,90,2,0.4)\n#define B(4,1,-10,20,40,1,0.2)\n"

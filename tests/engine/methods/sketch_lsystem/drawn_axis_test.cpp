@@ -28,7 +28,7 @@ std::string string_of(Rule const& rule, DrawnAxis const& axis)
     return to_string(*model, *derive(*model));
 }
 
-// What the other program has derived.
+// The string that the other program has derived.
 std::string expected_string(std::string const& name)
 {
     std::ifstream file(std::string(TRACTUS_EXPECTED_STRINGS) + "/" + name + ".txt");

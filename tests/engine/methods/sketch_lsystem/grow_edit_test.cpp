@@ -35,7 +35,7 @@ Scene scene_of(GrowAlongStroke const& edit, Scene const& before = {})
     return scene.value_or(Scene {});
 }
 
-// What the command writes from the same stroke and rule.
+// The command writes the same from that stroke and rule.
 TEST(GrowAlongStroke, IsTheModelOfItsStrokeAndRule)
 {
     auto const edit = grown(bow());
