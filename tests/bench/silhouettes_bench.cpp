@@ -40,7 +40,7 @@ void triangulate_outline(benchmark::State& state)
 }
 BENCHMARK(triangulate_outline)->ArgName("samples")->Arg(128)->Arg(256)->Arg(512);
 
-// What happens at pen-up; the goal is 16 ms at a thousand branches.
+// Measures what happens at pen-up; the goal is 16 ms at a thousand branches.
 void infer_thousand_branches(benchmark::State& state)
 {
     auto const threads = limited_to(state.range(0));

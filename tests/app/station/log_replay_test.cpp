@@ -107,7 +107,7 @@ TEST(LogReplay, SaysWhatALogLacks)
     EXPECT_NE(refusal(with_odd_rig), "");
 }
 
-// Of a program with more tools: its strokes change nothing, and the others do as before.
+// A log of a program with more tools: its strokes change nothing, and the others do as before.
 TEST(LogReplay, LeavesOutWhatItDoesNotKnowAndNamesIt)
 {
     auto log = recorded_log();

@@ -170,7 +170,7 @@ TEST(StationTools, ErasesWithThePensOtherEndAsItDidLast)
     EXPECT_TRUE(live.strokes()[3].edits[0].get<EraseTips>());
     EXPECT_TRUE(live.strokes()[5].edits[0].get<DeleteStroke>());
 
-    // The same again from the tool lines of a recording, to the last bit.
+    // The tool lines of a recording give the same again, to the last bit.
     std::vector<Station::ToolChange> recorded;
     for (auto const& [time, tool] : live.take_tool_changes()) {
         auto const words = words_for(tool);

@@ -5,7 +5,7 @@
 namespace tractus::silhouette {
 namespace {
 
-// The same crown with its outline moved by smooth waves, by 3 % of the crown at most.
+// Returns the crown with its outline moved by smooth waves, by 3 % of the crown at most.
 Drawing redrawn(Drawing drawing, std::uint32_t number)
 {
     Random random({ 20, 3, number });

@@ -68,8 +68,8 @@ TEST(SilhouetteTree, TheSameSeedGivesTheSameTree)
 
 // Cells of 3 % of the diagonal that foliage is seen in from the drawing's side.
 struct Fit {
-    double filled = 0;  // Of the outline's cells.
-    double outside = 0; // Of the foliage, farther out than 2 %.
+    double filled = 0;  // Share of the outline's cells.
+    double outside = 0; // Share of the foliage, farther out than 2 %.
 };
 
 Fit fit_of(Drawing const& drawing)
