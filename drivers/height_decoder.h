@@ -19,7 +19,7 @@ struct HeightStreamCounts {
     std::uint64_t frames = 0;         // Whole ones.
     std::uint64_t lost_frames = 0;    // Their numbers are missing.
     std::uint64_t corrupt_frames = 0; // Their checksum is wrong, or their readings are impossible.
-    std::uint64_t garbage_bytes = 0;  // Between frames.
+    std::uint64_t garbage_bytes = 0;  // Bytes between frames.
     std::uint64_t overruns = 0;       // Frames before which the sensor itself lost readings.
     std::uint64_t reference_faults = 0; // Frames of which the sensor says: supply or reference bad.
     std::uint64_t clock_restarts = 0;   // The sensor's clock began anew: unplugged or reset.

@@ -7,7 +7,7 @@
 namespace tractus {
 
 // Numbers in a report, by the offset of their first byte; the caller has checked the report's size.
-// Those of a pen are wide enough to shift and add, and fit std::int32_t.
+// Numbers of a pen are wide enough to shift and add, and fit std::int32_t.
 
 inline int u8(std::span<std::byte const> report, std::size_t at)
 {

@@ -69,7 +69,7 @@ void Document::run()
     }
 }
 
-// What could not be written comes before all that came later.
+// Steps that could not be written come before all that came later.
 void Document::do_next(std::unique_lock<std::mutex>& lock)
 {
     is_at_work_ = true;
@@ -237,7 +237,7 @@ void Document::perform(WantedStep const& step)
     keep(std::move(done->first));
 }
 
-// Not while the session lacks what is drawn: that would be lost.
+// False while the session lacks what is drawn: that would be lost.
 Result<void> Document::may_travel() const
 {
     if (!unkept_.empty())

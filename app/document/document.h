@@ -25,7 +25,7 @@ namespace tractus {
 
 // Something that a person does beside drawing.
 struct WantedStep {
-    // What it changes, given the scene as it is by then, and what to say when it is done.
+    // Its effect, given the scene as it is by then, and what to say when it is done.
     struct Change {
         std::vector<Edit> edits;
         std::string status;

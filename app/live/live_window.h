@@ -24,7 +24,7 @@
 namespace tractus {
 
 struct LiveWindowOptions {
-    Methods methods {};        // What can be done.
+    Methods methods {};        // Methods that can be used.
     std::optional<Rig> rig {}; // No value: that of a log among the devices, else see create().
     // Where calibrating keeps the rig; empty: nowhere, and there is no calibrating.
     std::filesystem::path rig_file {};

@@ -96,7 +96,7 @@ struct CollectionReport {
 // it was grown, where it stands, and in which file it is: manifest.json in the folder, or FILE.json
 // beside FILE.glb; with the shard's number where there are several.
 //
-// The same options give the same bytes on any number of threads. Memory holds a few plants,
+// The bytes depend on the options alone, not on the number of threads. Memory holds a few plants,
 // whatever their number. Every file appears whole or not at all: when it is stopped or the disk is
 // full, what was written before stays.
 Result<CollectionReport> make_collection(CollectionOptions const& options, Progress& progress);

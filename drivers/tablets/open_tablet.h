@@ -14,7 +14,7 @@ namespace tractus {
 // that another interface of the tablet takes is sent there. The source's info() has the strings
 // that were read, and in `warnings` what did not go well.
 //
-// For a libusb address the ids, the name and the report descriptor are read from the device, as it
+// The ids, the name and the report descriptor of a libusb address are read from the device, as it
 // has them itself, whatever Linux's driver has made of it.
 //
 // Fails as open_hid does.

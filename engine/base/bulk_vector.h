@@ -13,7 +13,7 @@ namespace tractus {
 void* allocate_bulk(std::size_t bytes);
 void free_bulk(void* memory, std::size_t bytes);
 
-// What makes a std::vector a BulkVector.
+// Allocator that makes a std::vector a BulkVector.
 template<typename Value> struct BulkAllocator {
     static_assert(std::is_trivially_destructible_v<Value>);
     static_assert(alignof(Value) <= alignof(std::max_align_t));

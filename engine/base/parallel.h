@@ -18,7 +18,7 @@ void parallel_for(std::size_t count, std::size_t grain,
 // How many threads parallel loops may use here.
 int thread_count();
 
-// What parallel_in_order() does. A slot is where a piece of work is kept on its way: a number below
+// Work of parallel_in_order(). A slot is where a piece of work is kept on its way: a number below
 // the count of slots.
 struct OrderedWork {
     // Puts the next piece into a slot; false where there is none. Called for one piece at a time.

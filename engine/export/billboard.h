@@ -16,7 +16,7 @@ struct Billboard {
     // where there is no plant.
     std::string atlas_png;
     Vec3 center_mm = Vec3::Zero(); // Plant frame: what is in the middle of each view.
-    double side_mm = 0;            // What a view's side shows.
+    double side_mm = 0;            // Side of what a view shows.
 };
 
 // A square for each view, all through the centre's vertical line: two on each of four planes, each

@@ -9,7 +9,7 @@
 
 namespace tractus {
 
-// What a buffer view is for (glTF 2.0 section 5.11.5).
+// Targets of a buffer view (glTF 2.0 section 5.11.5).
 constexpr int kArrayBuffer = 34962;
 constexpr int kElementArrayBuffer = 34963;
 constexpr int kNoTarget = 0;
@@ -37,7 +37,7 @@ std::size_t add_accessor(GltfJson& json, GlbColumn const& column, int target,
 std::size_t add_zeros(GltfJson& json, NumberFormat const& format, std::size_t count,
                       Json const& more = Json::object());
 
-// What an accessor of positions says of them, to be given as `more`.
+// Returns what an accessor of positions says of them, to be given as `more`.
 Json limits_json(Vec3f const& low, Vec3f const& high);
 
 // Positions, normals, texture coordinates, indices, and tangents unless they are empty. More may

@@ -311,8 +311,8 @@ void GlbFile::add_child(Json const& node)
     children_.push_back(json_.nodes.add(node));
 }
 
-// What the plant's node says of its own mesh: nothing where there are no tubes or polygons, and
-// nothing where a child says it, which takes quantised numbers to metres.
+// Adds what the plant's node says of its own mesh: nothing where there are no tubes or polygons,
+// and nothing where a child says it, which takes quantised numbers to metres.
 void GlbFile::add_surfaces(Json& node)
 {
     if (primitives_.empty())

@@ -85,7 +85,7 @@ Result<void> load_json(std::string_view bytes, tinygltf::Model& model)
     return {};
 }
 
-// What changes only looks may be ignored.
+// Refuses extensions that are needed and not known; those that change only looks may be ignored.
 Result<void> check_extensions(tinygltf::Model const& model)
 {
     for (auto const& name : model.extensionsRequired) {

@@ -65,7 +65,7 @@ std::string to_string(Model const& model, ModuleString const& string)
 KindCounts count_kinds(std::span<KindId const> modules)
 {
     KindCounts result {};
-    constexpr std::size_t kMost = std::size_t { 1 } << 31; // What 32 bits can count.
+    constexpr std::size_t kMost = std::size_t { 1 } << 31; // Most that 32 bits can count.
     for (std::size_t begin = 0; begin < modules.size(); begin += kMost) {
         auto const part = modules.subspan(begin, std::min(kMost, modules.size() - begin));
         // Kinds are mostly alike: one sum after the other would wait for itself.

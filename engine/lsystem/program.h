@@ -60,8 +60,8 @@ enum class Op : std::uint8_t {
     StoreGlobal, // global target <- left.
     LoadArray,   // target <- array left at index right.
     StoreArray,  // array target at index left <- right.
-    Jump,        // To instruction `target`.
-    JumpIfZero,  // To instruction `target` when register left is 0.
+    Jump,        // Goes to instruction `target`.
+    JumpIfZero,  // Goes to instruction `target` when register left is 0.
 };
 
 struct Instruction {

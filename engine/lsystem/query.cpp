@@ -110,7 +110,7 @@ void Questioning::answer(char query, std::span<float> parameters) const
     auto const& frame = turtle_.state().frame;
     Vec3 const heading = to_model(frame.heading);
     Vec3 const left = to_model(frame.left);
-    Vec3 const up = to_model(frame.down); // What cpfg calls up.
+    Vec3 const up = to_model(frame.down); // cpfg calls it up.
     std::array<double, 4> values {};
     std::size_t count = 3;
     if (query == 'Q') {

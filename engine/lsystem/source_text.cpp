@@ -29,7 +29,7 @@ struct Condition {
     bool is_on = false;  // Its part that is being read is to be read.
     bool was_on = false; // One of its parts was.
     bool has_else = false;
-    bool is_possible = true; // What is around it is read.
+    bool is_possible = true; // The text around it is read.
     SourcePlace place;
 };
 

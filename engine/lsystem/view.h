@@ -64,7 +64,7 @@ struct View {
     double width_unit = 1; // Meaning of a width of 1: less where widths are pixels.
     double scale = 1;
     double scale_step = 1;      // Step of @Di and @Dd without a parameter.
-    bool draws_past_cut = true; // What follows a % in the string is drawn.
+    bool draws_past_cut = true; // Draws what follows a % in the string.
     int color = 0;
     int color_step = 1;
     Vec3 tropism_direction = Vec3::UnitY(); // The older, single tropism; _ sets its elasticity.

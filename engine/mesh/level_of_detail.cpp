@@ -309,7 +309,8 @@ void thin_organs(Plant const& plant, MeshOptions const& options, double share, B
     std::vector<std::vector<std::size_t>> of_shape(plant.organ_shapes.size());
     for (std::size_t i = 0; i < plant.organs.size(); ++i)
         of_shape[plant.organs[i].shape].push_back(i);
-    std::vector<std::pair<std::size_t, double>> staying; // And how much larger.
+    // Paired with how much larger each becomes.
+    std::vector<std::pair<std::size_t, double>> staying;
     for (std::size_t shape = 0; shape < of_shape.size(); ++shape) {
         auto const& all = of_shape[shape];
         if (all.empty())

@@ -44,7 +44,7 @@ double sag_angle(double softness, double sine, double cosine)
 void Sagger::find_loads(Plant const& plant)
 {
     load_.assign(plant.segment_count(), {});
-    for (std::size_t id = plant.axes.size(); id-- > 0;) { // What is borne comes later.
+    for (std::size_t id = plant.axes.size(); id-- > 0;) { // Children have higher numbers.
         auto const& axis = plant.axes[id];
         Load sum;
         for (std::uint32_t i = axis.segment_count; i-- > 0;) {

@@ -81,7 +81,7 @@ void YoungLeaves::find_sprouts()
     for (auto const& leaf : leaves_)
         first[leaf.axis].emplace_back(
             random_block({ .seed = 0, .stream = kLeafStream }, leaf.organ)[0], leaf.organ);
-    for (AxisId id = static_cast<AxisId>(axes.size()); id-- > 0;) { // What is borne comes later.
+    for (AxisId id = static_cast<AxisId>(axes.size()); id-- > 0;) { // Children have higher numbers.
         auto ranks = std::exchange(first[id], {});
         auto const count = std::min(ranks.size(), per_shoot_);
         std::partial_sort(ranks.begin(), ranks.begin() + static_cast<std::ptrdiff_t>(count),

@@ -95,8 +95,8 @@ public:
     Dart insert_vertex(Dart d, double share);
 
     // Parts a face: the new edge runs from the vertex where e1 ends its edge to that where e2 does.
-    // What follows e1 becomes the face `far`, on whose side the new edge is labelled `far_label`;
-    // the rest keeps its face. Gives the dart that starts the new edge in `far`.
+    // The edges that follow e1 become the face `far`, on whose side the new edge is labelled
+    // `far_label`; the rest keeps its face. Gives the dart that starts the new edge in `far`.
     Dart insert_edge(Dart e1, Dart e2, FaceId far, EdgeLabel near_label, EdgeLabel far_label);
 
     // Takes away everything from this dart on: faces that were added last.
