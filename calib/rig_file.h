@@ -20,10 +20,11 @@ Result<Rig> parse_rig(std::string_view text, std::string const& file);
 // The text for a rig. parse_rig() gives the same rig back, to the last bit.
 std::string print_rig(Rig const& rig);
 
+// Reads a rig from a file. Fails like read_text_file() and parse_rig().
 Result<Rig> load_rig(std::filesystem::path const& path);
 
 // Writes the file at once or not at all; the one that was there is kept beside it, with ".bak"
-// behind its name.
+// behind its name. Fails like write_file().
 Result<void> save_rig(Rig const& rig, std::filesystem::path const& path);
 
 } // namespace tractus

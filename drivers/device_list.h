@@ -32,7 +32,9 @@ std::vector<DeviceInfo> list_device_addresses();
 Result<DeviceInfo> find_device(std::string_view address);
 
 // Opens a device with the driver that its location and ids ask for. Safe to call from any thread,
-// since the libraries' own opening is not: one device at a time is opened.
+// since the libraries' own opening is not: one device at a time is opened. Fails, as the user's
+// fault, for a location that is no address and for settings of a device that has none, and as the
+// driver does.
 Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info);
 
 } // namespace tractus

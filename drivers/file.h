@@ -16,8 +16,8 @@ namespace tractus {
 Result<std::string> read_file(std::filesystem::path const& path,
                               std::size_t max_bytes = std::size_t { 1 } << 30);
 
-// Reads a text in UTF-8 or ASCII. Fails, as the user's fault, for one in UTF-16 or UTF-32, which
-// other systems' editors write.
+// Reads a text in UTF-8 or ASCII. Fails like read_file(), and, as the user's fault, for one in
+// UTF-16 or UTF-32, which other systems' editors write.
 Result<std::string> read_text_file(std::filesystem::path const& path,
                                    std::size_t max_bytes = std::size_t { 1 } << 30);
 
@@ -60,7 +60,7 @@ Result<void> rename_on_disk(std::filesystem::path const& from, std::filesystem::
 // of each write_file() under way, in all threads. For main(). Signals that are ignored stay so.
 void remove_unfinished_file_on_signals();
 
-// Writes bytes at hand.
+// Writes bytes at hand in the same way.
 Result<void> write_file(std::filesystem::path const& path, std::string_view bytes);
 
 } // namespace tractus

@@ -22,7 +22,7 @@ public:
     // `take` does.
     Result<void> feed(std::string_view piece);
 
-    // The text has ended: a last line without a line break is taken, too.
+    // The text has ended: a last line without a line break is taken, too. Fails as `take` does.
     Result<void> end();
 
 private:

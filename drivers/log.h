@@ -112,7 +112,7 @@ public:
     Result<LogReport const*> peek();
     void skip();
 
-    // Does both in one: the report is valid until the next call.
+    // Does both in one: the report is valid until the next call. Fails like peek().
     Result<LogReport const*> next();
 
     // How many were skipped or given by next().

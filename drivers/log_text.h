@@ -52,10 +52,12 @@ public:
     // Announces at most that many bytes.
     void expect(std::size_t bytes);
 
-    // The next piece of the text, cut anywhere.
+    // The next piece of the text, cut anywhere. Fails, as the user's fault, for what parse_log()
+    // refuses.
     Result<void> feed(std::string_view piece);
 
-    // The text has ended: a last line without a line break counts as far as it is whole.
+    // The text has ended: a last line without a line break counts as far as it is whole. Fails
+    // likewise.
     Result<void> end();
 
     // Returns the log, after end(). Fails if no device was described.

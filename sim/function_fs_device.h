@@ -48,7 +48,8 @@ public:
     static constexpr std::size_t kMaxWaiting = 8;
     static constexpr std::size_t kMaxReportBytes = 512;
 
-    // Adds the function to `gadget`, which must not be plugged in yet and must outlive it.
+    // Adds the function to `gadget`, which must not be plugged in yet and must outlive it. Fails,
+    // as the user's fault, if the kernel does not let it.
     static Result<std::unique_ptr<FunctionFsDevice>>
     add_to(UsbGadget& gadget, UsbFunctionDescriptors const& descriptors, UsbControlAnswers answers);
     ~FunctionFsDevice() override;

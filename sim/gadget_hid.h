@@ -26,6 +26,7 @@ public:
 
     // Adds to `gadget`, which must not be plugged in yet and must outlive the function, a HID
     // interface with the report descriptor of `info`. `name` tells the gadget's functions apart.
+    // Fails if the report descriptor is missing or broken, or configfs refuses it.
     static Result<std::unique_ptr<GadgetHid>> add_to(UsbGadget& gadget, std::string const& name,
                                                      DeviceInfo const& info);
 

@@ -17,11 +17,12 @@ namespace tractus {
 // Present input of a converter, as a fraction of full scale: 0 to 1.
 using InputNow = std::function<double()>;
 
-// An MCP2221A whose inputs GP1 to GP3 all are `input`, read anew for each command.
+// An MCP2221A whose inputs GP1 to GP3 all are `input`, read anew for each command. Fails like
+// UhidDevice::create().
 Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input);
 
 // A standing desk whose height is `input` as the decoder's fraction of full scale
-// (drivers/sensors/linak_desk.h), read anew for each question.
+// (drivers/sensors/linak_desk.h), read anew for each question. Fails like UhidDevice::create().
 Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input);
 
 // An MCP3208 wired to lines of a CP2112, which the kernel's hid-cp2112 makes a gpiochip.
@@ -40,7 +41,7 @@ public:
     Cp2112WithMcp3208(Cp2112WithMcp3208 const&) = delete;
     Cp2112WithMcp3208& operator=(Cp2112WithMcp3208 const&) = delete;
 
-    // This must outlive the device.
+    // Makes the device, which this must outlive. Fails like UhidDevice::create().
     Result<std::unique_ptr<UhidDevice>> play();
 
     // Makes the lines unreadable from now on.

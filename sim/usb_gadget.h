@@ -55,19 +55,20 @@ public:
     };
 
     // Adds a function, KIND.NAME in configfs's words ("hid.pen"), with its attributes, and returns
-    // its folder.
+    // its folder. Fails, as the user's fault, if configfs refuses it.
     Result<std::filesystem::path> add_function(std::string const& function,
                                                std::vector<Attribute> const& attributes = {});
 
     // Adds a FunctionFS function and mounts its file system, which is returned; the function is
-    // complete when its descriptors have been written to the file "ep0" there.
+    // complete when its descriptors have been written to the file "ep0" there. Fails, as the user's
+    // fault, if the kernel does not let it.
     Result<std::filesystem::path> add_file_system_function();
 
     // Binds the gadget to a port, `port` in /sys/class/udc or else the first that is free: the host
     // sees the device arrive. Fails if there is none.
     Result<void> plug_in(std::string const& port = {});
 
-    // The host sees it go.
+    // The host sees it go. Fails, as the user's fault, if configfs refuses it.
     Result<void> unplug();
 
 private:

@@ -47,7 +47,8 @@ public:
     static LiveDevices open_usable(std::vector<DeviceInfo> const& devices,
                                    std::vector<RefusedDevice>& refused);
 
-    // Opens the devices and logs that people name: see device_name_help().
+    // Opens the devices and logs that people name: see device_name_help(). Fails, as the user's
+    // fault, for a name that is neither, and as reading the log or opening the device does.
     static Result<LiveDevices> open_named(std::span<std::string const> names);
 
     // One more, to be read like the others. Fails like start().
@@ -65,7 +66,7 @@ public:
 
     // A log as if its devices were there, played by another clock than this machine's; its
     // calibration is rig_text(). The same at each run: no thread reads it. Its tool lines count for
-    // nothing: who plays the pen chooses the tools with it.
+    // nothing: who plays the pen chooses the tools with it. Fails like read_log().
     static Result<LiveDevices> play_log(std::string const& name,
                                         std::function<Timestamp()> const& now);
 

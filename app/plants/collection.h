@@ -98,7 +98,8 @@ struct CollectionReport {
 //
 // The bytes depend on the options alone, not on the number of threads. Memory holds a few plants,
 // whatever their number. Every file appears whole or not at all: when it is stopped or the disk is
-// full, what was written before stays.
+// full, what was written before stays. Fails as reading the plant and its drawing does, where a
+// file cannot be written, and where pictures are wanted and the system has no OpenGL.
 Result<CollectionReport> make_collection(CollectionOptions const& options, Progress& progress);
 
 // The report as lines for a person to read.

@@ -42,7 +42,7 @@ Result<std::vector<Edit>> growing_plant_edits(PlantChoice const& plant, GrowthOp
 // The scene that such edits give. Fails, as the user's fault, for a plant without branches.
 Result<Scene> growing_plant(std::filesystem::path const& model, std::vector<Edit> const& edits);
 
-// Does both: the edits of the choice, and their scene.
+// Does both: the edits of the choice, and their scene. Fails like either.
 Result<Scene> load_growing_plant(PlantChoice const& plant, GrowthOptions const& growth,
                                  std::uint64_t seed);
 

@@ -43,7 +43,9 @@ struct JobReport : DrawingReport {
 
 // Replays the log onto the model and writes base.png, strokes.png, varied.png, collection.png,
 // collection.glb and report.txt into the folder. Each file appears whole or not at all; a session
-// appears as the plant is loaded and holds each stroke as soon as it is drawn.
+// appears as the plant is loaded and holds each stroke as soon as it is drawn. Fails like
+// growing_plant_edits() and read_drawing(), where a file cannot be written, and where the system
+// has no OpenGL.
 Result<JobReport> run_job(JobOptions const& options, Progress& progress);
 
 // The report as lines for a person to read, as they stand in report.txt.

@@ -37,17 +37,18 @@ bool leads_out_of_folder(std::filesystem::path const& name);
 IncludeReader model_includes(std::filesystem::path const& path);
 
 // Reads a model and its companions as an edit, so that a scene holds the model's texts and needs no
-// file again.
+// file again. Fails like load_model_source(), and with what is wrong in the model's text.
 Result<LoadModel> load_model_edit(std::filesystem::path const& path,
                                   ModelCompanions const& companions = {});
 
 // A plant as an edit: a model as above, or the skeleton that another program has drawn as lines, in
 // a Wavefront OBJ file (skeleton_lines.h) or a binary glTF file (glb_lines.h), if the name ends in
-// .obj or .glb.
+// .obj or .glb. Fails like load_model_edit() and as the readers of those files do; a .gltf is
+// refused.
 Result<Edit> load_plant_edit(std::filesystem::path const& path,
                              ModelCompanions const& companions = {});
 
-// Reads and compiles a model and its companions.
+// Reads and compiles a model and its companions. Fails like load_model_edit().
 Result<Model> load_model(std::filesystem::path const& path, ModelCompanions const& companions = {});
 
 } // namespace tractus

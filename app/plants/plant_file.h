@@ -26,7 +26,7 @@ Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& na
                                        std::filesystem::path const& path,
                                        PlantFileOptions const& options = {});
 
-// Writes a plant that is meshed already.
+// Writes a plant that is meshed already. Fails like write_plant_file().
 Result<std::uint64_t> write_mesh_file(Mesh const& mesh, std::string const& name,
                                       std::filesystem::path const& path,
                                       PlantFileOptions const& options = {});

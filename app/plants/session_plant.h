@@ -21,7 +21,7 @@ bool is_session_file(std::filesystem::path const& path);
 // the session was damaged is left out. Fails like read_session().
 Result<std::vector<Edit>> session_edits(std::filesystem::path const& path, EditKinds kinds);
 
-// Returns the scene that they amount to.
+// Returns the scene that they amount to. Fails like read_session() and fold_session().
 Result<Scene> load_session_scene(std::filesystem::path const& path, EditKinds kinds,
                                  ModelCost const& cost = {});
 
@@ -34,9 +34,13 @@ struct FoldedSession {
     // Steps that need what was lost; those with unknown edits apart.
     std::size_t skipped_steps = 0;
 };
+
+// Folds the steps of a session into a scene. Fails where the first step cannot be made, or the
+// plants of the scene cannot be built.
 Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost const& cost = {});
 
-// A plant as the station's window shows it: as drawn, grown as is set, at its age.
+// A plant as the station's window shows it: as drawn, grown as is set, at its age. Fails like
+// plan_growth().
 Result<Plant> shown_plant(BuiltPlant const& built);
 
 // Returns all plants of a document that are not hidden, each as above and where it stands, as one

@@ -26,7 +26,7 @@ public:
     // When it wants to be called next, before the begin as well; Timestamp::max() for never.
     virtual Timestamp due() const = 0;
 
-    // `now` is due() or later.
+    // Plays what is due; `now` is due() or later. Fails as the device does.
     virtual Result<void> play(Timestamp now) = 0;
 
     // Whether all that was to be played has been, `now`.
@@ -81,6 +81,7 @@ struct DevicePlay {
 
 // Waits until some program reads each of the devices, then plays the parts to the end of them all;
 // or until `stop` is set (by a signal handler, say). It sleeps whenever there is nothing to do.
+// Fails as soon as a device or a part does.
 Result<void> play_parts(DevicePlay const& play, std::atomic<bool> const& stop);
 
 } // namespace tractus

@@ -16,7 +16,8 @@ namespace tractus {
 // frames while the host wants them. Its clock is this computer's.
 class PlayedHeightSensor final : public DevicePart {
 public:
-    // Adds it to `gadget`, which must not be plugged in yet and must outlive it.
+    // Adds it to `gadget`, which must not be plugged in yet and must outlive it. Fails like
+    // FunctionFsDevice::add_to().
     static Result<std::unique_ptr<PlayedHeightSensor>> add_to(UsbGadget& gadget,
                                                               HeightCurve heights);
 

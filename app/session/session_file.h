@@ -86,7 +86,7 @@ struct SessionSummary {
 Result<SessionContents> read_session(std::filesystem::path const& path, EditKinds kinds);
 
 // Checks a database that is open, of which `name` is the file's: all edits are checked, and
-// forgotten.
+// forgotten. Fails like read_session().
 Result<SessionSummary> check_session(Database const& database, std::string const& name,
                                      EditKinds kinds);
 
@@ -116,7 +116,8 @@ std::int64_t checksum_of(EditRow const& row);
 // The rows that a session begins with: step 0.
 std::vector<EditRow> beginning_rows(std::span<Edit const> edits, std::chrono::sys_seconds made);
 
-// The rows of a step, numbered after all of earlier steps.
+// The rows of a step, numbered after all of earlier steps. Fails as the database does, as the
+// following do.
 Result<std::vector<EditRow>> rows_of(Database const& database, SessionStep const& step);
 
 // Puts a step, which has rows, in the place of all from its number on; it becomes the last that

@@ -29,7 +29,7 @@ public:
 
     std::filesystem::path const& path() const;
 
-    // The edits of a step that is in the file.
+    // The edits of a step that is in the file. Fails where it was damaged since it was checked.
     Result<std::vector<SessionEdit>> read_step(std::size_t step) const;
 
     // Form of a new step in the file, and its edits as read_step() will give them.
@@ -40,7 +40,7 @@ public:
     Result<NewStep> prepare(SessionStep const& step) const;
 
     // Writes in one transaction, which is on the disk when this returns. Afterwards the next one is
-    // begun, which is what keeps others from writing.
+    // begun, which is what keeps others from writing. Fails as the database does.
     Result<void> write(NewStep const& step);
     Result<void> write_cursor(std::size_t step);
 

@@ -28,11 +28,13 @@ public:
                                             Bounds const& volume_mm, What what);
 
     // Takes what the station has done since it was taken last, in the order in which it was done.
+    // Fails as `write` does.
     Result<void> take(Station& station);
 
     // Lets readers of the socket in and gives them what they take now.
     void serve();
 
+    // Says that the stream is over. Fails as `write` does.
     Result<void> end();
 
     // Whether there is nobody to read: of a socket at which nobody has called.

@@ -46,7 +46,7 @@ Result<DeviceInfo> describe_gpio_adc(std::string const& address);
 Result<std::unique_ptr<ReportSource>> open_gpio_adc(DeviceInfo info);
 
 // Opens the converter on lines that are open already, those of mcp3208_lines, be they real or
-// simulated.
+// simulated. Fails likewise.
 Result<std::unique_ptr<ReportSource>>
 open_gpio_adc(DeviceInfo info, std::unique_ptr<GpioLines> lines, GpioClock clock);
 

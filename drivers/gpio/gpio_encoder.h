@@ -41,7 +41,8 @@ Result<DeviceInfo> describe_gpio_encoder(std::string const& address);
 // device's fault, when the lines do.
 Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo const& info);
 
-// Opens the encoder on lines that are open already, be they real or simulated.
+// Opens the encoder on lines that are open already, be they real or simulated. Fails, as the user's
+// fault, if `info.location` is no address of an encoder.
 Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo const& info,
                                                         std::unique_ptr<GpioEdges> edges);
 

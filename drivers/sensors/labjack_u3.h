@@ -35,7 +35,7 @@ bool is_labjack_u3(DeviceInfo const&);
 // a U3 does.
 Result<std::unique_ptr<ReportSource>> open_labjack_u3(DeviceInfo info);
 
-// Opens one over any link.
+// Opens one over any link. Fails, as the device's fault, likewise.
 Result<std::unique_ptr<ReportSource>>
 open_labjack_u3(DeviceInfo info, std::unique_ptr<PacketLink> link, LabJackU3Options const& options);
 

@@ -33,7 +33,7 @@ bool is_linak_desk(DeviceInfo const&);
 Result<std::unique_ptr<ReportSource>> open_linak_desk(DeviceInfo info);
 
 // Opens one over any link on which a single byte asks for that feature report, and more bytes set
-// one (open_hid_feature_link).
+// one (open_hid_feature_link). Fails if the desk does not know its height, likewise.
 Result<std::unique_ptr<ReportSource>> open_linak_desk(DeviceInfo info,
                                                       std::unique_ptr<PacketLink> link);
 

@@ -44,7 +44,7 @@ bool is_mcp2221a(DeviceInfo const&);
 // not answer as such a chip does.
 Result<std::unique_ptr<ReportSource>> open_mcp2221a(DeviceInfo info);
 
-// Opens one over any link.
+// Opens one over any link. Fails, as the device's fault, likewise.
 Result<std::unique_ptr<ReportSource>>
 open_mcp2221a(DeviceInfo info, std::unique_ptr<PacketLink> link, Mcp2221aOptions const& options);
 

@@ -51,7 +51,7 @@ public:
     virtual Result<std::optional<RawReport>> read(Duration timeout) = 0;
 };
 
-// Opens one over any link.
+// Opens one over any link. Fails likewise, but for opening the device.
 Result<std::unique_ptr<ReportSource>> open_usb_height_sensor(DeviceInfo info,
                                                              std::unique_ptr<HeightSensorLink> link,
                                                              UsbHeightSensorOptions const& options);

@@ -59,7 +59,7 @@ public:
     // is a text. Fails, as the device's fault, if it has none or does not answer.
     Result<std::vector<std::byte>> string_bytes(std::uint8_t index) const;
 
-    // Returns the same as text in UTF-8.
+    // Returns the same as text in UTF-8. Fails likewise.
     Result<std::string> string(std::uint8_t index) const;
 
 private:

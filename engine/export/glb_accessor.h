@@ -28,7 +28,7 @@ extern template Result<std::vector<std::array<float, 3>>> read_accessor<3>(tinyg
 extern template Result<std::vector<std::array<float, 4>>> read_accessor<4>(tinygltf::Model const&,
                                                                            int);
 
-// Reads vertex indices, each below `vertex_count`; otherwise as above.
+// Reads vertex indices. Fails likewise, and for one that is not below `vertex_count`.
 Result<BulkVector<std::uint32_t>> read_indices(tinygltf::Model const& model, int accessor,
                                                std::size_t vertex_count);
 

@@ -21,10 +21,11 @@ tl::unexpected<Error> fail_reading(std::string const& reason);
 // geometry in a way not known here. Any bytes are safe to give.
 Result<tinygltf::Model> parse_glb(std::string_view bytes);
 
+using Affine = Eigen::Affine3d;
+
 // Where each mesh of a file stands: transforms to the scene's frame, one for each node or instance
 // (EXT_mesh_gpu_instancing) of its default scene; without scenes, of every node that is nobody's
 // child, and what they bear. Fails on nodes and attributes that contradict each other.
-using Affine = Eigen::Affine3d;
 Result<std::vector<std::vector<Affine>>> find_places(tinygltf::Model const& model);
 
 // The number of a primitive's accessor, "POSITION" and so on; -1 without.

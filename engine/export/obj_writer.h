@@ -31,6 +31,7 @@ struct MtlPicture {
 //
 // MTL has no word for translucency, nor for what is hidden from the sky, so these are left out. A
 // colour's picture holds the material's own colour, since not every reader multiplies the two.
+// Fails if the stream fails.
 Result<std::vector<MtlPicture>> write_mtl(std::ostream& out, std::span<PlacedMesh const> plants,
                                           std::string_view stem = {});
 

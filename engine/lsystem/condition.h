@@ -15,7 +15,7 @@ using ErrorAt = std::function<tl::unexpected<Error>(std::size_t index, std::stri
 
 // The value of an #if's expression (C11 6.10.1) in which macros have been replaced: 64-bit
 // integers, with sign or without, and all of C's operators but the comma; names are 0. Arithmetic
-// wraps around.
+// wraps around. Fails with `error` where it is no such expression.
 Result<std::int64_t> condition_value(std::string_view text, ErrorAt const& error);
 
 } // namespace tractus

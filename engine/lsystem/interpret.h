@@ -69,7 +69,7 @@ struct TurtlePlant {
 Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString const& string,
                                             TurtleOptions const& options = {});
 
-// Interprets without the warnings.
+// Interprets likewise, and drops the warnings.
 Result<Plant> interpret(Model const& model, ModuleString const& string,
                         TurtleOptions const& options = {});
 

@@ -15,7 +15,7 @@ namespace tractus {
 // finite, or with fewer than two distinct points. A stroke that ends where it began is fine.
 Result<std::vector<Vec3>> stroke_points(Stroke const& stroke);
 
-// Does so for bare points.
+// Returns bare points without repeated ones. Refuses the same.
 Result<std::vector<Vec3>> distinct_points(std::span<Vec3 const> points);
 
 // Length along the points.

@@ -15,6 +15,7 @@ namespace tractus {
 Result<Mesh> leaf_mesh(leaf::LeafTriangles const& leaf, double size_mm);
 
 // Returns that mesh with pictures on it, as one material that is cut out along the pictures' alpha.
+// Fails like leaf_mesh().
 Result<Mesh> painted_leaf_mesh(leaf::LeafTriangles const& leaf, leaf::LeafPicture const& picture,
                                double size_mm);
 

@@ -22,7 +22,7 @@ namespace tractus::sketch {
 // a value out of its range.
 Result<Rule> parse_rule(std::string_view text, std::string const& name);
 
-// Reads a rule from a file of at most 64 KiB.
+// Reads a rule from a file of at most 64 KiB. Fails like read_text_file() and parse_rule().
 Result<Rule> load_rule(std::filesystem::path const& path);
 
 } // namespace tractus::sketch

@@ -54,7 +54,8 @@ public:
     Result<void> derive();
 
     // Fills the limb between the veins: a face between each free extremity and the next. Where the
-    // way between them bulges out it is filled in parts.
+    // way between them bulges out it is filled in parts. Fails, as the user's fault, where that
+    // takes too long.
     Result<void> fill();
 
     int step() const { return step_; }

@@ -28,7 +28,8 @@ struct GrowAlongStroke {
 // out of its ranges and for a stroke along which it is not applied once.
 Result<ModelSource> model_of(GrowAlongStroke const& edit);
 
-// Grows that model: a plant frame whose origin is where the pen came down.
+// Grows that model: a plant frame whose origin is where the pen came down. Fails like model_of(),
+// and where the model takes more than the options allow.
 Result<BuiltSource> build_sketch(GrowAlongStroke const& edit, LoadOptions const& options);
 
 // Where the plant stands. World frame. On paper on the desk, below where the pen came down.
