@@ -50,6 +50,7 @@ struct HeightRecord {
     double shifted_counts = 0;
 };
 
+// Results of a TravelFit, rounded for the file.
 struct TravelRecord {
     std::string date {};
     Vec2 shear_error = Vec2::Zero();
@@ -60,6 +61,7 @@ struct TravelRecord {
     std::size_t touches = 0;
 };
 
+// Results of a LatencyFit, rounded for the file.
 struct LatencyRecord {
     std::string date {};
     double delay_ms = 0; // Tablet's less height sensor's.
@@ -72,6 +74,7 @@ struct LatencyRecord {
     std::optional<Vec2> direction_mm {};
 };
 
+// Results of a HeightCheck, rounded for the file.
 struct CheckRecord {
     std::string date {};
     std::vector<double> heights_mm {}; // Heights by the ruler.

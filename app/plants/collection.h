@@ -29,8 +29,8 @@ enum class Stand {
     Scatter, // Out of line and turned, as if they had grown there; none within another's place.
 };
 
-// Ages from the youngest to the oldest; each plant's is drawn evenly from between. See
-// Grower::grow().
+// Ages, above 0 and at most 1, from the youngest to the oldest; each plant's is drawn evenly from
+// between. See Grower::grow().
 struct AgeRange {
     double youngest = 1;
     double oldest = 1;

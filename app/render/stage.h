@@ -17,7 +17,7 @@ struct StagedMesh {
 // The sun: light that casts the shadow.
 struct Sun {
     Vec3f direction { -0.62f, -0.28f, 0.73f }; // Towards it; any length. World frame.
-    float strength = 1;
+    float strength = 1;                        // Factor on its light; at least 0.
 };
 
 // Background, and the ground, which fades into it. Colours are sRGB, 0 to 1.

@@ -24,7 +24,7 @@ struct CylinderStyle {
     bool operator==(CylinderStyle const&) const = default;
 };
 
-// The turtle at a control point.
+// The turtle at a control point. Plant frame; heading and normal have unit length.
 struct CylinderPoint {
     Vec3 position_mm = Vec3::Zero();
     Vec3 heading = Vec3::UnitZ();
@@ -34,7 +34,7 @@ struct CylinderPoint {
     CylinderStyle style {};
 };
 
-// A cross-section between two control points.
+// A cross-section between two control points. Plant frame.
 struct CylinderSection {
     Vec3 position_mm = Vec3::Zero();
     Vec3 normal = Vec3::UnitY();

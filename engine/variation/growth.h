@@ -63,7 +63,7 @@ struct GrowthJob {
     double scale = 1;           // As in ShownPlant.
     GrowthParameters parameters {};
     PlantKey key {};
-    double age = 1;
+    double age = 1; // 0 to 1: see Grower::grow().
 };
 
 // One plant, from the beginning to the end. Refuses what resolve_associations, influence_of and

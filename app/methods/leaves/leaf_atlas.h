@@ -12,7 +12,8 @@
 
 namespace tractus {
 
-// Damage to each leaf of an atlas, as tractus leaves paint has it.
+// Damage to each leaf of an atlas, as tractus leaves paint has it: numbers of larvae and mines,
+// shares of 0 to 1 for the rest.
 struct LeafDamage {
     int larvae = 0;
     double spots = 0;
@@ -27,8 +28,8 @@ struct AtlasOptions {
     int count = 16;                     // Number of each.
     int cell = 512;                     // A leaf's square in pixels, and a page's: powers of two.
     int page = 2048;
-    double age_from
-        = 0.5; // Ages lie evenly between; a leaf's does not depend on how many there are.
+    // Ages, 0 to 1, lie evenly between the two; a leaf's does not depend on how many there are.
+    double age_from = 0.5;
     double age_to = 0.5;
     std::uint64_t seed = 1;
     double variation = 1;

@@ -72,7 +72,8 @@ public:
     };
     Limb const& limb() const { return limb_; }
 
-    // A vein in the flat leaf, as one of its faces: along its middle, and half its width.
+    // A vein in the flat leaf, as one of its faces: along its middle, and half its width, in the
+    // grammar's lengths.
     struct Vein {
         Vec2 from = Vec2::Zero();
         Vec2 to = Vec2::Zero();
