@@ -33,9 +33,9 @@ Result<void> read_file_in_pieces(std::filesystem::path const& path, std::size_t 
 // Makes a folder and those that it is in, where they are not there. Fails, as the user's fault.
 Result<void> make_folder(std::filesystem::path const& folder);
 
-// Whether write_file() may write there, for who wants to know before a long work: the folder that
-// the file is to be in, or the nearest that is there above it, takes new files. Changes nothing.
-// Fails, as the user's fault.
+// Whether write_file() may write there, for callers that want to know before long work: the folder
+// that the file is to be in, or the nearest that is there above it, takes new files. Changes
+// nothing. Fails, as the user's fault.
 Result<void> check_writable(std::filesystem::path const& path);
 
 // Calls `write` with a stream to a temporary file beside `path`, lets the disk take it, then

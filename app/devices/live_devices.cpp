@@ -108,7 +108,7 @@ Result<LiveDevices> LiveDevices::play_log(std::string const& name,
         .data_begin = log->begin(),
         .real_begin = now(),
         .now = now,
-        .wait = [](Duration) {}, // Who reads asks for no patience.
+        .wait = [](Duration) {}, // Readers ask for no patience.
     };
     for (std::size_t i = 0; i < log->devices.size(); ++i) {
         auto source = open_paced(log, i, pace);

@@ -66,7 +66,7 @@ public:
 
     // A log as if its devices were there, played by another clock than this machine's; its
     // calibration is rig_text(). The same at each run: no thread reads it. Its tool lines count for
-    // nothing: who plays the pen chooses the tools with it. Fails like read_log().
+    // nothing: the pen that is played chooses the tools. Fails like read_log().
     static Result<LiveDevices> play_log(std::string const& name,
                                         std::function<Timestamp()> const& now);
 

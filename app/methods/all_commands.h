@@ -4,8 +4,8 @@
 
 namespace tractus {
 
-// The methods with all commands that they bring: what all_methods() is to who edits, this is to the
-// command line. Apart from it, since what only edits need not be linked with them.
+// The methods with all commands that they bring: what all_methods() is for editing, this is for the
+// command line. It stands apart, so that code that only edits need not be linked with them.
 Methods with_commands(Methods methods);
 
 } // namespace tractus

@@ -188,7 +188,7 @@ void Collection::add_details(PlacedMesh& mesh, std::function<Plant()> const& pla
         { std::function<Billboard()>([this, plant] { return billboard(plant()); }), 0 });
 }
 
-// Keeps the first error: who asks cannot be told.
+// Keeps the first error: the caller cannot be told.
 Billboard Collection::billboard(Plant const& plant)
 {
     constexpr double kShare = 0.25; // More detail than this does not show in so few pixels.

@@ -21,7 +21,7 @@ public:
     PictureThread& operator=(PictureThread&&) = delete;
     ~PictureThread();
 
-    // Calls `draw` on that thread, and waits until it is done. Who asks meanwhile waits, too.
+    // Calls `draw` on that thread, and waits until it is done. Others that ask meanwhile wait, too.
     void draw(std::function<void(PictureMaker&)> const& draw);
 
 private:

@@ -18,10 +18,10 @@ struct PlantFileOptions {
     GlbOptions glb {};
 };
 
-// Writes a plant as the ending of `path` says: glTF (.glb), Wavefront OBJ (.obj, with a
-// .mtl and pictures beside it whose names begin alike), or else a picture
-// (.png), of PictureSize's size. `name` is what the plant is called in the file. Answers the number
-// of triangles. Fails like write_file(), and for a picture where the system has no OpenGL.
+// Writes a plant as the ending of `path` says: glTF (.glb), Wavefront OBJ (.obj, with a .mtl and
+// pictures beside it whose names begin alike), or else a picture (.png), of PictureSize's size.
+// `name` is what the plant is called in the file. Returns the number of triangles. Fails like
+// write_file(), and for a picture where the system has no OpenGL.
 Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& name,
                                        std::filesystem::path const& path,
                                        PlantFileOptions const& options = {});

@@ -98,7 +98,7 @@ struct EditReader {
     std::function<void(SessionEdit&&)> take;
 };
 
-// Answers the last step.
+// Returns the last step.
 Result<std::size_t> read_edits(Database const& database, std::string const& name,
                                EditReader const& reader)
 {

@@ -27,8 +27,8 @@ public:
 // to another thread; one copy belongs to one thread at a time, as any value does.
 //
 // Elements that have a source need not be in memory: those of a parked() copy are read when
-// somebody looks at them, and stay from then on. Who looks at many in turn takes in_memory() copies
-// instead, whose elements go with them.
+// somebody looks at them, and stay from then on. Callers that look at many in turn take in_memory()
+// copies instead, whose elements go with them.
 template<typename T> class SharedVector {
 public:
     using value_type = T;

@@ -24,11 +24,11 @@ struct GlbColumn {
 // Makes room at the end of the binary chunk.
 GlbColumn open_column(GlbStream& stream, NumberFormat const& format, std::size_t count);
 
-// Adds a buffer view, with the members of `more`. Answers its index.
+// Adds a buffer view, with the members of `more`. Returns its index.
 std::size_t add_view(GltfJson& json, GlbStream::Block const& block,
                      Json const& more = Json::object());
 
-// Adds the column's buffer view and its accessor, with the members of `more`. Answers the
+// Adds the column's buffer view and its accessor, with the members of `more`. Returns the
 // accessor's index.
 std::size_t add_accessor(GltfJson& json, GlbColumn const& column, int target,
                          Json const& more = Json::object());
@@ -44,7 +44,7 @@ Json limits_json(Vec3f const& low, Vec3f const& high);
 // follow.
 constexpr std::size_t kTriangleColumns = 5;
 
-// Adds the accessors of triangles, whose positions lie within the limits. Answers the primitive,
+// Adds the accessors of triangles, whose positions lie within the limits. Returns the primitive,
 // but for its material.
 Json add_triangles(GltfJson& json, std::span<GlbColumn const> columns, EncodedPiece const& limits);
 

@@ -23,10 +23,10 @@ struct GrowthFilm {
 };
 
 // Writes it as one binary glTF 2.0 file, in metres, +y up: one mesh, the whole plant, with a morph
-// target for each younger age (positions and normals; "age 0.25" and so on in
-// extras.targetNames), and an animation "growth" of its weights that goes evenly from age to age.
-// All weights are 0 by default: who does not play it sees the whole plant. Leaves are triangles of
-// the mesh, since instances do not move. No extension is needed. Same input, same bytes.
+// target for each younger age (positions and normals; "age 0.25" and so on in extras.targetNames),
+// and an animation "growth" of its weights that goes evenly from age to age. All weights are 0 by
+// default: programs that do not play it show the whole plant. Leaves are triangles of the mesh,
+// since instances do not move. No extension is needed. Same input, same bytes.
 //
 // `out` as for write_glb(). Memory holds two ages of the plant, however many there are. Fails if
 // the stream fails, if a coordinate is not finite, and, before anything is written, if the file

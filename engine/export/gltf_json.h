@@ -34,7 +34,7 @@ std::string json_text(Json const& value);
 // values they would take several times as much memory.
 class JsonArray {
 public:
-    // Answers the new element's index.
+    // Returns the new element's index.
     std::size_t add(Json const& element);
 
     std::size_t count() const { return count_; }

@@ -17,7 +17,7 @@ public:
     // Puts materials into `json`, and pictures into `stream` unless they are not wanted.
     GltfMaterials(GltfJson& json, GlbStream& stream, bool has_textures);
 
-    // Answers the material's index, which is new if no equal one has come before.
+    // Returns the material's index, which is new if no equal one has come before.
     std::size_t index_of(Material const& material);
 
     // A material that is all picture: transparent where that is, and lit as it was drawn

@@ -30,7 +30,7 @@ TriangleView view_of(TriangleMesh const& mesh, std::uint32_t first_vertex = 0);
 class MeshPieces {
 public:
     // Whether the copies of an organ are triangles of the surface that has their material, after
-    // what else is in it, or are left to who asks.
+    // what else is in it, or are left to the caller.
     enum class Organs { Merged, Apart };
     // Whether surfaces with a normal map have tangents.
     enum class Tangents { Never, ForRelief };

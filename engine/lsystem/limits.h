@@ -6,7 +6,7 @@
 
 namespace tractus {
 
-// When work on a model has taken too long. The engine has no clock: who calls it may have one.
+// When work on a model has taken too long. The engine has no clock: its caller may have one.
 struct TimeLimit {
     // Asked every 65,536 modules, rules applied or rounds of a loop, from any thread; true ends the
     // work with an error. Never asked where there is none.

@@ -73,7 +73,7 @@ private:
     std::unordered_map<Cell, std::vector<std::uint32_t>, Hash> cells_;
 };
 
-// The joints as a forest: who is below whom, and what the longest way from each to a tip is.
+// The joints as a forest: which is below which, and the longest way from each to a tip.
 class Forest {
 public:
     explicit Forest(std::vector<SkeletonJoint> const& joints)

@@ -28,7 +28,8 @@ enum class StrokeFit {
     // branch's base to its tip: the tip stays where it was seen from the base, only nearer or
     // farther.
     Chord,
-    // The stroke is not turned at all: each segment points as it was drawn, whatever bears it.
+    // The stroke is not turned at all: each segment points as it was drawn, whatever its parent
+    // does.
     World,
 };
 

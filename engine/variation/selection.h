@@ -75,7 +75,7 @@ public:
     bool move_to(Vec2 const& point);
 
     // The pen was lifted: where its last place was ambiguous, the nearest segment in front was
-    // meant. Answers what PathSelection::finish() does.
+    // meant. Returns what PathSelection::finish() does.
     std::vector<std::vector<SegmentId>> lift();
 
 private:

@@ -95,7 +95,7 @@ public:
     bool empty() const { return operations.empty(); }
 
     // `values` by the names' numbers; a value that is not a number stands for one that nobody has
-    // given yet. The result may be infinite or no number: who asks for it decides what that means.
+    // given yet. The result may be infinite or no number: the caller decides what that means.
     double value(std::span<double const> values, Random& random) const;
 
 private:

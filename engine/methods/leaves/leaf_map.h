@@ -77,8 +77,8 @@ public:
     Vertex add_vertex(Vec3 const& position, Vec2 const& flat);
     Vertex add_vertex(Vec3 const& position) { return add_vertex(position, position.head<2>()); }
 
-    // A face with these corners, counter-clockwise; edge i starts at corner i. Gives the dart that
-    // starts edge 0; the others follow it.
+    // Adds a face with these corners, counter-clockwise; edge i starts at corner i. Returns the
+    // dart that starts edge 0; the others follow it.
     Dart add_face(std::span<Vertex const> corners, FaceId face, std::span<EdgeLabel const> labels);
 
     // Joins two free edges: d and e, ends of them, come to lie together, and so do their other

@@ -19,8 +19,8 @@ struct Rule {
     double first_width_mm = 4.5; // w, 0.02 to 0.5 of l: the first internode's diameter.
 
     int laterals = 2;             // k, 0 to 8: at each node, evenly around it.
-    double angle_deg = 45;        // a, 0 to 150: between a lateral and what bears it.
-    double lateral_length = 0.62; // s, 0.2 to 1: a lateral's length, by that of what bears it.
+    double angle_deg = 45;        // a, 0 to 150: between a lateral and its parent.
+    double lateral_length = 0.62; // s, 0.2 to 1: a lateral's length, by its parent's.
     double lateral_width = 0.55;  // v, 0.2 to 1: the same for diameters.
     double axis_twist_deg
         = 90; // T, -180 to 180: of the rings, from node to node of the drawn axis.

@@ -20,7 +20,7 @@ class StrokeResampler {
 public:
     explicit StrokeResampler(Rule const& rule);
 
-    // The next tip, in any frame of millimetres; one that is not finite is left out. Answers how
+    // The next tip, in any frame of millimetres; one that is not finite is left out. Returns how
     // many segments it has completed: how often the rule is applied now.
     int push(Vec3 const& tip_mm);
 

@@ -8,7 +8,7 @@
 namespace tractus {
 
 // Appends an axis of equal segments that starts at `base`, bends by a random angle at each node,
-// and tapers from `radius_mm` to `tip_radius_mm`. Answers its number.
+// and tapers from `radius_mm` to `tip_radius_mm`. Returns its number.
 struct AxisSketch {
     Vec3 base_mm = Vec3::Zero();
     Vec3 direction = Vec3::UnitZ();
