@@ -7,8 +7,8 @@
 
 namespace tractus {
 
-// Appends an axis of equal segments that starts at `base`, bends by a random angle at each node,
-// and tapers from `radius_mm` to `tip_radius_mm`. Returns its number.
+// An axis of equal segments that starts at `base_mm`, bends by a random angle at each node, and
+// tapers from `radius_mm` to `tip_radius_mm`.
 struct AxisSketch {
     Vec3 base_mm = Vec3::Zero();
     Vec3 direction = Vec3::UnitZ();
@@ -22,6 +22,7 @@ struct AxisSketch {
     std::uint32_t order = 0;
 };
 
+// Appends such an axis and returns its number.
 inline AxisId append_axis(Plant& plant, AxisSketch const& sketch, Random& random)
 {
     plant.axes.push_back({ static_cast<NodeId>(plant.node_position_mm.size()),
