@@ -26,7 +26,7 @@ void remove_if_nothing_was_drawn(fs::path const& session)
     auto const contents = read_session(session, {});
     std::error_code ignored;
     if (contents && contents->last_step() == 0)
-        for (auto const* const ending : { "", "-wal", "-shm" }) // Files of its other users.
+        for (auto const* const ending : { "", "-wal", "-shm" }) // SQLite's files beside it, too.
             fs::remove(session.string() + ending, ignored);
 }
 
