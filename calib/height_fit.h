@@ -81,15 +81,15 @@ double height_error_mm(HeightFit const& fit, double counts);
 //
 // The model is the simplest that the captures support: linear (2 parameters), string (4), monotone
 // (as many as it has knots, 5 at least, and only where three captures more tell whether it is any
-// good). A string is taken before a line if the ruler's error alone
-// would make so great a gain in less than 1 of 20 cases: the sums of squares, over the ruler's
-// variance, are compared by chi squared, since a ruler's error is known and five captures leave one
-// over to tell it. A slip is dear there, as one capture in a hundred is one: otherwise a line
-// without the capture in which the string shows most would do. A monotone curve is taken if its
-// gain would come about by chance in less than 1 of 100 cases, by the F test for the extra sum of
-// squares (G. Seber, C. Wild, "Nonlinear Regression", 1989, section 5.3): it comes nearer to a
-// string's curve than any ruler can tell, so that the two are compared as if one contained the
-// other; its number of knots is the one with the least estimated variance.
+// good). A string is taken before a line if the ruler's error alone would make so great a gain in
+// less than 1 of 20 cases: the sums of squares, over the ruler's variance, are compared by chi
+// squared, since a ruler's error is known and five captures leave one over to tell it. A slip is
+// dear there, as one capture in a hundred is one: otherwise a line without the capture in which the
+// string shows most would do. A monotone curve is taken if its gain would come about by chance in
+// less than 1 of 100 cases, by the F test for the extra sum of squares (G. Seber, C. Wild,
+// "Nonlinear Regression", 1989, section 5.3): it comes nearer to a string's curve than any ruler
+// can tell, so that the two are compared as if one contained the other; its number of knots is the
+// one with the least estimated variance.
 //
 // A capture that lies apart is taken for a slip of the ruler or of the tongue if without it the sum
 // of squares falls by more than (4 s)^2, s the ruler's error or the rest's standard deviation if

@@ -11,8 +11,7 @@ namespace tractus {
 
 // The reports of the hidraw device at `info.location`, both ways, through hidapi. Output reports
 // are those of a device without report ids. Other readers, the kernel's own driver among them, go
-// on as before. Input reports longer than a RawReport holds are left out
-// and counted.
+// on as before. Input reports longer than a RawReport holds are left out and counted.
 //
 // Fails, as the user's fault, if the device is not there or may not be read and written, which the
 // rules in drivers/70-tractus.rules permit.

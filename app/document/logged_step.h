@@ -23,8 +23,8 @@ struct StepWords {
 StepWords words_for(DoneStep const& step, std::size_t strokes_before);
 
 // No value for a word that no step has. Fails, as the user's fault, for a step in other words than
-// above. The edits that are none of `kinds` are UnknownEdits, which are refused
-// when they are to be done.
+// above. The edits that are none of `kinds` are UnknownEdits, which are refused when they are to be
+// done.
 std::optional<Result<LoggedStep>> parse_step(std::string_view name, std::string_view arguments,
                                              EditKinds kinds);
 

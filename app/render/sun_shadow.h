@@ -14,8 +14,8 @@ public:
     // Fails, as the station's fault, if the driver does not take the shaders.
     static Result<SunShadow> create();
 
-    // Draws the stage from the sun with a map of `side` pixels, at most 2048. Binds a framebuffer
-    // of its own.
+    // Draws the stage from the sun with a map of `side` pixels, 64 to 2048. Binds a framebuffer of
+    // its own.
     void draw(Stage const& stage, Bounds const& box, int side);
 
     // Gives a shader the maps (texture units 0 depth, 1 ground) and how to look places up in them.

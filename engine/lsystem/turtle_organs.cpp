@@ -66,8 +66,8 @@ double Turtle::diameter(Symbol const& symbol) const
     return std::clamp(given, 0.0, 1e6);
 }
 
-// @o and @O: a ball of the given diameter about the turtle; @c: a flat disc
-// whose face is the turtle's upper side. The line width where no diameter is given.
+// @o and @O: a ball of the given diameter about the turtle; @c: a flat disc whose face is the
+// turtle's upper side. The line width where no diameter is given.
 void Turtle::add_round(OrganShape::Kind kind, Symbol const& symbol)
 {
     auto const& frame = state_.frame;

@@ -25,8 +25,8 @@ struct BezierPatch {
 // How 16 points define a bicubic surface.
 enum class PatchBasis { Bezier, BSpline, Cardinal };
 
-// Returns the same surface as Bézier control points. A B-spline's or
-// cardinal spline's surface lies between the inner four points.
+// Returns the same surface as Bézier control points. A B-spline's or cardinal spline's surface lies
+// between the inner four points.
 std::array<Vec3, 16> bezier_control(std::array<Vec3, 16> const& control, PatchBasis basis);
 
 } // namespace tractus
