@@ -2,7 +2,7 @@
 
 #include <stdint.h>
 
-// What the sensor says of itself on USB, as ../height-sensor.md has it.
+// The sensor's USB descriptors, as ../height-sensor.md lists them.
 
 struct descriptor {
     uint8_t const* bytes; // In program memory; null if there is none.

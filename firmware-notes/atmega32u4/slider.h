@@ -21,8 +21,8 @@ enum {
 
 // All zero at first.
 struct slider {
-    uint16_t sum;      // Of the conversions since the last reading, at most 32 * 1023.
-    uint16_t previous; // Of the 32 before them.
+    uint16_t sum;      // Sum of the conversions since the last reading, at most 32 * 1023.
+    uint16_t previous; // Sum of the 32 before them.
     uint8_t count;     // Conversions in `sum`.
     bool has_previous;
 };

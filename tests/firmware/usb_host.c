@@ -231,6 +231,6 @@ int main(int argument_count, char **arguments)
         if (conversion_count > 100 * kReports)
             fail("no reports come");
     }
-    run_us(10000); // What is fed belongs to whole readings.
+    run_us(10000); // Conversions that are fed belong to whole readings.
     return fclose(log) == 0 && fclose(conversions) == 0 ? 0 : 1;
 }

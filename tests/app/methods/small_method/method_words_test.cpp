@@ -95,7 +95,7 @@ bool is_another_language(std::string const& path, std::string const& word)
         { "sim/gesture_script.cpp", "indicate" },
         { "app/verbs/window.cpp", "draw" },                  // "tractus draw",
         { "app/methods/leaves/leaves_command.cpp", "draw" }, // and "tractus leaves draw".
-        // Stands for the tool line "calibrate".
+        // The tool line "calibrate" has this word, too.
         { "app/live/calibration_panel_controller.cpp", "press" },
         { "app/calibration/calibration_controller.cpp", "press" },
     };
