@@ -134,7 +134,7 @@ void interpret_tree(benchmark::State& state)
              .limit = Limit::Fill });
 }
 
-// On one thread and on two.
+// Runs on one thread and on two.
 void for_steps(benchmark::internal::Benchmark* bench, std::vector<std::int64_t> const& steps)
 {
     bench->ArgNames({ "", "threads" })

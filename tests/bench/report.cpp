@@ -234,7 +234,7 @@ void report(benchmark::State& state, Work const& work)
 
 } // namespace tractus
 
-// With --heading, prints the table's first line and nothing else.
+// Prints, with --heading, the table's first line and nothing else.
 int main(int argc, char** argv)
 {
     if (argc == 2 && std::string_view(argv[1]) == "--heading") {

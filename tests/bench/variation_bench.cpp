@@ -90,7 +90,8 @@ void grow_twigs_in_wind(benchmark::State& state)
 }
 BENCHMARK(grow_twigs_in_wind)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-// From one association to where all nodes are: what a person waits for after a stroke.
+// Measures the way from one association to where all nodes are: what a person waits for after a
+// stroke.
 void reshape(benchmark::State& state, Plant const& plant)
 {
     auto const threads = limited_to(state.range(0));

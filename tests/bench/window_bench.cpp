@@ -80,7 +80,7 @@ public:
     }
 
     struct Took {
-        double ink_s = 0; // By the clock, from when the reports are taken to their ink's vertices.
+        double ink_s = 0; // Clock time from when the reports are taken to their ink's vertices.
         double cpu_s = 0; // Own time of the thread: all that a frame does.
     };
 
@@ -180,8 +180,8 @@ void frame_cpu_p99(benchmark::State& state)
 }
 
 struct Minute {
-    std::vector<double> ink_s {};       // From waking to the ink's vertices.
-    std::vector<double> late_ink_s {};  // From the moment at which the reports were due.
+    std::vector<double> ink_s {};       // Time from waking to the ink's vertices.
+    std::vector<double> late_ink_s {};  // Time from the moment at which the reports were due.
     std::vector<double> late_idle_s {}; // The idle thread's waking.
 };
 

@@ -157,7 +157,7 @@ Samples decode(SimulatedRun const& run)
     return samples;
 }
 
-// Up and down along a straight edge, `times` each, as fast as a hand moves the carriage.
+// Moves up and down along a straight edge, `times` each, as fast as a hand moves the carriage.
 Hand follow_edge(Vec3 const& low_mm, Vec3 const& high_mm, int times, std::uint64_t seed)
 {
     std::vector<HandStroke> strokes;

@@ -67,7 +67,7 @@ TEST(HeightTrack, CarriesNothingOnThatHasStopped)
 
 TEST(HeightTrack, SlowsDownWithTheCarriage)
 {
-    // From 300 mm/s to nothing within 100 ms, of which 20 are left.
+    // The hand goes from 300 mm/s to nothing within 100 ms, of which 20 are left.
     auto const braking = [](double t) { return -1500 * std::pow(std::max(1.02 - t, 0.0), 2); };
     double const ahead = scarce_track(10, braking).newest_at(kStart + 1010ms, 50ms)->height_mm;
     EXPECT_NEAR(ahead, -0.15, 0.1) << "0.45 without braking: -0.6 + 10 ms of 45 mm/s";

@@ -18,7 +18,7 @@ static std::vector<std::string>& flushed()
 
 static std::mutex flushed_mutex;
 
-// In place of the C library's for this program: notes what is flushed, and flushes it.
+// Stands in for the C library's in this program: notes what is flushed, and flushes it.
 extern "C" int fsync(int file)
 {
     std::error_code ignored;

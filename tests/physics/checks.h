@@ -10,8 +10,8 @@ struct Run {
     unsigned end_seed() const { return first_seed + rigs; }
 };
 
-// Each prints a table, a row for each kind of physics, with the seeds of the rigs that miss the
-// row's goal. False if a row that is held to its goal misses it.
+// Checks each print a table, a row for each kind of physics, with the seeds of the rigs that miss
+// the row's goal. False if a row that is held to its goal misses it.
 bool check_heights(Run const& run); // Checks `calibrate height`.
 // Checks `calibrate zero`, after a string slipped or a table moved.
 bool check_zeroing(Run const& run);

@@ -45,7 +45,8 @@ void Potentiometer::befall(double slip_mm, double move_mm)
     geometry_.base_mm += move_mm;
 }
 
-// From the pulley's tangent point to the table, and what is wound round the pulley up to there.
+// Length from the pulley's tangent point to the table, and what is wound round the pulley up to
+// there.
 double Potentiometer::length(double height_mm) const
 {
     double const rise_mm = geometry_.base_mm + height_mm;

@@ -20,7 +20,7 @@ struct Faults {
     double nonlinearity = 0;       // Greatest deviation of the track, in parts of its length.
     double loading = 0;            // Resistance of the track over that of the converter's input.
     double noise_counts = 0.5;     // White.
-    double hum_counts = 0;         // At 50 Hz.
+    double hum_counts = 0;         // Hum at 50 Hz.
     double drift_counts_per_s = 0; // Drift of the supply, as it warms up.
     double hysteresis_mm = 0;      // The string's end lags behind the table by half of it.
 };

@@ -38,7 +38,7 @@ private:
         bool const rests = uniform(dice_, 0, 1) < 0.3;
         if (!rests)
             to_mm_ = std::clamp(to_mm_ + uniform(dice_, -150, 150), 50.0, 350.0);
-        // At 400 mm/s at most, where it is quickest.
+        // Speed is 400 mm/s at most, where it is quickest.
         double const least_s = 1.875 * std::abs(to_mm_ - from_mm_) / 400;
         ends_s_ = begins_s_ + std::max(0.25, least_s) + uniform(dice_, 0, 1);
     }

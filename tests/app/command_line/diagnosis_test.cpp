@@ -95,7 +95,7 @@ TEST_F(DiagnosisCommands, WatchPrintsALogsDevices)
     EXPECT_NE(outcome.out.find("height sensor, 0 to 4095"), std::string::npos);
 }
 
-// In a terminal of its own: script gives it one, and passes keys on.
+// Runs in a terminal of its own: script gives it one, and passes keys on.
 TEST_F(DiagnosisCommands, WatchFillsATerminalAndRecordsWithAKey)
 {
     if (run("command -v script").exit_code != 0)

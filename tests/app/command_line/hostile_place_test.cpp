@@ -22,7 +22,7 @@ TEST_F(HostilePlace, AFullDiskLeavesTheOldFile)
 TEST_F(HostilePlace, AFullDiskLeavesWholeFilesOfAJob)
 {
     record();
-    // In blocks of 512 bytes: the first picture fits, or none does, but the job does not.
+    // Blocks of 512 bytes: the first picture fits, or none does, but the job does not.
     expect_error(run("ulimit -f 64; tractus replay hand.tractus-log --plant small.l -o out"), 1,
                  "File too large");
     EXPECT_EQ(run("ls out | grep -c part").out, "0\n");

@@ -40,7 +40,7 @@ protected:
         return peak;
     }
 
-    // So many copies of what the pen of hand.tractus-log sent.
+    // Writes so many copies of what the pen of hand.tractus-log sent.
     void write_large(std::string const& name, int copies) const
     {
         std::string head;

@@ -10,8 +10,8 @@ class RecordCommand : public Workshop { };
 
 constexpr char const* kProgram = "'" TRACTUS_PROGRAM "'";
 
-// Until the file holds so many reports, however long a busy machine takes for them, or until the
-// program that should write them is gone. A file that is not there yet holds none.
+// Waits until the file holds so many reports, however long a busy machine takes for them, or until
+// the program that should write them is gone. A file that is not there yet holds none.
 std::string wait_for_reports(std::string const& file, int count)
 {
     return "until [ \"$(grep -cs '^E' " + file + ")\" -ge " + std::to_string(count)

@@ -61,7 +61,7 @@ TEST_F(SessionVerb, GivesTheSamePlantsAsItsDrawing)
     out("tractus vary hand.tractus --count 2 -o kept");
     EXPECT_EQ(count_files("kept"), 3u);
     EXPECT_NE(read("kept/hand-1.glb").size(), 0u);
-    // All but the names of the plants in the file.
+    // The files agree in all but the names of the plants.
     EXPECT_EQ(out("tractus render drawn/small-2.glb -o drawn.png --size 200x200;"
                   "tractus render kept/hand-2.glb -o kept.png --size 200x200"),
               "");
@@ -158,7 +158,7 @@ TEST_F(SessionVerb, IsNeverWrittenOver)
 
 TEST_F(SessionVerb, AFullDiskIsSaidAndWhatWasKeptStays)
 {
-    // In blocks of 512 bytes: enough for the session to begin, but not for its first stroke.
+    // Blocks of 512 bytes: enough for the session to begin, but not for its first stroke.
     expect_error(run("ulimit -f 40; tractus replay hand.tractus-log --plant small.l -o full "
                      "--session full.tractus"),
                  1, "full.tractus");

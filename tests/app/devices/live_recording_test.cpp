@@ -125,7 +125,7 @@ TEST(PacedLog, SaysThatItIsOver)
     EXPECT_EQ(end.error().message, "pen.hid:device 0 is over");
 }
 
-// Both devices of a log, played a million times as fast as they were recorded.
+// Plays both devices of a log a million times as fast as they were recorded.
 LiveDevices played(std::string const& text)
 {
     auto const log = std::make_shared<Log const>(parse_log(text, "both.log").value());

@@ -13,7 +13,7 @@ namespace {
 constexpr auto kOnItsThread = Document::Working::OnItsThread;
 constexpr auto kAtOnce = Document::Working::AtOnce;
 
-// For the trunk, which is selected, towards a place of its own.
+// A stroke for the trunk, which is selected, towards a place of its own.
 ToolStroke stroke_number(int number)
 {
     return { stroke_through({ { 0, 0, 0 }, { 10.0 * number, 5, 100 } }), DrawInOrderTool {} };
@@ -62,7 +62,7 @@ TEST_F(DocumentTest, DrawsShowsAndKeepsInOrder)
     EXPECT_EQ(read_session(path(), core_edit_kinds()).value().last_step(), 5u);
 }
 
-// Each stroke for the next branch: two quick ones are not both given the same.
+// Strokes each go to the next branch: two quick ones are not both given the same.
 TEST_F(DocumentTest, GivesAStrokeItsMeaningAfterAllEarlierOnes)
 {
     auto document = new_document();

@@ -80,8 +80,8 @@ LiveWindowOptions options_for_tests()
     return { .methods = all_methods(), .scene = small_scene(), .now = [] { return at_ms(100); } };
 }
 
-// Until the script is over and was seen to be: it is read on a thread of its own, which a loaded
-// machine may let wait.
+// Advances until the script is over and was seen to be: it is read on a thread of its own, which a
+// loaded machine may let wait.
 void advance_to_end(LiveWindow& window)
 {
     while (window.state().status.find("is over") == std::string::npos) {
@@ -646,7 +646,7 @@ TEST(LiveWindow, SaysThatATabletsSizeIsAGuess)
 {
     auto tablet = simple_pen();
     auto& descriptor = tablet.report_descriptor;
-    // Without the physical size: the maxima of both axes and the unit.
+    // The physical size is taken away: the maxima of both axes and the unit.
     std::vector<std::byte> plain;
     for (std::size_t i = 0; i < descriptor.size(); ++i)
         if (descriptor[i] == std::byte { 0x46 })

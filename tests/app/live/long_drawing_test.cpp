@@ -28,8 +28,8 @@ protected:
     }
     ~LongDrawing() override { fs::remove(path_); }
 
-    // So many strokes, each for the next branch; every one is seen, and most of them end within a
-    // frame of another's beginning.
+    // Draws so many strokes, each for the next branch; every one is seen, and most of them end
+    // within a frame of another's beginning.
     void draw(std::size_t strokes)
     {
         for (std::size_t i = 0; i < strokes; ++i, now_ms_ += 1000) {

@@ -111,7 +111,7 @@ Timestamp clock_now()
     return Timestamp(std::chrono::steady_clock::now().time_since_epoch());
 }
 
-// Until `done`, which a loaded machine may let wait.
+// Waits until `done`; a loaded machine may take its time.
 template<typename Done> void advance_until(LiveWindow& window, Done const& done)
 {
     while (!done()) {

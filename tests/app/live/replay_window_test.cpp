@@ -25,7 +25,7 @@ protected:
         return window;
     }
 
-    // At a person's pace, until the recording has ended. `seen` looks at each frame.
+    // Plays at a person's pace, until the recording has ended. `seen` looks at each frame.
     template<typename Seen> static void play(ReplayWindow& window, Seen const& seen)
     {
         for (int frame = 0; frame < 10'000 && window.state().playing; ++frame) {

@@ -122,7 +122,7 @@ inline LoadSkeleton random_skeleton()
     return edit;
 }
 
-// By ids, or as sessions before format 4 say it.
+// Names things by ids, or as sessions before format 4 do.
 inline Items random_items()
 {
     auto const numbers = *rc::gen::arbitrary<std::vector<std::uint64_t>>();

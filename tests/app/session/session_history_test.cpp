@@ -110,7 +110,7 @@ std::vector<Edit> random_step(Scene const& scene)
     }
 }
 
-// All steps, and how many of them count.
+// The steps, and how many of them count.
 struct ModelOfHistory {
     std::vector<std::vector<Edit>> steps;
     std::size_t count = 0;

@@ -67,7 +67,7 @@ TEST_F(LineServerTest, KeepsAReaderThatOnlyHasNothingToSay)
     EXPECT_EQ(reader.read_now(), "hello\none\n");
 }
 
-// All that it reads while the server gives what it can.
+// Returns all that it reads while the server gives what it can.
 std::string read_all(LineServer& server, LocalReader const& reader)
 {
     std::string text;

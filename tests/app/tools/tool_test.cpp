@@ -173,7 +173,7 @@ TEST(SelectTool, ChoosesInAllWays)
     auto const first = segments_of(plant.axes[1]);
     auto const second = segments_of(plant.axes[2]);
 
-    // From the trunk's middle to a branch's tip, straight across the air.
+    // A stroke from the trunk's middle to a branch's tip, straight across the air.
     auto const base = plant.positions(plant.axes[0])[1] * 0.5;
     auto const path = selection_by(Selecting::Ends, along(base, tip_of(2)), scene);
     ASSERT_EQ(path.size(), 1u);

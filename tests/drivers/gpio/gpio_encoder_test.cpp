@@ -23,7 +23,7 @@ std::unique_ptr<ReportSource> encoder(SimulatedEncoder::Position position,
         .value();
 }
 
-// Up 400 mm and down again in four seconds, 0.05 mm a count: 6,283 edges a second at the most.
+// Goes up 400 mm and down again in four seconds, 0.05 mm a count: 6,283 edges a second at the most.
 double hand(Timestamp time)
 {
     return 4000 - 4000 * std::cos(to_seconds(time) * kPi / 2);

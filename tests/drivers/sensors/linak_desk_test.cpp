@@ -58,7 +58,7 @@ TEST_F(LinakDesk, TellsItsHeightInTenthsOfAMillimetre)
     EXPECT_EQ(read(**source), kLinakCountsBelow);
 }
 
-// By its users' traces: feature 3, feature 5 with four times 0x8001, and nothing else.
+// The traces of its users show feature 3, feature 5 with four times 0x8001, and nothing else.
 TEST_F(LinakDesk, IsInitialisedAndNeverMoved)
 {
     auto const source = open().value();

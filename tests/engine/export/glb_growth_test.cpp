@@ -131,7 +131,7 @@ TEST_F(GlbGrowth, HasATargetForEachAge)
     }
 }
 
-// Up to how far a ring is from the bend that the young plant's own mesh would round otherwise.
+// Distance of a ring, at most, from the bend that the young plant's own mesh would round otherwise.
 TEST_F(GlbGrowth, LooksAtEachAgeAsTheYoungPlantItselfDoes)
 {
     std::vector<AgedMesh::Vertices> vertices;

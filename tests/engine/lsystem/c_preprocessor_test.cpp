@@ -143,7 +143,7 @@ std::vector<Signature> const kFunctions { { "f", { "x" } },
 
 class RandomTokens {
 public:
-    // In the body of a macro with these parameters.
+    // Makes tokens for the body of a macro with these parameters.
     explicit RandomTokens(std::vector<std::string> parameters, bool is_in_body = true)
         : parameters_(std::move(parameters))
         , is_in_body_(is_in_body)

@@ -79,7 +79,7 @@ Result<Model> compile_entry(nlohmann::json const& entry)
                         entry["view"].is_string() ? entry["view"].get<std::string>() : "");
 }
 
-// Without the files that it names.
+// Compiles without the files that the model names.
 Result<Model> compile_alone(nlohmann::json const& entry)
 {
     auto const folder = corpus() / "lsystems" / entry["saved"].get<std::string>();

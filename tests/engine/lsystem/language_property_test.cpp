@@ -307,7 +307,7 @@ double value(Expression const& expression)
     return compute(expression.op, left, expression.right ? value(*expression.right) : left);
 }
 
-// With no more parentheses than it takes.
+// Prints no more parentheses than it takes.
 std::string print(Expression const& expression, int level)
 {
     if (!expression.left)

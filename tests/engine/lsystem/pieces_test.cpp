@@ -18,7 +18,7 @@ std::string text(Vec3 const& v)
     return fmt::format("{:a},{:a},{:a}", v.x(), v.y(), v.z());
 }
 
-// All that a plant has, to the last bit.
+// Returns all that a plant has, to the last bit.
 std::string dump(TurtlePlant const& drawn)
 {
     auto const& plant = drawn.plant;

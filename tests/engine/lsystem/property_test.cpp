@@ -202,7 +202,7 @@ RC_GTEST_PROP(LSystemProperty, ContextsThatChangeNothingChangeNothing, ())
         contexts += '\n' + predecessor + " --> " + successor;
     }
     auto const steps = *rc::gen::inRange(1, 4);
-    // By the table of contexts, and, as it knows no parameters, by the search.
+    // Contexts are found by the table, and, as it knows no parameters, by the search.
     for (std::string const more : { "", "\nZ(x) --> Z(x)" }) {
         auto const one = compiled(with_header(plain + more, steps));
         auto const other = compiled(with_header(contexts + more, steps));

@@ -73,7 +73,7 @@ TEST(Queries, AreFilledInLargePlants)
     EXPECT_NEAR(last[0], 0, 1e-3f);
     EXPECT_EQ(last[1], 131072.0f);
 
-    // With branches, generalised cylinders and patches open at all times.
+    // Branches, generalised cylinders and patches are open at all times.
     auto const rich = compiled(with_header("Axiom: [[@PS(1)@Gs[@Gc(2)A]F]F]?P(0,0,0)\nA --> AA\n"
                                            "homomorphism\nA --> F(1)@Gc(2)[+F(1)~l@Gc(2)]@PD(1)",
                                            16));

@@ -54,7 +54,7 @@ inline Plant random_plant(std::uint64_t seed, std::uint32_t axis_count)
     return plant;
 }
 
-// Up to a few hundred axes: more than one piece of a surface.
+// Makes up to a few hundred axes: more than one piece of a surface.
 inline rc::Gen<Plant> random_plants()
 {
     return rc::gen::apply(random_plant, rc::gen::arbitrary<std::uint64_t>(),

@@ -103,11 +103,11 @@ TEST(SelectionView, ProjectsAsItShows)
 
 TEST(SelectionView, LooksFromWhereOneStands)
 {
-    // From the right side what is far from the user is to the right.
+    // Seen from the right side, what is far from the user is to the right.
     auto const plant = small_plant();
     auto const side = fit_selection_view(plant, { .azimuth_deg = 90 });
     EXPECT_GT(side.tablet_of_plant({ 0, 50, 0 }).x(), side.tablet_of_plant({ 0, -50, 0 }).x());
-    // From above, too.
+    // The same holds from above.
     auto const high = fit_selection_view(plant, { .elevation_deg = 80 });
     EXPECT_GT(high.tablet_of_plant({ 0, 50, 0 }).y(), high.tablet_of_plant({ 0, -50, 0 }).y());
 

@@ -54,7 +54,7 @@ void expect_positions(fs::path const& path, int steps, int final_step, json cons
     }
 }
 
-// Each grammar of the folder against what another program counts in its leaves.
+// Compares each grammar of the folder with what another program counts in its leaves.
 void expect_counts(fs::path const& folder, std::size_t grammars)
 {
     auto const expected = read_json(folder / "counts.json");

@@ -20,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SourceText {
-    std::string path; // From the root.
-    std::string text; // Without comments.
+    std::string path; // Path from the root.
+    std::string text; // Text without comments.
 };
 
 std::string without_comments(std::string const& text)

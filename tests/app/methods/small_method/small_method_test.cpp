@@ -113,7 +113,7 @@ TEST_F(SmallMethodSession, KeepsWhatIsDrawnAndUndone)
     EXPECT_EQ(again.scene().indicators[0].what.end_mm, drawn.end_mm);
 }
 
-// By a program without the method.
+// A program without the method opens the session.
 TEST_F(SmallMethodSession, StaysInASessionThatDoesNotKnowIt)
 {
     {

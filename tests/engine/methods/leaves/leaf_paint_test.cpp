@@ -288,7 +288,7 @@ TEST_F(LeafPaint, GrowsOldFromItsTip)
     EXPECT_LT(before, 0.5f);
 }
 
-// At the end it has the third colour everywhere, whatever the first two are.
+// The leaf has the third colour everywhere at the end, whatever the first two are.
 TEST_F(LeafPaint, DiesAtLast)
 {
     auto const one

@@ -110,7 +110,8 @@ std::string labels_of(Leaf const& leaf, FaceId face)
         if (leaf.map().face(d) == face) {
             auto cycle = leaf.map().cycle(d);
             std::string text;
-            // From the edge O on, as people read them; a part without one from its first dart.
+            // Labels from the edge O on, as people read them; of a part without one, from its first
+            // dart.
             for (std::size_t i = 0; i < cycle.size(); ++i)
                 if (leaf.map().label(cycle[i]) == EdgeLabel::Origin) {
                     std::rotate(cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(i),

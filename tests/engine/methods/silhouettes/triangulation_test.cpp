@@ -17,7 +17,7 @@ double area_of(ChordalAxis const& axis, Triangle const& triangle)
     return cross(p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]) / 2;
 }
 
-// By how much the worst chord is not Delaunay's; the determinant of in_circle().
+// Returns by how much the worst chord is not Delaunay's; the determinant of in_circle().
 double worst_circle(ChordalAxis const& axis)
 {
     double worst = -std::numeric_limits<double>::infinity();

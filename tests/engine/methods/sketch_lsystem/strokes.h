@@ -15,7 +15,7 @@ inline std::vector<Vec3> straight_stroke(double length_mm, int pieces = 1000)
     return tips;
 }
 
-// From the origin upwards and over to the right.
+// A stroke from the origin upwards and over to the right.
 inline std::vector<Vec3> half_circle(double radius_mm, int pieces = 20'000)
 {
     std::vector<Vec3> tips;
@@ -26,7 +26,7 @@ inline std::vector<Vec3> half_circle(double radius_mm, int pieces = 20'000)
     return tips;
 }
 
-// Each way in fifty pieces.
+// A polyline with fifty pieces from corner to corner.
 inline std::vector<Vec3> polyline(std::vector<Vec3> const& corners)
 {
     std::vector<Vec3> tips;
@@ -36,7 +36,7 @@ inline std::vector<Vec3> polyline(std::vector<Vec3> const& corners)
     return tips;
 }
 
-// Up, to the right, and towards the user.
+// A stroke up, to the right, and towards the user.
 inline std::vector<Vec3> corner_in_space()
 {
     return polyline({ { 0, 0, 0 }, { 0, 0, 30 }, { 30, 0, 30 }, { 30, -30, 30 } });
