@@ -4,11 +4,17 @@
 
 namespace tractus {
 
-// "segment 6 of branch 2 at segment 4 of stem 1", all counted from 1.
+// "segment 6 of branch 2 at segment 4 of stem 1", all counted from 1; of a branch that its source
+// names, "40 % of a branch that is gone".
 static std::string place_in_words(SegmentAddress const& address)
 {
     std::string words;
-    for (std::size_t i = 0; i + 1 < address.size(); i += 2) {
+    std::size_t begin = 0;
+    if (address.size() >= 4 && address[0] == kKeyedAxis) {
+        words = fmt::format("{:.0f} % of a branch that is gone", address[3] / 0x1p31 * 100);
+        begin = 4;
+    }
+    for (std::size_t i = begin; i + 1 < address.size(); i += 2) {
         auto const axis = fmt::format("{} {}", i == 0 ? "stem" : "branch", address[i] + 1);
         words = fmt::format("segment {} of {}{}{}", address[i + 1] + 1, axis,
                             words.empty() ? "" : " at ", words);

@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "engine/lsystem/limits.h"
+#include "engine/plant/branch_address.h"
 #include "engine/plant/plant.h"
 
 #include <cstdint>
@@ -27,6 +28,7 @@ using MakeLoadOptions = std::function<LoadOptions()>;
 struct BuiltSource {
     Plant plant {};
     std::vector<std::string> warnings {}; // Once each: what was asked for and is not done.
+    AxisKeys axis_keys {};
 };
 
 // A way to make base plants from what was drawn or written: a row of functions on values of one

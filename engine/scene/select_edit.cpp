@@ -52,6 +52,8 @@ std::string described(Select const& edit)
         segments += segment_count(path);
     for (auto const& path : edit.paths)
         segments += path.size();
+    if (segments == 0)
+        return fmt::format("selects {}", counted(paths, "path"));
     return fmt::format("selects {}, {}", counted(paths, "path"), counted(segments, "segment"));
 }
 

@@ -58,7 +58,7 @@ void find_axis_shape(Plant const& plant, AxisId id, RestShape& shape)
 
 } // namespace
 
-RestShape find_rest_shape(Plant const& plant)
+RestShape find_rest_shape(Plant const& plant, AxisKeys keys)
 {
     RestShape shape;
     shape.levels = find_axis_levels(plant);
@@ -70,7 +70,7 @@ RestShape find_rest_shape(Plant const& plant)
         for (auto const id : axes)
             find_axis_shape(plant, id, shape);
     });
-    shape.addresses = AddressIndex(plant);
+    shape.addresses = AddressIndex(plant, std::move(keys));
     shape.drawing_order = axes_in_drawing_order(plant, shape.axis_length_mm);
     return shape;
 }

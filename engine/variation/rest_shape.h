@@ -26,6 +26,7 @@ struct RestShape {
     AddressIndex addresses;             // Addresses of what was drawn.
 };
 
-RestShape find_rest_shape(Plant const& plant);
+// `keys` as of AddressIndex.
+RestShape find_rest_shape(Plant const& plant, AxisKeys keys = {});
 
 } // namespace tractus

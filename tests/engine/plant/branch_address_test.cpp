@@ -47,6 +47,38 @@ TEST(BranchAddress, HoldsWhenThePlantChangesElsewhere)
               (std::vector<SegmentId> { 1, 9, 12, 13 }));
 }
 
+// A branch with a key is found wherever it stands and however many segments it has.
+TEST(BranchAddress, FollowsTheKeyOfAnAxis)
+{
+    auto const plant = hand_made_plant();
+    std::vector<SegmentId> const path { 4, 5, 6 };
+    AxisKeys keys(plant.axes.size(), 0);
+    keys[axis_of(plant, 4)] = axis_key("right");
+    AddressIndex const index(plant, keys);
+    auto const address = index.address_of(plant, path);
+    EXPECT_EQ(address.first.front(), kKeyedAxis);
+    EXPECT_EQ(index.find_path(plant, address), path);
+    for (SegmentId segment = 0; segment < plant.segment_count(); ++segment)
+        EXPECT_EQ(index.find_segment(plant, index.address_of(plant, segment)),
+                  std::optional(segment));
+
+    Plant changed;
+    auto const trunk = add_axis(changed, straight({ 0, 0, 0 }, { 0, 0, 400 }, 9));
+    add_axis(changed, straight({ 0, 0, 100 }, { 0, 90, 100 }, 5), trunk, 0);
+    auto const right = add_axis(changed, straight({ 0, 0, 300 }, { 150, 0, 200 }, 7), trunk, 6);
+    AxisKeys changed_keys(changed.axes.size(), 0);
+    changed_keys[right] = axis_key("right");
+    auto const first = changed.axes[right].first_segment;
+    auto const found = AddressIndex(changed, changed_keys).find_path(changed, address);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->front(), first);
+    EXPECT_EQ(found->back(), first + 6) << "the whole branch stays the whole";
+    EXPECT_EQ(AddressIndex(changed).find_path(changed, address), std::nullopt);
+    changed_keys[trunk] = axis_key("right");
+    EXPECT_EQ(AddressIndex(changed, changed_keys).find_path(changed, address), std::nullopt)
+        << "two of the same name have none";
+}
+
 TEST(BranchAddress, FindsNothingOnAnEmptyPlantOrByAnEmptyAddress)
 {
     EXPECT_EQ(AddressIndex().find_segment({}, { 0, 0 }), std::nullopt);
