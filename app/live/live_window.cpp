@@ -110,6 +110,7 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
     CHECK(options.now && !options.methods.tools.empty());
     StationOptions station_options;
     station_options.tools = options.methods.tools;
+    station_options.layers = options.methods.layers;
     bool const has_sensor = has_height_sensor(devices);
     bool const lacks_calibration = tractus::lacks_calibration(devices, options);
     auto const mouse = TRY(add_mouse(devices, options));

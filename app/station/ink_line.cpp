@@ -64,15 +64,6 @@ InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool)
     return line;
 }
 
-InkLine indicator_line(MotionIndicator const& indicator)
-{
-    InkLine line;
-    line.look = InkStyle::Look::Arrow;
-    for (auto const& place_mm : { indicator.start_mm, indicator.end_mm })
-        line.points.push_back({ place_mm.cast<float>(), static_cast<float>(kInkWidth_mm) });
-    return line;
-}
-
 InkLine thinned(InkLine const& line)
 {
     if (line.points.empty())

@@ -18,6 +18,4 @@ inline constexpr double kThinned_mm = 0.05;
 // The same line with as few of its points as that allows, of which the first and the last are two.
 InkLine thinned(InkLine const& line);
 
-InkLine indicator_line(MotionIndicator const& indicator);
-
 } // namespace tractus

@@ -81,6 +81,7 @@ Result<LogReplay> LogReplay::create(Log const& log, ReplayOptions const& options
     auto const pen = find_pen(log);
     StationOptions station_options;
     station_options.tools = options.methods.tools;
+    station_options.layers = options.methods.layers;
     station_options.rig = TRY(choose_rig(log, pen, options));
     if (options.height)
         station_options.scripted_height = TRY(script_height(log, pen, *options.height));

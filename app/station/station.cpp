@@ -50,6 +50,7 @@ Station::Station(StationOptions const& options)
     , remembered_kinds_(kinds_to_remember(options.tools))
     , tool_in_hand_(first_tool(options))
     , tools_(options.tools)
+    , layers_(options.layers)
 {
 }
 

@@ -27,6 +27,7 @@ struct StationOptions {
     Rig rig;
     std::optional<ScriptedHeight> scripted_height; // In place of a height sensor.
     ToolKinds tools {};                            // That there are.
+    Layers layers {};                              // Likewise.
     // What the pen means until a tool line says otherwise; no value: the first of them.
     std::optional<Tool> tool {};
 };
@@ -135,6 +136,7 @@ public:
     bool pen_rests() const;
     Tool const& tool() const { return tool_in_hand_; }
     ToolKinds tools() const { return tools_; } // That there are.
+    Layers layers() const { return layers_; }  // Likewise.
     // The tools that other ends of the pen are, as they were chosen last.
     std::vector<Tool> remembered() const;
     // What another station has to be given, in order, for both ends of the pen to mean the same.
@@ -197,6 +199,7 @@ private:
     std::vector<Tool> forgotten_;
     Tool tool_in_hand_; // When it does not press.
     ToolKinds tools_;
+    Layers layers_;
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
     std::vector<PenMoment> moments_;  // Not taken yet.
     std::vector<ToolStroke> strokes_; // Not taken yet.

@@ -34,6 +34,7 @@ StationView::StationView(Station const& station, Document const& document)
         }))
 {
     state_.volume_mm = station.volume_mm();
+    layers_ = station.layers();
     show_scene(document.newest());
 }
 
@@ -60,6 +61,7 @@ void StationView::begin_again(Station const& station, Document const& document)
     shown_pen_samples_ = 0;
     finished_strokes_ = station.counts().strokes;
     state_.volume_mm = station.volume_mm();
+    layers_ = station.layers();
     ++state_.live_revision;
     show_live(station, document);
     show_scene(document.newest());
@@ -195,6 +197,8 @@ void StationView::show_scene(std::shared_ptr<Snapshot const> const& snapshot)
     state_.T_world_plant = Eigen::Translation3f(placement.origin_mm.cast<float>())
         * Eigen::Scaling(static_cast<float>(placement.scale));
     show_strokes(snapshot->scene);
+    show_layers(snapshot->scene);
+    state_.paper = paper_of(snapshot->scene.state);
     grow_plant(snapshot);
     show_skeleton();
     shown_touched_.reset();
@@ -224,11 +228,17 @@ void StationView::show_strokes(Scene const& scene)
         }
         inked.push_back(tips);
     }
-    for (auto const& indicator : scene.indicators)
-        lines.push_back(indicator_line(indicator.what));
     inked_ = std::move(inked);
     state_.strokes = std::move(lines);
     ++state_.strokes_revision;
+}
+
+void StationView::show_layers(Scene const& scene)
+{
+    state_.layers.clear();
+    for (auto const* const layer : layers_)
+        if (auto lines_mm = layer->lines(scene); !lines_mm.empty())
+            state_.layers.push_back({ layer, std::move(lines_mm) });
 }
 
 void StationView::list_orphans(Scene const& scene)
@@ -243,14 +253,8 @@ void StationView::list_orphans(Scene const& scene)
 
 void StationView::show_skeleton(ShownSkeleton::Touched const& touched)
 {
-    auto const& scene = *grown_scene_;
     state_.skeleton = skeleton_.lines(touched);
     state_.skeleton_box_mm = skeleton_.box_mm();
-    state_.indicators.clear();
-    for (auto const& [id, indicator, at] : scene.indicators)
-        state_.indicators.push_back(
-            { scene.placement.plant_of_world(indicator.start_mm).cast<float>(),
-              scene.placement.plant_of_world(indicator.end_mm).cast<float>() });
     ++state_.skeleton_revision;
 }
 

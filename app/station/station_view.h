@@ -81,6 +81,7 @@ private:
     void show_surface(Station const& station);
     void show_scene(std::shared_ptr<Snapshot const> const& snapshot);
     void show_strokes(Scene const& scene);
+    void show_layers(Scene const& scene);
     void show_variations();
     void show_preview(Station const& station);
     void take_preview();
@@ -97,6 +98,7 @@ private:
     std::uint64_t shown_drawn_revision_ = 0;   // and of what is seen as drawn.
     // The strokes that state_.strokes begins with, in its order: they need not be in memory.
     std::vector<SharedVector<TipSample>> inked_;
+    Layers layers_;
     std::size_t finished_strokes_ = 0;
     std::size_t shown_pen_samples_ = 0;
     double shown_surface_mm_ = 0; // That the last picture of the pad was made for.

@@ -4,12 +4,14 @@
 #include "app/diagnosis/device_monitor.h"
 #include "app/diagnosis/finding.h"
 #include "app/render/image.h"
+#include "app/tools/layer.h"
 #include "app/tools/skeleton_line.h"
 #include "app/tools/tool.h"
 #include "engine/base/time.h"
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"
+#include "engine/scene/paper.h"
 
 #include <Eigen/Geometry>
 #include <cstddef>
@@ -40,10 +42,10 @@ struct OrphanView {
         place; // Where its branch was: "up to segment 6 of branch 2 at segment 4 of stem 1".
 };
 
-// A direction in which the plant is made to lean. Plant frame.
-struct IndicatorArrow {
-    Vec3f from_mm = Vec3f::Zero();
-    Vec3f to_mm = Vec3f::UnitZ();
+// The lines of a layer for the active plant. World frame.
+struct ShownLayer {
+    Layer const* layer = nullptr; // Never null.
+    std::vector<std::vector<Vec3f>> lines_mm;
 };
 
 // The pen as the window shows it. World frame.
@@ -105,10 +107,11 @@ struct WindowState {
 
     std::uint64_t skeleton_revision = 0;
     std::vector<SkeletonLine> skeleton;
-    std::vector<IndicatorArrow> indicators;
+    std::vector<ShownLayer> layers; // That have lines; changed with the strokes, too.
     Bounds skeleton_box_mm; // Of the whole plant: what the selection view fits. Plant frame.
     // Puts the skeleton into the volume.
     Eigen::Affine3f T_world_plant = Eigen::Affine3f::Identity();
+    Paper paper {}; // That tools draw on which draw on paper. Changes with the strokes.
 
     std::uint64_t plant_revision = 0;
     // The newest one; null before the first. Lives until the next advance() or settle().

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/tools/layer.h"
 #include "app/tools/tool_kind.h"
 #include "engine/base/result.h"
 #include "engine/scene/edit_kind.h"
@@ -24,6 +25,7 @@ using AddCommand
 struct Methods {
     EditKinds edits {};
     ToolKinds tools {};
+    Layers layers {};
     std::span<AddCommand const> commands {};
 };
 

@@ -11,6 +11,7 @@ struct Palette {
     Vec3f ink; // Being drawn.
     Vec3f stroke;
     Vec3f indicator;
+    Vec3f purple; // Of layers that need one more.
     Vec3f unselected;
     Vec3f undetermined;
     Vec3f selected;

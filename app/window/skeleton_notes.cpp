@@ -27,7 +27,8 @@ void draw_skeleton_legend(SkeletonStates const& states, ImVec2 const& corner_px)
                       text);
     };
     auto const& palette = theme::palette();
-    add(states.leaning, palette.indicator, "leaning");
+    for (auto const* const layer : states.layers)
+        add(true, layer_color(layer->style), layer->label);
     add(states.assigned, palette.assigned, "shaped by a stroke");
     add(states.undetermined, palette.undetermined, "undetermined");
     add(states.selected, palette.selected, "selected");

@@ -167,11 +167,121 @@ void add_flat_line(WindowState const& state, SkeletonLine const& line, Vec3f con
     auto& curve = curves.emplace_back();
     curve.look = Curve::Look::Flat;
     curve.points.reserve(line.points_mm.size());
+    auto const T_pad_plant = pad_of_world(state) * state.T_world_plant;
     for (auto const& point : line.points_mm)
-        curve.points.push_back({ state.T_world_plant * point, color, 1.5f });
+        curve.points.push_back({ T_pad_plant * point, color, 1.5f });
 }
 
+// The parts of a line that a pattern leaves: so much drawn, so much left out, by turns.
+std::vector<std::vector<Vec3f>> dashes(std::vector<Vec3f> const& points_mm, float drawn_mm,
+                                       float left_out_mm)
+{
+    std::vector<std::vector<Vec3f>> parts { { points_mm.front() } };
+    bool draws = true;
+    float to_go_mm = drawn_mm;
+    for (std::size_t i = 1; i < points_mm.size(); ++i) {
+        Vec3f from_mm = points_mm[i - 1];
+        for (float way_mm = (points_mm[i] - from_mm).norm(); way_mm > to_go_mm;
+             way_mm = (points_mm[i] - from_mm).norm()) {
+            from_mm += (points_mm[i] - from_mm) * (to_go_mm / way_mm);
+            if (draws)
+                parts.back().push_back(from_mm);
+            else
+                parts.push_back({ from_mm });
+            draws = !draws;
+            to_go_mm = draws ? drawn_mm : left_out_mm;
+        }
+        to_go_mm -= (points_mm[i] - from_mm).norm();
+        if (draws)
+            parts.back().push_back(points_mm[i]);
+    }
+    if (parts.back().size() < 2)
+        parts.pop_back();
+    return parts;
+}
+
+std::vector<std::vector<Vec3f>> with_pattern(std::vector<Vec3f> const& line_mm,
+                                             LayerStyle const& style)
+{
+    constexpr float kMostDashes = 300; // Of a line, however long.
+    float length_mm = 0;
+    for (std::size_t i = 1; i < line_mm.size(); ++i)
+        length_mm += (line_mm[i] - line_mm[i - 1]).norm();
+    auto const width_mm = static_cast<float>(style.width_mm);
+    switch (style.pattern) {
+    case LayerStyle::Pattern::Dashed: {
+        float const drawn_mm = std::max(4 * width_mm, length_mm / kMostDashes);
+        return dashes(line_mm, drawn_mm, 0.6f * drawn_mm);
+    }
+    case LayerStyle::Pattern::Dotted: {
+        float const drawn_mm = std::max(width_mm, length_mm / kMostDashes);
+        return dashes(line_mm, drawn_mm, 1.5f * drawn_mm);
+    }
+    case LayerStyle::Pattern::Solid:
+        break;
+    }
+    return { line_mm };
+}
+
+// World frame, widths in millimetres.
+std::vector<Curve> layer_curves(WindowState const& state)
+{
+    std::vector<Curve> curves;
+    for (auto const& [layer, lines_mm] : state.layers) {
+        auto const& style = layer->style;
+        for (auto const& line_mm : lines_mm)
+            for (auto const& part_mm : with_pattern(line_mm, style)) {
+                auto& curve = curves.emplace_back();
+                if (style.end == LayerStyle::End::Arrow)
+                    curve.end = Curve::End::Arrow;
+                for (auto const& point_mm : part_mm)
+                    curve.points.push_back(
+                        { point_mm, layer_color(style), static_cast<float>(style.width_mm) });
+            }
+    }
+    return curves;
+}
+
+constexpr float kLayerWidth_px_per_mm = 1.45f; // In the skeleton's view.
+
 } // namespace
+
+bool draws_on_paper(WindowState const& state)
+{
+    return state.hand.kind().surface == Surface::Paper;
+}
+
+Eigen::Affine3f pad_of_world(WindowState const& state)
+{
+    Eigen::Affine3f T_pad_world = Eigen::Affine3f::Identity();
+    if (!draws_on_paper(state))
+        return T_pad_world;
+    auto const& paper = state.paper;
+    T_pad_world.linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+    T_pad_world.translation()
+        = Vec3(paper.base_mm.x() - paper.stands_mm.x(), paper.base_mm.y() - paper.stands_mm.z(),
+               state.surface_height_mm + paper.stands_mm.y())
+              .cast<float>();
+    return T_pad_world;
+}
+
+Vec3f layer_color(LayerStyle const& style)
+{
+    auto const& palette = theme::palette();
+    switch (style.color) {
+    case LayerStyle::Color::Orange:
+        return palette.indicator;
+    case LayerStyle::Color::Blue:
+        return palette.selected;
+    case LayerStyle::Color::Green:
+        return palette.assigned;
+    case LayerStyle::Color::Purple:
+        return palette.purple;
+    case LayerStyle::Color::Grey:
+        break;
+    }
+    return palette.unselected;
+}
 
 std::vector<Curve> pad_skeleton_curves(WindowState const& state)
 {
@@ -201,6 +311,16 @@ std::vector<Curve> pad_stroke_curves(WindowState const& state)
 {
     std::vector<Curve> curves;
     add_ink(state.strokes, theme::palette().stroke, curves);
+    for (auto& curve : layer_curves(state)) {
+        curve.width_unit = Curve::WidthUnit::Millimetres;
+        curve.look = Curve::Look::Flat;
+        curve.fades = true;
+        curves.push_back(std::move(curve));
+    }
+    auto const T_pad_world = pad_of_world(state);
+    for (auto& curve : curves)
+        for (auto& point : curve.points)
+            point.position_mm = T_pad_world * point.position_mm;
     return curves;
 }
 
@@ -209,7 +329,8 @@ std::vector<Curve> pad_live_curves(WindowState const& state)
     std::vector<Curve> curves;
     add_volume(state, curves);
     add_surface_grid(state, curves);
-    if (state.hand.kind().surface == Surface::Space)
+    auto const surface = state.hand.kind().surface;
+    if (surface == Surface::Space || surface == Surface::Paper)
         add_ink(state.live_ink, theme::palette().ink, curves);
     add_pen(state, curves);
     return curves;
@@ -232,7 +353,8 @@ SkeletonStates skeleton_states(WindowState const& state)
         states.undetermined |= line.state == SkeletonLine::State::Undetermined;
         states.assigned |= line.state == SkeletonLine::State::Assigned;
     }
-    states.leaning = !state.indicators.empty();
+    for (auto const& shown : state.layers)
+        states.layers.push_back(shown.layer);
     return states;
 }
 
@@ -260,11 +382,13 @@ std::vector<Curve> skeleton_curves(WindowState const& state)
         for (auto const& point : line.points_mm)
             curve.points.push_back({ point, state_color(line.state), width_px(line, widest) });
     }
-    for (auto const& arrow : state.indicators) {
-        auto& curve = curves.emplace_back();
-        curve.end = Curve::End::Arrow;
-        curve.points = { { arrow.from_mm, theme::palette().indicator, 5 },
-                         { arrow.to_mm, theme::palette().indicator, 5 } };
+    auto const T_plant_world = state.T_world_plant.inverse();
+    for (auto& curve : layer_curves(state)) {
+        for (auto& point : curve.points) {
+            point.position_mm = T_plant_world * point.position_mm;
+            point.width *= kLayerWidth_px_per_mm;
+        }
+        curves.push_back(std::move(curve));
     }
     return curves;
 }

@@ -10,18 +10,26 @@
 namespace tractus {
 
 // The drawing pad's picture, in parts by what they change with, so that what did not change is not
-// made again: the skeleton, faintly; the branches that the ink would move; finished strokes; and
-// what follows the hand at once: a grid at the surface, the volume below it, the ink, the pen's tip
-// and its drop line.
+// made again: the skeleton, faintly; the branches that the ink would move; finished strokes and the
+// layers' lines; and what follows the hand at once: a grid at the surface, the volume below it, the
+// ink, the pen's tip and its drop line.
+//
+// A tool that draws on paper has the drawing volume turned: the sheet that stands in it lies on the
+// surface, seen from its front.
 std::vector<Curve> pad_skeleton_curves(WindowState const& state);
 std::vector<Curve> pad_preview_curves(WindowState const& state);
 std::vector<Curve> pad_stroke_curves(WindowState const& state);
 std::vector<Curve> pad_live_curves(WindowState const& state);
 
+bool draws_on_paper(WindowState const& state);
+
+// From the world to where the pad shows it.
+Eigen::Affine3f pad_of_world(WindowState const& state);
+
 // Ink grows paler with the depth below the surface: half way to the background at the floor.
 Stage::Fade pad_fade(WindowState const& state);
 
-// The skeleton with its states, the indicators, and a ring on the ground.
+// The skeleton with its states, the layers' lines, and a ring on the ground.
 std::vector<Curve> skeleton_curves(WindowState const& state);
 
 // Which of its colours the skeleton has.
@@ -29,9 +37,11 @@ struct SkeletonStates {
     bool selected = false;
     bool undetermined = false;
     bool assigned = false;
-    bool leaning = false; // There are indicators.
+    std::vector<Layer const*> layers {}; // That have lines.
 };
 SkeletonStates skeleton_states(WindowState const& state);
+
+Vec3f layer_color(LayerStyle const& style);
 
 // The branches that the ink would move, as the skeleton shows them.
 std::vector<Curve> preview_curves(WindowState const& state);

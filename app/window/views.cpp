@@ -90,17 +90,24 @@ void PadView::show(WindowState const& state, Renderer& renderer, PenArea const& 
                    ImVec2 const& size_px)
 {
     bool changed = std::exchange(px_per_mm_, area.px_per_mm) != area.px_per_mm;
-    changed
-        |= skeleton_.follow(state.skeleton_revision, [&] { return pad_skeleton_curves(state); });
-    changed |= preview_.follow(state.preview_revision, [&] { return pad_preview_curves(state); });
-    changed |= strokes_.follow(state.strokes_revision, [&] { return pad_stroke_curves(state); });
+    // A sheet of paper moves with the surface, and what is drawn on it.
+    auto const T_pad_world = pad_of_world(state);
+    turns_ += T_pad_world.matrix() != T_pad_world_.matrix();
+    T_pad_world_ = T_pad_world;
+    changed |= skeleton_.follow(state.skeleton_revision + turns_,
+                                [&] { return pad_skeleton_curves(state); });
+    changed |= preview_.follow(state.preview_revision + turns_,
+                               [&] { return pad_preview_curves(state); });
+    changed |= strokes_.follow(state.strokes_revision + turns_,
+                               [&] { return pad_stroke_curves(state); });
     changed |= live_.follow(state.live_revision, [&] { return pad_live_curves(state); });
     auto const& canvas = canvas_.sized(size_px, changed);
     if (changed) {
         Stage stage;
         stage.curves = { skeleton_.curves(), preview_.curves(), strokes_.curves(), live_.curves() };
         stage.backdrop = plain_backdrop();
-        stage.hidden_above_mm = state.surface_height_mm + kAboveSurface_mm;
+        if (!draws_on_paper(state))
+            stage.hidden_above_mm = state.surface_height_mm + kAboveSurface_mm;
         stage.fade = pad_fade(state);
         renderer.draw(stage, pad_camera(state, area, canvas), canvas);
     }

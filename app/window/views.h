@@ -67,6 +67,8 @@ private:
     FollowedCurves preview_;
     FollowedCurves strokes_;
     FollowedCurves live_;
+    Eigen::Affine3f T_pad_world_ = Eigen::Affine3f::Identity();
+    std::uint64_t turns_ = 0; // Of that.
     double px_per_mm_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "engine/scene/document_state.h"
 
 #include <algorithm>
+#include <fmt/core.h>
 #include <utility>
 
 namespace tractus {
@@ -12,6 +13,14 @@ std::optional<std::size_t> find_plant(DocumentState const& state, ItemId id)
     if (found == state.plants.end())
         return std::nullopt;
     return static_cast<std::size_t>(found - state.plants.begin());
+}
+
+Result<std::size_t> plant_number(DocumentState const& state, ItemId id)
+{
+    auto const number = find_plant(state, id);
+    if (!number)
+        return fail(Fault::User, fmt::format("there is no plant {} any more", name_of(id)));
+    return *number;
 }
 
 PlantState const* active_plant(DocumentState const& state)
@@ -53,7 +62,8 @@ DocumentState with_source(DocumentState state, NewSource added)
 {
     if (added.drawn == Drawn::Beside) {
         auto const id = take_id(state, added.id);
-        add_plant(state, { .id = id, .stands_at_mm = added.stands_at_mm });
+        add_plant(state,
+                  { .id = id, .stands_at_mm = added.stands_at_mm, .paper_mm = added.paper_mm });
     }
     change_active(state, [&](PlantState& plant) {
         plant.name = std::move(added.name);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/result.h"
 #include "engine/base/shared_list.h"
 #include "engine/base/shared_vector.h"
 #include "engine/scene/anchored.h"
@@ -26,7 +27,9 @@ struct PlantState {
     PlantSource source {};
     std::uint64_t source_edit = 0;    // The number of the edit that brought the source.
     Vec3 stands_at_mm = Vec3::Zero(); // Its base. World frame.
-    bool is_hidden = false;           // Neither shown nor exported.
+    // Where its base is on the paper that it was drawn on (paper.h); no value: on none.
+    std::optional<Vec2> paper_mm {};
+    bool is_hidden = false; // Neither shown nor exported.
 
     SharedVector<PathAddress> selection {};
     // In order: a later one overrides an earlier one. Each is at one path.
@@ -52,6 +55,9 @@ struct DocumentState {
 // The number of a plant in the document's list; no value where there is none of this id.
 std::optional<std::size_t> find_plant(DocumentState const& state, ItemId id);
 
+// Like find_plant(), but fails, as the user's fault, where there is none.
+Result<std::size_t> plant_number(DocumentState const& state, ItemId id);
+
 // Null where the document has no plant.
 PlantState const* active_plant(DocumentState const& state);
 
@@ -73,6 +79,7 @@ struct NewSource {
     PlantSource source {};
     Drawn drawn = Drawn::Forget;
     Vec3 stands_at_mm = Vec3::Zero(); // Of one that is added.
+    std::optional<Vec2> paper_mm {};  // Likewise.
     ItemId id = 0;
 };
 DocumentState with_source(DocumentState state, NewSource added);

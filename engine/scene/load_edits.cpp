@@ -38,7 +38,11 @@ template<typename T> void list_plant(Fields& fields, T& edit)
 
 template<typename T> NewSource new_source(T const& edit, std::string name, SourceKind const& kind)
 {
-    return { std::move(name), PlantSource(kind, edit), edit.drawn, edit.stands_at_mm, edit.id };
+    return { .name = std::move(name),
+             .source = PlantSource(kind, edit),
+             .drawn = edit.drawn,
+             .stands_at_mm = edit.stands_at_mm,
+             .id = edit.id };
 }
 
 void list(Fields& fields, LoadModel& edit)

@@ -11,14 +11,6 @@ namespace tractus {
 
 namespace {
 
-Result<std::size_t> number_of(DocumentState const& state, ItemId plant)
-{
-    auto const number = find_plant(state, plant);
-    if (!number)
-        return fail(Fault::User, fmt::format("there is no plant {} any more", name_of(plant)));
-    return *number;
-}
-
 Result<void> check_place(Vec3 const& place_mm)
 {
     if (!place_mm.allFinite())
@@ -40,7 +32,7 @@ void list(Fields& fields, ActivatePlant& edit)
 
 Result<DocumentState> applied(DocumentState state, ActivatePlant const& edit, SceneBuilder&)
 {
-    TRY(number_of(state, edit.plant));
+    TRY(plant_number(state, edit.plant));
     state.active = edit.plant;
     return state;
 }
@@ -59,7 +51,7 @@ void list(Fields& fields, MovePlant& edit)
 Result<DocumentState> applied(DocumentState state, MovePlant const& edit, SceneBuilder&)
 {
     TRY(check_place(edit.to_mm));
-    change_plant(state, TRY(number_of(state, edit.plant)),
+    change_plant(state, TRY(plant_number(state, edit.plant)),
                  [&](PlantState& plant) { plant.stands_at_mm = edit.to_mm; });
     return state;
 }
@@ -92,7 +84,7 @@ void rename_items(PlantState& plant, std::uint64_t edit)
 Result<DocumentState> applied(DocumentState state, CopyPlant const& edit, SceneBuilder&)
 {
     TRY(check_place(edit.stands_at_mm));
-    auto copy = *state.plants[TRY(number_of(state, edit.plant))];
+    auto copy = *state.plants[TRY(plant_number(state, edit.plant))];
     copy.id = take_id(state, edit.id);
     copy.stands_at_mm = edit.stands_at_mm;
     copy.is_hidden = false;
@@ -116,7 +108,7 @@ void list(Fields& fields, HidePlant& edit)
 
 Result<DocumentState> applied(DocumentState state, HidePlant const& edit, SceneBuilder&)
 {
-    change_plant(state, TRY(number_of(state, edit.plant)),
+    change_plant(state, TRY(plant_number(state, edit.plant)),
                  [&](PlantState& plant) { plant.is_hidden = edit.hidden; });
     return state;
 }
@@ -136,7 +128,7 @@ Result<DocumentState> applied(DocumentState state, NamePlant const& edit, SceneB
 {
     if (edit.name.empty())
         return fail(Fault::User, "a plant needs a name: give one");
-    change_plant(state, TRY(number_of(state, edit.plant)),
+    change_plant(state, TRY(plant_number(state, edit.plant)),
                  [&](PlantState& plant) { plant.name = edit.name; });
     return state;
 }
@@ -153,7 +145,7 @@ void list(Fields& fields, RemovePlant& edit)
 
 Result<DocumentState> applied(DocumentState state, RemovePlant const& edit, SceneBuilder&)
 {
-    auto const number = TRY(number_of(state, edit.plant));
+    auto const number = TRY(plant_number(state, edit.plant));
     state.plants.erase(state.plants.begin() + static_cast<std::ptrdiff_t>(number));
     if (state.active == edit.plant)
         state.active = state.plants.empty() ? 0 : state.plants[number == 0 ? 0 : number - 1]->id;

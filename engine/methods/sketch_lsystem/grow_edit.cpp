@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/core.h>
+#include <optional>
 #include <utility>
 
 namespace tractus::sketch {
@@ -97,6 +98,14 @@ Rule at_scale(Rule rule, double scale)
     return rule;
 }
 
+std::optional<Vec2> paper_mm(GrowAlongStroke const& edit)
+{
+    auto const tips = edit.stroke.tips.in_memory();
+    if (edit.surface != Surface::Paper || !tips || tips->empty())
+        return std::nullopt;
+    return tips->front().position_mm.head<2>();
+}
+
 Result<DocumentState> applied(DocumentState state, GrowAlongStroke const& edit, SceneBuilder&)
 {
     TRY(nodes_of(edit));
@@ -107,6 +116,7 @@ Result<DocumentState> applied(DocumentState state, GrowAlongStroke const& edit, 
                          .source = PlantSource(kSketch, edit),
                          .drawn = Drawn::Beside,
                          .stands_at_mm = stands_at_mm(edit),
+                         .paper_mm = paper_mm(edit),
                          .id = edit.id });
 }
 

@@ -448,7 +448,7 @@ TEST(LiveWindow, BeginsAgainWithTheSameTool)
     window.perform(Restart {});
     window.settle();
     EXPECT_TRUE(window.state().strokes.empty());
-    EXPECT_TRUE(window.state().indicators.empty());
+    EXPECT_TRUE(window.state().layers.empty());
     EXPECT_EQ(window.state().tool, "Motion indicator");
 }
 

@@ -72,7 +72,7 @@ TEST_F(ReplayedWindow, ShowsInkThenStrokesAndChangesThePlantAfterEach)
     EXPECT_TRUE(has_shown_ink);
     EXPECT_EQ(window.state().strokes.size(), 2u); // Strokes that select are not shown.
     EXPECT_EQ(window.state().plant_revision, before + 3);
-    EXPECT_EQ(window.state().indicators.size(), 1u);
+    EXPECT_EQ(window.state().layers.size(), 1u);
     EXPECT_EQ(window.state().progress, 1);
     EXPECT_FALSE(window.state().playing);
 }
@@ -118,7 +118,7 @@ TEST_F(ReplayedWindow, PlaysAgainFromTheBeginning)
     EXPECT_EQ(window.state().progress, 0);
     window.settle();
     EXPECT_TRUE(window.state().strokes.empty());
-    EXPECT_TRUE(window.state().indicators.empty());
+    EXPECT_TRUE(window.state().layers.empty());
     EXPECT_EQ(window.state().status, "The hand begins again");
     play(window);
     EXPECT_EQ(window.state().strokes.size(), 2u);
@@ -150,10 +150,10 @@ TEST_F(ReplayedWindow, KeepsWhatIsDrawnInASession)
               .value();
     play(window);
     EXPECT_EQ(read_session(path, all_methods().edits)->last_step(), 3u); // Includes what selects.
-    EXPECT_EQ(window.state().indicators.size(), 1u);
+    EXPECT_EQ(window.state().layers.size(), 1u);
     window.perform(Undo {});
     window.settle();
-    EXPECT_TRUE(window.state().indicators.empty());
+    EXPECT_TRUE(window.state().layers.empty());
     window.perform(Restart {});
     window.settle();
     EXPECT_TRUE(window.state().strokes.empty());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/methods/indicators/indicator_layer.h"
 #include "app/station/window_model.h"
 #include "tests/app/render/small_mesh.h"
 
@@ -30,7 +31,7 @@ inline WindowState small_state()
     for (auto const& line : state.skeleton)
         for (auto const& point : line.points_mm)
             state.skeleton_box_mm.add(point.cast<double>());
-    state.indicators = { { { -150, 0, 60 }, { -60, 0, 120 } } };
+    state.layers = { { &kIndicatorLayer, { { { -60, 0, 24 }, { -24, 0, 48 } } } } };
     state.T_world_plant.linear() *= 0.4f;
     state.tool = "Draw";
     state.status = "Drawing stroke 1 of 3";

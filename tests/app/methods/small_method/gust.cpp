@@ -54,6 +54,17 @@ Result<std::vector<Edit>> blow(Tool const& tool, Stroke const& stroke, Scene con
     return std::vector<Edit> { BlowGust { { std::move(tips) }, options.strength } };
 }
 
+// To the ground below each gust's end.
+std::vector<std::vector<Vec3f>> reaches(BuiltPlant const& plant)
+{
+    std::vector<std::vector<Vec3f>> lines;
+    for (auto const& indicator : plant.indicators) {
+        Vec3f const end_mm = indicator.what.end_mm.cast<float>();
+        lines.push_back({ end_mm, { end_mm.x(), end_mm.y(), 0 } });
+    }
+    return lines;
+}
+
 } // namespace
 
 constexpr EditKind BlowGust::kKind
@@ -71,6 +82,11 @@ constexpr ToolKind GustTool::kKind {
     .mean = blow,
 };
 
+constexpr Layer kGustLayer { .label = "gusts",
+                             .style = { .color = LayerStyle::Color::Blue,
+                                        .pattern = LayerStyle::Pattern::Dotted },
+                             .lines = reaches };
+
 Methods methods_with_gust()
 {
     static auto const edits = [] {
@@ -85,7 +101,13 @@ Methods methods_with_gust()
         all.push_back(&GustTool::kKind);
         return all;
     }();
-    return { .edits = edits, .tools = tools };
+    static auto const layers = [] {
+        auto const core = all_methods().layers;
+        std::vector<Layer const*> all(core.begin(), core.end());
+        all.push_back(&kGustLayer);
+        return all;
+    }();
+    return { .edits = edits, .tools = tools, .layers = layers };
 }
 
 } // namespace tractus

@@ -26,6 +26,9 @@ struct GustTool {
     double strength = 1; // 0.1 to 5.
 };
 
+// The layer that shows how far the gusts reach.
+extern Layer const kGustLayer;
+
 // The program's methods and this one.
 Methods methods_with_gust();
 

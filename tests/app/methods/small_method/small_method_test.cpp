@@ -113,6 +113,24 @@ TEST_F(SmallMethodSession, KeepsWhatIsDrawnAndUndone)
     EXPECT_EQ(again.scene().indicators[0].what.end_mm, drawn.end_mm);
 }
 
+TEST_F(SmallMethodSession, HasALayerInTheViews)
+{
+    StationOptions rig;
+    rig.tools = methods_with_gust().tools;
+    rig.layers = methods_with_gust().layers;
+    auto station = Station::create(std::vector { simple_pen() }, rig).value();
+    Document document(session(), Document::Working::AtOnce);
+    StationView view(station, document);
+    EXPECT_TRUE(view.state().layers.empty()) << "no layer has lines";
+    draw(document);
+    view.show(station, document);
+    auto const& layers = view.state().layers;
+    ASSERT_EQ(layers.size(), 2u) << "the indicators' and the gusts'";
+    EXPECT_EQ(layers[1].layer, &kGustLayer);
+    ASSERT_EQ(layers[1].lines_mm.size(), 1u);
+    EXPECT_EQ(layers[1].lines_mm[0].back().z(), 0);
+}
+
 // A program without the method opens the session.
 TEST_F(SmallMethodSession, StaysInASessionThatDoesNotKnowIt)
 {

@@ -1,0 +1,22 @@
+#include "engine/scene/paper.h"
+
+#include "engine/scene/desk_placement.h"
+
+namespace tractus {
+
+Paper paper_of(DocumentState const& state)
+{
+    constexpr double kGround = 0.1; // Of the tablet's depth, above its lower edge.
+    Paper paper { .base_mm = { 0, (kGround - 0.5) * DrawingVolume {}.depth_mm } };
+    auto const* const plant = active_plant(state);
+    if (!plant)
+        return paper;
+    paper.stands_mm = plant->stands_at_mm;
+    if (plant->paper_mm)
+        paper.base_mm = *plant->paper_mm;
+    else
+        paper.base_mm.x() = plant->stands_at_mm.x();
+    return paper;
+}
+
+} // namespace tractus
