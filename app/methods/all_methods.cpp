@@ -2,12 +2,17 @@
 
 #include "app/methods/indicators/delete_indicator_tool.h"
 #include "app/methods/indicators/indicate_tool.h"
+#include "app/methods/indicators/indicator_layer.h"
 #include "app/methods/indicators/move_indicator_tool.h"
 #include "app/methods/plants/choose_plant_tool.h"
 #include "app/methods/plants/copy_plant_tool.h"
 #include "app/methods/plants/hide_plant_tool.h"
 #include "app/methods/plants/move_plant_tool.h"
 #include "app/methods/plants/remove_plant_tool.h"
+#include "app/methods/silhouettes/arrange_tool.h"
+#include "app/methods/silhouettes/erase_outline_tool.h"
+#include "app/methods/silhouettes/outline_layer.h"
+#include "app/methods/silhouettes/outline_tool.h"
 #include "app/methods/sketch_lsystem/sketch_tool.h"
 #include "app/tools/delete_tool.h"
 #include "app/tools/draw_in_order_tool.h"
@@ -30,17 +35,22 @@ Methods all_methods()
         &DrawInOrderTool::kKind, &DrawTool::kKind,          &OversketchTool::kKind,
         &SmoothTool::kKind,      &DeleteTool::kKind,        &SelectTool::kKind,
         &IndicateTool::kKind,    &MoveIndicatorTool::kKind, &DeleteIndicatorTool::kKind,
-        &EraseTool::kKind,       &SketchTool::kKind,        &ChoosePlantTool::kKind,
+        &EraseTool::kKind,       &SketchTool::kKind,        &OutlineTool::kKind,
+        &ArrangeTool::kKind,     &EraseOutlineTool::kKind,  &ChoosePlantTool::kKind,
         &MovePlantTool::kKind,   &CopyPlantTool::kKind,     &HidePlantTool::kKind,
         &RemovePlantTool::kKind,
     };
+    static constexpr std::array kLayers { &kOutlineLayer, &kTrunkLayer, &kIndicatorLayer };
     static auto const edits = [] {
         auto const core = core_edit_kinds();
         std::vector<EditKind const*> all(core.begin(), core.end());
         all.push_back(&sketch::GrowAlongStroke::kKind);
+        all.push_back(&silhouette::DrawTree::kKind);
+        all.push_back(&silhouette::EraseTreePart::kKind);
+        all.push_back(&silhouette::FormTree::kKind);
         return all;
     }();
-    return { .edits = edits, .tools = kTools };
+    return { .edits = edits, .tools = kTools, .layers = kLayers };
 }
 
 } // namespace tractus

@@ -3,12 +3,13 @@
 #include "app/methods/silhouettes/silhouette_file.h"
 #include "app/methods/silhouettes/silhouette_report.h"
 #include "app/plants/plant_file.h"
+#include "app/plants/session_plant.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/organs_option.h"
 #include "drivers/file.h"
-#include "engine/methods/silhouettes/tree.h"
+#include "engine/methods/silhouettes/tree_edits.h"
 
 #include <algorithm>
 #include <array>
@@ -32,37 +33,26 @@ constexpr std::size_t kMostPlaces = 2000;
 struct SilhouetteArguments {
     std::vector<fs::path> drawings;
     fs::path output;
-    int levels = 2;
-    std::vector<std::string> patterns; // Of each level; the last one goes on.
-    double density = 1;
+    silhouette::TreeForm form;         // Without patterns:
+    std::vector<std::string> patterns; // of each level; the last one goes on.
     double height_m = 8;
-    int leaves = 24;
-    double leaf_width = 0.4;
-    std::uint64_t seed = 1;
     std::optional<std::size_t> count; // Of an arrangement alone.
     bool report = false;
+    bool session = false;
+    Methods methods;
     PlantFileOptions file;
 };
 
-silhouette::TreeOptions tree_options(SilhouetteArguments const& arguments)
+// Patterns of each level; the last one goes on.
+silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
 {
-    silhouette::TreeOptions options;
-    options.height_mm = 1000 * arguments.height_m;
-    options.seed = arguments.seed;
-    options.leaf.per_spray = arguments.leaves;
-    options.leaf.width = arguments.leaf_width;
-    for (std::size_t level = 0; level < arguments.patterns.size(); ++level) {
-        if (level == options.levels.size())
-            options.levels.push_back(options.levels.back());
-        options.levels[level].pattern
-            = *silhouette::pattern_of(arguments.patterns[level]); // one_of() has seen to it.
-    }
-    for (auto level = arguments.patterns.size();
-         !arguments.patterns.empty() && level < options.levels.size(); ++level)
-        options.levels[level].pattern = options.levels[level - 1].pattern;
-    for (auto& level : options.levels)
-        level.added *= arguments.density;
-    return options;
+    auto form = arguments.form;
+    std::vector<silhouette::Pattern> given;
+    for (auto const& word : arguments.patterns)
+        given.push_back(*silhouette::pattern_of(word)); // one_of() has seen to it.
+    for (std::size_t level = 0; level < form.patterns.size() && !given.empty(); ++level)
+        form.patterns[level] = given[std::min(level, given.size() - 1)];
+    return form;
 }
 
 bool is_tree_file(fs::path const& output)
@@ -91,21 +81,78 @@ Result<std::string> write_tree(SilhouetteArguments const& arguments, fs::path co
     return base.string() + ".png, .glb";
 }
 
+Stroke stroke_along(std::vector<Vec2> const& points)
+{
+    constexpr std::int64_t kStep_ns = 5'000'000;
+    Stroke stroke;
+    std::int64_t time_ns = 0;
+    for (auto const& point : points)
+        stroke.tips.push_back({ .time = timestamp_ns(time_ns += kStep_ns),
+                                .position_mm = { point.x(), point.y(), 0 },
+                                .pressure = 0.5,
+                                .touching = true });
+    return stroke;
+}
+
+// What a pen does that draws the tree.
+Result<std::vector<Edit>> edits_of(SilhouetteArguments const& arguments,
+                                   silhouette::Drawing const& drawing,
+                                   silhouette::Skeleton const& skeleton)
+{
+    using silhouette::DrawTree;
+    if (drawing.outline.size() != 1)
+        return fail(Fault::User,
+                    fmt::format("the outline has {} strokes: draw it in one for a session",
+                                drawing.outline.size()));
+    double const scale = silhouette::drawn_height(skeleton) / (1000 * arguments.height_m);
+    DrawTree edit { .form = form_of(arguments), .scale = scale, .id = item_id(1, 0) };
+    std::vector<Edit> edits;
+    auto const draw = [&](DrawTree::Part part, std::vector<Vec2> const& points) {
+        edit.part = part;
+        edit.stroke = stroke_along(points);
+        edits.push_back(edit);
+        edit.plant = item_id(1, 0);
+    };
+    if (!drawing.trunk.empty())
+        draw(DrawTree::Part::Trunk, drawing.trunk);
+    draw(DrawTree::Part::Outline, drawing.outline[0]);
+    for (auto const& branch : drawing.branches)
+        draw(DrawTree::Part::Branch, branch);
+    return edits;
+}
+
+Result<std::string> write_session(SilhouetteArguments const& arguments, fs::path const& file,
+                                  silhouette::Drawing const& drawing,
+                                  silhouette::Skeleton const& skeleton)
+{
+    auto edits = edits_of(arguments, drawing, skeleton);
+    if (!edits)
+        return about_drawing(file, edits.error());
+    auto path = arguments.output / file.stem();
+    path += ".tractus";
+    TRY(begin_session(path, *std::move(edits), arguments.methods.edits));
+    return path.filename().string();
+}
+
 Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& drawing)
 {
     auto const file = TRY(silhouette::load_silhouette(drawing));
     for (auto const& key : file.unknown_keys)
         print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so", drawing.string(),
                                   key.substr(0, 40)));
-    auto const skeleton = silhouette::infer_skeleton(file.drawing, { .levels = arguments.levels });
+    auto const form = form_of(arguments);
+    auto const skeleton = silhouette::infer_skeleton(file.drawing, { .levels = form.levels });
     if (!skeleton)
         return about_drawing(drawing, skeleton.error());
     for (auto const& note : skeleton->systems[0].notes)
         print_warning(fmt::format("{}: {}", drawing.string(), note));
-    auto const tree = silhouette::make_tree(*skeleton, tree_options(arguments));
+    auto const tree = silhouette::make_tree(
+        *skeleton, silhouette::tree_options(form, 1000 * arguments.height_m));
     std::string written;
     if (!arguments.output.empty())
         written = TRY(write_tree(arguments, drawing, tree.plant));
+    if (arguments.session)
+        written += ", " + TRY(write_session(arguments, drawing, file.drawing, *skeleton));
     if (arguments.report)
         return print_out(silhouette::print_report(*skeleton, tree));
     return print_out(fmt::format("{}: {} branches, {} leaves, {:.0f} % of the outline covered\n",
@@ -121,8 +168,8 @@ Result<void> arrange_alone(SilhouetteArguments const& arguments)
                     "arrangement alone");
     auto const pattern = *silhouette::pattern_of(arguments.patterns[0]);
     auto const arrangement = silhouette::arrange(
-        {}, { .pattern = pattern, .count = *arguments.count }, { .seed = arguments.seed });
-    return print_out(silhouette::print_arrangement(arrangement, pattern, arguments.seed));
+        {}, { .pattern = pattern, .count = *arguments.count }, { .seed = arguments.form.seed });
+    return print_out(silhouette::print_arrangement(arrangement, pattern, arguments.form.seed));
 }
 
 Result<void> make_trees(SilhouetteArguments const& arguments)
@@ -138,6 +185,8 @@ Result<void> make_trees(SilhouetteArguments const& arguments)
     if (!arguments.output.empty())
         TRY(check_writable(is_tree_file(arguments.output) ? arguments.output
                                                           : arguments.output / "tree.glb"));
+    if (arguments.session && (arguments.output.empty() || is_tree_file(arguments.output)))
+        return fail(Fault::User, "a session needs a folder to be in: give one as --output");
     for (auto const& drawing : arguments.drawings)
         TRY(make_tree_of(arguments, drawing));
     return {};
@@ -152,7 +201,8 @@ void add_options(CLI::App& verb, SilhouetteArguments& arguments)
                     "The folder for pictures and glTF, made if it is not there; or the tree alone, "
                     "as the file's ending says: .glb, .obj or .png")
         ->type_name("OUTPUT");
-    verb.add_option("--levels", arguments.levels, "How often branches branch before twigs come")
+    verb.add_option("--levels", arguments.form.levels,
+                    "How often branches branch before twigs come")
         ->type_name("N")
         ->capture_default_str()
         ->check(whole_number(1, kMostLevels));
@@ -163,7 +213,7 @@ void add_options(CLI::App& verb, SilhouetteArguments& arguments)
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(one_of({ "even", "spiral", "decussate", "whorls", "two-rows", "horizontal" }));
-    verb.add_option("--density", arguments.density,
+    verb.add_option("--density", arguments.form.density,
                     "Times as many branches as usual besides those in the drawing's plane")
         ->type_name("TIMES")
         ->capture_default_str()
@@ -172,15 +222,16 @@ void add_options(CLI::App& verb, SilhouetteArguments& arguments)
         ->type_name("METRES")
         ->capture_default_str()
         ->check(number(0.01, 200));
-    verb.add_option("--leaves", arguments.leaves, "Leaves on each twig")
+    verb.add_option("--leaves", arguments.form.leaves, "Leaves on each twig")
         ->type_name("N")
         ->capture_default_str()
         ->check(whole_number(1, 500));
-    verb.add_option("--leaf-width", arguments.leaf_width, "Of a leaf, as a share of its length")
+    verb.add_option("--leaf-width", arguments.form.leaf_width,
+                    "Of a leaf, as a share of its length")
         ->type_name("SHARE")
         ->capture_default_str()
         ->check(number(0.01, 2));
-    verb.add_option("--seed", arguments.seed, "Of what the drawing leaves open")
+    verb.add_option("--seed", arguments.form.seed, "Of what the drawing leaves open")
         ->type_name("N")
         ->capture_default_str()
         ->check(seed_number());
@@ -190,14 +241,17 @@ void add_options(CLI::App& verb, SilhouetteArguments& arguments)
         ->check(whole_number(1, kMostPlaces));
     verb.add_flag("--report", arguments.report,
                   "Print as JSON what was inferred from each drawing");
+    verb.add_flag("--session", arguments.session,
+                  "Write a session, too, in which the tree is as if a pen had drawn it");
     add_organs_option(verb, arguments.file.glb);
 }
 
 } // namespace
 
-void add_silhouette_command(CLI::App& root, Action& action, Methods const&)
+void add_silhouette_command(CLI::App& root, Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<SilhouetteArguments>();
+    arguments->methods = methods;
     auto* const verb = root.add_subcommand("silhouette", "Make a tree from its outline");
     add_options(*verb, *arguments);
     verb->footer(

@@ -20,7 +20,7 @@ constexpr std::string_view kExample = "write [[x, y], [x, y], …] in millimetre
 // Those that say nothing of the drawing are for other readers.
 bool is_known(std::string const& key)
 {
-    constexpr std::array kKeys { "outline", "trunk",    "what",      "unit",
+    constexpr std::array kKeys { "outline", "trunk",    "branches",  "what", "unit",
                                  "closed",  "expected", "tolerance", "name" };
     return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
 }
@@ -67,6 +67,16 @@ Result<SilhouetteFile> read_drawing(json const& file)
     } else {
         result.drawing.outline.push_back(TRY(read_stroke(outline, "outline")));
     }
+    if (file.contains("branches"))
+        for (auto const& stroke : file["branches"]) {
+            auto& branches = result.drawing.branches;
+            if (branches.size() == kMostStrokes)
+                return fail(
+                    Fault::User,
+                    fmt::format("there are more than {} branches: give fewer", kMostStrokes));
+            branches.push_back(
+                TRY(read_stroke(stroke, fmt::format("branch {}", branches.size() + 1))));
+        }
     if (file.contains("trunk") && !file["trunk"].is_null())
         result.drawing.trunk = TRY(read_stroke(file["trunk"], "trunk"));
     for (auto const& [key, value] : file.items())
@@ -92,7 +102,7 @@ double straightness(std::vector<Vec2> const& line)
 
 Result<SilhouetteFile> read_svg(std::string_view text)
 {
-    auto lines = TRY(lines::read_svg_lines(text, { "trunk", "outline" }));
+    auto lines = TRY(lines::read_svg_lines(text, { "trunk", "outline", "branch" }));
     SilhouetteFile result;
     bool const said = std::any_of(lines.begin(), lines.end(),
                                   [](auto const& line) { return !line.role.empty(); });
@@ -111,6 +121,8 @@ Result<SilhouetteFile> read_svg(std::string_view text)
             result.drawing.trunk = std::move(line.points_mm);
         else if (line.role == "outline")
             result.drawing.outline.push_back(std::move(line.points_mm));
+        else if (line.role == "branch")
+            result.drawing.branches.push_back(std::move(line.points_mm));
     }
     return result;
 }

@@ -20,14 +20,15 @@ struct SilhouetteFile {
 //
 //   outline   [[x, y], …]: around the crown, or [[[x, y], …], …]: in several strokes
 //   trunk     [[x, y], …]: base first; may be missing
+//   branches  [[[x, y], …], …]: from the trunk on; may be missing
 //
 // Fails, as the user's fault, with file, place and what to write.
 Result<SilhouetteFile> parse_silhouette(std::string_view text, std::string const& name);
 
 // The same from a file of at most 2 MiB, which may also be an SVG drawing (.svg): lines whose id,
-// class or label, or that of a group around them, begins with "trunk" or "outline". Where none
-// does, the straightest is the trunk, if its ends are farther apart than half of its length, and
-// the others are the outline.
+// class or label, or that of a group around them, begins with "trunk", "outline" or "branch". Where
+// none does, the straightest is the trunk, if its ends are farther apart than half of its length,
+// and the others are the outline.
 Result<SilhouetteFile> load_silhouette(std::filesystem::path const& path);
 
 } // namespace tractus::silhouette

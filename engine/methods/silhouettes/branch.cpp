@@ -129,6 +129,65 @@ BranchCurve infer_branch(BranchSearch const& search, BranchEnd const& to)
     return *least;
 }
 
+namespace {
+
+// The shares of a line's length at its points.
+std::vector<double> shares_along(std::span<Vec2 const> line)
+{
+    std::vector<double> shares { 0 };
+    for (std::size_t i = 1; i < line.size(); ++i)
+        shares.push_back(shares.back() + (line[i] - line[i - 1]).norm());
+    for (auto& share : shares)
+        share /= std::max(shares.back(), 1e-300);
+    return shares;
+}
+
+} // namespace
+
+BranchCurve drawn_branch(BranchSearch const& search, std::span<Vec2 const> stroke)
+{
+    auto const sample = bases_by_distance(search, stroke.front()).front().second;
+    BranchCurve branch;
+    branch.trunk_sample = sample;
+    branch.t = static_cast<double>(sample) / static_cast<double>(search.trunk.size() - 1);
+    auto& curve = branch.curve;
+    curve.base = search.trunk[sample];
+    curve.end = stroke.back();
+    branch.side = cross(direction_at(search.trunk, sample), curve.end - curve.base) > 0
+        ? Side::Left
+        : Side::Right;
+    // Normal equations of the two tangents; a little weight holds them to the straight way, for
+    // strokes of few points.
+    Vec2 const way = curve.end - curve.base;
+    constexpr double kToStraight = 1e-3;
+    double aa = kToStraight;
+    double ab = 0;
+    double bb = kToStraight;
+    Vec2 a = kToStraight * way;
+    Vec2 b = kToStraight * way;
+    auto const shares = shares_along(stroke);
+    for (std::size_t i = 0; i < stroke.size(); ++i) {
+        double const x = shares[i];
+        double const begins = x * (1 - x) * (1 - x);
+        double const ends = x * x * (x - 1);
+        double const step = x * x * (3 - 2 * x);
+        Vec2 const rest = stroke[i] - (1 - step) * curve.base - step * curve.end;
+        aa += begins * begins;
+        ab += begins * ends;
+        bb += ends * ends;
+        a += begins * rest;
+        b += ends * rest;
+    }
+    double const determinant = aa * bb - ab * ab;
+    curve.base_tangent = (bb * a - ab * b) / determinant;
+    curve.end_tangent = (aa * b - ab * a) / determinant;
+    branch.length = curve_length(curve);
+    branch.tangent_share = way.norm() > 0 ? curve.base_tangent.norm() / way.norm() : 0;
+    if (!search.outline.empty())
+        branch.outside = excursion(search.outline, curve.points(kChords + 1));
+    return branch;
+}
+
 double cone_angle_deg(double radius, double distance)
 {
     constexpr double kNarrowest_deg = 20;
@@ -177,6 +236,28 @@ std::vector<Vec2> shared_with(std::span<Vec2 const> outline, Bump const& bump, C
 }
 
 } // namespace
+
+std::vector<Vec2> lens_around(Cubic const& branch)
+{
+    constexpr std::size_t kPoints = 9;
+    constexpr double kWidest = 0.22; // To one side, of the branch's length.
+    auto const middle = branch.points(kPoints);
+    double const width = kWidest * curve_length(branch);
+    std::vector<Vec2> right;
+    std::vector<Vec2> left;
+    for (std::size_t i = 1; i + 1 < kPoints; ++i) {
+        Vec2 const across = turned(direction_of(middle[i + 1] - middle[i - 1]), kPi / 2);
+        double const share = static_cast<double>(i) / (kPoints - 1);
+        double const off = width * std::sin(kPi * share);
+        right.push_back(middle[i] - off * across);
+        left.push_back(middle[i] + off * across);
+    }
+    std::vector<Vec2> lens { middle.front() };
+    lens.insert(lens.end(), right.begin(), right.end());
+    lens.push_back(middle.back());
+    lens.insert(lens.end(), left.rbegin(), left.rend());
+    return lens;
+}
 
 std::vector<Vec2> crown_of(std::span<Vec2 const> outline, Bump const& bump, Cubic const& branch)
 {

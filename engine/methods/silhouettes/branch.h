@@ -75,9 +75,16 @@ BranchCurve branch_from(BranchSearch const& search, std::size_t sample, BranchEn
 // then, the one that leaves the outline least.
 BranchCurve infer_branch(BranchSearch const& search, BranchEnd const& to);
 
+// A branch as a stroke has it that begins near the trunk: from the nearest of the bases to the
+// stroke's end, its tangents such that it is nearest to the stroke's points (least squares).
+BranchCurve drawn_branch(BranchSearch const& search, std::span<Vec2 const> stroke);
+
 // Full opening of the cone around a branch of length `distance` in which its crown lies: 20 degrees
 // for a bump without radius, 110 for one whose radius is the distance or more.
 double cone_angle_deg(double radius, double distance);
+
+// The crown of a branch that ends in no bump: a lens around its outer part, counter-clockwise.
+std::vector<Vec2> lens_around(Cubic const& branch);
 
 // The outline of a branch's own crown, counter-clockwise: the bump's samples in the cone at the
 // branch's base, and two curves that close it to there.

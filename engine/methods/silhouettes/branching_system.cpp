@@ -39,8 +39,79 @@ std::vector<Vec2> apex_crown(BranchingSystem const& system)
     return crown;
 }
 
-void infer_branches(BranchingSystem& system, BranchingAngles const& angles)
+Branch branch_to(BranchingSystem const& system, Bump const& bump, BranchCurve path)
 {
+    Branch branch;
+    branch.path = std::move(path);
+    auto const& curve = branch.path.curve;
+    branch.crown = crown_of(system.outline, bump, curve);
+    branch.cone_deg = cone_angle_deg(bump.radius, (curve.end - curve.base).norm());
+    return branch;
+}
+
+// The lateral bump that a drawn branch ends in, of those that none ends in yet; no value: in none.
+std::optional<std::size_t> bump_at(std::span<Bump const> bumps, Vec2 const& end,
+                                   std::span<std::optional<Branch> const> taken)
+{
+    constexpr double kNear = 0.08; // Of the outline's diagonal, which is 1.
+    std::optional<std::size_t> nearest;
+    for (std::size_t i = 0; i < bumps.size(); ++i) {
+        double const far = (bumps[i].end - end).norm();
+        if (bumps[i].role == Role::Lateral && !taken[i] && far <= std::max(kNear, bumps[i].radius)
+            && (!nearest || far < (bumps[*nearest].end - end).norm()))
+            nearest = i;
+    }
+    return nearest;
+}
+
+double angle_at_base_deg(BranchingSystem const& system, BranchCurve const& path)
+{
+    auto const& trunk = system.trunk;
+    auto const next = std::min(path.trunk_sample + 1, trunk.size() - 1);
+    Vec2 const along = trunk[next] - trunk[next - 1];
+    Vec2 const& out = path.curve.base_tangent;
+    return degrees(std::fabs(std::atan2(cross(along, out), along.dot(out))));
+}
+
+// Drawn branches by the bump that each ends in, and those that end in none. The others learn their
+// angles.
+struct DrawnBranches {
+    std::vector<std::optional<Branch>> of_bump;
+    std::vector<Branch> elsewhere {};
+};
+DrawnBranches take_drawn(BranchingSystem const& system,
+                         std::vector<std::vector<Vec2>> const& strokes, BranchingAngles& angles)
+{
+    DrawnBranches drawn { .of_bump = std::vector<std::optional<Branch>>(system.bumps.size()) };
+    for (std::size_t number = 0; number < strokes.size(); ++number) {
+        auto path = drawn_branch({ .trunk = system.trunk,
+                                   .bases = system.inside,
+                                   .outline = system.outline,
+                                   .angles = angles },
+                                 strokes[number]);
+        angles.learn({ path.t, angle_at_base_deg(system, path) });
+        auto const bump = bump_at(system.bumps, path.curve.end, drawn.of_bump);
+        Branch branch;
+        if (bump) {
+            branch = branch_to(system, system.bumps[*bump], std::move(path));
+        } else {
+            branch.path = std::move(path);
+            branch.crown = lens_around(branch.path.curve);
+        }
+        branch.origin = Branch::Origin::Drawn;
+        branch.number = number;
+        if (bump)
+            drawn.of_bump[*bump] = std::move(branch);
+        else
+            drawn.elsewhere.push_back(std::move(branch));
+    }
+    return drawn;
+}
+
+void infer_branches(BranchingSystem& system, std::vector<std::vector<Vec2>> const& strokes,
+                    BranchingAngles& angles)
+{
+    auto drawn = take_drawn(system, strokes, angles);
     BranchSearch const search {
         .trunk = system.trunk, .bases = system.inside, .outline = system.outline, .angles = angles
     };
@@ -48,28 +119,30 @@ void infer_branches(BranchingSystem& system, BranchingAngles const& angles)
         auto const& bump = system.bumps[i];
         if (bump.role != Role::Lateral)
             continue;
-        Branch branch;
-        branch.number = i;
-        branch.path = infer_branch(search, { .end = bump.end, .tangent = bump.tangent });
-        auto const& curve = branch.path.curve;
-        branch.crown = crown_of(system.outline, bump, curve);
-        branch.cone_deg = cone_angle_deg(bump.radius, (curve.end - curve.base).norm());
-        system.branches.push_back(std::move(branch));
+        if (drawn.of_bump[i]) {
+            system.branches.push_back(*std::move(drawn.of_bump[i]));
+            continue;
+        }
+        auto path = infer_branch(search, { .end = bump.end, .tangent = bump.tangent });
+        system.branches.push_back(branch_to(system, bump, std::move(path)));
+        system.branches.back().number = i;
     }
+    for (auto& branch : drawn.elsewhere)
+        system.branches.push_back(std::move(branch));
 }
 
 void add_branches(BranchingSystem& system, std::optional<Vec2> const& goes_on,
-                  InferenceOptions const& options)
+                  BranchingAngles const& angles, FillOptions const& options)
 {
     auto const apex = apex_crown(system);
     auto filled = fill_crown({ .outline = system.outline,
                                .trunk = system.trunk,
                                .run = system.inside,
                                .goes_on = goes_on,
-                               .angles = options.angles,
+                               .angles = angles,
                                .branches = system.branches,
                                .apex = apex },
-                             options.fill);
+                             options);
     system.coverage_before = filled.coverage_before;
     system.coverage_after = filled.coverage_after;
     double farthest = 0;
@@ -173,8 +246,9 @@ Result<BranchingSystem> infer_system(Drawing const& drawing, InferenceOptions co
     system.bumps = find_bumps(axis, options.bumps);
     auto const goes_on = set_roles(system.bumps, system.outline, system.trunk, *run);
     system.trunk_goes_on_to = apex_ahead(system);
-    infer_branches(system, options.angles);
-    add_branches(system, goes_on, options);
+    auto angles = options.angles;
+    infer_branches(system, clean.branches, angles);
+    add_branches(system, goes_on, angles, options.fill);
     add_apex(system);
     move_to_sheet(system, clean.to_sheet);
     return system;

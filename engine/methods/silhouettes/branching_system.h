@@ -27,9 +27,11 @@ struct BranchingSystem {
     Run inside; // The samples that may bear branches.
     ChordalAxis::Counts triangles;
     std::vector<Bump> bumps;
-    std::vector<Branch> branches; // One for each lateral bump, in their order, then those added.
-    double coverage_before = 0;   // Shares of the outline's inside that crowns cover, with the
-    double coverage_after = 0;    // branches of bumps alone, and with all.
+    // One for each lateral bump, in their order, which is the drawn one where one ends there; then
+    // the others that were drawn, and those added.
+    std::vector<Branch> branches;
+    double coverage_before = 0; // Shares of the outline's inside that crowns cover, with the
+    double coverage_after = 0;  // branches of bumps alone, and with all.
     std::vector<std::string> notes;
 
     // The trunk with what it is extended by, in equal steps or nearly so. Without what a branch of

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tractus::silhouette {
@@ -24,6 +25,7 @@ struct Branch {
     // number. With the origin it names the branch; outlines that change a little keep most names.
     std::size_t number = 0;
     BranchCurve path {};
+    std::string name {};        // Which it has from an earlier drawing; empty: none (name_of()).
     std::vector<Vec2> crown {}; // Counter-clockwise, or mirrored clockwise.
     double cone_deg = 0;        // Of a bump's.
     bool is_beyond = false;     // It stands on the trunk's continuation.

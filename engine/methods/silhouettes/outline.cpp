@@ -15,20 +15,24 @@ namespace {
 constexpr std::size_t kLeastPoints = 8;
 constexpr double kWidestGap = 0.25;        // Of the stroke's length.
 constexpr double kWidestJoin = 0.1;        // Of the drawing's diagonal.
+constexpr double kShortestBranch = 1e-2;   // Of the drawing's diagonal.
 constexpr double kShareToTell = 0.1;       // Of the area, that was left out.
 constexpr double kTrunkHeight = 0.85;      // Of the outline's, of a trunk that nobody drew.
 constexpr std::size_t kMostCorners = 1024; // Of an outline in which crossings are looked for.
 
 Result<void> check_points(Drawing const& drawing)
 {
-    std::size_t count = drawing.trunk.size();
-    bool finite = std::all_of(drawing.trunk.begin(), drawing.trunk.end(),
-                              [](Vec2 const& p) { return p.allFinite() && p.norm() < 1e9; });
-    for (auto const& stroke : drawing.outline) {
+    std::size_t count = 0;
+    bool finite = true;
+    auto const look_at = [&](std::vector<Vec2> const& stroke) {
         count += stroke.size();
         for (auto const& p : stroke)
             finite = finite && p.allFinite() && p.norm() < 1e9;
-    }
+    };
+    look_at(drawing.trunk);
+    for (auto const* const strokes : { &drawing.outline, &drawing.branches })
+        for (auto const& stroke : *strokes)
+            look_at(stroke);
     if (count > kMostDrawnPoints)
         return fail(
             Fault::User,
@@ -241,7 +245,7 @@ Similarity inverse(Similarity const& frame)
 Result<CleanDrawing> clean_drawing(Drawing const& drawing, OutlineOptions const& options)
 {
     TRY(check_points(drawing));
-    Drawing drawn { {}, drawing.trunk };
+    Drawing drawn { {}, drawing.trunk, {} };
     for (auto const& stroke : drawing.outline)
         if (!stroke.empty())
             drawn.outline.push_back(stroke);
@@ -264,6 +268,13 @@ Result<CleanDrawing> clean_drawing(Drawing const& drawing, OutlineOptions const&
         return fail(Fault::User,
                     "the trunk is only a dot: draw it from the foot upwards, or leave it out");
     result.trunk = resampled_line(trunk, kTrunkSamples);
+    for (auto const& stroke : drawing.branches) {
+        auto branch = in_frame(stroke, frame);
+        if (branch.size() < 2 || length_of(branch) < kShortestBranch)
+            return fail(Fault::User,
+                        "a branch is only a dot: draw it from the trunk to where it ends");
+        result.branches.push_back(std::move(branch));
+    }
     return result;
 }
 

@@ -11,8 +11,9 @@ namespace tractus::silhouette {
 // What is drawn for one branching system (Wither, Boudon, Cani, Godin, "Structure from
 // silhouettes", 2009), millimetres in the plane that it was drawn in (plane.h).
 struct Drawing {
-    std::vector<std::vector<Vec2>> outline; // Of the crown: one stroke or more, in any order.
-    std::vector<Vec2> trunk;                // Base first; empty: not drawn.
+    std::vector<std::vector<Vec2>> outline;     // Of the crown: one stroke or more, in any order.
+    std::vector<Vec2> trunk;                    // Base first; empty: not drawn.
+    std::vector<std::vector<Vec2>> branches {}; // On the trunk, which they begin near.
 };
 
 constexpr std::size_t kMostDrawnPoints = 20'000; // Of all strokes of a drawing.
@@ -30,8 +31,9 @@ struct OutlineOptions {
 // here on.
 struct CleanDrawing {
     std::vector<Vec2> outline;
-    std::vector<Vec2> trunk;        // 64 points at equal distances, base first.
-    Similarity to_sheet;            // Back to the drawing's millimetres.
+    std::vector<Vec2> trunk;                    // 64 points at equal distances, base first.
+    std::vector<std::vector<Vec2>> branches {}; // As drawn; none is a dot.
+    Similarity to_sheet;                        // Back to the drawing's millimetres.
     std::vector<std::string> notes; // What had to be guessed or was left out, a sentence each.
 };
 

@@ -50,6 +50,14 @@ double distance_to_segment(Vec2 const& point, Vec2 const& a, Vec2 const& b)
     return (a + share * along - point).norm();
 }
 
+double distance_to_line(Vec2 const& point, std::span<Vec2 const> line)
+{
+    double least = (point - line.front()).norm();
+    for (std::size_t i = 1; i < line.size(); ++i)
+        least = std::min(least, distance_to_segment(point, line[i - 1], line[i]));
+    return least;
+}
+
 double distance_to_outline(std::span<Vec2 const> outline, Vec2 const& point)
 {
     double least = std::numeric_limits<double>::infinity();

@@ -30,6 +30,7 @@ bool is_inside(std::span<Vec2 const> outline, Vec2 const& point);
 
 double distance_to_segment(Vec2 const& point, Vec2 const& a, Vec2 const& b);
 double distance_to_outline(std::span<Vec2 const> outline, Vec2 const& point);
+double distance_to_line(Vec2 const& point, std::span<Vec2 const> line); // An open one.
 
 // How far the farthest of the points that are outside is from the outline; 0: all are inside.
 double excursion(std::span<Vec2 const> outline, std::span<Vec2 const> points);
@@ -42,6 +43,7 @@ struct Box {
     Vec2 high = Vec2::Zero();
 
     double diagonal() const { return (high - low).norm(); }
+    Vec2 middle() const { return (low + high) / 2; }
 };
 Box box_of(std::span<Vec2 const> points); // Of at least one.
 

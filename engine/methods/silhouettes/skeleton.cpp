@@ -31,7 +31,7 @@ void infer_level(Skeleton& skeleton, std::size_t first_system, InferenceOptions 
     parallel_for(wanted.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (auto i = begin; i < end; ++i) {
             auto const& branch = skeleton.systems[wanted[i].system].branches[wanted[i].branch];
-            Drawing const crown { { branch.crown }, branch.path.curve.points(17) };
+            Drawing const crown { { branch.crown }, branch.path.curve.points(17), {} };
             if (auto system = infer_system(crown, options))
                 made[i] = *std::move(system);
         }
@@ -80,6 +80,8 @@ Result<Skeleton> infer_skeleton(Drawing const& drawing, SkeletonOptions const& o
 
 std::string name_of(Branch const& branch)
 {
+    if (!branch.name.empty())
+        return branch.name;
     switch (branch.origin) {
     case Branch::Origin::Bump:
         return fmt::format("b{}", branch.number);

@@ -36,7 +36,7 @@ struct Skeleton {
 Result<Skeleton> infer_skeleton(Drawing const& drawing, SkeletonOptions const& options = {});
 
 // What a branch is called: "b4", ends in bump 4; "L7" and "R7", copies at the seventh place on the
-// left and right; "g2", fills gap 2; "d1", was drawn; "apex".
+// left and right; "g2", fills gap 2; "d1", was drawn; "apex"; or as an earlier drawing has it.
 std::string name_of(Branch const& branch);
 
 } // namespace tractus::silhouette

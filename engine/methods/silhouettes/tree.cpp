@@ -122,10 +122,8 @@ public:
     Tree run()
     {
         auto const& tree = skeleton_.systems[0];
-        auto const box = box_of(tree.outline);
         Vec2 const foot = tree.trunk.front();
-        double const height = std::max(box.high.y(), foot.y()) - std::min(box.low.y(), foot.y());
-        double const scale = options_.height_mm / std::max(height, 1e-9);
+        double const scale = options_.height_mm / std::max(drawn_height(skeleton_), 1e-9);
         Space space = Space::Identity();
         space.linear() << scale, 0, 0, 0, 0, -scale, 0, scale, 0;
         space.translation() = -(space.linear() * Vec3(foot.x(), foot.y(), 0));
@@ -254,7 +252,7 @@ private:
             plant.node_radius_mm.push_back(0);
         }
         plant.segment_material.resize(plant.segment_count() + places.size() - 1, 0);
-        tree_.axis_names.push_back(bearer.name.empty() ? "trunk" : bearer.name);
+        tree_.axis_names.push_back(bearer.name.empty() ? kTrunkName : bearer.name);
         return id;
     }
 
@@ -522,6 +520,14 @@ private:
 };
 
 } // namespace
+
+double drawn_height(Skeleton const& skeleton)
+{
+    auto const& tree = skeleton.systems[0];
+    auto const box = box_of(tree.outline);
+    Vec2 const foot = tree.trunk.front();
+    return std::max(box.high.y(), foot.y()) - std::min(box.low.y(), foot.y());
+}
 
 Tree make_tree(Skeleton const& skeleton, TreeOptions const& options)
 {

@@ -37,6 +37,11 @@ struct PlacedBranch {
     Place place;
 };
 
+constexpr char const* kTrunkName = "trunk"; // Of the axis that bears all others.
+
+// How high a drawing is, its trunk's foot included: what TreeOptions::height_mm becomes.
+double drawn_height(Skeleton const& skeleton);
+
 // A tree in space.
 struct Tree {
     Plant plant;

@@ -1,5 +1,6 @@
 #include "app/window/view_curves.h"
 
+#include "app/methods/silhouettes/outline_tool.h"
 #include "app/window/palette.h"
 #include "tests/app/window/small_state.h"
 
@@ -109,10 +110,10 @@ TEST(SkeletonCurves, ShowEachStateInItsColour)
     EXPECT_EQ(colored(theme::palette().undetermined), 0);
 
     auto const states = skeleton_states(small_state());
-    EXPECT_TRUE(states.selected && states.assigned && states.leaning);
+    EXPECT_TRUE(states.selected && states.assigned && states.layers.size() == 1);
     EXPECT_FALSE(states.undetermined);
     auto const bare = skeleton_states({});
-    EXPECT_FALSE(bare.selected || bare.assigned || bare.leaning);
+    EXPECT_FALSE(bare.selected || bare.assigned || !bare.layers.empty());
 }
 
 TEST(SkeletonCurves, DrawIndicatorsAsArrows)
@@ -121,6 +122,42 @@ TEST(SkeletonCurves, DrawIndicatorsAsArrows)
     auto const arrow = find(curves, { -150, 0, 60 }, Curve::WidthUnit::Pixels);
     EXPECT_EQ(arrow.end, Curve::End::Arrow);
     EXPECT_EQ(arrow.points[0].color, theme::palette().indicator);
+}
+
+TEST(LayerCurves, DashAndDotByTheirPattern)
+{
+    static constexpr Layer kDashed { .label = "dashed",
+                                     .style
+                                     = { .pattern = LayerStyle::Pattern::Dashed, .width_mm = 1 },
+                                     .lines = nullptr };
+    auto state = small_state();
+    state.strokes.clear();
+    // Of 4 mm and 2.4 mm by turns, over a corner: 0 to 4, 6.4 to 10.4, 12.8 to 16.
+    state.layers = { { &kDashed, { { { 0, 0, 0 }, { 8, 0, 0 }, { 8, 8, 0 } } } } };
+    auto const curves = pad_stroke_curves(state);
+    ASSERT_EQ(curves.size(), 3u);
+    EXPECT_TRUE(curves[0].points.back().position_mm.isApprox(Vec3f(4, 0, 0), 1e-5f));
+    EXPECT_TRUE(curves[1].points.front().position_mm.isApprox(Vec3f(6.4f, 0, 0), 1e-5f));
+    EXPECT_TRUE(curves[1].points[1].position_mm.isApprox(Vec3f(8, 0, 0), 1e-5f)) << "the corner";
+    EXPECT_TRUE(curves[2].points.back().position_mm.isApprox(Vec3f(8, 8, 0), 1e-5f));
+    auto const in_skeleton = skeleton_curves(state);
+    EXPECT_TRUE(in_skeleton.back().points.back().position_mm.isApprox(Vec3f(20, 20, 0), 1e-5f))
+        << "in the plant's frame, which is shown at 0.4";
+}
+
+TEST(PadCurves, LayTheSheetOnTheSurfaceForToolsThatDrawOnPaper)
+{
+    auto state = small_state();
+    EXPECT_TRUE(pad_of_world(state).matrix().isIdentity());
+    state.hand = OutlineTool {};
+    state.paper = { .base_mm = { 10, -60 }, .stands_mm = { 30, 5, 0 } };
+    auto const T_pad_world = pad_of_world(state);
+    EXPECT_TRUE((T_pad_world * Vec3f(30, 5, 0)).isApprox(Vec3f(10, -60, 150), 1e-5f))
+        << "the plant's base lies on the surface where it was drawn";
+    EXPECT_TRUE((T_pad_world * Vec3f(40, 5, 100)).isApprox(Vec3f(20, 40, 150), 1e-5f))
+        << "up in the world is away from the user";
+    EXPECT_TRUE((T_pad_world * Vec3f(30, -5, 0)).isApprox(Vec3f(10, -60, 160), 1e-5f))
+        << "what is nearer to the user is nearer to the eye";
 }
 
 } // namespace tractus

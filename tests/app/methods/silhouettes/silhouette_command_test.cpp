@@ -1,3 +1,6 @@
+#include "app/methods/all_methods.h"
+#include "app/plants/plant_file.h"
+#include "app/plants/session_plant.h"
 #include "tests/app/verbs/outcome.h"
 #include "tests/corpus.h"
 
@@ -124,6 +127,24 @@ TEST_F(SilhouetteCommand, PatternsAreOfLevels)
     for (auto const& place : flat["arrangement"][0])
         EXPECT_TRUE(place["theta"] == 0 || place["theta"] == 180) << place;
     EXPECT_NE(report("even")["arrangement"][0], flat["arrangement"][0]);
+}
+
+// The tree of the session is the command's: as if a pen had drawn the file's lines.
+TEST_F(SilhouetteCommand, WritesASessionOfItsLines)
+{
+    auto drawing = crown();
+    drawing["branches"] = { { { 0, -20 }, { 20, -15 }, { 40, -12 } } };
+    std::ofstream(folder_ / "oak.json") << drawing;
+    auto const outcome
+        = run({ "silhouette", path("oak.json"), "-o", path("out"), "--session", "--arrangement",
+                "spiral,whorls", "--leaves", "9", "--height", "3" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const scene = load_session_scene(path("out/oak.tractus"), all_methods().edits).value();
+    EXPECT_NEAR(bounds(*scene.base).max_mm.z(), 3000, 400);
+    ASSERT_TRUE(write_plant_file(*scene.base, "oak", path("again.glb")));
+    EXPECT_TRUE(bytes(path("out/oak.glb")) == bytes(path("again.glb")));
+    auto const flat = run({ "silhouette", path("oak.json"), "-o", path("x.glb"), "--session" });
+    EXPECT_NE(flat.err.find("a session needs a folder"), std::string::npos);
 }
 
 TEST_F(SilhouetteCommand, SaysWhatIsWrong)

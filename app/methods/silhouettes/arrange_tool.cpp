@@ -1,0 +1,72 @@
+#include "app/methods/silhouettes/arrange_tool.h"
+
+#include "app/methods/silhouettes/erase_outline_tool.h"
+#include "engine/methods/silhouettes/tree_edits.h"
+
+#include <array>
+
+namespace tractus {
+
+namespace {
+
+// In the order of To: the next one, then those of silhouette::Pattern.
+constexpr std::array<OptionWord, 7> kTo { {
+    { "next", "Next", nullptr, true },
+    { "even", "Even", nullptr, true },
+    { "spiral", "Spiral", nullptr, true },
+    { "decussate", "Decussate", nullptr, true },
+    { "whorls", "Whorls", nullptr, true },
+    { "two_rows", "Two rows", nullptr, true },
+    { "horizontal", "Horizontal", nullptr, true },
+} };
+constexpr int kPatterns = static_cast<int>(kTo.size()) - 1;
+
+// In the order of Around.
+constexpr std::array<OptionWord, 2> kAround { {
+    { "trunk", "Around the trunk" },
+    { "branches", "Around branches" },
+} };
+
+void visit(OptionVisitor& visitor, ArrangeTool& tool)
+{
+    visitor.choice({ kAround }, tool.around);
+    visitor.choice({ kTo }, tool.to);
+}
+
+Result<std::vector<Edit>> arrange(Tool const& tool, Stroke const&, Scene const& scene)
+{
+    auto const& options = *tool.get<ArrangeTool>();
+    auto const* const tree = silhouette::outlined_tree(*scene.drawn);
+    if (!tree)
+        return fail(Fault::User,
+                    "the plant that takes what is drawn has no outline: choose a tree that was "
+                    "drawn by its outline, or draw one");
+    silhouette::FormTree edit { scene.drawn->id, tree->form };
+    bool const is_trunk = options.around == ArrangeTool::Around::Trunk;
+    auto& pattern = edit.form.patterns[is_trunk ? 0 : 1];
+    int const next = options.to == ArrangeTool::To::Next
+        ? (static_cast<int>(pattern) + 1) % kPatterns
+        : static_cast<int>(options.to) - 1;
+    pattern = static_cast<silhouette::Pattern>(next);
+    if (!is_trunk)
+        edit.form.patterns[2] = pattern;
+    return std::vector<Edit> { edit };
+}
+
+} // namespace
+
+constexpr ToolKind ArrangeTool::kKind {
+    .word = "arrange",
+    .label = "Arrange",
+    .title = "Arrange the tree's branches",
+    .done = "The branches stand in another pattern",
+    .help = "stands the branches of a tree that was drawn by its outline, around its trunk or "
+            "around its branches, in the next pattern or in one of these",
+    .group = "Outline",
+    .at_once = true,
+    .options = options_type<ArrangeTool, visit>(),
+    .mean = arrange,
+    .other_end = { &EraseOutlineTool::kKind },
+};
+
+} // namespace tractus

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "app/tools/tool.h"
+
+namespace tractus {
+
+// Arranges the branches of the active tree, which was drawn by its outline, in another pattern.
+struct ArrangeTool {
+    static ToolKind const kKind;
+
+    enum class To { Next, Even, Spiral, Decussate, Whorls, TwoRows, Horizontal } to = To::Next;
+    enum class Around { Trunk, Branches } around = Around::Trunk;
+};
+
+} // namespace tractus

@@ -1,0 +1,66 @@
+#include "app/methods/silhouettes/erase_outline_tool.h"
+
+#include "engine/methods/silhouettes/tree_edits.h"
+
+#include <algorithm>
+
+namespace tractus {
+
+namespace {
+
+using silhouette::DrawTree;
+using silhouette::EraseTreePart;
+
+bool runs_over(Stroke const& eraser, std::vector<Vec2> const& line)
+{
+    if (line.empty())
+        return false;
+    return std::any_of(eraser.tips.begin(), eraser.tips.end(), [&](TipSample const& tip) {
+        return silhouette::distance_to_line(tip.position_mm.head<2>(), line)
+            <= EraseOutlineTool::kRadius_mm;
+    });
+}
+
+// Branches before what bears them: where lines meet, the smaller one is meant.
+Result<std::vector<Edit>> erase(Tool const&, Stroke const& stroke, Scene const& scene)
+{
+    auto const* const tree = silhouette::outlined_tree(*scene.drawn);
+    if (!tree)
+        return fail(Fault::User,
+                    "the plant that takes what is drawn has no outline: choose a tree that was "
+                    "drawn by its outline");
+    auto const drawing = TRY(silhouette::drawing_of(*tree));
+    auto const plant = scene.drawn->id;
+    std::vector<Edit> edits;
+    for (std::size_t i = 0; i < drawing.branches.size(); ++i)
+        if (runs_over(stroke, drawing.branches[i]))
+            edits.push_back(EraseTreePart { plant, DrawTree::Part::Branch, tree->branches[i].id });
+    if (!edits.empty())
+        return edits;
+    if (runs_over(stroke, drawing.trunk))
+        edits.push_back(EraseTreePart { plant, DrawTree::Part::Trunk });
+    else if (!drawing.outline.empty() && runs_over(stroke, drawing.outline[0]))
+        edits.push_back(EraseTreePart { plant, DrawTree::Part::Outline });
+    if (edits.empty())
+        return fail(Fault::User,
+                    "the eraser touched nothing of the tree: move it over a line of its drawing");
+    return edits;
+}
+
+} // namespace
+
+constexpr ToolKind EraseOutlineTool::kKind {
+    .word = "erase_outline",
+    .label = "Erase",
+    .title = "Erase lines of the tree's drawing",
+    .done = "The line is erased",
+    .help = "takes away what was drawn of a tree where the stroke runs over it on paper: a branch, "
+            "else its trunk or the outline of its crown",
+    .group = "Outline",
+    .surface = Surface::Paper,
+    .ink = { InkStyle::Look::Eraser, 2 * EraseOutlineTool::kRadius_mm },
+    .options = options_type<EraseOutlineTool>(),
+    .mean = erase,
+};
+
+} // namespace tractus

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/tools/tool.h"
+
+namespace tractus {
+
+// Takes away what was drawn of the active tree where the stroke runs over it on paper.
+struct EraseOutlineTool {
+    static ToolKind const kKind;
+    static constexpr double kRadius_mm = 4;
+};
+
+} // namespace tractus

@@ -1,0 +1,61 @@
+#include "app/methods/silhouettes/outline_layer.h"
+
+#include "engine/methods/silhouettes/tree_edits.h"
+#include "engine/scene/paper.h"
+
+namespace tractus {
+
+namespace {
+
+using Lines = std::vector<std::vector<Vec3f>>;
+
+void add(Stroke const& stroke, BuiltPlant const& plant, Lines& lines)
+{
+    constexpr float kApart_mm = 0.5f; // Points that are nearer show nothing.
+    auto const tips = stroke.tips.in_memory();
+    if (!tips || tips->size() < 2 || !plant.drawn->paper_mm)
+        return;
+    Paper const paper { *plant.drawn->paper_mm, plant.drawn->stands_at_mm };
+    std::vector<Vec3f> line;
+    for (auto const& tip : *tips) {
+        Vec3f const at_mm = paper.world_of_sheet(tip.position_mm.head<2>()).cast<float>();
+        if (line.empty() || (at_mm - line.back()).norm() >= kApart_mm)
+            line.push_back(at_mm);
+    }
+    if (line.size() > 1)
+        lines.push_back(std::move(line));
+}
+
+Lines outline_of(BuiltPlant const& plant)
+{
+    Lines lines;
+    if (auto const* const tree = silhouette::outlined_tree(*plant.drawn)) {
+        add(tree->outline, plant, lines);
+        if (!lines.empty())
+            lines.front().push_back(lines.front().front());
+    }
+    return lines;
+}
+
+Lines trunk_of(BuiltPlant const& plant)
+{
+    Lines lines;
+    if (auto const* const tree = silhouette::outlined_tree(*plant.drawn)) {
+        add(tree->trunk, plant, lines);
+        for (auto const& branch : tree->branches)
+            add(branch.stroke, plant, lines);
+    }
+    return lines;
+}
+
+} // namespace
+
+constexpr Layer kOutlineLayer { .label = "outline",
+                                .style = { .color = LayerStyle::Color::Purple },
+                                .lines = outline_of };
+constexpr Layer kTrunkLayer { .label = "drawn trunk and branches",
+                              .style = { .color = LayerStyle::Color::Purple,
+                                         .pattern = LayerStyle::Pattern::Dashed },
+                              .lines = trunk_of };
+
+} // namespace tractus

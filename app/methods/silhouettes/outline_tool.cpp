@@ -1,0 +1,180 @@
+#include "app/methods/silhouettes/outline_tool.h"
+
+#include "app/methods/silhouettes/erase_outline_tool.h"
+#include "app/methods/silhouettes/outline_previewer.h"
+#include "engine/scene/paper.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+using silhouette::DrawTree;
+using silhouette::OutlinedTree;
+using Part = silhouette::DrawTree::Part;
+using What = OutlineTool::What;
+
+// In the order of What.
+constexpr std::array<OptionWord, 4> kWords { {
+    { "go_on", "Go on" },
+    { "new", "New tree" },
+    { "form", "To this tree", nullptr, true },
+    { "reseed", "Another one", nullptr, true },
+} };
+
+void visit(OptionVisitor& visitor, OutlineTool& tool)
+{
+    visitor.number({ "levels", "", 1, 3, 1 }, tool.levels);
+    visitor.number({ "density", "", 0, 10, 0.25 }, tool.density);
+    visitor.number({ "leaves", "", 1, 500, 4 }, tool.leaves);
+    visitor.choice({ kWords }, tool.what);
+}
+
+std::vector<Vec2> points_of(Stroke const& stroke)
+{
+    std::vector<Vec2> points;
+    for (auto const& tip : stroke.tips)
+        points.emplace_back(tip.position_mm.head<2>());
+    return points;
+}
+
+bool comes_back(std::vector<Vec2> const& points)
+{
+    constexpr double kWidestGap = 0.25; // Of the stroke's length, as clean_drawing() has it.
+    return points.size() > 2
+        && (points.back() - points.front()).norm() <= kWidestGap * silhouette::length_of(points);
+}
+
+bool has_any_inside(std::vector<Vec2> const& outline, std::vector<Vec2> const& points)
+{
+    return std::any_of(points.begin(), points.end(),
+                       [&](Vec2 const& point) { return silhouette::is_inside(outline, point); });
+}
+
+// Whether an outline is another one of a tree's crown: they lie on each other.
+bool is_around(std::vector<Vec2> const& points, silhouette::Drawing const& tree)
+{
+    if (tree.outline.empty())
+        return has_any_inside(points, tree.trunk);
+    auto const& crown = tree.outline.front();
+    return silhouette::is_inside(crown, silhouette::box_of(points).middle())
+        || silhouette::is_inside(points, silhouette::box_of(crown).middle());
+}
+
+// What a line that does not come back is to a tree; no value: nothing.
+std::optional<Part> part_on(silhouette::Drawing const& tree, Vec2 const& foot,
+                            std::vector<Vec2> const& points)
+{
+    constexpr double kNear = 0.08; // Of the drawing's diagonal.
+    auto all = tree.trunk;
+    if (!tree.outline.empty())
+        all.insert(all.end(), tree.outline[0].begin(), tree.outline[0].end());
+    double const near_mm = kNear * silhouette::box_of(all).diagonal();
+    if ((points.front() - foot).norm() <= near_mm)
+        return Part::Trunk;
+    if (tree.outline.empty())
+        return std::nullopt;
+    bool const is_on_trunk = !tree.trunk.empty()
+        && silhouette::distance_to_line(points.front(), tree.trunk) <= near_mm;
+    if (is_on_trunk || silhouette::is_inside(tree.outline[0], points.front()))
+        return Part::Branch;
+    return std::nullopt;
+}
+
+Result<std::optional<Part>> part_of_tree(OutlinedTree const& tree, std::vector<Vec2> const& points)
+{
+    auto const drawing = TRY(silhouette::drawing_of(tree));
+    if (!comes_back(points))
+        return part_on(drawing, TRY(silhouette::foot_of(tree)), points);
+    return is_around(points, drawing) ? std::optional(Part::Outline) : std::nullopt;
+}
+
+silhouette::TreeForm form_of(OutlineTool const& tool, silhouette::TreeForm form)
+{
+    form.levels = static_cast<int>(std::lround(tool.levels));
+    form.density = tool.density;
+    form.leaves = static_cast<int>(std::lround(tool.leaves));
+    return form;
+}
+
+Result<std::vector<Edit>> form_active(OutlineTool const& tool, Scene const& scene)
+{
+    auto const* const tree = silhouette::outlined_tree(*scene.drawn);
+    if (!tree)
+        return fail(Fault::User,
+                    "the plant that takes what is drawn has no outline: choose a tree that was "
+                    "drawn by its outline, or draw one");
+    auto form = tree->form;
+    if (tool.what == What::Reseed)
+        ++form.seed;
+    else
+        form = form_of(tool, form);
+    return std::vector<Edit> { silhouette::FormTree { scene.drawn->id, form } };
+}
+
+Result<std::vector<Edit>> draw(Tool const& tool, Stroke const& stroke, Scene const& scene)
+{
+    auto const& options = *tool.get<OutlineTool>();
+    if (options.what == What::Form || options.what == What::Reseed)
+        return form_active(options, scene);
+    return std::vector<Edit> { TRY(drawn_tree(options, stroke, scene)) };
+}
+
+} // namespace
+
+Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke, Scene const& scene)
+{
+    auto const points = points_of(stroke);
+    if (points.size() < 2)
+        return fail(Fault::User,
+                    "a dot is no part of a tree: draw its trunk, or the outline of its crown");
+    DrawTree edit { .stroke = stroke };
+    auto const* const tree = silhouette::outlined_tree(*scene.drawn);
+    if (tree && tool.what != What::New)
+        if (auto const part = TRY(part_of_tree(*tree, points))) {
+            edit.part = *part;
+            edit.plant = scene.drawn->id;
+            return edit;
+        }
+    edit.part = comes_back(points) ? Part::Outline : Part::Trunk;
+    edit.form = form_of(tool, {});
+    if (!scene.plants.empty())
+        edit.scale = scene.placement.scale;
+    auto const foot_mm = TRY(silhouette::foot_of(tree_with(edit, scene)));
+    edit.stands_at_mm = paper_of(scene.state).world_of_sheet(foot_mm);
+    edit.stands_at_mm.z() = 0;
+    return edit;
+}
+
+OutlinedTree tree_with(DrawTree const& edit, Scene const& scene)
+{
+    if (edit.plant != 0)
+        return silhouette::with_part(*silhouette::outlined_tree(*scene.drawn), edit);
+    return silhouette::with_part({ .form = edit.form, .scale = edit.scale }, edit);
+}
+
+constexpr ToolKind OutlineTool::kKind {
+    .word = "outline",
+    .label = "Outline",
+    .title = "A trunk, and the outline of its crown",
+    .done = "The tree has what was drawn",
+    .help = "draws a tree on paper that stands upright: a line is a trunk, one that comes back to "
+            "its beginning the outline of a crown, a line from a trunk inside it a branch; so many "
+            "levels of branches, so many times as many as usual that nobody draws, so many leaves "
+            "on a twig; a new tree at each line, or at once these numbers, or other chance, for "
+            "the tree that is there",
+    .group = "Outline",
+    .icon = "5954 371624416184866737",
+    .key = 'O',
+    .surface = Surface::Paper,
+    .options = options_type<OutlineTool, visit>(),
+    .mean = draw,
+    .previewer = outline_previewer,
+    .other_end = { &EraseOutlineTool::kKind },
+};
+
+} // namespace tractus

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/tools/tool.h"
+#include "engine/methods/silhouettes/tree_edits.h"
+
+namespace tractus {
+
+// Draws a tree by its trunk and the outline of its crown (Wither, Boudon, Cani, Godin 2009).
+struct OutlineTool {
+    static ToolKind const kKind;
+
+    // Of trees that are begun, or of the active one when they are given to it.
+    double levels = 2;
+    double density = 1;
+    double leaves = 24;
+
+    enum class What {
+        GoOn,   // What is drawn is the active tree's where it lies on that, else a new tree's.
+        New,    // It is a new tree's.
+        Form,   // At once: the active tree gets the numbers.
+        Reseed, // At once: what the active tree's drawing leaves open is decided anew.
+    } what
+        = What::GoOn;
+};
+
+// What a stroke with the tool means: the tips drawn so far, in a document as it is built. One that
+// comes back to its beginning is an outline, any other a trunk or a branch.
+Result<silhouette::DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
+                                        Scene const& scene);
+
+// The tree that the edit would make, with all its lines.
+silhouette::OutlinedTree tree_with(silhouette::DrawTree const& edit, Scene const& scene);
+
+} // namespace tractus

@@ -1,0 +1,214 @@
+#include "engine/methods/silhouettes/outlined_tree.h"
+
+#include "engine/methods/silhouettes/match.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+constexpr double kShortestTrunk_mm = 5;
+
+bool same_ink(Stroke const& one, Stroke const& other)
+{
+    return one.tips.id() == other.tips.id();
+}
+
+bool same(OutlinedTree const& one, OutlinedTree const& other)
+{
+    return same_ink(one.trunk, other.trunk) && same_ink(one.outline, other.outline)
+        && std::equal(one.branches.begin(), one.branches.end(), other.branches.begin(),
+                      other.branches.end(),
+                      [](DrawnBranch const& a, DrawnBranch const& b) {
+                          return a.id == b.id && same_ink(a.stroke, b.stroke);
+                      })
+        && one.names == other.names && one.form == other.form && one.scale == other.scale;
+}
+
+Result<std::vector<Vec2>> points_of(Stroke const& stroke)
+{
+    std::vector<Vec2> points;
+    for (auto const& tip : TRY(stroke.tips.in_memory()))
+        points.emplace_back(tip.position_mm.head<2>());
+    return points;
+}
+
+// A pen gives far more places than a line has bends: a drawing has its limit.
+Result<std::vector<Vec2>> line_of(Stroke const& stroke)
+{
+    constexpr std::size_t kMostPoints = 2000;
+    auto points = TRY(points_of(stroke));
+    if (points.size() > kMostPoints)
+        points = resampled_line(points, kMostPoints);
+    return points;
+}
+
+Result<void> check_scale(double scale)
+{
+    if (!(scale > 0 && std::isfinite(scale)))
+        return fail(Fault::User,
+                    fmt::format("a tree cannot be shown {} times as large as it is", scale));
+    return {};
+}
+
+// A stem along the trunk's line alone.
+Result<Plant> bare_stem(std::vector<Vec2> const& trunk, double scale)
+{
+    constexpr std::size_t kNodes = 17;
+    constexpr double kThickest = 0.02; // Radius at the foot, of the stem's length.
+    double const length_mm = length_of(trunk);
+    if (length_mm < kShortestTrunk_mm)
+        return fail(Fault::User,
+                    fmt::format("the trunk is shorter than {:g} mm: draw it from the foot upwards",
+                                kShortestTrunk_mm));
+    Plant plant;
+    plant.materials.push_back({ .name = "bark", .base_color = TreeOptions {}.bark_color });
+    plant.axes.push_back({ .segment_count = kNodes - 1 });
+    plant.segment_material.resize(kNodes - 1, 0);
+    auto const nodes = resampled_line(trunk, kNodes);
+    for (std::size_t i = 0; i < kNodes; ++i) {
+        Vec2 const up = (nodes[i] - nodes[0]) / scale;
+        double const tapered = 1 - 0.8 * static_cast<double>(i) / (kNodes - 1);
+        plant.node_position_mm.emplace_back(up.x(), 0, up.y());
+        plant.node_radius_mm.push_back(static_cast<float>(tapered * kThickest * length_mm / scale));
+    }
+    return plant;
+}
+
+// Two drawings of a tree.
+struct Redrawn {
+    Skeleton const& earlier;
+    Skeleton const& later;
+    std::string const& fresh;
+};
+
+// Names the branches of a later system after those of an earlier one, and those below them.
+void name_system(Redrawn const& redrawn, std::size_t earlier, std::size_t later,
+                 std::vector<std::vector<std::string>>& names)
+{
+    auto const& before = redrawn.earlier.systems[earlier];
+    auto const& after = redrawn.later.systems[later];
+    auto const partners = match_branches(before, after);
+    for (std::size_t i = 0; i < partners.size(); ++i) {
+        names[later].push_back(partners[i] ? name_of(before.branches[*partners[i]])
+                                           : redrawn.fresh + name_of(after.branches[i]));
+        if (!partners[i])
+            continue;
+        auto const below_before = redrawn.earlier.system_of[earlier][*partners[i]];
+        auto const below_after = redrawn.later.system_of[later][i];
+        if (below_before != kNoSystem && below_after != kNoSystem && names[below_after].empty())
+            name_system(redrawn, below_before, below_after, names);
+    }
+}
+
+} // namespace
+
+Result<void> check_form(TreeForm const& form)
+{
+    auto const refuse = [](char const* what, double given, double least, double most) {
+        return fail(Fault::User,
+                    fmt::format("{} cannot be {:g}: give {:g} to {:g}", what, given, least, most));
+    };
+    if (form.levels < 1 || form.levels > 3)
+        return refuse("the levels of a tree", form.levels, 1, 3);
+    if (!(form.density >= 0 && form.density <= 10))
+        return refuse("the density of branches", form.density, 0, 10);
+    if (form.leaves < 1 || form.leaves > 500)
+        return refuse("the leaves on a twig", form.leaves, 1, 500);
+    if (!(form.leaf_width >= 0.01 && form.leaf_width <= 2))
+        return refuse("the width of a leaf", form.leaf_width, 0.01, 2);
+    return {};
+}
+
+TreeOptions tree_options(TreeForm const& form, double height_mm)
+{
+    TreeOptions options;
+    options.height_mm = height_mm;
+    options.seed = form.seed;
+    options.leaf.per_spray = form.leaves;
+    options.leaf.width = form.leaf_width;
+    options.levels.resize(form.patterns.size(), options.levels.back());
+    for (std::size_t level = 0; level < form.patterns.size(); ++level) {
+        options.levels[level].pattern = form.patterns[level];
+        options.levels[level].added *= form.density;
+    }
+    return options;
+}
+
+Result<Drawing> drawing_of(OutlinedTree const& tree)
+{
+    Drawing drawing;
+    if (!tree.outline.tips.empty())
+        drawing.outline.push_back(TRY(line_of(tree.outline)));
+    drawing.trunk = TRY(line_of(tree.trunk));
+    for (auto const& branch : tree.branches)
+        drawing.branches.push_back(TRY(line_of(branch.stroke)));
+    return drawing;
+}
+
+Result<Vec2> foot_of(OutlinedTree const& tree)
+{
+    auto const drawing = TRY(drawing_of(tree));
+    if (!drawing.trunk.empty())
+        return drawing.trunk.front();
+    auto const clean = TRY(clean_drawing(drawing));
+    return clean.to_sheet.point(clean.trunk.front());
+}
+
+Result<Skeleton> skeleton_of(OutlinedTree const& tree)
+{
+    auto const drawing = TRY(drawing_of(tree));
+    auto skeleton = TRY(infer_skeleton(drawing, { .levels = tree.form.levels }));
+    for (std::size_t s = 0; s < std::min(tree.names.size(), skeleton.systems.size()); ++s)
+        for (std::size_t i = 0;
+             i < std::min(tree.names[s].size(), skeleton.systems[s].branches.size()); ++i)
+            skeleton.systems[s].branches[i].name = tree.names[s][i];
+    return skeleton;
+}
+
+Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::string const& fresh)
+{
+    if (before.outline.tips.empty() || after.outline.tips.empty())
+        return {};
+    after.names.clear();
+    auto const earlier = TRY(skeleton_of(before));
+    auto const later = TRY(skeleton_of(after));
+    after.names.resize(later.systems.size());
+    name_system({ earlier, later, fresh }, 0, 0, after.names);
+    return {};
+}
+
+Result<BuiltSource> build_tree(OutlinedTree const& tree, LoadOptions const&)
+{
+    TRY(check_form(tree.form));
+    TRY(check_scale(tree.scale));
+    auto const drawing = TRY(drawing_of(tree));
+    if (drawing.outline.empty() && !drawing.trunk.empty())
+        return BuiltSource { .plant = TRY(bare_stem(drawing.trunk, tree.scale)),
+                             .axis_keys = { axis_key(kTrunkName) } };
+    auto const skeleton = TRY(skeleton_of(tree));
+    auto made = make_tree(skeleton, tree_options(tree.form, drawn_height(skeleton) / tree.scale));
+    BuiltSource built { std::move(made.plant), skeleton.systems[0].notes };
+    for (auto const& name : made.axis_names)
+        built.axis_keys.push_back(axis_key(name));
+    return built;
+}
+
+constexpr SourceKind OutlinedTree::kKind {
+    .word = "outlined_tree",
+    .build =
+        [](void const* drawn, LoadOptions const& options) {
+            return build_tree(*static_cast<OutlinedTree const*>(drawn), options);
+        },
+    .same =
+        [](void const* one, void const* other) {
+            return same(*static_cast<OutlinedTree const*>(one),
+                        *static_cast<OutlinedTree const*>(other));
+        },
+};
+
+} // namespace tractus::silhouette

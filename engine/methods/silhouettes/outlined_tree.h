@@ -1,0 +1,74 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/methods/silhouettes/outline.h"
+#include "engine/methods/silhouettes/skeleton.h"
+#include "engine/methods/silhouettes/tree.h"
+#include "engine/scene/anchored.h"
+#include "engine/scene/plant_source.h"
+#include "engine/stroke/stroke.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tractus::silhouette {
+
+// What a person sets of a tree beside its lines.
+struct TreeForm {
+    int levels = 2;                     // How often branches branch before twigs come: 1 to 3.
+    std::array<Pattern, 3> patterns {}; // Around the trunk, its branches, and those of these.
+    double density = 1;                 // Times as many branches that nobody drew: 0 to 10.
+    int leaves = 24;                    // On a twig: 1 to 500.
+    double leaf_width = 0.4;            // A share of a leaf's length: 0.01 to 2.
+    std::uint64_t seed = 1;             // Of what the drawing leaves open.
+
+    bool operator==(TreeForm const&) const = default;
+};
+
+Result<void> check_form(TreeForm const& form); // Refuses what is out of range, as the user's fault.
+
+TreeOptions tree_options(TreeForm const& form, double height_mm);
+
+// A branch that was drawn, by the edit that brought it.
+struct DrawnBranch {
+    ItemId id = 0;
+    Stroke stroke {};
+};
+
+// A tree as it is drawn on paper: strokes whose x and y are tablet-centred millimetres; how high
+// the surface was counts for nothing. The source of a plant (plant_source.h).
+struct OutlinedTree {
+    static SourceKind const kKind;
+
+    Stroke trunk {};   // From the foot upwards; without tips: not drawn.
+    Stroke outline {}; // Once around the crown; likewise.
+    std::vector<DrawnBranch> branches {};
+    // What the branches of each of the skeleton's systems are called, so that names outlast other
+    // lines; none: see name_of().
+    std::vector<std::vector<std::string>> names {};
+    TreeForm form {};
+    double scale = 0.1; // World millimetres per plant millimetre.
+};
+
+Result<Drawing> drawing_of(OutlinedTree const& tree);
+
+// Where the trunk's foot is on the paper. Fails as build_tree() does.
+Result<Vec2> foot_of(OutlinedTree const& tree);
+
+// What follows from the lines, in millimetres of the paper. Fails, as the user's fault, without an
+// outline, and like infer_skeleton().
+Result<Skeleton> skeleton_of(OutlinedTree const& tree);
+
+// Gives the branches of a tree whose lines have changed the names that they had in the one before
+// (match.h); those that are new get names that begin with `fresh`. Neither without an outline.
+Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::string const& fresh);
+
+// The plant: as large as drawn when it is shown at its scale, its foot at the origin. Without an
+// outline a bare stem along the trunk. Fails, as the user's fault, for neither, like
+// infer_skeleton() and check_form(), and for a trunk that is a dot.
+Result<BuiltSource> build_tree(OutlinedTree const& tree, LoadOptions const& options = {});
+
+} // namespace tractus::silhouette

@@ -1,0 +1,226 @@
+#include "engine/methods/silhouettes/tree_edits.h"
+
+#include "engine/methods/silhouettes/bumps.h"
+#include "engine/scene/edit_words.h"
+#include "engine/scene/make_edit_kind.h"
+
+#include <array>
+#include <fmt/format.h>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+// In the order of the enumerations' values.
+constexpr std::array kParts { "trunk", "outline", "branch" };
+constexpr std::array kPatterns {
+    "even", "spiral", "decussate", "whorls", "two-rows", "horizontal"
+};
+
+void list(Fields& fields, TreeForm& form)
+{
+    fields.field("levels", &form.levels);
+    fields.word("trunk_pattern", form.patterns[0], kPatterns);
+    fields.word("branch_pattern", form.patterns[1], kPatterns);
+    fields.word("twig_pattern", form.patterns[2], kPatterns);
+    fields.field("density", &form.density);
+    fields.field("leaves", &form.leaves);
+    fields.field("leaf_width", &form.leaf_width);
+    fields.field("seed", &form.seed);
+}
+
+void list(Fields& fields, DrawTree& edit)
+{
+    fields.word("part", edit.part, kParts);
+    fields.sparse_field("plant", &edit.plant);
+    fields.field("stands_at_mm", &edit.stands_at_mm);
+    list(fields, edit.form);
+    fields.field("scale", &edit.scale);
+    fields.id(edit.id);
+    fields.numbers(edit.stroke);
+}
+
+void list(Fields& fields, EraseTreePart& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.word("part", edit.part, kParts);
+    fields.sparse_field("branch", &edit.branch);
+}
+
+void list(Fields& fields, FormTree& edit)
+{
+    fields.field("plant", &edit.plant);
+    list(fields, edit.form);
+}
+
+Result<OutlinedTree> tree_of(DocumentState const& state, ItemId plant)
+{
+    auto const number = TRY(plant_number(state, plant));
+    auto const* const tree = outlined_tree(*state.plants[number]);
+    if (!tree)
+        return fail(Fault::User,
+                    fmt::format("plant {} has no outline: choose a tree that was drawn by its "
+                                "outline",
+                                tractus::name_of(plant)));
+    return *tree;
+}
+
+// What building would refuse, without building.
+Result<void> check_tree(OutlinedTree const& tree)
+{
+    TRY(check_form(tree.form));
+    if (tree.outline.tips.empty()) {
+        TRY(build_tree(tree));
+        return {};
+    }
+    auto const drawing = TRY(drawing_of(tree));
+    auto const clean = TRY(clean_drawing(drawing));
+    if (!inside_run(clean.outline, clean.trunk))
+        return fail(Fault::User,
+                    "the trunk is wholly outside of the outline: draw it into the crown");
+    return {};
+}
+
+// The plant stays under its ink: where the foot has moved on the paper, it moves.
+Result<DocumentState> with_tree(DocumentState state, ItemId plant, OutlinedTree tree)
+{
+    TRY(check_tree(tree));
+    auto const foot_mm = TRY(foot_of(tree));
+    change_plant(state, TRY(plant_number(state, plant)), [&](PlantState& changed) {
+        changed.source = PlantSource(OutlinedTree::kKind, std::move(tree));
+        changed.source_edit = state.last_edit;
+        changed.selection.clear();
+        if (changed.paper_mm)
+            changed.stands_at_mm.x() += foot_mm.x() - changed.paper_mm->x();
+        changed.paper_mm = foot_mm;
+    });
+    return state;
+}
+
+// A tree whose lines have changed; branches that this brings are called after `id`.
+Result<DocumentState> with_lines(DocumentState state, ItemId plant, OutlinedTree const& before,
+                                 OutlinedTree after, ItemId id)
+{
+    TRY(check_tree(after));
+    TRY(keep_names(before, after, fmt::format("{}.", tractus::name_of(id))));
+    return with_tree(std::move(state), plant, std::move(after));
+}
+
+Result<DocumentState> applied(DocumentState state, DrawTree const& edit, SceneBuilder&)
+{
+    if (edit.plant != 0) {
+        auto const before = TRY(tree_of(state, edit.plant));
+        auto const id = take_id(state, edit.id);
+        return with_lines(std::move(state), edit.plant, before, with_part(before, edit, id), id);
+    }
+    if (edit.part == DrawTree::Part::Branch)
+        return fail(Fault::User, "there is no tree for the branch: draw a trunk or a crown first");
+    auto tree = with_part({ .form = edit.form, .scale = edit.scale }, edit);
+    TRY(check_tree(tree));
+    if (!edit.stands_at_mm.allFinite())
+        return fail(Fault::User, "the place for the tree is not a number: draw it again");
+    auto const foot_mm = TRY(foot_of(tree));
+    if (!state.scale)
+        state.scale = edit.scale;
+    return with_source(std::move(state),
+                       { .name = "tree",
+                         .source = PlantSource(OutlinedTree::kKind, std::move(tree)),
+                         .drawn = Drawn::Beside,
+                         .stands_at_mm = edit.stands_at_mm,
+                         .paper_mm = foot_mm,
+                         .id = edit.id });
+}
+
+Result<DocumentState> applied(DocumentState state, EraseTreePart const& edit, SceneBuilder&)
+{
+    auto const before = TRY(tree_of(state, edit.plant));
+    auto after = before;
+    bool is_there = false;
+    switch (edit.part) {
+    case DrawTree::Part::Trunk:
+        is_there = !std::exchange(after.trunk, {}).tips.empty();
+        break;
+    case DrawTree::Part::Outline:
+        is_there = !std::exchange(after.outline, {}).tips.empty();
+        break;
+    case DrawTree::Part::Branch:
+        is_there
+            = std::erase_if(after.branches,
+                            [&](DrawnBranch const& branch) { return branch.id == edit.branch; })
+            > 0;
+        break;
+    }
+    if (!is_there)
+        return fail(Fault::User, "the tree has no such part any more");
+    if (after.trunk.tips.empty() && after.outline.tips.empty())
+        return fail(Fault::User,
+                    "nothing of the tree would be left: remove the plant to take it away");
+    auto const id = item_id(state.last_edit, 0);
+    return with_lines(std::move(state), edit.plant, before, std::move(after), id);
+}
+
+Result<DocumentState> applied(DocumentState state, FormTree const& edit, SceneBuilder&)
+{
+    auto tree = TRY(tree_of(state, edit.plant));
+    tree.form = edit.form;
+    return with_tree(std::move(state), edit.plant, std::move(tree));
+}
+
+std::string described(DrawTree const& edit)
+{
+    constexpr std::array kWhat { "a trunk", "the outline of a crown", "a branch" };
+    auto const* const what = kWhat[static_cast<std::size_t>(edit.part)];
+    auto const whose = edit.plant == 0 ? std::string("a new tree")
+                                       : fmt::format("plant {}", tractus::name_of(edit.plant));
+    return fmt::format("draws {} for {}: {}", what, whose, describe_stroke(edit.stroke));
+}
+
+std::string described(EraseTreePart const& edit)
+{
+    constexpr std::array kWhat { "the trunk", "the outline of the crown", "a drawn branch" };
+    return fmt::format("takes {} of plant {} away", kWhat[static_cast<std::size_t>(edit.part)],
+                       tractus::name_of(edit.plant));
+}
+
+std::string described(FormTree const& edit)
+{
+    return fmt::format("arranges plant {}: {} around the trunk, {} around branches, {}, {:g} times "
+                       "as many as usual, {} leaves on a twig",
+                       tractus::name_of(edit.plant), name_of(edit.form.patterns[0]),
+                       name_of(edit.form.patterns[1]),
+                       counted(static_cast<std::size_t>(edit.form.levels), "level"),
+                       edit.form.density, edit.form.leaves);
+}
+
+} // namespace
+
+OutlinedTree with_part(OutlinedTree tree, DrawTree const& edit, ItemId id)
+{
+    switch (edit.part) {
+    case DrawTree::Part::Trunk:
+        tree.trunk = edit.stroke;
+        break;
+    case DrawTree::Part::Outline:
+        tree.outline = edit.stroke;
+        break;
+    case DrawTree::Part::Branch:
+        tree.branches.push_back({ id, edit.stroke });
+        break;
+    }
+    return tree;
+}
+
+OutlinedTree const* outlined_tree(PlantState const& plant)
+{
+    return plant.source.get<OutlinedTree>(OutlinedTree::kKind);
+}
+
+constexpr EditKind DrawTree::kKind
+    = make_edit_kind<DrawTree, list, applied, described>("draw_tree", true);
+constexpr EditKind EraseTreePart::kKind
+    = make_edit_kind<EraseTreePart, list, applied, described>("erase_tree_part");
+constexpr EditKind FormTree::kKind
+    = make_edit_kind<FormTree, list, applied, described>("form_tree", true);
+
+} // namespace tractus::silhouette

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "engine/methods/silhouettes/outlined_tree.h"
+#include "engine/scene/document_state.h"
+#include "engine/scene/edit.h"
+
+namespace tractus::silhouette {
+
+// Draws a part of a tree on paper (Wither et al. 2009).
+struct DrawTree {
+    static EditKind const kKind;
+
+    enum class Part {
+        Trunk,   // In place of the tree's trunk, if it has one.
+        Outline, // Of the crown, likewise.
+        Branch,  // One more.
+    } part
+        = Part::Outline;
+    Stroke stroke {};
+    // A tree that there is; 0: a new plant, which becomes the active one. What follows is a new
+    // one's.
+    ItemId plant = 0;
+    Vec3 stands_at_mm = Vec3::Zero(); // World frame.
+    TreeForm form {};
+    // World millimetres per plant millimetre: what was drawn is a plant of so many times its size.
+    // A document whose scale nobody has set keeps this one.
+    double scale = 0.1;
+    // Of the plant, or of the part, after which branches that it brings are called; 0: it has none
+    // yet.
+    ItemId id = 0;
+};
+
+// Takes a part of a tree away. A tree of which neither trunk nor outline would be left is refused:
+// RemovePlant takes the whole.
+struct EraseTreePart {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    DrawTree::Part part = DrawTree::Part::Branch;
+    ItemId branch = 0; // Which one it is, of a branch.
+};
+
+// Sets another form for a tree. What was drawn on branches stays where their names stay.
+struct FormTree {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    TreeForm form {};
+};
+
+// The tree with the edit's part; `id` becomes a branch's.
+OutlinedTree with_part(OutlinedTree tree, DrawTree const& edit, ItemId id = 0);
+
+// Null for a plant that was not outlined.
+OutlinedTree const* outlined_tree(PlantState const& plant);
+
+} // namespace tractus::silhouette

@@ -1,0 +1,175 @@
+#include "app/methods/silhouettes/outline_tool.h"
+
+#include "app/document/document.h"
+#include "app/methods/all_methods.h"
+#include "app/methods/silhouettes/arrange_tool.h"
+#include "app/methods/silhouettes/erase_outline_tool.h"
+#include "app/methods/silhouettes/outline_layer.h"
+#include "app/methods/silhouettes/outline_previewer.h"
+#include "tests/app/small_model.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+using silhouette::DrawTree;
+
+// Once around (x, y), 30 mm away, with four lobes.
+Stroke crown_around(double x, double y, double share = 1)
+{
+    std::vector<Vec3> places;
+    for (int i = 0; i <= 60 * share; ++i) {
+        double const angle = i * 2 * kPi / 60 - kPi / 2;
+        double const r = 30 + 6 * std::fabs(std::sin(2 * angle));
+        places.emplace_back(x + r * std::cos(angle), y + r * std::sin(angle), 150);
+    }
+    return stroke_through(places);
+}
+
+Stroke trunk_at(double x)
+{
+    return stroke_through({ { x, -60, 150 }, { x + 2, -20, 150 }, { x, 20, 150 } });
+}
+
+DrawTree meant(Stroke const& stroke, Scene const& scene, OutlineTool const& tool = {})
+{
+    auto const edit = drawn_tree(tool, stroke, scene);
+    EXPECT_TRUE(edit) << edit.error().message;
+    return edit.value_or(DrawTree {});
+}
+
+Scene after(Scene const& scene, Stroke const& stroke, OutlineTool const& tool = {})
+{
+    return apply_edit(scene, meant(stroke, scene, tool)).value();
+}
+
+TEST(OutlineTool, SaysItsNumbersInLogs)
+{
+    OutlineTool const tool { .levels = 1, .leaves = 8, .what = OutlineTool::What::New };
+    auto const words = words_for(tool);
+    EXPECT_EQ(words.name + " " + words.arguments, "outline levels=1 leaves=8 new");
+    EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), Tool(tool));
+}
+
+TEST(OutlineTool, TellsTrunkOutlineAndBranchByHowTheyLie)
+{
+    auto const stem = after({}, trunk_at(10));
+    EXPECT_EQ(meant(trunk_at(10), {}).part, DrawTree::Part::Trunk);
+    EXPECT_EQ(meant(trunk_at(10), {}).stands_at_mm, Vec3(10, 0, 0));
+    auto const outline = meant(crown_around(10, 10), stem);
+    EXPECT_EQ(outline.part, DrawTree::Part::Outline);
+    EXPECT_EQ(outline.plant, stem.state.active);
+    auto const tree = after(stem, crown_around(10, 10));
+    auto const branch = meant(stroke_through({ { 11, -10, 0 }, { 20, 0, 0 }, { 34, 4, 0 } }), tree);
+    EXPECT_EQ(branch.part, DrawTree::Part::Branch);
+    EXPECT_EQ(branch.plant, tree.state.active);
+    auto const again = meant(trunk_at(12), tree);
+    EXPECT_EQ(again.part, DrawTree::Part::Trunk);
+    EXPECT_EQ(again.plant, tree.state.active) << "it begins at the foot";
+    EXPECT_EQ(meant(crown_around(12, 8), tree).plant, tree.state.active)
+        << "a crown over the old one is drawn anew";
+}
+
+TEST(OutlineTool, BeginsATreeBesideTheOther)
+{
+    auto const tree = after(after({}, trunk_at(-60)), crown_around(-60, 10));
+    EXPECT_EQ(meant(trunk_at(60), tree).plant, 0u);
+    EXPECT_EQ(meant(trunk_at(60), tree).stands_at_mm, Vec3(60, 0, 0));
+    EXPECT_EQ(meant(crown_around(60, 10), tree).plant, 0u);
+    OutlineTool const tool { .what = OutlineTool::What::New };
+    EXPECT_EQ(meant(crown_around(-58, 10), tree, tool).plant, 0u);
+    auto const both = after(tree, crown_around(60, 10));
+    ASSERT_EQ(both.plants.size(), 2u);
+    EXPECT_NEAR(both.placement.origin_mm.x(), 60, 2) << "under the middle of its crown";
+}
+
+TEST(OutlineTool, RefusesADot)
+{
+    auto const edit = drawn_tree({}, stroke_through({ { 0, 0, 0 } }), {});
+    ASSERT_FALSE(edit);
+    EXPECT_NE(edit.error().message.find("a dot"), std::string::npos);
+}
+
+TEST(OutlineTool, GivesItsNumbersToTheTreeAtOnce)
+{
+    Document document({}, Document::Working::AtOnce);
+    document.draw({ trunk_at(0), OutlineTool {} });
+    document.draw({ crown_around(0, 10), OutlineTool {} });
+    auto const before = document.newest();
+    ASSERT_EQ(before->scene.plants.size(), 1u);
+    auto const bases = before->scene.base->axes.size();
+    document.draw({ {}, OutlineTool { .levels = 1, .what = OutlineTool::What::Form } });
+    EXPECT_LT(document.newest()->scene.base->axes.size(), bases);
+    document.undo();
+    document.draw({ {}, OutlineTool { .what = OutlineTool::What::Reseed } });
+    EXPECT_NE(document.newest()->scene.base->node_position_mm,
+              before->scene.base->node_position_mm);
+    document.undo();
+    document.draw({ {}, ArrangeTool {} });
+    EXPECT_NE(document.newest()->scene.base->node_position_mm,
+              before->scene.base->node_position_mm);
+    document.undo();
+    EXPECT_EQ(document.newest()->scene.base->node_position_mm,
+              before->scene.base->node_position_mm);
+    auto const refused = Tool(ArrangeTool {}).mean({}, small_scene());
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("no outline"), std::string::npos);
+}
+
+// A branch goes before the trunk that it stands on, the outline last; what is left is a bare stem.
+TEST(EraseOutlineTool, TakesLinesOfTheDrawingAway)
+{
+    Document document({}, Document::Working::AtOnce);
+    for (auto const& stroke : { trunk_at(0), crown_around(0, 10),
+                                stroke_through({ { 1, -10, 0 }, { 12, 0, 0 }, { 26, 4, 0 } }) })
+        document.draw({ stroke, OutlineTool {} });
+    auto const tree = [&] { return *silhouette::outlined_tree(*document.newest()->scene.drawn); };
+    ASSERT_EQ(tree().branches.size(), 1u);
+    auto const across = stroke_through({ { 20, -10, 0 }, { 20, 20, 0 } });
+    document.draw({ across, EraseOutlineTool {} });
+    EXPECT_TRUE(tree().branches.empty());
+    EXPECT_FALSE(tree().outline.tips.empty());
+    document.draw({ across, EraseOutlineTool {} });
+    EXPECT_FALSE(tree().outline.tips.empty()) << "nothing lies there any more";
+    document.undo();
+    EXPECT_EQ(tree().branches.size(), 1u);
+    document.draw(
+        { stroke_through({ { 20, 42, 0 }, { 10, 44, 0 }, { -20, 42, 0 } }), EraseOutlineTool {} });
+    EXPECT_TRUE(tree().outline.tips.empty());
+    EXPECT_EQ(document.newest()->scene.base->axes.size(), 1u);
+    auto const last = Tool(EraseOutlineTool {}).mean(trunk_at(0), document.newest()->scene).value();
+    auto const refused = apply_edits(document.newest()->scene, last);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("remove the plant"), std::string::npos);
+}
+
+TEST(OutlineTool, ShowsBranchesBeforeTheCrownIsClosed)
+{
+    auto const stem = std::make_shared<Scene const>(after({}, trunk_at(0)));
+    Tool const tool = OutlineTool {};
+    auto const lines = [&](double share) {
+        auto const stroke = crown_around(0, 10, share);
+        return outline_previewer()->show({ stem, tool, stroke.tips.vector(), 99 }).size();
+    };
+    EXPECT_EQ(lines(0.3), 0u);
+    EXPECT_GE(lines(0.8), 4u);
+    EXPECT_GE(lines(1), 4u);
+}
+
+TEST(OutlineLayer, ShowsTheLinesWhereTheTreeStands)
+{
+    auto const tree = after(after({}, trunk_at(10)), crown_around(10, 10));
+    auto const outline = kOutlineLayer.lines(tree);
+    ASSERT_EQ(outline.size(), 1u);
+    for (auto const& point_mm : outline[0]) {
+        EXPECT_EQ(point_mm.y(), 0);
+        EXPECT_NEAR((Vec2f(point_mm.x() - 10, point_mm.z() - 70)).norm(), 33, 4);
+    }
+    EXPECT_EQ(kTrunkLayer.lines(tree).size(), 1u);
+    EXPECT_TRUE(kOutlineLayer.lines(small_scene()).empty());
+}
+
+} // namespace
+} // namespace tractus

@@ -1,0 +1,316 @@
+#include "engine/methods/silhouettes/tree_edits.h"
+
+#include "engine/scene/paper.h"
+#include "engine/scene/scene.h"
+#include "tests/engine/methods/silhouettes/outlines.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace tractus::silhouette {
+namespace {
+
+Stroke stroke_of(std::vector<Vec2> const& points)
+{
+    Stroke stroke;
+    std::int64_t time_ns = 0;
+    for (auto const& point : points)
+        stroke.tips.push_back({ .time = timestamp_ns(time_ns += 5'000'000),
+                                .position_mm = { point.x(), point.y(), 140 },
+                                .touching = true });
+    return stroke;
+}
+
+// A crown of five lobes, its trunk's foot at (0, -90).
+Drawing crown()
+{
+    return lobed_crown(5);
+}
+
+DrawTree trunk()
+{
+    return { .part = DrawTree::Part::Trunk,
+             .stroke = stroke_of(crown().trunk),
+             .stands_at_mm = { 30, 0, 0 } };
+}
+
+DrawTree outline(ItemId plant = 0)
+{
+    return { .part = DrawTree::Part::Outline,
+             .stroke = stroke_of(crown().outline[0]),
+             .plant = plant };
+}
+
+DrawTree branch(ItemId plant)
+{
+    return { .part = DrawTree::Part::Branch,
+             .stroke = stroke_of({ { 0, -10 }, { 25, 5 }, { 45, 10 }, { 60, 12 } }),
+             .plant = plant };
+}
+
+Scene drawn(Edit const& edit, Scene const& before = {})
+{
+    auto scene = apply_edit(before, edit);
+    EXPECT_TRUE(scene) << scene.error().message;
+    return scene.value_or(Scene {});
+}
+
+Scene drawn_tree()
+{
+    auto const stem = drawn(trunk());
+    return drawn(outline(stem.state.active), stem);
+}
+
+std::string refusal(Edit const& edit, Scene const& before = {})
+{
+    auto const scene = apply_edit(before, edit);
+    return scene ? std::string() : scene.error().message;
+}
+
+// The tree is the one that the command makes from the same lines.
+TEST(DrawTree, IsTheTreeOfItsLines)
+{
+    auto const scene = drawn_tree();
+    ASSERT_EQ(scene.plants.size(), 1u);
+    auto const skeleton = infer_skeleton(crown()).value();
+    auto const tree = make_tree(skeleton, tree_options({}, drawn_height(skeleton) / 0.1));
+    EXPECT_EQ(scene.base->node_position_mm, tree.plant.node_position_mm);
+    EXPECT_EQ(scene.base->organs.size(), tree.plant.organs.size());
+}
+
+TEST(DrawTree, StandsUnderItsInk)
+{
+    auto const stem = drawn(trunk());
+    auto const whole = drawn_tree();
+    for (auto const* const scene : { &stem, &whole }) {
+        auto const paper = paper_of(scene->state);
+        EXPECT_EQ(paper.base_mm, Vec2(0, -90));
+        EXPECT_EQ(scene->placement.origin_mm, Vec3(30, 0, 0));
+        auto const& axis = scene->base->axes[0];
+        Vec3 const first_mm = scene->placement.world_of_plant(scene->base->positions(axis)[0]);
+        EXPECT_LT((paper.sheet_of_world(first_mm) - Vec2(0, -90)).norm(), 0.01);
+        double off_mm = 0;
+        for (auto const& node_mm : scene->base->positions(axis))
+            off_mm = std::max(
+                off_mm,
+                std::fabs(paper.sheet_of_world(scene->placement.world_of_plant(node_mm)).x()));
+        EXPECT_LT(off_mm, 0.5) << "the trunk was drawn straight up";
+    }
+    Bounds seen_mm;
+    for (auto const& node_mm : whole.base->node_position_mm)
+        seen_mm.add(whole.placement.world_of_plant(node_mm.cast<double>()));
+    auto const box = box_of(crown().outline[0]);
+    EXPECT_NEAR(seen_mm.max_mm.z(), box.high.y() + 90, 12) << "as high as drawn, but for twigs";
+    EXPECT_NEAR(seen_mm.max_mm.x() - 30, box.high.x(), 12);
+}
+
+// A trunk that is drawn anew 12 mm to the right moves the plant there, and a tree whose plant was
+// moved stays where it is.
+TEST(DrawTree, MovesThePlantWithItsFoot)
+{
+    auto scene = drawn_tree();
+    auto const plant = scene.state.active;
+    auto moved = trunk();
+    moved.plant = plant;
+    moved.stroke = stroke_of({ { 12, -80 }, { 10, 40 } });
+    scene = drawn(moved, scene);
+    EXPECT_EQ(scene.placement.origin_mm, Vec3(42, 0, 0));
+    EXPECT_EQ(paper_of(scene.state).base_mm, Vec2(12, -80));
+    scene = drawn(MovePlant { plant, { -50, 20, 0 } }, scene);
+    scene = drawn(outline(plant), scene);
+    EXPECT_EQ(scene.placement.origin_mm, Vec3(-50, 20, 0));
+}
+
+TEST(DrawTree, LetsADrawnBranchTakeTheBumpsPlace)
+{
+    auto const before = drawn_tree();
+    auto const after = drawn(branch(before.state.active), before);
+    auto const names = [](Scene const& scene) {
+        auto const skeleton = skeleton_of(*outlined_tree(*scene.drawn)).value();
+        std::vector<std::string> result;
+        for (auto const& one : skeleton.systems[0].branches)
+            if (one.origin == Branch::Origin::Bump || one.origin == Branch::Origin::Drawn)
+                result.push_back(name_of(one));
+        return result;
+    };
+    auto expected = names(before);
+    auto const given = names(after);
+    ASSERT_EQ(given.size(), expected.size()) << "it takes the place of one";
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < given.size(); ++i)
+        if (given[i] != "d0") {
+            EXPECT_EQ(given[i], expected[i]);
+            ++others;
+        }
+    EXPECT_EQ(others + 1, given.size());
+}
+
+// Points of the drawn branch lie on the plant's, as seen from the drawing's side.
+TEST(DrawTree, FollowsADrawnBranch)
+{
+    auto const stroke = branch(0).stroke;
+    auto drawing = crown();
+    drawing.branches.push_back({});
+    for (auto const& tip : stroke.tips)
+        drawing.branches[0].emplace_back(tip.position_mm.head<2>());
+    auto const system = infer_system(drawing).value();
+    auto const found
+        = std::find_if(system.branches.begin(), system.branches.end(),
+                       [](Branch const& one) { return one.origin == Branch::Origin::Drawn; });
+    ASSERT_NE(found, system.branches.end());
+    auto const curve = found->path.curve.points(65);
+    for (auto const& point : drawing.branches[0]) {
+        double least = std::numeric_limits<double>::max();
+        for (auto const& at : curve)
+            least = std::min(least, (at - point).norm());
+        EXPECT_LT(least, 1.5) << point.transpose();
+    }
+    EXPECT_EQ(found->path.side, Side::Right);
+}
+
+TEST(DrawTree, AddsTreesBesideEachOther)
+{
+    auto const first = drawn_tree();
+    auto second = outline();
+    second.stands_at_mm = { -60, 0, 0 };
+    auto const both = drawn(second, first);
+    ASSERT_EQ(both.plants.size(), 2u);
+    EXPECT_EQ(both.plants[0], first.plants[0]) << "the first is not built again";
+    EXPECT_EQ(both.placement.origin_mm, Vec3(-60, 0, 0));
+    EXPECT_EQ(both.placement.scale, first.placement.scale);
+}
+
+// What the hand draws a second time is never quite the same: waves of at most 3 % of the diagonal.
+std::vector<Vec2> wavered(std::vector<Vec2> const& outline, std::uint32_t number)
+{
+    Random random({ 31, 7, number });
+    double const most_mm = 0.03 * box_of(outline).diagonal();
+    std::vector<Vec2> result;
+    std::array<double, 6> phase {};
+    for (auto& one : phase)
+        one = random.uniform(0, 2 * kPi);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        double const at = 2 * kPi * static_cast<double>(i) / static_cast<double>(outline.size());
+        Vec2 const way(std::sin(2 * at + phase[0]) + std::sin(3 * at + phase[1])
+                           + std::sin(5 * at + phase[2]),
+                       std::sin(2 * at + phase[3]) + std::sin(3 * at + phase[4])
+                           + std::sin(5 * at + phase[5]));
+        result.push_back(outline[i] + most_mm / (3 * std::sqrt(2.0)) * way);
+    }
+    return result;
+}
+
+// The bases and tips of the branches that 20 strokes shape, by the strokes' ids.
+std::map<ItemId, std::pair<Vec3, Vec3>> shaped_branches(Scene const& scene)
+{
+    std::map<ItemId, std::pair<Vec3, Vec3>> ends;
+    for (auto const& [id, association, at] : scene.associations)
+        if (!association.is_orphaned) {
+            auto const& base = *scene.base;
+            ends[id] = { base.node_position_mm[nodes_of(base, association.path.front()).base],
+                         base.node_position_mm[nodes_of(base, association.path.back()).tip] };
+        }
+    return ends;
+}
+
+// A hundred outlines that are drawn anew, on ten trees with twenty strokes each.
+TEST(DrawTree, KeepsStrokesOnTheirBranches)
+{
+    int kept = 0;
+    int all = 0;
+    for (std::uint32_t number = 0; number < 10; ++number) {
+        auto const drawing = lobed_crown(3 + static_cast<int>(number));
+        auto edit = outline();
+        edit.stroke = stroke_of(drawing.outline[0]);
+        auto scene = drawn(edit);
+        Random random({ 31, 8, number });
+        std::vector<Edit> strokes;
+        for (int i = 0; i < 20; ++i) {
+            auto const axes = static_cast<std::uint32_t>(scene.base->axes.size());
+            auto const& axis = scene.base->axes[1 + random.next_u32() % (axes - 1)];
+            std::vector<SegmentId> path(axis.segment_count);
+            std::iota(path.begin(), path.end(), axis.first_segment);
+            strokes.push_back(select_paths(scene, { path }));
+            strokes.push_back(Associate { stroke_of({ { 0, 0 }, { 10, 5 }, { 20, 20 } }) });
+        }
+        scene = apply_edits(scene, strokes).value();
+        ASSERT_EQ(scene.associations.size(), 20u);
+        double const size_mm = bounds(*scene.base).max_mm.z();
+        for (std::uint32_t change = 0; change < 10; ++change) {
+            auto const before = shaped_branches(scene);
+            edit.plant = scene.state.active;
+            edit.stroke = stroke_of(wavered(drawing.outline[0], 100 * number + change));
+            scene = drawn(edit, scene);
+            auto const after = shaped_branches(scene);
+            all += static_cast<int>(before.size());
+            for (auto const& [id, ends] : before) {
+                auto const found = after.find(id);
+                if (found == after.end())
+                    continue;
+                ++kept;
+                // Height and distance from the trunk: around it all are arranged anew.
+                auto const seen
+                    = [](Vec3 const& at_mm) { return Vec2(at_mm.head<2>().norm(), at_mm.z()); };
+                EXPECT_LT((seen(found->second.first) - seen(ends.first)).norm(), 0.25 * size_mm)
+                    << number << " " << change << " " << tractus::name_of(id);
+            }
+        }
+    }
+    EXPECT_GE(kept, 0.95 * all) << "of " << all;
+    RecordProperty("kept", kept);
+    RecordProperty("of", all);
+}
+
+TEST(FormTree, ArrangesTheTreeAnew)
+{
+    auto const before = drawn_tree();
+    TreeForm form;
+    form.patterns[0] = Pattern::Whorls;
+    form.leaves = 5;
+    auto const after = drawn(FormTree { before.state.active, form }, before);
+    EXPECT_NE(after.base->node_position_mm, before.base->node_position_mm);
+    EXPECT_EQ(after.state.plants[0]->paper_mm, before.state.plants[0]->paper_mm);
+    EXPECT_EQ(drawn(FormTree { before.state.active, {} }, after).base->node_position_mm,
+              before.base->node_position_mm);
+}
+
+TEST(DrawTree, SaysWhatIsWrong)
+{
+    auto const tree = drawn_tree();
+    auto const plant = tree.state.active;
+    EXPECT_NE(refusal(branch(0)).find("draw a trunk or a crown first"), std::string::npos);
+    EXPECT_NE(refusal(outline(77), tree).find("there is no plant"), std::string::npos);
+    auto dot = trunk();
+    dot.stroke = stroke_of({ { 0, 0 }, { 1, 0 } });
+    EXPECT_NE(refusal(dot).find("shorter than 5 mm"), std::string::npos);
+    auto open = outline(plant);
+    open.stroke = stroke_of({ { -50, 0 },
+                              { -40, 30 },
+                              { -20, 40 },
+                              { 0, 45 },
+                              { 20, 40 },
+                              { 40, 30 },
+                              { 45, 10 },
+                              { 50, 0 } });
+    EXPECT_NE(refusal(open, tree).find("open"), std::string::npos);
+    auto far = trunk();
+    far.plant = plant;
+    far.stroke = stroke_of({ { 300, 0 }, { 300, 100 } });
+    EXPECT_NE(refusal(far, tree).find("outside of the outline"), std::string::npos);
+    auto unscaled = trunk();
+    unscaled.scale = 0;
+    EXPECT_FALSE(refusal(unscaled).empty());
+    TreeForm form;
+    form.density = std::nan("");
+    EXPECT_NE(refusal(FormTree { plant, form }, tree).find("density"), std::string::npos);
+    form = {};
+    form.levels = 4;
+    EXPECT_NE(refusal(FormTree { plant, form }, tree).find("levels"), std::string::npos);
+}
+
+} // namespace
+} // namespace tractus::silhouette
