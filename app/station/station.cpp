@@ -28,13 +28,19 @@ static Tool first_tool(StationOptions const& options)
     return options.tools.empty() ? Tool() : Tool(*options.tools.front());
 }
 
-// Those that an other end of the pen is as it was chosen last.
+static bool has_options(ToolKind const& kind)
+{
+    return !chosen_words(Tool(kind)).empty() || !chosen_numbers(Tool(kind)).empty();
+}
+
+// The kinds that an other end of the pen is with the options that were chosen last.
 static std::vector<ToolKind const*> kinds_to_remember(ToolKinds tools)
 {
     std::vector<ToolKind const*> kinds;
     for (auto const* const tool : tools) {
         auto const& [kind, options] = tool->other_end;
-        if (kind && !options && std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+        if (kind && !options && has_options(*kind)
+            && std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
             kinds.push_back(kind);
     }
     return kinds;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/station/pressing.h"
+#include "app/tools/layer.h"
 #include "app/tools/tool.h"
 #include "calib/fuser.h"
 #include "calib/height_monitor.h"

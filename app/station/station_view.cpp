@@ -35,6 +35,7 @@ StationView::StationView(Station const& station, Document const& document)
 {
     state_.volume_mm = station.volume_mm();
     layers_ = station.layers();
+    aims_at_ = station.tool().kind().aims_at;
     show_scene(document.newest());
 }
 
@@ -129,6 +130,8 @@ void StationView::show_live(Station const& station, Document const& document)
     state_.tools = station.tools();
     state_.hand = station.tool();
     state_.remembered = station.remembered();
+    if (std::exchange(aims_at_, state_.hand.kind().aims_at) != state_.hand.kind().aims_at)
+        show_skeleton();
     auto const fault = station.height_monitor().present();
     state_.trouble = fault ? describe_fault(*fault) : "";
     show_ink(station, document.waiting());
@@ -178,10 +181,10 @@ void StationView::show_selecting(Station const& station)
         shown_touched_.reset();
         return;
     }
-    if (!shown_skeleton_ || shown_plant_ != grown_scene_->base || shown_angle_ != tool.angle()) {
-        shown_plant_ = grown_scene_->base;
+    if (!shown_skeleton_ || shown_scene_ != grown_scene_ || shown_angle_ != tool.angle()) {
+        shown_scene_ = grown_scene_;
         shown_angle_ = tool.angle();
-        shown_skeleton_.emplace(*shown_plant_, shown_angle_);
+        shown_skeleton_.emplace(*shown_scene_, shown_angle_);
     }
     auto touched = shown_skeleton_->touched_by(inks.front());
     if (shown_touched_ == touched)
@@ -253,7 +256,8 @@ void StationView::list_orphans(Scene const& scene)
 
 void StationView::show_skeleton(ShownSkeleton::Touched const& touched)
 {
-    state_.skeleton = skeleton_.lines(touched);
+    auto const next = aims_at_ ? aims_at_(*grown_scene_) : std::vector<SegmentId>();
+    state_.skeleton = skeleton_.lines(touched, next);
     state_.skeleton_box_mm = skeleton_.box_mm();
     ++state_.skeleton_revision;
 }

@@ -105,8 +105,9 @@ private:
     // What a selecting pen is drawn over, and the plant that it was made of; none before it is
     // needed.
     std::optional<ShownSkeleton> shown_skeleton_;
-    std::shared_ptr<Plant const> shown_plant_; // Shared with the document's scene, which may go on.
-    std::optional<ShownSkeleton::Touched> shown_touched_; // As the skeleton shows it.
+    std::shared_ptr<Scene const> shown_scene_; // Shared with the document, which may go on.
+    std::vector<SegmentId> (*aims_at_)(Scene const& scene) = nullptr; // Of the tool in hand.
+    std::optional<ShownSkeleton::Touched> shown_touched_;             // As the skeleton shows it.
     SkeletonPicture skeleton_;
     SelectionAngle shown_angle_;
     bool is_selecting_ = false;

@@ -5,20 +5,29 @@
 #include "engine/plant/join_axes.h"
 #include "engine/scene/edit.h"
 
+#include <utility>
+
 namespace tractus {
+
+// One association per stroke, so their number says whose turn it is; after the last axis the
+// trunk's turn comes again. Empty for a plant without branches.
+static std::vector<SegmentId> next_branch(Scene const& scene)
+{
+    auto const& order = scene.rest->drawing_order;
+    if (order.empty())
+        return {};
+    return segments_of(scene.base->axes[order[scene.associations.size() % order.size()]]);
+}
 
 static Result<std::vector<Edit>> draw_in_order(Tool const&, Stroke const& stroke,
                                                Scene const& scene)
 {
-    auto const& order = scene.rest->drawing_order;
-    if (order.empty())
+    auto next = next_branch(scene);
+    if (next.empty())
         return fail(Fault::User,
                     "the plant has no branches for a stroke to shape: load another model");
-    // One association per stroke, so their number says whose turn it is; after the last axis the
-    // trunk's turn comes again.
-    auto const turn = order[scene.associations.size() % order.size()];
     return std::vector<Edit> {
-        select_paths(scene, { segments_of(scene.base->axes[turn]) }),
+        select_paths(scene, { std::move(next) }),
         Associate { stroke, Propagation::Selected },
     };
 }
@@ -35,6 +44,7 @@ constexpr ToolKind DrawInOrderTool::kKind {
     .options = options_type<DrawInOrderTool>(),
     .mean = draw_in_order,
     .previewer = branch_previewer,
+    .aims_at = next_branch,
     .other_end = { &EraseTool::kKind },
 };
 

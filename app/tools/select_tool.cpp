@@ -37,7 +37,7 @@ Result<Selection> selection_of(Tool const& tool, Stroke const& stroke, Scene con
         return Selection {};
     if (selecting == Selecting::Invert)
         return inverted(plant, scene.selection);
-    ShownSkeleton const shown(plant, tool.angle());
+    ShownSkeleton const shown(scene, tool.angle());
     switch (selecting) {
     case Selecting::Ends: {
         auto const first = TRY(shown.segment_under(stroke.tips.front()));

@@ -1,5 +1,7 @@
 #include "app/tools/shown_skeleton.h"
 
+#include "engine/scene/scene_shaper.h"
+#include "engine/variation/place_nodes.h"
 #include "engine/variation/selection.h"
 
 namespace tractus {
@@ -7,9 +9,30 @@ namespace tractus {
 // Millimetres of the tablet: a line as thin as it is shown, and a hand that need not hit it.
 static constexpr PickOptions kPick { .line_half_width = 0.4, .finger = 2.5 };
 
+// What picking needs of the plant, as strokes bend it. Each stroke was checked when it was drawn;
+// one that cannot be read now leaves the plant at rest.
+static Plant bent_skeleton(BuiltPlant const& plant)
+{
+    Plant bent;
+    bent.axes = plant.base->axes;
+    bent.node_radius_mm = plant.base->node_radius_mm;
+    bent.segment_material = plant.base->segment_material;
+    SceneShaper shaper;
+    static_cast<void>(shaper.set_plant(plant));
+    place_nodes(*plant.base, *plant.rest, shaper.shape(), bent.node_position_mm);
+    return bent;
+}
+
 ShownSkeleton::ShownSkeleton(Plant const& plant, SelectionAngle const& angle)
     : skeleton_(plant, skeleton_projection(fit_selection_view(plant, angle)))
     , tree_(build_branch_tree(plant))
+{
+}
+
+ShownSkeleton::ShownSkeleton(BuiltPlant const& plant, SelectionAngle const& angle)
+    : skeleton_(angle.shape == SelectionAngle::Shape::AsBent ? bent_skeleton(plant) : *plant.base,
+                skeleton_projection(fit_selection_view(*plant.base, angle)))
+    , tree_(build_branch_tree(*plant.base))
 {
 }
 

@@ -3,6 +3,7 @@
 #include "engine/base/result.h"
 #include "engine/plant/plant.h"
 #include "engine/scene/desk_placement.h"
+#include "engine/scene/scene.h"
 #include "engine/stroke/stroke.h"
 #include "engine/variation/branch_tree.h"
 #include "engine/variation/projected_skeleton.h"
@@ -17,7 +18,11 @@ namespace tractus {
 // drawn over it. World frame: tips' x and y are millimetres of the tablet.
 class ShownSkeleton {
 public:
+    // The plant at rest, whatever the angle says.
     explicit ShownSkeleton(Plant const& plant, SelectionAngle const& angle = {});
+
+    // As the angle says: at rest, or as the plant's strokes bend it.
+    ShownSkeleton(BuiltPlant const& plant, SelectionAngle const& angle);
 
     // The paths that a stroke chooses. Fails, as the user's fault, if it touches no branch.
     Result<Selection> paths_under(Stroke const& stroke) const;

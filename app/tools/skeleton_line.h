@@ -14,6 +14,7 @@ struct SkeletonLine {
         Undetermined, // Touched, but the pen has not yet shown whether it was meant.
         Selected,
         Assigned, // A stroke gives it its shape.
+        Next,     // The next stroke will.
         Other,    // Of a plant that does not take what is drawn.
     };
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::string_view kNow = "now";
 constexpr std::string_view kView = "view=";
+constexpr std::string_view kBent = "bent";
 
 struct NoOptions { };
 
@@ -221,7 +222,15 @@ Result<void> take_argument(Tool& tool, bool& is_now, std::string_view word)
         return {};
     }
     if (tool.kind().surface == Surface::Skeleton && word.starts_with(kView)) {
-        tool = tool.seen_from(TRY(parse_view(word)));
+        auto angle = TRY(parse_view(word));
+        angle.shape = tool.angle().shape;
+        tool = tool.seen_from(angle);
+        return {};
+    }
+    if (tool.kind().surface == Surface::Skeleton && word == kBent) {
+        auto angle = tool.angle();
+        angle.shape = SelectionAngle::Shape::AsBent;
+        tool = tool.seen_from(angle);
         return {};
     }
     ArgumentReader reader(word);
@@ -358,8 +367,15 @@ ToolWords words_for(Tool const& tool)
 {
     ArgumentWriter writer(values_of(Tool(tool.kind())));
     tool.show(writer);
-    if (tool.kind().surface == Surface::Skeleton && tool.angle() != SelectionAngle {})
-        writer.add(view_word(tool.angle()));
+    if (tool.kind().surface == Surface::Skeleton) {
+        auto angle = tool.angle();
+        bool const is_bent = angle.shape == SelectionAngle::Shape::AsBent;
+        angle.shape = SelectionAngle::Shape::AtRest;
+        if (angle != SelectionAngle {})
+            writer.add(view_word(angle));
+        if (is_bent)
+            writer.add(std::string(kBent));
+    }
     if (tool.is_done_at_once())
         writer.add(kNow);
     return { tool.kind().word, writer.take() };

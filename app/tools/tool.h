@@ -58,7 +58,7 @@ public:
 
     // From where the skeleton is shown under the pen, for a tool that works on that: "view=", and
     // seven numbers with commas between them: azimuth, elevation, zoom, moved to x and y, and the
-    // area's width and depth.
+    // area's width and depth; and "bent" for the skeleton as strokes have bent it.
     SelectionAngle const& angle() const { return angle_; }
     Tool seen_from(SelectionAngle const& angle) const;
 

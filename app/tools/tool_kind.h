@@ -72,6 +72,8 @@ struct ToolKind {
     std::unique_ptr<StrokePreviewer> (*previewer)() = nullptr;
     // Whether the branches that a stroke under way runs over are marked. No value: never.
     bool (*marks_branches)(Tool const& tool) = nullptr;
+    // The branch that the next stroke shapes, where that is not what is selected. No value: it is.
+    std::vector<SegmentId> (*aims_at)(Scene const& scene) = nullptr;
     OtherEnd other_end {};
 };
 

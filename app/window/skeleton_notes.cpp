@@ -30,6 +30,7 @@ void draw_skeleton_legend(SkeletonStates const& states, ImVec2 const& corner_px)
     for (auto const* const layer : states.layers)
         add(true, layer_color(layer->style), layer->label);
     add(states.assigned, palette.assigned, "shaped by a stroke");
+    add(states.next, palette.ink, "takes the next stroke");
     add(states.undetermined, palette.undetermined, "undetermined");
     add(states.selected, palette.selected, "selected");
 }

@@ -118,6 +118,8 @@ Vec3f state_color(SkeletonLine::State state)
         return theme::palette().selected;
     case SkeletonLine::State::Assigned:
         return theme::palette().assigned;
+    case SkeletonLine::State::Next:
+        return theme::palette().ink;
     case SkeletonLine::State::Other:
         return theme::palette().faint;
     }
@@ -352,6 +354,7 @@ SkeletonStates skeleton_states(WindowState const& state)
         states.selected |= line.state == SkeletonLine::State::Selected;
         states.undetermined |= line.state == SkeletonLine::State::Undetermined;
         states.assigned |= line.state == SkeletonLine::State::Assigned;
+        states.next |= line.state == SkeletonLine::State::Next;
     }
     for (auto const& shown : state.layers)
         states.layers.push_back(shown.layer);

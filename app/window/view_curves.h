@@ -37,6 +37,7 @@ struct SkeletonStates {
     bool selected = false;
     bool undetermined = false;
     bool assigned = false;
+    bool next = false;
     std::vector<Layer const*> layers {}; // That have lines.
 };
 SkeletonStates skeleton_states(WindowState const& state);

@@ -34,7 +34,7 @@ struct Workbench {
     double zoom_wished = 1;
     bool whole_is_wished = false;
     // From where the skeleton is seen, and selected from.
-    SelectionAngle angle {};
+    SelectionAngle angle { .shape = SelectionAngle::Shape::AsBent };
     // What the menu beside the views is open at.
     enum class MenuPage {
         None, // It is closed.

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <fmt/core.h>
 #include <optional>
+#include <utility>
 
 namespace tractus {
 
@@ -69,6 +70,7 @@ private:
     std::vector<std::string> files_;
     MacroTable macros_ { files_ };
     std::vector<Condition> conditions_;
+    std::size_t first_condition_ = 0; // Of the file that is read.
     std::vector<std::string> warnings_;
     PlacedText out_;
 };
@@ -112,12 +114,13 @@ Result<void> Preprocessor::add_file(std::string const& name, std::string_view so
         return fail(Fault::User,
                     fmt::format("{}:{}:{}: the comment that begins here has no */", name,
                                 open_comment->line, open_comment->column));
-    auto const open_conditions = conditions_.size();
+    auto const first_before = std::exchange(first_condition_, conditions_.size());
     TRY(add_lines(text, nesting));
-    if (conditions_.size() != open_conditions)
+    if (conditions_.size() != first_condition_)
         return fail(Fault::User,
                     fmt::format("{}:{}:{}: this #if has no #endif", name,
                                 conditions_.back().place.line, conditions_.back().place.column));
+    first_condition_ = first_before;
     return {};
 }
 
@@ -260,7 +263,7 @@ Result<bool> Preprocessor::is_defined(PlacedText const& line, std::string_view r
 Result<void> Preprocessor::next_part(PlacedText const& line, std::string_view word,
                                      std::string_view rest)
 {
-    if (conditions_.empty())
+    if (conditions_.size() == first_condition_) // One of the file that includes this stays open.
         return error(line, 0, fmt::format("found #{} without #if", word));
     auto& open = conditions_.back();
     if (word == "endif") {

@@ -41,6 +41,9 @@ struct SelectionAngle {
     double zoom = 1;               // 2 shows everything twice as large, about the tablet's centre.
     Vec2 moved_mm = Vec2::Zero();  // By this on the tablet.
     Vec2 area_mm = Vec2(254, 159); // The tablet's active area, which the plant fits at zoom 1.
+    // Whether the skeleton is seen as strokes have bent it. What fits the area is the plant at rest
+    // in either case, so that the view keeps still while one draws.
+    enum class Shape { AtRest, AsBent } shape = Shape::AtRest;
 
     bool operator==(SelectionAngle const&) const = default;
 };

@@ -61,6 +61,7 @@ constexpr ToolKind EraseOutlineTool::kKind {
     .ink = { InkStyle::Look::Eraser, 2 * EraseOutlineTool::kRadius_mm },
     .options = options_type<EraseOutlineTool>(),
     .mean = erase,
+    .other_end = { &EraseOutlineTool::kKind },
 };
 
 } // namespace tractus

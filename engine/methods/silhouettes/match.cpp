@@ -36,6 +36,15 @@ double shared_area(CoverageGrid::Cells const& a, CoverageGrid::Cells const& b)
     return larger == 0 ? 0 : static_cast<double>(shared_cells(a, b)) / static_cast<double>(larger);
 }
 
+// A branch that is drawn takes the place of the one that ended in the same bump.
+bool may_be_one(Branch::Origin one, Branch::Origin other)
+{
+    auto const is_of_bump = [](Branch::Origin origin) {
+        return origin == Branch::Origin::Bump || origin == Branch::Origin::Drawn;
+    };
+    return one == other || (is_of_bump(one) && is_of_bump(other));
+}
+
 } // namespace
 
 std::vector<std::optional<std::size_t>> match_branches(BranchingSystem const& earlier,
@@ -50,7 +59,7 @@ std::vector<std::optional<std::size_t>> match_branches(BranchingSystem const& ea
     std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
     for (std::size_t j = 0; j < after.size(); ++j)
         for (std::size_t i = 0; i < before.size(); ++i)
-            if (earlier.branches[i].origin == later.branches[j].origin) {
+            if (may_be_one(earlier.branches[i].origin, later.branches[j].origin)) {
                 double const share = shared_area(before[i], after[j]);
                 if (share >= kLeast)
                     pairs.emplace_back(-share, j, i);

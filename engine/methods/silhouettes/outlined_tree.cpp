@@ -86,13 +86,31 @@ struct Redrawn {
     std::string const& fresh;
 };
 
+// An earlier system laid on a later one, trunk on trunk: what is compared is where branches stand
+// on what bears them, wherever that has gone.
+BranchingSystem laid_on(BranchingSystem system, BranchingSystem const& later)
+{
+    Vec2 const from = system.trunk.back() - system.trunk.front();
+    Vec2 const to = later.trunk.back() - later.trunk.front();
+    if (from.squaredNorm() <= 0)
+        return system;
+    Similarity const way { .from = system.trunk.front(),
+                           .to = later.trunk.front(),
+                           .turn = Vec2(from.dot(to), cross(from, to)) / from.squaredNorm() };
+    system.outline = way.points(system.outline);
+    for (auto& branch : system.branches)
+        branch.crown = way.points(branch.crown);
+    return system;
+}
+
 // Names the branches of a later system after those of an earlier one, and those below them.
 void name_system(Redrawn const& redrawn, std::size_t earlier, std::size_t later,
                  std::vector<std::vector<std::string>>& names)
 {
     auto const& before = redrawn.earlier.systems[earlier];
     auto const& after = redrawn.later.systems[later];
-    auto const partners = match_branches(before, after);
+    bool const is_tree = later == 0; // Its trunk is drawn where it is.
+    auto const partners = match_branches(is_tree ? before : laid_on(before, after), after);
     for (std::size_t i = 0; i < partners.size(); ++i) {
         names[later].push_back(partners[i] ? name_of(before.branches[*partners[i]])
                                            : redrawn.fresh + name_of(after.branches[i]));

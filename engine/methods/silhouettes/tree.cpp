@@ -460,7 +460,24 @@ private:
             return;
         way.turn = size * unit;
         crowd.branches.push_back(
-            { *nearest, fmt::format("a{}", i - count), place.u, place.theta_deg, way });
+            { *nearest, name_of_added(crowd, place), place.u, place.theta_deg, way });
+    }
+
+    // After its place around the bearer, so that the one that stands there after a change has the
+    // name: they are arranged anew as a whole.
+    static std::string name_of_added(Crowd const& crowd, Place const& place)
+    {
+        constexpr double kSteps = 12; // Along the bearer, and around it.
+        auto const name = fmt::format("a{}.{}", std::lround(place.u * kSteps),
+                                      std::lround(place.theta_deg / 360 * kSteps) % 12);
+        auto const taken = [&](std::string const& other) {
+            return std::any_of(crowd.branches.begin(), crowd.branches.end(),
+                               [&](Standing const& one) { return one.name == other; });
+        };
+        auto unique = name;
+        for (int n = 2; taken(unique); ++n)
+            unique = fmt::format("{}.{}", name, n);
+        return unique;
     }
 
     static std::optional<std::size_t> nearest_drawn(Model const& model, Place const& place)

@@ -31,7 +31,7 @@ struct TreeOptions {
     double tip_radius_of_height = 0.0006;
 };
 
-// A branch around its bearer: its name (name_of(), or "a" and a number if it was added).
+// A branch around its bearer: its name (name_of(), or "a" and its place if it was added).
 struct PlacedBranch {
     std::string name;
     Place place;

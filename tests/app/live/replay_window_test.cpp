@@ -70,7 +70,7 @@ TEST_F(ReplayedWindow, ShowsInkThenStrokesAndChangesThePlantAfterEach)
         plants = state.plant_revision;
     });
     EXPECT_TRUE(has_shown_ink);
-    EXPECT_EQ(window.state().strokes.size(), 2u); // Strokes that select are not shown.
+    EXPECT_EQ(window.state().strokes.size(), 1u); // Strokes that select are not shown.
     EXPECT_EQ(window.state().plant_revision, before + 3);
     EXPECT_EQ(window.state().layers.size(), 1u);
     EXPECT_EQ(window.state().progress, 1);
@@ -121,7 +121,7 @@ TEST_F(ReplayedWindow, PlaysAgainFromTheBeginning)
     EXPECT_TRUE(window.state().layers.empty());
     EXPECT_EQ(window.state().status, "The hand begins again");
     play(window);
-    EXPECT_EQ(window.state().strokes.size(), 2u);
+    EXPECT_EQ(window.state().strokes.size(), 1u);
     window.perform(SetPlaying { true }); // At the end this, too, begins again.
     window.settle();
     EXPECT_TRUE(window.state().strokes.empty());
@@ -158,7 +158,7 @@ TEST_F(ReplayedWindow, KeepsWhatIsDrawnInASession)
     window.settle();
     EXPECT_TRUE(window.state().strokes.empty());
     play(window);
-    EXPECT_EQ(window.state().strokes.size(), 2u);
+    EXPECT_EQ(window.state().strokes.size(), 1u);
     EXPECT_EQ(read_session(path, all_methods().edits)->last_step(), 6u)
         << "beginning again is a step in place of undone ones";
     fs::remove(path);

@@ -56,6 +56,57 @@ TEST(StationView, LetsTheBranchFollowThePen)
     EXPECT_EQ(view.state().skeleton_revision, skeletons + 1) << "when the stroke was done";
 }
 
+std::size_t in_state(StationView const& view, SkeletonLine::State state)
+{
+    std::size_t count = 0;
+    for (auto const& line : view.state().skeleton)
+        count += line.state == state;
+    return count;
+}
+
+// What was drawn stays where one looks: the skeleton after pen-up is what the pen showed.
+TEST(StationView, KeepsTheSkeletonAsStrokesBendIt)
+{
+    auto station = station_on(small_scene(), DrawInOrderTool {});
+    StationView view(station, station.document());
+    view.show(station, station.document());
+    EXPECT_EQ(in_state(view, SkeletonLine::State::Next), 1u);
+    EXPECT_EQ(view.state().skeleton.front().state, SkeletonLine::State::Next) << "the trunk";
+    begin_stroke(station);
+    view.show(station, station.document());
+    view.settle();
+    auto const shown = view.state().preview;
+    ASSERT_EQ(shown.size(), 3u);
+    end_stroke(station);
+    view.show(station, station.document());
+    view.settle();
+    auto const& kept = view.state().skeleton;
+    ASSERT_EQ(kept.size(), 3u);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        ASSERT_EQ(kept[i].points_mm.size(), shown[i].points_mm.size());
+        for (std::size_t k = 0; k < kept[i].points_mm.size(); ++k)
+            EXPECT_LT((kept[i].points_mm[k] - shown[i].points_mm[k]).norm(), 0.5f);
+    }
+    EXPECT_EQ(kept[0].state, SkeletonLine::State::Assigned) << "green, though it is selected, too";
+    EXPECT_EQ(in_state(view, SkeletonLine::State::Next), 1u) << "the next branch";
+    station.set_tool(at_ms(70), SelectTool {});
+    view.show(station, station.document());
+    EXPECT_EQ(in_state(view, SkeletonLine::State::Next), 0u);
+}
+
+TEST(StationView, ShowsWhatPropagationShapes)
+{
+    auto scene = small_scene();
+    select(scene, { segments_of(scene.base->axes[0]) });
+    scene = apply_edit(scene,
+                       Associate { .stroke = stroke_through({ { 0, 0, 0 }, { 20, 0, 60 } }),
+                                   .propagation = Propagation::Descendants })
+                .value();
+    auto station = station_on(scene, DrawTool {});
+    StationView const view(station, station.document());
+    EXPECT_EQ(in_state(view, SkeletonLine::State::Assigned), 2u) << "both branches of the trunk";
+}
+
 TEST(StationView, PreviewsWhatTheStrokeWillBe)
 {
     auto station = station_on(small_scene(), DrawInOrderTool {});

@@ -13,6 +13,8 @@
 #include "app/tools/select_tool.h"
 #include "app/tools/smooth_tool.h"
 #include "engine/plant/join_axes.h"
+#include "engine/scene/scene_shaper.h"
+#include "engine/variation/place_nodes.h"
 #include "tests/app/small_model.h"
 #include "tests/engine/scene/edits.h"
 
@@ -89,6 +91,35 @@ TEST(SelectTool, SelectsTheAxisThatThePenFollows)
     ASSERT_TRUE(edits) << edits.error().message;
     ASSERT_EQ(edits->size(), 1u);
     EXPECT_EQ(after(*edits, scene).selection, Selection { segments_of(scene.base->axes[0]) });
+}
+
+// A branch is chosen where it is seen; a log that does not say so chooses at rest, as ever.
+TEST(SelectTool, ChoosesOnTheSkeletonAsBentWhereItSaysSo)
+{
+    auto scene = small_scene();
+    auto const trunk = segments_of(scene.base->axes[0]);
+    select(scene, { trunk });
+    scene = apply_edit(scene,
+                       Associate { .stroke = stroke_through({ { 0, 0, 0 }, { 100, 0, 10 } }),
+                                   .fit = StrokeFit::World })
+                .value();
+    std::vector<Vec3> nodes_mm;
+    SceneShaper shaper;
+    ASSERT_TRUE(shaper.set_plant(scene));
+    place_nodes(*scene.base, *scene.rest, shaper.shape(), nodes_mm);
+    auto const stroke = stroke_through(
+        { shown(scene, 0.8 * nodes_mm[0] + 0.2 * nodes_mm[1]), shown(scene, nodes_mm[5]) });
+    EXPECT_FALSE(edits_of(SelectTool {}, stroke, scene)) << "at rest it stands upright";
+    auto const bent = Tool(SelectTool {}).seen_from({ .shape = SelectionAngle::Shape::AsBent });
+    auto const edits = bent.mean(stroke, scene);
+    ASSERT_TRUE(edits) << edits.error().message;
+    EXPECT_EQ(after(*edits, scene).selection[0].front(), trunk.front());
+    EXPECT_EQ(words_for(bent).arguments, "bent");
+    EXPECT_EQ(parse_tool(tools(), "select", "bent").value(), bent);
+    auto const both = parse_tool(tools(), "select", "bent view=30,0,1,0,0,254,159").value();
+    EXPECT_EQ(words_for(both).arguments,
+              "view=30.0000,0.0000,1.0000,0.0000,0.0000,254.0000,159.0000 bent");
+    EXPECT_FALSE(parse_tool(tools(), "draw", "bent"));
 }
 
 TEST(SelectTool, SaysThatAStrokeWentBesideThePlant)
@@ -304,7 +335,7 @@ TEST(Tool, HasAnOtherEnd)
         if (kind == &SelectTool::kKind) {
             EXPECT_EQ(Tool(*other, options()), Tool(SelectTool { Selecting::Take }));
         } else {
-            EXPECT_EQ(other, &EraseTool::kKind) << kind->word;
+            EXPECT_EQ(other->ink.look, InkStyle::Look::Eraser) << kind->word;
         }
     }
 }

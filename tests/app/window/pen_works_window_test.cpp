@@ -4,6 +4,7 @@
 #include "app/tools/draw_in_order_tool.h"
 #include "app/tools/erase_tool.h"
 #include "app/tools/select_tool.h"
+#include "app/tools/tool_choices.h"
 #include "app/window/window.h"
 #include "drivers/file.h"
 #include "drivers/log_writer.h"
@@ -81,8 +82,9 @@ public:
         wait(50);
         hover(x_px, y_px);
         wait(50);
-        constexpr int kChoices = 10;
-        double const angle = choice * 2 * kPi / kChoices - kPi / 2;
+        // The groups of tools, undo, redo, and what changes the view.
+        auto const choices = static_cast<int>(tool_choices(all_methods().tools, {}).size()) + 4;
+        double const angle = choice * 2 * kPi / choices - kPi / 2;
         tap(x_px + kMiddleOfRing_px * std::cos(angle), y_px + kMiddleOfRing_px * std::sin(angle));
     }
 

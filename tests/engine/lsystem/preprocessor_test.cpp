@@ -113,6 +113,22 @@ TEST(Preprocessor, SaysWhereAConditionIsWrong)
     EXPECT_EQ(preprocessed("#error too old\n"), "model.l:1:1: #error too old");
 }
 
+// As in C: what an included file closes must have begun in it.
+TEST(Preprocessor, ConditionsEndInTheirFile)
+{
+    for (auto const* const directive : { "#endif", "#else", "#elif 1" }) {
+        auto const include
+            = [&](std::string const&) -> Result<std::string> { return std::string(directive); };
+        auto const source = preprocess("model.l", "#if 1\n#include \"part.l\"\nA\n", include);
+        ASSERT_FALSE(source) << directive;
+        EXPECT_NE(source.error().message.find("part.l:1:1: found #"), std::string::npos)
+            << source.error().message;
+        EXPECT_NE(source.error().message.find("without #if"), std::string::npos);
+    }
+    auto const whole = [](std::string const&) -> Result<std::string> { return "#if 0\n#endif\nB"; };
+    EXPECT_TRUE(preprocess("model.l", "#if 1\n#include \"part.l\"\n#endif\n", whole));
+}
+
 TEST(Preprocessor, JoinsTokens)
 {
     EXPECT_EQ(preprocessed("#define organ(n) leaf ## n\norgan(3)"), "leaf3");

@@ -139,6 +139,8 @@ TEST(EraseOutlineTool, TakesLinesOfTheDrawingAway)
         { stroke_through({ { 20, 42, 0 }, { 10, 44, 0 }, { -20, 42, 0 } }), EraseOutlineTool {} });
     EXPECT_TRUE(tree().outline.tips.empty());
     EXPECT_EQ(document.newest()->scene.base->axes.size(), 1u);
+    document.draw({ across, EraseOutlineTool {} });
+    EXPECT_TRUE(tree().branches.empty());
     auto const last = Tool(EraseOutlineTool {}).mean(trunk_at(0), document.newest()->scene).value();
     auto const refused = apply_edits(document.newest()->scene, last);
     ASSERT_FALSE(refused);

@@ -93,8 +93,9 @@ bool is_another_language(std::string const& path, std::string const& word)
         { "sim/gesture_script.cpp", "select" }, // The script of a simulated hand.
         { "sim/gesture_script.cpp", "draw" },
         { "sim/gesture_script.cpp", "indicate" },
-        { "app/verbs/window.cpp", "draw" },                  // "tractus draw",
-        { "app/methods/leaves/leaves_command.cpp", "draw" }, // and "tractus leaves draw".
+        { "app/verbs/window.cpp", "draw" },                       // "tractus draw",
+        { "app/methods/leaves/leaves_command.cpp", "draw" },      // and "tractus leaves draw".
+        { "engine/methods/leaves/parse_grammar.cpp", "outline" }, // A block of a leaf's grammar.
         // The tool line "calibrate" has this word, too.
         { "app/live/calibration_panel_controller.cpp", "press" },
         { "app/calibration/calibration_controller.cpp", "press" },

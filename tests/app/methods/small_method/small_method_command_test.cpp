@@ -31,7 +31,8 @@ TEST(SmallMethod, HasACommandWithAnOption)
     std::array const arguments { "tractus", "gust", "--strength", "2.5" };
     ::testing::internal::CaptureStdout();
     EXPECT_EQ(run_command_line(static_cast<int>(arguments.size()), arguments.data(), methods), 0);
-    EXPECT_EQ(::testing::internal::GetCapturedStdout(), "2.5 of 17 tools\n");
+    EXPECT_EQ(::testing::internal::GetCapturedStdout(),
+              fmt::format("2.5 of {} tools\n", methods.tools.size()));
 }
 
 TEST(SmallMethod, IsListedByTheProgramsOwnCommands)
