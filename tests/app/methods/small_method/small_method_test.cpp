@@ -38,7 +38,7 @@ TEST(SmallMethod, HasButtonsAKeyAndALineInTheManual)
 {
     auto const tools = methods_with_gust().tools;
     auto const choices = tool_choices(tools, {});
-    ASSERT_EQ(choices.size(), 7u);
+    ASSERT_EQ(choices.size(), 9u);
     EXPECT_EQ(std::string(choices.back().text), "Gust");
     auto const meanings = meanings_of(tools, strong_gust());
     ASSERT_EQ(meanings.size(), 4u);
