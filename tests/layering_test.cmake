@@ -9,7 +9,8 @@ set(engine/mesh      engine/base engine/plant)
 set(engine/scene     engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh)
 set(engine/export    engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh
                      engine/scene)
-set(engine/methods/construction_lines engine/base engine/stroke engine/plant engine/lsystem)
+set(engine/methods/construction_lines engine/base engine/stroke engine/plant engine/lsystem
+                                      engine/scene)
 set(engine/methods/leaves engine/base)
 set(engine/methods/silhouettes engine/base engine/stroke engine/plant engine/scene)
 set(engine/methods/sketch_lsystem engine/base engine/stroke engine/plant engine/lsystem engine/scene)

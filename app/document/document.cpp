@@ -207,10 +207,12 @@ void Document::perform(ToolStroke const& stroke)
     DrawnStroke drawn { stroke.stroke, stroke.tool };
     auto edits = stroke.tool.mean(stroke.stroke, scene_);
     auto step = edits ? compute(*std::move(edits)) : tl::unexpected(edits.error());
-    if (step)
+    if (step) {
         drawn.edits = step->edits;
-    else
+        drawn.said = said_of(stroke.tool, scene_);
+    } else {
         drawn.refusal = step.error().message;
+    }
     ++strokes_before_;
     {
         std::lock_guard const lock(mutex_);

@@ -11,6 +11,11 @@ Result<Scene> scene_after(Scene scene, std::vector<Edit> const& edits)
     return apply_edits(std::move(scene), edits, make_load_options());
 }
 
+std::string said_of(Tool const& tool, Scene const& after)
+{
+    return tool.kind().said ? tool.kind().said(tool, after) : "";
+}
+
 DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene)
 {
     DrawnStroke drawn { std::move(stroke), tool };
@@ -26,6 +31,7 @@ DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene)
     }
     scene = *std::move(next);
     drawn.edits = *std::move(edits);
+    drawn.said = said_of(tool, scene);
     return drawn;
 }
 

@@ -16,7 +16,11 @@ struct DrawnStroke {
     Tool tool;
     std::string refusal {};     // Why it changed nothing; empty if it did.
     std::vector<Edit> edits {}; // Edits that it made; none if it was refused.
+    std::string said {};        // What a person is told of it in place of its tool's `done`.
 };
+
+// See ToolKind::said.
+std::string said_of(Tool const& tool, Scene const& after);
 
 // Applies a stroke in the hand of a tool to a scene: all of its edits, or none if one is refused.
 DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene);

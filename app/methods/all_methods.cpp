@@ -1,5 +1,10 @@
 #include "app/methods/all_methods.h"
 
+#include "app/methods/construction_lines/layer_nodes_tool.h"
+#include "app/methods/construction_lines/line_layers.h"
+#include "app/methods/construction_lines/line_pattern_tool.h"
+#include "app/methods/construction_lines/line_role_tool.h"
+#include "app/methods/construction_lines/line_tool.h"
 #include "app/methods/indicators/delete_indicator_tool.h"
 #include "app/methods/indicators/indicate_tool.h"
 #include "app/methods/indicators/indicator_layer.h"
@@ -36,11 +41,14 @@ Methods all_methods()
         &SmoothTool::kKind,      &DeleteTool::kKind,        &SelectTool::kKind,
         &IndicateTool::kKind,    &MoveIndicatorTool::kKind, &DeleteIndicatorTool::kKind,
         &EraseTool::kKind,       &SketchTool::kKind,        &OutlineTool::kKind,
-        &ArrangeTool::kKind,     &EraseOutlineTool::kKind,  &ChoosePlantTool::kKind,
-        &MovePlantTool::kKind,   &CopyPlantTool::kKind,     &HidePlantTool::kKind,
-        &RemovePlantTool::kKind,
+        &ArrangeTool::kKind,     &EraseOutlineTool::kKind,  &LineTool::kKind,
+        &LinePatternTool::kKind, &LayerNodesTool::kKind,    &LineRoleTool::kKind,
+        &ChoosePlantTool::kKind, &MovePlantTool::kKind,     &CopyPlantTool::kKind,
+        &HidePlantTool::kKind,   &RemovePlantTool::kKind,
     };
-    static constexpr std::array kLayers { &kOutlineLayer, &kTrunkLayer, &kIndicatorLayer };
+    static constexpr std::array kLayers { &kOutlineLayer,  &kTrunkLayer,       &kStemLayer,
+                                          &kBoundaryLayer, &kInclinationLayer, &kUnsureLayer,
+                                          &kIndicatorLayer };
     static auto const edits = [] {
         auto const core = core_edit_kinds();
         std::vector<EditKind const*> all(core.begin(), core.end());
@@ -48,6 +56,9 @@ Methods all_methods()
         all.push_back(&silhouette::DrawTree::kKind);
         all.push_back(&silhouette::EraseTreePart::kKind);
         all.push_back(&silhouette::FormTree::kKind);
+        all.insert(all.end(),
+                   { &lines::AddLine::kKind, &lines::SetLayerNodes::kKind,
+                     &lines::SetLinePattern::kKind, &lines::SetLineRole::kKind });
         return all;
     }();
     return { .edits = edits, .tools = kTools, .layers = kLayers };

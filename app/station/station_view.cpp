@@ -54,7 +54,9 @@ void StationView::show(Station const& station, Document const& document)
 
 void StationView::tell(DrawnStroke const& drawn)
 {
-    state_.status = drawn.refusal.empty() ? drawn.tool.kind().done : drawn.refusal;
+    state_.status = !drawn.refusal.empty() ? drawn.refusal
+        : drawn.said.empty()               ? drawn.tool.kind().done
+                                           : drawn.said;
 }
 
 void StationView::begin_again(Station const& station, Document const& document)

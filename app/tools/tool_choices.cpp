@@ -52,7 +52,10 @@ void Meanings::add_kind(ToolKind const& kind)
     auto const options = chosen_words(tool);
     auto const numbers = chosen_numbers(tool);
     begins_group_ |= kind.begins_group_of_buttons;
-    if (options.empty())
+    bool const has_word = std::any_of(options.begin(), options.end(), [&](ChosenWord const& word) {
+        return is_in_hand || word.option.offered == WordOption::Offered::Always;
+    });
+    if (!has_word)
         add(kind.label, kind.at_once ? tool.done_at_once() : tool);
     for (std::size_t i = 0; i < options.size(); ++i) {
         if (options[i].option.offered == WordOption::Offered::InHand && !is_in_hand)

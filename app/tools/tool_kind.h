@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -67,6 +68,10 @@ struct ToolKind {
     // tips if the tool does it at once. Fails, as the user's fault, when it says nothing: a stroke
     // beside the plant, nothing selected.
     Result<std::vector<Edit>> (*mean)(Tool const& tool, Stroke const& stroke, Scene const& scene);
+
+    // What is said in place of `done`, given the scene as the stroke has left it. No value, or an
+    // empty text: `done`.
+    std::string (*said)(Tool const& tool, Scene const& after) = nullptr;
 
     // What shows what a stroke under way would do. No value: nothing.
     std::unique_ptr<StrokePreviewer> (*previewer)() = nullptr;

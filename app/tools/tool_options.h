@@ -19,7 +19,7 @@ struct WordOption {
     std::span<OptionWord const> words;
     enum class Offered {
         Always, // Its words have buttons as soon as a tool of the group is in hand,
-        InHand, // or when the tool itself is.
+        InHand, // or when the tool itself is; until then its label has one, if no word has.
     } offered
         = Offered::Always;
 };

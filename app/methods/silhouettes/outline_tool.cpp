@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <utility>
 
 namespace tractus {
@@ -116,6 +117,21 @@ Result<std::vector<Edit>> form_active(OutlineTool const& tool, Scene const& scen
     return std::vector<Edit> { silhouette::FormTree { scene.drawn->id, form } };
 }
 
+// What the tree has now, and what it still wants.
+std::string said_of_tree(Tool const&, Scene const& after)
+{
+    auto const* const tree = silhouette::outlined_tree(*after.drawn);
+    if (!tree)
+        return {};
+    if (tree->outline.tips.empty())
+        return "A trunk stands: draw the outline of its crown around it, back to where you began";
+    auto const& axes = after.base->axes;
+    auto const on_trunk
+        = std::count_if(axes.begin(), axes.end(), [](Axis const& axis) { return axis.order == 1; });
+    return fmt::format("The tree has {} branches on its trunk, {} in all", on_trunk,
+                       axes.size() - 1);
+}
+
 Result<std::vector<Edit>> draw(Tool const& tool, Stroke const& stroke, Scene const& scene)
 {
     auto const& options = *tool.get<OutlineTool>();
@@ -173,6 +189,7 @@ constexpr ToolKind OutlineTool::kKind {
     .surface = Surface::Paper,
     .options = options_type<OutlineTool, visit>(),
     .mean = draw,
+    .said = said_of_tree,
     .previewer = outline_previewer,
     .other_end = { &EraseOutlineTool::kKind },
 };

@@ -14,8 +14,8 @@
 #include "drivers/file.h"
 #include "engine/methods/sketch_lsystem/drawn_axis.h"
 #include "engine/methods/sketch_lsystem/stroke_resampler.h"
-#include "engine/methods/sketch_lsystem/upright_sheet.h"
 #include "engine/scene/scene.h"
+#include "engine/stroke/upright_sheet.h"
 
 #include <cmath>
 #include <filesystem>
@@ -71,19 +71,19 @@ Result<Stroke> choose_stroke(SketchArguments const& arguments)
 }
 
 // A file of strokes says where they are in space; of a log the pen's way decides.
-sketch::Surface surface_for(SketchArguments const& arguments)
+StrokeSurface surface_for(SketchArguments const& arguments)
 {
     if (arguments.surface.empty())
-        return is_stroke_file(arguments.stroke) ? sketch::Surface::Space : sketch::Surface::Decided;
-    return arguments.surface == "space" ? sketch::Surface::Space : sketch::Surface::Paper;
+        return is_stroke_file(arguments.stroke) ? StrokeSurface::Space : StrokeSurface::Decided;
+    return arguments.surface == "space" ? StrokeSurface::Space : StrokeSurface::Paper;
 }
 
 Result<sketch::DrawnAxis> draw_axis(SketchArguments const& arguments, sketch::Rule const& rule)
 {
     auto const stroke = TRY(choose_stroke(arguments));
     auto const& tips = stroke.tips.vector();
-    auto const surface = sketch::decide_surface(tips, surface_for(arguments));
-    auto const nodes_mm = sketch::resample_stroke(rule, sketch::plant_tips(tips, surface));
+    auto const surface = decide_surface(tips, surface_for(arguments));
+    auto const nodes_mm = sketch::resample_stroke(rule, plant_tips(tips, surface));
     if (nodes_mm.size() < 2)
         return fail(
             Fault::User,

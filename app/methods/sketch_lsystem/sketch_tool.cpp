@@ -30,13 +30,13 @@ void visit(OptionVisitor& visitor, SketchTool& tool)
     int leaves = tool.leaves == sketch::Leaves::Leafy ? 0 : 1;
     visitor.word({ kLeavesWords }, leaves);
     tool.leaves = leaves == 0 ? sketch::Leaves::Leafy : sketch::Leaves::Bare;
-    int surface = tool.surface == sketch::Surface::Decided ? 0
-        : tool.surface == sketch::Surface::Space           ? 1
-                                                           : 2;
+    int surface = tool.surface == StrokeSurface::Decided ? 0
+        : tool.surface == StrokeSurface::Space           ? 1
+                                                         : 2;
     visitor.word({ kSurfaceWords }, surface);
-    tool.surface = surface == 0 ? sketch::Surface::Decided
-        : surface == 1          ? sketch::Surface::Space
-                                : sketch::Surface::Paper;
+    tool.surface = surface == 0 ? StrokeSurface::Decided
+        : surface == 1          ? StrokeSurface::Space
+                                : StrokeSurface::Paper;
 }
 
 // Returns the rule of a rule file that says no more.
@@ -69,7 +69,7 @@ sketch::GrowAlongStroke grown_along(SketchTool const& tool, Stroke const& stroke
     sketch::GrowAlongStroke edit;
     edit.rule = rule_of(tool);
     edit.stroke = stroke;
-    edit.surface = sketch::decide_surface(stroke.tips, tool.surface);
+    edit.surface = decide_surface(stroke.tips, tool.surface);
     edit.leaves = tool.leaves;
     if (!scene.plants.empty())
         edit.scale = scene.placement.scale;

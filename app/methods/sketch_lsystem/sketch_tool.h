@@ -17,7 +17,7 @@ struct SketchTool {
     double length_ratio = 0.9;
     double lateral_length = 0.62;
     sketch::Leaves leaves = sketch::Leaves::Leafy;
-    sketch::Surface surface = sketch::Surface::Decided;
+    StrokeSurface surface = StrokeSurface::Decided;
 };
 
 // Returns what a stroke with the tool means: the tips drawn so far, in a document as it is built.

@@ -1,5 +1,7 @@
 #include "engine/methods/construction_lines/construction.h"
 
+#include "engine/base/check.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -215,7 +217,7 @@ Result<Inclination> measure_inclination(DrawnStem const& stem, Boundaries const&
         notes.push_back(fmt::format("{} has no half on the {}: the other half counts on both sides",
                                     of.name, name_of_side(left_deg ? Side::Right : Side::Left)));
     return Inclination { std::clamp(stem.place(at_mm), 0.0, 1.0), left_deg ? *left_deg : *right_deg,
-                         right_deg ? *right_deg : *left_deg };
+                         right_deg ? *right_deg : *left_deg, 0 };
 }
 
 Result<void> check_apart(std::vector<Inclination> const& sorted)
@@ -230,33 +232,92 @@ Result<void> check_apart(std::vector<Inclination> const& sorted)
     return {};
 }
 
+// Where organs stand as long as no lines say it, from so far up to so far.
+constexpr double kLowest = 0.1;
+constexpr double kTopmost = 0.95;
+
+std::vector<Inclination> all_along(double left_deg, double right_deg)
+{
+    return { { kLowest, left_deg, right_deg }, { kTopmost, left_deg, right_deg } };
+}
+
+Result<std::vector<Inclination>> sorted(std::vector<Inclination> lines)
+{
+    std::sort(lines.begin(), lines.end(),
+              [](Inclination const& a, Inclination const& b) { return a.x < b.x; });
+    TRY(check_apart(lines));
+    return lines;
+}
+
+std::string name_of_line(std::size_t number)
+{
+    return fmt::format("inclination line {}", number + 1);
+}
+
+Result<DrawnLine> inclination_line(LineSketch const& sketch, std::size_t number)
+{
+    return DrawnLine(
+        TRY(line_points(sketch.inclinations[number], name_of_line(number), "it across the stem")));
+}
+
 Result<std::vector<Inclination>> measure_inclinations(LineSketch const& sketch,
                                                       DrawnStem const& stem,
-                                                      Boundaries const& boundaries,
+                                                      Boundaries const& boundaries, Missing missing,
                                                       std::vector<std::string>& notes)
 {
     if (sketch.inclinations.empty()) {
         notes.emplace_back("there are no inclination lines: organs stand at 45 degrees from 0.1 to "
                            "0.95 of the stem");
-        return std::vector<Inclination> { { 0.1, 45, 45 }, { 0.95, 45, 45 } };
+        return all_along(45, 45);
     }
-    if (sketch.inclinations.size() == 1)
+    if (sketch.inclinations.size() == 1 && missing == Missing::Refused)
         return fail(Fault::User,
                     "there is only one inclination line: draw a second one across the "
                     "stem, below or above it");
     std::vector<Inclination> result;
-    for (auto const& drawn : sketch.inclinations) {
-        auto const name = fmt::format("inclination line {}", result.size() + 1);
-        DrawnLine const line(TRY(line_points(drawn, name, "it across the stem")));
+    for (std::size_t i = 0; i < sketch.inclinations.size(); ++i) {
+        auto const name = name_of_line(i);
+        auto const line = TRY(inclination_line(sketch, i));
         double const at_mm = TRY(stem_crossing_mm(stem, line, name));
         CrossingLine const of { line, name, stem.seen().point(at_mm),
                                 stem.seen().heading_deg(at_mm), kLeastHalf * stem.length_mm() };
         result.push_back(TRY(measure_inclination(stem, boundaries, of, at_mm, notes)));
+        result.back().drawn = i;
     }
-    std::sort(result.begin(), result.end(),
-              [](Inclination const& a, Inclination const& b) { return a.x < b.x; });
-    TRY(check_apart(result));
-    return result;
+    if (result.size() > 1)
+        return sorted(std::move(result));
+    notes.emplace_back("there is only one inclination line: it holds all along the stem");
+    return all_along(result[0].left_deg, result[0].right_deg);
+}
+
+// A stem on which nothing stands as long as no boundary says how far it reaches. Where inclination
+// lines cross it is known.
+Result<Construction> measure_stem_alone(LineSketch const& sketch, DrawnStem stem)
+{
+    std::vector<Inclination> lines;
+    for (std::size_t i = 0; i < sketch.inclinations.size(); ++i) {
+        auto const line = TRY(inclination_line(sketch, i));
+        double const at_mm = TRY(stem_crossing_mm(stem, line, name_of_line(i)));
+        lines.push_back({ std::clamp(stem.place(at_mm), 0.0, 1.0), 45, 45, i });
+    }
+    lines = lines.size() > 1 ? TRY(sorted(std::move(lines))) : all_along(45, 45);
+    return Construction { .stem = std::move(stem),
+                          .inclinations = lines,
+                          .nodes_per_layer = std::vector<int>(lines.size() - 1, 0),
+                          .nodes = { { lines.back().x, 45, 45, 0, 0 } },
+                          .notes = { "there is no boundary: nothing stands on the stem" } };
+}
+
+// From below.
+std::vector<int> nodes_of_layers(LineSketch const& sketch, std::vector<Inclination> const& lines)
+{
+    if (sketch.nodes_above.empty())
+        return sketch.nodes_per_layer;
+    CHECK(sketch.nodes_above.size() == std::max<std::size_t>(1, sketch.inclinations.size()));
+    std::vector<int> nodes;
+    for (std::size_t layer = 0; layer + 1 < lines.size(); ++layer)
+        nodes.push_back(sketch.nodes_above[lines[layer].drawn]);
+    return nodes;
 }
 
 Result<void> check_nodes(std::vector<int> const& nodes, std::size_t layers)
@@ -379,17 +440,25 @@ Reach as_seen(Reach const& organ, double pitch_deg)
     return stretched(organ, foreshortening(pitch_deg));
 }
 
-Result<Construction> measure_sketch(LineSketch const& sketch)
+bool has_boundary(LineSketch const& sketch)
+{
+    return !sketch.left.empty() || !sketch.right.empty();
+}
+
+Result<Construction> measure_sketch(LineSketch const& sketch, Missing missing)
 {
     TRY(check_point_count(count_points(sketch)));
-    Construction result { .stem = TRY(measure_stem(sketch)),
-                          .inclinations = {},
-                          .nodes_per_layer = sketch.nodes_per_layer,
-                          .nodes = {},
-                          .notes = {} };
+    auto stem = TRY(measure_stem(sketch));
+    if (missing == Missing::Guessed && !has_boundary(sketch))
+        return measure_stem_alone(sketch, std::move(stem));
+    Construction result {
+        .stem = std::move(stem), .inclinations = {}, .nodes_per_layer = {}, .nodes = {}, .notes = {}
+    };
     auto const boundaries = TRY(measure_boundaries(sketch, result.stem, result.notes));
-    result.inclinations = TRY(measure_inclinations(sketch, result.stem, boundaries, result.notes));
-    TRY(check_nodes(sketch.nodes_per_layer, result.inclinations.size() - 1));
+    result.inclinations
+        = TRY(measure_inclinations(sketch, result.stem, boundaries, missing, result.notes));
+    result.nodes_per_layer = nodes_of_layers(sketch, result.inclinations);
+    TRY(check_nodes(result.nodes_per_layer, result.inclinations.size() - 1));
     auto left = measure_nodes(result, boundaries.left, Side::Left);
     auto right = measure_nodes(result, boundaries.right, Side::Right);
     TRY(fill_sizes(left, Side::Left, result.notes));

@@ -24,6 +24,9 @@ struct LineSketch {
     // How many nodes each layer between two neighbouring inclination lines has, from below; the
     // topmost line bears one more.
     std::vector<int> nodes_per_layer;
+    // In place of it, if not empty: how many stand between each inclination line, in the order of
+    // the list, and the next one above it. One number where there are fewer than two lines.
+    std::vector<int> nodes_above {};
 };
 
 constexpr std::size_t kMostPoints = 20'000;         // Of all lines of a sketch.
@@ -40,6 +43,7 @@ struct Inclination {
     double x = 0;
     double left_deg = 0;
     double right_deg = 0;
+    std::size_t drawn = 0; // Its number in the sketch's list; 0, too, of those that nobody drew.
 };
 
 // A place where organs stand. Angles are those between stem and organ in space, sizes shares of the
@@ -88,6 +92,17 @@ struct Reach {
 Reach in_space(Reach const& seen, double pitch_deg);
 Reach as_seen(Reach const& organ, double pitch_deg);
 
+// What becomes of a sketch that lacks lines.
+enum class Missing {
+    Refused, // With what to draw.
+    // As long as somebody draws it: without boundaries nothing stands on the stem (Pattern::Bare,
+    // the sizes are 0), and where there is only one inclination line it holds all along the stem.
+    Guessed,
+};
+
+// Whether there is a boundary, so that organs may stand on the stem.
+bool has_boundary(LineSketch const& sketch);
+
 // Measures a sketch. The same sketch mirrored, scaled, or with boundaries and inclination lines
 // drawn the other way round gives the same numbers, mirrored.
 //
@@ -95,6 +110,6 @@ Reach as_seen(Reach const& organ, double pitch_deg);
 // inclination line missing; one that does not cross the stem just once, or that meets a boundary on
 // the other's side; numbers of nodes that do not fit the lines; more points or nodes than the
 // limits above; numbers that are not finite.
-Result<Construction> measure_sketch(LineSketch const& sketch);
+Result<Construction> measure_sketch(LineSketch const& sketch, Missing missing = Missing::Refused);
 
 } // namespace tractus::lines

@@ -135,6 +135,10 @@ W(x, i, j) : *
     --> /(t)+(a * func(3, x) + b * func(4, x))/(ROLL)~l(LEN * (a * func(5, x) + b * func(6, x)))
 )";
 
+constexpr std::string_view kBare = R"(/* Nothing stands on the stem. */
+B(x, i) : * --> *
+)";
+
 std::string organ_rules(Pattern const& pattern)
 {
     switch (pattern.kind) {
@@ -145,6 +149,8 @@ std::string organ_rules(Pattern const& pattern)
     case Pattern::Kind::Spiral:
     case Pattern::Kind::Alternate:
         return std::string(kSpiral);
+    case Pattern::Kind::Bare:
+        return std::string(kBare);
     case Pattern::Kind::Whorled:
         break;
     }

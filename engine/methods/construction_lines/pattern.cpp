@@ -14,9 +14,11 @@ std::string name_of(Pattern::Kind kind)
     case Pattern::Kind::Alternate:
         return "alternate";
     case Pattern::Kind::Whorled:
+        return "whorled";
+    case Pattern::Kind::Bare:
         break;
     }
-    return "whorled";
+    return "bare";
 }
 
 int organs_at_node(Pattern const& pattern)
@@ -29,9 +31,11 @@ int organs_at_node(Pattern const& pattern)
     case Pattern::Kind::Alternate:
         return 1;
     case Pattern::Kind::Whorled:
+        return pattern.whorl;
+    case Pattern::Kind::Bare:
         break;
     }
-    return pattern.whorl;
+    return 0;
 }
 
 } // namespace tractus::lines

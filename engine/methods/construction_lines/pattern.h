@@ -12,6 +12,7 @@ struct Pattern {
         Spiral,     // One at each node, turned by the divergence from the one below.
         Alternate,  // Also so; without a divergence they stand left and right in turn.
         Whorled,    // Several, evenly around; from node to node turned by half their distance.
+        Bare,       // No organs: the stem alone.
     };
 
     Kind kind = Kind::Distichous;

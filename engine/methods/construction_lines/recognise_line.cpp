@@ -159,9 +159,10 @@ struct Half {
     std::vector<Vec2> points;
     double at_mm = 0; // Along the stem.
     double side = 1;  // -1: right.
+    std::size_t stroke = 0;
 };
 
-Half half_from_stem(std::vector<Vec2> points, DrawnLine const& stem)
+Half half_from_stem(std::vector<Vec2> points, std::size_t stroke, DrawnLine const& stem)
 {
     if (std::fabs(stem.distance_mm(points.front())) > std::fabs(stem.distance_mm(points.back())))
         std::reverse(points.begin(), points.end());
@@ -170,7 +171,7 @@ Half half_from_stem(std::vector<Vec2> points, DrawnLine const& stem)
     auto const outside = std::find_if(points.begin(), points.end(), [&](Vec2 const& point) {
         return stem.distance_mm(point) * side > 0;
     });
-    return { { outside, points.end() }, at_mm, side };
+    return { { outside, points.end() }, at_mm, side, stroke };
 }
 
 // A line that begins on the stem, and over it by a hair.
@@ -191,9 +192,9 @@ std::vector<Vec2> line_of(Half const& half, Half const& other)
 }
 
 // Those at both sides of a place belong together.
-std::vector<std::vector<Vec2>> joined(std::vector<Half> halves, DrawnLine const& stem)
+template<typename Line>
+void join(std::vector<Half> halves, DrawnLine const& stem, std::vector<Line>& lines)
 {
-    std::vector<std::vector<Vec2>> lines;
     while (!halves.empty()) {
         auto const half = halves.front();
         halves.erase(halves.begin());
@@ -202,13 +203,12 @@ std::vector<std::vector<Vec2>> joined(std::vector<Half> halves, DrawnLine const&
                 && std::fabs(candidate.at_mm - half.at_mm) <= kSameNode_mm;
         });
         if (other == halves.end()) {
-            lines.push_back(line_of(half, stem));
+            lines.push_back({ line_of(half, stem), half.stroke });
         } else {
-            lines.push_back(line_of(half, *other));
+            lines.push_back({ line_of(half, *other), half.stroke });
             halves.erase(other);
         }
     }
-    return lines;
 }
 
 // Where a boundary's ends reach over the stem they are cut off.
@@ -295,19 +295,34 @@ RecognisedLine const& LineRecogniser::add(std::vector<Vec3> const& stroke)
     return lines_.back();
 }
 
-std::vector<std::vector<Vec2>> LineRecogniser::inclinations(DrawnLine const& stem) const
+void LineRecogniser::add_known(std::vector<Vec3> const& stroke, Role role)
 {
-    std::vector<std::vector<Vec2>> lines;
+    lines_.push_back({ .role = role });
+    strokes_.push_back(stroke);
+}
+
+std::vector<LineRecogniser::DrawnInclination>
+LineRecogniser::inclinations(DrawnLine const& stem) const
+{
+    std::vector<DrawnInclination> lines;
     std::vector<Half> halves;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
         if (lines_[i].role == Role::Inclination && !is_replaced(i))
-            lines.push_back(flat(strokes_[i]));
+            lines.push_back({ flat(strokes_[i]), i });
         if (lines_[i].role == Role::HalfInclination && !is_replaced(i))
-            halves.push_back(half_from_stem(flat(strokes_[i]), stem));
+            halves.push_back(half_from_stem(flat(strokes_[i]), i, stem));
     }
-    auto const more = joined(std::move(halves), stem);
-    lines.insert(lines.end(), more.begin(), more.end());
+    join(std::move(halves), stem, lines);
     return lines;
+}
+
+std::vector<std::size_t> LineRecogniser::inclination_strokes() const
+{
+    std::vector<std::size_t> strokes;
+    if (auto const stem = newest(Role::Stem))
+        for (auto const& line : inclinations(DrawnLine(flat(strokes_[*stem]))))
+            strokes.push_back(line.stroke);
+    return strokes;
 }
 
 LineSketch LineRecogniser::sketch() const
@@ -322,7 +337,8 @@ LineSketch LineRecogniser::sketch() const
         sketch.left = on_side(flat(strokes_[*left]), stem, 1);
     if (auto const right = newest(Role::Right))
         sketch.right = on_side(flat(strokes_[*right]), stem, -1);
-    sketch.inclinations = inclinations(stem);
+    for (auto& line : inclinations(stem))
+        sketch.inclinations.push_back(std::move(line.points));
     return sketch;
 }
 

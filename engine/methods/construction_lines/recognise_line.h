@@ -39,10 +39,17 @@ public:
     // place of the sheet; all finite.
     RecognisedLine const& add(std::vector<Vec3> const& stroke);
 
+    // A stroke of which somebody has said, or it was found out before, what it is.
+    void add_known(std::vector<Vec3> const& stroke, Role role);
+
     std::vector<RecognisedLine> const& lines() const { return lines_; }
 
     // Of all that count; without numbers of nodes.
     LineSketch sketch() const;
+
+    // For each of the sketch's inclination lines the number of its stroke, or of the first of its
+    // two halves.
+    std::vector<std::size_t> inclination_strokes() const;
 
 private:
     bool is_replaced(std::size_t line) const;
@@ -50,7 +57,11 @@ private:
     std::optional<std::size_t> newest(Role role) const;
     std::optional<std::size_t> line_drawn_again(DrawnLine const& stroke) const;
     RecognisedLine recognise(DrawnLine const& stroke) const;
-    std::vector<std::vector<Vec2>> inclinations(DrawnLine const& stem) const;
+    struct DrawnInclination {
+        std::vector<Vec2> points;
+        std::size_t stroke = 0;
+    };
+    std::vector<DrawnInclination> inclinations(DrawnLine const& stem) const;
 
     std::vector<std::vector<Vec3>> strokes_;
     std::vector<RecognisedLine> lines_;

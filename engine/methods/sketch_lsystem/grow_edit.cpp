@@ -73,7 +73,7 @@ void list(Fields& fields, GrowAlongStroke& edit)
 Result<std::vector<Vec3>> nodes_of(GrowAlongStroke const& edit)
 {
     TRY(check_rule(edit.rule));
-    if (edit.surface == Surface::Decided)
+    if (edit.surface == StrokeSurface::Decided)
         return fail(Fault::User, "the stroke is neither in space nor on paper: say which");
     if (!(edit.scale > 0 && std::isfinite(edit.scale)))
         return fail(Fault::User,
@@ -101,7 +101,7 @@ Rule at_scale(Rule rule, double scale)
 std::optional<Vec2> paper_mm(GrowAlongStroke const& edit)
 {
     auto const tips = edit.stroke.tips.in_memory();
-    if (edit.surface != Surface::Paper || !tips || tips->empty())
+    if (edit.surface != StrokeSurface::Paper || !tips || tips->empty())
         return std::nullopt;
     return tips->front().position_mm.head<2>();
 }
@@ -135,7 +135,7 @@ Vec3 stands_at_mm(GrowAlongStroke const& edit)
     if (!tips || tips->empty())
         return Vec3::Zero();
     Vec3 at_mm = tips->front().position_mm;
-    if (edit.surface == Surface::Paper)
+    if (edit.surface == StrokeSurface::Paper)
         at_mm = { at_mm.x(), 0, 0 };
     return at_mm;
 }

@@ -2,10 +2,10 @@
 
 #include "engine/methods/sketch_lsystem/drawn_axis.h"
 #include "engine/methods/sketch_lsystem/rule.h"
-#include "engine/methods/sketch_lsystem/upright_sheet.h"
 #include "engine/scene/edit.h"
 #include "engine/scene/plant_source.h"
 #include "engine/stroke/stroke.h"
+#include "engine/stroke/upright_sheet.h"
 
 namespace tractus::sketch {
 
@@ -15,8 +15,8 @@ struct GrowAlongStroke {
     static EditKind const kKind;
 
     Rule rule {};
-    Stroke stroke {};                 // World frame.
-    Surface surface = Surface::Space; // Never Decided.
+    Stroke stroke {};                             // World frame.
+    StrokeSurface surface = StrokeSurface::Space; // Never Decided.
     Leaves leaves = Leaves::Leafy;
     // World millimetres per plant millimetre: what was drawn is a plant of so many times its size.
     // A document whose scale nobody has set keeps this one.

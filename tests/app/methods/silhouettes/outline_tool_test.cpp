@@ -72,6 +72,17 @@ TEST(OutlineTool, TellsTrunkOutlineAndBranchByHowTheyLie)
         << "a crown over the old one is drawn anew";
 }
 
+TEST(OutlineTool, SaysWhatTheTreeStillWants)
+{
+    auto const said
+        = [](Scene const& scene) { return OutlineTool::kKind.said(OutlineTool {}, scene); };
+    auto const stem = after({}, trunk_at(10));
+    EXPECT_NE(said(stem).find("draw the outline of its crown"), std::string::npos);
+    auto const tree = after(stem, crown_around(10, 10));
+    EXPECT_NE(said(tree).find("branches on its trunk"), std::string::npos);
+    EXPECT_EQ(said(small_scene()), "");
+}
+
 TEST(OutlineTool, BeginsATreeBesideTheOther)
 {
     auto const tree = after(after({}, trunk_at(-60)), crown_around(-60, 10));

@@ -30,7 +30,7 @@ TEST(SketchTool, AddsAPlantInTheDocumentsScale)
     auto const* const first = alone.front().get<sketch::GrowAlongStroke>();
     ASSERT_NE(first, nullptr);
     EXPECT_EQ(first->scale, 0.1);
-    EXPECT_EQ(first->surface, sketch::Surface::Space);
+    EXPECT_EQ(first->surface, StrokeSurface::Space);
     auto const scene = small_scene();
     auto const beside = tool.mean(rising_stroke(), scene).value();
     EXPECT_EQ(beside.front().get<sketch::GrowAlongStroke>()->scale, scene.placement.scale);

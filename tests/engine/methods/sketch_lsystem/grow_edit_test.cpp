@@ -68,7 +68,7 @@ TEST(GrowAlongStroke, StandsWhereItWasDrawn)
 TEST(GrowAlongStroke, StandsUprightWhereItWasDrawnOnPaper)
 {
     auto edit = grown({ { 30, -40, 100 }, { 30, 80, 100 } });
-    edit.surface = Surface::Paper;
+    edit.surface = StrokeSurface::Paper;
     auto const scene = scene_of(edit);
     EXPECT_EQ(scene.placement.origin_mm, Vec3(30, 0, 0));
     auto const& axis = scene.base->axes[0];
@@ -108,7 +108,7 @@ TEST(GrowAlongStroke, RefusesWhatGrowsNothing)
     edit.scale = std::nan("");
     EXPECT_FALSE(message(edit).empty());
     edit = grown(bow());
-    edit.surface = Surface::Decided;
+    edit.surface = StrokeSurface::Decided;
     EXPECT_FALSE(message(edit).empty());
 }
 

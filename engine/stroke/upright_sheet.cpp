@@ -1,15 +1,15 @@
-#include "engine/methods/sketch_lsystem/upright_sheet.h"
+#include "engine/stroke/upright_sheet.h"
 
 #include "engine/base/check.h"
 
 #include <algorithm>
 
-namespace tractus::sketch {
+namespace tractus {
 
-Surface decide_surface(std::vector<TipSample> const& tips, Surface wanted)
+StrokeSurface decide_surface(std::vector<TipSample> const& tips, StrokeSurface wanted)
 {
-    if (wanted != Surface::Decided || tips.empty())
-        return wanted == Surface::Paper ? Surface::Paper : Surface::Space;
+    if (wanted != StrokeSurface::Decided || tips.empty())
+        return wanted == StrokeSurface::Paper ? StrokeSurface::Paper : StrokeSurface::Space;
     constexpr double kStill = 0.05;
     double length_mm = 0;
     double lowest_mm = tips.front().position_mm.z();
@@ -20,17 +20,18 @@ Surface decide_surface(std::vector<TipSample> const& tips, Surface wanted)
         lowest_mm = std::min(lowest_mm, tips[i].position_mm.z());
         highest_mm = std::max(highest_mm, tips[i].position_mm.z());
     }
-    return highest_mm - lowest_mm < kStill * length_mm ? Surface::Paper : Surface::Space;
+    return highest_mm - lowest_mm < kStill * length_mm ? StrokeSurface::Paper
+                                                       : StrokeSurface::Space;
 }
 
-std::vector<Vec3> plant_tips(std::vector<TipSample> const& tips, Surface surface)
+std::vector<Vec3> plant_tips(std::vector<TipSample> const& tips, StrokeSurface surface)
 {
-    CHECK(surface != Surface::Decided);
+    CHECK(surface != StrokeSurface::Decided);
     std::vector<Vec3> result;
     result.reserve(tips.size());
     for (auto const& tip : tips) {
         auto const& at_mm = tip.position_mm;
-        if (surface == Surface::Space)
+        if (surface == StrokeSurface::Space)
             result.push_back(at_mm);
         else
             result.emplace_back(at_mm.x(), tips.front().position_mm.z() - at_mm.z(), at_mm.y());
@@ -38,4 +39,4 @@ std::vector<Vec3> plant_tips(std::vector<TipSample> const& tips, Surface surface
     return result;
 }
 
-} // namespace tractus::sketch
+} // namespace tractus

@@ -1,8 +1,8 @@
-#include "engine/methods/sketch_lsystem/upright_sheet.h"
+#include "engine/stroke/upright_sheet.h"
 
 #include <gtest/gtest.h>
 
-namespace tractus::sketch {
+namespace tractus {
 namespace {
 
 std::vector<TipSample> tips_of(std::vector<Vec3> const& positions_mm)
@@ -17,20 +17,20 @@ TEST(UprightSheet, IsPaperWhereTheSurfaceHardlyMoved)
 {
     auto const still = tips_of({ { 0, 0, 80 }, { 0, 100, 84 } });
     auto const moved = tips_of({ { 0, 0, 80 }, { 0, 100, 86 } });
-    EXPECT_EQ(decide_surface(still, Surface::Decided), Surface::Paper);
-    EXPECT_EQ(decide_surface(moved, Surface::Decided), Surface::Space);
-    EXPECT_EQ(decide_surface(moved, Surface::Paper), Surface::Paper);
-    EXPECT_EQ(decide_surface(still, Surface::Space), Surface::Space);
+    EXPECT_EQ(decide_surface(still, StrokeSurface::Decided), StrokeSurface::Paper);
+    EXPECT_EQ(decide_surface(moved, StrokeSurface::Decided), StrokeSurface::Space);
+    EXPECT_EQ(decide_surface(moved, StrokeSurface::Paper), StrokeSurface::Paper);
+    EXPECT_EQ(decide_surface(still, StrokeSurface::Space), StrokeSurface::Space);
 }
 
 TEST(UprightSheet, StandsWithTheUsersAwayAsUp)
 {
     auto const tips = tips_of({ { 3, -20, 80 }, { 5, 30, 82 } });
-    auto const plant = plant_tips(tips, Surface::Paper);
+    auto const plant = plant_tips(tips, StrokeSurface::Paper);
     EXPECT_EQ(plant[0], Vec3(3, 0, -20));
     EXPECT_EQ(plant[1], Vec3(5, -2, 30)); // Raised: towards the user.
-    EXPECT_EQ(plant_tips(tips, Surface::Space)[1], Vec3(5, 30, 82));
+    EXPECT_EQ(plant_tips(tips, StrokeSurface::Space)[1], Vec3(5, 30, 82));
 }
 
 } // namespace
-} // namespace tractus::sketch
+} // namespace tractus

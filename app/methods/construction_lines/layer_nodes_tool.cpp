@@ -1,0 +1,63 @@
+#include "app/methods/construction_lines/layer_nodes_tool.h"
+
+#include "app/methods/construction_lines/touched_sketch.h"
+#include "app/tools/erase_tool.h"
+
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tractus {
+
+namespace {
+
+// In the order of What.
+constexpr std::array<OptionWord, 3> kWords { {
+    { "touched", "Nodes of a layer" },
+    { "more", "One node more", nullptr, true },
+    { "fewer", "One fewer", nullptr, true },
+} };
+
+void visit(OptionVisitor& visitor, LayerNodesTool& tool)
+{
+    visitor.choice({ kWords }, tool.what);
+    visitor.number({ "count", "", 0, lines::kMostNodesInLayer, 1 }, tool.nodes);
+}
+
+Result<std::vector<Edit>> set_nodes(Tool const& tool, Stroke const& stroke, Scene const& scene)
+{
+    auto const& options = *tool.get<LayerNodesTool>();
+    auto const active = TRY(active_sketch(scene));
+    if (options.what == LayerNodesTool::What::Touched) {
+        auto const layer = TRY(lines::layer_at(active.sketch, touched_mm(active, stroke)));
+        return std::vector<Edit> { lines::SetLayerNodes {
+            active.plant, layer.line, static_cast<int>(std::lround(options.nodes)) } };
+    }
+    auto const topmost = TRY(lines::layers_of(active.sketch)).back();
+    int const nodes = topmost.nodes + (options.what == LayerNodesTool::What::More ? 1 : -1);
+    if (nodes < 0 || nodes > lines::kMostNodesInLayer)
+        return fail(Fault::User,
+                    fmt::format("the topmost layer has {} nodes, and cannot have {}", topmost.nodes,
+                                nodes < 0 ? "fewer" : "more"));
+    return std::vector<Edit> { lines::SetLayerNodes { active.plant, topmost.line, nodes } };
+}
+
+} // namespace
+
+constexpr ToolKind LayerNodesTool::kKind {
+    .word = "layer_nodes",
+    .label = "Nodes",
+    .title = "Set the nodes of a layer",
+    .done = "The layer has so many nodes now",
+    .help
+    = "gives the layer of a sketch beside which the stroke ends so many nodes, or the topmost "
+      "one a node more or one fewer",
+    .group = "Lines",
+    .begins_group_of_buttons = true,
+    .surface = Surface::Paper,
+    .options = options_type<LayerNodesTool, visit>(),
+    .mean = set_nodes,
+    .other_end = { &EraseTool::kKind },
+};
+
+} // namespace tractus

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/tools/tool.h"
+
+namespace tractus {
+
+// Sets how many nodes a layer of the active plant's sketch has.
+struct LayerNodesTool {
+    static ToolKind const kKind;
+
+    enum class What {
+        Touched, // The layer beside which the stroke ends gets so many.
+        More,    // The topmost layer gets one more,
+        Fewer,   // or one fewer.
+    };
+    What what = What::Touched;
+    double nodes = 8;
+};
+
+} // namespace tractus

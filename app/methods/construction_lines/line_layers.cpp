@@ -1,0 +1,62 @@
+#include "app/methods/construction_lines/line_layers.h"
+
+#include "engine/methods/construction_lines/line_edits.h"
+#include "engine/scene/paper.h"
+
+namespace tractus {
+
+namespace {
+
+using Lines = std::vector<std::vector<Vec3f>>;
+using enum lines::Role;
+
+// Where a line is drawn again it is shown where it is now: the paper lies where the plant stands.
+std::vector<Vec3f> shown(lines::SketchLine const& line, lines::SheetPlacement const& sheet,
+                         Paper const& paper)
+{
+    constexpr float kApart_mm = 0.5f; // Points that are nearer show nothing.
+    std::vector<Vec3f> points;
+    auto const tips = line.stroke.tips.in_memory();
+    if (!tips)
+        return points;
+    for (auto const& tip : *tips) {
+        Vec2 const there_mm = sheet.on_tablet(line.sheet.on_sheet(tip.position_mm.head<2>()));
+        Vec3f const at_mm = paper.world_of_sheet(there_mm).cast<float>();
+        if (points.empty() || (at_mm - points.back()).norm() >= kApart_mm)
+            points.push_back(at_mm);
+    }
+    return points;
+}
+
+template<lines::Role... roles> Lines lines_of(BuiltPlant const& plant)
+{
+    Lines result;
+    auto const* const sketch = lines::pen_sketch(*plant.drawn);
+    if (!sketch || !plant.drawn->paper_mm)
+        return result;
+    auto const sheet = lines::sheet_of(*plant.drawn, plant.placement.scale);
+    Paper const paper { *plant.drawn->paper_mm, plant.drawn->stands_at_mm };
+    for (auto const& line : sketch->lines)
+        if (((line.role == roles) || ...))
+            if (auto points = shown(line, sheet, paper); points.size() > 1)
+                result.push_back(std::move(points));
+    return result;
+}
+
+} // namespace
+
+constexpr Layer kStemLayer { .label = "drawn stem",
+                             .style = { .color = LayerStyle::Color::Purple },
+                             .lines = lines_of<Stem> };
+constexpr Layer kBoundaryLayer { .label = "boundaries",
+                                 .style = { .color = LayerStyle::Color::Purple,
+                                            .pattern = LayerStyle::Pattern::Dashed },
+                                 .lines = lines_of<Left, Right> };
+constexpr Layer kInclinationLayer { .label = "inclination lines",
+                                    .style = { .color = LayerStyle::Color::Orange },
+                                    .lines = lines_of<Inclination, HalfInclination> };
+constexpr Layer kUnsureLayer { .label = "unsure lines",
+                               .style = { .pattern = LayerStyle::Pattern::Dotted },
+                               .lines = lines_of<Unsure> };
+
+} // namespace tractus

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "app/tools/layer.h"
+
+namespace tractus {
+
+// The construction lines of the active plant, where they stand before it: its stem,
+extern Layer const kStemLayer;
+// its boundaries,
+extern Layer const kBoundaryLayer;
+// its inclination lines, and halves of them,
+extern Layer const kInclinationLayer;
+// and those of which nobody knows what they are.
+extern Layer const kUnsureLayer;
+
+} // namespace tractus

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/tools/stroke_previewer.h"
+
+#include <memory>
+
+namespace tractus {
+
+// The plant that follows the line under way, its stem as a skeleton and its organs as lines from
+// their feet to their tips. Of layers with more nodes than can be told apart some are left out.
+std::unique_ptr<StrokePreviewer> line_previewer();
+
+} // namespace tractus

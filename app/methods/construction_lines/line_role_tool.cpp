@@ -1,0 +1,59 @@
+#include "app/methods/construction_lines/line_role_tool.h"
+
+#include "app/methods/construction_lines/touched_sketch.h"
+#include "app/tools/erase_tool.h"
+
+#include <algorithm>
+#include <array>
+
+namespace tractus {
+
+namespace {
+
+using enum lines::Role;
+
+constexpr std::array<OptionWord, 6> kRoleWords { {
+    { "inclination", "It is an inclination" },
+    { "half", "Half of one" },
+    { "left", "Left" },
+    { "right", "Right" },
+    { "stem", "Stem" },
+    { "none", "No line" },
+} };
+constexpr std::array kRoles { Inclination, HalfInclination, Left, Right, Stem, Unsure };
+
+void visit(OptionVisitor& visitor, LineRoleTool& tool)
+{
+    auto const* const found = std::find(kRoles.begin(), kRoles.end(), tool.role);
+    int number = static_cast<int>(found - kRoles.begin());
+    visitor.word({ kRoleWords, WordOption::Offered::InHand }, number);
+    tool.role = kRoles[static_cast<std::size_t>(number)];
+}
+
+Result<std::vector<Edit>> set_role(Tool const& tool, Stroke const& stroke, Scene const& scene)
+{
+    auto const active = TRY(active_sketch(scene));
+    auto const line = lines::line_at(active.sketch, touched_mm(active, stroke));
+    if (!line)
+        return fail(Fault::User, "there is no construction line here: touch one of the sketch");
+    return std::vector<Edit> { lines::SetLineRole { active.plant, *line,
+                                                    tool.get<LineRoleTool>()->role } };
+}
+
+} // namespace
+
+constexpr ToolKind LineRoleTool::kKind {
+    .word = "line_role",
+    .label = "What a line is",
+    .title = "Say what a line is",
+    .done = "The line is what you say",
+    .help = "says what the line of a sketch under the stroke's end is",
+    .group = "Lines",
+    .begins_group_of_buttons = true,
+    .surface = Surface::Paper,
+    .options = options_type<LineRoleTool, visit>(),
+    .mean = set_role,
+    .other_end = { &EraseTool::kKind },
+};
+
+} // namespace tractus

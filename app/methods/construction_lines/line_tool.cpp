@@ -1,0 +1,99 @@
+#include "app/methods/construction_lines/line_tool.h"
+
+#include "app/methods/construction_lines/line_previewer.h"
+#include "app/tools/erase_tool.h"
+#include "engine/scene/paper.h"
+
+#include <array>
+#include <cmath>
+
+namespace tractus {
+
+namespace {
+
+// In the order of LineTool::Plant.
+constexpr std::array<OptionWord, 2> kPlantWords { {
+    { "go_on", "Line" },
+    { "new_stem", "Another stem" },
+} };
+// In the order of Pattern::Kind.
+constexpr std::array<OptionWord, 5> kPatternWords { {
+    { "distichous", "Two rows" },
+    { "decussate", "Crossed pairs" },
+    { "spiral", "Spiral" },
+    { "alternate", "Alternate" },
+    { "whorled", "Whorls" },
+} };
+
+void visit(OptionVisitor& visitor, LineTool& tool)
+{
+    visitor.choice({ kPlantWords }, tool.plant);
+    visitor.choice({ kPatternWords, WordOption::Offered::InHand }, tool.pattern);
+    visitor.number({ "nodes", "", 0, lines::kMostNodesInLayer, 1 }, tool.nodes);
+    visitor.number({ "divergence", "degrees", -360, 360, 0.5 }, tool.divergence_deg);
+    visitor.number({ "organs", "", 2, 24, 1 }, tool.organs);
+}
+
+lines::Pattern pattern_of(LineTool const& tool)
+{
+    constexpr double kLeftAndRight_deg = 180;
+    lines::Pattern pattern;
+    pattern.kind = tool.pattern;
+    pattern.divergence_deg
+        = tool.pattern == lines::Pattern::Kind::Alternate ? kLeftAndRight_deg : tool.divergence_deg;
+    pattern.whorl = static_cast<int>(std::lround(tool.organs));
+    return pattern;
+}
+
+Result<std::vector<Edit>> add_line(Tool const& tool, Stroke const& stroke, Scene const& scene)
+{
+    return std::vector<Edit> { line_drawn(*tool.get<LineTool>(), stroke, scene) };
+}
+
+} // namespace
+
+lines::AddLine line_drawn(LineTool const& tool, Stroke const& stroke, Scene const& scene)
+{
+    lines::AddLine edit;
+    edit.stroke = stroke;
+    edit.nodes = static_cast<int>(std::lround(tool.nodes));
+    edit.pattern = pattern_of(tool);
+    if (tool.plant == LineTool::Plant::GoOn && lines::active_pen_sketch(scene.state))
+        edit.plant = scene.state.active;
+    if (!scene.plants.empty())
+        edit.scale = scene.placement.scale;
+    if (!stroke.tips.empty()) {
+        edit.stands_at_mm
+            = paper_of(scene.state).world_of_sheet(stroke.tips.front().position_mm.head<2>());
+        edit.stands_at_mm.z() = 0;
+    }
+    return edit;
+}
+
+std::string said_of_sketch(Tool const&, Scene const& after)
+{
+    auto const* const sketch = lines::active_pen_sketch(after.state);
+    return sketch ? lines::said_of(*sketch) : "";
+}
+
+constexpr ToolKind LineTool::kKind {
+    .word = "construction_line",
+    .label = "Line",
+    .title = "Draw a plant's construction lines",
+    .done = "The plant follows the line",
+    .help = "adds a line to a sketch of stem, boundaries and inclination lines, which a plant "
+            "follows: the stem begins the plant, on the tablet as on paper that stands upright; a "
+            "layer between two inclination lines has so many nodes, and a plant that begins has "
+            "this pattern, with a divergence in degrees of spirals and so many organs of whorls",
+    .group = "Lines",
+    .icon = "5095 5010 2590 2030 5010 7590 8030 5010 2545 5065 7545",
+    .key = 'I',
+    .surface = Surface::Paper,
+    .options = options_type<LineTool, visit>(),
+    .mean = add_line,
+    .said = said_of_sketch,
+    .previewer = line_previewer,
+    .other_end = { &EraseTool::kKind },
+};
+
+} // namespace tractus

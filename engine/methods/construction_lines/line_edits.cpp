@@ -1,0 +1,286 @@
+#include "engine/methods/construction_lines/line_edits.h"
+
+#include "engine/scene/edit_words.h"
+#include "engine/scene/make_edit_kind.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+namespace tractus::lines {
+
+using tractus::name_of; // Of items.
+
+namespace {
+
+// In the order of the enumerations' values.
+constexpr std::array kPatterns {
+    "distichous", "decussate", "spiral", "alternate", "whorled", "bare"
+};
+constexpr std::array kRoles {
+    "stem", "left", "right", "inclination", "half_inclination", "unsure"
+};
+
+void list(Fields& fields, Pattern& pattern)
+{
+    fields.word("pattern", pattern.kind, kPatterns);
+    fields.field("divergence", &pattern.divergence_deg);
+    fields.field("whorl", &pattern.whorl);
+}
+
+Result<void> check_pattern(Pattern const& pattern)
+{
+    constexpr int kLeastWhorl = 2;
+    constexpr int kMostWhorl = 24;
+    if (!(std::fabs(pattern.divergence_deg) <= 360))
+        return fail(Fault::User, "the divergence is no angle: give degrees from -360 to 360");
+    if (pattern.whorl < kLeastWhorl || pattern.whorl > kMostWhorl)
+        return fail(Fault::User,
+                    fmt::format("{} organs cannot stand around a node: give {} to {}",
+                                pattern.whorl, kLeastWhorl, kMostWhorl));
+    return {};
+}
+
+Result<void> check_nodes(int nodes)
+{
+    if (nodes < 0 || nodes > kMostNodesInLayer)
+        return fail(
+            Fault::User,
+            fmt::format("a layer cannot have {} nodes: give 0 to {}", nodes, kMostNodesInLayer));
+    return {};
+}
+
+std::string describe(Pattern const& pattern)
+{
+    auto const name = name_of(pattern.kind);
+    if (pattern.kind == Pattern::Kind::Whorled)
+        return fmt::format("{}, {} at a node", name, pattern.whorl);
+    if (pattern.kind == Pattern::Kind::Spiral || pattern.kind == Pattern::Kind::Alternate)
+        return fmt::format("{}, {:g} degrees from one to the next", name, pattern.divergence_deg);
+    return name;
+}
+
+// Of which plant, and its sketch.
+struct Found {
+    std::size_t number = 0;
+    PenSketch sketch;
+};
+
+Result<Found> find_sketch(DocumentState const& state, ItemId plant)
+{
+    auto const number = TRY(plant_number(state, plant));
+    auto const* const sketch = pen_sketch(*state.plants[number]);
+    if (!sketch)
+        return fail(Fault::User,
+                    fmt::format("plant {} is not drawn with construction lines: begin another one "
+                                "with a stem",
+                                name_of(plant)));
+    return Found { number, *sketch };
+}
+
+SketchLine const& stem_of(PenSketch const& sketch)
+{
+    return *std::find_if(sketch.lines.begin(), sketch.lines.end(),
+                         [](SketchLine const& line) { return line.role == Role::Stem; });
+}
+
+// Where the pen came down for a line, on the tablet then, and on the sheet.
+Vec2 begin_on_tablet(SketchLine const& line)
+{
+    auto const tips = line.stroke.tips.in_memory();
+    return tips && !tips->empty() ? Vec2(tips->front().position_mm.head<2>()) : Vec2(0, 0);
+}
+
+Vec2 begin_on_sheet(SketchLine const& line)
+{
+    return line.sheet.on_sheet(begin_on_tablet(line));
+}
+
+// Puts another sketch in the place of a plant's. Where it has another stem the plant stands at that
+// one's foot, and so all of its lines stay where they are.
+void put_sketch(DocumentState& state, Found found)
+{
+    auto const& before = *state.plants[found.number];
+    auto const sheet = sheet_of(before, state.scale);
+    auto const& stem = stem_of(found.sketch);
+    bool const is_other = stem.id != stem_of(*pen_sketch(before)).id;
+    Vec2 const foot_mm = sheet.on_tablet(begin_on_sheet(stem));
+    change_plant(state, found.number, [&](PlantState& plant) {
+        if (is_other && plant.paper_mm) {
+            plant.stands_at_mm.x() += foot_mm.x() - plant.paper_mm->x();
+            plant.paper_mm = foot_mm;
+        }
+        plant.source = PlantSource(kPenSketch, std::move(found.sketch));
+        plant.source_edit = state.last_edit;
+        plant.selection.clear();
+    });
+}
+
+void list(Fields& fields, AddLine& edit)
+{
+    fields.sparse_field("plant", &edit.plant);
+    fields.field("nodes", &edit.nodes);
+    list(fields, edit.pattern);
+    fields.field("scale", &edit.scale);
+    fields.field("stands_at_mm", &edit.stands_at_mm);
+    fields.id(edit.id);
+    fields.numbers(edit.stroke);
+}
+
+Result<DocumentState> begun(DocumentState state, AddLine const& edit)
+{
+    TRY(check_pattern(edit.pattern));
+    if (!(edit.scale > 0 && std::isfinite(edit.scale)))
+        return fail(Fault::User,
+                    fmt::format("a plant cannot be shown {} times as large as it is", edit.scale));
+    if (!edit.stands_at_mm.allFinite())
+        return fail(Fault::User, "the place for the plant is not a number: draw the stem again");
+    SketchLine const stem { .id = take_id(state, edit.id),
+                            .stroke = edit.stroke,
+                            .nodes = edit.nodes };
+    auto sketch
+        = TRY(with_line({ .lines = {}, .pattern = edit.pattern, .scale = edit.scale }, stem));
+    if (!state.scale)
+        state.scale = edit.scale;
+    return with_source(std::move(state),
+                       { .name = "lines",
+                         .source = PlantSource(kPenSketch, std::move(sketch)),
+                         .drawn = Drawn::Beside,
+                         .stands_at_mm = edit.stands_at_mm,
+                         .paper_mm = begin_on_tablet(stem),
+                         .id = stem.id });
+}
+
+Result<DocumentState> applied(DocumentState state, AddLine const& edit, SceneBuilder&)
+{
+    TRY(check_nodes(edit.nodes));
+    if (edit.plant == 0)
+        return begun(std::move(state), edit);
+    auto found = TRY(find_sketch(state, edit.plant));
+    auto const sheet = sheet_of(*state.plants[found.number], state.scale);
+    found.sketch = TRY(with_line(std::move(found.sketch),
+                                 { .id = take_id(state, edit.id),
+                                   .stroke = edit.stroke,
+                                   .sheet = sheet,
+                                   .nodes = edit.nodes }));
+    put_sketch(state, std::move(found));
+    return state;
+}
+
+std::string described(AddLine const& edit)
+{
+    if (edit.plant == 0)
+        return fmt::format("begins a plant of construction lines, {}: {}", describe(edit.pattern),
+                           describe_stroke(edit.stroke));
+    return fmt::format("adds a construction line to plant {}: {}", name_of(edit.plant),
+                       describe_stroke(edit.stroke));
+}
+
+void list(Fields& fields, SetLayerNodes& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.field("line", &edit.line);
+    fields.field("nodes", &edit.nodes);
+}
+
+Result<DocumentState> applied(DocumentState state, SetLayerNodes const& edit, SceneBuilder&)
+{
+    TRY(check_nodes(edit.nodes));
+    auto found = TRY(find_sketch(state, edit.plant));
+    auto& lines = found.sketch.lines;
+    auto const line = std::find_if(lines.begin(), lines.end(),
+                                   [&](SketchLine const& each) { return each.id == edit.line; });
+    if (line == lines.end())
+        return fail(
+            Fault::User,
+            fmt::format("the sketch has no line {}, so no layer above it", name_of(edit.line)));
+    line->nodes = edit.nodes;
+    put_sketch(state, std::move(found));
+    return state;
+}
+
+std::string described(SetLayerNodes const& edit)
+{
+    return fmt::format("gives the layer above line {} of plant {} {}", name_of(edit.line),
+                       name_of(edit.plant),
+                       counted(static_cast<std::size_t>(std::max(0, edit.nodes)), "node"));
+}
+
+void list(Fields& fields, SetLinePattern& edit)
+{
+    fields.field("plant", &edit.plant);
+    list(fields, edit.pattern);
+}
+
+Result<DocumentState> applied(DocumentState state, SetLinePattern const& edit, SceneBuilder&)
+{
+    TRY(check_pattern(edit.pattern));
+    auto found = TRY(find_sketch(state, edit.plant));
+    found.sketch.pattern = edit.pattern;
+    put_sketch(state, std::move(found));
+    return state;
+}
+
+std::string described(SetLinePattern const& edit)
+{
+    return fmt::format("gives the organs of plant {} another pattern: {}", name_of(edit.plant),
+                       describe(edit.pattern));
+}
+
+void list(Fields& fields, SetLineRole& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.field("line", &edit.line);
+    fields.word("role", edit.role, kRoles);
+}
+
+Result<DocumentState> applied(DocumentState state, SetLineRole const& edit, SceneBuilder&)
+{
+    auto found = TRY(find_sketch(state, edit.plant));
+    found.sketch = TRY(with_role(std::move(found.sketch), edit.line, edit.role));
+    put_sketch(state, std::move(found));
+    return state;
+}
+
+std::string described(SetLineRole const& edit)
+{
+    return fmt::format("takes line {} of plant {} for: {}", name_of(edit.line), name_of(edit.plant),
+                       name_of(edit.role));
+}
+
+} // namespace
+
+PenSketch const* pen_sketch(PlantState const& plant)
+{
+    return plant.source.get<PenSketch>(kPenSketch);
+}
+
+PenSketch const* active_pen_sketch(DocumentState const& state)
+{
+    auto const* const plant = active_plant(state);
+    return plant ? pen_sketch(*plant) : nullptr;
+}
+
+SheetPlacement sheet_of(PlantState const& plant, std::optional<double> scale)
+{
+    auto const& sketch = *pen_sketch(plant);
+    double const size = sketch.scale / scale.value_or(sketch.scale);
+    Vec2 const foot_mm = begin_on_sheet(stem_of(sketch));
+    return { foot_mm - size * plant.paper_mm.value_or(foot_mm), size };
+}
+
+constexpr EditKind AddLine::kKind
+    = make_edit_kind<AddLine, list, applied, described>("add_construction_line", true);
+
+constexpr EditKind SetLayerNodes::kKind
+    = make_edit_kind<SetLayerNodes, list, applied, described>("set_layer_nodes");
+
+constexpr EditKind SetLinePattern::kKind
+    = make_edit_kind<SetLinePattern, list, applied, described>("set_line_pattern");
+
+constexpr EditKind SetLineRole::kKind
+    = make_edit_kind<SetLineRole, list, applied, described>("set_line_role");
+
+} // namespace tractus::lines

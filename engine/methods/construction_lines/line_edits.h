@@ -1,0 +1,66 @@
+#pragma once
+
+#include "engine/methods/construction_lines/pen_sketch.h"
+#include "engine/scene/document_state.h"
+#include "engine/scene/edit.h"
+
+#include <optional>
+#include <string>
+
+namespace tractus::lines {
+
+// Adds a line to a sketch, whose plant follows it. What was drawn on the plant's branches stays.
+struct AddLine {
+    static EditKind const kKind;
+
+    ItemId plant = 0; // 0: the line is the stem of another plant, which becomes the active one.
+    Stroke stroke {}; // World frame.
+    int nodes = 8;    // In the layer above the line, if it bounds one; see SketchLine.
+    // Of a plant that begins. Its scale as of sketch::GrowAlongStroke: world millimetres per plant
+    // millimetre, which a document whose scale nobody has set keeps.
+    Pattern pattern {};
+    double scale = 0.1;
+    Vec3 stands_at_mm = Vec3::Zero(); // World frame.
+    ItemId id = 0; // Of the line, and of the plant that it begins; 0: it has none yet.
+};
+
+// Sets how many nodes a layer has.
+struct SetLayerNodes {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    ItemId line = 0; // The layer's: see Layer.
+    int nodes = 8;
+};
+
+// Sets how organs stand around the stem.
+struct SetLinePattern {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    Pattern pattern {};
+};
+
+// Says what a line of a sketch is: see with_role().
+struct SetLineRole {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    ItemId line = 0;
+    Role role = Role::Unsure;
+};
+
+// The sketch that a plant is drawn with; null for a plant of another kind.
+PenSketch const* pen_sketch(PlantState const& plant);
+
+// The same of the active plant; null, too, where there is none.
+PenSketch const* active_pen_sketch(DocumentState const& state);
+
+// Where the sheet of such a plant is on the tablet in a document of this scale.
+SheetPlacement sheet_of(PlantState const& plant, std::optional<double> scale);
+
+// For the person who has drawn a sketch's newest line: what it was taken for, and what is missing
+// still.
+std::string said_of(PenSketch const& sketch);
+
+} // namespace tractus::lines

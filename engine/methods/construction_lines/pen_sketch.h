@@ -1,0 +1,100 @@
+#pragma once
+
+#include "engine/methods/construction_lines/construction.h"
+#include "engine/methods/construction_lines/line_model.h"
+#include "engine/methods/construction_lines/pattern.h"
+#include "engine/methods/construction_lines/recognise_line.h"
+#include "engine/scene/anchored.h"
+#include "engine/scene/plant_source.h"
+#include "engine/stroke/stroke.h"
+
+#include <optional>
+#include <vector>
+
+namespace tractus::lines {
+
+// Where on a sketch's sheet (drawn_line.h) a place on the tablet is, which is upright paper
+// (paper.h): offset + size * (x, y). As long as a plant is shown in the size in which its stem was
+// drawn, both are the same.
+struct SheetPlacement {
+    Vec2 offset_mm = Vec2::Zero();
+    double size = 1; // Millimetres of the sheet in one of the tablet; above 0.
+
+    Vec2 on_sheet(Vec2 const& tablet_mm) const { return offset_mm + size * tablet_mm; }
+    Vec2 on_tablet(Vec2 const& sheet_mm) const { return (sheet_mm - offset_mm) / size; }
+};
+
+// A line of a sketch as a pen drew it.
+struct SketchLine {
+    ItemId id = 0;
+    Stroke stroke {};        // World frame.
+    SheetPlacement sheet {}; // When it was drawn.
+    Role role = Role::Unsure;
+    // In the layer above it, of an inclination line, 0 to kMostNodesInLayer. Of the stem: in the
+    // only layer of a sketch with fewer than two of those.
+    int nodes = 0;
+};
+
+// A plant that is drawn with construction lines: the source that its base plant is built from. It
+// gives a plant at every stage. The stem alone is a bare stem, since nothing says yet how far
+// organs reach; one boundary counts on both sides, one inclination line all along the stem, and
+// without any organs lean by 45 degrees. Lines that nobody knows have no effect.
+struct PenSketch {
+    // In the order in which they were drawn; one that was drawn again has given its place up. At
+    // least the stem.
+    std::vector<SketchLine> lines;
+    Pattern pattern {};
+    double scale = 0.1; // World millimetres per plant millimetre, where a line's size is 1.
+};
+
+extern SourceKind const kPenSketch;
+
+// Where the tips of a line are on the sheet, (u, v, depth), the hand's tremor taken out
+// (capture_line.h). Where the surface has moved by less than a twentieth of the line's length the
+// depth is 0; else it is the height above pen-down. At least two points, no two neighbours at one
+// place of the sheet. Fails, as the user's fault, for a dot.
+Result<std::vector<Vec3>> points_on_sheet(SketchLine const& line);
+
+// The sketch with one more line, whose role is found out from how it lies to the others
+// (LineRecogniser). It takes the place of one that it draws again, and that one's number of nodes.
+//
+// Fails, as the user's fault, for a dot, a stem that is too short, too many lines, and for a line
+// with which the sketch gives no plant (measure_sketch()).
+Result<PenSketch> with_line(PenSketch sketch, SketchLine line);
+
+// The sketch in which a line has the role that somebody says it has. The line that had it before is
+// unsure from then on, but for inclination lines, of which there are many. Fails, as the user's
+// fault, for a line that is not there, if no stem would be left, and if it gives no plant.
+Result<PenSketch> with_role(PenSketch sketch, ItemId line, Role role);
+
+// The lines that count, as measure_sketch() takes them with Missing::Guessed. In millimetres of the
+// sheet, or so that their plant is as large in the document as they were drawn.
+enum class Unit { Sheet, Plant };
+Result<LineSketch> line_sketch(PenSketch const& sketch, Unit unit = Unit::Sheet);
+
+// The same plant as a model in cpfg's language, called "lines".
+Result<LineModel> model_of(PenSketch const& sketch);
+
+Result<BuiltSource> build_pen_sketch(PenSketch const& sketch, LoadOptions const& options);
+
+// A layer of nodes.
+struct Layer {
+    ItemId line = 0; // Whose number of nodes it is: the line below it, or else the stem.
+    double from_x = 0;
+    double to_x = 1;
+    int nodes = 0;
+};
+
+// From below, at least one.
+Result<std::vector<Layer>> layers_of(PenSketch const& sketch);
+
+// The layer beside a place on the sheet: of places below or above all of them the nearest one.
+Result<Layer> layer_at(PenSketch const& sketch, Vec2 const& place_mm);
+
+// The line nearest to a place on the sheet, if one is within 15 mm of it.
+std::optional<ItemId> line_at(PenSketch const& sketch, Vec2 const& place_mm);
+
+// Null where there is none.
+SketchLine const* find_line(PenSketch const& sketch, ItemId line);
+
+} // namespace tractus::lines

@@ -1,0 +1,407 @@
+#include "app/methods/construction_lines/line_tool.h"
+
+#include "app/methods/construction_lines/layer_nodes_tool.h"
+#include "app/methods/construction_lines/line_layers.h"
+#include "app/methods/construction_lines/line_pattern_tool.h"
+#include "app/methods/construction_lines/line_previewer.h"
+#include "app/methods/construction_lines/line_role_tool.h"
+#include "app/session/edit_record.h"
+#include "app/session/session.h"
+#include "app/station/station_view.h"
+#include "drivers/file.h"
+#include "engine/methods/construction_lines/line_model.h"
+#include "tests/app/replayed.h"
+#include "tests/app/simple_rig.h"
+#include "tests/app/simulated_drawing.h"
+#include "tests/app/verbs/outcome.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+using lines::Pattern;
+using lines::Role;
+
+std::string line_of(Tool const& tool)
+{
+    auto const words = words_for(tool);
+    EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), tool);
+    return words.name + " " + words.arguments;
+}
+
+// A stem, both boundaries, and two lines across.
+std::vector<Stroke> frond()
+{
+    return { stroke_through({ { -40, -60, 50 }, { -42, 0, 50 }, { -36, 60, 50 } }),
+             stroke_through({ { -70, -62, 50 }, { -75, 0, 50 }, { -55, 68, 50 } }),
+             stroke_through({ { -15, -58, 50 }, { -10, 10, 50 }, { -18, 70, 50 } }),
+             stroke_through({ { -90, -30, 50 }, { -41, -45, 50 }, { 0, -20, 50 } }),
+             stroke_through({ { -80, 70, 50 }, { -38, 35, 50 }, { 5, 72, 50 } }) };
+}
+
+Tool spiral(double nodes = 6)
+{
+    return LineTool { .nodes = nodes, .pattern = Pattern::Kind::Spiral };
+}
+
+void draw_frond(Document& document)
+{
+    for (auto const& stroke : frond())
+        document.draw({ stroke, spiral() });
+}
+
+TEST(LineTool, SaysItsOptionsInLogs)
+{
+    EXPECT_EQ(line_of(LineTool {}), "construction_line ");
+    EXPECT_EQ(line_of(LineTool { .plant = LineTool::Plant::NewStem,
+                                 .nodes = 12,
+                                 .pattern = Pattern::Kind::Whorled,
+                                 .divergence_deg = 99.5,
+                                 .organs = 5 }),
+              "construction_line new_stem whorled nodes=12 divergence=99.5 organs=5");
+    EXPECT_EQ(line_of(Tool(LinePatternTool {}).done_at_once()), "line_pattern now");
+    EXPECT_EQ(line_of(Tool(LayerNodesTool { LayerNodesTool::What::Fewer }).done_at_once()),
+              "layer_nodes fewer now");
+    EXPECT_EQ(line_of(LayerNodesTool { .nodes = 30 }), "layer_nodes count=30");
+    EXPECT_EQ(line_of(LineRoleTool { Role::Left }), "line_role left");
+    EXPECT_NE(parse_tool(all_methods().tools, "construction_line", "nodes=501")
+                  .error()
+                  .message.find("from 0 to 500"),
+              std::string::npos);
+}
+
+TEST(LineTool, BeginsAPlantAndGoesOnWithIt)
+{
+    auto const scene = small_scene();
+    Document document(scene, Document::Working::AtOnce);
+    draw_frond(document);
+    auto const drawn = document.take_drawn();
+    ASSERT_EQ(drawn.size(), 5U);
+    for (auto const& stroke : drawn)
+        EXPECT_EQ(stroke.refusal, "");
+    auto const& after = document.newest()->scene;
+    ASSERT_EQ(after.plants.size(), 2U);
+    EXPECT_EQ(after.plants[0], scene.plants[0]) << "it stays as it was";
+    EXPECT_EQ(after.placement.scale, scene.placement.scale);
+    EXPECT_EQ(after.base->organs.size(), 7U);
+    document.draw({ frond()[0], LineTool { .plant = LineTool::Plant::NewStem } });
+    EXPECT_EQ(document.newest()->scene.plants.size(), 3U);
+}
+
+// The plant is the model that the command writes of the same strokes.
+class LineToolAndCommand : public testing::Test {
+protected:
+    LineToolAndCommand() { fs::create_directories(folder_); }
+    ~LineToolAndCommand() override { fs::remove_all(folder_); }
+    LineToolAndCommand(LineToolAndCommand const&) = delete;
+    LineToolAndCommand& operator=(LineToolAndCommand const&) = delete;
+
+    std::string path(std::string const& name) const { return (folder_ / name).string(); }
+
+    // Runs the command on the strokes' places on the tablet.
+    nlohmann::json construct(std::vector<Stroke> const& strokes,
+                             std::vector<int> const& nodes) const
+    {
+        nlohmann::json file { { "pattern", "spiral" }, { "nodes_per_layer", nodes } };
+        for (auto const& stroke : strokes) {
+            nlohmann::json line;
+            for (auto const& tip : stroke.tips)
+                line.push_back({ tip.position_mm.x(), tip.position_mm.y() });
+            file["strokes"].push_back(line);
+        }
+        EXPECT_TRUE(write_file(path("lines.json"), file.dump()));
+        auto const outcome
+            = run({ "construct", path("lines.json"), "--smooth", "--report", "-o", path("out") });
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return nlohmann::json::parse(outcome.out);
+    }
+
+    fs::path const folder_
+        = fs::temp_directory_path() / ("tractus_line_tool_" + std::to_string(::getpid()));
+};
+
+TEST_F(LineToolAndCommand, GiveTheSameText)
+{
+    Document document(Scene {}, Document::Working::AtOnce);
+    draw_frond(document);
+    construct(frond(), { 6 });
+    auto const model
+        = lines::model_of(*lines::active_pen_sketch(document.newest()->scene.state)).value();
+    EXPECT_EQ(model.source.text, read_file(path("out/lines.l")).value());
+    EXPECT_EQ(model.source.view_text, read_file(path("out/lines.v")).value());
+    ASSERT_EQ(model.functions.size(), 7U);
+    for (auto const& [name, text] : model.functions)
+        EXPECT_EQ(text, read_file(path("out/" + name)).value()) << name;
+}
+
+// A recording by the simulated hand, with a tremor, in which the pen is the tool.
+Log recorded_sketch()
+{
+    constexpr std::string_view kHand = R"(
+version = 1
+seed = 5
+[[gesture]]
+tool = "draw"
+propagation = "both"
+path = "line"
+from_mm = [20, -60, 50]
+to_mm = [30, 60, 50]
+[[gesture]]
+tool = "draw"
+propagation = "both"
+path = "line"
+from_mm = [-15, -60, 50]
+to_mm = [0, 70, 50]
+[[gesture]]
+tool = "draw"
+propagation = "both"
+path = "line"
+from_mm = [70, 70, 50]
+to_mm = [50, -60, 50]
+[[gesture]]
+tool = "draw"
+propagation = "both"
+path = "line"
+from_mm = [-30, -20, 50]
+to_mm = [80, -40, 50]
+[[gesture]]
+tool = "draw"
+propagation = "both"
+path = "line"
+from_mm = [-30, 30, 50]
+to_mm = [90, 45, 50]
+)";
+    auto log = recorded_log(kHand);
+    for (auto& tool : log.tools) {
+        tool.tool = "construction_line";
+        tool.arguments = "spiral nodes=7";
+    }
+    return log;
+}
+
+TEST_F(LineToolAndCommand, GiveTheSamePlantFromALog)
+{
+    auto const replay = replayed(recorded_sketch());
+    ASSERT_EQ(replay.strokes.size(), 5U);
+    std::vector<Stroke> strokes;
+    for (auto const& drawn : replay.strokes) {
+        EXPECT_EQ(drawn.refusal, "");
+        strokes.push_back(drawn.stroke);
+    }
+    ASSERT_EQ(replay.scene.plants.size(), 2U);
+    auto const report = construct(strokes, { 7 });
+    auto const& plant = *replay.scene.base;
+    ASSERT_EQ(plant.organs.size(), 8U);
+    ASSERT_EQ(report["leaf_tips"].size(), 8U);
+    double const foot_mm = strokes[0].tips.front().position_mm.y();
+    double const length_mm = report["stem_length"].get<double>();
+    for (std::size_t i = 0; i < plant.organs.size(); ++i) {
+        auto const& organ = plant.organs[i];
+        double const reach_mm
+            = plant.organ_shapes[organ.shape].length_mm * static_cast<double>(organ.scale.y());
+        Vec3 const tip_mm = replay.scene.placement.world_of_plant(
+            organ.position_mm + organ.orientation * Vec3(0, reach_mm, 0));
+        auto const& expected = report["leaf_tips"][i];
+        Vec3 const there_mm(expected[0].get<double>(), -expected[2].get<double>(),
+                            expected[1].get<double>() - foot_mm);
+        EXPECT_LE((tip_mm - there_mm).norm(), 0.001 * length_mm) << "organ " << i;
+    }
+}
+
+// Draws in a session, and gives what the document amounts to at the end.
+Scene drawn_in(Session session)
+{
+    Document document(std::move(session), Document::Working::AtOnce);
+    draw_frond(document);
+    document.draw({ {}, Tool(LinePatternTool {}).done_at_once() });
+    document.draw({ {}, Tool(LayerNodesTool { LayerNodesTool::What::More }).done_at_once() });
+    document.draw(
+        { stroke_through({ { -60, 0, 50 }, { -74, 0, 50 } }), LineRoleTool { Role::Unsure } });
+    for (auto const& drawn : document.take_drawn()) {
+        EXPECT_EQ(drawn.refusal, "");
+        for (auto const& edit : drawn.edits) {
+            auto const record = record_of(edit);
+            auto const again = edit_of(record, all_methods().edits).value();
+            EXPECT_EQ(record_of(again).fields, record.fields);
+            EXPECT_EQ(record_of(again).numbers, record.numbers);
+            EXPECT_EQ(again.describe(), edit.describe());
+        }
+    }
+    document.undo();
+    return document.newest()->scene;
+}
+
+TEST_F(LineToolAndCommand, ASessionKeepsTheSketch)
+{
+    auto const options = session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; });
+    auto const before
+        = drawn_in(Session::create(path("lines.tractus"), { .plant = "small.l", .program = "1" },
+                                   std::vector<Edit> { small_model() }, options)
+                       .value());
+    auto const again = Session::open(path("lines.tractus"), options).value();
+    EXPECT_EQ(again.unknown().count, 0U);
+    ASSERT_EQ(again.scene().plants.size(), 2U);
+    EXPECT_EQ(again.scene().base->node_position_mm, before.base->node_position_mm);
+    ASSERT_EQ(again.scene().base->organs.size(), 8U);
+    for (std::size_t i = 0; i < 8; ++i)
+        EXPECT_EQ(again.scene().base->organs[i].position_mm, before.base->organs[i].position_mm);
+    auto const log = run({ "session", "log", path("lines.tractus") });
+    EXPECT_NE(log.out.find("begins a plant of construction lines, spiral"), std::string::npos)
+        << log.out << log.err;
+    EXPECT_NE(log.out.find("alternate, 180 degrees"), std::string::npos) << log.out;
+}
+
+// Each line is a step.
+TEST(LineTool, IsUndoneAndDoneAgain)
+{
+    Document document(Scene {}, Document::Working::AtOnce);
+    draw_frond(document);
+    auto const drawn = document.newest();
+    auto const lines_of = [&] {
+        auto const* const sketch = lines::active_pen_sketch(document.newest()->scene.state);
+        return sketch ? sketch->lines.size() : 0;
+    };
+    for (std::size_t left = 5; left-- > 0;) {
+        document.undo();
+        EXPECT_EQ(lines_of(), left);
+    }
+    EXPECT_TRUE(document.newest()->scene.plants.empty());
+    for (int i = 0; i < 5; ++i)
+        document.redo();
+    EXPECT_EQ(lines_of(), 5U);
+    EXPECT_EQ(document.newest()->scene.base->node_position_mm, drawn->scene.base->node_position_mm);
+}
+
+TEST(LineTool, SaysWhatTheLineWasTakenForAndWhatIsMissing)
+{
+    Document document(Scene {}, Document::Working::AtOnce);
+    document.draw({ frond()[0], spiral() });
+    document.draw({ stroke_through({ { 80, 0, 50 }, { 90, 10, 50 } }), spiral() });
+    document.draw({ stroke_through({ { 80, 0, 50 }, { 80, 0, 50 } }), spiral() });
+    auto const drawn = document.take_drawn();
+    ASSERT_EQ(drawn.size(), 3U);
+    EXPECT_EQ(drawn[0].said,
+              "This is the stem: draw a boundary on its left or right, the line that the leaves' "
+              "tips reach");
+    EXPECT_EQ(drawn[1].said.substr(0, 37), "It has no effect: this line neither c");
+    EXPECT_EQ(drawn[2].refusal, "this is only a dot: draw a line of the sketch");
+    auto const station = flat_station();
+    StationView view(station, document);
+    view.tell(drawn[0]);
+    EXPECT_EQ(view.state().status, drawn[0].said);
+    view.tell(drawn[2]);
+    EXPECT_EQ(view.state().status, drawn[2].refusal);
+}
+
+// What is seen under the pen is what stands there afterwards.
+TEST(LineTool, ShowsThePlantThatFollows)
+{
+    auto const strokes = frond();
+    auto scene = small_scene();
+    for (std::size_t i = 0; i < 4; ++i)
+        scene = apply_edits(scene, spiral().mean(strokes[i], scene).value()).value();
+    auto const shared = std::make_shared<Scene const>(scene);
+    auto const tool = spiral(30);
+    auto const shown = line_previewer()->show({ shared, tool, strokes[4].tips.vector(), 99 });
+    auto const after = apply_edits(scene, tool.mean(strokes[4], scene).value()).value();
+    ASSERT_EQ(shown.size(), 1 + after.base->organs.size());
+    for (std::size_t i = 0; i < after.base->organs.size(); ++i) {
+        Vec3 const foot_mm
+            = scene.placement.world_of_plant(shown[i + 1].points_mm[0].cast<double>());
+        Vec3 const there_mm = after.placement.world_of_plant(after.base->organs[i].position_mm);
+        EXPECT_NEAR((foot_mm - there_mm).norm(), 0, 0.05);
+    }
+    auto const dot = stroke_through({ { 0, 0, 0 }, { 0, 0, 0 } });
+    EXPECT_TRUE(line_previewer()->show({ shared, tool, dot.tips.vector(), 99 }).empty());
+}
+
+// In front of the plant, wherever it stands and in whatever size it is shown.
+TEST(LineLayers, ShowTheLinesByWhatTheyAre)
+{
+    Document document(Scene {}, Document::Working::AtOnce);
+    draw_frond(document);
+    document.draw({ stroke_through({ { 80, 0, 50 }, { 90, 10, 50 } }), spiral() });
+    auto const& drawn = document.newest()->scene;
+    EXPECT_EQ(kBoundaryLayer.lines(drawn).size(), 2U);
+    EXPECT_EQ(kInclinationLayer.lines(drawn).size(), 2U);
+    EXPECT_EQ(kUnsureLayer.lines(drawn).size(), 1U);
+    EXPECT_TRUE(kStemLayer.lines(small_scene()).empty());
+    std::vector<Edit> const changes { MovePlant { drawn.state.active, { 25, 10, 0 } },
+                                      SetScale { 0.04 } };
+    for (auto const& scene : { drawn, apply_edits(drawn, changes).value() }) {
+        auto const stems = kStemLayer.lines(scene);
+        ASSERT_EQ(stems.size(), 1U);
+        auto const at_mm = [&](Vec3f const& point_mm) { return Vec3(point_mm.cast<double>()); };
+        EXPECT_NEAR((at_mm(stems[0].front()) - scene.placement.origin_mm).norm(), 0, 0.01);
+        auto const& axis = scene.base->axes.at(0);
+        Vec3 const top_mm = scene.placement.world_of_plant(scene.base->positions(axis).back());
+        EXPECT_NEAR((at_mm(stems[0].back()) - top_mm).norm(), 0, 0.5);
+    }
+}
+
+TEST(LinePatternTool, GoesThroughThePatterns)
+{
+    Document document(Scene {}, Document::Working::AtOnce);
+    draw_frond(document);
+    std::string patterns;
+    for (int i = 0; i < 5; ++i) {
+        document.draw({ {}, Tool(LinePatternTool {}).done_at_once() });
+        patterns += fmt::format("{} ", document.newest()->scene.base->organs.size());
+    }
+    // Seven nodes: alternate, whorls of three, then two, two, and a spiral again.
+    EXPECT_EQ(patterns, "7 21 14 14 7 ");
+    EXPECT_EQ(document.take_drawn().back().said, "The organs are spiral now");
+    Scene scene = small_scene();
+    EXPECT_NE(draw({}, LinePatternTool {}, scene).refusal.find("has no construction lines"),
+              std::string::npos);
+}
+
+TEST(LayerNodesTool, ChangesTheLayerThatIsTouchedOrTheTopmost)
+{
+    Document document(Scene {}, Document::Working::AtOnce);
+    draw_frond(document);
+    auto const organs = [&] { return document.newest()->scene.base->organs.size(); };
+    document.draw(
+        { stroke_through({ { -90, -60, 50 }, { -45, 0, 50 } }), LayerNodesTool { .nodes = 20 } });
+    EXPECT_EQ(organs(), 21U);
+    document.draw({ {}, Tool(LayerNodesTool { LayerNodesTool::What::More }).done_at_once() });
+    EXPECT_EQ(organs(), 22U);
+    for (int i = 0; i < 2; ++i)
+        document.draw({ {}, Tool(LayerNodesTool { LayerNodesTool::What::Fewer }).done_at_once() });
+    EXPECT_EQ(organs(), 20U);
+    document.draw({ frond()[0], LayerNodesTool { .nodes = 0 } });
+    EXPECT_EQ(organs(), 1U);
+    document.take_drawn();
+    document.draw({ {}, Tool(LayerNodesTool { LayerNodesTool::What::Fewer }).done_at_once() });
+    EXPECT_EQ(document.take_drawn().back().refusal,
+              "the topmost layer has 0 nodes, and cannot have fewer");
+}
+
+TEST(LineRoleTool, SaysWhatTheTouchedLineIs)
+{
+    Document document(Scene {}, Document::Working::AtOnce);
+    draw_frond(document);
+    auto const touch = [](double x, double y) {
+        return stroke_through({ { x - 3, y, 50 }, { x, y, 50 } });
+    };
+    document.draw({ touch(-12, 0), LineRoleTool { Role::Unsure } });
+    auto const* sketch = lines::active_pen_sketch(document.newest()->scene.state);
+    EXPECT_EQ(sketch->lines[2].role, Role::Unsure);
+    document.draw({ touch(-12, 0), LineRoleTool { Role::Right } });
+    sketch = lines::active_pen_sketch(document.newest()->scene.state);
+    EXPECT_EQ(sketch->lines[2].role, Role::Right);
+    document.take_drawn();
+    document.draw({ touch(100, 0), LineRoleTool { Role::Right } });
+    document.draw({ touch(-42, 0), LineRoleTool { Role::Left } });
+    auto const drawn = document.take_drawn();
+    EXPECT_NE(drawn[0].refusal.find("no construction line here"), std::string::npos);
+    EXPECT_NE(drawn[1].refusal.find("would have no stem"), std::string::npos);
+}
+
+} // namespace
+} // namespace tractus
