@@ -9,6 +9,19 @@ namespace {
 
 constexpr float kLegendSpacing = 1.25f; // In letters' heights.
 
+int legend_pieces(LayerStyle::Pattern pattern)
+{
+    switch (pattern) {
+    case LayerStyle::Pattern::Dashed:
+        return 2;
+    case LayerStyle::Pattern::Dotted:
+        return 4;
+    case LayerStyle::Pattern::Solid:
+        break;
+    }
+    return 1;
+}
+
 } // namespace
 
 void draw_skeleton_legend(SkeletonStates const& states, ImVec2 const& corner_px)
@@ -16,19 +29,23 @@ void draw_skeleton_legend(SkeletonStates const& states, ImVec2 const& corner_px)
     auto* const draw = ImGui::GetWindowDrawList();
     float const line = ImGui::GetFontSize() * kLegendSpacing;
     float y = corner_px.y;
-    auto const add = [&](bool is_there, Vec3f const& color, char const* text) {
+    // A line in so many pieces, as its layer has it.
+    auto const add = [&](bool is_there, Vec3f const& color, char const* text, int pieces = 1) {
         if (!is_there)
             return;
         y -= line; // From below.
         float const middle = y + ImGui::GetFontSize() / 2;
-        draw->AddLine({ corner_px.x, middle }, { corner_px.x + line, middle }, theme::packed(color),
-                      5);
+        float const piece = line / static_cast<float>(2 * pieces - 1); // Gaps are as wide.
+        for (int i = 0; i < pieces; ++i) {
+            float const x = corner_px.x + 2 * static_cast<float>(i) * piece;
+            draw->AddLine({ x, middle }, { x + piece, middle }, theme::packed(color), 5);
+        }
         draw->AddText({ corner_px.x + line * 1.3f, y }, ImGui::GetColorU32(ImGuiCol_TextDisabled),
                       text);
     };
     auto const& palette = theme::palette();
     for (auto const* const layer : states.layers)
-        add(true, layer_color(layer->style), layer->label);
+        add(true, layer_color(layer->style), layer->label, legend_pieces(layer->style.pattern));
     add(states.assigned, palette.assigned, "shaped by a stroke");
     add(states.next, palette.ink, "takes the next stroke");
     add(states.undetermined, palette.undetermined, "undetermined");

@@ -98,9 +98,10 @@ TEST(StationView, ShowsWhatPropagationShapes)
 {
     auto scene = small_scene();
     select(scene, { segments_of(scene.base->axes[0]) });
-    scene = apply_edit(scene,
-                       Associate { .stroke = stroke_through({ { 0, 0, 0 }, { 20, 0, 60 } }),
-                                   .propagation = Propagation::Descendants })
+    scene = apply_edit(
+                scene,
+                Associate { .stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 30 }, { 40, 0, 60 } }),
+                            .propagation = Propagation::Descendants })
                 .value();
     auto station = station_on(scene, DrawTool {});
     StationView const view(station, station.document());

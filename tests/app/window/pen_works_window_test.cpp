@@ -217,7 +217,7 @@ TEST_F(PenWorksWindow, SelectsWhereTheSkeletonIsShown)
 {
     PenScript script;
     script.choose(500, 195, kSelectChoice);
-    script.draw(500, 370, 500, 120); // Up the trunk, which stands in the middle.
+    script.draw(500, 310, 500, 120); // Over the branch on the right.
     auto window = window_of(script);
     run(window, script);
     EXPECT_TRUE(window.state().hand.get<SelectTool>());
@@ -249,7 +249,7 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
     PenScript script;
     script.draw(300, 195, 700, 215); // The first branch.
     script.choose(500, 195, kEraseChoice);
-    script.tap(306, 470); // "What it touches".
+    script.tap(306, 392); // "What it touches".
     script.draw(700, 150, 700, 250);
     script.choose(500, 300, kDrawChoice);
     script.erase(300, 150, 300, 250);
@@ -320,7 +320,7 @@ TEST_F(PenWorksWindow, PressesAButtonForLongWithoutCapturing)
 TEST_F(PenWorksWindow, FillsTheDisplay)
 {
     PenScript script;
-    script.tap(950, 524); // Menu,
+    script.tap(692, 524); // Menu,
     script.tap(920, 42);  // its page Window,
     script.tap(760, 126); // "Full screen".
     script.wait(300);
