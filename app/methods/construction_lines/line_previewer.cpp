@@ -24,7 +24,7 @@ SkeletonLine line_through(std::vector<Vec3> const& points_mm, double width_mm,
 }
 
 std::vector<SkeletonLine> skeleton_of(Plant const& plant, DeskPlacement const& from,
-                                   DeskPlacement const& to)
+                                      DeskPlacement const& to)
 {
     std::vector<SkeletonLine> lines;
     for (auto const& axis : plant.axes) {
