@@ -36,9 +36,10 @@ template<typename T> void list_plant(Fields& fields, T& edit)
     fields.id(edit.id);
 }
 
-template<typename T> NewSource new_source(T const& edit, std::string name, SourceKind const& kind)
+template<typename T>
+NewSource new_source(T const& edit, std::string const& name, SourceKind const& kind)
 {
-    return { .name = std::move(name),
+    return { .name = name,
              .source = PlantSource(kind, edit),
              .drawn = edit.drawn,
              .stands_at_mm = edit.stands_at_mm,
