@@ -243,6 +243,30 @@ Result<void> open_window(WindowArguments const& arguments)
     return show_devices(arguments, TRY(std::move(devices)), clock);
 }
 
+// How the window looks, and for how long.
+void add_look_options(CLI::App& verb, WindowArguments& arguments)
+{
+    verb.add_flag("--full-screen", arguments.fills_display,
+                  "Fill a display: the tablet's own, if it has one, else that which the window "
+                  "opens on");
+    verb.add_option("--display", arguments.display,
+                    "Fill this display: its number, or a part of its name")
+        ->type_name("DISPLAY");
+    verb.add_flag("--light", arguments.is_light, "Light colours, for a bright room");
+    verb.add_option("--scale", arguments.scale,
+                    "How large letters and buttons are; 0 takes the display's own scale")
+        ->type_name("X")
+        ->check(number(0, 8));
+    verb.add_option("--frames", arguments.frames,
+                    "Close after so many frames of 1/60 s; 0 stays open")
+        ->type_name("N")
+        ->check(whole_number(0, 1'000'000'000))
+        ->capture_default_str();
+    verb.add_option("--screenshot", arguments.screenshot, "Write the last frame as a PNG")
+        ->type_name("FILE.png")
+        ->check(picture_name());
+}
+
 } // namespace
 
 void add_window_verb(CLI::App& root, Action& action, Methods const& methods)
@@ -280,25 +304,7 @@ void add_window_verb(CLI::App& root, Action& action, Methods const& methods)
     add_plant_option(*verb, arguments->model);
     add_rig_option(*verb, arguments->rig);
     add_height_option(*verb, arguments->height);
-    verb->add_flag("--full-screen", arguments->fills_display,
-                   "Fill a display: the tablet's own, if it has one, else that which the window "
-                   "opens on");
-    verb->add_option("--display", arguments->display,
-                     "Fill this display: its number, or a part of its name")
-        ->type_name("DISPLAY");
-    verb->add_flag("--light", arguments->is_light, "Light colours, for a bright room");
-    verb->add_option("--scale", arguments->scale,
-                     "How large letters and buttons are; 0 takes the display's own scale")
-        ->type_name("X")
-        ->check(number(0, 8));
-    verb->add_option("--frames", arguments->frames,
-                     "Close after so many frames of 1/60 s; 0 stays open")
-        ->type_name("N")
-        ->check(whole_number(0, 1'000'000'000))
-        ->capture_default_str();
-    verb->add_option("--screenshot", arguments->screenshot, "Write the last frame as a PNG")
-        ->type_name("FILE.png")
-        ->check(picture_name());
+    add_look_options(*verb, *arguments);
     verb->footer(
         "Needs a display. Pictures that are saved appear in the working folder. While a pen is\n"
         "in range, the mouse counts for nothing in the window, since the desktop moves it with\n"

@@ -9,7 +9,7 @@ namespace tractus {
 
 namespace {
 
-// Those that bear organs, in a ring.
+// Patterns that bear organs follow each other in a ring.
 lines::Pattern after(lines::Pattern pattern)
 {
     using enum lines::Pattern::Kind;

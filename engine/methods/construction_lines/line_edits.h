@@ -53,7 +53,7 @@ struct SetLineRole {
 // The sketch that a plant is drawn with; null for a plant of another kind.
 PenSketch const* pen_sketch(PlantState const& plant);
 
-// The same of the active plant; null, too, where there is none.
+// The active plant's sketch; null where there is no plant, or it was not drawn so.
 PenSketch const* active_pen_sketch(DocumentState const& state);
 
 // Where the sheet of such a plant is on the tablet in a document of this scale.

@@ -72,7 +72,7 @@ Result<PenSketch> with_role(PenSketch sketch, ItemId line, Role role);
 enum class Unit { Sheet, Plant };
 Result<LineSketch> line_sketch(PenSketch const& sketch, Unit unit = Unit::Sheet);
 
-// The same plant as a model in cpfg's language, called "lines".
+// The sketch's plant as a model in cpfg's language, called "lines".
 Result<LineModel> model_of(PenSketch const& sketch);
 
 Result<BuiltSource> build_pen_sketch(PenSketch const& sketch, LoadOptions const& options);

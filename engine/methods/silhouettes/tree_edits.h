@@ -25,8 +25,8 @@ struct DrawTree {
     // World millimetres per plant millimetre: what was drawn is a plant of so many times its size.
     // A document whose scale nobody has set keeps this one.
     double scale = 0.1;
-    // Of the plant, or of the part, after which branches that it brings are called; 0: it has none
-    // yet.
+    // The id of the plant, or of the part, after which branches that it brings are called; 0: it
+    // has none yet.
     ItemId id = 0;
 };
 

@@ -197,7 +197,7 @@ TEST(KeptCuts, EndContexts)
     std::string const rules = "\nA < B --> C\nA > B --> D\nA < F > B --> G";
     EXPECT_EQ(derived("Axiom: AB%(1,0)AB" + rules), "DC%(1,0)DC");
     EXPECT_EQ(derived("Axiom: A%(1,0)BA%(2,1)FB" + rules), "A%(1,0)BA%(2,1)FB");
-    // The same before it is cut off.
+    // Contexts are those from before the cut.
     EXPECT_EQ(derived("Axiom: A[%(1)B]B" + rules), "D[]C%(1,0)B");
     EXPECT_EQ(derived("ignore: %\nAxiom: A%(1,0)B" + rules), "A%(1,0)B");
 }
