@@ -16,6 +16,33 @@ bool is_same_group(ToolKind const& one, ToolKind const& other)
     return std::string_view(one.group) == other.group;
 }
 
+bool is_same_method(ToolKind const& one, ToolKind const& other)
+{
+    return is_same_group(one, other) && std::string_view(one.method) == other.method;
+}
+
+bool has_method(ToolKind const& kind)
+{
+    return *kind.method != 0;
+}
+
+// There is one: `kind` itself at the latest.
+ToolKind const& first_of_method(ToolKinds kinds, ToolKind const& kind)
+{
+    return **std::find_if(kinds.begin(), kinds.end(),
+                          [&](ToolKind const* other) { return is_same_method(*other, kind); });
+}
+
+// What the button of a group leads to, whose first kind this is.
+ToolKind const& kind_of_group(ToolKinds kinds, ToolKind const& first,
+                              std::span<Tool const> remembered)
+{
+    auto const last = std::find_if(remembered.rbegin(), remembered.rend(), [&](Tool const& tool) {
+        return is_same_group(tool.kind(), first) && has_method(tool.kind());
+    });
+    return last == remembered.rend() ? first : first_of_method(kinds, last->kind());
+}
+
 class Meanings {
 public:
     explicit Meanings(Tool hand)
@@ -23,12 +50,14 @@ public:
     {
     }
 
+    // The group's methods, if it has several.
+    void add_methods(ToolKinds kinds, std::span<Tool const> remembered);
     void add_kind(ToolKind const& kind);
     std::vector<Meaning> take() { return std::move(meanings_); }
 
 private:
     void add_words(Tool const& tool, WordOption const& option, std::size_t number);
-    void add_number(Tool const& tool, ChosenNumber const& chosen, std::size_t number);
+    void add_number(ChosenNumber const& chosen, std::size_t number);
     void add(std::string const& text, Tool const& tool);
 
     Tool hand_;
@@ -43,6 +72,19 @@ void Meanings::add(std::string const& text, Tool const& tool)
                           .width = button_width(text),
                           .is_on = tool == hand_,
                           .begins_group = std::exchange(begins_group_, false) });
+}
+
+void Meanings::add_methods(ToolKinds kinds, std::span<Tool const> remembered)
+{
+    for (auto const* const kind : kinds) {
+        bool const leads = has_method(*kind) && is_same_group(*kind, hand_.kind())
+            && &first_of_method(kinds, *kind) == kind;
+        if (!leads)
+            continue;
+        add(kind->method, chosen_anew(*kind, remembered));
+        meanings_.back().is_on = is_same_method(*kind, hand_.kind());
+    }
+    begins_group_ = !meanings_.empty();
 }
 
 void Meanings::add_kind(ToolKind const& kind)
@@ -64,7 +106,7 @@ void Meanings::add_kind(ToolKind const& kind)
         add_words(tool, options[i].option, i);
     }
     for (std::size_t i = 0; i < numbers.size() && is_in_hand; ++i)
-        add_number(tool, numbers[i], i);
+        add_number(numbers[i], i);
 }
 
 void Meanings::add_words(Tool const& tool, WordOption const& option, std::size_t number)
@@ -79,20 +121,13 @@ void Meanings::add_words(Tool const& tool, WordOption const& option, std::size_t
     }
 }
 
-// Less and more of it. Neither is ever on: what is in hand is not what they would make it.
-void Meanings::add_number(Tool const& tool, ChosenNumber const& chosen, std::size_t number)
+void Meanings::add_number(ChosenNumber const& chosen, std::size_t number)
 {
-    auto const& option = chosen.option;
-    auto const changed = [&](double wanted) {
-        return with_number(tool, number, std::clamp(wanted, option.least, option.greatest));
-    };
-    begins_group_ = true;
-    add(fmt::format("{} {:g}{}{} -", option.name, chosen.value, *option.unit ? " " : "",
-                    option.unit),
-        changed(chosen.value - option.step));
-    add(fmt::format("+##{}", option.name), changed(chosen.value + option.step));
-    for (auto i = meanings_.size() - 2; i < meanings_.size(); ++i)
-        meanings_[i].is_on = false;
+    begins_group_ |= number == 0;
+    // The value may change under a press: the button stays the same one.
+    add(fmt::format("{}##{}", describe_number(chosen), chosen.option.name), hand_);
+    meanings_.back().is_on = false;
+    meanings_.back().number = number;
 }
 
 } // namespace
@@ -118,7 +153,8 @@ std::vector<ToolChoice> tool_choices(ToolKinds kinds, std::span<Tool const> reme
         if (std::none_of(choices.begin(), choices.end(), [&](ToolChoice const& choice) {
                 return is_same_group(choice.tool.kind(), *kind);
             }))
-            choices.push_back({ kind->group, chosen_anew(*kind, remembered) });
+            choices.push_back(
+                { kind->group, chosen_anew(kind_of_group(kinds, *kind, remembered), remembered) });
     return choices;
 }
 
@@ -127,13 +163,30 @@ bool is_same_group(Tool const& one, Tool const& other)
     return is_same_group(one.kind(), other.kind());
 }
 
-std::vector<Meaning> meanings_of(ToolKinds kinds, Tool const& hand)
+std::vector<Meaning> meanings_of(ToolKinds kinds, Tool const& hand,
+                                 std::span<Tool const> remembered)
 {
     Meanings meanings(hand);
+    meanings.add_methods(kinds, remembered);
     for (auto const* const kind : kinds)
-        if (is_same_group(*kind, hand.kind()))
+        if (is_same_method(*kind, hand.kind()))
             meanings.add_kind(*kind);
     return meanings.take();
+}
+
+std::string describe_number(ChosenNumber const& chosen)
+{
+    auto const& option = chosen.option;
+    return fmt::format("{} {}", option.label ? option.label : option.name,
+                       with_unit(fmt::format("{:g}", chosen.value), option));
+}
+
+std::string with_unit(std::string_view number, NumberOption const& option)
+{
+    std::string_view const unit = option.unit;
+    if (unit == "degrees")
+        return fmt::format("{}\u00b0", number);
+    return fmt::format("{}{}{}", number, unit.empty() ? "" : " ", unit);
 }
 
 } // namespace tractus

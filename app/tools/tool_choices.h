@@ -2,6 +2,8 @@
 
 #include "app/tools/tool.h"
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,10 +14,11 @@ namespace tractus {
 // A button of bar and ring that takes a tool in hand.
 struct ToolChoice {
     char const* text = ""; // The group that it stands for.
-    Tool tool;             // Its first kind.
+    Tool tool;             // Its first kind, or the first of the method that was in hand last.
 };
 
-// Those among which a person chooses first. Tools that are `remembered` mean what they meant last.
+// Those among which a person chooses first. Tools that are `remembered`, the latest last, mean what
+// they meant then.
 std::vector<ToolChoice> tool_choices(ToolKinds kinds, std::span<Tool const> remembered);
 
 // A tool of this kind as a person chooses it anew.
@@ -31,10 +34,19 @@ struct Meaning {
     float width = 0;           // Of its button, at a display's scale of 1.
     bool is_on = false;        // It means that now.
     bool begins_group = false; // Of meanings that exclude each other.
+    // It asks for a number, the tool's option of that number among them, and takes none in hand.
+    std::optional<std::size_t> number {};
 };
 
-// All that tools of its group may mean.
-std::vector<Meaning> meanings_of(ToolKinds kinds, Tool const& hand);
+// All that tools of its group and method may mean, after the other methods of the group.
+std::vector<Meaning> meanings_of(ToolKinds kinds, Tool const& hand,
+                                 std::span<Tool const> remembered = {});
+
+// "Angle 45°".
+std::string describe_number(ChosenNumber const& chosen);
+
+// "45°", "30 mm", "2".
+std::string with_unit(std::string_view number, NumberOption const& option);
 
 // As wide as a button with such a text has to be.
 float button_width(std::string_view text);

@@ -54,8 +54,12 @@ struct ToolKind {
     char const* done;  // What is said when a stroke of it has been drawn.
     char const* help;  // What it does, in a line of the manual.
     char const* group; // The button of bar and ring that leads to it and all others of the group.
-    // A picture for that button, of the group's first kind: lines that are separated by spaces, of
-    // places that are two digits each, column and row on a grid from 00 at the upper left to 99.
+    // Of a group that holds several methods: the button, first in the group's row, that leads to
+    // the kinds of this one. Kinds of other methods have no buttons of their own meanwhile.
+    char const* method = "";
+    // A picture for the group's button, of the group's first kind: lines that are separated by
+    // spaces, of places that are two digits each, column and row on a grid from 00 at the upper
+    // left to 99.
     char const* icon = "";
     char key = 0;                         // A capital letter that takes it in hand; 0: none.
     bool begins_group_of_buttons = false; // Among the buttons that its group leads to.

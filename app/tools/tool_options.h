@@ -30,7 +30,8 @@ struct NumberOption {
     char const* unit; // For people: "mm"; empty for a count or a share.
     double least;     // The range; what is outside is refused.
     double greatest;
-    double step; // Of the buttons that make it less and more.
+    double step;                 // Of the buttons that make it less and more.
+    char const* label = nullptr; // On its button; no value: the name.
 };
 
 // Visits the options of a tool in their order. A tool says them once, in a function that hands them

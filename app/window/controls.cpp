@@ -15,10 +15,10 @@ namespace {
 constexpr float kProgressHeight_px = 10;
 constexpr float kBarAir_px = 8;
 constexpr float kGroupGap_px = 28;
-constexpr float kLeastAir_px = 7;   // On each side of a button's letters.
-constexpr float kLeastGap = 0.4f;   // Between buttons, of the usual one.
-constexpr float kToolWidth_px = 96; // At least,
-constexpr float kLessAir_px = 12;   // and else so much narrower than what a tool means.
+constexpr float kGreatestPart = 0.6f; // Of the window's height.
+constexpr float kLeastAir_px = 7;     // On each side of a button's letters.
+constexpr float kToolWidth_px = 96;   // At least,
+constexpr float kLessAir_px = 12;     // and else so much narrower than what a tool means.
 
 using Shown = Workbench::Shown;
 constexpr std::array<std::pair<char const*, Shown>, 5> kViews { { { "All", Shown::All },
@@ -45,64 +45,83 @@ WindowPart Controls::show(WindowModel& model, Workbench& bench, float left_px, f
         ImGui::ProgressBar(static_cast<float>(state.progress), { -1, kProgressHeight_px * scale_ },
                            "");
     show_status(state);
+    auto const main = main_buttons(model, bench);
     if (state.is_live)
-        show_rows(bench.turns_views ? view_meanings(bench) : tool_meanings(model, bench));
-    show_rows(main_buttons(model, bench));
+        show_meanings(bench.turns_views ? view_meanings(bench) : tool_meanings(model, bench),
+                      height_of(main));
+    show_rows(main);
     if (!state.is_live)
         show_speed(model);
     float const used_px = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
-    height_px_ = std::min(used_px + kBarAir_px * scale_, display.y / 2);
+    height_px_ = std::min(used_px + kBarAir_px * scale_, display.y * kGreatestPart);
     ImGui::End();
     return part;
 }
 
-// In one row, narrower if need be; where that would clip letters, a group that does not fit into
-// what is left of a row begins another.
+// Above the main buttons, which are never pushed out of the window: what does not fit is reached by
+// dragging.
+void Controls::show_meanings(std::vector<BarButton> const& buttons, float main_height_px) const
+{
+    float const used_px = ImGui::GetCursorPosY() + main_height_px + kBarAir_px * scale_;
+    float const room_px = ImGui::GetIO().DisplaySize.y * kGreatestPart - used_px;
+    if (height_of(buttons) <= room_px)
+        return show_rows(buttons);
+    float const spacing = ImGui::GetStyle().ItemSpacing.y;
+    float const row_px = theme::kButtonHeight_px * scale_;
+    ImGui::BeginChild("meanings", { 0, std::max(room_px - spacing, row_px) });
+    show_rows(buttons);
+    theme::scroll_by_dragging();
+    ImGui::EndChild();
+}
+
+// With the space below.
+float Controls::height_of(std::vector<BarButton> const& buttons) const
+{
+    auto const rows = std::max<std::size_t>(rows_of(buttons).size(), 1);
+    return static_cast<float>(rows)
+        * (theme::kButtonHeight_px * scale_ + ImGui::GetStyle().ItemSpacing.y);
+}
+
+ButtonGaps Controls::gaps() const
+{
+    return { ImGui::GetStyle().ItemSpacing.x, kGroupGap_px * scale_ };
+}
+
+std::vector<ButtonWidth> Controls::widths_of(std::vector<BarButton> const& buttons) const
+{
+    std::vector<ButtonWidth> widths;
+    for (auto const& button : buttons)
+        widths.push_back({ button.width * scale_, least_width_px(button), button.begins_group });
+    return widths;
+}
+
+std::vector<ButtonRow> Controls::rows_of(std::vector<BarButton> const& buttons) const
+{
+    return button_rows(widths_of(buttons), gaps(), ImGui::GetContentRegionAvail().x);
+}
+
 void Controls::show_rows(std::vector<BarButton> const& buttons) const
 {
     if (buttons.empty()) // Nothing jumps when a tool is taken in hand.
         ImGui::Dummy({ 1, theme::kButtonHeight_px * scale_ });
-    float const spacing = ImGui::GetStyle().ItemSpacing.x;
-    auto const gap_before = [&](BarButton const& button) {
-        return button.begins_group ? kGroupGap_px * scale_ : spacing;
-    };
-    auto const width_to = [&](std::size_t from, std::size_t end) {
-        float width = 0;
-        for (auto i = from; i < end; ++i)
-            width += buttons[i].width * scale_ + (i > from ? gap_before(buttons[i]) : 0);
-        return width;
-    };
-    float const room = ImGui::GetContentRegionAvail().x;
-    float const width = width_to(0, buttons.size());
-    float least = 0;
-    for (std::size_t i = 0; i < buttons.size(); ++i)
-        least += least_width_px(buttons[i]) + (i > 0 ? kLeastGap * gap_before(buttons[i]) : 0);
-    bool const is_one_row = least <= room;
-    // How much is left of what each could be narrower by.
-    float const ease
-        = !is_one_row || width <= room ? 1 : (room - least) / std::max(width - least, 1.0f);
-    float used = 0;
-    for (std::size_t i = 0; i < buttons.size(); ++i) {
-        auto const& button = buttons[i];
-        auto end = i + 1;
-        while (button.begins_group && end < buttons.size() && !buttons[end].begins_group)
-            ++end;
-        float const gap = gap_before(button) * (kLeastGap + ease * (1 - kLeastGap));
-        bool const goes_on = is_one_row ? i > 0 : used > 0 && used + gap + width_to(i, end) <= room;
-        if (goes_on)
-            ImGui::SameLine(0, gap);
-        used = (goes_on ? used + gap : 0) + button.width * scale_;
-        float const narrow_px = least_width_px(button);
-        float const shown_px = narrow_px + ease * (button.width * scale_ - narrow_px);
-        if (this->button(button.text.c_str(), shown_px / scale_, button.is_on))
-            button.press();
+    auto const widths = widths_of(buttons);
+    std::size_t begin = 0;
+    for (auto const& row : rows_of(buttons)) {
+        for (auto i = begin; i < row.end; ++i) {
+            if (i > begin)
+                ImGui::SameLine(0, row.gap_before(widths[i], gaps()));
+            if (button(buttons[i].text.c_str(), row.width(widths[i]) / scale_, buttons[i].is_on))
+                buttons[i].press();
+        }
+        begin = row.end;
     }
 }
 
 // With its letters whole.
 float Controls::least_width_px(BarButton const& button) const
 {
-    return std::min(ImGui::CalcTextSize(button.text.c_str()).x + 2 * kLeastAir_px * scale_,
+    return std::min(ImGui::CalcTextSize(button.text.c_str(), nullptr, true).x
+                        + 2 * kLeastAir_px * scale_,
                     button.width * scale_);
 }
 
@@ -112,7 +131,8 @@ bool Controls::button(char const* text, float width, bool is_on) const
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
     // Letters stay in the middle of a button that is hardly wider than they are.
     auto padding = ImGui::GetStyle().FramePadding;
-    padding.x = std::min(padding.x, (width * scale_ - ImGui::CalcTextSize(text).x) / 2);
+    padding.x
+        = std::min(padding.x, (width * scale_ - ImGui::CalcTextSize(text, nullptr, true).x) / 2);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
     bool const is_pressed
         = ImGui::Button(text, { width * scale_, theme::kButtonHeight_px * scale_ });
@@ -161,10 +181,21 @@ void Controls::show_recording(RecordingView const& recording)
 std::vector<BarButton> Controls::tool_meanings(WindowModel& model, Workbench& bench)
 {
     std::vector<BarButton> buttons;
-    for (auto const& meaning : meanings_of(model.state().tools, model.state().hand))
-        buttons.push_back({ meaning.text, meaning.width, meaning.is_on,
-                            buttons.empty() || meaning.begins_group,
-                            [&model, &bench, tool = meaning.tool] { bench.choose(model, tool); } });
+    auto const& state = model.state();
+    for (auto const& meaning : meanings_of(state.tools, state.hand, bench.remembered(state))) {
+        bool const is_asked = meaning.number && meaning.number == bench.asked_number;
+        BarButton button { .text = meaning.text,
+                           .width = meaning.width,
+                           .is_on = meaning.is_on || is_asked,
+                           .begins_group = buttons.empty() || meaning.begins_group,
+                           .press
+                           = [&model, &bench, tool = meaning.tool] { bench.choose(model, tool); } };
+        if (meaning.number)
+            button.press = [&bench, is_asked, number = meaning.number] {
+                bench.asked_number = is_asked ? std::nullopt : number;
+            };
+        buttons.push_back(std::move(button));
+    }
     return buttons;
 }
 
@@ -206,7 +237,7 @@ std::vector<BarButton> Controls::tool_buttons(WindowModel& model, Workbench& ben
 {
     std::vector<BarButton> buttons;
     auto const& state = model.state();
-    for (auto const& choice : tool_choices(state.tools, state.remembered))
+    for (auto const& choice : tool_choices(state.tools, bench.remembered(state)))
         buttons.push_back(
             { choice.text, std::max(kToolWidth_px, button_width(choice.text) - kLessAir_px),
               !bench.turns_views && is_same_group(choice.tool, state.hand), buttons.empty(),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/window/button_rows.h"
 #include "app/window/workbench.h"
 
 #include <functional>
@@ -51,6 +52,11 @@ private:
 
     void show_status(WindowState const& state) const;
     static void show_recording(RecordingView const& recording);
+    void show_meanings(std::vector<BarButton> const& buttons, float main_height_px) const;
+    float height_of(std::vector<BarButton> const& buttons) const;
+    ButtonGaps gaps() const;
+    std::vector<ButtonWidth> widths_of(std::vector<BarButton> const& buttons) const;
+    std::vector<ButtonRow> rows_of(std::vector<BarButton> const& buttons) const;
     void show_rows(std::vector<BarButton> const& buttons) const;
     float least_width_px(BarButton const& button) const;
     void show_speed(WindowModel& model) const;

@@ -70,7 +70,10 @@ void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
     auto const whole = whole_window();
     float const left = is_beside_pen ? std::max(0.0f, pen_area_.left_px()) : 0;
     float const right = is_beside_pen ? std::min(whole.width, pen_area_.right_px()) : whole.width;
-    covered_.push_back(controls_.show(model, bench_, left, right));
+    auto const bar = controls_.show(model, bench_, left, right);
+    covered_.push_back(bar);
+    if (bench_.asked_number)
+        covered_.push_back(number_panel_.show(model, bench_, controls_, bar));
     show_menu(model, renderer);
     if (bench_.keys_are_listed)
         covered_.push_back(show_shortcuts(model.state().tools, kPanelFlags, scale_));
@@ -290,7 +293,7 @@ std::vector<RingEntry> Layout::ring_entries(WindowModel& model)
 {
     std::vector<RingEntry> entries;
     auto const& state = model.state();
-    for (auto const& choice : tool_choices(state.tools, state.remembered))
+    for (auto const& choice : tool_choices(state.tools, bench_.remembered(state)))
         entries.push_back({ choice.text, choice.tool.kind().icon,
                             [this, &model, tool = choice.tool] { bench_.choose(model, tool); } });
     entries.push_back({ "View", "", [this] { bench_.choose_view_tool(); } });

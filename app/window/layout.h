@@ -5,6 +5,7 @@
 #include "app/window/controls.h"
 #include "app/window/menu.h"
 #include "app/window/mouse_hand.h"
+#include "app/window/number_panel.h"
 #include "app/window/pen_pointer.h"
 #include "app/window/tool_ring.h"
 #include "app/window/views.h"
@@ -25,6 +26,7 @@ public:
         , calibration_(title_font, scale)
         , controls_(scale)
         , menu_(title_font, scale)
+        , number_panel_(scale)
     {
     }
 
@@ -69,6 +71,7 @@ private:
     CalibrationPanel calibration_;
     Controls controls_;
     Menu menu_;
+    NumberPanel number_panel_;
     PadView pad_;
     SkeletonView skeleton_;
     PlantView plant_;

@@ -19,10 +19,12 @@ constexpr double kKeySpeed_mm_s = 80;
 // Closes what is open, or else the full screen, or else the window.
 void take_escape(Workbench& bench, ToolRing& ring)
 {
-    bool const is_anything_open = ring.is_open() || bench.menu_is_open() || bench.keys_are_listed;
+    bool const is_anything_open
+        = ring.is_open() || bench.menu_is_open() || bench.keys_are_listed || bench.asked_number;
     ring.close();
     bench.close_menu();
     bench.keys_are_listed = false;
+    bench.asked_number.reset();
     if (is_anything_open)
         return;
     if (bench.will_fill_display())
@@ -48,7 +50,7 @@ void take_tool_key(char key, WindowModel& model, Workbench& bench)
         return bench.choose_view_tool();
     for (auto const* const kind : state.tools)
         if (kind->key == key)
-            return bench.choose(model, chosen_anew(*kind, state.remembered));
+            return bench.choose(model, chosen_anew(*kind, bench.remembered(state)));
 }
 
 // "D  C" and "Draw, Select" of those that have one.
@@ -59,7 +61,8 @@ std::pair<std::string, std::string> tool_keys(ToolKinds tools)
     for (auto const* const kind : tools)
         if (kind->key) {
             keys += fmt::format("{}{}", keys.empty() ? "" : "  ", kind->key);
-            names += fmt::format("{}{}", names.empty() ? "" : ", ", kind->group);
+            names += fmt::format("{}{}", names.empty() ? "" : ", ",
+                                 *kind->method ? kind->method : kind->group);
         }
     return { keys, names };
 }

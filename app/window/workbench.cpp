@@ -1,5 +1,7 @@
 #include "app/window/workbench.h"
 
+#include <algorithm>
+
 namespace tractus {
 
 void Workbench::choose(WindowModel& model, Tool tool)
@@ -11,8 +13,29 @@ void Workbench::choose(WindowModel& model, Tool tool)
         turns_views = false;
         if (shown != Shown::All)
             shown = is_select ? Shown::Skeleton : Shown::Pad;
+        if (&tool.kind() != &model.state().hand.kind())
+            asked_number.reset();
+        remember(tool);
     }
     model.perform(ChooseTool { tool });
+}
+
+void Workbench::remember(Tool const& tool)
+{
+    if (*tool.kind().method == 0)
+        return;
+    auto& tools = chosen_methods_;
+    tools.erase(std::remove_if(tools.begin(), tools.end(),
+                               [&](Tool const& other) { return &other.kind() == &tool.kind(); }),
+                tools.end());
+    tools.push_back(tool);
+}
+
+std::vector<Tool> Workbench::remembered(WindowState const& state) const
+{
+    auto tools = state.remembered;
+    tools.insert(tools.end(), chosen_methods_.begin(), chosen_methods_.end());
+    return tools;
 }
 
 void Workbench::choose_view_tool()

@@ -56,10 +56,14 @@ struct Workbench {
     };
     std::optional<FullScreen> full_screen_wished {};
     bool keys_are_listed = false;
+    // The number, among those of the tool in hand, that its panel is open for.
+    std::optional<std::size_t> asked_number {};
     bool wants_to_close = false;
 
     // Takes a tool in hand, and shows the view that it works in if one fills the window.
     void choose(WindowModel& model, Tool tool);
+    // What tools mean that are chosen anew: the station's and those chosen here, the latest last.
+    std::vector<Tool> remembered(WindowState const& state) const;
     void choose_view_tool();
     void show_next();        // The next of Shown.
     void turn_full_screen(); // On if it is off.
@@ -77,6 +81,11 @@ struct Workbench {
 
     // The pointer draws, or selects, in the area that is shown for it.
     bool draws(WindowState const& state) const;
+
+private:
+    void remember(Tool const& tool);
+
+    std::vector<Tool> chosen_methods_ {}; // The last of each kind that belongs to a method.
 };
 
 } // namespace tractus

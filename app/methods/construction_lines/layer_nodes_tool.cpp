@@ -20,8 +20,8 @@ constexpr std::array<OptionWord, 3> kWords { {
 
 void visit(OptionVisitor& visitor, LayerNodesTool& tool)
 {
-    visitor.choice({ kWords }, tool.what);
-    visitor.number({ "count", "", 0, lines::kMostNodesInLayer, 1 }, tool.nodes);
+    visitor.choice({ kWords, WordOption::Offered::InHand }, tool.what);
+    visitor.number({ "count", "", 0, lines::kMostNodesInLayer, 1, "Nodes" }, tool.nodes);
 }
 
 Result<std::vector<Edit>> set_nodes(Tool const& tool, Stroke const& stroke, Scene const& scene)
@@ -46,13 +46,14 @@ Result<std::vector<Edit>> set_nodes(Tool const& tool, Stroke const& stroke, Scen
 
 constexpr ToolKind LayerNodesTool::kKind {
     .word = "layer_nodes",
-    .label = "Nodes",
+    .label = "Nodes of a layer",
     .title = "Set the nodes of a layer",
     .done = "The layer has so many nodes now",
     .help
     = "gives the layer of a sketch beside which the stroke ends so many nodes, or the topmost "
       "one a node more or one fewer",
-    .group = "Lines",
+    .group = "Sketch",
+    .method = "From lines",
     .begins_group_of_buttons = true,
     .surface = Surface::Paper,
     .options = options_type<LayerNodesTool, visit>(),

@@ -58,7 +58,8 @@ constexpr ToolKind LinePatternTool::kKind {
     .done = "The organs have another pattern",
     .help = "gives the organs of the sketch that takes what is drawn the next pattern: "
             "distichous, decussate, spiral, alternate, whorled",
-    .group = "Lines",
+    .group = "Sketch",
+    .method = "From lines",
     .begins_group_of_buttons = true,
     .at_once = true,
     .options = options_type<LinePatternTool>(),

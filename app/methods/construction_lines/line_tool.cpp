@@ -29,9 +29,9 @@ void visit(OptionVisitor& visitor, LineTool& tool)
 {
     visitor.choice({ kPlantWords }, tool.plant);
     visitor.choice({ kPatternWords, WordOption::Offered::InHand }, tool.pattern);
-    visitor.number({ "nodes", "", 0, lines::kMostNodesInLayer, 1 }, tool.nodes);
-    visitor.number({ "divergence", "degrees", -360, 360, 0.5 }, tool.divergence_deg);
-    visitor.number({ "organs", "", 2, 24, 1 }, tool.organs);
+    visitor.number({ "nodes", "", 0, lines::kMostNodesInLayer, 1, "Nodes" }, tool.nodes);
+    visitor.number({ "divergence", "degrees", -360, 360, 0.5, "Divergence" }, tool.divergence_deg);
+    visitor.number({ "organs", "", 2, 24, 1, "Organs" }, tool.organs);
 }
 
 lines::Pattern pattern_of(LineTool const& tool)
@@ -85,7 +85,8 @@ constexpr ToolKind LineTool::kKind {
             "follows: the stem begins the plant, on the tablet as on paper that stands upright; a "
             "layer between two inclination lines has so many nodes, and a plant that begins has "
             "this pattern, with a divergence in degrees of spirals and so many organs of whorls",
-    .group = "Lines",
+    .group = "Sketch",
+    .method = "From lines",
     .icon = "5095 5010 2590 2030 5010 7590 8030 5010 2545 5065 7545",
     .key = 'I',
     .surface = Surface::Paper,

@@ -62,7 +62,9 @@ constexpr ToolKind ArrangeTool::kKind {
     .done = "The branches stand in another pattern",
     .help = "stands the branches of a tree that was drawn by its outline, around its trunk or "
             "around its branches, in the next pattern or in one of these",
-    .group = "Outline",
+    .group = "Sketch",
+    .method = "From an outline",
+    .begins_group_of_buttons = true,
     .at_once = true,
     .options = options_type<ArrangeTool, visit>(),
     .mean = arrange,

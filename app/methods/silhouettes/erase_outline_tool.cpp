@@ -56,7 +56,8 @@ constexpr ToolKind EraseOutlineTool::kKind {
     .done = "The line is erased",
     .help = "takes away what was drawn of a tree where the stroke runs over it on paper: a branch, "
             "else its trunk or the outline of its crown",
-    .group = "Outline",
+    .group = "Sketch",
+    .method = "From an outline",
     .surface = Surface::Paper,
     .ink = { InkStyle::Look::Eraser, 2 * EraseOutlineTool::kRadius_mm },
     .options = options_type<EraseOutlineTool>(),

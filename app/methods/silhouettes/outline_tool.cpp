@@ -29,9 +29,9 @@ constexpr std::array<OptionWord, 4> kWords { {
 
 void visit(OptionVisitor& visitor, OutlineTool& tool)
 {
-    visitor.number({ "levels", "", 1, 3, 1 }, tool.levels);
-    visitor.number({ "density", "", 0, 10, 0.25 }, tool.density);
-    visitor.number({ "leaves", "", 1, 500, 4 }, tool.leaves);
+    visitor.number({ "levels", "", 1, 3, 1, "Orders" }, tool.levels);
+    visitor.number({ "density", "", 0, 10, 0.25, "Density" }, tool.density);
+    visitor.number({ "leaves", "", 1, 500, 4, "Leaves" }, tool.leaves);
     visitor.choice({ kWords }, tool.what);
 }
 
@@ -183,7 +183,8 @@ constexpr ToolKind OutlineTool::kKind {
             "levels of branches, so many times as many as usual that nobody draws, so many leaves "
             "on a twig; a new tree at each line, or at once these numbers, or other chance, for "
             "the tree that is there",
-    .group = "Outline",
+    .group = "Sketch",
+    .method = "From an outline",
     .icon = "5954 371624416184866737",
     .key = 'O',
     .surface = Surface::Paper,

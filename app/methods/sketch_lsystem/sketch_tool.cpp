@@ -22,11 +22,11 @@ constexpr std::array<OptionWord, 3> kSurfaceWords { {
 
 void visit(OptionVisitor& visitor, SketchTool& tool)
 {
-    visitor.number({ "laterals", "", 0, 8, 1 }, tool.laterals);
-    visitor.number({ "angle", "degrees", 0, 150, 5 }, tool.angle_deg);
-    visitor.number({ "first", "mm", 5, 100, 5 }, tool.first_length_mm);
-    visitor.number({ "ratio", "", 0.5, 1.2, 0.05 }, tool.length_ratio);
-    visitor.number({ "lateral", "", 0.2, 1, 0.02 }, tool.lateral_length);
+    visitor.number({ "laterals", "", 0, 8, 1, "Laterals" }, tool.laterals);
+    visitor.number({ "angle", "degrees", 0, 150, 5, "Angle" }, tool.angle_deg);
+    visitor.number({ "first", "mm", 5, 100, 5, "Internode" }, tool.first_length_mm);
+    visitor.number({ "ratio", "", 0.5, 1.2, 0.05, "Lengthening" }, tool.length_ratio);
+    visitor.number({ "lateral", "", 0.2, 1, 0.02, "Lateral" }, tool.lateral_length);
     int leaves = tool.leaves == sketch::Leaves::Leafy ? 0 : 1;
     visitor.word({ kLeavesWords }, leaves);
     tool.leaves = leaves == 0 ? sketch::Leaves::Leafy : sketch::Leaves::Bare;
@@ -86,6 +86,7 @@ constexpr ToolKind SketchTool::kKind {
             "leaves or bare; as drawn in space, on paper that stands upright, or whichever the "
             "surface's way shows",
     .group = "Sketch",
+    .method = "Along a stroke",
     .icon = "5095 5050 5005 5060 7540 5045 2525 5035 6520",
     .key = 'K',
     .options = options_type<SketchTool, visit>(),

@@ -29,8 +29,46 @@ TEST(ToolChoices, AreOneOfEachGroup)
     std::string texts;
     for (auto const& choice : choices)
         texts += fmt::format("{} ", choice.text);
-    EXPECT_EQ(texts, "Draw Select Lean Erase Sketch Outline Lines Plants ");
+    EXPECT_EQ(texts, "Draw Select Lean Erase Sketch Plants ");
     EXPECT_EQ(choices[3].tool, remembered[0]);
+}
+
+TEST(ToolChoices, LeadBackToTheMethodThatWasInHandLast)
+{
+    auto const tools = all_methods().tools;
+    auto const& line = *find_tool_kind(tools, "construction_line");
+    auto const two_nodes = with_number(Tool(line), 0, 2);
+    std::vector<Tool> const remembered { Tool(*find_tool_kind(tools, "sketch")), two_nodes,
+                                         Tool(*find_tool_kind(tools, "line_role")) };
+    EXPECT_EQ(tool_choices(tools, remembered)[4].tool, two_nodes);
+}
+
+TEST(ToolChoices, OfferTheMethodsOfAGroupAndTheToolsOfOne)
+{
+    auto const tools = all_methods().tools;
+    EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "arrange"))),
+              "Along a stroke, From an outline*, From lines, | Go on, New tree, | To this tree!, "
+              "Another one!, | Around the trunk*, Around branches, | Next!, Even!, Spiral!, "
+              "Decussate!, Whorls!, Two rows!, Horizontal!, Erase, ");
+    EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "line_role"))),
+              "Along a stroke, From an outline, From lines*, | Line, Another stem, | Next "
+              "pattern!, | Nodes of a layer, | It is an inclination*, Half of one, Left, Right, "
+              "Stem, No line, ");
+}
+
+// A number is asked for in a panel: its button leaves the tool in hand as it is.
+TEST(ToolChoices, AskForNumbers)
+{
+    Tool const hand(*find_tool_kind(all_methods().tools, "sketch"));
+    std::string asked;
+    for (auto const& meaning : meanings_of(all_methods().tools, hand))
+        if (meaning.number) {
+            EXPECT_EQ(meaning.tool, hand);
+            asked += fmt::format("{} {}, ", *meaning.number, meaning.text);
+        }
+    EXPECT_EQ(asked,
+              "0 Laterals 2##laterals, 1 Angle 45\u00b0##angle, 2 Internode 30 mm##first, "
+              "3 Lengthening 0.9##ratio, 4 Lateral 0.62##lateral, ");
 }
 
 // As the window had them when each was written out.

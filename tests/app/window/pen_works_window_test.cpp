@@ -249,7 +249,7 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
     PenScript script;
     script.draw(300, 195, 700, 215); // The first branch.
     script.choose(500, 195, kEraseChoice);
-    script.tap(306, 392); // "What it touches".
+    script.tap(306, 458); // "What it touches".
     script.draw(700, 150, 700, 250);
     script.choose(500, 300, kDrawChoice);
     script.erase(300, 150, 300, 250);
@@ -320,7 +320,7 @@ TEST_F(PenWorksWindow, PressesAButtonForLongWithoutCapturing)
 TEST_F(PenWorksWindow, FillsTheDisplay)
 {
     PenScript script;
-    script.tap(692, 524); // Menu,
+    script.tap(942, 524); // Menu,
     script.tap(920, 42);  // its page Window,
     script.tap(760, 126); // "Full screen".
     script.wait(300);

@@ -1,0 +1,74 @@
+#include "app/window/button_rows.h"
+
+#include <algorithm>
+
+namespace tractus {
+
+namespace {
+
+constexpr float kLeastGap = 0.4f;   // Of the usual one.
+constexpr float kFilledEase = 0.5f; // Of buttons in rows that are filled group by group.
+
+using Buttons = std::span<ButtonWidth const>;
+
+float width_of(Buttons buttons, ButtonGaps const& gaps, float ease)
+{
+    ButtonRow const row { .end = buttons.size(), .ease = ease };
+    float width = 0;
+    for (std::size_t i = 0; i < buttons.size(); ++i)
+        width += row.width(buttons[i]) + (i > 0 ? row.gap_before(buttons[i], gaps) : 0);
+    return width;
+}
+
+// The end of the group that begins there.
+std::size_t end_of_group(Buttons buttons, std::size_t begin)
+{
+    auto end = begin + 1;
+    while (end < buttons.size() && !buttons[end].begins_group)
+        ++end;
+    return end;
+}
+
+// As many groups as fit, or as many buttons of the first one.
+std::size_t end_of_row(Buttons buttons, std::size_t begin, ButtonGaps const& gaps, float room)
+{
+    auto const fits = [&](std::size_t end, float ease) {
+        return width_of(buttons.subspan(begin, end - begin), gaps, ease) <= room;
+    };
+    auto end = end_of_group(buttons, begin);
+    if (!fits(end, 0)) {
+        end = begin + 1;
+        while (fits(end + 1, 0))
+            ++end;
+        return end;
+    }
+    while (end < buttons.size() && fits(end_of_group(buttons, end), kFilledEase))
+        end = end_of_group(buttons, end);
+    return end;
+}
+
+} // namespace
+
+float ButtonRow::gap_before(ButtonWidth const& button, ButtonGaps const& gaps) const
+{
+    return (button.begins_group ? gaps.of_groups : gaps.usual)
+        * (kLeastGap + ease * (1 - kLeastGap));
+}
+
+std::vector<ButtonRow> button_rows(std::span<ButtonWidth const> buttons, ButtonGaps const& gaps,
+                                   float room)
+{
+    std::vector<ButtonRow> rows;
+    bool const is_one_row = width_of(buttons, gaps, 0) <= room;
+    for (std::size_t begin = 0; begin < buttons.size(); begin = rows.back().end) {
+        auto const end = is_one_row ? buttons.size() : end_of_row(buttons, begin, gaps, room);
+        auto const row = buttons.subspan(begin, end - begin);
+        float const least = width_of(row, gaps, 0);
+        float const usual = width_of(row, gaps, 1);
+        float const ease = usual <= room ? 1 : (room - least) / (usual - least);
+        rows.push_back({ .end = end, .ease = std::clamp(ease, 0.0f, 1.0f) });
+    }
+    return rows;
+}
+
+} // namespace tractus

@@ -1,0 +1,176 @@
+#include "app/window/number_panel.h"
+
+#include "app/tools/tool_choices.h"
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fmt/core.h>
+#include <imgui_stdlib.h>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+constexpr float kValueWidth_px = 400;
+constexpr float kKeyWidth_px = 84;
+constexpr float kAir_px = 14;
+constexpr int kKeysInRow = 3;
+// A back space's key is written out: the typeface has no sign for it.
+constexpr std::array<std::pair<char const*, char>, 12> kKeys { {
+    { "7", '7' },
+    { "8", '8' },
+    { "9", '9' },
+    { "4", '4' },
+    { "5", '5' },
+    { "6", '6' },
+    { "1", '1' },
+    { "2", '2' },
+    { "3", '3' },
+    { "0", '0' },
+    { ".", '.' },
+    { "Del", 0 },
+} };
+
+std::string range_of(NumberOption const& option)
+{
+    return with_unit(fmt::format("{:g} to {:g}", option.least, option.greatest), option);
+}
+
+// No value: it is no number, or none that the option takes.
+std::optional<double> number_from(std::string const& text, NumberOption const& option)
+{
+    double value = 0;
+    auto const* const last = text.data() + text.size();
+    auto const [end, error] = std::from_chars(text.data(), last, value);
+    bool const is_taken
+        = error == std::errc() && end == last && value >= option.least && value <= option.greatest;
+    return is_taken ? std::optional(value) : std::nullopt;
+}
+
+} // namespace
+
+WindowPart NumberPanel::show(WindowModel& model, Workbench& bench, Controls const& controls,
+                             WindowPart const& bar)
+{
+    auto const hand = model.state().hand;
+    auto const numbers = chosen_numbers(hand);
+    if (!bench.asked_number || *bench.asked_number >= numbers.size()) {
+        bench.asked_number.reset();
+        return {};
+    }
+    auto const number = *bench.asked_number;
+    auto const& chosen = numbers[number];
+    if (std::exchange(asked_, chosen.option.name) != chosen.option.name) {
+        typed_.clear();
+        objection_.clear();
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { kAir_px * scale_, kAir_px * scale_ });
+    ImGui::SetNextWindowPos({ bar.left, bar.top }, ImGuiCond_Always, { 0, 1 });
+    ImGui::Begin("number", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
+                     | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar();
+    ImGui::BeginGroup();
+    show_value(chosen, controls);
+    if (controls.button("Close", kValueWidth_px))
+        bench.asked_number.reset();
+    if (!objection_.empty())
+        ImGui::TextColored(theme::imgui_color(theme::palette().indicator), "%s",
+                           objection_.c_str());
+    ImGui::EndGroup();
+    ImGui::SameLine(0, 2 * kAir_px * scale_);
+    ImGui::BeginGroup();
+    show_keys(chosen, controls);
+    ImGui::EndGroup();
+    auto const corner = ImGui::GetWindowPos();
+    auto const size = ImGui::GetWindowSize();
+    ImGui::End();
+    if (auto const wanted = std::exchange(wanted_, std::nullopt); wanted && *wanted != chosen.value)
+        bench.choose(model, with_number(hand, number, *wanted));
+    return { corner.x, corner.y, size.x, size.y };
+}
+
+// For an ImGui item that has none; to be popped.
+void NumberPanel::push_height_of_button() const
+{
+    float const height = theme::kButtonHeight_px * scale_;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        { 16 * scale_, (height - ImGui::GetFontSize()) / 2 });
+}
+
+// The number in words, its range, a slider, and a step less and more.
+void NumberPanel::show_value(ChosenNumber const& chosen, Controls const& controls)
+{
+    auto const& option = chosen.option;
+    ImGui::TextUnformatted(describe_number(chosen).c_str());
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", range_of(option).c_str());
+    auto value = static_cast<float>(chosen.value);
+    push_height_of_button();
+    ImGui::SetNextItemWidth(kValueWidth_px * scale_);
+    if (ImGui::SliderFloat("##value", &value, static_cast<float>(option.least),
+                           static_cast<float>(option.greatest), "%g", ImGuiSliderFlags_NoInput))
+        change_to(option, std::round(static_cast<double>(value) / option.step) * option.step);
+    ImGui::PopStyleVar();
+    float const gap_px = ImGui::GetStyle().ItemSpacing.x / scale_;
+    float const half_px = (kValueWidth_px - gap_px) / 2;
+    ImGui::PushButtonRepeat(true);
+    if (controls.button(fmt::format("less by {:g}", option.step).c_str(), half_px))
+        change_to(option, chosen.value - option.step);
+    ImGui::SameLine();
+    if (controls.button(fmt::format("more by {:g}", option.step).c_str(), half_px))
+        change_to(option, chosen.value + option.step);
+    ImGui::PopButtonRepeat();
+}
+
+void NumberPanel::show_keys(ChosenNumber const& chosen, Controls const& controls)
+{
+    float const gap_px = ImGui::GetStyle().ItemSpacing.x / scale_;
+    float const keys_px = kKeysInRow * kKeyWidth_px + (kKeysInRow - 1) * gap_px;
+    push_height_of_button();
+    ImGui::SetNextItemWidth((keys_px - kKeyWidth_px - gap_px) * scale_);
+    bool const is_entered = ImGui::InputTextWithHint("##typed", "type", &typed_,
+                                                     ImGuiInputTextFlags_CharsDecimal
+                                                         | ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::PopStyleVar();
+    ImGui::SameLine();
+    if (controls.button("Set", kKeyWidth_px) || is_entered)
+        take_typed(chosen.option);
+    for (std::size_t i = 0; i < kKeys.size(); ++i) {
+        if (i % kKeysInRow != 0)
+            ImGui::SameLine();
+        if (controls.button(kKeys[i].first, kKeyWidth_px))
+            press_key(kKeys[i].second);
+    }
+}
+
+void NumberPanel::press_key(char key)
+{
+    constexpr std::size_t kMostDigits = 9;
+    objection_.clear();
+    if (key != 0 && typed_.size() < kMostDigits)
+        typed_ += key;
+    else if (key == 0 && !typed_.empty())
+        typed_.pop_back();
+}
+
+void NumberPanel::take_typed(NumberOption const& option)
+{
+    if (typed_.empty())
+        return;
+    wanted_ = number_from(typed_, option);
+    objection_ = wanted_ ? "" : fmt::format("It takes {}", range_of(option));
+    if (wanted_)
+        typed_.clear();
+}
+
+void NumberPanel::change_to(NumberOption const& option, double value)
+{
+    wanted_ = std::clamp(value, option.least, option.greatest);
+}
+
+} // namespace tractus

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "app/window/controls.h"
+
+#include <string>
+
+namespace tractus {
+
+// A panel above the bar for one number of the tool in hand, with its unit and range: dragged on a
+// slider, stepped, or typed on keys that a pen can press, or on a keyboard.
+class NumberPanel {
+public:
+    explicit NumberPanel(float scale)
+        : scale_(scale)
+    {
+    }
+
+    // Shows it for `bench.asked_number` above `bar`, and takes that back when it is closed or the
+    // tool in hand has no such number. Returns where it is.
+    WindowPart show(WindowModel& model, Workbench& bench, Controls const& controls,
+                    WindowPart const& bar);
+
+private:
+    void show_value(ChosenNumber const& chosen, Controls const& controls);
+    void show_keys(ChosenNumber const& chosen, Controls const& controls);
+    void push_height_of_button() const;
+    void press_key(char key);
+    void take_typed(NumberOption const& option);
+    void change_to(NumberOption const& option, double value);
+
+    float scale_ = 1;
+    std::string asked_ {}; // The number that `typed_` is of.
+    std::string typed_ {};
+    std::string objection_ {};        // To what was typed.
+    std::optional<double> wanted_ {}; // In this frame.
+};
+
+} // namespace tractus
