@@ -46,6 +46,10 @@ Rig with_height(Rig rig, HeightCalibration const& calibration, std::string const
     for (double& value : parameters)
         value = rounded(value, kModelDigits);
     rig.height_model = with_parameters(fit.model, parameters);
+    auto bend = bend_of(fit.model);
+    for (auto& knot : bend)
+        knot = { rounded(knot.counts, kModelDigits), rounded(knot.shift_counts, kModelDigits) };
+    rig.height_model = with_bend(std::move(rig.height_model), std::move(bend));
     rig.full_scale_counts = calibration.full_scale_counts;
     rig.calibrated_min_counts = fit.low_counts;
     rig.calibrated_max_counts = fit.high_counts;
