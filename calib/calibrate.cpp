@@ -57,6 +57,7 @@ Rig with_height(Rig rig, HeightCalibration const& calibration, std::string const
     HeightRecord record { .date = date, .sensor = calibration.sensor };
     record.captures = calibration.captures;
     record.ruler_error_mm = calibration.options.ruler_error_mm;
+    record.linearity_percent = calibration.options.linearity_percent;
     record.asked_kind = calibration.options.kind;
     record.reason = fit.reason;
     for (auto const& parameter : fit.parameters)
@@ -127,9 +128,10 @@ Result<HeightFit> refit_height(Rig const& rig)
         return fail(Fault::User,
                     "the rig's height was not calibrated: use \"tractus calibrate "
                     "height\"");
-    auto fit
-        = TRY(fit_height(record->captures,
-                         { .kind = record->asked_kind, .ruler_error_mm = record->ruler_error_mm }));
+    auto fit = TRY(fit_height(record->captures,
+                              { .kind = record->asked_kind,
+                                .ruler_error_mm = record->ruler_error_mm,
+                                .linearity_percent = record->linearity_percent }));
     return fit;
 }
 
