@@ -46,6 +46,10 @@ Rig with_height(Rig rig, HeightCalibration const& calibration, std::string const
     for (double& value : parameters)
         value = rounded(value, kModelDigits);
     rig.height_model = with_parameters(fit.model, parameters);
+    auto bend = bend_of(fit.model);
+    for (auto& knot : bend)
+        knot = { rounded(knot.counts, kModelDigits), rounded(knot.shift_counts, kModelDigits) };
+    rig.height_model = with_bend(std::move(rig.height_model), std::move(bend));
     rig.full_scale_counts = calibration.full_scale_counts;
     rig.calibrated_min_counts = fit.low_counts;
     rig.calibrated_max_counts = fit.high_counts;
@@ -53,6 +57,7 @@ Rig with_height(Rig rig, HeightCalibration const& calibration, std::string const
     HeightRecord record { .date = date, .sensor = calibration.sensor };
     record.captures = calibration.captures;
     record.ruler_error_mm = calibration.options.ruler_error_mm;
+    record.linearity_percent = calibration.options.linearity_percent;
     record.asked_kind = calibration.options.kind;
     record.reason = fit.reason;
     for (auto const& parameter : fit.parameters)
@@ -123,9 +128,10 @@ Result<HeightFit> refit_height(Rig const& rig)
         return fail(Fault::User,
                     "the rig's height was not calibrated: use \"tractus calibrate "
                     "height\"");
-    auto fit
-        = TRY(fit_height(record->captures,
-                         { .kind = record->asked_kind, .ruler_error_mm = record->ruler_error_mm }));
+    auto fit = TRY(fit_height(record->captures,
+                              { .kind = record->asked_kind,
+                                .ruler_error_mm = record->ruler_error_mm,
+                                .linearity_percent = record->linearity_percent }));
     return fit;
 }
 

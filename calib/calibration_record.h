@@ -30,6 +30,7 @@ struct HeightRecord {
     // Input: enough to do the fit again.
     std::vector<HeightCapture> captures {};
     double ruler_error_mm = 0.3;
+    double linearity_percent = 0; // Of the track, by its data sheet; 0: taken to be straight.
     std::optional<HeightModelKind> asked_kind {};
 
     // Results.

@@ -78,6 +78,8 @@ Result<HeightRecord> parse_height(TomlTable& table)
     if (table.has("shifted_counts"))
         record.shifted_counts = TRY(table.number("shifted_counts"));
     record.ruler_error_mm = TRY(table.number("ruler_error_mm", NumberRange::Positive));
+    if (table.has("linearity_percent"))
+        record.linearity_percent = TRY(table.number("linearity_percent", NumberRange::NotNegative));
     if (table.has("asked_model"))
         record.asked_kind = static_cast<HeightModelKind>(TRY(table.word("asked_model", kKinds)));
     for (auto& capture : TRY(table.tables("captures")))
@@ -163,6 +165,9 @@ noise_counts = {}             # Standard deviation at rest.
     text += fmt::format("raised_mm = {}                # By re-zeroing since.\n"
                         "ruler_error_mm = {}           # Standard deviation.\n",
                         record.raised_mm, record.ruler_error_mm);
+    if (record.linearity_percent != 0)
+        text += fmt::format("linearity_percent = {}        # Of the track, by its data sheet.\n",
+                            record.linearity_percent);
     if (record.shifted_counts != 0)
         text += fmt::format("shifted_counts = {}           # Likewise, since the string slipped.\n",
                             record.shifted_counts);

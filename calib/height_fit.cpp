@@ -1,6 +1,7 @@
 #include "calib/height_fit.h"
 
 #include "calib/height_capture_checks.h"
+#include "calib/track_bend_fit.h"
 #include "engine/base/check.h"
 
 #include <algorithm>
@@ -354,6 +355,28 @@ void tell_range(Captures captures, HeightFit& fit)
     fit.high_mm = std::max(*one, *other);
 }
 
+// Gives the fit a track that may be bent, if one was asked for.
+void bend_track(Captures captures, HeightFitOptions const& options, HeightFit& fit)
+{
+    if (!(options.linearity_percent > 0))
+        return;
+    auto const used = captures_without(captures, fit.slipped);
+    auto const bent
+        = fit_track_bend(fit.model, used, options.ruler_error_mm, options.linearity_percent);
+    if (!bent)
+        return;
+    double const freedom = static_cast<double>(used.size()) - bent->effective_parameters;
+    double variance_mm2 = options.ruler_error_mm * options.ruler_error_mm;
+    if (freedom >= 1)
+        variance_mm2 = std::max(variance_mm2, bent->sum_of_squares_mm2 / freedom);
+    fit.model = bent->model;
+    fit.capture_error_mm = std::sqrt(variance_mm2);
+    fit.covariance
+        = bent->covariance * variance_mm2 / (options.ruler_error_mm * options.ruler_error_mm);
+    fit.rms_mm = std::sqrt(bent->sum_of_squares_mm2 / static_cast<double>(used.size()));
+    fit.bend_percent = 100 * bent->deviation;
+}
+
 HeightFit describe(Captures captures, Choice choice, HeightFitOptions const& options)
 {
     HeightFit fit;
@@ -364,8 +387,9 @@ HeightFit describe(Captures captures, Choice choice, HeightFitOptions const& opt
     fit.capture_error_mm = std::sqrt(
         std::max(options.ruler_error_mm * options.ruler_error_mm, choice.fit.variance_mm2()));
     fit.covariance = choice.fit.fit.unit_covariance * fit.capture_error_mm * fit.capture_error_mm;
-    fit.parameters = parameters_with_errors(fit.model, fit.covariance);
     fit.rms_mm = choice.fit.rms_mm();
+    bend_track(captures, options, fit);
+    fit.parameters = parameters_with_errors(fit.model, fit.covariance);
     for (std::size_t i = 0; i < captures.size(); ++i) {
         double const height = height_mm(fit.model, captures[i].counts).value_or(0);
         fit.residuals_mm.push_back(captures[i].ruler_mm - height);

@@ -23,6 +23,11 @@ struct HeightFitOptions {
     // How exactly the person reads the ruler: the standard deviation of a capture. What a fit makes
     // of its parameters' errors never rests on less than this.
     double ruler_error_mm = 0.3;
+
+    // How far the potentiometer's track may be off a straight one, in percent, as its data sheet
+    // says: 0.1 to 2, with some tenths for a converter that loads it. The fit then has a bend
+    // (track_bend_fit.h), and its errors know of it. 0: the track is taken to be straight.
+    double linearity_percent = 0;
 };
 
 // One number of a model with its standard error.
@@ -57,7 +62,12 @@ struct HeightFit {
     std::vector<HeightCandidate> candidates;
 
     std::vector<FitParameter> parameters;
-    Eigen::MatrixXd covariance; // Covariance of parameters_of(model).
+    // Covariance of parameters_of(model), followed by the shifts of its track's bend.
+    Eigen::MatrixXd covariance;
+
+    // Standard deviation of the bend that the captures make likely, in percent of their range; 0
+    // where the track was taken to be straight.
+    double bend_percent = 0;
 
     std::vector<double> residuals_mm; // Ruler less model, for each capture, slipped ones too.
     std::vector<std::size_t> slipped; // Captures that were left out, rising.

@@ -68,14 +68,51 @@ double between(std::vector<Knot> const& knots, std::size_t i, double counts)
         + width * t * u * (u * slope(knots, i) - t * slope(knots, i + 1));
 }
 
+// A bend is gentle enough for each height to have one reading.
+bool bend_is_valid(TrackBend const& bend)
+{
+    constexpr double kGreatestSlope = 0.3;
+    for (std::size_t i = 0; i < bend.size(); ++i)
+        if (!std::isfinite(bend[i].counts) || !std::isfinite(bend[i].shift_counts)
+            || (i > 0
+                && !(bend[i - 1].counts < bend[i].counts
+                     && std::abs(bend[i].shift_counts - bend[i - 1].shift_counts)
+                         <= kGreatestSlope * (bend[i].counts - bend[i - 1].counts))))
+            return false;
+    return true;
+}
+
+// The reading of a bent track: the inverse of straightened(), since the bend is gentle.
+double bent(TrackBend const& bend, double straight)
+{
+    constexpr int kMostSteps = 60;
+    double counts = straight;
+    for (int step = 0; step < kMostSteps && !bend.empty(); ++step) {
+        double const next = counts + straight - straightened(bend, counts);
+        if (next == counts)
+            break;
+        counts = next;
+    }
+    return counts;
+}
+
+double bend_slope(TrackBend const& bend, std::size_t i)
+{
+    if (i == 0 || i + 1 == bend.size())
+        return 0; // It goes on level.
+    return (bend[i + 1].shift_counts - bend[i - 1].shift_counts)
+        / (bend[i + 1].counts - bend[i - 1].counts);
+}
+
 std::optional<double> to_height(LinearHeight const& model, double counts)
 {
-    return if_finite(model.mm_per_count * (counts - model.zero_counts));
+    return if_finite(model.mm_per_count * (straightened(model.bend, counts) - model.zero_counts));
 }
 
 std::optional<double> to_height(StringHeight const& model, double counts)
 {
-    double const length_mm = model.mm_per_count * counts + model.zero_length_mm;
+    double const length_mm
+        = model.mm_per_count * straightened(model.bend, counts) + model.zero_length_mm;
     if (!(length_mm >= model.offset_mm))
         return std::nullopt;
     // (L - offset)(L + offset) keeps its digits where L is hardly longer than the offset.
@@ -102,7 +139,7 @@ std::optional<double> to_height(MonotoneHeight const& model, double counts)
 
 std::optional<double> to_counts(LinearHeight const& model, double height_mm)
 {
-    return if_finite(height_mm / model.mm_per_count + model.zero_counts);
+    return if_finite(bent(model.bend, height_mm / model.mm_per_count + model.zero_counts));
 }
 
 std::optional<double> to_counts(StringHeight const& model, double height_mm)
@@ -111,7 +148,7 @@ std::optional<double> to_counts(StringHeight const& model, double height_mm)
     if (!(rise_mm >= 0))
         return std::nullopt;
     double const length_mm = std::hypot(rise_mm, model.offset_mm);
-    return if_finite((length_mm - model.zero_length_mm) / model.mm_per_count);
+    return if_finite(bent(model.bend, (length_mm - model.zero_length_mm) / model.mm_per_count));
 }
 
 // Solves by halving, since the curve is monotone.
@@ -152,12 +189,12 @@ std::optional<double> to_counts(MonotoneHeight const& model, double height_mm)
 
 bool numbers_are_valid(LinearHeight const& model)
 {
-    return model.mm_per_count != 0;
+    return model.mm_per_count != 0 && bend_is_valid(model.bend);
 }
 
 bool numbers_are_valid(StringHeight const& model)
 {
-    return model.mm_per_count != 0 && model.offset_mm >= 0;
+    return model.mm_per_count != 0 && model.offset_mm >= 0 && bend_is_valid(model.bend);
 }
 
 bool numbers_are_valid(MonotoneHeight const& model)
@@ -267,6 +304,26 @@ std::optional<double> mm_per_count_at(HeightModel const& model, double counts)
     return std::nullopt;
 }
 
+double straightened(TrackBend const& bend, double counts)
+{
+    if (bend.empty() || !std::isfinite(counts))
+        return counts;
+    if (counts <= bend.front().counts)
+        return counts + bend.front().shift_counts;
+    if (counts >= bend.back().counts)
+        return counts + bend.back().shift_counts;
+    auto const after
+        = std::upper_bound(bend.begin(), bend.end(), counts,
+                           [](double value, TrackKnot const& knot) { return value < knot.counts; });
+    auto const i = static_cast<std::size_t>(after - bend.begin()) - 1;
+    double const width = bend[i + 1].counts - bend[i].counts;
+    double const t = (counts - bend[i].counts) / width;
+    double const u = 1 - t;
+    return counts + (1 + 2 * t) * u * u * bend[i].shift_counts
+        + t * t * (3 - 2 * t) * bend[i + 1].shift_counts
+        + width * t * u * (u * bend_slope(bend, i) - t * bend_slope(bend, i + 1));
+}
+
 HeightModel raised(HeightModel model, double rise_mm)
 {
     std::visit([&](auto& kind) { raise(kind, rise_mm); }, model);
@@ -295,6 +352,25 @@ HeightModel with_parameters(HeightModel model, Eigen::VectorXd const& parameters
     CHECK(static_cast<Eigen::Index>(places.size()) == parameters.size());
     for (std::size_t i = 0; i < places.size(); ++i)
         *places[i] = parameters[static_cast<Eigen::Index>(i)];
+    return model;
+}
+
+TrackBend const& bend_of(HeightModel const& model)
+{
+    static TrackBend const kStraight;
+    if (auto const* line = std::get_if<LinearHeight>(&model))
+        return line->bend;
+    if (auto const* string = std::get_if<StringHeight>(&model))
+        return string->bend;
+    return kStraight;
+}
+
+HeightModel with_bend(HeightModel model, TrackBend bend)
+{
+    if (auto* line = std::get_if<LinearHeight>(&model))
+        line->bend = std::move(bend);
+    else if (auto* string = std::get_if<StringHeight>(&model))
+        string->bend = std::move(bend);
     return model;
 }
 

@@ -13,6 +13,22 @@ namespace tractus {
 // readings may grow or fall with it, since a potentiometer counts down when its two outer wires are
 // swapped.
 
+// A potentiometer's track is not quite even, and a converter that draws current bends its readings.
+// The law is that of a straight track, which would have read `shift_counts` more where this one
+// reads `counts`. Between knots the shift is a cubic Hermite whose slope at a knot is that from the
+// knot before to the knot after; beyond the outer knots it stays what it is there.
+struct TrackKnot {
+    double counts = 0;
+    double shift_counts = 0;
+};
+
+// Knots whose counts increase and whose shifts change by at most 0.3 of that, so that each height
+// still has one reading; empty: a straight track.
+using TrackBend = std::vector<TrackKnot>;
+
+// The reading of a straight track.
+double straightened(TrackBend const& bend, double counts);
+
 // A sensor along the carriage's way: a string that hangs plumb, a slide potentiometer, a
 // rangefinder.
 //
@@ -20,6 +36,7 @@ namespace tractus {
 struct LinearHeight {
     double mm_per_count = 0.1; // Never 0; below 0 where readings fall as the carriage rises.
     double zero_counts = 0;    // The reading at height zero; may lie outside the converter's range.
+    TrackBend bend {};
 };
 
 // A string potentiometer whose spool stands beside the carriage's way, so that the string runs
@@ -54,6 +71,7 @@ struct StringHeight {
     double offset_mm = 0;      // 0 or more.
     double base_mm = 0;        // r at height zero; its negative where the spool is above.
     Spool spool = Spool::Below;
+    TrackBend bend {};
 };
 
 // A sensor that follows no simple law, such as a worn or a hand-wound potentiometer: a smooth curve
@@ -97,8 +115,14 @@ HeightModel raised(HeightModel model, double rise_mm);
 HeightModel shifted(HeightModel model, double shift_counts);
 
 // A model's numbers as a fit sees them, in the order of its members (a monotone model's are the
-// heights of its knots), and the model of the same kind with other numbers.
+// heights of its knots), and the model of the same kind with other numbers. A track's bend is not
+// among them and stays as it is.
 Eigen::VectorXd parameters_of(HeightModel const& model);
 HeightModel with_parameters(HeightModel model, Eigen::VectorXd const& parameters);
+
+// The bend of a model's track, empty where it has none, and the model with another one; a monotone
+// model has none.
+TrackBend const& bend_of(HeightModel const& model);
+HeightModel with_bend(HeightModel model, TrackBend bend);
 
 } // namespace tractus

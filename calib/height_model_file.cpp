@@ -14,11 +14,37 @@ Result<double> scale(TomlTable& table)
     return mm_per_count;
 }
 
+// A file without a bend has a straight track.
+Result<TrackBend> parse_bend(TomlTable& table)
+{
+    TrackBend bend;
+    if (!table.has("bend"))
+        return bend;
+    for (auto const& knot : TRY(table.vec2_list("bend")))
+        bend.push_back({ knot.x(), knot.y() });
+    if (!is_valid(LinearHeight { .bend = bend }))
+        return table.wrong("bend",
+                           "is too steep or out of order, expected [counts, shift_counts] with "
+                           "counts that rise and shifts that change by at most 0.3 of that");
+    return bend;
+}
+
+std::string print_bend(TrackBend const& bend)
+{
+    if (bend.empty())
+        return {};
+    std::string text = "bend = [  # The law reads [counts] as if they were so many more.\n";
+    for (auto const& knot : bend)
+        text += fmt::format("    [{}, {}],\n", knot.counts, knot.shift_counts);
+    return text + "]\n";
+}
+
 Result<HeightModel> parse_linear(TomlTable& table)
 {
     LinearHeight model;
     model.mm_per_count = TRY(scale(table));
     model.zero_counts = TRY(table.number("zero_counts"));
+    model.bend = TRY(parse_bend(table));
     return model;
 }
 
@@ -32,6 +58,7 @@ Result<HeightModel> parse_string(TomlTable& table)
     if (table.has("spool"))
         model.spool
             = static_cast<StringHeight::Spool>(TRY(table.word("spool", { "below", "above" })));
+    model.bend = TRY(parse_bend(table));
     return model;
 }
 
@@ -65,14 +92,15 @@ std::string print(LinearHeight const& model)
 mm_per_count = {}
 zero_counts = {}
 )",
-                       model.mm_per_count, model.zero_counts);
+                       model.mm_per_count, model.zero_counts)
+        + print_bend(model.bend);
 }
 
 std::string print(StringHeight const& model)
 {
     bool const is_below = model.spool == StringHeight::Spool::Below;
     return fmt::format(
-        R"(model = "string"     # A string that runs aslant to a spool beside the carriage's way:
+               R"(model = "string"     # A string that runs aslant to a spool beside the carriage's way:
                      # length = mm_per_count * counts + zero_length_mm
                      # height = {}sqrt(length^2 - offset_mm^2) - base_mm
 mm_per_count = {}    # String per count.
@@ -81,8 +109,9 @@ offset_mm = {}       # From the spool across to the way of the string's end.
 base_mm = {}         # From the spool up to the string's end at height zero.
 spool = "{}"      # Where the spool is, seen from the carriage.
 )",
-        is_below ? "" : "-", model.mm_per_count, model.zero_length_mm, model.offset_mm,
-        model.base_mm, is_below ? "below" : "above");
+               is_below ? "" : "-", model.mm_per_count, model.zero_length_mm, model.offset_mm,
+               model.base_mm, is_below ? "below" : "above")
+        + print_bend(model.bend);
 }
 
 std::string print(MonotoneHeight const& model)

@@ -199,17 +199,28 @@ std::optional<ModelFit> fit_monotone(Captures captures, MonotoneKnots const& kno
 Eigen::VectorXd height_gradient(HeightModel const& model, double counts)
 {
     auto const parameters = parameters_of(model);
-    auto const at = [&](Eigen::VectorXd const& changed) {
-        return height_mm(with_parameters(model, changed), counts).value_or(0);
-    };
-    Eigen::VectorXd gradient(parameters.size());
+    auto const& bend = bend_of(model);
+    auto const of_bend = static_cast<Eigen::Index>(bend.size());
+    auto const at
+        = [&](HeightModel const& changed) { return height_mm(changed, counts).value_or(0); };
+    Eigen::VectorXd gradient(parameters.size() + of_bend);
     for (Eigen::Index i = 0; i < parameters.size(); ++i) {
         double const step = 1e-6 * std::max(std::abs(parameters[i]), 1e-4);
         Eigen::VectorXd low = parameters;
         Eigen::VectorXd high = parameters;
         low[i] -= step;
         high[i] += step;
-        gradient[i] = (at(high) - at(low)) / (2 * step);
+        gradient[i]
+            = (at(with_parameters(model, high)) - at(with_parameters(model, low))) / (2 * step);
+    }
+    for (Eigen::Index i = 0; i < of_bend; ++i) {
+        constexpr double kStep_counts = 1e-3;
+        auto low = bend;
+        auto high = bend;
+        low[static_cast<std::size_t>(i)].shift_counts -= kStep_counts;
+        high[static_cast<std::size_t>(i)].shift_counts += kStep_counts;
+        gradient[parameters.size() + i]
+            = (at(with_bend(model, high)) - at(with_bend(model, low))) / (2 * kStep_counts);
     }
     return gradient;
 }

@@ -47,7 +47,8 @@ std::optional<ModelFit> fit_string(std::span<HeightCapture const> captures);
 std::optional<ModelFit> fit_monotone(std::span<HeightCapture const> captures,
                                      MonotoneKnots const& knots);
 
-// The derivative of a model's height at a reading by its parameters.
+// The derivative of a model's height at a reading by its parameters, then by the shifts of its
+// track's bend.
 Eigen::VectorXd height_gradient(HeightModel const& model, double counts);
 
 } // namespace tractus

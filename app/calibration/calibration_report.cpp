@@ -66,6 +66,11 @@ std::string describe(HeightCalibration const& calibration, Rig const& rig)
                             parameter.standard_error);
     text += describe_slips(calibration);
     text += fmt::format("  residuals: {:.2f} mm RMS, {:.2f} mm at most\n", fit.rms_mm, fit.max_mm);
+    if (fit.bend_percent > 0)
+        text += fmt::format("  the potentiometer's track bends by {:.2g} % of the range, as far as "
+                            "{} captures can tell ({:g} % by its data sheet)\n",
+                            fit.bend_percent, calibration.captures.size(),
+                            calibration.options.linearity_percent);
     if (fit.hysteresis)
         text += fmt::format("  up against down: {:+.2f} ± {:.2f} mm\n", fit.hysteresis->mm,
                             fit.hysteresis->standard_error_mm);

@@ -41,6 +41,7 @@ struct CalibrateArguments {
     std::vector<double> heights_mm;
     std::string model;
     double ruler_error_mm = 0.3;
+    double linearity_percent = 0;
     std::string zero_cause;
     bool is_forced = false;
     bool window = false;
@@ -69,6 +70,7 @@ CalibrationController::Options desk_options(CalibrateArguments const& arguments,
     CalibrationController::Options options { .procedure = arguments.procedure,
                                              .rig = std::move(rig) };
     options.height.ruler_error_mm = arguments.ruler_error_mm;
+    options.height.linearity_percent = arguments.linearity_percent;
     options.zero_cause = parse_zero_cause(arguments.zero_cause);
     options.is_forced = arguments.is_forced;
     if (!arguments.model.empty())
@@ -290,6 +292,11 @@ CLI::App* add_procedure(CLI::App& parent, CalibrationProcedure procedure, std::s
             ->type_name("MM")
             ->check(number(0.01, 10))
             ->capture_default_str();
+        verb->add_option("--linearity", arguments->linearity_percent,
+                         "How straight the potentiometer is by its data sheet, in percent of its "
+                         "track; without it, the track is taken to be straight")
+            ->type_name("PERCENT")
+            ->check(number(0, 5));
         verb->add_flag("--force", arguments->is_forced,
                        "Keep a fit whose captures disagree, or span less than 100 mm");
     }

@@ -241,5 +241,37 @@ TEST(HeightFit, RefusesCapturesOutOfOrder)
               "again");
 }
 
+// Captures of a potentiometer on a plumb string, loaded as text-books say, and read exactly.
+std::vector<HeightCapture> captures_under_load(double load)
+{
+    std::vector<HeightCapture> captures;
+    for (double const height : { 0.0, 60.0, 200.0, 400.0, 300.0, 120.0, 20.0 }) {
+        double const part = 0.3 + height / 600;
+        captures.push_back({ .ruler_mm = height,
+                             .counts = 4095 * part / (1 + load * part * (1 - part)),
+                             .readings = 100 });
+    }
+    return captures;
+}
+
+TEST(HeightFit, BendsTheTrackWhenTheDataSheetSaysSo)
+{
+    auto const captures = captures_under_load(0.015);
+    HeightFitOptions options { .kind = HeightModelKind::Linear };
+    auto const straight = fit_height(captures, options).value();
+    options.linearity_percent = 0.5;
+    auto const bent = fit_height(captures, options).value();
+    EXPECT_TRUE(bend_of(straight.model).empty());
+    EXPECT_FALSE(bend_of(bent.model).empty());
+    for (double const height : { 30.0, 90.0, 160.0, 250.0, 350.0 }) {
+        double const part = 0.3 + height / 600;
+        double const counts = 4095 * part / (1 + 0.015 * part * (1 - part));
+        EXPECT_NEAR(*height_mm(bent.model, counts), height, 0.2) << height;
+    }
+    EXPECT_TRUE(straight.slipped.empty());
+    EXPECT_LT(bent.max_mm, straight.max_mm / 2);
+    EXPECT_GT(height_error_mm(bent, 2500), height_error_mm(straight, 2500) * 0.9);
+}
+
 } // namespace
 } // namespace tractus

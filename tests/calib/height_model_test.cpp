@@ -1,15 +1,16 @@
 #include "calib/height_model.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 
 namespace tractus {
 namespace {
 
-constexpr LinearHeight kLinear { .mm_per_count = 0.1, .zero_counts = 200 };
+LinearHeight const kLinear { .mm_per_count = 0.1, .zero_counts = 200 };
 
 // A right triangle of 300, 400 and 500 mm at 5,000 counts.
-constexpr StringHeight kString {
+StringHeight const kString {
     .mm_per_count = 0.1, .zero_length_mm = 0, .offset_mm = 300, .base_mm = 50
 };
 
@@ -140,6 +141,39 @@ TEST(HeightModel, KnowsWhichNumbersMakeSense)
     EXPECT_FALSE(is_valid(MonotoneHeight {}));
     EXPECT_FALSE(is_valid(MonotoneHeight { .knots = { { 0, 0 }, { 1, 1 }, { 2, 1 } } }));
     EXPECT_FALSE(is_valid(MonotoneHeight { .knots = { { 0, 0 }, { 1, 1 }, { 1, 2 } } }));
+}
+
+TEST(HeightModel, ReadsABentTrackAsAStraightOneAndBack)
+{
+    // A divider whose lower half a converter bridges, by the text-book: p / (1 + a p (1 - p)).
+    constexpr double kFull = 4096;
+    constexpr double kLoad = 0.015;
+    TrackBend bend;
+    auto const loaded = [](double part) { return part / (1 + kLoad * part * (1 - part)); };
+    for (int i = 0; i <= 10; ++i)
+        bend.push_back({ kFull * loaded(i / 10.0), kFull * (i / 10.0 - loaded(i / 10.0)) });
+    StringHeight const aslant { .mm_per_count = 0.1, .zero_length_mm = 50, .offset_mm = 100 };
+    for (auto const& straight : { HeightModel(kLinear), HeightModel(aslant) }) {
+        auto const model = with_bend(straight, bend);
+        ASSERT_TRUE(is_valid(model));
+        for (double part = 0.3; part < 0.95; part += 0.05) {
+            auto const height = height_mm(model, kFull * loaded(part));
+            ASSERT_TRUE(height);
+            EXPECT_NEAR(*height, *height_mm(straight, kFull * part), 0.01) << part;
+            EXPECT_NEAR(*counts_at_height(model, *height), kFull * loaded(part), 1e-6) << part;
+        }
+        EXPECT_GT(
+            std::abs(*height_mm(straight, kFull * loaded(0.6)) - *height_mm(straight, kFull * 0.6)),
+            0.5);
+    }
+}
+
+TEST(HeightModel, RefusesABendThatTurnsReadingsRound)
+{
+    EXPECT_TRUE(is_valid(LinearHeight { .bend = { { 0, 0 }, { 100, 20 }, { 200, -5 } } }));
+    EXPECT_FALSE(is_valid(LinearHeight { .bend = { { 0, 0 }, { 100, -120 } } }));
+    EXPECT_FALSE(is_valid(LinearHeight { .bend = { { 100, 0 }, { 0, 0 } } }));
+    EXPECT_FALSE(is_valid(StringHeight { .bend = { { 0, 0 }, { 0, 0 } } }));
 }
 
 TEST(HeightModel, TakesItsParametersBack)

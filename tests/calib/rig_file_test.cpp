@@ -150,6 +150,31 @@ TEST(RigFile, GivesTheSameCurveAndSpoolBack)
     EXPECT_EQ(std::get<StringHeight>(back.height_model).spool, StringHeight::Spool::Above);
 }
 
+TEST(RigFile, GivesTheBendOfATrackBack)
+{
+    auto rig = awkward_rig();
+    EXPECT_EQ(print_rig(rig).find("bend"), std::string::npos) << "where the track is straight";
+    HeightModel const straight = StringHeight { .mm_per_count = 0.1, .zero_length_mm = 200 };
+    rig.height_model = with_bend(straight, { { 1.0 / 3, 20 }, { 700, 10.0 / 7 }, { 3000, -3 } });
+    auto const text = print_rig(rig);
+    auto const back = parse_rig(text, "printed");
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_EQ(print_rig(*back), text);
+    for (double const counts : { 0.0, 500.0, 2000.0, 4000.0 })
+        EXPECT_EQ(height_mm(back->height_model, counts), height_mm(rig.height_model, counts));
+}
+
+TEST(RigFile, RefusesABendThatTurns)
+{
+    auto const message
+        = error_of(with("model = \"string\"\nmm_per_count = 0.1\nzero_length_mm = 120\n"
+                        "offset_mm = 110\nbase_mm = 80\n",
+                        "model = \"linear\"\nmm_per_count = 0.1\nzero_counts = 0\n"
+                        "bend = [[0, 0], [1000, -1100]]\n"));
+    EXPECT_NE(message.find("height.bend is too steep or out of order"), std::string::npos)
+        << message;
+}
+
 TEST(RigFile, KeepsAMeasuredSurface)
 {
     Rig rig;

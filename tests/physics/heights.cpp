@@ -25,6 +25,7 @@ struct Scenario {
     Heights heights_mm {};
     Faults faults {};
     Mistake mistake = Mistake::None;
+    double linearity_percent = 0; // What the person takes from the data sheet.
     double least_part = 0; // Share of the rigs, within kGoal_mm or refused; 0: only measured.
 };
 
@@ -53,6 +54,24 @@ std::vector<Scenario> scenarios()
           .faults = { .nonlinearity = 0.0025 } },
         { .name = "nonlinear by 1 %", .heights_mm = kSeven, .faults = { .nonlinearity = 0.01 } },
         { .name = "loading 1.5 %", .heights_mm = kSeven, .faults = { .loading = 0.015 } },
+        { .name = "straight, told 0.25 %",
+          .heights_mm = kSeven,
+          .linearity_percent = 0.25,
+          .least_part = 0.95 },
+        { .name = "0.25 %, told",
+          .heights_mm = kSeven,
+          .faults = { .nonlinearity = 0.0025 },
+          .linearity_percent = 0.25,
+          .least_part = 0.95 },
+        { .name = "1 %, told",
+          .heights_mm = kSeven,
+          .faults = { .nonlinearity = 0.01 },
+          .linearity_percent = 1 },
+        { .name = "loading 1.5 %, told",
+          .heights_mm = kSeven,
+          .faults = { .loading = 0.015 },
+          .linearity_percent = 0.25,
+          .least_part = 0.95 },
         { .name = "two swapped of ten",
           .heights_mm = kTen,
           .mistake = Mistake::TwoSwapped,
@@ -114,7 +133,9 @@ Trial try_rig(Scenario const& scenario, unsigned seed)
         std::fprintf(stderr, "seed %u: %s\n", seed, log.error().message.c_str());
         std::exit(2);
     }
-    auto const outcome = calibrate_from_log(*log, {}, "2026-11-24");
+    CalibrationController::Options options;
+    options.height.linearity_percent = scenario.linearity_percent;
+    auto const outcome = calibrate_from_log(*log, options, "2026-11-24");
     Trial trial;
     if (!outcome) {
         trial.refusal = outcome.error().message;

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "calib/height_capture.h"
+#include "calib/height_model.h"
+#include "calib/height_model_fit.h"
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+
+namespace tractus {
+
+// A law together with the bend of its potentiometer's track.
+struct BentFit {
+    HeightModel model {};
+    double sum_of_squares_mm2 = 0;
+
+    // Covariance of parameters_of(model), followed by the shifts of the bend's knots.
+    Eigen::MatrixXd covariance {};
+
+    // How many captures the fit has used up: the trace of the matrix that takes heights by the
+    // ruler to heights by the model.
+    double effective_parameters = 0;
+
+    // Standard deviation of the track's bend, in parts of the captures' range, that the captures
+    // make likely.
+    double deviation = 0;
+};
+
+// Fits a line or a string to captures anew, with a track that may be bent. The bend is a Gaussian
+// process over the readings (C. Rasmussen, C. Williams, "Gaussian Processes for Machine Learning",
+// 2006, chapters 2 and 5) that hardly changes over a third of the captures' range. Its standard
+// deviation is a quarter to twice `linearity_percent` of that range, as the captures' evidence
+// tells (Laplace's approximation); one track in five is straight to begin with. The ruler's error
+// is above 0 and stands for what is known of a capture, however well a few of them agree.
+//
+// No value if the law is monotone, or if nothing fits.
+std::optional<BentFit> fit_track_bend(HeightModel const& law,
+                                      std::span<HeightCapture const> captures,
+                                      double ruler_error_mm, double linearity_percent);
+
+} // namespace tractus
