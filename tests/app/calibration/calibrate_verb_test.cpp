@@ -25,6 +25,15 @@ protected:
         return run(arguments);
     }
 
+    // What a rig holds of its track's bend.
+    std::string bend_in(std::string const& name) const
+    {
+        auto const rig = text(name);
+        auto const begin = rig.find("\nbend = [");
+        auto const end = rig.find("\n]", begin);
+        return begin == std::string::npos ? "" : rig.substr(begin, end - begin);
+    }
+
     fs::path folder_
         = fs::temp_directory_path() / ("tractus_calibrate_" + std::to_string(::getpid()));
 };
@@ -52,6 +61,29 @@ TEST_F(CalibrateVerb, DoesAllProceduresOneAfterAnother)
     EXPECT_TRUE(rig.calibration.height && rig.calibration.travel && rig.calibration.latency
                 && rig.calibration.check);
     EXPECT_TRUE(fs::exists(path("my.rig.toml.bak")));
+}
+
+// The bend goes through all procedures, and through the file, like the rest of the rig.
+TEST_F(CalibrateVerb, KeepsATrackThatIsBent)
+{
+    auto const outcome
+        = calibrate({ "height", "--rig", path("my.rig.toml"), "--simulate", "--linearity", "0.25",
+                      "--heights", "0,60,120,200,280,340,400" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("(0.25 % by its data sheet)"), std::string::npos) << outcome.out;
+    auto const first = load_rig(path("my.rig.toml")).value();
+    EXPECT_FALSE(bend_of(first.height_model).empty());
+    ASSERT_TRUE(first.calibration.height);
+    EXPECT_EQ(first.calibration.height->linearity_percent, 0.25);
+    auto const bend = bend_in("my.rig.toml");
+    EXPECT_NE(bend, "");
+    for (auto const* procedure : { "travel", "latency", "check" })
+        ASSERT_EQ(calibrate({ procedure, "--rig", path("my.rig.toml"), "--simulate" }).exit_code, 0)
+            << procedure;
+    EXPECT_EQ(bend_in("my.rig.toml"), bend);
+    auto const zeroed = calibrate({ "zero", "--rig", path("my.rig.toml"), "--simulate" });
+    ASSERT_EQ(zeroed.exit_code, 0) << zeroed.err;
+    EXPECT_EQ(bend_in("my.rig.toml"), bend);
 }
 
 TEST_F(CalibrateVerb, KeepsTheOldFileWhenTheCalibrationIsRefused)
