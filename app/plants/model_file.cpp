@@ -1,12 +1,9 @@
 #include "app/plants/model_file.h"
 
-#include "app/methods/leaves/leaf_library.h"
-#include "app/methods/leaves/plant_leaves.h"
 #include "drivers/file.h"
 #include "engine/export/glb_lines.h"
 #include "engine/lsystem/color_files.h"
 #include "engine/lsystem/environment_choice.h"
-#include "engine/lsystem/leaf_sheet.h"
 #include "engine/plant/skeleton_lines.h"
 
 #include <algorithm>
@@ -159,27 +156,9 @@ bool leads_out_of_folder(std::filesystem::path const& name)
     return name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end();
 }
 
-// Leaves of a grammar in the model's folder, or else of one of ours.
-static Result<std::string> grown_leaves(std::filesystem::path const& folder, LeafOrder const& order)
-{
-    std::filesystem::path const file(order.grammar);
-    bool const is_file = file.extension() == ".leaf";
-    if (is_file && leads_out_of_folder(file))
-        return fail(Fault::User, fmt::format("{} is outside the model's folder", order.grammar));
-    if (!is_file) {
-        auto const grammar = TRY(load_own_leaf_grammar(order.grammar));
-        return print_leaf_sheet(TRY(grow_leaf_sheet(grammar, order)));
-    }
-    auto const text = TRY(read_text_file(folder / file, kMaxFileSize));
-    auto const grammar = TRY(leaf::parse_grammar(text, (folder / file).string()));
-    return print_leaf_sheet(TRY(grow_leaf_sheet(grammar, order)));
-}
-
 IncludeReader model_includes(std::filesystem::path const& path)
 {
     return [folder = path.parent_path()](std::string const& name) -> Result<std::string> {
-        if (auto const order = parse_leaf_sheet_name(name))
-            return grown_leaves(folder, *order);
         std::filesystem::path const file(name);
         if (leads_out_of_folder(file))
             return fail(Fault::User, fmt::format("{} is outside the model's folder", name));

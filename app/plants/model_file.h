@@ -33,8 +33,7 @@ std::vector<std::string> unused_companions(std::filesystem::path const& path,
 bool leads_out_of_folder(std::filesystem::path const& name);
 
 // Gives what a model includes (other rules, functions) from the model's folder. Names that lead out
-// of that folder are refused. Leaves that its view orders (leaf_sheet.h) are grown, from a grammar
-// in that folder if the name ends in .leaf, and else from one of ours.
+// of that folder are refused.
 IncludeReader model_includes(std::filesystem::path const& path);
 
 // Reads a model and its companions as an edit, so that a scene holds the model's texts and needs no
