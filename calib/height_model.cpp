@@ -357,12 +357,12 @@ HeightModel with_parameters(HeightModel model, Eigen::VectorXd const& parameters
 
 TrackBend const& bend_of(HeightModel const& model)
 {
-    static TrackBend const kStraight;
+    static TrackBend const straight;
     if (auto const* line = std::get_if<LinearHeight>(&model))
         return line->bend;
     if (auto const* string = std::get_if<StringHeight>(&model))
         return string->bend;
-    return kStraight;
+    return straight;
 }
 
 HeightModel with_bend(HeightModel model, TrackBend bend)
