@@ -37,8 +37,9 @@ std::size_t end_of_row(Buttons buttons, std::size_t begin, ButtonGaps const& gap
     };
     auto end = end_of_group(buttons, begin);
     if (!fits(end, 0)) {
+        auto const end_of_first = end;
         end = begin + 1;
-        while (fits(end + 1, 0))
+        while (end < end_of_first && fits(end + 1, 0))
             ++end;
         return end;
     }
