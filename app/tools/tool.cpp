@@ -127,13 +127,10 @@ public:
                                      option.greatest, *option.unit ? " " : "", option.unit));
         if (!argument_.starts_with(start))
             return;
-        double read = 0;
-        auto const* const end = argument_.data() + argument_.size();
-        auto const [at, error] = std::from_chars(argument_.data() + start.size(), end, read);
-        if (error != std::errc() || at != end || !(read >= option.least)
-            || !(read <= option.greatest))
+        auto const read = read_number(option, argument_.substr(start.size()));
+        if (!read)
             return;
-        value = read;
+        value = *read;
         is_taken_ = true;
     }
 
@@ -323,6 +320,16 @@ Tool with_number(Tool const& tool, std::size_t option, double value)
 {
     NumberSetter setter(option, value);
     return tool.changed_by(setter);
+}
+
+std::optional<double> read_number(NumberOption const& option, std::string_view text)
+{
+    double number = 0;
+    auto const* const last = text.data() + text.size();
+    auto const [end, error] = std::from_chars(text.data(), last, number);
+    bool const is_taken = error == std::errc() && end == last && number >= option.least
+        && number <= option.greatest;
+    return is_taken ? std::optional(number) : std::nullopt;
 }
 
 Tool with_word(Tool const& tool, std::size_t option, int value)

@@ -6,6 +6,7 @@
 #include "engine/stroke/stroke.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -97,6 +98,10 @@ struct ChosenNumber {
 };
 std::vector<ChosenNumber> chosen_numbers(Tool const& tool);
 Tool with_number(Tool const& tool, std::size_t option, double value);
+
+// A number that a person or a log gives for an option. No value: the text is no number, or one that
+// is outside the option's range.
+std::optional<double> read_number(NumberOption const& option, std::string_view text);
 
 // A tool from the words of a log or a script. Fails, as the user's fault, naming the tools or
 // arguments there are.

@@ -17,8 +17,8 @@ struct ToolChoice {
     Tool tool;             // Its first kind, or the first of the method that was in hand last.
 };
 
-// Those among which a person chooses first. Tools that are `remembered`, the latest last, mean what
-// they meant then.
+// The choices that a person has first, one for each group. Tools that are `remembered`, the latest
+// last, mean what they meant then.
 std::vector<ToolChoice> tool_choices(ToolKinds kinds, std::span<Tool const> remembered);
 
 // A tool of this kind as a person chooses it anew.

@@ -263,10 +263,8 @@ void Controls::show_speed(WindowModel& model) const
     if (ImGui::GetContentRegionAvail().x < kLeast_px * scale_)
         ImGui::NewLine();
     auto speed = static_cast<float>(model.state().speed);
-    float const height = theme::kButtonHeight_px * scale_;
     ImGui::SetNextItemWidth(std::min(420 * scale_, ImGui::GetContentRegionAvail().x));
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                        { 16 * scale_, (height - ImGui::GetFontSize()) / 2 });
+    theme::push_button_frame(scale_);
     if (ImGui::SliderFloat("##speed", &speed, 0.25f, 4, "speed %.2f x",
                            ImGuiSliderFlags_Logarithmic))
         model.perform(SetSpeed { static_cast<double>(speed) });

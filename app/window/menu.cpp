@@ -211,9 +211,8 @@ bool Menu::show_slider(char const* name, char const* text, float greatest, doubl
                        bool& is_released) const
 {
     auto shown = static_cast<float>(value);
-    float const air_px = (theme::kButtonHeight_px * scale_ - ImGui::GetFontSize()) / 2;
     ImGui::SetNextItemWidth(row_px_);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, { 16 * scale_, air_px });
+    theme::push_button_frame(scale_);
     bool const moves
         = ImGui::SliderFloat(name, &shown, 0, greatest, text, ImGuiSliderFlags_AlwaysClamp);
     ImGui::PopStyleVar();

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fmt/core.h>
 #include <imgui_stdlib.h>
@@ -40,17 +39,6 @@ std::string range_of(NumberOption const& option)
     return with_unit(fmt::format("{:g} to {:g}", option.least, option.greatest), option);
 }
 
-// No value: it is no number, or none that the option takes.
-std::optional<double> number_from(std::string const& text, NumberOption const& option)
-{
-    double value = 0;
-    auto const* const last = text.data() + text.size();
-    auto const [end, error] = std::from_chars(text.data(), last, value);
-    bool const is_taken
-        = error == std::errc() && end == last && value >= option.least && value <= option.greatest;
-    return is_taken ? std::optional(value) : std::nullopt;
-}
-
 } // namespace
 
 WindowPart NumberPanel::show(WindowModel& model, Workbench& bench, Controls const& controls,
@@ -69,7 +57,8 @@ WindowPart NumberPanel::show(WindowModel& model, Workbench& bench, Controls cons
         objection_.clear();
     }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { kAir_px * scale_, kAir_px * scale_ });
-    ImGui::SetNextWindowPos({ bar.left, bar.top }, ImGuiCond_Always, { 0, 1 });
+    // It reaches over the bar rather than out of the window.
+    ImGui::SetNextWindowPos({ bar.left, std::max(bar.top - height_px_, 0.0f) });
     ImGui::Begin("number", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
                      | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
@@ -88,18 +77,11 @@ WindowPart NumberPanel::show(WindowModel& model, Workbench& bench, Controls cons
     ImGui::EndGroup();
     auto const corner = ImGui::GetWindowPos();
     auto const size = ImGui::GetWindowSize();
+    height_px_ = size.y;
     ImGui::End();
     if (auto const wanted = std::exchange(wanted_, std::nullopt); wanted && *wanted != chosen.value)
         bench.choose(model, with_number(hand, number, *wanted));
     return { corner.x, corner.y, size.x, size.y };
-}
-
-// For an ImGui item that has none; to be popped.
-void NumberPanel::push_height_of_button() const
-{
-    float const height = theme::kButtonHeight_px * scale_;
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                        { 16 * scale_, (height - ImGui::GetFontSize()) / 2 });
 }
 
 // The number in words, its range, a slider, and a step less and more.
@@ -110,7 +92,7 @@ void NumberPanel::show_value(ChosenNumber const& chosen, Controls const& control
     ImGui::SameLine();
     ImGui::TextDisabled("%s", range_of(option).c_str());
     auto value = static_cast<float>(chosen.value);
-    push_height_of_button();
+    theme::push_button_frame(scale_);
     ImGui::SetNextItemWidth(kValueWidth_px * scale_);
     if (ImGui::SliderFloat("##value", &value, static_cast<float>(option.least),
                            static_cast<float>(option.greatest), "%g", ImGuiSliderFlags_NoInput))
@@ -131,7 +113,7 @@ void NumberPanel::show_keys(ChosenNumber const& chosen, Controls const& controls
 {
     float const gap_px = ImGui::GetStyle().ItemSpacing.x / scale_;
     float const keys_px = kKeysInRow * kKeyWidth_px + (kKeysInRow - 1) * gap_px;
-    push_height_of_button();
+    theme::push_button_frame(scale_);
     ImGui::SetNextItemWidth((keys_px - kKeyWidth_px - gap_px) * scale_);
     bool const is_entered = ImGui::InputTextWithHint("##typed", "type", &typed_,
                                                      ImGuiInputTextFlags_CharsDecimal
@@ -162,7 +144,7 @@ void NumberPanel::take_typed(NumberOption const& option)
 {
     if (typed_.empty())
         return;
-    wanted_ = number_from(typed_, option);
+    wanted_ = read_number(option, typed_);
     objection_ = wanted_ ? "" : fmt::format("It takes {}", range_of(option));
     if (wanted_)
         typed_.clear();
@@ -170,6 +152,7 @@ void NumberPanel::take_typed(NumberOption const& option)
 
 void NumberPanel::change_to(NumberOption const& option, double value)
 {
+    objection_.clear();
     wanted_ = std::clamp(value, option.least, option.greatest);
 }
 

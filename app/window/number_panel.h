@@ -2,6 +2,7 @@
 
 #include "app/window/controls.h"
 
+#include <optional>
 #include <string>
 
 namespace tractus {
@@ -23,12 +24,12 @@ public:
 private:
     void show_value(ChosenNumber const& chosen, Controls const& controls);
     void show_keys(ChosenNumber const& chosen, Controls const& controls);
-    void push_height_of_button() const;
     void press_key(char key);
     void take_typed(NumberOption const& option);
     void change_to(NumberOption const& option, double value);
 
     float scale_ = 1;
+    float height_px_ = 0;  // As it was shown last.
     std::string asked_ {}; // The number that `typed_` is of.
     std::string typed_ {};
     std::string objection_ {};        // To what was typed.

@@ -78,6 +78,12 @@ void set_light(bool is_light)
     style.Colors[ImGuiCol_PlotHistogram] = imgui_color(palette().selected);
 }
 
+void push_button_frame(float scale)
+{
+    float const air_px = (kButtonHeight_px * scale - ImGui::GetFontSize()) / 2;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, { 16 * scale, air_px });
+}
+
 void scroll_by_dragging()
 {
     bool const drags

@@ -24,6 +24,9 @@ inline ImU32 packed(Vec3f const& color, float alpha = 1)
 // For a bright room or a dark one: the palette and ImGui's colours.
 void set_light(bool is_light);
 
+// Makes items that are no buttons, such as sliders, as high as those, until ImGui::PopStyleVar().
+void push_button_frame(float scale);
+
 // Lets a drag over the current window's bare parts scroll it: a pen has no wheel.
 void scroll_by_dragging();
 

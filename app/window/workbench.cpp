@@ -41,6 +41,7 @@ std::vector<Tool> Workbench::remembered(WindowState const& state) const
 void Workbench::choose_view_tool()
 {
     turns_views = true;
+    asked_number.reset();
     if (shown == Shown::Pad)
         shown = Shown::Plant;
 }

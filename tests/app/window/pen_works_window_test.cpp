@@ -176,6 +176,7 @@ constexpr int kDrawChoice = 0; // Of the ring, clockwise from the top.
 constexpr int kSelectChoice = 1;
 constexpr int kLeanChoice = 2;
 constexpr int kEraseChoice = 3;
+constexpr int kSketchChoice = 4;
 
 } // namespace
 
@@ -314,6 +315,26 @@ TEST_F(PenWorksWindow, PressesAButtonForLongWithoutCapturing)
     ASSERT_NE(window.calibration(), nullptr);
     EXPECT_FALSE(window.calibration()->view().is_capturing);
     EXPECT_EQ(window.calibration()->view().proposed_mm, -10);
+}
+
+// By a step, and by keys; what is out of range changes nothing.
+TEST_F(PenWorksWindow, SetsNumbersOfATool)
+{
+    PenScript script;
+    script.choose(500, 150, kSketchChoice);
+    script.tap(254, 458); // "Angle 45°": its panel is above the bar.
+    script.tap(316, 140); // "more by 5".
+    script.tap(91, 458);  // "Laterals 2", which takes 0 to 8.
+    script.tap(676, 247); // 3,
+    script.tap(676, 42);  // "Set".
+    script.tap(676, 115); // 9,
+    script.tap(676, 42);  // "Set".
+    auto window = window_of(script);
+    run(window, script);
+    auto const words = words_for(window.state().hand);
+    EXPECT_EQ(words.name, "sketch");
+    EXPECT_EQ(words.arguments, "laterals=3 angle=50");
+    EXPECT_EQ(window.station().counts().strokes, 0u);
 }
 
 // The tests' display is larger than their window.
