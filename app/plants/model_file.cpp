@@ -1,5 +1,6 @@
 #include "app/plants/model_file.h"
 
+#include "app/methods/all_inputs.h"
 #include "drivers/file.h"
 #include "engine/export/glb_lines.h"
 #include "engine/lsystem/color_files.h"
@@ -162,6 +163,10 @@ IncludeReader model_includes(std::filesystem::path const& path)
         std::filesystem::path const file(name);
         if (leads_out_of_folder(file))
             return fail(Fault::User, fmt::format("{} is outside the model's folder", name));
+        std::error_code ignored;
+        if (!std::filesystem::exists(folder / file, ignored))
+            if (auto made = TRY(make_input(folder, name)))
+                return std::move(*made);
         return read_text_file(folder / file, kMaxFileSize);
     };
 }

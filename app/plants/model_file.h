@@ -33,7 +33,7 @@ std::vector<std::string> unused_companions(std::filesystem::path const& path,
 bool leads_out_of_folder(std::filesystem::path const& name);
 
 // Gives what a model includes (other rules, functions) from the model's folder. Names that lead out
-// of that folder are refused.
+// of that folder are refused. What is not there may be made by a method (all_inputs.h).
 IncludeReader model_includes(std::filesystem::path const& path);
 
 // Reads a model and its companions as an edit, so that a scene holds the model's texts and needs no

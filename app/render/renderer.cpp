@@ -240,6 +240,8 @@ void Renderer::Parts::draw_meshes(View const& view) const
             shader.set("roughness", material.roughness);
             shader.set("translucency", material.translucency);
             shader.set("veins", material.kind == Material::Kind::Leaf ? 1.0f : 0.0f);
+            // Texture coordinates of a leaf that has its own picture are no unit square.
+            shader.set("drawn_veins", material.textures.base_color ? 0.0f : 1.0f);
             placed.mesh->draw(part, shader, pixel_mm / scale);
         }
     }

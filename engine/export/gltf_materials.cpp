@@ -46,7 +46,10 @@ std::size_t GltfMaterials::index_of(Material const& material)
     MaterialTextures textures;
     if (has_textures_)
         textures = textures_of(material);
-    auto const color = material.base_color.cwiseMax(0.0f).cwiseMin(1.0f).cast<double>().eval();
+    bool const is_replaced
+        = textures.base_color && textures.color == MaterialTextures::Color::Replaced;
+    Vec3f const own = is_replaced ? Vec3f::Ones().eval() : material.base_color;
+    auto const color = own.cwiseMax(0.0f).cwiseMin(1.0f).cast<double>().eval();
     Json made {
         { "name", material.name },
         { "pbrMetallicRoughness",

@@ -43,11 +43,12 @@ OrganCatalogue::OrganCatalogue(View const& view, double unit_mm, std::span<Drawn
             shapes_by_key_.try_emplace(identity(key));
     for (auto& [key, id] : shapes_by_key_) {
         id = static_cast<OrganShapeId>(shapes_.size());
-        auto shape = make_shape(view, key);
-        shape.length_mm *= unit_mm;
-        shape.width_mm *= unit_mm;
-        shape.petiole_mm *= unit_mm;
-        shapes_.push_back(std::move(shape));
+        for (auto& shape : make_shapes(view, key)) {
+            shape.length_mm *= unit_mm;
+            shape.width_mm *= unit_mm;
+            shape.petiole_mm *= unit_mm;
+            shapes_.push_back(std::move(shape));
+        }
     }
 }
 
@@ -116,6 +117,27 @@ OrganShape OrganCatalogue::make_surface(View const& view, Identity const& identi
     auto const kind = materials_[shape.material].kind;
     shape.has_back = kind != Material::Kind::Leaf && kind != Material::Kind::Petal;
     return shape;
+}
+
+std::size_t OrganCatalogue::variants(TurtleDrawing::ShapeKey const& key) const
+{
+    auto const found = variants_.find(identity(key).letter);
+    bool const is_surface = key.kind == OrganShape::Kind::Surface;
+    return found == variants_.end() || is_surface ? 1 : found->second;
+}
+
+std::vector<OrganShape> OrganCatalogue::make_shapes(View const& view, Identity const& identity)
+{
+    auto const* const organ = identity.letter != 0 && identity.kind != OrganShape::Kind::Surface
+        ? find_organ(view, identity.letter)
+        : nullptr;
+    if (!organ || organ->leaves.empty())
+        return { make_shape(view, identity) };
+    auto leaves = organ->leaves;
+    for (auto& leaf : leaves)
+        leaf.material = material(static_cast<std::uint8_t>(leaf.material));
+    variants_[identity.letter] = leaves.size();
+    return leaves;
 }
 
 OrganShape OrganCatalogue::make_shape(View const& view, Identity const& identity)

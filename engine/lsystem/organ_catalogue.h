@@ -29,6 +29,8 @@ public:
     {
         return shapes_by_key_.at(identity(key));
     }
+    // How many shapes there are from that one on, of which each organ has one; 1 for most.
+    std::size_t variants(TurtleDrawing::ShapeKey const& key) const;
 
     std::vector<Material> take_materials() { return std::move(materials_); }
     std::vector<OrganShape> take_shapes() { return std::move(shapes_); }
@@ -47,6 +49,7 @@ private:
     // material.
     Identity identity(TurtleDrawing::ShapeKey const& key) const;
     void add_materials(View const& view, std::span<DrawnPiece const> pieces);
+    std::vector<OrganShape> make_shapes(View const& view, Identity const& identity);
     OrganShape make_shape(View const& view, Identity const& identity);
     OrganShape make_surface(View const& view, Identity const& identity) const;
     MaterialId add_leaf(std::string const& name);
@@ -56,7 +59,8 @@ private:
     double unit_mm_;
     std::span<DrawnPiece const> pieces_;
     std::vector<Material> materials_;
-    std::map<Identity, OrganShapeId> shapes_by_key_;
+    std::map<Identity, OrganShapeId> shapes_by_key_; // The first of each.
+    std::map<char, std::size_t> variants_;           // Organs of grown leaves.
     std::vector<OrganShape> shapes_;
 };
 

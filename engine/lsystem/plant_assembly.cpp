@@ -2,6 +2,7 @@
 
 #include "engine/base/bulk_vector.h"
 #include "engine/base/parallel.h"
+#include "engine/base/random.h"
 #include "engine/lsystem/organ_catalogue.h"
 
 #include <algorithm>
@@ -12,6 +13,8 @@
 namespace tractus {
 
 namespace {
+
+constexpr std::uint32_t kLeafStream = 0x6C66; // Draws which of several leaves an organ has.
 
 // How far arrays are filled.
 struct Counts {
@@ -266,16 +269,25 @@ void Assembly::write_organs(std::size_t piece)
 {
     auto const& drawing = pieces_[piece].drawing;
     auto const& runs = targets_[piece].runs;
-    std::vector<OrganShapeId> shapes;
+    struct Shapes {
+        OrganShapeId first = 0;
+        std::size_t count = 1;
+    };
+    std::vector<Shapes> shapes;
     for (auto const& key : drawing.shape_keys)
-        shapes.push_back(catalogue_.shape(key));
+        shapes.push_back({ catalogue_.shape(key), catalogue_.variants(key) });
     std::size_t run = 0;
     for (std::size_t i = 0; i < drawing.organs.size(); ++i) {
         while (run + 1 < runs.size() && runs[run + 1].from.organs <= i)
             ++run;
-        auto& organ = plant_.organs[runs[run].to.organs + i - runs[run].from.organs];
+        auto const number = runs[run].to.organs + i - runs[run].from.organs;
+        auto& organ = plant_.organs[number];
         organ = drawing.organs[i];
-        organ.shape = shapes[organ.shape];
+        auto const [first, count] = shapes[organ.shape];
+        organ.shape = first;
+        if (count > 1)
+            organ.shape = static_cast<OrganShapeId>(
+                first + random_block({ .stream = kLeafStream }, number)[0] % count);
         organ.segment = segment_id(piece, organ.segment);
     }
 }

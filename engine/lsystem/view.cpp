@@ -215,6 +215,7 @@ constexpr std::array kStatements {
     Statement { "color", read_color },
     Statement { "material", read_material },
     Statement { "organ", read_organ },
+    Statement { "leaf", read_leaf },
     Statement { "radii", read_radii },
     Statement { "environment", read_environment },
 };

@@ -40,11 +40,13 @@ struct OrganDefinition {
     char letter = 'l';
     // Lengths in turtle units, not millimetres; material as a turtle colour index.
     OrganShape shape;
+    // Grown leaves, of which each organ has one, instead of the shape; mostly none.
+    std::vector<OrganShape> leaves {};
 };
 
 // Geometry that a view file (.v) describes. Angles in degrees, lengths in turtle units.
 //
-// Besides cpfg's statements there are five of our own, which cpfg reports and skips:
+// Besides cpfg's statements there are six of our own, which cpfg reports and skips:
 //   material: INDEX NAME kind=bark|stem|leaf|petal|solid color=R,G,B [roughness=] [translucency=]
 //     INDEX is the turtle's colour, as ; and , set it. color is sRGB, 0 to 1.
 //   color: INDEX R,G,B [roughness=] [translucency=]
@@ -53,6 +55,11 @@ struct OrganDefinition {
 //   [widest=]
 //          [tip=] [base=] [lobes=] [lobe_count=] [fold=DEG] [curl=DEG]
 //     drawn by ~LETTER; lengths at scale 1. See engine/plant/organ_shape.h for the others.
+//   leaf: LETTER GRAMMAR [variants=] [age=]
+//     makes the blade of an organ: above a grown leaf: one of 1 to 64 different ones, by chance.
+//     Its blade is as long as the organ's without the petiole, its width is its own; fold and curl
+//     stay the organ's. The organ's material, from above too, gets the leaves' pictures. See
+//     leaf_sheet.h.
 //   radii: pipe EXPONENT TIP_RADIUS
 //     radii by the pipe model instead of the turtle's line width.
 //   environment: light|space|terrain|water [KEY=NUMBER…]

@@ -8,6 +8,7 @@ namespace tractus {
 Result<void> read_material(ViewReader& reader, std::string_view value);
 Result<void> read_color(ViewReader& reader, std::string_view value);
 Result<void> read_organ(ViewReader& reader, std::string_view value);
+Result<void> read_leaf(ViewReader& reader, std::string_view value);
 Result<void> read_radii(ViewReader& reader, std::string_view value);
 
 } // namespace tractus

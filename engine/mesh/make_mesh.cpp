@@ -4,6 +4,7 @@
 #include "engine/mesh/organ_card.h"
 #include "engine/mesh/organ_mesh.h"
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,17 @@ Mesh make_mesh(Plant const& plant, MeshOptions const& options, std::stop_token c
     return mesh;
 }
 
+// A card shows the picture where its leaf does.
+static void place_in_picture(OrganShape const& shape, TriangleMesh& card)
+{
+    double const length = box_of(*shape.cut).max().y();
+    double const right = length * static_cast<double>(card.positions_mm[1].x()) / shape.length_mm;
+    std::array const places { Vec2(0, 0), Vec2(right, length / 2), Vec2(0, length),
+                              Vec2(-right, length / 2) };
+    for (std::size_t i = 0; i < places.size(); ++i)
+        card.texture_coordinates[i] = shape.cut->in_picture(places[i]).cast<float>();
+}
+
 TriangleMesh make_prototype(Plant const& plant, OrganShapeId id, MeshOptions const& options)
 {
     auto const& shape = plant.organ_shapes[id];
@@ -37,6 +49,8 @@ TriangleMesh make_prototype(Plant const& plant, OrganShapeId id, MeshOptions con
     if (options.organs == MeshOptions::Organs::Full || !is_thin || full.indices.empty())
         return full;
     auto card = organ_card(full);
+    if (card && shape.kind == OrganShape::Kind::Leaf)
+        place_in_picture(shape, *card);
     return card && card->indices.size() < full.indices.size() ? std::move(*card) : std::move(full);
 }
 

@@ -153,6 +153,29 @@ void add_blade(TriangleMesh& mesh, OrganShape const& shape)
     add_triangles(mesh, { row.left, row.middle, tip, row.middle, row.right, tip });
 }
 
+void add_cut_leaf(TriangleMesh& mesh, OrganShape const& shape)
+{
+    auto const& leaf = *shape.cut;
+    double const tip = box_of(leaf).max().y();
+    if (!(tip > 0))
+        return;
+    Midrib const midrib { 0, shape.length_mm, shape.curl_rad };
+    double const scale_mm = shape.length_mm / tip;
+    for (auto const& corner : leaf.corners) {
+        double const share = corner.y() / tip;
+        Vec3 const up = midrib.up(share);
+        Vec3 const out = std::cos(shape.fold_rad) * Vec3::UnitX();
+        double const side = corner.x() > 0 ? 1 : corner.x() < 0 ? -1 : 0;
+        double const rise = std::sin(shape.fold_rad);
+        add_vertex(
+            mesh,
+            midrib.point(share) + scale_mm * (corner.x() * out + std::abs(corner.x()) * rise * up),
+            std::cos(shape.fold_rad) * up - side * rise * Vec3::UnitX(), leaf.in_picture(corner));
+    }
+    for (auto const& [a, b, c] : leaf.triangles)
+        add_triangles(mesh, { a, b, c });
+}
+
 // Joins two rings of `sides` + 1 vertices each; `lower` and `upper` are their first ones.
 void join_rings(TriangleMesh& mesh, std::uint32_t lower, std::uint32_t upper, std::uint32_t sides)
 {
@@ -284,6 +307,10 @@ TriangleMesh organ_mesh(OrganShape const& shape, int subdivision)
         break;
     case OrganShape::Kind::Ball:
         add_ball(mesh, shape);
+        break;
+    case OrganShape::Kind::Leaf:
+        if (shape.cut)
+            add_cut_leaf(mesh, shape);
         break;
     case OrganShape::Kind::Surface:
         break;

@@ -13,6 +13,8 @@ namespace tractus {
 // Needle: four-sided, widest in the middle, pointed.
 // Disc: faces +y: a cone from the origin to its rim, then a shallow dome up to `length_mm`.
 // Ball: an ellipsoid from the origin to `length_mm` along +y, `width_mm` across.
+// Leaf: the triangles of its cut, as long as `length_mm` before they are bent; `width_mm` and
+//        `petiole_mm` are not looked at. Texture coordinates are places in the picture.
 //
 // Surface: see surface_mesh.h; `subdivision` as in MeshOptions.
 //

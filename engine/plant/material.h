@@ -30,6 +30,10 @@ struct MaterialTextures {
 
     // Whether what is less than half there by base_color's alpha is not there at all.
     enum class Alpha { Opaque, Mask } alpha = Alpha::Opaque;
+
+    // Whether base_color multiplies the material's own colour or stands for it: then that is the
+    // picture's mean, for who shows no pictures.
+    enum class Color { Multiplied, Replaced } color = Color::Multiplied;
 };
 
 // How a surface looks: enough for the renderer and for glTF's metallic-roughness model, in which

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "engine/plant/bezier_patch.h"
+#include "engine/plant/cut_leaf.h"
 #include "engine/plant/material.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,7 @@ struct OrganShape {
         Disc,    // A shallow dome on its rim: the head of a composite flower.
         Ball,    // A sphere or ellipsoid touching the origin: berry, bud, fruit.
         Surface, // Bézier patches: any of these, as modelled in an editor.
+        Leaf,    // A flat shape cut out of a picture of a grown leaf, and bent.
     };
 
     std::string name = "leaf";
@@ -37,14 +40,18 @@ struct OrganShape {
     double base_sharpness = 0.3; // Sharpness of the blade's base; Blade only.
     // Depth of the margin's lobes as a share of the half width, 0 entire; Blade only.
     double lobes = 0;
-    int lobe_count = 0;    // Lobes on each side; Blade only.
-    double fold_rad = 0.3; // Angle by which each half is folded up about the midrib; Blade only.
-    // The midrib bends down by this angle from base to tip; Blade and Needle.
+    int lobe_count = 0; // Lobes on each side; Blade only.
+    // Angle by which each half is folded up about the midrib; Blade and Leaf.
+    double fold_rad = 0.3;
+    // The midrib bends down by this angle from base to tip; Blade, Needle and Leaf.
     double curl_rad = 0.4;
     // Surface only, where length_mm and width_mm are the sizes of its box along y and x.
     std::vector<BezierPatch> patches {};
     // Surface only: its back has triangles of its own, for materials that are opaque.
     bool has_back = false;
+    // Leaf only, which has none without it. Shared by all copies of a shape, since plants are
+    // copied often.
+    std::shared_ptr<CutLeaf const> cut {};
 };
 
 } // namespace tractus

@@ -102,6 +102,15 @@ static void check_sections(Plant const& plant)
     }
 }
 
+static void check_cut(CutLeaf const& leaf)
+{
+    for (auto const& corner : leaf.corners)
+        CHECK(corner.allFinite());
+    for (auto const& triangle : leaf.triangles)
+        for (auto const corner : triangle)
+            CHECK(corner < leaf.corners.size());
+}
+
 void check_plant(Plant const& plant)
 {
     check_axes(plant);
@@ -120,6 +129,8 @@ void check_plant(Plant const& plant)
             for (auto const neighbor : patch.neighbors)
                 CHECK(neighbor == BezierPatch::kNoPatch || neighbor < shape.patches.size());
         }
+        if (shape.cut)
+            check_cut(*shape.cut);
     }
     for (auto const& organ : plant.organs) {
         CHECK(organ.shape < plant.organ_shapes.size());

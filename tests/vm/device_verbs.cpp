@@ -1,12 +1,20 @@
 // `tractus record` and `tractus sim` without the rest of the program, for scenarios that have to be
 // built again for them alone.
 
+#include "app/methods/all_inputs.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "app/verbs/record.h"
 #include "app/verbs/sim.h"
 #include "app/verbs/verb.h"
 #include "drivers/file.h"
+
+// Scenarios draw on models that no method makes anything for.
+tractus::Result<std::optional<std::string>> tractus::make_input(std::filesystem::path const&,
+                                                                std::string const&)
+{
+    return std::nullopt;
+}
 
 int main(int argc, char** argv)
 {

@@ -50,21 +50,27 @@ std::vector<std::string> leaf_names()
     return names;
 }
 
+static constexpr std::size_t kMostBytes = std::size_t { 1 } << 20;
+
 Result<leaf::Grammar> load_leaf_grammar(std::string const& name)
 {
-    constexpr std::size_t kMostBytes = std::size_t { 1 } << 20;
     std::error_code error;
-    fs::path path(name);
+    fs::path const path(name);
     bool const is_name = name.find_first_of("/.") == std::string::npos;
-    if (is_name && !fs::exists(path, error)) {
-        auto const ours = leaf_names();
-        if (std::ranges::find(ours, name) == ours.end())
-            return fail(Fault::User,
-                        fmt::format("there is no leaf {}: give the path of a leaf grammar, or one "
-                                    "of {}",
-                                    name, fmt::join(ours, ", ")));
-        path = TRY(find_resource("leaves")) / (name + ".leaf");
-    }
+    if (is_name && !fs::exists(path, error))
+        return load_own_leaf_grammar(name);
+    return leaf::parse_grammar(TRY(read_text_file(path, kMostBytes)), path.string());
+}
+
+Result<leaf::Grammar> load_own_leaf_grammar(std::string const& name)
+{
+    auto const ours = leaf_names();
+    if (std::ranges::find(ours, name) == ours.end())
+        return fail(Fault::User,
+                    fmt::format("there is no leaf {}: give the path of a leaf grammar, or one of "
+                                "{}",
+                                name, fmt::join(ours, ", ")));
+    auto const path = TRY(find_resource("leaves")) / (name + ".leaf");
     return leaf::parse_grammar(TRY(read_text_file(path, kMostBytes)), path.string());
 }
 

@@ -21,6 +21,9 @@ std::vector<std::string> leaf_names();
 // Fails, as the user's fault, listing ours, or with what is wrong in the text.
 Result<leaf::Grammar> load_leaf_grammar(std::string const& name);
 
+// One of ours by its name alone. Fails, as the user's fault, listing them.
+Result<leaf::Grammar> load_own_leaf_grammar(std::string const& name);
+
 // How one leaf is to be. Its life goes from bud, 0, over the adult, 0.35 to 0.65, to old age, 1.
 struct LeafLife {
     double age = 0.5;

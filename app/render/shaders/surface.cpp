@@ -59,6 +59,7 @@ uniform vec3 base_color; // Linear.
 uniform float roughness;
 uniform float translucency;
 uniform float veins;
+uniform float drawn_veins; // 0: the blade has none of its own.
 uniform float is_lit; // 0: the surface's own colour is wanted.
 
 out vec4 pixel;
@@ -161,7 +162,7 @@ void main()
     float change = individual.x - 0.5;
     vec3 color = base_color * (1.0 + (individual.y - 0.5) * 0.34);
     color *= mix(vec3(1.0), vec3(1.0 + change * 0.55, 1.0 + change * 0.12, 1.0 - change * 0.45), veins * 0.85 + 0.15);
-    float vein = veins * vein_at(coordinate);
+    float vein = veins * drawn_veins * vein_at(coordinate);
     color = mix(color, color * 1.5 + vec3(0.03, 0.035, 0.012), vein * 0.55);
     if (underside)
         color = mix(color, vec3(dot(color, vec3(0.30, 0.55, 0.15))) * vec3(1.06, 1.1, 0.92), 0.25 * veins) * (1.0 + 0.12 * veins);

@@ -138,5 +138,35 @@ TEST(OrganMesh, SurvivesExtremeParameters)
                               .curl_rad = 9 }));
 }
 
+// A rhombus that is cut along its midrib.
+TEST(OrganMesh, BendsAndFoldsACutLeaf)
+{
+    CutLeaf const cut { .corners = { { 0, 0 }, { 0.5, 0.5 }, { 0, 1 }, { -0.5, 0.5 } },
+                        .triangles = { { 0, 1, 2 }, { 0, 2, 3 } },
+                        .stem_in_picture = { 0.5, 0.75 },
+                        .length_in_picture = 0.5 };
+    OrganShape shape { .kind = OrganShape::Kind::Leaf,
+                       .length_mm = 80,
+                       .fold_rad = 0,
+                       .curl_rad = 0,
+                       .cut = std::make_shared<CutLeaf const>(cut) };
+    auto const flat = organ_mesh(shape);
+    expect_sound(flat);
+    EXPECT_EQ(flat.positions_mm[1], Vec3f(40, 40, 0));
+    EXPECT_EQ(flat.texture_coordinates[1], Vec2f(0.75f, 0.5f));
+    EXPECT_EQ(inside_out_count(flat), 0u);
+
+    shape.fold_rad = kPi / 6;
+    auto const folded = organ_mesh(shape);
+    EXPECT_NEAR(folded.positions_mm[1].z(), 20, 1e-4);
+    EXPECT_NEAR(folded.positions_mm[3].z(), 20, 1e-4);
+    EXPECT_EQ(inside_out_count(folded), 0u);
+
+    shape.curl_rad = kPi / 2; // A quarter of a circle.
+    auto const bent = organ_mesh(shape);
+    EXPECT_NEAR(bent.positions_mm[2].y(), 80 / (kPi / 2), 1e-4);
+    EXPECT_NEAR(bent.positions_mm[2].z(), -80 / (kPi / 2), 1e-4);
+}
+
 } // namespace
 } // namespace tractus

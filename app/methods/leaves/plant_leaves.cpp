@@ -1,0 +1,214 @@
+#include "app/methods/leaves/plant_leaves.h"
+
+#include "app/methods/leaves/atlas_channels.h"
+#include "app/methods/leaves/leaf_library.h"
+#include "app/methods/leaves/leaf_maps.h"
+#include "engine/export/gltf_material.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+#include <memory>
+#include <span>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+constexpr int kCell = 256; // Pixels.
+constexpr int kGutter = 8; // Likewise.
+constexpr int kMostBends = 3;
+
+// Columns of a page with that many leaves: a power of two, as engines like their pages.
+int columns_for(int variants)
+{
+    int columns = 1;
+    while (columns * columns < variants)
+        columns *= 2;
+    return columns;
+}
+
+// Corners with others where the outline crosses the line x = 0, which it begins at the lowest of
+// them. Empty unless it crosses twice.
+std::vector<Vec2> cut_at_midrib(std::vector<Vec2> const& outline)
+{
+    std::vector<Vec2> cut;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        Vec2 const& a = outline[i];
+        Vec2 const& b = outline[(i + 1) % outline.size()];
+        cut.push_back(a);
+        if (a.x() * b.x() < 0)
+            cut.emplace_back(0, a.y() + (b.y() - a.y()) * a.x() / (a.x() - b.x()));
+    }
+    auto const is_on = [](Vec2 const& at) { return at.x() == 0; };
+    if (std::ranges::count_if(cut, is_on) != 2)
+        return {};
+    auto const first = std::ranges::find_if(cut, is_on);
+    auto const second = std::find_if(std::next(first), cut.end(), is_on);
+    std::ranges::rotate(cut, first->y() < second->y() ? first : second);
+    return cut;
+}
+
+// Corners a step aside of the midrib go to it: they would make slivers.
+Vec2 from_stem(Vec2 const& pixel, Vec2 const& stem)
+{
+    Vec2 const at(pixel.x() - stem.x(), stem.y() - pixel.y());
+    return { std::abs(at.x()) < 1 ? 0 : at.x(), at.y() };
+}
+
+// The triangles of one half; `numbers` says which corners of the leaf it has.
+void add_half(CutLeaf& leaf, std::vector<std::uint32_t> const& numbers)
+{
+    std::vector<Vec2> half;
+    for (auto const number : numbers)
+        half.push_back(leaf.corners[number]);
+    for (auto const& [a, b, c] : leaf::cut_polygon(half))
+        leaf.triangles.push_back({ numbers[a], numbers[b], numbers[c] });
+}
+
+// The simplest cut-out that a plant can afford, which hugs the leaf as far as it does: fewer bays
+// until there are few triangles enough, at last a hull, which the midrib crosses twice.
+CutLeaf cut_leaf(leaf::LeafPicture const& picture, Vec2 const& stem, double blade_px)
+{
+    for (int bays = 6; bays >= 0; --bays) {
+        auto const cutout = leaf::cut_out(
+            picture.alpha, picture.side,
+            { .least_alpha = 0.3f, .most_corners = bays == 0 ? 12 : 16, .most_bays = bays });
+        for (int bends = kMostBends; bends >= 1; --bends) {
+            auto leaf = cut_along_midrib(cutout, stem, blade_px, bends);
+            if (!leaf.triangles.empty() && leaf.triangles.size() <= kMostLeafTriangles)
+                return leaf;
+        }
+    }
+    return {};
+}
+
+struct PageMap {
+    AtlasMap const& map;
+    leaf::CellPage pixels;
+};
+
+PageMap empty_page(AtlasMap const& map, int columns)
+{
+    auto const side = static_cast<std::size_t>(columns * kCell);
+    leaf::CellPage page { .side = columns * kCell,
+                          .cell = kCell,
+                          .channels = static_cast<int>(map.channels.size()) };
+    page.pixels.assign(side * side * map.channels.size(), 0);
+    return { map, std::move(page) };
+}
+
+std::string png_of(leaf::CellPage const& page)
+{
+    return png_bytes({ .width = page.side,
+                       .height = page.side,
+                       .channels = page.channels,
+                       .pixels = page.pixels,
+                       .packing = PngPicture::Packing::Fast });
+}
+
+// In light, where leaves are.
+Vec3f color_of_leaves(leaf::CellPage const& page)
+{
+    Vec3 sum = Vec3::Zero();
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 3 < page.pixels.size(); i += 4) {
+        if (page.pixels[i + 3] < 128)
+            continue;
+        ++count;
+        for (std::size_t k = 0; k < 3; ++k)
+            sum[static_cast<int>(k)] += linear_from_srgb(page.pixels[i + k] / 255.0);
+    }
+    sum /= std::max<double>(1, double(count));
+    return sum.unaryExpr([](double light) { return srgb_from_linear(light); }).cast<float>();
+}
+
+} // namespace
+
+CutLeaf cut_along_midrib(leaf::Cutout const& cutout, Vec2 const& stem, double blade_px, int bends)
+{
+    std::vector<Vec2> outline;
+    for (auto const& corner : cutout.corners)
+        outline.push_back(from_stem(corner, stem) / blade_px);
+    CutLeaf leaf;
+    leaf.corners = cut_at_midrib(outline);
+    if (leaf.corners.empty())
+        return {};
+    auto const count = static_cast<std::uint32_t>(leaf.corners.size());
+    auto const top
+        = static_cast<std::uint32_t>(std::find_if(leaf.corners.begin() + 1, leaf.corners.end(),
+                                                  [](Vec2 const& at) { return at.x() == 0; })
+                                     - leaf.corners.begin());
+    Vec2 const low = leaf.corners.front();
+    Vec2 const high = leaf.corners[top];
+    for (int i = 1; i <= bends; ++i)
+        leaf.corners.emplace_back(0, std::lerp(low.y(), high.y(), double(i) / (bends + 1)));
+    std::vector<std::uint32_t> right;
+    for (std::uint32_t i = 0; i <= top; ++i)
+        right.push_back(i);
+    std::vector<std::uint32_t> left { 0 };
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(bends); ++i) {
+        right.push_back(count + static_cast<std::uint32_t>(bends) - 1 - i);
+        left.push_back(count + i);
+    }
+    for (std::uint32_t i = top; i < count; ++i)
+        left.push_back(i);
+    add_half(leaf, right);
+    add_half(leaf, left);
+    return leaf;
+}
+
+Result<LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar, LeafOrder const& order)
+{
+    auto const& maps = atlas_channels().front().maps; // glTF's: color, normal.
+    int const columns = columns_for(order.variants);
+    auto color = empty_page(maps[0], columns);
+    auto normal = empty_page(maps[1], columns);
+    LeafSheet sheet;
+    leaf::LeafPainter painter;
+    for (int i = 0; i < order.variants; ++i) {
+        LeafLife const life { .age = order.age, .seed = static_cast<std::uint64_t>(i) + 1 };
+        auto const grown = TRY(grow_leaf(grammar, life));
+        auto paint = paint_options(grammar, life);
+        paint.side = kCell;
+        paint.stand
+            = { .margin = double(kGutter) / kCell, .middle = leaf::PictureStand::Middle::Stem };
+        leaf::PictureFrame const frame(grown.triangles, paint.side, paint.stand);
+        auto const& picture = painter.paint(grown.leaf, grown.triangles, paint);
+        for (auto* page : { &color, &normal })
+            place_in_cell(page->map, picture, page->pixels, static_cast<std::size_t>(i));
+        auto const& outline = grammar.outline.points;
+        double const blade_px = frame.scale * (outline.empty() ? 1.0 : outline.back().at.y());
+        Vec2 const stem(0.5 * kCell, kCell - kGutter);
+        auto leaf = cut_leaf(picture, stem, blade_px);
+        if (leaf.triangles.empty())
+            return fail(Fault::User,
+                        fmt::format("{}: there is nothing to cut out of the leaf of "
+                                    "the age {}",
+                                    grammar.name, order.age));
+        Vec2 const corner = kCell * Vec2(i % columns, i / columns);
+        leaf.stem_in_picture = (corner + stem) / (columns * kCell);
+        leaf.length_in_picture = blade_px / (columns * kCell);
+        sheet.leaves.push_back(std::make_shared<CutLeaf const>(std::move(leaf)));
+    }
+    sheet.mean_color = color_of_leaves(color.pixels);
+    sheet.color_png = png_of(color.pixels);
+    sheet.normal_png = png_of(normal.pixels);
+    return sheet;
+}
+
+Result<std::optional<std::string>> make_ordered_leaves(std::filesystem::path const& folder,
+                                                       std::string const& name)
+{
+    auto const order = parse_leaf_sheet_name(name);
+    if (!order)
+        return std::nullopt;
+    bool const is_file = std::filesystem::path(order->grammar).extension() == ".leaf";
+    auto const grammar = TRY(is_file ? load_leaf_grammar((folder / order->grammar).string())
+                                     : load_own_leaf_grammar(order->grammar));
+    return print_leaf_sheet(TRY(grow_leaf_sheet(grammar, *order)));
+}
+
+} // namespace tractus

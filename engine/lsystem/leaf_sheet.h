@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/base/vectors.h"
+#include "engine/plant/cut_leaf.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tractus {
+
+// Which grown leaves a view asks for. Growing them is others' work: the include reader gives them
+// by name, like any file that a model names, so a session holds the leaves that it was made with.
+struct LeafOrder {
+    std::string grammar {}; // A grammar's name, or a file's in the model's folder.
+    int variants = 16;      // 1 to 64.
+    double age = 0.5;       // 0 bud, 0.35 to 0.65 grown up, 1 old.
+};
+
+// Names such a sheet: "GRAMMAR VARIANTS AGE.leaf-sheet".
+std::string leaf_sheet_name(LeafOrder const& order);
+
+// Returns what was ordered by that name; no value where it is none of a sheet.
+std::optional<LeafOrder> parse_leaf_sheet_name(std::string_view name);
+
+// Grown leaves as plain data: flat shapes, and one page with all their pictures.
+struct LeafSheet {
+    std::vector<std::shared_ptr<CutLeaf const>> leaves;
+    Vec3f mean_color { 0.3f, 0.45f, 0.2f }; // sRGB, of the page where leaves are.
+    std::string color_png;                  // sRGB and alpha.
+    std::string normal_png;                 // As glTF has them.
+};
+
+// The sheet as a text, pictures in base 64, and back. Parsing fails, as the user's fault, with
+// "FILE:LINE: …"; what a sheet says of its sizes is not believed. A leaf has at most 64 corners.
+std::string print_leaf_sheet(LeafSheet const& sheet);
+Result<LeafSheet> parse_leaf_sheet(std::string const& name, std::string_view text);
+
+} // namespace tractus
