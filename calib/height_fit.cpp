@@ -126,14 +126,28 @@ std::optional<RobustFit> fit_best_monotone(Captures captures, HeightFitOptions c
     return best;
 }
 
+// Fits a law to what a track measures that is as straight as was said.
+Fitter law_fitter(std::optional<ModelFit> (*fit)(Captures), HeightFitOptions const& options)
+{
+    return [fit, options](Captures some) -> std::optional<ModelFit> {
+        auto const straight = fit(some);
+        if (!straight || !(options.linearity_percent > 0))
+            return straight;
+        return fit_law_of_bent_track(straight->model, some, options.ruler_error_mm,
+                                     options.linearity_percent);
+    };
+}
+
 std::optional<RobustFit> fit_kind(HeightModelKind kind, Captures captures,
                                   HeightFitOptions const& options)
 {
     switch (kind) {
     case HeightModelKind::Linear:
-        return fit_robustly(kind, captures, options.ruler_error_mm, fit_linear);
+        return fit_robustly(kind, captures, options.ruler_error_mm,
+                            law_fitter(fit_linear, options));
     case HeightModelKind::String:
-        return fit_robustly(kind, captures, options.ruler_error_mm, fit_string);
+        return fit_robustly(kind, captures, options.ruler_error_mm,
+                            law_fitter(fit_string, options));
     case HeightModelKind::Monotone:
         return fit_best_monotone(captures, options);
     }

@@ -193,4 +193,21 @@ std::optional<BentFit> fit_track_bend(HeightModel const& law, Captures captures,
                      .deviation = deviation };
 }
 
+std::optional<ModelFit> fit_law_of_bent_track(HeightModel const& law, Captures captures,
+                                              double ruler_error_mm, double linearity_percent)
+{
+    if (std::holds_alternative<MonotoneHeight>(law) || captures.empty())
+        return std::nullopt;
+    auto const track = track_over(reading_range(captures), linearity_percent / 100);
+    auto const fitted = fit_with(law, track, true, captures, ruler_error_mm);
+    if (!fitted)
+        return std::nullopt;
+    double const variance_mm2 = ruler_error_mm * ruler_error_mm;
+    auto const of_law = parameters_of(law).size();
+    return ModelFit { .model = with_parameters(law, fitted->fit.parameters.head(of_law)),
+                      .sum_of_squares_mm2 = fitted->fit.sum_of_squares() * variance_mm2,
+                      .unit_covariance
+                      = fitted->fit.unit_covariance.topLeftCorner(of_law, of_law) / variance_mm2 };
+}
+
 } // namespace tractus
