@@ -69,17 +69,19 @@ std::optional<RobustFit> leave_one_out(Captures captures, RobustFit const& prese
 }
 
 std::optional<RobustFit> fit_robustly(HeightModelKind kind, Captures captures,
-                                      double ruler_error_mm, Fitter const& fitter)
+                                      HeightFitOptions const& options, Fitter const& fitter)
 {
     auto const whole = fitter(captures);
     if (!whole)
         return std::nullopt;
+    double const error_mm
+        = error_beside_bend_mm(captures, options.ruler_error_mm, options.linearity_percent);
     RobustFit present { kind, *whole, {}, captures.size() };
     while (present.slipped.size() < most_slips(captures.size()) && present.freedom() > 1) {
         auto const rest = leave_one_out(captures, present, fitter);
         if (!rest)
             break;
-        double const variance = std::max(ruler_error_mm * ruler_error_mm, rest->variance_mm2());
+        double const variance = std::max(error_mm * error_mm, rest->variance_mm2());
         if (present.fit.sum_of_squares_mm2 - rest->fit.sum_of_squares_mm2
             <= kSlipDeviations * kSlipDeviations * variance)
             break;
@@ -106,12 +108,11 @@ std::optional<RobustFit> fit_best_monotone(Captures captures, HeightFitOptions c
 {
     auto const kind = HeightModelKind::Monotone;
     auto const with_knots = [&](std::size_t knots) {
-        return fit_robustly(kind, captures, options.ruler_error_mm,
-                            [=](Captures some) -> std::optional<ModelFit> {
-                                if (some.size() < knots)
-                                    return std::nullopt;
-                                return fit_monotone(some, { knots });
-                            });
+        return fit_robustly(kind, captures, options, [=](Captures some) -> std::optional<ModelFit> {
+            if (some.size() < knots)
+                return std::nullopt;
+            return fit_monotone(some, { knots });
+        });
     };
     std::optional<RobustFit> best;
     for (auto knots = parameter_count(kind);
@@ -126,14 +127,26 @@ std::optional<RobustFit> fit_best_monotone(Captures captures, HeightFitOptions c
     return best;
 }
 
+// Fits a law to what a track measures that is as straight as was said.
+Fitter law_fitter(std::optional<ModelFit> (*fit)(Captures), HeightFitOptions const& options)
+{
+    return [fit, options](Captures some) -> std::optional<ModelFit> {
+        auto const straight = fit(some);
+        if (!straight || !(options.linearity_percent > 0))
+            return straight;
+        return fit_law_of_bent_track(straight->model, some, options.ruler_error_mm,
+                                     options.linearity_percent);
+    };
+}
+
 std::optional<RobustFit> fit_kind(HeightModelKind kind, Captures captures,
                                   HeightFitOptions const& options)
 {
     switch (kind) {
     case HeightModelKind::Linear:
-        return fit_robustly(kind, captures, options.ruler_error_mm, fit_linear);
+        return fit_robustly(kind, captures, options, law_fitter(fit_linear, options));
     case HeightModelKind::String:
-        return fit_robustly(kind, captures, options.ruler_error_mm, fit_string);
+        return fit_robustly(kind, captures, options, law_fitter(fit_string, options));
     case HeightModelKind::Monotone:
         return fit_best_monotone(captures, options);
     }
@@ -386,6 +399,7 @@ HeightFit describe(Captures captures, Choice choice, HeightFitOptions const& opt
     fit.slipped = choice.fit.slipped;
     fit.capture_error_mm = std::sqrt(
         std::max(options.ruler_error_mm * options.ruler_error_mm, choice.fit.variance_mm2()));
+    fit.apart_mm = fit.capture_error_mm;
     fit.covariance = choice.fit.fit.unit_covariance * fit.capture_error_mm * fit.capture_error_mm;
     fit.rms_mm = choice.fit.rms_mm();
     bend_track(captures, options, fit);

@@ -74,6 +74,8 @@ struct HeightFit {
     double rms_mm = 0; // Root mean square over the captures that were used; as the next.
     double max_mm = 0;
     double capture_error_mm = 0; // Standard deviation of a capture, on which the errors rest.
+    // How far captures lie beside the law and as little bend as the data sheet allows.
+    double apart_mm = 0;
 
     std::optional<Hysteresis> hysteresis; // No value unless two captures came from either side.
     double noise_counts = 0;              // Noise at rest, of all captures.

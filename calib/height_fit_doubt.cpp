@@ -1,6 +1,7 @@
 #include "calib/height_fit_doubt.h"
 
 #include "calib/height_model_fit.h"
+#include "calib/track_bend_fit.h"
 
 #include <algorithm>
 #include <array>
@@ -75,9 +76,9 @@ LeftOut one_more(Captures captures, LeftOut const& before)
     return best;
 }
 
-std::vector<std::size_t> disagreeing(Captures captures, double ruler_error_mm)
+std::vector<std::size_t> disagreeing(Captures captures, double error_mm)
 {
-    double const most_variance_mm2 = std::pow(kMostErrors * ruler_error_mm, 2);
+    double const most_variance_mm2 = std::pow(kMostErrors * error_mm, 2);
     auto left_out = one_more(captures, {});
     if (left_out.variance_mm2 > most_variance_mm2 && captures.size() <= kMostForPairs)
         left_out = best_pair(captures);
@@ -118,19 +119,21 @@ std::optional<HeightFitDoubt> doubt_about(HeightFit const& fit, Captures capture
         return doubt;
     auto const used = captures.size() - fit.slipped.size();
     auto const parameters = static_cast<std::size_t>(parameters_of(fit.model).size());
-    if (fit.capture_error_mm > kMostErrors * options.ruler_error_mm) {
-        auto const set = disagreeing(captures, options.ruler_error_mm);
-        auto const errors = fit.capture_error_mm / options.ruler_error_mm;
+    double const error_mm
+        = error_beside_bend_mm(captures, options.ruler_error_mm, options.linearity_percent);
+    if (fit.apart_mm > kMostErrors * error_mm) {
+        auto const set = disagreeing(captures, error_mm);
+        auto const errors = fit.apart_mm / options.ruler_error_mm;
         if (set.empty())
             return HeightFitDoubt { fmt::format(
                 "the captures lie {:.1f} mm beside the best model, {:.0f} times the ruler's error, "
                 "and none stands out: check what was typed, then the string and its spool",
-                fit.capture_error_mm, errors) };
+                fit.apart_mm, errors) };
         return HeightFitDoubt {
             fmt::format("{} {} with the others, which are {:.1f} mm beside any model together with "
                         "{}: measure {} again",
                         listed(captures, set), set.size() > 1 ? "disagree" : "disagrees",
-                        fit.capture_error_mm, set.size() > 1 ? "them" : "it",
+                        fit.apart_mm, set.size() > 1 ? "them" : "it",
                         set.size() > 1 ? "them" : "it"),
             set
         };

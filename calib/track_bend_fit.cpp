@@ -18,6 +18,7 @@ using Captures = std::span<HeightCapture const>;
 constexpr Eigen::Index kBendKnots = 9;
 constexpr double kBendMargin = 0.1;     // Of the range, by which the knots reach beyond it.
 constexpr double kBendLength = 0.3;     // Of the range, over which the bend hardly changes.
+constexpr double kShortPart = 0.3;      // Of the bend, too short for captures to follow.
 constexpr double kStraightBefore = 0.2; // Chance of a straight track before the captures.
 constexpr double kSpoolNear_mm = 500;   // How far from the table a spool may well stand.
 constexpr double kSpoolBelow_mm = 1250;
@@ -81,7 +82,8 @@ HeightModel model_of(HeightModel const& law, Track const& track, Eigen::VectorXd
 {
     auto const count = parameters_of(law).size();
     auto const model = with_parameters(law, numbers.head(count));
-    return numbers.size() > count ? with_bend(model, track.bend(numbers.tail(kBendKnots))) : model;
+    return with_bend(model,
+                     numbers.size() > count ? track.bend(numbers.tail(kBendKnots)) : TrackBend());
 }
 
 // Misfits in errors of the ruler, and what is known before: the bend's numbers, and that a string's
@@ -142,6 +144,15 @@ std::optional<FittedBend> fit_with(HeightModel const& law, Track const& track, b
                         = -0.5 * (fit->sum_of_squares() + log_determinant(fit->jacobian)) };
 }
 
+// Of the law's parameters, followed by the shifts of the bend's knots.
+Eigen::MatrixXd covariance_of(FittedBend const& fitted)
+{
+    auto const& unit = fitted.fit.unit_covariance;
+    Eigen::MatrixXd to_shifts = Eigen::MatrixXd::Identity(unit.rows(), unit.cols());
+    to_shifts.bottomRightCorner(kBendKnots, kBendKnots) = fitted.track.half_covariance;
+    return to_shifts * unit * to_shifts.transpose();
+}
+
 // The root of the mean square of the deviation, over what the captures make of each one.
 double likely_deviation(HeightModel const& law, Captures captures, double ruler_error_mm,
                         double linearity)
@@ -179,18 +190,41 @@ std::optional<BentFit> fit_track_bend(HeightModel const& law, Captures captures,
     auto const fitted = fit_with(law, track, true, captures, ruler_error_mm);
     if (!fitted)
         return std::nullopt;
-    auto const of_law = parameters_of(law).size();
     auto const rows = static_cast<Eigen::Index>(captures.size());
     auto const& unit = fitted->fit.unit_covariance;
-    Eigen::MatrixXd to_shifts = Eigen::MatrixXd::Identity(of_law + kBendKnots, of_law + kBendKnots);
-    to_shifts.bottomRightCorner(kBendKnots, kBendKnots) = track.half_covariance;
     Eigen::MatrixXd const jacobian = fitted->fit.jacobian.topRows(rows);
     return BentFit { .model = fitted->model,
                      .sum_of_squares_mm2 = fitted->fit.residuals.head(rows).squaredNorm()
                          * ruler_error_mm * ruler_error_mm,
-                     .covariance = to_shifts * unit * to_shifts.transpose(),
+                     .covariance = covariance_of(*fitted),
                      .effective_parameters = (jacobian * unit * jacobian.transpose()).trace(),
                      .deviation = deviation };
+}
+
+double error_beside_bend_mm(Captures captures, double ruler_error_mm, double linearity_percent)
+{
+    if (captures.empty())
+        return ruler_error_mm;
+    auto const [low, high]
+        = std::minmax_element(captures.begin(), captures.end(),
+                              [](auto const& a, auto const& b) { return a.ruler_mm < b.ruler_mm; });
+    double const range_mm = high->ruler_mm - low->ruler_mm;
+    return std::hypot(ruler_error_mm, kShortPart * linearity_percent / 100 * range_mm);
+}
+
+std::optional<ModelFit> fit_law_of_bent_track(HeightModel const& law, Captures captures,
+                                              double error_mm, double linearity_percent)
+{
+    if (std::holds_alternative<MonotoneHeight>(law) || captures.empty())
+        return std::nullopt;
+    auto const track = track_over(reading_range(captures), linearity_percent / 100);
+    auto const fitted = fit_with(law, track, true, captures, error_mm);
+    if (!fitted)
+        return std::nullopt;
+    double const variance_mm2 = error_mm * error_mm;
+    return ModelFit { .model = fitted->model,
+                      .sum_of_squares_mm2 = fitted->fit.sum_of_squares() * variance_mm2,
+                      .unit_covariance = covariance_of(*fitted) / variance_mm2 };
 }
 
 } // namespace tractus

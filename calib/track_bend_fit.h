@@ -39,4 +39,20 @@ std::optional<BentFit> fit_track_bend(HeightModel const& law,
                                       std::span<HeightCapture const> captures,
                                       double ruler_error_mm, double linearity_percent);
 
+// Standard deviation of a capture beside such a bend: the ruler's, and three tenths of
+// `linearity_percent` of the captures' range for what is too short for a few captures to follow.
+double error_beside_bend_mm(std::span<HeightCapture const> captures, double ruler_error_mm,
+                            double linearity_percent);
+
+// Fits the kind of `law`, a line or a string, to captures of a track that may be bent, from `law`
+// on: the bend's standard deviation is `linearity_percent` of the captures' range. The sum of
+// squares is what the bend does not explain, and what it costs; the covariance is of the
+// parameters, followed by the shifts of the bend's knots.
+//
+// A capture that slipped stands out of it, and a string out of a line, as they do from a straight
+// track: a bend is smooth, and known to be small. No value as above.
+std::optional<ModelFit> fit_law_of_bent_track(HeightModel const& law,
+                                              std::span<HeightCapture const> captures,
+                                              double error_mm, double linearity_percent);
+
 } // namespace tractus

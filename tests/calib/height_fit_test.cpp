@@ -1,4 +1,5 @@
 #include "calib/height_fit.h"
+#include "calib/height_fit_doubt.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -271,6 +272,22 @@ TEST(HeightFit, BendsTheTrackWhenTheDataSheetSaysSo)
     EXPECT_TRUE(straight.slipped.empty());
     EXPECT_LT(bent.max_mm, straight.max_mm / 2);
     EXPECT_GT(height_error_mm(bent, 2500), height_error_mm(straight, 2500) * 0.9);
+}
+
+TEST(HeightFit, TakesNoBendForASlip)
+{
+    // A divider that is loaded so much that a straight track throws a capture out.
+    auto const bent = captures_under_load(0.15);
+    HeightFitOptions options { .kind = HeightModelKind::Linear };
+    EXPECT_TRUE(doubt_about(fit_height(bent, options).value(), bent, options));
+    options.linearity_percent = 2;
+    auto const fit = fit_height(bent, options).value();
+    EXPECT_TRUE(fit.slipped.empty());
+    EXPECT_FALSE(doubt_about(fit, bent, options));
+
+    auto slipped = bent;
+    slipped[2].ruler_mm += 25;
+    EXPECT_EQ(fit_height(slipped, options).value().slipped, std::vector<std::size_t> { 2 });
 }
 
 } // namespace
