@@ -1,5 +1,6 @@
 #include "app/render/gpu_mesh.h"
 
+#include "app/render/image.h"
 #include "engine/base/check.h"
 #include "engine/base/random.h"
 #include "engine/mesh/mesh_measures.h"
@@ -16,6 +17,7 @@ namespace {
 constexpr float kRhombusBelow_px = 11;   // Shorter organs are drawn as rhombi.
 constexpr float kSmallestArea_px = 2.5f; // Smaller rhombi are drawn fewer and larger,
 constexpr float kSmallestShare = 0.02f;  // but no fewer than this share of them.
+constexpr int kPictureUnit = 2;          // The sun's shadow has those before (sun_shadow.h).
 constexpr std::uint32_t kShuffleStream = 0x72656e64;
 
 struct InstanceVertex {
@@ -147,6 +149,30 @@ void draw_from_afar(GpuMesh::Part const& part, Shader const& shader, float pixel
                             std::min(count, part.instance_count));
 }
 
+// Whether organs of a part are drawn with their picture, or by its mean as what stands for them.
+enum class Picture { Drawn, Mean };
+
+// Uniforms: base_color, linear; with a picture pictured, picture and masked, too.
+void set_color(GpuMesh::Part const& part, Shader const& shader, Picture how)
+{
+    auto const& textures = part.material.textures;
+    bool const replaces = textures.color == MaterialTextures::Color::Replaced;
+    Vec3f color
+        = part.picture && replaces ? Vec3f::Ones().eval() : linear_light(part.material.base_color);
+    if (part.picture && how == Picture::Mean)
+        color = color.cwiseProduct(part.picture->mean_color);
+    bool const is_drawn = part.picture && how == Picture::Drawn;
+    shader.set("base_color", color);
+    shader.set("pictured", is_drawn ? 1.0f : 0.0f);
+    if (!is_drawn)
+        return;
+    shader.set("masked", textures.alpha == MaterialTextures::Alpha::Mask ? 1.0f : 0.0f);
+    shader.set("picture", kPictureUnit);
+    glActiveTexture(GL_TEXTURE0 + kPictureUnit);
+    glBindTexture(GL_TEXTURE_2D, part.picture->texture.name());
+    glActiveTexture(GL_TEXTURE0);
+}
+
 // A mesh's own mistake, not a file's: readers check their indices.
 Material const& material_of(Mesh const& mesh, TriangleMesh const& triangles)
 {
@@ -173,6 +199,7 @@ GpuMesh::Part GpuMesh::make_part(Material const& material, TriangleMesh const& t
 {
     Part part;
     part.material = material;
+    part.picture = pictures_.find_or_add(material.textures.base_color);
     part.index_count = static_cast<GLsizei>(triangles.indices.size());
     add_triangles(part, part.vertex_array, triangles);
     return part;
@@ -220,10 +247,12 @@ void GpuMesh::add_organ(Material const& material, InstancedMesh const& organ,
 
 void GpuMesh::draw(Part const& part, Shader const& shader, float pixel_mm) const
 {
+    bool const is_far = part.rhombus && part.rhombus->length_mm < kRhombusBelow_px * pixel_mm;
+    set_color(part, shader, is_far ? Picture::Mean : Picture::Drawn);
     shader.set("instance_growth", Vec3f(1, 1, 1));
     if (part.instance_count == 0) {
         draw_surface(part);
-    } else if (part.rhombus && part.rhombus->length_mm < kRhombusBelow_px * pixel_mm) {
+    } else if (is_far) {
         draw_from_afar(part, shader, pixel_mm);
     } else {
         glBindVertexArray(part.vertex_array.name());

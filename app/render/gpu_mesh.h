@@ -3,6 +3,7 @@
 #include "app/render/gl_objects.h"
 #include "app/render/shader.h"
 #include "app/render/sky_visibility.h"
+#include "app/render/surface_picture.h"
 #include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"
 
@@ -24,6 +25,7 @@ public:
     // One draw call: the triangles of one material, once or in many places.
     struct Part {
         Material material;
+        SurfacePicture const* picture = nullptr; // The mesh's; null: the material's colour alone.
         GLsizei index_count = 0;
         GLsizei tube_index_count = 0; // The first ones; drawn from outside only.
         GLsizei instance_count = 0;   // 0: drawn once, where it is.
@@ -44,7 +46,8 @@ public:
 
     // Draws one part with `shader`, which is in use. Attributes: 0 position, 1 normal, 2 texture
     // coordinate, 3 sky visibility of the vertex; of the instance 4 translation, 5 rotation (a
-    // quaternion, scalar last), 6 scale, 7 sky visibility. Uniform: instance_growth.
+    // quaternion, scalar last), 6 scale, 7 sky visibility. Uniforms: instance_growth, and what
+    // set_color() gives.
     //
     // `pixel_mm` is what a pixel shows. Organs of a few pixels are drawn as rhombi, and where these
     // are smaller than pixels, some of them for all, larger by as much (Cook, Halstead, Planck, Ryu
@@ -64,6 +67,7 @@ private:
     void make_ground_texture(SkyVisibility const& sky);
 
     Bounds bounds_;
+    SurfacePictures pictures_;
     std::vector<Part> parts_;
     gl::Texture ground_texture_;
     Vec2f ground_corner_mm_ = Vec2f::Zero();

@@ -19,6 +19,11 @@ Color color_from(Vec3f const& srgb)
     return { byte(srgb.x()), byte(srgb.y()), byte(srgb.z()), 255 };
 }
 
+Vec3f linear_light(Vec3f const& srgb)
+{
+    return srgb.array().pow(2.2f);
+}
+
 Image::Image(int width, int height, Color fill)
     : width_(width)
     , height_(height)

@@ -23,6 +23,9 @@ struct Color {
 // Makes a colour from 0-to-1 components, clamped and rounded.
 Color color_from(Vec3f const& srgb);
 
+// Light of a colour, 0 to 1, as near to sRGB's as the shaders take it: to the power of 2.2.
+Vec3f linear_light(Vec3f const& srgb);
+
 // A picture in memory: rows from top to bottom, pixels from left to right.
 class Image {
 public:

@@ -11,11 +11,6 @@ namespace tractus {
 
 namespace {
 
-Vec3f linear(Vec3f const& srgb)
-{
-    return srgb.array().pow(2.2f);
-}
-
 Result<Shader> surface_shader(std::string_view name, std::string_view kind)
 {
     return Shader::build({ name,
@@ -167,7 +162,7 @@ void Renderer::Parts::draw_ground(View const& view) const
     ground.set("T_world_plant", Eigen::Matrix4f(Eigen::Matrix4f::Identity()));
     ground.set("corner", Vec2f(center.head<2>() - Vec2f::Constant(radius_mm)));
     ground.set("size", Vec2f(Vec2f::Constant(2 * radius_mm)));
-    ground.set("ground_color", linear(view.stage.backdrop.ground));
+    ground.set("ground_color", linear_light(view.stage.backdrop.ground));
     ground.set("grain_mm", radius_mm * 0.012f);
     ground.set("sun_strength", view.stage.sun.strength);
     glEnable(GL_BLEND);
@@ -229,6 +224,8 @@ void Renderer::Parts::draw_meshes(View const& view) const
     bool const perspective = view.camera.projection == Camera::Projection::Perspective;
     float const pixel_mm
         = (perspective ? static_cast<float>(view.camera.distance_mm()) : 1.0f) / view.pixels_per_mm;
+    // A masked picture's edges are smooth like those of curves.
+    glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     for (auto const& placed : view.stage.meshes) {
         float const scale = placed.T_world_plant.linear().col(0).norm();
         for (auto const& part : placed.mesh->parts()) {
@@ -236,7 +233,6 @@ void Renderer::Parts::draw_meshes(View const& view) const
             auto const& shader = shader_for(material);
             shader.use();
             shader.set("T_world_plant", placed.T_world_plant.matrix());
-            shader.set("base_color", linear(material.base_color));
             shader.set("roughness", material.roughness);
             shader.set("translucency", material.translucency);
             shader.set("veins", material.kind == Material::Kind::Leaf ? 1.0f : 0.0f);
@@ -245,6 +241,7 @@ void Renderer::Parts::draw_meshes(View const& view) const
             placed.mesh->draw(part, shader, pixel_mm / scale);
         }
     }
+    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
 }
 
 void Renderer::Parts::draw_curves(View const& view) const

@@ -14,8 +14,9 @@ namespace tractus {
 // have to know but the bound framebuffer.
 //
 // Light: a sun with a soft shadow, a sky that fills in and that a plant's inside sees less of
-// (sky_visibility.h), light that shines through leaves and petals. Bark and veins are made of the
-// texture coordinates, so no picture is loaded. The same stage gives the same pixels each time.
+// (sky_visibility.h), light that shines through leaves and petals. Materials show their colour's
+// picture and its mask; without one, bark and veins are made of the texture coordinates. The same
+// stage gives the same pixels each time.
 class Renderer {
 public:
     // Fails, as the station's fault, if the driver does not take the shaders.

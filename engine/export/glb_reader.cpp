@@ -10,15 +10,46 @@
 #include <fmt/core.h>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace tractus {
 namespace {
 
 constexpr std::size_t kMostVertices = std::size_t { 1 } << 26; // After expanding.
 
-Material material_of(tinygltf::Material const& from)
+// Null where there is none of that number.
+template<typename T> T const* item_of(std::vector<T> const& items, int index)
+{
+    return index >= 0 && static_cast<std::size_t>(index) < items.size()
+        ? &items[static_cast<std::size_t>(index)]
+        : nullptr;
+}
+
+// The PNG file that a texture shows; null where it is of another kind, or not in this file.
+TextureSlot picture_of(tinygltf::Model const& model, int texture)
+{
+    auto const* const from = item_of(model.textures, texture);
+    auto const* const image = from ? item_of(model.images, from->source) : nullptr;
+    auto const* const view = image ? item_of(model.bufferViews, image->bufferView) : nullptr;
+    auto const* const buffer = view ? item_of(model.buffers, view->buffer) : nullptr;
+    if (!buffer || image->mimeType != "image/png" || view->byteOffset > buffer->data.size()
+        || view->byteLength > buffer->data.size() - view->byteOffset)
+        return nullptr;
+    auto const* const sampler = item_of(model.samplers, from->sampler);
+    bool const is_clamped = sampler && sampler->wrapS == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+    TexturePicture picture;
+    if (is_clamped)
+        picture.edges = TexturePicture::Edges::Clamp;
+    auto const* const bytes = reinterpret_cast<char const*>(buffer->data.data());
+    picture.png.assign(bytes + view->byteOffset, view->byteLength);
+    return std::make_shared<TexturePicture const>(std::move(picture));
+}
+
+Material material_of(tinygltf::Model const& model, tinygltf::Material const& from)
 {
     Material material;
     material.name = from.name;
@@ -27,6 +58,9 @@ Material material_of(tinygltf::Material const& from)
         material.base_color[static_cast<Eigen::Index>(i)] = static_cast<float>(
             srgb_from_linear(std::clamp(surface.baseColorFactor[i], 0.0, 1.0)));
     material.roughness = static_cast<float>(std::clamp(surface.roughnessFactor, 0.0, 1.0));
+    material.textures.base_color = picture_of(model, surface.baseColorTexture.index);
+    if (from.alphaMode == "MASK")
+        material.textures.alpha = MaterialTextures::Alpha::Mask;
     material.kind = from.doubleSided ? Material::Kind::Leaf : Material::Kind::Solid;
     if (!from.extras.IsObject())
         return material;
@@ -134,7 +168,7 @@ public:
         : model_(model)
     {
         for (auto const& material : model.materials)
-            mesh_.materials.push_back(material_of(material));
+            mesh_.materials.push_back(material_of(model, material));
     }
 
     Result<Mesh> build(std::vector<std::vector<Affine>> const& places)

@@ -55,7 +55,10 @@ in float sky;
 flat in vec2 individual;
 
 uniform vec3 eye;
-uniform vec3 base_color; // Linear.
+uniform vec3 base_color; // Linear; times the picture, if there is one.
+uniform float pictured;  // 0: there is none.
+uniform float masked;    // 1: where the picture is less than half there, the surface is not.
+uniform sampler2D picture;
 uniform float roughness;
 uniform float translucency;
 uniform float veins;
@@ -64,7 +67,24 @@ uniform float is_lit; // 0: the surface's own colour is wanted.
 
 out vec4 pixel;
 
-vec4 own_color(vec3 color) { return vec4(pow(clamp(color, 0.0, 1.0), vec3(1.0 / 2.2)), 1.0); }
+float coverage = 1.0; // Of the pixel, by the picture's mask.
+
+// What a mask shows of a leaf gets less with each smaller picture, as its teeth and its tip fade: a
+// quarter more alpha a level keeps it about as large.
+vec3 surface_color()
+{
+    if (pictured == 0.0)
+        return base_color;
+    vec4 seen = texture(picture, coordinate);
+    vec2 texel = coordinate * vec2(textureSize(picture, 0));
+    float widest = max(dot(dFdx(texel), dFdx(texel)), dot(dFdy(texel), dFdy(texel)));
+    float alpha = seen.a * (1.0 + 0.25 * max(0.0, 0.5 * log2(max(widest, 1e-8))));
+    if (masked > 0.0)
+        coverage = clamp((alpha - 0.5) / max(fwidth(alpha), 1e-3) + 0.5, 0.0, 1.0);
+    return base_color * seen.rgb;
+}
+
+vec4 own_color(vec3 color) { return vec4(pow(clamp(color, 0.0, 1.0), vec3(1.0 / 2.2)), coverage); }
 
 // Light that one place gets, before it meets the surface's colour.
 struct Light {
@@ -130,14 +150,14 @@ void main()
     float slope_along = bark_height(coordinate + vec2(0.0, reach)) - height;
     n = normalize(n - (around * slope_around + along * slope_along) * (detail * 0.055 / reach));
 
-    vec3 color = base_color * mix(0.95, mix(0.50, 1.40, smoothstep(0.30, 0.95, height)), detail);
-    color = mix(color, vec3(dot(color, vec3(0.33))) * vec3(1.05, 1.0, 0.92), 0.25 * height * detail);
+    vec3 color = surface_color() * mix(0.95, mix(0.50, 1.40, smoothstep(0.30, 0.95, height)), detail * (1.0 - pictured));
+    color = mix(color, vec3(dot(color, vec3(0.33))) * vec3(1.05, 1.0, 0.92), 0.25 * height * detail * (1.0 - pictured));
     if (is_lit == 0.0) {
         pixel = own_color(color);
         return;
     }
     Light light = light_at(n, view);
-    pixel = vec4(display(color * light.front + light.gloss * 0.6), 1.0);
+    pixel = vec4(display(color * light.front + light.gloss * 0.6), coverage);
 }
 #endif
 
@@ -160,7 +180,7 @@ void main()
     if (underside)
         n = -n;
     float change = individual.x - 0.5;
-    vec3 color = base_color * (1.0 + (individual.y - 0.5) * 0.34);
+    vec3 color = surface_color() * (1.0 + (individual.y - 0.5) * 0.34);
     color *= mix(vec3(1.0), vec3(1.0 + change * 0.55, 1.0 + change * 0.12, 1.0 - change * 0.45), veins * 0.85 + 0.15);
     float vein = veins * drawn_veins * vein_at(coordinate);
     color = mix(color, color * 1.5 + vec3(0.03, 0.035, 0.012), vein * 0.55);
@@ -174,7 +194,7 @@ void main()
     Light light = light_at(n, view);
     vec3 sum = color * light.front * (1.0 - 0.45 * translucency) + shining * light.through * translucency
         + light.gloss * (underside ? 0.3 : 1.0);
-    pixel = vec4(display(sum), 1.0);
+    pixel = vec4(display(sum), coverage);
 }
 #endif
 
@@ -183,13 +203,13 @@ void main()
 {
     vec3 n = normalize(world_normal);
     vec3 view = normalize(eye - world);
-    vec3 color = base_color * (0.92 + 0.16 * individual.y);
+    vec3 color = surface_color() * (0.92 + 0.16 * individual.y);
     if (is_lit == 0.0) {
         pixel = own_color(color);
         return;
     }
     Light light = light_at(n, view);
-    pixel = vec4(display(color * light.front + light.gloss), 1.0);
+    pixel = vec4(display(color * light.front + light.gloss), coverage);
 }
 #endif
 )";

@@ -1,4 +1,5 @@
 #include "app/render/contact_sheet.h"
+#include "app/render/read_picture.h"
 #include "app/render/text.h"
 #include "tests/app/render/read_png.h"
 
@@ -54,6 +55,31 @@ TEST(Image, KeepsTransparencyInItsPng)
 {
     auto const sheer = gradient(12, 9, 77);
     EXPECT_EQ(read_png(png(sheer)), sheer);
+}
+
+TEST(ReadPicture, ReadsWhatLibpngReads)
+{
+    auto const bytes = png(gradient(37, 21, 128));
+    auto const picture = read_picture(bytes);
+    ASSERT_TRUE(picture) << picture.error().message;
+    EXPECT_EQ(*picture, read_png(bytes));
+}
+
+TEST(ReadPicture, RefusesWhatIsNone)
+{
+    EXPECT_EQ(read_picture("GIF89a").error().message, "it is neither a PNG nor a JPEG picture");
+    auto const bytes = png(gradient(37, 21, 128));
+    for (std::size_t size = 0; size + 12 < bytes.size(); ++size)
+        EXPECT_FALSE(read_picture(bytes.substr(0, size))) << size;
+}
+
+TEST(ReadPicture, BelievesNoSizeThatAFileClaims)
+{
+    auto bytes = png(gradient(37, 21, 128));
+    bytes.replace(16, 8, std::string("\0\x0f\0\0\0\x0f\0\0", 8)); // Of its header: 983,040 squared.
+    auto const picture = read_picture(bytes);
+    ASSERT_FALSE(picture);
+    EXPECT_EQ(picture.error().fault, Fault::User);
 }
 
 TEST(Image, CannotBeAPngWhenEmpty)

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <memory>
 #include <optional>
+#include <sstream>
 
 namespace tractus {
 
@@ -84,7 +86,45 @@ bool bark_coloured(Color const& color)
     return color.red > color.blue + 8 && color.red >= color.green && brightness(color) < 450;
 }
 
+// A leaf's picture, red on the left and blue on the right, of which only the lower half is there.
+TextureSlot half_a_picture()
+{
+    Image image(64, 64);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            image.at(x, y) = Color { static_cast<std::uint8_t>(x < 32 ? 200 : 20), 20,
+                                     static_cast<std::uint8_t>(x < 32 ? 20 : 200),
+                                     static_cast<std::uint8_t>(y < 32 ? 255 : 0) };
+    std::ostringstream png;
+    EXPECT_TRUE(write_png(png, image));
+    return std::make_shared<TexturePicture const>(
+        TexturePicture { png.str(), TexturePicture::Edges::Clamp });
+}
+
 } // namespace
+
+TEST_F(RendererTest, DrawsALeafsPictureAndNothingWhereItIsNot)
+{
+    auto mesh = post_with_leaves();
+    mesh.materials[kLeafMaterial].textures = { .base_color = half_a_picture(),
+                                               .alpha = MaterialTextures::Alpha::Mask,
+                                               .color = MaterialTextures::Color::Replaced };
+    GpuMesh const with_picture(mesh);
+    Stage stage;
+    stage.meshes.push_back({ &with_picture });
+    auto const seen = picture(stage);
+    auto const left = at(seen, Vec3(170, 0, 225));
+    auto const right = at(seen, Vec3(230, 0, 225));
+    EXPECT_GT(left.red, left.blue + 40);
+    EXPECT_GT(right.blue, right.red + 40);
+
+    mesh.organs.clear();
+    GpuMesh const without(mesh);
+    stage.meshes = { { &without } };
+    auto const behind = picture(stage);
+    EXPECT_EQ(at(seen, Vec3(170, 0, 285)), at(behind, Vec3(170, 0, 285)));
+    EXPECT_EQ(at(seen, Vec3(230, 0, 285)), at(behind, Vec3(230, 0, 285)));
+}
 
 TEST_F(RendererTest, DrawsSurfacesWhereTheyAre)
 {

@@ -115,6 +115,25 @@ TEST(GlbReader, ReadsMaterialsBack)
     EXPECT_FLOAT_EQ(leaf.translucency, 0.4f);
 }
 
+TEST(GlbReader, ReadsTheColorsPictureAndItsMask)
+{
+    auto mesh = make_mesh(sample_tree(1));
+    auto const picture = std::make_shared<TexturePicture const>(
+        TexturePicture { "\x89PNG and more", TexturePicture::Edges::Clamp });
+    auto const leaves = mesh.organs[0].prototype.material;
+    mesh.materials[leaves].textures
+        = { .base_color = picture, .alpha = MaterialTextures::Alpha::Mask };
+    auto const read = read_glb(glb_of(mesh, kInstanced));
+    ASSERT_TRUE(read) << read.error().message;
+    auto const& textures = read->materials[read->organs[0].prototype.material].textures;
+    ASSERT_TRUE(textures.base_color);
+    EXPECT_EQ(textures.base_color->png, picture->png);
+    EXPECT_EQ(textures.base_color->edges, TexturePicture::Edges::Clamp);
+    EXPECT_EQ(textures.alpha, MaterialTextures::Alpha::Mask);
+    auto const& bark = read->materials[read->surfaces[0].material].textures;
+    EXPECT_EQ(bark.alpha, MaterialTextures::Alpha::Opaque);
+}
+
 TEST(GlbReader, PlacesPlantsWhereTheyStand)
 {
     auto const mesh = make_mesh(single_axis(1, 1, 1));

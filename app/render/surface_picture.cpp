@@ -1,0 +1,68 @@
+#include "app/render/surface_picture.h"
+
+#include "app/render/read_picture.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace tractus {
+
+namespace {
+
+float linear_from_byte(std::uint8_t value)
+{
+    float const srgb = static_cast<float>(value) / 255;
+    return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
+}
+
+Vec3f mean_color(Image const& image)
+{
+    std::array<float, 256> linear {};
+    for (std::size_t i = 0; i < linear.size(); ++i)
+        linear[i] = linear_from_byte(static_cast<std::uint8_t>(i));
+    Vec3 sum = Vec3::Zero();
+    std::size_t count = 0;
+    for (auto const& pixel : image.pixels()) {
+        if (pixel.alpha < 128)
+            continue;
+        ++count;
+        sum += Vec3(linear[pixel.red], linear[pixel.green], linear[pixel.blue]);
+    }
+    return count > 0 ? (sum / static_cast<double>(count)).cast<float>().eval() : Vec3f::Ones();
+}
+
+void upload(SurfacePicture const& picture, Image const& image, TexturePicture::Edges edges)
+{
+    glBindTexture(GL_TEXTURE_2D, picture.texture.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image.width(), image.height(), 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, image.pixels().data());
+    glGenerateMipmap(GL_TEXTURE_2D);
+    GLint const wrap = edges == TexturePicture::Edges::Repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+}
+
+} // namespace
+
+SurfacePicture const* SurfacePictures::find_or_add(TextureSlot const& slot)
+{
+    if (!slot)
+        return nullptr;
+    auto const [place, is_new] = pictures_.try_emplace(slot);
+    if (is_new) {
+        auto const image = read_picture(slot->png);
+        GLint most = 0;
+        glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+        if (image && image->width() <= most && image->height() <= most) {
+            place->second = std::make_unique<SurfacePicture>();
+            place->second->mean_color = mean_color(*image);
+            upload(*place->second, *image, slot->edges);
+        }
+    }
+    return place->second.get();
+}
+
+} // namespace tractus

@@ -1,0 +1,31 @@
+// An edit's record as a session holds it: kind, fields and numbers, parted by zero bytes. An edit
+// that is read is written as a record that reads as the same edit.
+
+#include "app/methods/all_methods.h"
+#include "app/session/edit_record.h"
+#include "tests/fuzz/fuzz_input.h"
+
+#include <string>
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
+{
+    using namespace tractus;
+    static auto const methods = all_methods();
+    FuzzInput input(data, size);
+    EditRecord record;
+    record.kind = input.take_part();
+    record.fields = input.take_part();
+    record.numbers = input.text();
+    auto const edit = edit_of(record, methods.edits);
+    if (!is_read(edit))
+        return 0;
+    CHECK(!edit->describe().empty());
+    auto const written = record_of(*edit);
+    auto const again = edit_of(written, methods.edits);
+    CHECK(again);
+    auto const twice = record_of(*again);
+    CHECK(twice.kind == written.kind);
+    CHECK(twice.fields == written.fields);
+    CHECK(twice.numbers == written.numbers);
+    return 0;
+}

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "engine/base/check.h"
+#include "engine/base/result.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace tractus {
+
+// What libFuzzer gives, as our readers take it.
+class FuzzInput {
+public:
+    FuzzInput(std::uint8_t const* data, std::size_t size)
+        : text_(reinterpret_cast<char const*>(data), size)
+    {
+    }
+
+    std::string_view text() const { return text_; }
+    std::span<std::byte const> bytes() const { return std::as_bytes(std::span(text_)); }
+
+    // Takes a byte away, by which a fuzzer of several readers chooses; 0 where none is left.
+    unsigned take_byte()
+    {
+        if (text_.empty())
+            return 0;
+        auto const byte = static_cast<unsigned char>(text_.front());
+        text_.remove_prefix(1);
+        return byte;
+    }
+
+    // Takes what stands before the first zero byte away, and that byte; everything without one.
+    std::string_view take_part()
+    {
+        auto const end = text_.find('\0');
+        auto const part = text_.substr(0, end);
+        text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
+        return part;
+    }
+
+private:
+    std::string_view text_;
+};
+
+// Readers refuse bytes as the user's fault, in one sentence.
+template<typename T> bool is_read(Result<T> const& result)
+{
+    if (result)
+        return true;
+    CHECK(result.error().fault == Fault::User);
+    CHECK(!result.error().message.empty());
+    return false;
+}
+
+} // namespace tractus

@@ -1,0 +1,15 @@
+// A binary glTF file of any content, as a mesh and as a skeleton of lines.
+
+#include "engine/export/glb_lines.h"
+#include "engine/export/glb_reader.h"
+#include "tests/fuzz/fuzz_input.h"
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
+{
+    using namespace tractus;
+    FuzzInput const input(data, size);
+    is_read(read_glb(input.text()));
+    if (auto const lines = read_glb_lines("fuzz", input.text()); is_read(lines))
+        is_read(plant_from_lines("fuzz", *lines));
+    return 0;
+}

@@ -1,0 +1,23 @@
+// A rig's file, which reads again as it was written, and a script for the simulated hand.
+
+#include "calib/rig_file.h"
+#include "sim/gesture_script.h"
+#include "tests/fuzz/fuzz_input.h"
+
+#include <string>
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
+{
+    using namespace tractus;
+    FuzzInput const input(data, size);
+    std::string const text(input.text());
+    is_read(parse_gesture_script(text, "fuzz"));
+    auto const rig = parse_rig(text, "fuzz");
+    if (!is_read(rig))
+        return 0;
+    auto const written = print_rig(*rig);
+    auto const again = parse_rig(written, "again");
+    CHECK(again);
+    CHECK(print_rig(*again) == written);
+    return 0;
+}

@@ -1,0 +1,36 @@
+// A session's file of any content: read as it is, and searched for what can be saved.
+
+#include "app/methods/all_methods.h"
+#include "app/session/session_file.h"
+#include "app/session/session_repair.h"
+#include "tests/fuzz/fuzz_input.h"
+
+#include <filesystem>
+#include <fmt/core.h>
+#include <fstream>
+#include <unistd.h>
+
+// In memory where the system has such a folder.
+static std::filesystem::path own_file()
+{
+    std::filesystem::path const memory = "/dev/shm";
+    auto const folder = exists(memory) ? memory : std::filesystem::temp_directory_path();
+    return folder / fmt::format("session-fuzzer-{}.tractus", getpid());
+}
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
+{
+    using namespace tractus;
+    static auto const methods = all_methods();
+    static auto const path = own_file();
+    FuzzInput const input(data, size);
+    std::ofstream(path, std::ios::binary) << input.text();
+    auto const session = read_session(path, methods.edits);
+    if (is_read(session))
+        CHECK(!session->edits.empty());
+    auto const salvaged = salvage_session(path, methods.edits);
+    if (is_read(salvaged))
+        CHECK(!contents_of(*salvaged).edits.empty());
+    std::filesystem::remove(path);
+    return 0;
+}

@@ -1,0 +1,30 @@
+// Files that the methods' commands take: the first byte says which, the rest is the file.
+
+#include "app/methods/construction_lines/line_sketch_file.h"
+#include "app/methods/silhouettes/silhouette_file.h"
+#include "app/methods/sketch_lsystem/rule_file.h"
+#include "app/svg/svg_sketch.h"
+#include "tests/fuzz/fuzz_input.h"
+
+#include <nlohmann/json.hpp>
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
+{
+    using namespace tractus;
+    FuzzInput input(data, size);
+    switch (input.take_byte() % 4) {
+    case 0:
+        if (auto const sketch = lines::svg_as_sketch(input.text()); is_read(sketch))
+            is_read(lines::parse_line_sketch(sketch->dump(), "fuzz"));
+        break;
+    case 1:
+        is_read(lines::parse_line_sketch(input.text(), "fuzz"));
+        break;
+    case 2:
+        is_read(silhouette::parse_silhouette(input.text(), "fuzz"));
+        break;
+    default:
+        is_read(sketch::parse_rule(input.text(), "fuzz"));
+    }
+    return 0;
+}

@@ -1,0 +1,34 @@
+// Strokes of other programs: a text of points, or an Open Brush sketch.
+
+#include "engine/stroke/read_tilt.h"
+#include "engine/stroke/stroke_text.h"
+#include "tests/fuzz/fuzz_input.h"
+
+#include <string>
+#include <vector>
+
+static void check_strokes(std::vector<tractus::Stroke> const& strokes)
+{
+    for (auto const& stroke : strokes) {
+        CHECK(stroke.tips.size() >= 2);
+        for (auto const& tip : stroke.tips)
+            CHECK(tip.position_mm.allFinite());
+    }
+}
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
+{
+    using namespace tractus;
+    FuzzInput const input(data, size);
+    if (auto const sketch = read_tilt("fuzz", input.bytes()); is_read(sketch))
+        check_strokes(*sketch);
+    auto const strokes = parse_strokes("fuzz", input.text());
+    if (!is_read(strokes))
+        return 0;
+    check_strokes(*strokes);
+    auto const text = print_strokes(*strokes);
+    auto const again = parse_strokes("again", text);
+    CHECK(again);
+    CHECK(print_strokes(*again) == text);
+    return 0;
+}
