@@ -72,6 +72,22 @@ TEST(Qsm, ReadsTreeQsmsColumns)
     EXPECT_EQ(tree->node_radius_mm[3], 50);
 }
 
+// TreeQSM 2.3 writes no names, and behind the extension: added, unmodified radius, branch, order
+// and position. A cylinder that was added begins each branch.
+TEST(Qsm, FollowsExtensionsWhateverColumnsComeBehindThem)
+{
+    auto const tree = parse_qsm("tree.txt",
+                                "0.2\t1\t4\t9\t1\t0\t0\t1\t0\t2\t0\t0.2\t1\t0\t1\n"
+                                "0.1\t1\t4\t9\t2\t0\t0\t1\t1\t0\t0\t0.1\t1\t0\t2\n"
+                                "0.05\t1\t4\t9\t2\t1\t0\t0\t1\t4\t1\t0.05\t2\t1\t1\n"
+                                "0.04\t1\t5\t9\t2\t1\t0\t0\t3\t0\t0\t0.04\t2\t1\t2\n");
+    ASSERT_TRUE(tree) << tree.error().message;
+    ASSERT_EQ(tree->axes.size(), 2u);
+    EXPECT_EQ(tree->axes[0].segment_count, 2u);
+    EXPECT_EQ(tree->axes[1].segment_count, 2u);
+    expect_near(tree->node_position_mm.back(), { 2000, 0, 1000 });
+}
+
 TEST(Qsm, ReadsNamedColumnsInAnyOrder)
 {
     auto const tree = parse_qsm("tree.csv",
@@ -95,7 +111,12 @@ TEST(Qsm, SaysWhatIsWrong)
               "end_y, end_z or axis_x, axis_y, axis_z and length");
     EXPECT_EQ(error("0.1,1,0,0,0,0,0,x,0,0,1\n"),
               "tree.csv:1: found x in column 8, expected a number");
-    EXPECT_EQ(error("0.1,1,0,0\n"), "tree.csv:1: the line has 4 columns, expected more");
+    EXPECT_EQ(
+        error("0.1,1,0,0\n"),
+        "tree.csv:1: the line has 4 columns, expected at least 10: radius, length, start (3), "
+        "axis (3), parent and extension");
+    EXPECT_EQ(error("start_x,start_y,start_z,end_x,end_y,end_z,radius,parent\n0,0,0,0,0,1,2\n"),
+              "tree.csv:2: the line has 7 columns, expected one for each name in the first line");
     EXPECT_EQ(error("0.1,1,0,0,0,0,0,1,2,0,1\n0.1,1,0,0,0,0,0,1,1,0,1\n"),
               "tree.csv: 2 of 2 cylinders stand on each other and not on the ground");
     EXPECT_EQ(error(""),
