@@ -2,6 +2,7 @@
 #include "engine/plant/mtg.h"
 #include "engine/plant/ply_skeleton.h"
 #include "engine/plant/qsm.h"
+#include "engine/plant/skeleton_lines.h"
 
 #include <cstring>
 #include <gtest/gtest.h>
@@ -48,6 +49,29 @@ TEST(MeasuredPlant, RefusesWhatIsNoPlant)
     nodes.push_back({ .below = 0, .continues = true, .position_mm = { 0, 0, 1 }, .radius_mm = -1 });
     EXPECT_EQ(plant_from_nodes("tree", nodes).error().message,
               "tree: the position or the diameter of node 2 is no length: export the plant again");
+}
+
+TEST(MeasuredPlant, RefusesWhatIsTooLargeTooFarAwayOrOnePoint)
+{
+    auto const error = [](Vec3 const& from, Vec3 const& to) {
+        std::vector<MeasuredNode> const nodes {
+            { .position_mm = from, .radius_mm = 1 },
+            { .below = 0, .continues = true, .position_mm = to, .radius_mm = 1 }
+        };
+        auto const plant = plant_from_nodes("tree", nodes);
+        return plant ? "no error" : plant.error().message;
+    };
+    EXPECT_EQ(error({ 0, 0, 0 }, { 0, 0, 1e7 }), "no error");
+    EXPECT_EQ(error({ 0, 0, 0 }, { 0, 0, 3e300 }),
+              "tree: this plant is 3e+297 m large, expected at most 10 km: are its lengths metres "
+              "or millimetres?");
+    EXPECT_EQ(error({ -2e12, 0, 0 }, { -2e12, 0, 9 }),
+              "tree: this plant is more than a million km away from the origin of its file: move "
+              "it nearer");
+    EXPECT_EQ(error({ 5, 5, 5 }, { 5, 5, 5 }),
+              "tree: there is no branch in it: two positions, one above the other, make one");
+    std::vector<SkeletonPiece> const lines { { { 0, 0, 0 }, { 0, 0, 3e300 } } };
+    EXPECT_FALSE(plant_from_lines("tree", lines));
 }
 
 TEST(Qsm, ReadsTreeQsmsColumns)
