@@ -1,6 +1,7 @@
 #include "app/plants/model_file.h"
 
 #include "app/methods/all_inputs.h"
+#include "app/plants/measured_file.h"
 #include "drivers/file.h"
 #include "engine/export/glb_lines.h"
 #include "engine/lsystem/color_files.h"
@@ -208,6 +209,9 @@ Result<Edit> load_plant_edit(std::filesystem::path const& path, ModelCompanions 
     auto lines = TRY(load_lines(path));
     if (!lines.empty())
         return LoadSkeleton { path.string(), std::move(lines) };
+    auto measured = TRY(load_measured_edit(path));
+    if (measured)
+        return *std::move(measured);
     // A name for it, as g++ 14 warns wrongly of what it would destroy otherwise.
     LoadModel model = TRY(load_model_edit(path, companions));
     return model;

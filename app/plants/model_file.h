@@ -41,10 +41,10 @@ IncludeReader model_includes(std::filesystem::path const& path);
 Result<LoadModel> load_model_edit(std::filesystem::path const& path,
                                   ModelCompanions const& companions = {});
 
-// A plant as an edit: a model as above, or the skeleton that another program has drawn as lines, in
-// a Wavefront OBJ file (skeleton_lines.h) or a binary glTF file (glb_lines.h), if the name ends in
-// .obj or .glb. Fails like load_model_edit() and as the readers of those files do; a .gltf is
-// refused.
+// A plant as an edit: a model as above; the skeleton that another program has drawn as lines, in a
+// Wavefront OBJ file (skeleton_lines.h) or a binary glTF file (glb_lines.h), if the name ends in
+// .obj or .glb; or a measured plant (measured_file.h). Fails like load_model_edit() and as the
+// readers of those files do; a .gltf is refused.
 Result<Edit> load_plant_edit(std::filesystem::path const& path,
                              ModelCompanions const& companions = {});
 

@@ -5,6 +5,7 @@
 #include "engine/export/glb_writer.h"
 #include "engine/export/obj_writer.h"
 #include "engine/mesh/make_mesh.h"
+#include "engine/plant/mtg.h"
 
 #include <sstream>
 
@@ -46,6 +47,13 @@ Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& na
     if (path.extension() == ".glb")
         return write_glb_file({ .name = name, .mesh = PlantToMesh { .plant = &plant } }, path,
                               options.glb);
+    if (path.extension() == ".mtg") {
+        TRY(write_file(path, [&](std::ostream& out) -> Result<void> {
+            write_mtg(out, plant);
+            return {};
+        }));
+        return 0;
+    }
     return write_mesh_file(make_mesh(plant), name, path, options);
 }
 

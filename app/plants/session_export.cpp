@@ -7,6 +7,7 @@
 #include "engine/scene/scene.h"
 #include "engine/stroke/stroke_text.h"
 
+#include <array>
 #include <fmt/format.h>
 #include <iterator>
 
@@ -15,6 +16,8 @@ namespace tractus {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr char const* kStrokesName = "strokes.txt";
 
 // Writes files into a folder, and keeps their names.
 class FolderWriter {
@@ -82,6 +85,17 @@ Result<void> write_plant(FolderWriter& out, LoadSkeleton const& edit)
     return out.write(file_name(edit.name, ".obj"), text);
 }
 
+// Under its own ending, if that is one of its format's. "strokes.txt" are the strokes.
+Result<void> write_plant(FolderWriter& out, LoadMeasured const& edit)
+{
+    constexpr std::array kEndings { ".mtg", ".csv", ".ply" }; // In the order of the formats.
+    auto const usual = kEndings[static_cast<std::size_t>(edit.format)];
+    auto const own = file_name(edit.name, ".txt");
+    bool const is_text = edit.format == LoadMeasured::Format::Qsm
+        && fs::path(edit.name).extension() == ".txt" && own != kStrokesName;
+    return out.write(is_text ? own : file_name(edit.name, usual), edit.text);
+}
+
 } // namespace
 
 Result<std::vector<fs::path>> export_session(fs::path const& session, fs::path const& folder,
@@ -95,11 +109,13 @@ Result<std::vector<fs::path>> export_session(fs::path const& session, fs::path c
             TRY(write_plant(out, *model));
         else if (auto const* const skeleton = edit->get<LoadSkeleton>())
             TRY(write_plant(out, *skeleton));
+        else if (auto const* const measured = edit->get<LoadMeasured>())
+            TRY(write_plant(out, *measured));
         if (edit->kind().loads_plant)
             break;
     }
     if (!scene.associations.empty())
-        TRY(out.write("strokes.txt", print_strokes(strokes_of(scene))));
+        TRY(out.write(kStrokesName, print_strokes(strokes_of(scene))));
     return std::move(out.files);
 }
 

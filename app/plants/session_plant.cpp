@@ -22,6 +22,8 @@ std::string plant_name(std::vector<Edit> const& edits)
             name = model->source.name;
         else if (auto const* const skeleton = edit.get<LoadSkeleton>())
             name = skeleton->name;
+        else if (auto const* const measured = edit.get<LoadMeasured>())
+            name = measured->name;
     }
     return std::filesystem::path(name).stem().string();
 }

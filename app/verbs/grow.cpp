@@ -44,6 +44,11 @@ struct GrowArguments {
     {
         return growth.preset || growth.variability != 1 || !drawing.log.empty();
     }
+    bool is_for_a_model() const
+    {
+        return model.steps || !companions.view.empty() || !companions.colors.empty()
+            || !companions.environment.empty();
+    }
 };
 
 // tree.glb becomes tree-01.glb and so on.
@@ -60,6 +65,15 @@ Result<GrowthPlan> plan_animation(Scene const& scene, std::string const& name)
     if (scene.base->segment_count() == 0)
         return fail(Fault::User, fmt::format("{}: the plant has no branch that could grow", name));
     return plan_growth(scene);
+}
+
+// What was written; a graph has no triangles.
+std::string said_of(Plant const& plant, std::uint64_t triangles,
+                    std::filesystem::path const& output)
+{
+    auto const text
+        = fmt::format("{} segments, {} organs", plant.segment_count(), plant.organs.size());
+    return output.extension() == ".mtg" ? text : fmt::format("{}, {} triangles", text, triangles);
 }
 
 // Ages evenly apart, the last one full-grown.
@@ -86,9 +100,8 @@ Result<void> write_sequence(GrowArguments const& arguments, Scene const& scene,
         auto const plant = without_unborn(grower.grow(key, age));
         auto const path = frame_path(arguments.output, i, arguments.frames);
         auto const triangles = TRY(write_plant_file(plant, name, path, file));
-        TRY(print_out(fmt::format("{}: age {:.3f}, {} segments, {} organs, {} triangles\n",
-                                  path.string(), age, plant.segment_count(), plant.organs.size(),
-                                  triangles)));
+        TRY(print_out(fmt::format("{}: age {:.3f}, {}\n", path.string(), age,
+                                  said_of(plant, triangles, path))));
     }
     return {};
 }
@@ -127,9 +140,8 @@ Result<void> write_animation(GrowArguments const& arguments, Scene const& scene,
 Result<void> write_one(GrowArguments const& arguments, Plant const& plant, std::string const& name)
 {
     auto const triangles = TRY(write_plant_file(plant, name, arguments.output, arguments.file));
-    return print_out(fmt::format("{}: {} segments, {} organs, {} triangles\n",
-                                 arguments.output.string(), plant.segment_count(),
-                                 plant.organs.size(), triangles));
+    return print_out(fmt::format("{}: {}\n", arguments.output.string(),
+                                 said_of(plant, triangles, arguments.output)));
 }
 
 // A session says itself how its plant is derived; another seed is another variation of it.
@@ -157,6 +169,11 @@ Result<Scene> load_model_scene(GrowArguments const& arguments, std::filesystem::
         with_options.steps = arguments.model.steps;
         with_options.seed = arguments.model.seed.value_or(1);
         edit = std::move(with_options);
+    } else if (arguments.is_for_a_model()) {
+        return fail(Fault::User,
+                    fmt::format("{} is no L-system: --steps, --view, --colors and --environment "
+                                "are for those",
+                                path.string()));
     }
     auto scene = TRY(apply_edit({}, edit, make_load_options(arguments.cost)));
     for (auto const& warning : scene.model_warnings)
@@ -237,24 +254,26 @@ void add_animation_options(CLI::App& verb, GrowArguments& arguments)
 void add_grow_verb(CLI::App& root, Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<GrowArguments>();
-    auto* const verb
-        = root.add_subcommand("grow", "Grow a model and write it as glTF, OBJ or a picture");
+    auto* const verb = root.add_subcommand(
+        "grow", "Grow a model and write it as glTF, OBJ, a graph or a picture");
     add_model_options(*verb, arguments->model);
     add_cost_options(*verb, arguments->cost);
     add_companion_options(*verb, arguments->companions);
     verb->add_option("-o,--output", arguments->output,
-                     "What to write: its ending, .glb, .obj or .png, says in which format")
+                     "What to write: its ending, .glb, .obj, .mtg (a multiscale tree graph) or "
+                     ".png, says in which format")
         ->type_name("FILE")
-        ->check(name_ending_in({ ".glb", ".obj", ".png" }))
+        ->check(name_ending_in({ ".glb", ".obj", ".mtg", ".png" }))
         ->required();
     add_organs_option(*verb, arguments->file.glb);
     add_growth_options(*verb, arguments->growth, "as drawn, or as in a session");
     add_drawing_options(*verb, arguments->drawing, "the plant is as its model gives it");
     add_animation_options(*verb, *arguments);
     verb->footer(
-        "MODEL may also be a skeleton that another program has drawn as lines (.obj, .glb), or\n"
-        "a session (.tractus): then it is the plant as drawn, as the station's window shows\n"
-        "it, or with --seed another variation. With --growth the seed also says how a model\n"
+        "MODEL may also be a skeleton that another program has drawn as lines (.obj, .glb), a\n"
+        "measured tree (cylinders, .csv or .txt; a skeleton, .ply; a graph, .mtg), or a\n"
+        "session (.tractus): then it is the plant as drawn, as the station's window shows it,\n"
+        "or with --seed another variation. With --growth the seed also says how a model\n"
         "grows. The same model, drawing and seed always give the same file.");
     verb->callback([arguments, methods, &action] {
         action = [arguments, methods] { return grow_model(*arguments, methods); };

@@ -62,7 +62,7 @@ Result<void> record_simulated(RecordArguments const& arguments)
     auto const text = TRY(read_text_file(arguments.script));
     auto const script = TRY(parse_gesture_script(text, arguments.script));
     auto const model = TRY(find_model(arguments.model));
-    auto const edit = TRY(load_model_edit(model));
+    auto const edit = TRY(load_plant_edit(model));
     auto const scene = TRY(apply_edit({}, edit, make_load_options()));
     auto const write
         = [&](std::ostream& out) { return write_simulated_recording(out, script, scene); };

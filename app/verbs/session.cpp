@@ -233,9 +233,10 @@ void add_session_verb(CLI::App& root, Action& action, Methods const& methods)
         ->type_name("FOLDER")
         ->capture_default_str();
     to_files.footer(
-        "Writes the model's rules (.l), view (.v) and what they include, or the skeleton's\n"
-        "lines (.obj); and strokes.txt, one stroke after the other, which \"tractus replay\"\n"
-        "reads. \"tractus grow\", \"render\" and \"vary\" take a session in the place of a model.");
+        "Writes the model's rules (.l), view (.v) and what they include, the skeleton's lines\n"
+        "(.obj) or the measured tree's file; and strokes.txt, one stroke after the other,\n"
+        "which \"tractus replay\" reads. \"tractus grow\", \"render\" and \"vary\" take a\n"
+        "session in the place of a model.");
 }
 
 } // namespace tractus

@@ -12,9 +12,9 @@ CLI::Option* add_plant_option(CLI::App& verb, std::string& model)
     auto* const option
         = verb.add_option("--plant", model,
                           "The plant's model: an L-system file (.l), a skeleton "
-                          "of lines (.obj, .glb), a session with what was drawn in it "
-                          "(.tractus), or one of ours by its name: broadleaf, "
-                          "conifer, daisy, shrub, …")
+                          "of lines (.obj, .glb), a measured tree (.csv, .txt, .ply, .mtg), a "
+                          "session with what was drawn in it (.tractus), or one of ours by its "
+                          "name: broadleaf, conifer, daisy, shrub, …")
               ->type_name("MODEL");
     return model.empty() ? option->required() : option->capture_default_str();
 }

@@ -107,7 +107,8 @@ void add_vary_verb(CLI::App& root, Action& action, Methods const& methods)
     verb->add_option(
             "MODEL", arguments->model,
             "The plant's model: an L-system file (.l), a skeleton of lines (.obj, .glb), a "
-            "session with what was drawn in it (.tractus), or one of ours by its name")
+            "measured tree (.csv, .txt, .ply, .mtg), a session with what was drawn in it "
+            "(.tractus), or one of ours by its name")
         ->required();
     add_drawing_options(*verb, arguments->drawing, "plants vary by chance alone");
     verb->add_option("--count", arguments->collection.count, "Plants in the collection, all parts")

@@ -24,10 +24,12 @@
 #include "drivers/log.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <fmt/core.h>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tractus {
@@ -57,7 +59,7 @@ Result<Scene> load_scene(std::filesystem::path const& model, EditKinds kinds)
 {
     if (is_session_file(model))
         return load_session_scene(model, kinds);
-    auto const edit = TRY(load_model_edit(model));
+    auto const edit = TRY(load_plant_edit(model));
     return apply_edit({}, edit, make_load_options());
 }
 
@@ -215,6 +217,13 @@ Result<WindowArguments> sort_out(WindowArguments arguments)
         arguments.session = arguments.file;
         return arguments;
     }
+    constexpr std::array<std::string_view, 6> kPlants {
+        ".l", ".obj", ".glb", ".mtg", ".ply", ".csv"
+    };
+    auto const ending = std::filesystem::path(arguments.file).extension().string();
+    if (std::find(kPlants.begin(), kPlants.end(), ending) != kPlants.end())
+        return fail(Fault::User,
+                    fmt::format("{0} is a plant: --plant {0} draws on it", arguments.file));
     arguments.log = arguments.file;
     if (!arguments.log.empty()
         && !(arguments.devices.empty() && arguments.played.empty() && arguments.recording.empty()))

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
-#include <limits>
 #include <vector>
 
 namespace tractus {
@@ -14,12 +13,12 @@ namespace tractus {
 namespace {
 
 constexpr double kTipShare = 0.002; // Share of the height.
+constexpr double kLargest_mm = 1e7;
 
 Result<void> check_nodes(std::string const& name, std::span<MeasuredNode const> nodes)
 {
-    constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
     auto const is_radius = [](std::optional<double> const& radius_mm) {
-        return !radius_mm || (*radius_mm >= 0 && *radius_mm <= kMost);
+        return !radius_mm || (*radius_mm >= 0 && *radius_mm <= kLargest_mm);
     };
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         auto const& node = nodes[i];
@@ -125,11 +124,34 @@ double millimetres_per_unit(Bounds const& units)
                                                                                             : 1;
 }
 
+Result<void> check_size(std::string const& name, Bounds const& box_mm)
+{
+    constexpr double kFarthest_mm = 1e12;
+    if (box_mm.empty())
+        return {};
+    double const extent_mm = (box_mm.max_mm - box_mm.min_mm).maxCoeff();
+    if (!(extent_mm <= kLargest_mm))
+        return fail(Fault::User,
+                    fmt::format("{}: this plant is {:.3g} m large, expected at most 10 km: are its "
+                                "lengths metres or millimetres?",
+                                name, extent_mm / 1000));
+    if (!(box_mm.max_mm.cwiseAbs().cwiseMax(box_mm.min_mm.cwiseAbs()).maxCoeff() <= kFarthest_mm))
+        return fail(Fault::User,
+                    fmt::format("{}: this plant is more than a million km away from the origin of "
+                                "its file: move it nearer",
+                                name));
+    return {};
+}
+
 Result<Plant> plant_from_nodes(std::string const& name, std::span<MeasuredNode const> nodes)
 {
     TRY(check_nodes(name, nodes));
+    Bounds box;
+    for (auto const& node : nodes)
+        box.add(node.position_mm);
+    TRY(check_size(name, box));
     auto plant = PlantBuilder(nodes).plant();
-    if (plant.axes.empty())
+    if (plant.axes.empty() || box.min_mm == box.max_mm)
         return fail(Fault::User,
                     fmt::format("{}: there is no branch in it: two positions, one above the other, "
                                 "make one",
@@ -140,7 +162,6 @@ Result<Plant> plant_from_nodes(std::string const& name, std::span<MeasuredNode c
     bool const has_radii
         = std::any_of(nodes.begin(), nodes.end(), [](auto const& node) { return node.radius_mm; });
     if (!has_radii) {
-        auto const box = bounds(plant);
         Vec3 const extent_mm = box.max_mm - box.min_mm;
         apply_pipe_model(plant, 2,
                          kTipShare * std::max(extent_mm.z(), 1e-3 * extent_mm.maxCoeff()));

@@ -24,12 +24,16 @@ struct MeasuredNode {
 // height; otherwise a node without one has that of what is below it, and a lateral begins as thick
 // as it is at its first node, unless it says otherwise.
 //
-// Refuses, in a sentence that begins with `name`, numbers that are not finite, radii below 0, and
-// nodes without a single segment.
+// Refuses, in a sentence that begins with `name`, numbers that are not finite, radii below 0, nodes
+// without a single segment that has a length, and what check_size() does.
 Result<Plant> plant_from_nodes(std::string const& name, std::span<MeasuredNode const> nodes);
 
 // Lengths in such files are metres where the whole is smaller than 100 units, else millimetres:
 // what they are to be multiplied with.
 double millimetres_per_unit(Bounds const& units);
+
+// Refuses, in a sentence that begins with `name`, a plant that no plant can be: more than 10 km
+// large, or more than a million km away from where its file has its origin.
+Result<void> check_size(std::string const& name, Bounds const& box_mm);
 
 } // namespace tractus

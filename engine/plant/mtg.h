@@ -19,10 +19,10 @@ namespace tractus {
 void write_mtg(std::ostream& out, Plant const& plant);
 
 // Reads a plant from entities that have the columns XX, YY and ZZ; they are upper ends. A diameter
-// is in one of the columns TopDiameter, TopDia, Diameter, diam and the like. Entities without a
-// position only say what bears what; classes Organ, Leaf, Flower, Fruit and Bud are passed over.
-// Lengths are millimetres where a comment says so, as in what write_mtg() writes; otherwise
-// millimetres_per_unit() (measured_plant.h).
+// is in one of the columns TopDiameter, TopDia, Diameter, diam and the like, or half of it in the
+// column radius. Entities without a position only say what bears what; classes Organ, Leaf, Flower,
+// Fruit and Bud are passed over. Lengths are millimetres where a comment says so, as in what
+// write_mtg() writes; otherwise millimetres_per_unit() (measured_plant.h).
 //
 // Refuses, in a sentence that begins with `name` and the line, what is no MTG, entities that stand
 // on none, and a plant without positions.

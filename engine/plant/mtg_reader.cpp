@@ -25,6 +25,7 @@ constexpr std::array<std::string_view, 5> kTopDiameters { "topdiameter", "topdia
                                                           "diam", "diasom" };
 constexpr std::array<std::string_view, 4> kBaseDiameters { "bottomdiameter", "bottomdia", "botdia",
                                                            "diabase" };
+constexpr std::array<std::string_view, 1> kRadii { "radius" };
 
 std::string lower_letters(std::string_view text)
 {
@@ -101,7 +102,7 @@ private:
     std::map<std::string, Class, std::less<>> classes_;
     std::size_t entity_columns_ = 0;
     std::array<std::optional<std::size_t>, 3> position_;
-    std::optional<std::size_t> top_diameter_, base_diameter_;
+    std::optional<std::size_t> top_diameter_, base_diameter_, radius_;
     std::vector<GraphColumn> columns_;
     long repeats_ = 0;
     std::vector<MeasuredNode> nodes_;
@@ -194,6 +195,7 @@ Result<void> MtgReader::read_header(std::string_view line)
     }
     top_diameter_ = column_of(kTopDiameters, cells);
     base_diameter_ = column_of(kBaseDiameters, cells);
+    radius_ = column_of(kRadii, cells);
     section_ = Section::Graph;
     return {};
 }
@@ -341,6 +343,8 @@ Result<void> MtgReader::add_node(GraphPlace& place, std::vector<std::string_view
     }
     if (auto const diameter = TRY(feature(top_diameter_, cells)))
         node.radius_mm = *diameter / 2;
+    else if (auto const radius = TRY(feature(radius_, cells)))
+        node.radius_mm = *radius;
     if (auto const diameter = TRY(feature(base_diameter_, cells)))
         node.base_radius_mm = *diameter / 2;
     node.below = place.node;

@@ -54,6 +54,7 @@ struct PlyElement {
 };
 
 constexpr std::size_t kMaxPlyList = 1000;
+constexpr double kMaxPlyRadius_mm = 1e6; // What is larger, or no number, is no radius.
 
 class PlyReader {
 public:
@@ -253,7 +254,7 @@ void PlyReader::set_radii(Plant& plant, double scale) const
         radius_at.emplace(key(Vec3(vertices_[i] * scale - lowest * scale)), radii_[i] * scale);
     for (NodeId node = 0; node < plant.node_position_mm.size(); ++node) {
         auto const found = radius_at.find(key(plant.node_position_mm[node]));
-        if (found != radius_at.end() && std::isfinite(found->second) && found->second >= 0)
+        if (found != radius_at.end() && found->second >= 0 && found->second <= kMaxPlyRadius_mm)
             plant.node_radius_mm[node] = static_cast<float>(found->second);
     }
 }

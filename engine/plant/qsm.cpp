@@ -27,8 +27,8 @@ enum QsmColumn : std::size_t {
     AxisY,
     AxisZ,
     Parent,
-    Extension,
-    Branch, // TreeQSM's order, up to here.
+    Extension, // All versions of TreeQSM have this order up to here, and then different ones.
+    Branch,
     EndX,
     EndY,
     EndZ,
@@ -82,7 +82,7 @@ public:
     explicit QsmReader(std::string const& name)
         : name_(name)
     {
-        for (std::size_t i = 0; i <= Branch; ++i)
+        for (std::size_t i = 0; i <= Extension; ++i)
             columns_[i] = i;
     }
 
@@ -129,6 +129,7 @@ private:
     std::size_t line_ = 0;
     std::optional<char> separator_;
     std::array<std::optional<std::size_t>, QsmColumnCount> columns_;
+    bool is_named_ = false; // Whether the file's first line names its columns.
     std::vector<QsmCylinder> cylinders_;
 };
 
@@ -153,6 +154,7 @@ Result<void> QsmReader::read_names(std::vector<std::string_view> const& cells)
             "the columns need radius, parent, start_x, start_y, start_z, and end_x, end_y, "
             "end_z or axis_x, axis_y, axis_z and length");
     columns_ = named;
+    is_named_ = true;
     return {};
 }
 
@@ -160,7 +162,10 @@ Result<double> QsmReader::number(QsmColumn column, std::vector<std::string_view>
 {
     auto const at = columns_[column];
     if (!at || *at >= cells.size())
-        return error(fmt::format("the line has {} columns, expected more", cells.size()));
+        return error(fmt::format("the line has {} columns, expected {}", cells.size(),
+                                 is_named_ ? "one for each name in the first line"
+                                           : "at least 10: radius, length, start (3), axis (3), "
+                                             "parent and extension"));
     auto const value = number_in(cells[*at]);
     if (!value || !std::isfinite(*value))
         return error(fmt::format("found {} in column {}, expected a number", cells[*at], *at + 1));
@@ -214,6 +219,9 @@ std::vector<std::size_t> QsmReader::parents() const
 // Tells which cylinders go on from the one below.
 std::vector<bool> QsmReader::continued(std::span<std::size_t const> parents) const
 {
+    bool const has_extensions
+        = std::any_of(cylinders_.begin(), cylinders_.end(),
+                      [](QsmCylinder const& cylinder) { return cylinder.extension > 0; });
     std::vector<bool> result(cylinders_.size());
     std::vector<std::size_t> thickest(cylinders_.size(), kGround);
     for (std::size_t i = 0; i < cylinders_.size(); ++i) {
@@ -223,12 +231,12 @@ std::vector<bool> QsmReader::continued(std::span<std::size_t const> parents) con
         auto& best = thickest[parent];
         if (best == kGround || cylinders_[i].radius > cylinders_[best].radius)
             best = i;
-        if (columns_[Branch])
-            result[i] = cylinders_[i].branch == cylinders_[parent].branch;
-        else if (columns_[Extension])
+        if (has_extensions)
             result[i] = cylinders_[parent].extension == cylinders_[i].id;
+        else if (columns_[Branch])
+            result[i] = cylinders_[i].branch == cylinders_[parent].branch;
     }
-    if (!columns_[Branch] && !columns_[Extension])
+    if (!has_extensions && !columns_[Branch])
         for (auto const best : thickest)
             if (best != kGround)
                 result[best] = true;

@@ -15,11 +15,13 @@ namespace tractus {
 // TreeQSM's users do: start_x, start_y, start_z, either axis_x, axis_y, axis_z and length or end_x,
 // end_y, end_z, radius, parent, and perhaps id, branch and extension, whatever their case and their
 // underscores. Without such names they are TreeQSM's own: radius, length, start (3), axis (3),
-// parent, extension, branch. Parents are ids, or lines counted from 1; a number that is none, such
-// as 0, is the ground. +z is up; lengths as millimetres_per_unit() says (measured_plant.h).
+// parent, extension, and others that differ from version to version. Parents and extensions are
+// ids, or lines counted from 1; a number that is none, such as 0, is the ground, or no extension.
+// +z is up; lengths as millimetres_per_unit() says (measured_plant.h).
 //
-// A cylinder reaches from where the one below it ends to its own end. An axis goes on where the
-// branch is the same; without that column where `extension` leads, or else into the thickest.
+// A cylinder reaches from where the one below it ends to its own end. An axis goes on where
+// `extension` leads; in files without extensions where the branch is the same, or else, without
+// that column, into the thickest.
 //
 // Refuses, in a sentence that begins with `name` and the line, numbers that are none, lines that
 // are too short, and cylinders that stand on each other.

@@ -1,5 +1,6 @@
 #include "engine/plant/skeleton_lines.h"
 
+#include "engine/plant/measured_plant.h"
 #include "engine/plant/pipe_model.h"
 
 #include <algorithm>
@@ -209,6 +210,7 @@ Result<Plant> plant_from_lines(std::string const& name, std::span<SkeletonPiece 
         box.add(lines[i].from_mm);
         box.add(lines[i].to_mm);
     }
+    TRY(check_size(name, box));
     double const extent_mm = box.empty() ? 0 : (box.max_mm - box.min_mm).maxCoeff();
     JointFinder finder(options.tolerance * extent_mm);
     for (auto const& line : lines) {

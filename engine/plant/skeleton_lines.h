@@ -32,7 +32,7 @@ struct SkeletonOptions {
 // cut where both ways around it meet. Lines without length are left out. The base of the lowest
 // part is put at the origin.
 //
-// Refuses, in a sentence that begins with `name`, lines that are not finite, and nothing at all.
+// Refuses, in a sentence that begins with `name`, no lines, infinite lines, and as check_size().
 Result<Plant> plant_from_lines(std::string const& name, std::span<SkeletonPiece const> lines,
                                SkeletonOptions const& options = {});
 

@@ -63,6 +63,27 @@ struct LoadSkeleton {
     bool operator==(LoadSkeleton const&) const = default;
 };
 
+// Takes a base plant from the file of a plant that was measured, or that another program keeps as a
+// graph, a list of cylinders or a skeleton (measured_source.h).
+struct LoadMeasured {
+    static EditKind const kKind;
+
+    enum class Format {
+        Mtg, // engine/plant/mtg.h
+        Qsm, // engine/plant/qsm.h
+        Ply, // engine/plant/ply_skeleton.h
+    };
+
+    std::string name {};
+    std::string text {}; // All of the file: bytes, if it is a binary one.
+    Format format = Format::Mtg;
+    Drawn drawn = Drawn::Forget;
+    Vec3 stands_at_mm = Vec3::Zero(); // As of LoadModel, as the next one.
+    ItemId id = 0;
+
+    bool operator==(LoadMeasured const&) const = default;
+};
+
 // Chooses what the next associations go to, in place of what was chosen. Usually one path, or one
 // for each branch that the pen left undetermined (Streit 2006, section 4.1); none chooses nothing.
 struct Select {

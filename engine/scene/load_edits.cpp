@@ -1,6 +1,7 @@
 #include "engine/scene/edit_words.h"
 #include "engine/scene/lsystem_source.h"
 #include "engine/scene/make_edit_kind.h"
+#include "engine/scene/measured_source.h"
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,7 @@ namespace {
 
 // In the order of the enumerations' values.
 constexpr std::array kDrawn { "forget", "keep", "beside" };
+constexpr std::array kMeasuredFormats { "mtg", "qsm", "ply" };
 
 std::string file_name(std::string const& path)
 {
@@ -104,6 +106,30 @@ std::string described(LoadSkeleton const& edit)
                        counted(edit.lines.size(), "line"), describe_drawn(edit.drawn));
 }
 
+void list(Fields& fields, LoadMeasured& edit)
+{
+    fields.field("name", &edit.name);
+    fields.field("text", &edit.text);
+    fields.word("format", edit.format, kMeasuredFormats);
+    fields.word("drawn", edit.drawn, kDrawn);
+    list_plant(fields, edit);
+}
+
+constexpr SourceKind kMeasured = make_source_kind<LoadMeasured, build_measured>("measured");
+
+Result<DocumentState> applied(DocumentState state, LoadMeasured const& edit, SceneBuilder&)
+{
+    return with_source(std::move(state), new_source(edit, edit.name, kMeasured));
+}
+
+std::string described(LoadMeasured const& edit)
+{
+    static constexpr std::array kWhat { "a graph", "cylinders", "a skeleton" };
+    return fmt::format("takes the measured plant {}: {} of {}{}", file_name(edit.name),
+                       counted(edit.text.size(), "byte"),
+                       kWhat[static_cast<std::size_t>(edit.format)], describe_drawn(edit.drawn));
+}
+
 } // namespace
 
 constexpr EditKind LoadModel::kKind
@@ -111,5 +137,8 @@ constexpr EditKind LoadModel::kKind
 
 constexpr EditKind LoadSkeleton::kKind
     = make_edit_kind<LoadSkeleton, list, applied, described>("load_skeleton", true);
+
+constexpr EditKind LoadMeasured::kKind
+    = make_edit_kind<LoadMeasured, list, applied, described>("load_measured", true);
 
 } // namespace tractus

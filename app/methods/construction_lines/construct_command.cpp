@@ -50,7 +50,7 @@ std::string model_name(fs::path const& sketch)
 // A plant's file instead of a folder.
 bool is_plant_file(fs::path const& output)
 {
-    constexpr std::array kEndings { ".glb", ".obj", ".png" };
+    constexpr std::array kEndings { ".glb", ".obj", ".mtg", ".png" };
     return std::find(kEndings.begin(), kEndings.end(), output.extension()) != kEndings.end();
 }
 
@@ -144,7 +144,7 @@ void add_options(CLI::App& verb, ConstructArguments& arguments)
     verb.add_option(
             "-o,--output", arguments.output,
             "The folder for the plant's files, made if it is not there; or the plant alone, "
-            "as the file's ending says: .glb, .obj or .png")
+            "as the file's ending says: .glb, .obj, .mtg or .png")
         ->type_name("OUTPUT")
         ->required();
     verb.add_option("--pattern", arguments.given.pattern,

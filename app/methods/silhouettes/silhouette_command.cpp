@@ -57,7 +57,7 @@ silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
 
 bool is_tree_file(fs::path const& output)
 {
-    constexpr std::array kEndings { ".glb", ".obj", ".png" };
+    constexpr std::array kEndings { ".glb", ".obj", ".mtg", ".png" };
     return std::find(kEndings.begin(), kEndings.end(), output.extension()) != kEndings.end();
 }
 
@@ -199,7 +199,7 @@ void add_options(CLI::App& verb, SilhouetteArguments& arguments)
         ->type_name("DRAWING");
     verb.add_option("-o,--output", arguments.output,
                     "The folder for pictures and glTF, made if it is not there; or the tree alone, "
-                    "as the file's ending says: .glb, .obj or .png")
+                    "as the file's ending says: .glb, .obj, .mtg or .png")
         ->type_name("OUTPUT");
     verb.add_option("--levels", arguments.form.levels,
                     "How often branches branch before twigs come")

@@ -93,7 +93,8 @@ TEST_F(Usage, AValueThatAnOptionCannotHaveIsWrongUsage)
     expect_error(run("tractus grow small.l -o x.glb --seed 99999999999999999999"), 2, "--seed");
     expect_error(run("tractus grow small.l -o x.glb -n -1"), 2, "--steps");
     expect_error(run("tractus grow small.l -o x.glb -n many"), 2, "'many' is not a whole number");
-    expect_error(run("tractus grow small.l -o x.gif"), 2, "must end in .glb or .obj or .png");
+    expect_error(run("tractus grow small.l -o x.gif"), 2,
+                 "must end in .glb or .obj or .mtg or .png");
     expect_error(run("tractus render x.glb -o x.jpg"), 2, "must end in .png");
     expect_error(run("tractus render x.glb -o x.png --size 0x0"), 2, "WIDTHxHEIGHT");
     expect_error(run("tractus render x.glb -o x.png --size banana"), 2, "'banana' is no size");

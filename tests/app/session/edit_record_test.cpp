@@ -72,6 +72,11 @@ TEST(EditRecord, IsReadableByEyeAndStaysAsItIs)
     EXPECT_EQ(record_of(Select { .at = { { { 0, 1 }, { 0, 4 } } } }).fields,
               R"({"at":[[[0,1],[0,4]]]})");
     EXPECT_EQ(record_of(DeleteStroke { { .ids = { 7, 9 } } }).fields, R"({"strokes":[7,9]})");
+    LoadMeasured const measured { .name = "a.csv",
+                                  .text = "1 2\n",
+                                  .format = LoadMeasured::Format::Qsm };
+    EXPECT_EQ(record_of(measured).fields,
+              R"({"name":"a.csv","text":"1 2\n","format":"qsm","drawn":"forget"})");
     EXPECT_EQ(record_of(LoadModel { .source = { .name = "\xff.l" } }).fields.substr(0, 24),
               "{\"name\":{\"bytes\":\"\xc3\xbf.l\"}");
 }

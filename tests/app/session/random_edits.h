@@ -122,6 +122,15 @@ inline LoadSkeleton random_skeleton()
     return edit;
 }
 
+inline LoadMeasured random_measured()
+{
+    LoadMeasured edit { .name = random_bytes(), .text = random_bytes() };
+    edit.format = random_enum<LoadMeasured::Format>(3);
+    edit.drawn = random_enum<Drawn>(3);
+    give_place(edit);
+    return edit;
+}
+
 // Names things by ids, or as sessions before format 4 do.
 inline Items random_items()
 {
@@ -185,6 +194,8 @@ inline Edit random_edit()
         return RemovePlant { random_id() };
     case 17:
         return SetScale { random_double() };
+    case 18:
+        return random_measured();
     default:
         return SetGrowth { random_growth(), *rc::gen::arbitrary<std::uint64_t>(), random_double(),
                            random_double() };

@@ -88,6 +88,13 @@ inline bool same(LoadSkeleton const& one, LoadSkeleton const& other)
     return true;
 }
 
+inline bool same(LoadMeasured const& one, LoadMeasured const& other)
+{
+    return one.name == other.name && one.text == other.text && one.format == other.format
+        && one.drawn == other.drawn && same(one.stands_at_mm, other.stands_at_mm)
+        && one.id == other.id;
+}
+
 inline bool same(Items const& one, Items const& other)
 {
     return one.ids == other.ids && one.numbers == other.numbers;
@@ -198,15 +205,16 @@ template<typename T> bool same_of(Edit const& one, Edit const& other)
 inline bool same(Edit const& one, Edit const& other)
 {
     return same_of<LoadModel>(one, other) || same_of<LoadSkeleton>(one, other)
-        || same_of<Select>(one, other) || same_of<Associate>(one, other)
-        || same_of<Oversketch>(one, other) || same_of<SmoothStroke>(one, other)
-        || same_of<DeleteStroke>(one, other) || same_of<EraseTips>(one, other)
-        || same_of<Indicate>(one, other) || same_of<ChangeIndicator>(one, other)
-        || same_of<DeleteIndicator>(one, other) || same_of<SetGrowth>(one, other)
-        || same_of<ActivatePlant>(one, other) || same_of<MovePlant>(one, other)
-        || same_of<CopyPlant>(one, other) || same_of<HidePlant>(one, other)
-        || same_of<NamePlant>(one, other) || same_of<RemovePlant>(one, other)
-        || same_of<SetScale>(one, other) || same_of<UnknownEdit>(one, other);
+        || same_of<LoadMeasured>(one, other) || same_of<Select>(one, other)
+        || same_of<Associate>(one, other) || same_of<Oversketch>(one, other)
+        || same_of<SmoothStroke>(one, other) || same_of<DeleteStroke>(one, other)
+        || same_of<EraseTips>(one, other) || same_of<Indicate>(one, other)
+        || same_of<ChangeIndicator>(one, other) || same_of<DeleteIndicator>(one, other)
+        || same_of<SetGrowth>(one, other) || same_of<ActivatePlant>(one, other)
+        || same_of<MovePlant>(one, other) || same_of<CopyPlant>(one, other)
+        || same_of<HidePlant>(one, other) || same_of<NamePlant>(one, other)
+        || same_of<RemovePlant>(one, other) || same_of<SetScale>(one, other)
+        || same_of<UnknownEdit>(one, other);
 }
 
 } // namespace tractus

@@ -2,6 +2,7 @@
 #include "engine/plant/mtg.h"
 #include "engine/plant/ply_skeleton.h"
 #include "engine/plant/qsm.h"
+#include "engine/plant/skeleton_lines.h"
 
 #include <cstring>
 #include <gtest/gtest.h>
@@ -50,6 +51,29 @@ TEST(MeasuredPlant, RefusesWhatIsNoPlant)
               "tree: the position or the diameter of node 2 is no length: export the plant again");
 }
 
+TEST(MeasuredPlant, RefusesWhatIsTooLargeTooFarAwayOrOnePoint)
+{
+    auto const error = [](Vec3 const& from, Vec3 const& to) {
+        std::vector<MeasuredNode> const nodes {
+            { .position_mm = from, .radius_mm = 1 },
+            { .below = 0, .continues = true, .position_mm = to, .radius_mm = 1 }
+        };
+        auto const plant = plant_from_nodes("tree", nodes);
+        return plant ? "no error" : plant.error().message;
+    };
+    EXPECT_EQ(error({ 0, 0, 0 }, { 0, 0, 1e7 }), "no error");
+    EXPECT_EQ(error({ 0, 0, 0 }, { 0, 0, 3e300 }),
+              "tree: this plant is 3e+297 m large, expected at most 10 km: are its lengths metres "
+              "or millimetres?");
+    EXPECT_EQ(error({ -2e12, 0, 0 }, { -2e12, 0, 9 }),
+              "tree: this plant is more than a million km away from the origin of its file: move "
+              "it nearer");
+    EXPECT_EQ(error({ 5, 5, 5 }, { 5, 5, 5 }),
+              "tree: there is no branch in it: two positions, one above the other, make one");
+    std::vector<SkeletonPiece> const lines { { { 0, 0, 0 }, { 0, 0, 3e300 } } };
+    EXPECT_FALSE(plant_from_lines("tree", lines));
+}
+
 TEST(Qsm, ReadsTreeQsmsColumns)
 {
     auto const plant = parse_qsm("tree.txt",
@@ -70,6 +94,22 @@ TEST(Qsm, ReadsTreeQsmsColumns)
                 { 1200, 0, 1000 }); // From where the stem's cylinder ends.
     EXPECT_EQ(tree->node_radius_mm[0], 200);
     EXPECT_EQ(tree->node_radius_mm[3], 50);
+}
+
+// TreeQSM 2.3 writes no names, and behind the extension: added, unmodified radius, branch, order
+// and position. A cylinder that was added begins each branch.
+TEST(Qsm, FollowsExtensionsWhateverColumnsComeBehindThem)
+{
+    auto const tree = parse_qsm("tree.txt",
+                                "0.2\t1\t4\t9\t1\t0\t0\t1\t0\t2\t0\t0.2\t1\t0\t1\n"
+                                "0.1\t1\t4\t9\t2\t0\t0\t1\t1\t0\t0\t0.1\t1\t0\t2\n"
+                                "0.05\t1\t4\t9\t2\t1\t0\t0\t1\t4\t1\t0.05\t2\t1\t1\n"
+                                "0.04\t1\t5\t9\t2\t1\t0\t0\t3\t0\t0\t0.04\t2\t1\t2\n");
+    ASSERT_TRUE(tree) << tree.error().message;
+    ASSERT_EQ(tree->axes.size(), 2u);
+    EXPECT_EQ(tree->axes[0].segment_count, 2u);
+    EXPECT_EQ(tree->axes[1].segment_count, 2u);
+    expect_near(tree->node_position_mm.back(), { 2000, 0, 1000 });
 }
 
 TEST(Qsm, ReadsNamedColumnsInAnyOrder)
@@ -95,7 +135,12 @@ TEST(Qsm, SaysWhatIsWrong)
               "end_y, end_z or axis_x, axis_y, axis_z and length");
     EXPECT_EQ(error("0.1,1,0,0,0,0,0,x,0,0,1\n"),
               "tree.csv:1: found x in column 8, expected a number");
-    EXPECT_EQ(error("0.1,1,0,0\n"), "tree.csv:1: the line has 4 columns, expected more");
+    EXPECT_EQ(
+        error("0.1,1,0,0\n"),
+        "tree.csv:1: the line has 4 columns, expected at least 10: radius, length, start (3), "
+        "axis (3), parent and extension");
+    EXPECT_EQ(error("start_x,start_y,start_z,end_x,end_y,end_z,radius,parent\n0,0,0,0,0,1,2\n"),
+              "tree.csv:2: the line has 7 columns, expected one for each name in the first line");
     EXPECT_EQ(error("0.1,1,0,0,0,0,0,1,2,0,1\n0.1,1,0,0,0,0,0,1,1,0,1\n"),
               "tree.csv: 2 of 2 cylinders stand on each other and not on the ground");
     EXPECT_EQ(error(""),

@@ -132,6 +132,15 @@ TEST(Mtg, ReadsBothWaysToNameBranches)
     EXPECT_EQ(beside->node_radius_mm[0], 20'000);
 }
 
+TEST(Mtg, ReadsRadiiInPlaceOfDiameters)
+{
+    auto const plant = parse_mtg("tree.mtg",
+                                 with_header("ENTITY-CODE\tXX\tYY\tZZ\tradius\n"
+                                             "/P1/S1\t0\t0\t0\t30\n^<S2\t0\t0\t500\t20\n"));
+    ASSERT_TRUE(plant) << plant.error().message;
+    EXPECT_EQ(plant->node_radius_mm, (std::vector<float> { 30, 20 }));
+}
+
 TEST(Mtg, SaysWhatIsWrong)
 {
     EXPECT_EQ(error("solid\n"), "tree.mtg:1: this is no MTG: expected CODE: before anything else");

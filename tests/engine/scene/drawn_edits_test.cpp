@@ -219,5 +219,45 @@ TEST(DrawnEdits, ASkeletonOfAnotherProgramIsAPlantLikeAnother)
     EXPECT_GT(plant_of(scene).node_position_mm[2].x(), 20);
 }
 
+// A trunk of two cylinders with a branch on the lower one.
+LoadMeasured measured(std::string const& more = "")
+{
+    return { .name = "tree.csv",
+             .text = "id,parent,start_x,start_y,start_z,end_x,end_y,end_z,radius\n"
+                     "1,0,500,200,10,500,200,11,0.1\n2,1,500,200,11,500,200,12,0.08\n"
+                     "3,1,500,200,11,500.6,200,11.4,0.03\n"
+                 + more,
+             .format = LoadMeasured::Format::Qsm,
+             .drawn = Drawn::Keep };
+}
+
+TEST(DrawnEdits, AMeasuredTreeIsAPlantLikeAnother)
+{
+    auto const bare = after({ measured() });
+    EXPECT_EQ(bare.model_name, "tree.csv");
+    ASSERT_EQ(bare.base->axes.size(), 2u);
+    // Two metres high, and shown as high as the drawing volume.
+    EXPECT_NEAR(bare.placement.scale * 2000, DrawingVolume().height_mm, 1e-6);
+
+    auto const scene = after(
+        { Select { { segments_of(bare.base->axes[1]) } }, Associate { stroke_to({ 60, 40, 0 }) } },
+        bare);
+    auto const drawn = plant_of(scene);
+    EXPECT_GT((drawn.node_position_mm.back() - bare.base->node_position_mm.back()).norm(), 100);
+
+    // The branch is found again in the same tree when more of it was measured.
+    auto const grown = after({ measured("4,2,500,200,12,500,200,13,0.05\n") }, scene);
+    ASSERT_EQ(grown.associations.size(), 1u);
+    EXPECT_FALSE(grown.associations[0].what.is_orphaned);
+    EXPECT_EQ(grown.base->segment_count(), 4u);
+}
+
+TEST(DrawnEdits, AMeasuredTreeThatIsNoneChangesNothing)
+{
+    auto const scene = after({ measured() });
+    EXPECT_EQ(apply_edit(scene, measured("5,x,1,1,1,1,1,1,1\n")).error().message,
+              "tree.csv:5: found x in column 2, expected a number");
+}
+
 } // namespace
 } // namespace tractus

@@ -84,6 +84,14 @@ TEST_F(ConstructCommand, TheExportedTextGivesTheSamePlant)
     }
 }
 
+TEST_F(ConstructCommand, WritesAGraphThatIsAPlant)
+{
+    ASSERT_EQ(run({ "construct", sketch("bent.json"), "-o", path("bent.mtg") }).exit_code, 0);
+    auto const grown = run({ "grow", path("bent.mtg"), "-o", path("again.mtg") });
+    ASSERT_EQ(grown.exit_code, 0) << grown.err;
+    EXPECT_FALSE(fs::is_directory(path("bent.mtg")));
+}
+
 TEST_F(ConstructCommand, ASketchIsReadAsASessionAgain)
 {
     ASSERT_EQ(run({ "construct", sketch("bent.json"), "-o", path("out"), "--report", "--session" })

@@ -103,6 +103,16 @@ TEST_F(SilhouetteCommand, TheSameSeedGivesTheSameFile)
     EXPECT_FALSE(bytes(path("a.glb")) == bytes(path("c.glb")));
 }
 
+TEST_F(SilhouetteCommand, WritesAGraphThatIsAPlant)
+{
+    ASSERT_EQ(
+        run({ "silhouette", path("oak.json"), "-o", path("oak.mtg"), "--levels", "1" }).exit_code,
+        0);
+    auto const grown = run({ "grow", path("oak.mtg"), "-o", path("again.mtg") });
+    ASSERT_EQ(grown.exit_code, 0) << grown.err;
+    EXPECT_FALSE(std::filesystem::is_directory(path("oak.mtg")));
+}
+
 TEST_F(SilhouetteCommand, PrintsAnArrangementAlone)
 {
     auto const outcome
