@@ -11,3 +11,4 @@ material: 4 cone kind=solid color=0.55,0.55,0.25 roughness=0.7
 organ: l leaf kind=blade material=2 length=14 width=6.5 petiole=1.5 widest=0.6 tip=0.5 base=0.7 fold=20 curl=20
 organ: p tepal kind=blade material=3 length=9 width=4.6 petiole=0 widest=0.6 tip=0.3 base=0.6 fold=40 curl=-48
 organ: c cone kind=ball material=4 length=2.6 width=1.1
+leaf: l magnolia
