@@ -15,10 +15,11 @@ namespace {
 constexpr float kProgressHeight_px = 10;
 constexpr float kBarAir_px = 8;
 constexpr float kGroupGap_px = 28;
-constexpr float kGreatestPart = 0.6f; // Of the window's height.
-constexpr float kLeastAir_px = 7;     // On each side of a button's letters.
-constexpr float kToolWidth_px = 96;   // At least,
-constexpr float kLessAir_px = 12;     // and else so much narrower than what a tool means.
+constexpr float kGreatestPart = 0.6f; // Of the window's height, as far as main buttons let it.
+constexpr std::size_t kMostMainRows = 2;
+constexpr float kLeastAir_px = 7;   // On each side of a button's letters.
+constexpr float kToolWidth_px = 96; // At least,
+constexpr float kLessAir_px = 12;   // and else so much narrower than what a tool means.
 
 using Shown = Workbench::Shown;
 constexpr std::array<std::pair<char const*, Shown>, 5> kViews { { { "All", Shown::All },
@@ -45,7 +46,9 @@ WindowPart Controls::show(WindowModel& model, Workbench& bench, float left_px, f
         ImGui::ProgressBar(static_cast<float>(state.progress), { -1, kProgressHeight_px * scale_ },
                            "");
     show_status(state);
-    auto const main = main_buttons(model, bench);
+    auto main = main_buttons(model, bench, Views::Each);
+    if (rows_of(main).size() > kMostMainRows)
+        main = main_buttons(model, bench, Views::Next);
     if (state.is_live)
         show_meanings(bench.turns_views ? view_meanings(bench) : tool_meanings(model, bench),
                       height_of(main));
@@ -53,7 +56,7 @@ WindowPart Controls::show(WindowModel& model, Workbench& bench, float left_px, f
     if (!state.is_live)
         show_speed(model);
     float const used_px = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
-    height_px_ = std::min(used_px + kBarAir_px * scale_, display.y * kGreatestPart);
+    height_px_ = std::min(used_px + kBarAir_px * scale_, display.y);
     ImGui::End();
     return part;
 }
@@ -212,17 +215,24 @@ std::vector<BarButton> Controls::view_meanings(Workbench& bench)
              { "Whole plant", 150, false, false, [&bench] { bench.whole_is_wished = true; } } };
 }
 
-std::vector<BarButton> Controls::main_buttons(WindowModel& model, Workbench& bench)
+std::vector<BarButton> Controls::main_buttons(WindowModel& model, Workbench& bench, Views views)
 {
     auto buttons = model.state().is_live ? tool_buttons(model, bench) : play_buttons(model);
     if (model.state().has_session) {
         buttons.push_back({ "Undo", 88, false, true, [&model] { model.perform(Undo {}); } });
         buttons.push_back({ "Redo", 88, false, false, [&model] { model.perform(Redo {}); } });
     }
-    for (auto const& [name, shown] : kViews)
+    for (auto const& [name, shown] : kViews) {
+        if (views == Views::Next && bench.shown == shown)
+            buttons.push_back({ fmt::format("{} >", name),
+                                shown == Shown::Skeleton ? 148.0f : 104.0f, false, true,
+                                [&bench] { bench.show_next(); } });
+        if (views == Views::Next)
+            continue;
         buttons.push_back({ name, shown == Shown::Skeleton ? 124.0f : 80.0f, bench.shown == shown,
                             shown == kViews[0].second,
                             [&bench, wished = shown] { bench.shown = wished; } });
+    }
     auto const open_or_close = [&bench] {
         if (bench.menu_is_open())
             bench.close_menu();

@@ -62,7 +62,9 @@ private:
     void show_speed(WindowModel& model) const;
     static std::vector<BarButton> tool_meanings(WindowModel& model, Workbench& bench);
     static std::vector<BarButton> view_meanings(Workbench& bench);
-    static std::vector<BarButton> main_buttons(WindowModel& model, Workbench& bench);
+    // A button for each view, or where they take too many rows one that goes to the next.
+    enum class Views { Each, Next };
+    static std::vector<BarButton> main_buttons(WindowModel& model, Workbench& bench, Views views);
     static std::vector<BarButton> tool_buttons(WindowModel& model, Workbench& bench);
     static std::vector<BarButton> play_buttons(WindowModel& model);
 

@@ -17,6 +17,7 @@ namespace {
 constexpr int kSavedWidth_px = 1600; // Of "Save picture".
 constexpr int kSavedHeight_px = 1200;
 constexpr float kGaugeWidth_px = 88;
+constexpr float kLeastForAll_px = 460; // Narrower, the menu has the plant alone beside it.
 constexpr double kAirAroundPad = 1.06;
 
 using Shown = Workbench::Shown;
@@ -39,12 +40,12 @@ WindowPart Layout::above_controls() const
     return part;
 }
 
-// What the menu leaves of that, unless the window is so small that it covers the views.
+// What the menu leaves of that.
 WindowPart Layout::beside_menu() const
 {
     auto part = above_controls();
-    if (bench_.menu_is_open() && part.width > 2 * menu_.width_px())
-        part.width -= menu_.width_px();
+    if (bench_.menu_is_open())
+        part.width -= menu_.width_px(part.width);
     return part;
 }
 
@@ -175,6 +176,10 @@ void Layout::show_views(WindowModel& model, Renderer& renderer, HandInput const&
     WindowPart part { 0, 0, width * 0.37f, room.height };
     auto const whole = whole_window(); // What the pen points at unless it draws.
     pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
+    if (bench_.menu_is_open() && room.width < kLeastForAll_px * scale_) {
+        mouse_.let_go(model);
+        return show_plant(state, renderer, room);
+    }
     show_pad(model, renderer, part, input);
     part = { part.left + part.width + gap, 0, width * 0.28f, room.height };
     show_skeleton(model, renderer, part, input);

@@ -14,6 +14,7 @@ namespace tractus {
 namespace {
 
 constexpr float kMenuWidth_px = 460;
+constexpr float kLeastBeside_px = 140;
 
 } // namespace
 
@@ -24,16 +25,17 @@ float Menu::item_px(int count) const
     return (row_px_ - gaps) / static_cast<float>(count) / scale_;
 }
 
-float Menu::width_px() const
+float Menu::width_px(float room_px) const
 {
-    return kMenuWidth_px * scale_;
+    float const left_px = room_px - kLeastBeside_px * scale_;
+    return std::min(kMenuWidth_px * scale_, std::max(left_px, room_px / 2));
 }
 
 WindowPart Menu::show(WindowModel& model, Workbench& bench, Controls const& controls,
                       WindowPart const& room, std::function<Image()> const& picture)
 {
     using Page = Workbench::MenuPage;
-    float const width = std::min(width_px(), room.width);
+    float const width = width_px(room.width);
     WindowPart const part { room.left + room.width - width, room.top, width, room.height };
     ImGui::SetNextWindowPos({ part.left, part.top });
     ImGui::SetNextWindowSize({ part.width, part.height });

@@ -19,7 +19,8 @@ public:
     {
     }
 
-    float width_px() const;
+    // In a room of that width: a narrow one is left some for the plant that it changes.
+    float width_px(float room_px) const;
 
     // Shows it at the right edge of `room`; returns where it is. `picture`: of the plant as it is
     // seen, for a file.

@@ -47,7 +47,7 @@ std::vector<Vec2> cut_at_midrib(std::vector<Vec2> const& outline)
         return {};
     auto const first = std::ranges::find_if(cut, is_on);
     auto const second = std::find_if(std::next(first), cut.end(), is_on);
-    std::ranges::rotate(cut, first->y() < second->y() ? first : second);
+    std::rotate(cut.begin(), first->y() < second->y() ? first : second, cut.end());
     return cut;
 }
 
