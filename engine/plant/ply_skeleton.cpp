@@ -231,7 +231,7 @@ Result<Plant> PlyReader::plant() const
     if (pieces.empty())
         return error("there are no edges in it: export the skeleton, not its surface or points");
     auto plant = TRY(plant_from_lines(name_, pieces));
-    if (!radii_.empty())
+    if (radii_.size() == vertices_.size()) // Else only some of the file's vertices have one.
         set_radii(plant, scale);
     return plant;
 }

@@ -197,6 +197,20 @@ TEST(PlySkeleton, ReadsAsciiAndComputesMissingRadii)
     EXPECT_GT(tree->node_radius_mm[0], 0);
 }
 
+TEST(PlySkeleton, LeavesRadiiOutThatOnlySomeVerticesHave)
+{
+    std::string const text = "ply\nformat ascii 1.0\n"
+                             "element vertex 1\nproperty float x\nproperty float y\n"
+                             "property float z\n"
+                             "element vertex 2\nproperty float x\nproperty float y\n"
+                             "property float z\nproperty float radius\n"
+                             "element edge 2\nproperty int vertex1\nproperty int vertex2\n"
+                             "end_header\n0 0 0\n0 0 1 0.1\n0 0 2 0.1\n0 1\n1 2\n";
+    auto const plant = parse_ply_skeleton("some.ply", std::as_bytes(std::span(text)));
+    ASSERT_TRUE(plant) << plant.error().message;
+    EXPECT_EQ(plant->segment_count(), 2u);
+}
+
 TEST(PlySkeleton, SaysWhatIsWrong)
 {
     auto const error = [](std::string const& text) {
