@@ -165,9 +165,12 @@ TEST_F(WindowTest, StepsTheModelOncePerFrame)
 
 TEST_F(WindowTest, SaysWhatToDoWhereThereIsNoDisplay)
 {
+    auto const* const display = std::getenv("DISPLAY");
+    std::string const before = display ? display : "";
     ::setenv("DISPLAY", ":32767", 1);
     StillModel model;
     auto const result = run_window(model, { .frames = 1 });
+    ::setenv("DISPLAY", before.c_str(), 1);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().fault, Fault::User);
     EXPECT_NE(result.error().message.find("there is no display"), std::string::npos)
