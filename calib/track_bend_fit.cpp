@@ -144,7 +144,7 @@ std::optional<FittedBend> fit_with(HeightModel const& law, Track const& track, b
                         = -0.5 * (fit->sum_of_squares() + log_determinant(fit->jacobian)) };
 }
 
-// Of the law's parameters, followed by the shifts of the bend's knots.
+// Covariance of the law's parameters, followed by the shifts of the bend's knots.
 Eigen::MatrixXd covariance_of(FittedBend const& fitted)
 {
     auto const& unit = fitted.fit.unit_covariance;

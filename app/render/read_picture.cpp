@@ -1,5 +1,6 @@
 #include "app/render/read_picture.h"
 
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <fmt/core.h>

@@ -1,26 +1,20 @@
 #include "app/render/surface_picture.h"
 
 #include "app/render/read_picture.h"
+#include "engine/export/gltf_material.h"
 
 #include <array>
-#include <cmath>
-#include <cstdint>
+#include <cstddef>
 
 namespace tractus {
 
 namespace {
 
-float linear_from_byte(std::uint8_t value)
-{
-    float const srgb = static_cast<float>(value) / 255;
-    return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
-}
-
 Vec3f mean_color(Image const& image)
 {
-    std::array<float, 256> linear {};
+    std::array<double, 256> linear {};
     for (std::size_t i = 0; i < linear.size(); ++i)
-        linear[i] = linear_from_byte(static_cast<std::uint8_t>(i));
+        linear[i] = linear_from_srgb(static_cast<double>(i) / 255);
     Vec3 sum = Vec3::Zero();
     std::size_t count = 0;
     for (auto const& pixel : image.pixels()) {
