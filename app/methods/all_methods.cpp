@@ -11,9 +11,12 @@
 #include "app/methods/indicators/move_indicator_tool.h"
 #include "app/methods/plants/choose_plant_tool.h"
 #include "app/methods/plants/copy_plant_tool.h"
+#include "app/methods/plants/graft_plant_tool.h"
+#include "app/methods/plants/hide_branch_tool.h"
 #include "app/methods/plants/hide_plant_tool.h"
 #include "app/methods/plants/move_plant_tool.h"
 #include "app/methods/plants/remove_plant_tool.h"
+#include "app/methods/plants/take_off_tool.h"
 #include "app/methods/silhouettes/arrange_tool.h"
 #include "app/methods/silhouettes/erase_outline_tool.h"
 #include "app/methods/silhouettes/outline_layer.h"
@@ -44,7 +47,8 @@ Methods all_methods()
         &ArrangeTool::kKind,     &EraseOutlineTool::kKind,  &LineTool::kKind,
         &LinePatternTool::kKind, &LayerNodesTool::kKind,    &LineRoleTool::kKind,
         &ChoosePlantTool::kKind, &MovePlantTool::kKind,     &CopyPlantTool::kKind,
-        &HidePlantTool::kKind,   &RemovePlantTool::kKind,
+        &HidePlantTool::kKind,   &RemovePlantTool::kKind,   &GraftPlantTool::kKind,
+        &TakeOffTool::kKind,     &HideBranchTool::kKind,
     };
     static constexpr std::array kLayers { &kOutlineLayer,  &kTrunkLayer,       &kStemLayer,
                                           &kBoundaryLayer, &kInclinationLayer, &kUnsureLayer,

@@ -2,8 +2,10 @@
 
 #include "app/methods/sketch_lsystem/sketch_previewer.h"
 #include "app/tools/erase_tool.h"
+#include "engine/scene/paper.h"
 
 #include <array>
+#include <utility>
 
 namespace tractus {
 
@@ -18,6 +20,11 @@ constexpr std::array<OptionWord, 3> kSurfaceWords { {
     { "as_it_moves", "As it moves" },
     { "space", "In space" },
     { "paper", "On paper" },
+} };
+constexpr std::array<OptionWord, 3> kPlaceWords { {
+    { "ground", "Alone" },
+    { "branch", "On a branch", "A rule grows along the stroke, on the branch where it begins" },
+    { "in_place", "In its place", "A rule grows in the place of the branch" },
 } };
 
 void visit(OptionVisitor& visitor, SketchTool& tool)
@@ -37,6 +44,7 @@ void visit(OptionVisitor& visitor, SketchTool& tool)
     tool.surface = surface == 0 ? StrokeSurface::Decided
         : surface == 1          ? StrokeSurface::Space
                                 : StrokeSurface::Paper;
+    visitor.choice({ kPlaceWords }, tool.place);
 }
 
 // Returns the rule of a rule file that says no more.
@@ -58,7 +66,13 @@ sketch::Rule rule_of(SketchTool const& tool)
 
 Result<std::vector<Edit>> grow(Tool const& tool, Stroke const& stroke, Scene const& scene)
 {
-    return std::vector<Edit> { grown_along(*tool.get<SketchTool>(), stroke, scene) };
+    auto const& options = *tool.get<SketchTool>();
+    auto const grown = grown_along(options, stroke, scene);
+    std::vector<Edit> edits { grown };
+    if (auto const place = TRY(place_of(options, grown, scene)))
+        for (auto& edit : graft_edits(scene, *place, 0))
+            edits.push_back(std::move(edit));
+    return edits;
 }
 
 } // namespace
@@ -76,6 +90,20 @@ sketch::GrowAlongStroke grown_along(SketchTool const& tool, Stroke const& stroke
     return edit;
 }
 
+Result<std::optional<BranchPlace>>
+place_of(SketchTool const& tool, sketch::GrowAlongStroke const& grown, Scene const& scene)
+{
+    if (tool.place == SketchTool::Place::Ground || grown.stroke.tips.empty())
+        return std::nullopt;
+    Vec3 const down_mm = grown.stroke.tips.front().position_mm;
+    auto const grafting
+        = tool.place == SketchTool::Place::InPlace ? Grafting::InPlace : Grafting::Beside;
+    if (grown.surface == StrokeSurface::Paper)
+        return TRY(branch_at(scene, paper_of(scene.state).world_of_sheet(down_mm.head<2>()),
+                             Vec3::UnitY(), grafting));
+    return TRY(branch_at(scene, down_mm, Vec3::UnitZ(), grafting));
+}
+
 constexpr ToolKind SketchTool::kKind {
     .word = "sketch",
     .label = "Rule",
@@ -84,7 +112,7 @@ constexpr ToolKind SketchTool::kKind {
     .help = "adds a plant: a rule grows along the stroke, with so many laterals at an angle in "
             "degrees, a first internode of so many mm, the next ones and laterals by ratios; with "
             "leaves or bare; as drawn in space, on paper that stands upright, or whichever the "
-            "surface's way shows",
+            "surface's way shows; alone, on the branch where the stroke begins, or in its place",
     .group = "Sketch",
     .method = "Along a stroke",
     .icon = "5095 5050 5005 5060 7540 5045 2525 5035 6520",

@@ -3,6 +3,8 @@
 #include "app/document/document.h"
 #include "app/methods/all_methods.h"
 #include "app/methods/sketch_lsystem/sketch_previewer.h"
+#include "engine/scene/scene_shaper.h"
+#include "engine/variation/place_nodes.h"
 #include "tests/app/small_model.h"
 
 #include <gtest/gtest.h>
@@ -59,6 +61,99 @@ TEST(SketchTool, ShowsThePlantThatItWillGrow)
     }
     auto const too_short = stroke_through({ { 0, 0, 0 }, { 5, 0, 0 } });
     EXPECT_TRUE(sketch_previewer()->show({ scene, tool, too_short.tips.vector(), 99 }).empty());
+}
+
+// Lines of the plant that the previewer shows, against the plant of the finished stroke. The first
+// axes of a plant with a part are those of what bears it. The part's stem begins on its branch,
+// which the pen need not have met.
+void expect_shown(Scene const& scene, Tool const& tool, Stroke const& stroke, std::size_t first)
+{
+    auto const shared = std::make_shared<Scene const>(scene);
+    auto const lines = sketch_previewer()->show({ shared, tool, stroke.tips.vector(), 99 });
+    auto const after = apply_edits(scene, tool.mean(stroke, scene).value()).value();
+    ASSERT_EQ(lines.size(), after.base->axes.size() - first);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        auto const nodes_mm = after.base->positions(after.base->axes[first + i]);
+        ASSERT_EQ(lines[i].points_mm.size(), nodes_mm.size());
+        for (std::size_t k = i == 0 ? 1 : 0; k < nodes_mm.size(); ++k) {
+            Vec3 const shown_mm
+                = scene.placement.world_of_plant(lines[i].points_mm[k].cast<double>());
+            EXPECT_NEAR((shown_mm - after.placement.world_of_plant(nodes_mm[k])).norm(), 0, 0.05)
+                << i << ", " << k;
+        }
+    }
+}
+
+Stroke from(Vec3 const& at_mm)
+{
+    return stroke_through({ at_mm, at_mm + Vec3(20, 20, 60), at_mm + Vec3(10, 30, 140) });
+}
+
+TEST(SketchTool, GrowsOnTheBranchWhereTheStrokeBegins)
+{
+    auto const scene = small_scene();
+    auto const node = nodes_of(*scene.base, 7).tip;
+    Vec3 const end_mm = scene.placement.world_of_plant(scene.base->node_position_mm[node]);
+    Tool const tool
+        = SketchTool { .leaves = sketch::Leaves::Bare, .place = SketchTool::Place::Branch };
+    for (auto const& off_mm : { Vec3(2, -1, 3), Vec3(1, 1, 25) }) {
+        auto const stroke = from(end_mm + off_mm);
+        auto const after = apply_edits(scene, tool.mean(stroke, scene).value()).value();
+        ASSERT_EQ(after.plants.size(), 1u);
+        EXPECT_EQ(after.base->axes[3].parent_segment, 7u);
+        EXPECT_EQ(after.placement.scale, scene.placement.scale);
+        expect_shown(scene, tool, stroke, 3);
+    }
+    EXPECT_FALSE(tool.mean(from({ 0, 300, 0 }), scene)) << "no branch there";
+    EXPECT_FALSE(tool.mean(from({ 0, 0, 0 }), Scene {})) << "no plant at all";
+}
+
+// A stroke on a branch that another one has bent: the new branch is where it was drawn.
+TEST(SketchTool, GrowsOnWhatStrokesHaveBent)
+{
+    auto scene = small_scene();
+    select(scene, { { 0, 1, 2, 3, 4, 5 } });
+    scene = apply_edit(scene,
+                       Associate { stroke_through({ { 0, 0, 0 }, { 90, 0, 60 } }),
+                                   Propagation::Selected, StrokeFit::World })
+                .value();
+    Tool const tool
+        = SketchTool { .leaves = sketch::Leaves::Bare, .place = SketchTool::Place::Branch };
+    double const height_mm = 6 * 100 * scene.placement.scale;
+    Vec3 const end_mm = Vec3(90, 0, 60).normalized() * height_mm;
+    auto const stroke = from(end_mm);
+    auto const after = apply_edits(scene, tool.mean(stroke, scene).value()).value();
+    SceneShaper shaper;
+    ASSERT_TRUE(shaper.set_plant(after));
+    std::vector<Vec3> nodes_mm;
+    place_nodes(*after.base, *after.rest, shaper.shape(), nodes_mm);
+    auto const alone
+        = apply_edits(
+              scene,
+              Tool(SketchTool { .leaves = sketch::Leaves::Bare }).mean(stroke, scene).value())
+              .value();
+    auto const& drawn = alone.base->axes[0];
+    auto const& grown = after.base->axes[3];
+    ASSERT_EQ(grown.parent_segment, 5u);
+    ASSERT_EQ(grown.segment_count, drawn.segment_count);
+    for (std::size_t k = 0; k <= grown.segment_count; ++k) {
+        Vec3 const wanted_mm = alone.placement.world_of_plant(alone.base->positions(drawn)[k]);
+        Vec3 const seen_mm = after.placement.world_of_plant(nodes_mm[grown.first_node + k]);
+        EXPECT_NEAR((seen_mm - wanted_mm).norm(), 0, 0.5) << k;
+    }
+}
+
+TEST(SketchTool, GrowsInThePlaceOfABranch)
+{
+    auto const scene = small_scene();
+    auto const node = nodes_of(*scene.base, 7).tip;
+    Vec3 const end_mm = scene.placement.world_of_plant(scene.base->node_position_mm[node]);
+    Tool const tool = SketchTool { .laterals = 0, .place = SketchTool::Place::InPlace };
+    auto const after = apply_edits(scene, tool.mean(from(end_mm), scene).value()).value();
+    ASSERT_EQ(after.plants.size(), 1u);
+    ASSERT_EQ(after.base->axes.size(), 3u) << "the trunk, the other branch and what was drawn";
+    EXPECT_EQ(after.base->axes[2].parent_segment, scene.base->axes[1].parent_segment);
+    EXPECT_EQ(after.drawn->hidden_branches.size(), 1u);
 }
 
 // Undo, redo and a replay of what was drawn go through the document as for any other tool.
