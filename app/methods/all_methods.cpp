@@ -21,6 +21,7 @@
 #include "app/methods/silhouettes/erase_outline_tool.h"
 #include "app/methods/silhouettes/outline_layer.h"
 #include "app/methods/silhouettes/outline_tool.h"
+#include "app/methods/sketch_lsystem/shorten_sketch_tool.h"
 #include "app/methods/sketch_lsystem/sketch_tool.h"
 #include "app/tools/delete_tool.h"
 #include "app/tools/draw_in_order_tool.h"
@@ -29,6 +30,7 @@
 #include "app/tools/oversketch_tool.h"
 #include "app/tools/select_tool.h"
 #include "app/tools/smooth_tool.h"
+#include "engine/methods/sketch_lsystem/change_edits.h"
 #include "engine/scene/edit.h"
 
 #include <array>
@@ -43,12 +45,12 @@ Methods all_methods()
         &DrawInOrderTool::kKind, &DrawTool::kKind,          &OversketchTool::kKind,
         &SmoothTool::kKind,      &DeleteTool::kKind,        &SelectTool::kKind,
         &IndicateTool::kKind,    &MoveIndicatorTool::kKind, &DeleteIndicatorTool::kKind,
-        &EraseTool::kKind,       &SketchTool::kKind,        &OutlineTool::kKind,
-        &ArrangeTool::kKind,     &EraseOutlineTool::kKind,  &LineTool::kKind,
-        &LinePatternTool::kKind, &LayerNodesTool::kKind,    &LineRoleTool::kKind,
-        &ChoosePlantTool::kKind, &MovePlantTool::kKind,     &CopyPlantTool::kKind,
-        &HidePlantTool::kKind,   &RemovePlantTool::kKind,   &GraftPlantTool::kKind,
-        &TakeOffTool::kKind,     &HideBranchTool::kKind,
+        &EraseTool::kKind,       &SketchTool::kKind,        &ShortenSketchTool::kKind,
+        &OutlineTool::kKind,     &ArrangeTool::kKind,       &EraseOutlineTool::kKind,
+        &LineTool::kKind,        &LinePatternTool::kKind,   &LayerNodesTool::kKind,
+        &LineRoleTool::kKind,    &ChoosePlantTool::kKind,   &MovePlantTool::kKind,
+        &CopyPlantTool::kKind,   &HidePlantTool::kKind,     &RemovePlantTool::kKind,
+        &GraftPlantTool::kKind,  &TakeOffTool::kKind,       &HideBranchTool::kKind,
     };
     static constexpr std::array kLayers { &kOutlineLayer,  &kTrunkLayer,       &kStemLayer,
                                           &kBoundaryLayer, &kInclinationLayer, &kUnsureLayer,
@@ -56,7 +58,9 @@ Methods all_methods()
     static auto const edits = [] {
         auto const core = core_edit_kinds();
         std::vector<EditKind const*> all(core.begin(), core.end());
-        all.push_back(&sketch::GrowAlongStroke::kKind);
+        all.insert(all.end(),
+                   { &sketch::GrowAlongStroke::kKind, &sketch::ChangeSketch::kKind,
+                     &sketch::ShortenSketch::kKind });
         all.push_back(&silhouette::DrawTree::kKind);
         all.push_back(&silhouette::EraseTreePart::kKind);
         all.push_back(&silhouette::FormTree::kKind);

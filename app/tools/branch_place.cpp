@@ -1,7 +1,6 @@
 #include "app/tools/branch_place.h"
 
-#include "engine/scene/scene_shaper.h"
-#include "engine/variation/place_nodes.h"
+#include "app/tools/bent_plant.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,35 +19,6 @@ BuiltPlant const& plant_with(Scene const& scene, ItemId id)
     return **std::find_if(scene.plants.begin(), scene.plants.end(),
                           [&](auto const& plant) { return plant->drawn->id == id; });
 }
-
-// A plant's nodes as strokes bend it, and how that turns its segments. Each stroke was checked when
-// it was drawn; one that cannot be read now leaves the plant at rest.
-class BentPlant {
-public:
-    explicit BentPlant(BuiltPlant const& plant)
-        : plant_(plant)
-    {
-        static_cast<void>(shaper_.set_plant(plant));
-        place_nodes(*plant.base, *plant.rest, shaper_.shape(), nodes_mm_);
-    }
-
-    Vec3 end_of(SegmentId segment) const
-    {
-        return plant_.placement.world_of_plant(nodes_mm_[nodes_of(*plant_.base, segment).tip]);
-    }
-
-    Quat turn_of(SegmentId segment) const
-    {
-        constexpr double kNothing = 1e-9;
-        Quat const turn = shaper_.shape().frame[segment] * plant_.rest->frame[segment].conjugate();
-        return turn.angularDistance(Quat::Identity()) < kNothing ? Quat::Identity() : turn;
-    }
-
-private:
-    BuiltPlant const& plant_;
-    SceneShaper shaper_;
-    std::vector<Vec3> nodes_mm_;
-};
 
 // A segment whose end was touched.
 struct TouchedEnd {

@@ -1,7 +1,8 @@
 #include "app/methods/sketch_lsystem/sketch_tool.h"
 
+#include "app/methods/sketch_lsystem/shorten_sketch_tool.h"
 #include "app/methods/sketch_lsystem/sketch_previewer.h"
-#include "app/tools/erase_tool.h"
+#include "engine/methods/sketch_lsystem/change_edits.h"
 #include "engine/scene/paper.h"
 
 #include <array>
@@ -21,10 +22,11 @@ constexpr std::array<OptionWord, 3> kSurfaceWords { {
     { "space", "In space" },
     { "paper", "On paper" },
 } };
-constexpr std::array<OptionWord, 3> kPlaceWords { {
+constexpr std::array<OptionWord, 4> kPlaceWords { {
     { "ground", "Alone" },
     { "branch", "On a branch", "A rule grows along the stroke, on the branch where it begins" },
     { "in_place", "In its place", "A rule grows in the place of the branch" },
+    { "change", "Change", nullptr, true },
 } };
 
 void visit(OptionVisitor& visitor, SketchTool& tool)
@@ -64,9 +66,33 @@ sketch::Rule rule_of(SketchTool const& tool)
     return rule;
 }
 
+// What the buttons do not set stays as it was.
+Result<std::vector<Edit>> change(SketchTool const& tool, Scene const& scene)
+{
+    auto const grown = sketch::newest_grown(*scene.drawn);
+    if (!grown)
+        return fail(Fault::User,
+                    "the plant that takes what is drawn has not grown along a stroke: choose one "
+                    "that has, or draw one");
+    auto rule = grown->sketch->rule;
+    auto const wanted = rule_of(tool);
+    rule.laterals = wanted.laterals;
+    rule.angle_deg = wanted.angle_deg;
+    rule.first_length_mm = wanted.first_length_mm;
+    rule.first_width_mm = wanted.first_width_mm;
+    rule.length_ratio = wanted.length_ratio;
+    rule.lateral_length = wanted.lateral_length;
+    rule.axis_twist_deg = wanted.axis_twist_deg;
+    rule.lateral_twist_deg = wanted.lateral_twist_deg;
+    return std::vector<Edit> { sketch::ChangeSketch { scene.drawn->id, grown->part, rule,
+                                                      tool.leaves } };
+}
+
 Result<std::vector<Edit>> grow(Tool const& tool, Stroke const& stroke, Scene const& scene)
 {
     auto const& options = *tool.get<SketchTool>();
+    if (options.place == SketchTool::Place::Change)
+        return change(options, scene);
     auto const grown = grown_along(options, stroke, scene);
     std::vector<Edit> edits { grown };
     if (auto const place = TRY(place_of(options, grown, scene)))
@@ -93,7 +119,9 @@ sketch::GrowAlongStroke grown_along(SketchTool const& tool, Stroke const& stroke
 Result<std::optional<BranchPlace>>
 place_of(SketchTool const& tool, sketch::GrowAlongStroke const& grown, Scene const& scene)
 {
-    if (tool.place == SketchTool::Place::Ground || grown.stroke.tips.empty())
+    bool const is_alone
+        = tool.place == SketchTool::Place::Ground || tool.place == SketchTool::Place::Change;
+    if (is_alone || grown.stroke.tips.empty())
         return std::nullopt;
     Vec3 const down_mm = grown.stroke.tips.front().position_mm;
     auto const grafting
@@ -112,7 +140,9 @@ constexpr ToolKind SketchTool::kKind {
     .help = "adds a plant: a rule grows along the stroke, with so many laterals at an angle in "
             "degrees, a first internode of so many mm, the next ones and laterals by ratios; with "
             "leaves or bare; as drawn in space, on paper that stands upright, or whichever the "
-            "surface's way shows; alone, on the branch where the stroke begins, or in its place",
+            "surface's way shows; alone, on the branch where the stroke begins, or in its place; "
+            "or at once these "
+            "numbers for what has grown along a stroke last",
     .group = "Sketch",
     .method = "Along a stroke",
     .icon = "5095 5050 5005 5060 7540 5045 2525 5035 6520",
@@ -120,7 +150,7 @@ constexpr ToolKind SketchTool::kKind {
     .options = options_type<SketchTool, visit>(),
     .mean = grow,
     .previewer = sketch_previewer,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &ShortenSketchTool::kKind },
 };
 
 } // namespace tractus

@@ -25,6 +25,7 @@ struct SketchTool {
         Ground,  // The plant stands alone where the stroke begins,
         Branch,  // or on the branch on which it begins,
         InPlace, // or in the place of that branch, which is hidden.
+        Change,  // At once: what has grown along a stroke last grows by these numbers.
     } place
         = Place::Ground;
 };

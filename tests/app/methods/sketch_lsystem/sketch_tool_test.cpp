@@ -2,7 +2,9 @@
 
 #include "app/document/document.h"
 #include "app/methods/all_methods.h"
+#include "app/methods/sketch_lsystem/shorten_sketch_tool.h"
 #include "app/methods/sketch_lsystem/sketch_previewer.h"
+#include "app/tools/bent_plant.h"
 #include "engine/scene/scene_shaper.h"
 #include "engine/variation/place_nodes.h"
 #include "tests/app/small_model.h"
@@ -154,6 +156,44 @@ TEST(SketchTool, GrowsInThePlaceOfABranch)
     ASSERT_EQ(after.base->axes.size(), 3u) << "the trunk, the other branch and what was drawn";
     EXPECT_EQ(after.base->axes[2].parent_segment, scene.base->axes[1].parent_segment);
     EXPECT_EQ(after.drawn->hidden_branches.size(), 1u);
+}
+
+TEST(SketchTool, ChangesWhatHasGrownAtOnce)
+{
+    Tool const draws = SketchTool { .leaves = sketch::Leaves::Bare };
+    auto const scene
+        = apply_edits(small_scene(), draws.mean(rising_stroke(), small_scene()).value()).value();
+    Tool const changes = SketchTool { .laterals = 4,
+                                      .leaves = sketch::Leaves::Bare,
+                                      .place = SketchTool::Place::Change };
+    EXPECT_TRUE(changes.can_be_done_at_once());
+    auto const after = apply_edits(scene, changes.mean({}, scene).value()).value();
+    Tool const four = SketchTool { .laterals = 4, .leaves = sketch::Leaves::Bare };
+    auto const drawn
+        = apply_edits(small_scene(), four.mean(rising_stroke(), small_scene()).value()).value();
+    EXPECT_EQ(after.base->node_position_mm, drawn.base->node_position_mm);
+    EXPECT_FALSE(changes.mean({}, small_scene())) << "that one has not grown along a stroke";
+}
+
+TEST(ShortenSketchTool, TakesTheEndAwayWhereItRunsOverTheAxis)
+{
+    Tool const draws = SketchTool { .leaves = sketch::Leaves::Bare };
+    auto const stroke = stroke_through({ { 0, 0, 0 }, { 100, 40, 60 } });
+    auto const scene = apply_edits({}, draws.mean(stroke, {}).value()).value();
+    auto const whole = scene.base->axes[0].segment_count;
+    ASSERT_GE(whole, 3u);
+    auto const middle_mm = BentPlant(scene).begin_of(1);
+    auto const end_mm = BentPlant(scene).end_of(1);
+    Vec3 const at_mm = (middle_mm + end_mm) / 2;
+    Tool const tool = ShortenSketchTool {};
+    auto const across = [](Vec3 const& place_mm) {
+        return stroke_through({ place_mm - Vec3(3, -6, 0), place_mm + Vec3(3, -6, 0) });
+    };
+    auto const after = apply_edits(scene, tool.mean(across(at_mm), scene).value()).value();
+    EXPECT_EQ(after.base->axes[0].segment_count, 1u);
+    EXPECT_FALSE(tool.mean(across({ 0, 0, 0 }), scene)) << "nothing would be left";
+    EXPECT_FALSE(tool.mean(across({ 0, 300, 0 }), scene));
+    EXPECT_FALSE(tool.mean(across({ 0, 0, 50 }), small_scene()));
 }
 
 // Undo, redo and a replay of what was drawn go through the document as for any other tool.
