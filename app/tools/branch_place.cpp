@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kFinger_mm = 10;
 
-// How near to the branch a stroke begins that is meant to begin on it.
+// How near a stroke begins to the branch, or to where the branch stood, that is meant to begin
+// there.
 constexpr double kJoined_mm = 10;
 
 BuiltPlant const& plant_with(Scene const& scene, ItemId id)
@@ -20,29 +21,37 @@ BuiltPlant const& plant_with(Scene const& scene, ItemId id)
                           [&](auto const& plant) { return plant->drawn->id == id; });
 }
 
-// A segment whose end was touched.
-struct TouchedEnd {
+struct TouchedBranch {
     BuiltPlant const* plant = nullptr;
     SegmentId segment = 0;
-    Vec3 end_mm = Vec3::Zero();
+    bool is_near_begin = false; // Rather than near its end.
+    double distance_mm = std::numeric_limits<double>::infinity();
 };
 
-TouchedEnd nearest_to(Scene const& scene, Vec3 const& place_mm, Vec3 const& sight, ItemId except)
+// The point of a line between two others that is nearest to a place, as a share of the way.
+double nearest_share(Vec3 const& place_mm, Vec3 const& from_mm, Vec3 const& to_mm)
 {
-    TouchedEnd nearest;
-    double nearest_mm = std::numeric_limits<double>::infinity();
+    Vec3 const along_mm = to_mm - from_mm;
+    double const length2 = along_mm.squaredNorm();
+    return length2 > 0 ? std::clamp((place_mm - from_mm).dot(along_mm) / length2, 0.0, 1.0) : 0;
+}
+
+TouchedBranch nearest_to(Scene const& scene, Vec3 const& place_mm, Vec3 const& sight, ItemId except)
+{
+    TouchedBranch nearest;
     for (auto const& plant : scene.plants) {
         if (plant->drawn->is_hidden || plant->drawn->id == except)
             continue;
         BentPlant const bent(*plant);
         for (SegmentId segment = 0; segment < plant->base->segment_count(); ++segment) {
-            Vec3 const end_mm = bent.end_of(segment);
-            Vec3 const off_mm = end_mm - place_mm;
+            Vec3 const from_mm = bent.begin_of(segment);
+            Vec3 const to_mm = bent.end_of(segment);
+            double const share = nearest_share(place_mm, from_mm, to_mm);
+            Vec3 const off_mm = from_mm + share * (to_mm - from_mm) - place_mm;
             bool const is_touched = (off_mm - sight.dot(off_mm) * sight).norm() <= kFinger_mm;
-            if (!is_touched || off_mm.norm() >= nearest_mm)
+            if (!is_touched || off_mm.norm() >= nearest.distance_mm)
                 continue;
-            nearest_mm = off_mm.norm();
-            nearest = { plant.get(), segment, end_mm };
+            nearest = { plant.get(), segment, share < 0.5, off_mm.norm() };
         }
     }
     return nearest;
@@ -57,19 +66,22 @@ Result<BranchPlace> branch_at(Scene const& scene, Vec3 const& base_mm, Vec3 cons
     if (!touched.plant)
         return fail(Fault::User, "there is no branch here: touch one where the pad shows it");
     auto const& plant = *touched.plant;
-    BranchPlace place { .plant = plant.drawn->id, .on = touched.segment };
-    if (grafting == Grafting::InPlace) {
-        auto const& axis = plant.base->axes[axis_of(*plant.base, touched.segment)];
-        auto const above = touched.segment + 1;
-        if (axis.parent_segment != kNone) {
-            place.on = axis.parent_segment;
-            place.hidden = axis.first_segment;
-        } else if (above < axis.first_segment + axis.segment_count) {
-            place.hidden = above;
-        }
+    auto const& base = *plant.base;
+    auto const& axis = base.axes[axis_of(base, touched.segment)];
+    auto const below = parent_segment(base, touched.segment);
+    BranchPlace place { .plant = plant.drawn->id, .touched = touched.segment };
+    place.on = touched.is_near_begin && below != kNone ? below : touched.segment;
+    if (grafting == Grafting::InPlace && axis.parent_segment != kNone) {
+        place.on = axis.parent_segment;
+        place.hidden = axis.first_segment;
+    } else if (grafting == Grafting::InPlace
+               && place.on + 1 < axis.first_segment + axis.segment_count) {
+        place.hidden = place.on + 1;
     }
     Vec3 const end_mm = BentPlant(plant).end_of(place.on);
-    place.base_mm = (base_mm - end_mm).norm() <= kJoined_mm ? base_mm : end_mm;
+    auto const off_mm
+        = grafting == Grafting::InPlace ? (base_mm - end_mm).norm() : touched.distance_mm;
+    place.base_mm = off_mm <= kJoined_mm ? base_mm : end_mm;
     return place;
 }
 

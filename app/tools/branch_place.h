@@ -18,7 +18,8 @@ enum class Grafting {
 // A place on a plant of the document, as strokes bend it, where another plant can stand.
 struct BranchPlace {
     ItemId plant = 0;
-    SegmentId on = 0; // Of its base plant: the segment on whose end the other one stands.
+    SegmentId touched = 0;              // Of its base plant.
+    SegmentId on = 0;                   // The segment on whose end the other one stands.
     std::optional<SegmentId> hidden {}; // The first of those that are hidden then.
     // Where the other one's base is then. World frame: the place that was asked about if it is as
     // near to the branch as a hand would have joined it, else on the branch.
@@ -26,8 +27,8 @@ struct BranchPlace {
 };
 
 // The place for a plant whose base is at `base_mm` (world frame), on the nearest branch of any
-// plant that is shown but for one (0: none). Seen along `sight` the end of a segment of it is at
-// most a finger's breadth away. Fails, as the user's fault, where there is none.
+// plant that is shown but for one (0: none). Seen along `sight` it is at most a finger's breadth
+// away. Fails, as the user's fault, where there is none.
 Result<BranchPlace> branch_at(Scene const& scene, Vec3 const& base_mm, Vec3 const& sight,
                               Grafting grafting, ItemId except = 0);
 

@@ -10,15 +10,15 @@ namespace tractus {
 
 static Result<std::vector<Edit>> take_off(Tool const&, Stroke const& stroke, Scene const& scene)
 {
-    auto const touched
+    auto const place
         = TRY(branch_at(scene, stroke.tips.front().position_mm, Vec3::UnitZ(), Grafting::Beside));
-    auto const& plant = *scene.plants[*find_plant(scene.state, touched.plant)];
-    auto const part = part_of(plant.rest->addresses.address_of(*plant.base, touched.on));
+    auto const& plant = *scene.plants[*find_plant(scene.state, place.plant)];
+    auto const part = part_of(plant.rest->addresses.address_of(*plant.base, place.touched));
     if (part == 0)
         return fail(Fault::User, "what the stroke touches was not put on: touch a plant that was");
-    Vec3 stands_at_mm = touched.base_mm;
+    Vec3 stands_at_mm = place.base_mm;
     stands_at_mm.z() = 0;
-    return std::vector<Edit> { TakeOffGraft { touched.plant, part, stands_at_mm } };
+    return std::vector<Edit> { TakeOffGraft { place.plant, part, stands_at_mm } };
 }
 
 constexpr ToolKind TakeOffTool::kKind {
