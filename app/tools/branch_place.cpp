@@ -10,6 +10,7 @@ namespace tractus {
 namespace {
 
 constexpr double kFinger_mm = 10;
+constexpr double kDepth_mm = 30; // Along the sight: a hand at the branch's height, more or less.
 
 // How near a stroke begins to the branch, or to where the branch stood, that is meant to begin
 // there.
@@ -48,7 +49,9 @@ TouchedBranch nearest_to(Scene const& scene, Vec3 const& place_mm, Vec3 const& s
             Vec3 const to_mm = bent.end_of(segment);
             double const share = nearest_share(place_mm, from_mm, to_mm);
             Vec3 const off_mm = from_mm + share * (to_mm - from_mm) - place_mm;
-            bool const is_touched = (off_mm - sight.dot(off_mm) * sight).norm() <= kFinger_mm;
+            double const depth_mm = sight.dot(off_mm);
+            bool const is_touched = (off_mm - depth_mm * sight).norm() <= kFinger_mm
+                && std::abs(depth_mm) <= kDepth_mm;
             if (!is_touched || off_mm.norm() >= nearest.distance_mm)
                 continue;
             nearest = { plant.get(), segment, share < 0.5, off_mm.norm() };
@@ -79,6 +82,8 @@ Result<BranchPlace> branch_at(Scene const& scene, Vec3 const& base_mm, Vec3 cons
         place.hidden = place.on + 1;
     }
     Vec3 const end_mm = BentPlant(plant).end_of(place.on);
+    place.diameter_mm = 2 * plant.placement.scale
+        * static_cast<double>(base.node_radius_mm[nodes_of(base, place.on).tip]);
     auto const off_mm
         = grafting == Grafting::InPlace ? (base_mm - end_mm).norm() : touched.distance_mm;
     place.base_mm = off_mm <= kJoined_mm ? base_mm : end_mm;

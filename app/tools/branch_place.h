@@ -21,14 +21,15 @@ struct BranchPlace {
     SegmentId touched = 0;              // Of its base plant.
     SegmentId on = 0;                   // The segment on whose end the other one stands.
     std::optional<SegmentId> hidden {}; // The first of those that are hidden then.
-    // Where the other one's base is then. World frame: the place that was asked about if it is as
-    // near to the branch as a hand would have joined it, else on the branch.
+    double diameter_mm = 0;             // Of what bears it there. World frame, as the next one.
+    // Where the other one's base is then: the place that was asked about if it is as near to the
+    // branch as a hand would have joined it, else on the branch.
     Vec3 base_mm = Vec3::Zero();
 };
 
 // The place for a plant whose base is at `base_mm` (world frame), on the nearest branch of any
 // plant that is shown but for one (0: none). Seen along `sight` it is at most a finger's breadth
-// away. Fails, as the user's fault, where there is none.
+// away, and not far in front or behind. Fails, as the user's fault, where there is none.
 Result<BranchPlace> branch_at(Scene const& scene, Vec3 const& base_mm, Vec3 const& sight,
                               Grafting grafting, ItemId except = 0);
 

@@ -32,14 +32,13 @@ public:
                                 *stroke.scene);
         edit.leaves = sketch::Leaves::Bare;
         edit.rule.most_internodes = std::max<double>(edit.rule.most_segments, kMostInternodes);
+        auto const& place = find_place(tool, edit, stroke.scene);
+        if (place && *place)
+            fit_to_branch(edit, **place);
         auto const built = sketch::build_sketch(edit, {});
-        if (!place_ || place_surface_ != edit.surface) {
-            place_ = place_of(tool, edit, *stroke.scene);
-            place_surface_ = edit.surface;
-        }
-        if (!built || !*place_)
+        if (!built || !place)
             return {};
-        auto const& branch = **place_;
+        auto const& branch = *place;
         DeskPlacement const placement { .scale = edit.scale,
                                         .origin_mm
                                         = branch ? branch->base_mm : sketch::stands_at_mm(edit) };
@@ -50,9 +49,29 @@ public:
     }
 
 private:
-    // Looked up once a stroke: that goes through all plants.
-    std::optional<Result<std::optional<BranchPlace>>> place_;
-    StrokeSurface place_surface_ = StrokeSurface::Decided;
+    // Looked for once a stroke: that goes through all plants.
+    Result<std::optional<BranchPlace>> const& find_place(SketchTool const& tool,
+                                                         sketch::GrowAlongStroke const& edit,
+                                                         std::shared_ptr<Scene const> const& scene)
+    {
+        Vec3 const begin_mm
+            = edit.stroke.tips.empty() ? Vec3::Zero() : edit.stroke.tips.front().position_mm;
+        if (!place_ || surface_ != edit.surface || begin_mm_ != begin_mm || scene_ != scene
+            || grows_ != tool.place) {
+            place_ = place_of(tool, edit, *scene);
+            surface_ = edit.surface;
+            begin_mm_ = begin_mm;
+            scene_ = scene;
+            grows_ = tool.place;
+        }
+        return *place_;
+    }
+
+    std::optional<Result<std::optional<BranchPlace>>> place_; // For what follows.
+    StrokeSurface surface_ = StrokeSurface::Decided;
+    Vec3 begin_mm_ = Vec3::Zero();
+    std::shared_ptr<Scene const> scene_; // Shared with the document, which may go on.
+    SketchTool::Place grows_ = SketchTool::Place::Ground;
 };
 
 } // namespace

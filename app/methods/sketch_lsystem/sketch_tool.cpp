@@ -5,6 +5,7 @@
 #include "engine/methods/sketch_lsystem/change_edits.h"
 #include "engine/scene/paper.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -47,6 +48,11 @@ void visit(OptionVisitor& visitor, SketchTool& tool)
         : surface == 1          ? StrokeSurface::Space
                                 : StrokeSurface::Paper;
     visitor.choice({ kPlaceWords }, tool.place);
+}
+
+bool is_on_branch(SketchTool const& tool)
+{
+    return tool.place == SketchTool::Place::Branch || tool.place == SketchTool::Place::InPlace;
 }
 
 // Returns the rule of a rule file that says no more.
@@ -93,11 +99,14 @@ Result<std::vector<Edit>> grow(Tool const& tool, Stroke const& stroke, Scene con
     auto const& options = *tool.get<SketchTool>();
     if (options.place == SketchTool::Place::Change)
         return change(options, scene);
-    auto const grown = grown_along(options, stroke, scene);
-    std::vector<Edit> edits { grown };
-    if (auto const place = TRY(place_of(options, grown, scene)))
-        for (auto& edit : graft_edits(scene, *place, 0))
-            edits.push_back(std::move(edit));
+    auto grown = grown_along(options, stroke, scene);
+    auto const place = TRY(place_of(options, grown, scene));
+    if (!place)
+        return std::vector<Edit> { std::move(grown) };
+    fit_to_branch(grown, *place);
+    std::vector<Edit> edits { std::move(grown) };
+    for (auto& edit : graft_edits(scene, *place, 0))
+        edits.push_back(std::move(edit));
     return edits;
 }
 
@@ -109,19 +118,30 @@ sketch::GrowAlongStroke grown_along(SketchTool const& tool, Stroke const& stroke
     sketch::GrowAlongStroke edit;
     edit.rule = rule_of(tool);
     edit.stroke = stroke;
-    edit.surface = decide_surface(stroke.tips, tool.surface);
+    // What begins on a branch begins where the pad shows that: in space, however the surface moves.
+    edit.surface = is_on_branch(tool) && tool.surface == StrokeSurface::Decided
+        ? StrokeSurface::Space
+        : decide_surface(stroke.tips, tool.surface);
     edit.leaves = tool.leaves;
     if (!scene.plants.empty())
         edit.scale = scene.placement.scale;
     return edit;
 }
 
+void fit_to_branch(sketch::GrowAlongStroke& grown, BranchPlace const& place)
+{
+    constexpr double kThinner = 0.85;  // Than what bears it.
+    constexpr double kThinnest = 0.02; // Of a first internode's length.
+    auto& rule = grown.rule;
+    rule.first_width_mm
+        = std::clamp(kThinner * place.diameter_mm, kThinnest * rule.first_length_mm,
+                     std::max(rule.first_width_mm, kThinnest * rule.first_length_mm));
+}
+
 Result<std::optional<BranchPlace>>
 place_of(SketchTool const& tool, sketch::GrowAlongStroke const& grown, Scene const& scene)
 {
-    bool const is_alone
-        = tool.place == SketchTool::Place::Ground || tool.place == SketchTool::Place::Change;
-    if (is_alone || grown.stroke.tips.empty())
+    if (!is_on_branch(tool) || grown.stroke.tips.empty())
         return std::nullopt;
     Vec3 const down_mm = grown.stroke.tips.front().position_mm;
     auto const grafting

@@ -35,6 +35,9 @@ struct SketchTool {
 sketch::GrowAlongStroke grown_along(SketchTool const& tool, Stroke const& stroke,
                                     Scene const& scene);
 
+// Makes a plant that shall stand on a branch no thicker than that, as far as a rule can be thin.
+void fit_to_branch(sketch::GrowAlongStroke& grown, BranchPlace const& place);
+
 // Returns the place on a branch that the tool gives to such a plant; no value: it stands alone.
 // Fails, as the user's fault, where the stroke begins on no branch.
 Result<std::optional<BranchPlace>>

@@ -106,7 +106,15 @@ TEST(SketchTool, GrowsOnTheBranchWhereTheStrokeBegins)
         EXPECT_EQ(after.placement.scale, scene.placement.scale);
         expect_shown(scene, tool, stroke, 3);
     }
+    auto const flat = stroke_through({ end_mm, end_mm + Vec3(90, 60, 0) });
+    auto const level = apply_edits(scene, tool.mean(flat, scene).value()).value();
+    EXPECT_EQ(level.base->axes[3].parent_segment, 7u) << "in space, as the pad shows the branch";
+    auto const& radii_mm = level.base->node_radius_mm;
+    double const first_mm = 2 * scene.placement.scale * radii_mm[level.base->axes[3].first_node];
+    double const bearer_mm = 2 * scene.placement.scale * radii_mm[node];
+    EXPECT_LE(first_mm, std::max(bearer_mm, 0.02 * 30 + 1e-6)) << "as thin as a rule can be";
     EXPECT_FALSE(tool.mean(from({ 0, 300, 0 }), scene)) << "no branch there";
+    EXPECT_FALSE(tool.mean(from(end_mm + Vec3(0, 0, 60)), scene)) << "far below";
     EXPECT_FALSE(tool.mean(from({ 0, 0, 0 }), Scene {})) << "no plant at all";
 }
 
