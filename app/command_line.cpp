@@ -83,7 +83,7 @@ static void add_verbs(CLI::App& root, Action& action, Methods const& methods)
     add_doctor_verb(root, action);
     add_watch_verb(root, action);
     add_calibrate_verb(root, action);
-    add_record_verb(root, action);
+    add_record_verb(root, action, methods.tools);
     add_stream_verb(root, action, methods);
     add_sim_verb(root, action);
     add_tools_verb(root, action, methods);

@@ -11,20 +11,8 @@ static constexpr std::int64_t kScriptVersion = 1;
 static constexpr double kSlowest_mm_s = 5;
 static constexpr double kFastest_mm_s = 1000;
 
-// Words in the order of their enums.
-static constexpr std::array<std::string_view, 3> kTools { "select", "draw", "indicate" };
 static constexpr std::array<std::string_view, 3> kPropagations { "selected", "descendants",
                                                                  "both" };
-
-std::string_view name_of(GestureTool tool)
-{
-    return kTools[static_cast<std::size_t>(tool)];
-}
-
-std::string_view name_of(GesturePropagation propagation)
-{
-    return kPropagations[static_cast<std::size_t>(propagation)];
-}
 
 static Result<PathShape> parse_line(TomlTable& table)
 {
@@ -106,29 +94,37 @@ static Result<PathShape> parse_path(TomlTable& table)
     return shape;
 }
 
-static Result<AxisTrace> parse_trace(TomlTable& table, GestureTool tool)
+static Result<AxisTrace> parse_trace(TomlTable& table, std::string const& tool)
 {
     TRY(table.word("trace", { "axis" }));
-    if (tool != GestureTool::Select)
+    if (tool != "select")
         return table.wrong(
-            "trace",
-            fmt::format("is for the tool \"select\", expected a path for \"{}\"", name_of(tool)));
+            "trace", fmt::format("is for the tool \"select\", expected a path for \"{}\"", tool));
     AxisTrace trace;
     trace.rank = static_cast<std::size_t>(TRY(table.integer("axis", NumberRange::NotNegative)));
     trace.height_mm = TRY(table.number_or("height_mm", trace.height_mm));
     return trace;
 }
 
+static bool is_at_once(std::string_view words)
+{
+    constexpr std::string_view kNow = "now";
+    return words == kNow || words.starts_with("now ") || words.ends_with(" now");
+}
+
 static Result<Gesture> parse_gesture(TomlTable& table)
 {
     Gesture gesture { .place = table.place() };
-    gesture.tool
-        = static_cast<GestureTool>(TRY(table.word("tool", { kTools.begin(), kTools.end() })));
-    if (gesture.tool == GestureTool::Draw)
-        gesture.propagation = static_cast<GesturePropagation>(
-            TRY(table.word("propagation", { kPropagations.begin(), kPropagations.end() })));
+    gesture.tool = TRY(table.text("tool"));
+    if (table.has("words"))
+        gesture.words = TRY(table.text("words"));
+    else if (gesture.tool == "draw")
+        gesture.words = kPropagations[TRY(
+            table.word("propagation", { kPropagations.begin(), kPropagations.end() }))];
     if (table.has("trace"))
         gesture.path = TRY(parse_trace(table, gesture.tool));
+    else if (is_at_once(gesture.words))
+        gesture.path = AtOnce {};
     else
         gesture.path = TRY(parse_path(table));
     gesture.speed_mm_s = TRY(table.number_or("speed_mm_s", gesture.speed_mm_s));
@@ -187,6 +183,8 @@ Result<std::vector<HandStroke>> strokes_of(GestureScript const& script, RigGeome
 {
     std::vector<HandStroke> strokes;
     for (auto const& gesture : script.gestures) {
+        if (std::holds_alternative<AtOnce>(gesture.path))
+            continue;
         auto path = path_of(gesture, geometry, tracer);
         if (!path)
             return fail(path.error().fault,

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -30,7 +29,7 @@ namespace tractus {
 //     height_mm = 50              # The carriage's; 50 if left out.
 //
 //     [[gesture]]
-//     tool = "draw"               # "select", "draw" or "indicate".
+//     tool = "draw"               # As in a recording; `tractus tools` lists them.
 //     propagation = "both"        # For "draw": "selected", "descendants" or "both".
 //     path = "helix"              # And then the path's own keys, in the table below.
 //     foot_mm = [0, 0, 40]
@@ -38,6 +37,16 @@ namespace tractus {
 //     turns = 2
 //     rise_mm = 250
 //     speed_mm_s = 180            # Cruising; 5 to 1000, 150 if left out.
+//
+//     [[gesture]]
+//     tool = "sketch"
+//     words = "laterals=3 branch" # Of any tool, as they follow it in a recording.
+//     path = "s_curve"
+//     ...
+//
+//     [[gesture]]
+//     tool = "hide_plant"
+//     words = "now"               # Done at once, without a path.
 //
 //     path        keys (see path.h; those in brackets are 0 if left out)
 //
@@ -54,33 +63,20 @@ namespace tractus {
 //
 //     polyline    points_mm
 
-enum class GestureTool {
-    Select,
-    Draw,
-    Indicate,
-};
-
-enum class GesturePropagation {
-    Selected,
-    Descendants,
-    Both,
-};
-
-// The words of the file.
-std::string_view name_of(GestureTool tool);
-std::string_view name_of(GesturePropagation propagation);
-
 // Goes over a branch of the plant on the screen; what its rank counts is the tracer's affair.
 struct AxisTrace {
     std::size_t rank = 0;
     double height_mm = 50;
 };
 
+// Draws nothing: the tool is done at once.
+struct AtOnce { };
+
 struct Gesture {
-    GestureTool tool = GestureTool::Draw;
-    std::optional<GesturePropagation> propagation {}; // Set for Draw, always; for others, never.
-    // An AxisTrace for Select alone. Shapes are drawable.
-    std::variant<PathShape, AxisTrace> path {};
+    std::string tool {};  // As in a recording; who knows the tools checks it.
+    std::string words {}; // What follows it there.
+    // An AxisTrace for "select" alone. Shapes are drawable.
+    std::variant<PathShape, AxisTrace, AtOnce> path {};
     double speed_mm_s = 150;
     std::string place {}; // "FILE:LINE: gesture[1]", for errors.
 };
@@ -96,7 +92,8 @@ Result<GestureScript> parse_gesture_script(std::string_view text, std::string co
 // The branch of a rank as the user sees it: points in the tablet frame, millimetres.
 using AxisTracer = std::function<Result<std::vector<Vec2>>(std::size_t rank)>;
 
-// Returns what the hand draws: one stroke per gesture, in order, for a Hand and simulate_rig().
+// Returns what the hand draws: one stroke per gesture that has a path, in order, for a Hand and
+// simulate_rig().
 // `tracer` is asked for the branches. Fails, as the user's fault, if a gesture is out of the rig's
 // reach, and with the tracer's error; both name the gesture's place.
 Result<std::vector<HandStroke>> strokes_of(GestureScript const& script, RigGeometry const& geometry,

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <fmt/core.h>
 #include <string>
+#include <variant>
 
 namespace tractus {
 
@@ -44,26 +45,43 @@ Result<std::vector<Vec2>> shown_axis(Plant const& plant, Vec2 const& tablet_size
 void write_reports(LogWriter& log, SimulatedRun const& run, Hand const& hand,
                    GestureScript const& script)
 {
-    std::size_t gesture = 0;
+    auto gesture = script.gestures.begin();
+    std::size_t stroke = 0;
+    // What is done at once is done when the hand chooses the tool of the stroke behind it.
     auto const write_tools_until = [&](Timestamp time) {
-        for (; gesture < script.gestures.size() && hand.strokes()[gesture].chosen <= time;
-             ++gesture) {
-            auto const& words = script.gestures[gesture];
-            log.write_tool(hand.strokes()[gesture].chosen, name_of(words.tool),
-                           words.propagation ? name_of(*words.propagation) : "");
-        }
+        for (; stroke < hand.strokes().size() && hand.strokes()[stroke].chosen <= time; ++stroke)
+            for (bool draws = false; !draws; ++gesture) {
+                draws = !std::holds_alternative<AtOnce>(gesture->path);
+                log.write_tool(hand.strokes()[stroke].chosen, gesture->tool, gesture->words);
+            }
     };
+    Timestamp last {};
     for (auto const& arrived : run.in_order_of_arrival()) {
-        write_tools_until(arrived.report->received);
-        log.write_report(arrived.device, arrived.report->received, arrived.report->bytes());
+        last = arrived.report->received;
+        write_tools_until(last);
+        log.write_report(arrived.device, last, arrived.report->bytes());
     }
+    for (; gesture != script.gestures.end(); ++gesture)
+        log.write_tool(last, gesture->tool, gesture->words);
+}
+
+Result<void> check_tools(GestureScript const& script, ToolKinds tools)
+{
+    if (tools.empty())
+        return {};
+    for (auto const& gesture : script.gestures)
+        if (auto const tool = parse_tool(tools, gesture.tool, gesture.words); !tool)
+            return fail(tool.error().fault,
+                        fmt::format("{}: {}", gesture.place, tool.error().message));
+    return {};
 }
 
 } // namespace
 
 Result<void> write_simulated_recording(std::ostream& out, GestureScript const& script,
-                                       Scene const& scene)
+                                       Scene const& scene, ToolKinds tools)
 {
+    TRY(check_tools(script, tools));
     SimulatedRigOptions options;
     options.seed = script.seed;
     auto const tracer = [&](std::size_t rank) {

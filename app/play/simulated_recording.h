@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/tools/tool_kind.h"
 #include "engine/base/result.h"
 #include "engine/scene/scene.h"
 #include "sim/gesture_script.h"
@@ -14,9 +15,10 @@ namespace tractus {
 // little above where they leave their parent to a little below their tip. A pure function: the same
 // script and plant give the same bytes.
 //
-// Fails, as the user's fault, naming the gesture, for a branch that the plant does not have and for
-// what the rig cannot reach.
+// Fails, as the user's fault, naming the gesture, for a tool that is not among `tools` or has no
+// such words (where there are none, no tool is looked at), for a branch that the plant does not
+// have, and for what the rig cannot reach.
 Result<void> write_simulated_recording(std::ostream& out, GestureScript const& script,
-                                       Scene const& scene);
+                                       Scene const& scene, ToolKinds tools);
 
 } // namespace tractus

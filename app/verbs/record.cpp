@@ -56,7 +56,7 @@ Result<void> record_devices(RecordArguments const& arguments)
                                  counts.lost ? fmt::format(", {} lost", counts.lost) : ""));
 }
 
-Result<void> record_simulated(RecordArguments const& arguments)
+Result<void> record_simulated(RecordArguments const& arguments, ToolKinds tools)
 {
     TRY(check_new_file(arguments.output));
     auto const text = TRY(read_text_file(arguments.script));
@@ -65,7 +65,7 @@ Result<void> record_simulated(RecordArguments const& arguments)
     auto const edit = TRY(load_plant_edit(model));
     auto const scene = TRY(apply_edit({}, edit, make_load_options()));
     auto const write
-        = [&](std::ostream& out) { return write_simulated_recording(out, script, scene); };
+        = [&](std::ostream& out) { return write_simulated_recording(out, script, scene, tools); };
     TRY(write_file(arguments.output, write));
     return print_out(
         fmt::format("{}: {} gestures\n", arguments.output.string(), script.gestures.size()));
@@ -73,7 +73,7 @@ Result<void> record_simulated(RecordArguments const& arguments)
 
 } // namespace
 
-void add_record_verb(CLI::App& root, Action& action)
+void add_record_verb(CLI::App& root, Action& action, ToolKinds tools)
 {
     auto arguments = std::make_shared<RecordArguments>();
     auto* const verb = root.add_subcommand(
@@ -110,10 +110,10 @@ void add_record_verb(CLI::App& root, Action& action)
         "has come is in the file within a quarter of a second, and a stroke when it ends. A\n"
         "device that is unplugged is waited for. \"tractus replay\", \"tractus decode\" and\n"
         "\"tractus convert\" read the file.");
-    verb->callback([arguments, &action] {
-        action = [arguments] {
+    verb->callback([arguments, tools, &action] {
+        action = [arguments, tools] {
             return arguments->script.empty() ? record_devices(*arguments)
-                                             : record_simulated(*arguments);
+                                             : record_simulated(*arguments, tools);
         };
     });
 }

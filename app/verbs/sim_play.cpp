@@ -33,7 +33,7 @@ Result<Log> simulate(SimPlayArguments const& arguments)
     auto const edit = TRY(load_plant_edit(model));
     auto const scene = TRY(apply_edit({}, edit, make_load_options()));
     std::ostringstream recording;
-    TRY(write_simulated_recording(recording, script, scene));
+    TRY(write_simulated_recording(recording, script, scene, {}));
     return parse_log(recording.str(), arguments.script);
 }
 

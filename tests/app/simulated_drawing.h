@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/methods/all_methods.h"
 #include "app/play/simulated_recording.h"
 #include "drivers/log.h"
 #include "tests/app/small_model.h"
@@ -36,7 +37,7 @@ inline Result<std::string> recorded(std::string_view script_text)
 {
     auto const script = TRY(parse_gesture_script(script_text, "script"));
     std::ostringstream out;
-    TRY(write_simulated_recording(out, script, small_scene()));
+    TRY(write_simulated_recording(out, script, small_scene(), all_methods().tools));
     return out.str();
 }
 

@@ -78,20 +78,20 @@ TEST(GestureScript, ReadsToolsAndPaths)
     auto const& [select, draw, indicate]
         = std::tie(script.gestures[0], script.gestures[1], script.gestures[2]);
 
-    EXPECT_EQ(select.tool, GestureTool::Select);
+    EXPECT_EQ(select.tool, "select");
     EXPECT_EQ(std::get<AxisTrace>(select.path).rank, 2u);
     EXPECT_EQ(std::get<AxisTrace>(select.path).height_mm, 80);
-    EXPECT_FALSE(select.propagation);
+    EXPECT_EQ(select.words, "");
 
-    EXPECT_EQ(draw.tool, GestureTool::Draw);
-    EXPECT_EQ(draw.propagation, GesturePropagation::Both);
+    EXPECT_EQ(draw.tool, "draw");
+    EXPECT_EQ(draw.words, "both");
     EXPECT_EQ(draw.speed_mm_s, 180);
     auto const& helix = std::get<HelixShape>(std::get<PathShape>(draw.path));
     EXPECT_EQ(helix.foot_mm, Vec3(0, 0, 40));
     EXPECT_EQ(helix.end_radius_mm, 35);
     EXPECT_EQ(helix.rise_mm, 250);
 
-    EXPECT_EQ(indicate.tool, GestureTool::Indicate);
+    EXPECT_EQ(indicate.tool, "indicate");
     EXPECT_EQ(indicate.speed_mm_s, 150);
     EXPECT_EQ(std::get<LineShape>(std::get<PathShape>(indicate.path)).to_mm, Vec3(80.5, 0, 100));
 }
@@ -135,12 +135,19 @@ TEST(GestureScript, ReadsAPolyline)
     EXPECT_EQ(polyline.points_mm[2], Vec3(5, 7, 9.5));
 }
 
-TEST(GestureScript, NamesItsWords)
+TEST(GestureScript, ReadsAnyToolWithItsWords)
 {
-    EXPECT_EQ(name_of(GestureTool::Select), "select");
-    EXPECT_EQ(name_of(GestureTool::Indicate), "indicate");
-    EXPECT_EQ(name_of(GesturePropagation::Selected), "selected");
-    EXPECT_EQ(name_of(GesturePropagation::Both), "both");
+    auto const script
+        = parse_gesture_script("version = 1\n[[gesture]]\ntool = \"hide_plant\"\nwords = \"now\"\n"
+                               "[[gesture]]\ntool = \"sketch\"\nwords = \"laterals=3 branch\"\n"
+                               "path = \"line\"\nfrom_mm = [0, 0, 9]\nto_mm = [0, 9, 99]\n",
+                               "demo.toml")
+              .value();
+    ASSERT_EQ(script.gestures.size(), 2u);
+    EXPECT_TRUE(std::holds_alternative<AtOnce>(script.gestures[0].path));
+    EXPECT_EQ(script.gestures[1].tool, "sketch");
+    EXPECT_EQ(script.gestures[1].words, "laterals=3 branch");
+    EXPECT_EQ(strokes_of(script, {}, no_axes).value().size(), 1u) << "one of them draws nothing";
 }
 
 TEST(GestureScript, ErrorsNameFileLineAndKey)
@@ -175,7 +182,7 @@ TEST(GestureScript, RefusesKeysThatMeanNothing)
     EXPECT_EQ(
         error_of(fmt::format("{}propagation = \"both\"\n", kScript)),
         "demo.toml:25: gesture[3].propagation is not a key of this place, expected from_mm, path, "
-        "speed_mm_s, to_mm, tool, trace");
+        "speed_mm_s, to_mm, tool, trace, words");
     EXPECT_EQ(error_of(with("tool = \"select\"", "tool = \"indicate\"")),
               "demo.toml:6: gesture[1].trace is for the tool \"select\", expected a path for "
               "\"indicate\"");

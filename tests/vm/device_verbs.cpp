@@ -23,7 +23,7 @@ int main(int argc, char** argv)
     CLI::App root;
     root.require_subcommand(1);
     tractus::Action action;
-    tractus::add_record_verb(root, action);
+    tractus::add_record_verb(root, action, {});
     tractus::add_sim_verb(root, action);
     CLI11_PARSE(root, argc, argv);
 

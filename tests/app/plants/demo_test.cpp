@@ -1,3 +1,4 @@
+#include "app/methods/all_methods.h"
 #include "app/plants/model_file.h"
 #include "app/play/simulated_recording.h"
 #include "app/resources.h"
@@ -33,7 +34,7 @@ protected:
 TEST_P(Demo, IsRecordedFromItsScriptByteForByte)
 {
     std::ostringstream out;
-    auto const written = write_simulated_recording(out, script(), scene());
+    auto const written = write_simulated_recording(out, script(), scene(), all_methods().tools);
     ASSERT_TRUE(written) << written.error().message;
     // Not EXPECT_EQ, which would print half a megabyte.
     EXPECT_TRUE(out.str() == read_file(file("tractus-log")).value())
@@ -50,7 +51,7 @@ TEST_P(Demo, SelectsTheBranchesThatItsScriptTraces)
     for (auto const& gesture : script().gestures) {
         if (auto const* trace = std::get_if<AxisTrace>(&gesture.path))
             traced = order[trace->rank];
-        if (gesture.tool != GestureTool::Draw)
+        if (gesture.tool != "draw")
             continue;
         ASSERT_LT(association, scene.associations.size());
         auto const& path = scene.associations[association++].what.path;

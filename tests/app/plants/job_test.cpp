@@ -44,8 +44,9 @@ protected:
                                                  "to_mm = [0, 10, 60]\n",
                                                  "script");
         ASSERT_TRUE(script) << script.error().message;
-        auto const log
-            = [&](std::ostream& out) { return write_simulated_recording(out, *script, scene); };
+        auto const log = [&](std::ostream& out) {
+            return write_simulated_recording(out, *script, scene, all_methods().tools);
+        };
         ASSERT_TRUE(write_file(folder_ / "leafy.tractus-log", log));
     }
 
