@@ -92,7 +92,6 @@ bool is_another_language(std::string const& path, std::string const& word)
     static std::set<std::pair<std::string, std::string>> const others {
         { "sim/gesture_script.cpp", "select" }, // The script of a simulated hand.
         { "sim/gesture_script.cpp", "draw" },
-        { "sim/gesture_script.cpp", "indicate" },
         { "app/verbs/window.cpp", "draw" },                       // "tractus draw",
         { "app/methods/leaves/leaves_command.cpp", "draw" },      // and "tractus leaves draw".
         { "engine/methods/leaves/parse_grammar.cpp", "outline" }, // A block of a leaf's grammar.
