@@ -19,6 +19,7 @@
 #include "app/methods/silhouettes/outline_layer.h"
 #include "app/methods/silhouettes/outline_tool.h"
 #include "app/methods/sketch_lsystem/sketch_tool.h"
+#include "app/session/begin_empty.h"
 #include "app/tools/delete_tool.h"
 #include "app/tools/draw_in_order_tool.h"
 #include "app/tools/draw_tool.h"
@@ -52,6 +53,7 @@ Methods all_methods()
     static auto const edits = [] {
         auto const core = core_edit_kinds();
         std::vector<EditKind const*> all(core.begin(), core.end());
+        all.push_back(&BeginEmpty::kKind);
         all.push_back(&sketch::GrowAlongStroke::kKind);
         all.push_back(&silhouette::DrawTree::kKind);
         all.push_back(&silhouette::EraseTreePart::kKind);
