@@ -69,18 +69,18 @@ CardGrid arrange_cards(std::span<StartCards const> groups, float width, float sc
     auto const columns = column_count(width, scale);
     float const gap = kGap_px * scale;
     CardGrid grid;
-    grid.card_width
-        = std::floor((width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+    // Of a column with its gap: cards begin and end at whole pixels, the last one at the edge.
+    float const step_x = (width + gap) / static_cast<float>(columns);
+    grid.card_width = std::floor(step_x - gap);
     grid.picture_height = std::floor(kPictureHeight * grid.card_width);
     grid.card_height = grid.picture_height + std::floor(kWordsHeight_px * scale);
-    float const step_x = grid.card_width + gap;
     float const step_y = grid.card_height + gap;
     float top = 0; // Of the section.
     for (auto const& section : sections_of(groups, columns)) {
         if (section.column == 0)
             top = grid.places.empty() ? 0 : grid.height + kSectionGap_px * scale;
         auto const left_of
-            = [&](std::size_t column) { return static_cast<float>(column) * step_x; };
+            = [&](std::size_t column) { return std::round(static_cast<float>(column) * step_x); };
         grid.titles.push_back({ section.title, left_of(section.column), top });
         float const first_row = top + kTitleHeight_px * scale;
         auto const in_row = columns - section.column;
