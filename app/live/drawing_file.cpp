@@ -51,7 +51,7 @@ Result<Session> open_or_begin(WantedDrawing const& wanted, EditKinds kinds, std:
 static Result<OpenedDrawing> begin_unnamed(WantedDrawing wanted, EditKinds kinds)
 {
     OpenedDrawing opened;
-    auto const name = wanted.plant.empty() ? std::string("sketch") : wanted.plant.stem().string();
+    auto const name = wanted.plant.empty() ? std::string("drawing") : wanted.plant.stem().string();
     auto const begin = [&]() -> Result<Session> {
         auto const now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
         wanted.session = TRY(unnamed_session_path(name, now));

@@ -313,9 +313,9 @@ void add_window_verb(CLI::App& root, Action& action, Methods const& methods)
     add_height_option(*verb, arguments->height);
     add_look_options(*verb, *arguments);
     verb->footer(
-        "Begins with a page on which one chooses: an empty sheet, a model, or a drawing to go on\n"
-        "with. With FILE, --plant, --session, --log, --record, --frames or --screenshot it begins\n"
-        "with the drawing, of a broadleaf unless --plant or a session says otherwise.\n"
+        "Begins with a page on which one chooses: an empty sheet, a model, or a drawing to go\n"
+        "on with. With FILE, --plant, --session, --log, --record, --frames or --screenshot it\n"
+        "begins with the drawing, of a broadleaf unless something else is named.\n"
         "\n"
         "Needs a display. Pictures that are saved appear in the working folder. While a pen is\n"
         "in range, the mouse counts for nothing in the window, since the desktop moves it with\n"

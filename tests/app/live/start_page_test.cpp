@@ -157,7 +157,7 @@ TEST_F(StartPage, BeginsAnEmptySheetWhoseFirstStrokeIsAPlantThatIsKept)
         ASSERT_TRUE(window.close());
     }
     ASSERT_EQ(session_files().size(), 1u);
-    EXPECT_TRUE(session_files()[0].filename().string().starts_with("sketch-"));
+    EXPECT_TRUE(session_files()[0].filename().string().starts_with("drawing-"));
     auto const kept = read_session(session_files()[0], all_methods().edits).value();
     ASSERT_EQ(kept.edits.size(), 2u);
     EXPECT_TRUE(kept.edits[0].edit.get<BeginEmpty>());
@@ -217,7 +217,7 @@ TEST_F(StartPage, ClosesTheDrawingAndSaysWhereItIsKept)
     auto const& recent = window.start_page()->state().groups[1];
     EXPECT_EQ(recent.title, "Recent drawings");
     ASSERT_EQ(recent.cards.size(), 1u);
-    press(window, "Sketch");
+    press(window, "Drawing");
     EXPECT_EQ(window.start_page(), nullptr);
     EXPECT_EQ(window.scene().plants.size(), 1u);
     EXPECT_EQ(session_files(), std::vector { file }) << "it goes on in the same";
