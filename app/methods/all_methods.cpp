@@ -11,13 +11,17 @@
 #include "app/methods/indicators/move_indicator_tool.h"
 #include "app/methods/plants/choose_plant_tool.h"
 #include "app/methods/plants/copy_plant_tool.h"
+#include "app/methods/plants/graft_plant_tool.h"
+#include "app/methods/plants/hide_branch_tool.h"
 #include "app/methods/plants/hide_plant_tool.h"
 #include "app/methods/plants/move_plant_tool.h"
 #include "app/methods/plants/remove_plant_tool.h"
+#include "app/methods/plants/take_off_tool.h"
 #include "app/methods/silhouettes/arrange_tool.h"
 #include "app/methods/silhouettes/erase_outline_tool.h"
 #include "app/methods/silhouettes/outline_layer.h"
 #include "app/methods/silhouettes/outline_tool.h"
+#include "app/methods/sketch_lsystem/shorten_sketch_tool.h"
 #include "app/methods/sketch_lsystem/sketch_tool.h"
 #include "app/session/begin_empty.h"
 #include "app/tools/delete_tool.h"
@@ -27,6 +31,7 @@
 #include "app/tools/oversketch_tool.h"
 #include "app/tools/select_tool.h"
 #include "app/tools/smooth_tool.h"
+#include "engine/methods/sketch_lsystem/change_edits.h"
 #include "engine/scene/edit.h"
 
 #include <array>
@@ -41,11 +46,12 @@ Methods all_methods()
         &DrawInOrderTool::kKind, &DrawTool::kKind,          &OversketchTool::kKind,
         &SmoothTool::kKind,      &DeleteTool::kKind,        &SelectTool::kKind,
         &IndicateTool::kKind,    &MoveIndicatorTool::kKind, &DeleteIndicatorTool::kKind,
-        &EraseTool::kKind,       &SketchTool::kKind,        &OutlineTool::kKind,
-        &ArrangeTool::kKind,     &EraseOutlineTool::kKind,  &LineTool::kKind,
-        &LinePatternTool::kKind, &LayerNodesTool::kKind,    &LineRoleTool::kKind,
-        &ChoosePlantTool::kKind, &MovePlantTool::kKind,     &CopyPlantTool::kKind,
-        &HidePlantTool::kKind,   &RemovePlantTool::kKind,
+        &EraseTool::kKind,       &SketchTool::kKind,        &ShortenSketchTool::kKind,
+        &OutlineTool::kKind,     &ArrangeTool::kKind,       &EraseOutlineTool::kKind,
+        &LineTool::kKind,        &LinePatternTool::kKind,   &LayerNodesTool::kKind,
+        &LineRoleTool::kKind,    &ChoosePlantTool::kKind,   &MovePlantTool::kKind,
+        &CopyPlantTool::kKind,   &HidePlantTool::kKind,     &RemovePlantTool::kKind,
+        &GraftPlantTool::kKind,  &TakeOffTool::kKind,       &HideBranchTool::kKind,
     };
     static constexpr std::array kLayers { &kOutlineLayer,  &kTrunkLayer,       &kStemLayer,
                                           &kBoundaryLayer, &kInclinationLayer, &kUnsureLayer,
@@ -54,7 +60,9 @@ Methods all_methods()
         auto const core = core_edit_kinds();
         std::vector<EditKind const*> all(core.begin(), core.end());
         all.push_back(&BeginEmpty::kKind);
-        all.push_back(&sketch::GrowAlongStroke::kKind);
+        all.insert(all.end(),
+                   { &sketch::GrowAlongStroke::kKind, &sketch::ChangeSketch::kKind,
+                     &sketch::ShortenSketch::kKind });
         all.push_back(&silhouette::DrawTree::kKind);
         all.push_back(&silhouette::EraseTreePart::kKind);
         all.push_back(&silhouette::FormTree::kKind);

@@ -1,13 +1,18 @@
 #include "app/station/orphans.h"
 
+#include "engine/plant/plant_addresses.h"
+
 #include <fmt/core.h>
 
 namespace tractus {
 
 // "segment 6 of branch 2 at segment 4 of stem 1", all counted from 1; of a branch that its source
-// names, "40 % of a branch that is gone".
+// names, "40 % of a branch that is gone"; in a part, "... of the plant 12 that was put on".
 static std::string place_in_words(SegmentAddress const& address)
 {
+    if (auto const part = part_of(address); part != 0)
+        return fmt::format("{} of the plant {} that was put on",
+                           place_in_words(without_part(part_prefix(part), address)), name_of(part));
     std::string words;
     std::size_t begin = 0;
     if (address.size() >= 4 && address[0] == kKeyedAxis) {

@@ -54,6 +54,11 @@ void StationView::show(Station const& station, Document const& document)
 
 void StationView::tell(DrawnStroke const& drawn)
 {
+    state_.refused.reset();
+    if (!drawn.refusal.empty() && !drawn.stroke.tips.empty())
+        state_.refused = RefusedStroke { ink_line(drawn.stroke.tips, drawn.tool),
+                                         drawn.tool.kind().surface, drawn.refusal };
+    ++state_.live_revision;
     state_.status = !drawn.refusal.empty() ? drawn.refusal
         : drawn.said.empty()               ? drawn.tool.kind().done
                                            : drawn.said;
@@ -117,9 +122,12 @@ void StationView::show_ink(Station const& station, std::vector<ToolStroke> const
     auto const count = state_.live_ink.size();
     if (std::exchange(shown_waiting_, count) != count)
         ++state_.live_revision;
-    if (!station.is_pressing())
-        for (auto const& ink : station.inks())
-            state_.live_ink.push_back(ink_line(ink, station.meaning_of(ink)));
+    if (station.is_pressing())
+        return;
+    if (!station.inks().empty())
+        state_.refused.reset();
+    for (auto const& ink : station.inks())
+        state_.live_ink.push_back(ink_line(ink, station.meaning_of(ink)));
 }
 
 void StationView::show_live(Station const& station, Document const& document)

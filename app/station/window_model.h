@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -41,6 +42,13 @@ struct OrphanView {
     std::string name; // "stroke 3".
     std::string
         place; // Where its branch was: "up to segment 6 of branch 2 at segment 4 of stem 1".
+};
+
+// A stroke that changed nothing.
+struct RefusedStroke {
+    InkLine ink {};
+    Surface surface = Surface::Space; // What it was drawn on.
+    std::string why {};               // A sentence for people.
 };
 
 // The lines of a layer for the active plant. World frame.
@@ -104,6 +112,8 @@ struct WindowState {
     // The states that the pen has gone through since the last advance(), in order.
     std::vector<PenView> pen_path;
     std::vector<InkLine> live_ink; // Being drawn now.
+    // The last stroke if it was refused, until the next one begins. Changes with live_revision.
+    std::optional<RefusedStroke> refused {};
 
     std::uint64_t strokes_revision = 0;
     std::vector<InkLine> strokes; // Finished.

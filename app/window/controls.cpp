@@ -1,6 +1,7 @@
 #include "app/window/controls.h"
 
 #include "app/tools/tool_choices.h"
+#include "app/window/refusal_note.h"
 #include "app/window/theme.h"
 
 #include <algorithm>
@@ -148,10 +149,10 @@ bool Controls::button(char const* text, float width, bool is_on) const
 void Controls::show_status(WindowState const& state) const
 {
     if (state.trouble.empty())
-        ImGui::TextUnformatted(state.status.c_str());
+        ImGui::TextUnformatted(as_sentence(state.status).c_str());
     else
         ImGui::TextColored(theme::imgui_color(theme::palette().indicator), "%s",
-                           state.trouble.c_str());
+                           as_sentence(state.trouble).c_str());
     if (state.unkept_steps > 0) {
         ImGui::SameLine();
         ImGui::TextDisabled("not on the disk yet");

@@ -2,6 +2,7 @@
 
 #include "app/tools/tool_choices.h"
 #include "app/window/height_gauge.h"
+#include "app/window/refusal_note.h"
 #include "app/window/shortcuts.h"
 #include "app/window/skeleton_notes.h"
 
@@ -257,6 +258,8 @@ void Layout::show_pad(WindowModel& model, Renderer& renderer, WindowPart const& 
     float const gauge_left = fills_window ? std::max(part.left, area.left_px()) : part.left;
     draw_height_gauge(state, { gauge_left, part.top + 40 * scale_ },
                       { gauge_px, above_controls().height - 40 * scale_ });
+    if (draws_here)
+        draw_refusal(state, area, { part.left, part.top }, { part.width, above_controls().height });
     show_title(part, "Drawing pad", state.tool.c_str());
 }
 
@@ -288,6 +291,7 @@ void Layout::show_skeleton(WindowModel& model, Renderer& renderer, WindowPart co
     if (selects_here) {
         pen_area_ = area;
         draw_selecting_ink(state, area);
+        draw_refusal(state, area, { part.left, part.top }, { part.width, above_controls().height });
         if (state.mouse_draws && !ring_.is_open())
             mouse_.hold(model, area, input.mouse);
     }

@@ -56,13 +56,17 @@ void draw_selecting_ink(WindowState const& state, PenArea const& area)
 {
     auto* const draw = ImGui::GetWindowDrawList();
     std::vector<ImVec2> places;
-    for (auto const& ink : state.live_ink) {
+    auto const add = [&](InkLine const& ink, float opacity) {
         places.clear();
         for (auto const& point : ink.points)
             places.push_back(area.to_px(point.position_mm.head<2>().cast<double>()));
         draw->AddPolyline(places.data(), static_cast<int>(places.size()),
-                          theme::packed(theme::palette().ink, 0.6f), ImDrawFlags_None, 3);
-    }
+                          theme::packed(theme::palette().ink, opacity), ImDrawFlags_None, 3);
+    };
+    for (auto const& ink : state.live_ink)
+        add(ink, 0.6f);
+    if (state.refused && state.refused->surface == Surface::Skeleton)
+        add(state.refused->ink, 0.25f);
     if (state.pen.in_range)
         draw->AddCircleFilled(area.to_px(state.pen.tip_mm.head<2>().cast<double>()), 6,
                               theme::packed(theme::palette().ink, 0.8f));

@@ -94,6 +94,50 @@ void add_ink(std::vector<InkLine> const& lines, Vec3f const& color, std::vector<
     }
 }
 
+// The parts of a line that a pattern leaves: so much drawn, so much left out, by turns.
+std::vector<std::vector<Vec3f>> dashes(std::vector<Vec3f> const& points_mm, float drawn_mm,
+                                       float left_out_mm)
+{
+    std::vector<std::vector<Vec3f>> parts { { points_mm.front() } };
+    bool draws = true;
+    float to_go_mm = drawn_mm;
+    for (std::size_t i = 1; i < points_mm.size(); ++i) {
+        Vec3f from_mm = points_mm[i - 1];
+        for (float way_mm = (points_mm[i] - from_mm).norm(); way_mm > to_go_mm;
+             way_mm = (points_mm[i] - from_mm).norm()) {
+            from_mm += (points_mm[i] - from_mm) * (to_go_mm / way_mm);
+            if (draws)
+                parts.back().push_back(from_mm);
+            else
+                parts.push_back({ from_mm });
+            draws = !draws;
+            to_go_mm = draws ? drawn_mm : left_out_mm;
+        }
+        to_go_mm -= (points_mm[i] - from_mm).norm();
+        if (draws)
+            parts.back().push_back(points_mm[i]);
+    }
+    if (parts.back().size() < 2)
+        parts.pop_back();
+    return parts;
+}
+
+// Faint and dashed: it is there to be seen beside the reason, and is nothing of the plant.
+void add_refused(RefusedStroke const& refused, std::vector<Curve>& curves)
+{
+    Vec3f const color = 0.5f * theme::palette().ink + 0.5f * theme::palette().pad_background;
+    std::vector<Vec3f> points_mm;
+    for (auto const& point : refused.ink.points)
+        points_mm.push_back(point.position_mm);
+    constexpr float kDash_mm = 4;
+    for (auto const& part_mm : dashes(points_mm, kDash_mm, kDash_mm)) {
+        auto& curve = curves.emplace_back();
+        curve.look = Curve::Look::Flat;
+        for (auto const& point_mm : part_mm)
+            curve.points.push_back({ point_mm, color, 2 });
+    }
+}
+
 void add_pen(WindowState const& state, std::vector<Curve>& curves)
 {
     if (!state.pen.in_range)
@@ -172,34 +216,6 @@ void add_flat_line(WindowState const& state, SkeletonLine const& line, Vec3f con
     auto const T_pad_plant = pad_of_world(state) * state.T_world_plant;
     for (auto const& point : line.points_mm)
         curve.points.push_back({ T_pad_plant * point, color, 1.5f });
-}
-
-// The parts of a line that a pattern leaves: so much drawn, so much left out, by turns.
-std::vector<std::vector<Vec3f>> dashes(std::vector<Vec3f> const& points_mm, float drawn_mm,
-                                       float left_out_mm)
-{
-    std::vector<std::vector<Vec3f>> parts { { points_mm.front() } };
-    bool draws = true;
-    float to_go_mm = drawn_mm;
-    for (std::size_t i = 1; i < points_mm.size(); ++i) {
-        Vec3f from_mm = points_mm[i - 1];
-        for (float way_mm = (points_mm[i] - from_mm).norm(); way_mm > to_go_mm;
-             way_mm = (points_mm[i] - from_mm).norm()) {
-            from_mm += (points_mm[i] - from_mm) * (to_go_mm / way_mm);
-            if (draws)
-                parts.back().push_back(from_mm);
-            else
-                parts.push_back({ from_mm });
-            draws = !draws;
-            to_go_mm = draws ? drawn_mm : left_out_mm;
-        }
-        to_go_mm -= (points_mm[i] - from_mm).norm();
-        if (draws)
-            parts.back().push_back(points_mm[i]);
-    }
-    if (parts.back().size() < 2)
-        parts.pop_back();
-    return parts;
 }
 
 std::vector<std::vector<Vec3f>> with_pattern(std::vector<Vec3f> const& line_mm,
@@ -334,6 +350,8 @@ std::vector<Curve> pad_live_curves(WindowState const& state)
     auto const surface = state.hand.kind().surface;
     if (surface == Surface::Space || surface == Surface::Paper)
         add_ink(state.live_ink, theme::palette().ink, curves);
+    if (state.refused && state.refused->surface == surface && surface != Surface::Skeleton)
+        add_refused(*state.refused, curves);
     add_pen(state, curves);
     return curves;
 }

@@ -24,7 +24,9 @@ std::uint32_t axis_key(std::string_view name)
 
 std::size_t segment_count(PathAddress const& path)
 {
-    if (path.first.empty() || is_keyed(path.first) || is_keyed(path.last))
+    constexpr std::uint32_t kLeastName = 0xFFFFFFFE; // Axes' keys and parts' prefixes.
+    if (path.first.empty() || path.first.front() >= kLeastName || path.last.empty()
+        || path.last.front() >= kLeastName)
         return 0;
     std::size_t count = 0; // Axes from the first's on, whole.
     for (auto i = path.first.size(); i <= path.last.size(); i += 2)
@@ -161,8 +163,14 @@ std::optional<std::vector<SegmentId>> AddressIndex::find_path(Plant const& plant
     auto const last = find_segment(plant, address.last);
     if (!first || !last)
         return std::nullopt;
-    std::vector<SegmentId> path { *last };
-    while (path.back() != *first) {
+    return path_between(plant, *first, *last);
+}
+
+std::optional<std::vector<SegmentId>> path_between(Plant const& plant, SegmentId first,
+                                                   SegmentId last)
+{
+    std::vector<SegmentId> path { last };
+    while (path.back() != first) {
         auto const below = parent_segment(plant, path.back());
         if (below == kNone)
             return std::nullopt;

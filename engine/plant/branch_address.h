@@ -37,8 +37,12 @@ struct PathAddress {
 };
 
 // How many segments a path has; 0 if it is on an axis that has a key, whose segments may be others
-// now.
+// now, or in a part of a plant (plant_addresses.h).
 std::size_t segment_count(PathAddress const& path);
+
+// The segments from one to another that it bears; no value where it does not bear it.
+std::optional<std::vector<SegmentId>> path_between(Plant const& plant, SegmentId first,
+                                                   SegmentId last);
 
 // The axes of a plant by what bears them: finds segments by their addresses, and addresses of
 // segments, in a time that grows with the order of their axes and hardly with the plant.

@@ -6,6 +6,12 @@
 
 namespace tractus {
 
+bool Graft::operator==(Graft const& other) const
+{
+    return prefix == other.prefix && source == other.source && at == other.at
+        && turn_rad == other.turn_rad && base_mm == other.base_mm;
+}
+
 std::optional<std::size_t> find_plant(DocumentState const& state, ItemId id)
 {
     auto const found = std::find_if(state.plants.begin(), state.plants.end(),
@@ -71,6 +77,8 @@ DocumentState with_source(DocumentState state, NewSource added)
         plant.source_edit = state.last_edit;
         plant.selection.clear();
         if (added.drawn == Drawn::Forget) {
+            plant.grafts.clear();
+            plant.hidden_branches.clear();
             plant.strokes.clear();
             plant.indicators.clear();
         }

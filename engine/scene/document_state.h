@@ -3,6 +3,7 @@
 #include "engine/base/result.h"
 #include "engine/base/shared_list.h"
 #include "engine/base/shared_vector.h"
+#include "engine/plant/plant_addresses.h"
 #include "engine/scene/anchored.h"
 #include "engine/scene/edit.h"
 #include "engine/scene/plant_source.h"
@@ -20,6 +21,24 @@
 
 namespace tractus {
 
+// A plant that was put on a branch of another and is a part of it since.
+struct Graft {
+    PartPrefix prefix {}; // What addresses in it begin with; by the ids of the plants that it was.
+    std::string name {};  // As of PlantState, as the next ones.
+    PlantSource source {};
+    std::uint64_t source_edit = 0;
+    std::optional<Vec2> paper_mm {};
+    SetGrowth growth {}; // For when it is taken off; until then it grows as what bears it does.
+
+    SegmentAddress at {}; // The segment on whose end it stands. Where there is none it waits.
+    // From its own frame to the frame of what bears it, both at rest: a rotation vector (axis times
+    // angle, radians), and from the segment's end to its base.
+    Vec3 turn_rad = Vec3::Zero();
+    Vec3 base_mm = Vec3::Zero();
+
+    bool operator==(Graft const& other) const; // Whether it is the same for what is built.
+};
+
 // One plant of a document: what was drawn and set, and nothing that follows from it.
 struct PlantState {
     ItemId id = 0;       // Of the edit that added it.
@@ -29,7 +48,10 @@ struct PlantState {
     Vec3 stands_at_mm = Vec3::Zero(); // Its base. World frame.
     // Where its base is on the paper that it was drawn on (paper.h); no value: on none.
     std::optional<Vec2> paper_mm {};
-    bool is_hidden = false; // Neither shown nor exported.
+    bool is_hidden = false;       // Neither shown nor exported.
+    std::vector<Graft> grafts {}; // In the order in which they were put on it.
+    // Segments that are not shown, with all that they bear. What was drawn on them waits.
+    std::vector<SegmentAddress> hidden_branches {};
 
     SharedVector<PathAddress> selection {};
     // In order: a later one overrides an earlier one. Each is at one path.

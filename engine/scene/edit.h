@@ -235,6 +235,41 @@ struct RemovePlant {
     ItemId plant = 0;
 };
 
+// Parts of plants. Their kinds are in graft_edits.cpp.
+
+// Puts a plant on a branch of another, of which it is a part from then on: what is drawn below
+// carries it, and it grows, varies and goes into files with what bears it. What was drawn on it
+// stays; the other one becomes the active plant if it was that.
+struct GraftPlant {
+    static EditKind const kKind;
+
+    ItemId plant = 0;             // 0: the active one.
+    ItemId onto = 0;              // Another.
+    SegmentAddress at {};         // Of `onto`: the segment on whose end it shall stand.
+    Vec3 turn_rad = Vec3::Zero(); // As in Graft, as the next one.
+    Vec3 base_mm = Vec3::Zero();
+};
+
+// Makes a part that was put on a plant a plant of its own again, which becomes the active one. What
+// was drawn on it goes with it.
+struct TakeOffGraft {
+    static EditKind const kKind;
+
+    ItemId plant = 0;                 // What bears it,
+    ItemId graft = 0;                 // and the id that it had as a plant.
+    Vec3 stands_at_mm = Vec3::Zero(); // World frame.
+    ItemId id = 0;                    // From now on; 0: it has none yet.
+};
+
+// Hides a segment of a plant and all that it bears, or shows one that is hidden.
+struct HideBranch {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    SegmentAddress at {};
+    bool hidden = true;
+};
+
 // The size in which all plants of the document are shown.
 struct SetScale {
     static EditKind const kKind;

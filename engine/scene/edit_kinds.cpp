@@ -29,11 +29,12 @@ constexpr EditKind UnknownEdit::kKind = make_edit_kind<UnknownEdit, list, applie
 EditKinds core_edit_kinds()
 {
     static constexpr std::array kKinds {
-        &LoadModel::kKind, &LoadSkeleton::kKind,  &LoadMeasured::kKind,    &Select::kKind,
-        &Associate::kKind, &Oversketch::kKind,    &SmoothStroke::kKind,    &DeleteStroke::kKind,
-        &EraseTips::kKind, &Indicate::kKind,      &ChangeIndicator::kKind, &DeleteIndicator::kKind,
-        &SetGrowth::kKind, &ActivatePlant::kKind, &MovePlant::kKind,       &CopyPlant::kKind,
-        &HidePlant::kKind, &NamePlant::kKind,     &RemovePlant::kKind,     &SetScale::kKind
+        &LoadModel::kKind,  &LoadSkeleton::kKind,  &LoadMeasured::kKind,    &Select::kKind,
+        &Associate::kKind,  &Oversketch::kKind,    &SmoothStroke::kKind,    &DeleteStroke::kKind,
+        &EraseTips::kKind,  &Indicate::kKind,      &ChangeIndicator::kKind, &DeleteIndicator::kKind,
+        &SetGrowth::kKind,  &ActivatePlant::kKind, &MovePlant::kKind,       &CopyPlant::kKind,
+        &HidePlant::kKind,  &NamePlant::kKind,     &RemovePlant::kKind,     &SetScale::kKind,
+        &GraftPlant::kKind, &TakeOffGraft::kKind,  &HideBranch::kKind
     };
     return kKinds;
 }

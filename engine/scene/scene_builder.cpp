@@ -1,5 +1,7 @@
 #include "engine/scene/scene_builder.h"
 
+#include "engine/scene/compose_base.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -31,7 +33,8 @@ SceneBuilder::SceneBuilder(Scene const& scene, MakeLoadOptions load_options)
     for (auto const& plant : plants_) {
         auto base = std::make_shared<BasePlant const>(
             BasePlant { plant->base, plant->rest, plant->fitted, plant->model_warnings });
-        bases_.push_back({ plant->drawn->source, std::move(base) });
+        bases_.push_back({ plant->drawn->source, std::move(base), plant->drawn->grafts,
+                           plant->drawn->hidden_branches });
         auto& found = found_[plant->drawn->id];
         found.rest = plant->rest;
         for (auto const& [id, association, at] : plant->associations)
@@ -41,19 +44,39 @@ SceneBuilder::SceneBuilder(Scene const& scene, MakeLoadOptions load_options)
 
 Result<std::shared_ptr<BasePlant const>> SceneBuilder::base_of(PlantState const& plant)
 {
+    auto const known = std::find_if(bases_.begin(), bases_.end(),
+                                    [&](KnownBase const& base) { return base.is_of(plant); });
+    if (known != bases_.end()) {
+        bases_.splice(bases_.begin(), bases_, known);
+        return known->base;
+    }
+    auto own = TRY(base_of(plant.source, plant.source_edit));
+    if (!is_composed(plant))
+        return own;
+    std::vector<std::shared_ptr<BasePlant const>> parts;
+    for (auto const& graft : plant.grafts)
+        parts.push_back(TRY(base_of(graft.source, graft.source_edit)));
+    bases_.push_front(
+        { plant.source, compose_base(plant, own, parts), plant.grafts, plant.hidden_branches });
+    return bases_.front().base;
+}
+
+Result<std::shared_ptr<BasePlant const>> SceneBuilder::base_of(PlantSource const& source,
+                                                               std::uint64_t source_edit)
+{
     auto const known = std::find_if(bases_.begin(), bases_.end(), [&](KnownBase const& base) {
-        return base.source == plant.source;
+        return base.source == source && base.grafts.empty() && base.hidden_branches.empty();
     });
     if (known != bases_.end()) {
         bases_.splice(bases_.begin(), bases_, known);
         return known->base;
     }
-    auto source = plant.source.build(load_options_ ? load_options_() : LoadOptions {});
-    if (!source) {
-        failed_edit_ = plant.source_edit;
-        return tl::unexpected(source.error());
+    auto built = source.build(load_options_ ? load_options_() : LoadOptions {});
+    if (!built) {
+        failed_edit_ = source_edit;
+        return tl::unexpected(built.error());
     }
-    bases_.push_front({ plant.source, make_base(*std::move(source)) });
+    bases_.push_front({ source, make_base(*std::move(built)) });
     return bases_.front().base;
 }
 
@@ -102,9 +125,15 @@ void SceneBuilder::forget_old_bases(DocumentState const& state)
 {
     std::size_t old = 0;
     std::erase_if(bases_, [&](KnownBase const& base) {
-        bool const is_used
-            = std::any_of(state.plants.begin(), state.plants.end(),
-                          [&](auto const& plant) { return plant->source == base.source; });
+        bool const is_own = base.grafts.empty() && base.hidden_branches.empty();
+        auto const uses = [&](std::shared_ptr<PlantState const> const& plant) {
+            if (!is_own)
+                return base.is_of(*plant);
+            return plant->source == base.source
+                || std::any_of(plant->grafts.begin(), plant->grafts.end(),
+                               [&](Graft const& graft) { return graft.source == base.source; });
+        };
+        bool const is_used = std::any_of(state.plants.begin(), state.plants.end(), uses);
         return !is_used && ++old > kOldBases;
     });
     std::erase_if(found_, [&](auto const& found) { return !find_plant(state, found.first); });

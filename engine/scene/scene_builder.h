@@ -49,9 +49,20 @@ private:
     struct KnownBase {
         PlantSource source;
         std::shared_ptr<BasePlant const> base;
+        // Of one that was put together (compose_base.h).
+        std::vector<Graft> grafts {};
+        std::vector<SegmentAddress> hidden_branches {};
+
+        bool is_of(PlantState const& plant) const
+        {
+            return source == plant.source && grafts == plant.grafts
+                && hidden_branches == plant.hidden_branches;
+        }
     };
 
     Result<std::shared_ptr<BasePlant const>> base_of(PlantState const& plant);
+    Result<std::shared_ptr<BasePlant const>> base_of(PlantSource const& source,
+                                                     std::uint64_t source_edit);
     BuiltPlant build(std::shared_ptr<PlantState const> const& drawn, BasePlant const& base,
                      DeskPlacement const& placement);
     void find_strokes(BuiltPlant& plant, BuiltPlant const* before);

@@ -60,6 +60,11 @@ void find_axis_shape(Plant const& plant, AxisId id, RestShape& shape)
 
 RestShape find_rest_shape(Plant const& plant, AxisKeys keys)
 {
+    return find_rest_shape(plant, PlantAddresses(plant, std::move(keys)));
+}
+
+RestShape find_rest_shape(Plant const& plant, PlantAddresses addresses)
+{
     RestShape shape;
     shape.levels = find_axis_levels(plant);
     shape.frame.resize(plant.segment_count());
@@ -70,7 +75,7 @@ RestShape find_rest_shape(Plant const& plant, AxisKeys keys)
         for (auto const id : axes)
             find_axis_shape(plant, id, shape);
     });
-    shape.addresses = AddressIndex(plant, std::move(keys));
+    shape.addresses = std::move(addresses);
     shape.drawing_order = axes_in_drawing_order(plant, shape.axis_length_mm);
     return shape;
 }

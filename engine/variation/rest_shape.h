@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/plant/branch_address.h"
 #include "engine/plant/plant.h"
+#include "engine/plant/plant_addresses.h"
 #include "engine/variation/axis_levels.h"
 
 #include <vector>
@@ -23,10 +23,13 @@ struct RestShape {
     std::vector<double> end_mm;         // Length from the axis' base along it to the segment's end.
     std::vector<double> axis_length_mm; // Per axis, along its segments.
     std::vector<AxisId> drawing_order;  // See axes_in_drawing_order().
-    AddressIndex addresses;             // Addresses of what was drawn.
+    PlantAddresses addresses;           // Addresses of what was drawn.
 };
 
-// `keys` as of AddressIndex.
+// `addresses` are the plant's.
+RestShape find_rest_shape(Plant const& plant, PlantAddresses addresses);
+
+// Of a plant that was not put together from others; `keys` as of AddressIndex.
 RestShape find_rest_shape(Plant const& plant, AxisKeys keys = {});
 
 } // namespace tractus

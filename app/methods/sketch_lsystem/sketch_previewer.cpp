@@ -3,6 +3,7 @@
 #include "app/methods/sketch_lsystem/sketch_tool.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace tractus {
 
@@ -26,21 +27,51 @@ class SketchPreviewer final : public StrokePreviewer {
 public:
     std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override
     {
-        auto edit = grown_along(*stroke.tool.get<SketchTool>(),
-                                Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) },
+        auto const& tool = *stroke.tool.get<SketchTool>();
+        auto edit = grown_along(tool, Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) },
                                 *stroke.scene);
         edit.leaves = sketch::Leaves::Bare;
         edit.rule.most_internodes = std::max<double>(edit.rule.most_segments, kMostInternodes);
+        auto const& place = find_place(tool, edit, stroke.scene);
+        if (place && *place)
+            fit_to_branch(edit, **place);
         auto const built = sketch::build_sketch(edit, {});
-        if (!built)
+        if (!built || !place)
             return {};
+        auto const& branch = *place;
         DeskPlacement const placement { .scale = edit.scale,
-                                        .origin_mm = sketch::stands_at_mm(edit) };
+                                        .origin_mm
+                                        = branch ? branch->base_mm : sketch::stands_at_mm(edit) };
         std::vector<SkeletonLine> lines;
         for (auto const& axis : built->plant.axes)
             lines.push_back(line_of(built->plant, axis, placement, stroke.scene->placement));
         return lines;
     }
+
+private:
+    // Looked for once a stroke: that goes through all plants.
+    Result<std::optional<BranchPlace>> const& find_place(SketchTool const& tool,
+                                                         sketch::GrowAlongStroke const& edit,
+                                                         std::shared_ptr<Scene const> const& scene)
+    {
+        Vec3 const begin_mm
+            = edit.stroke.tips.empty() ? Vec3::Zero() : edit.stroke.tips.front().position_mm;
+        if (!place_ || surface_ != edit.surface || begin_mm_ != begin_mm || scene_ != scene
+            || grows_ != tool.place) {
+            place_ = place_of(tool, edit, *scene);
+            surface_ = edit.surface;
+            begin_mm_ = begin_mm;
+            scene_ = scene;
+            grows_ = tool.place;
+        }
+        return *place_;
+    }
+
+    std::optional<Result<std::optional<BranchPlace>>> place_; // For what follows.
+    StrokeSurface surface_ = StrokeSurface::Decided;
+    Vec3 begin_mm_ = Vec3::Zero();
+    std::shared_ptr<Scene const> scene_; // Shared with the document, which may go on.
+    SketchTool::Place grows_ = SketchTool::Place::Ground;
 };
 
 } // namespace

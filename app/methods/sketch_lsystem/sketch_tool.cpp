@@ -1,9 +1,13 @@
 #include "app/methods/sketch_lsystem/sketch_tool.h"
 
+#include "app/methods/sketch_lsystem/shorten_sketch_tool.h"
 #include "app/methods/sketch_lsystem/sketch_previewer.h"
-#include "app/tools/erase_tool.h"
+#include "engine/methods/sketch_lsystem/change_edits.h"
+#include "engine/scene/paper.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace tractus {
 
@@ -18,6 +22,12 @@ constexpr std::array<OptionWord, 3> kSurfaceWords { {
     { "as_it_moves", "As it moves" },
     { "space", "In space" },
     { "paper", "On paper" },
+} };
+constexpr std::array<OptionWord, 4> kPlaceWords { {
+    { "ground", "Alone" },
+    { "branch", "On a branch", "A rule grows along the stroke, on the branch where it begins" },
+    { "in_place", "In its place", "A rule grows in the place of the branch" },
+    { "change", "Change", nullptr, true },
 } };
 
 void visit(OptionVisitor& visitor, SketchTool& tool)
@@ -37,6 +47,12 @@ void visit(OptionVisitor& visitor, SketchTool& tool)
     tool.surface = surface == 0 ? StrokeSurface::Decided
         : surface == 1          ? StrokeSurface::Space
                                 : StrokeSurface::Paper;
+    visitor.choice({ kPlaceWords }, tool.place);
+}
+
+bool is_on_branch(SketchTool const& tool)
+{
+    return tool.place == SketchTool::Place::Branch || tool.place == SketchTool::Place::InPlace;
 }
 
 // Returns the rule of a rule file that says no more.
@@ -56,9 +72,42 @@ sketch::Rule rule_of(SketchTool const& tool)
     return rule;
 }
 
+// What the buttons do not set stays as it was.
+Result<std::vector<Edit>> change(SketchTool const& tool, Scene const& scene)
+{
+    auto const grown = sketch::newest_grown(*scene.drawn);
+    if (!grown)
+        return fail(Fault::User,
+                    "the plant that takes what is drawn has not grown along a stroke: choose one "
+                    "that has, or draw one");
+    auto rule = grown->sketch->rule;
+    auto const wanted = rule_of(tool);
+    rule.laterals = wanted.laterals;
+    rule.angle_deg = wanted.angle_deg;
+    rule.first_length_mm = wanted.first_length_mm;
+    rule.first_width_mm = wanted.first_width_mm;
+    rule.length_ratio = wanted.length_ratio;
+    rule.lateral_length = wanted.lateral_length;
+    rule.axis_twist_deg = wanted.axis_twist_deg;
+    rule.lateral_twist_deg = wanted.lateral_twist_deg;
+    return std::vector<Edit> { sketch::ChangeSketch { scene.drawn->id, grown->part, rule,
+                                                      tool.leaves } };
+}
+
 Result<std::vector<Edit>> grow(Tool const& tool, Stroke const& stroke, Scene const& scene)
 {
-    return std::vector<Edit> { grown_along(*tool.get<SketchTool>(), stroke, scene) };
+    auto const& options = *tool.get<SketchTool>();
+    if (options.place == SketchTool::Place::Change)
+        return change(options, scene);
+    auto grown = grown_along(options, stroke, scene);
+    auto const place = TRY(place_of(options, grown, scene));
+    if (!place)
+        return std::vector<Edit> { std::move(grown) };
+    fit_to_branch(grown, *place);
+    std::vector<Edit> edits { std::move(grown) };
+    for (auto& edit : graft_edits(scene, *place, 0))
+        edits.push_back(std::move(edit));
+    return edits;
 }
 
 } // namespace
@@ -69,11 +118,38 @@ sketch::GrowAlongStroke grown_along(SketchTool const& tool, Stroke const& stroke
     sketch::GrowAlongStroke edit;
     edit.rule = rule_of(tool);
     edit.stroke = stroke;
-    edit.surface = decide_surface(stroke.tips, tool.surface);
+    // What begins on a branch begins where the pad shows that: in space, however the surface moves.
+    edit.surface = is_on_branch(tool) && tool.surface == StrokeSurface::Decided
+        ? StrokeSurface::Space
+        : decide_surface(stroke.tips, tool.surface);
     edit.leaves = tool.leaves;
     if (!scene.plants.empty())
         edit.scale = scene.placement.scale;
     return edit;
+}
+
+void fit_to_branch(sketch::GrowAlongStroke& grown, BranchPlace const& place)
+{
+    constexpr double kThinner = 0.85;  // Than what bears it.
+    constexpr double kThinnest = 0.02; // Of a first internode's length.
+    auto& rule = grown.rule;
+    rule.first_width_mm
+        = std::clamp(kThinner * place.diameter_mm, kThinnest * rule.first_length_mm,
+                     std::max(rule.first_width_mm, kThinnest * rule.first_length_mm));
+}
+
+Result<std::optional<BranchPlace>>
+place_of(SketchTool const& tool, sketch::GrowAlongStroke const& grown, Scene const& scene)
+{
+    if (!is_on_branch(tool) || grown.stroke.tips.empty())
+        return std::nullopt;
+    Vec3 const down_mm = grown.stroke.tips.front().position_mm;
+    auto const grafting
+        = tool.place == SketchTool::Place::InPlace ? Grafting::InPlace : Grafting::Beside;
+    if (grown.surface == StrokeSurface::Paper)
+        return TRY(branch_at(scene, paper_of(scene.state).world_of_sheet(down_mm.head<2>()),
+                             Vec3::UnitY(), grafting));
+    return TRY(branch_at(scene, down_mm, Vec3::UnitZ(), grafting));
 }
 
 constexpr ToolKind SketchTool::kKind {
@@ -84,7 +160,9 @@ constexpr ToolKind SketchTool::kKind {
     .help = "adds a plant: a rule grows along the stroke, with so many laterals at an angle in "
             "degrees, a first internode of so many mm, the next ones and laterals by ratios; with "
             "leaves or bare; as drawn in space, on paper that stands upright, or whichever the "
-            "surface's way shows",
+            "surface's way shows; alone, on the branch where the stroke begins, or in its place; "
+            "or at once these "
+            "numbers for what has grown along a stroke last",
     .group = "Sketch",
     .method = "Along a stroke",
     .icon = "5950 5674 5422 5362",
@@ -92,7 +170,7 @@ constexpr ToolKind SketchTool::kKind {
     .options = options_type<SketchTool, visit>(),
     .mean = grow,
     .previewer = sketch_previewer,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &ShortenSketchTool::kKind },
 };
 
 } // namespace tractus

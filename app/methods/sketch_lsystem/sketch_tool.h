@@ -1,7 +1,10 @@
 #pragma once
 
+#include "app/tools/branch_place.h"
 #include "app/tools/tool.h"
 #include "engine/methods/sketch_lsystem/grow_edit.h"
+
+#include <optional>
 
 namespace tractus {
 
@@ -18,10 +21,26 @@ struct SketchTool {
     double lateral_length = 0.62;
     sketch::Leaves leaves = sketch::Leaves::Leafy;
     StrokeSurface surface = StrokeSurface::Decided;
+    enum class Place {
+        Ground,  // The plant stands alone where the stroke begins,
+        Branch,  // or on the branch on which it begins,
+        InPlace, // or in the place of that branch, which is hidden.
+        Change,  // At once: what has grown along a stroke last grows by these numbers.
+    } place
+        = Place::Ground;
 };
 
-// Returns what a stroke with the tool means: the tips drawn so far, in a document as it is built.
+// Returns what a stroke with the tool means, but for where the plant stands: the tips drawn so far,
+// in a document as it is built.
 sketch::GrowAlongStroke grown_along(SketchTool const& tool, Stroke const& stroke,
                                     Scene const& scene);
+
+// Makes a plant that shall stand on a branch no thicker than that, as far as a rule can be thin.
+void fit_to_branch(sketch::GrowAlongStroke& grown, BranchPlace const& place);
+
+// Returns the place on a branch that the tool gives to such a plant; no value: it stands alone.
+// Fails, as the user's fault, where the stroke begins on no branch.
+Result<std::optional<BranchPlace>>
+place_of(SketchTool const& tool, sketch::GrowAlongStroke const& grown, Scene const& scene);
 
 } // namespace tractus

@@ -18,7 +18,6 @@ namespace {
 // Words in the order of the enumerations' values; a stroke whose surface is not decided is in no
 // edit.
 constexpr std::array kSurfaces { "space", "paper", "decided" };
-constexpr std::array kLeaves { "bare", "leafy" };
 
 // Scale of a model's text: a millimetre drawn is a centimetre grown.
 constexpr double kModelScale = 0.1;
@@ -42,51 +41,14 @@ constexpr SourceKind kSketch {
         },
 };
 
-// Lists the fields by the letters of rule files.
-void list(Fields& fields, Rule& rule)
-{
-    fields.field("l", &rule.first_length_mm);
-    fields.field("r", &rule.length_ratio);
-    fields.field("q", &rule.width_ratio);
-    fields.field("w", &rule.first_width_mm);
-    fields.field("k", &rule.laterals);
-    fields.field("a", &rule.angle_deg);
-    fields.field("s", &rule.lateral_length);
-    fields.field("v", &rule.lateral_width);
-    fields.field("T", &rule.axis_twist_deg);
-    fields.field("t", &rule.lateral_twist_deg);
-    fields.field("l_min", &rule.shortest_mm);
-    fields.field("n_max", &rule.most_segments);
-    fields.field("limit", &rule.most_internodes);
-}
-
 void list(Fields& fields, GrowAlongStroke& edit)
 {
-    list(fields, edit.rule);
+    list_rule(fields, edit.rule);
     fields.word("surface", edit.surface, kSurfaces);
-    fields.word("leaves", edit.leaves, kLeaves);
+    fields.word("leaves", edit.leaves, kLeavesWords);
     fields.field("scale", &edit.scale);
     fields.id(edit.id);
     fields.numbers(edit.stroke);
-}
-
-Result<std::vector<Vec3>> nodes_of(GrowAlongStroke const& edit)
-{
-    TRY(check_rule(edit.rule));
-    if (edit.surface == StrokeSurface::Decided)
-        return fail(Fault::User, "the stroke is neither in space nor on paper: say which");
-    if (!(edit.scale > 0 && std::isfinite(edit.scale)))
-        return fail(Fault::User,
-                    fmt::format("a plant cannot be shown {} times as large as it is", edit.scale));
-    auto const tips = TRY(edit.stroke.tips.in_memory());
-    auto nodes_mm = resample_stroke(edit.rule, plant_tips(tips, edit.surface));
-    if (nodes_mm.size() < 2)
-        return fail(Fault::User,
-                    fmt::format("the stroke never gets {:g} mm away from where it begins, so the "
-                                "rule is not applied once: draw a longer one, or give a rule with "
-                                "a shorter first internode, l",
-                                edit.rule.first_length_mm));
-    return nodes_mm;
 }
 
 // Scales a rule so that the model's millimetre on the desk is one of the document.
@@ -108,12 +70,12 @@ std::optional<Vec2> paper_mm(GrowAlongStroke const& edit)
 
 Result<DocumentState> applied(DocumentState state, GrowAlongStroke const& edit, SceneBuilder&)
 {
-    TRY(nodes_of(edit));
+    TRY(drawn_nodes_mm(edit));
     if (!state.scale)
         state.scale = edit.scale;
     return with_source(std::move(state),
                        { .name = "sketch",
-                         .source = PlantSource(kSketch, edit),
+                         .source = source_of(edit),
                          .drawn = Drawn::Beside,
                          .stands_at_mm = stands_at_mm(edit),
                          .paper_mm = paper_mm(edit),
@@ -129,6 +91,52 @@ std::string described(GrowAlongStroke const& edit)
 
 } // namespace
 
+void list_rule(Fields& fields, Rule& rule)
+{
+    fields.field("l", &rule.first_length_mm);
+    fields.field("r", &rule.length_ratio);
+    fields.field("q", &rule.width_ratio);
+    fields.field("w", &rule.first_width_mm);
+    fields.field("k", &rule.laterals);
+    fields.field("a", &rule.angle_deg);
+    fields.field("s", &rule.lateral_length);
+    fields.field("v", &rule.lateral_width);
+    fields.field("T", &rule.axis_twist_deg);
+    fields.field("t", &rule.lateral_twist_deg);
+    fields.field("l_min", &rule.shortest_mm);
+    fields.field("n_max", &rule.most_segments);
+    fields.field("limit", &rule.most_internodes);
+}
+
+Result<std::vector<Vec3>> drawn_nodes_mm(GrowAlongStroke const& edit)
+{
+    TRY(check_rule(edit.rule));
+    if (edit.surface == StrokeSurface::Decided)
+        return fail(Fault::User, "the stroke is neither in space nor on paper: say which");
+    if (!(edit.scale > 0 && std::isfinite(edit.scale)))
+        return fail(Fault::User,
+                    fmt::format("a plant cannot be shown {} times as large as it is", edit.scale));
+    auto const tips = TRY(edit.stroke.tips.in_memory());
+    auto nodes_mm = resample_stroke(edit.rule, plant_tips(tips, edit.surface));
+    if (nodes_mm.size() < 2)
+        return fail(Fault::User,
+                    fmt::format("the stroke never gets {:g} mm away from where it begins, so the "
+                                "rule is not applied once: draw a longer one, or give a rule with "
+                                "a shorter first internode, l",
+                                edit.rule.first_length_mm));
+    return nodes_mm;
+}
+
+PlantSource source_of(GrowAlongStroke const& edit)
+{
+    return { kSketch, edit };
+}
+
+GrowAlongStroke const* sketch_of(PlantSource const& source)
+{
+    return source.get<GrowAlongStroke>(kSketch);
+}
+
 Vec3 stands_at_mm(GrowAlongStroke const& edit)
 {
     auto const tips = edit.stroke.tips.in_memory();
@@ -142,7 +150,7 @@ Vec3 stands_at_mm(GrowAlongStroke const& edit)
 
 Result<ModelSource> model_of(GrowAlongStroke const& edit)
 {
-    auto const nodes_mm = TRY(nodes_of(edit));
+    auto const nodes_mm = TRY(drawn_nodes_mm(edit));
     return write_model(at_scale(edit.rule, edit.scale), draw_axis(edit.rule, nodes_mm), edit.leaves,
                        "sketch");
 }

@@ -7,6 +7,9 @@
 #include "engine/stroke/stroke.h"
 #include "engine/stroke/upright_sheet.h"
 
+#include <array>
+#include <vector>
+
 namespace tractus::sketch {
 
 // Adds a plant that a rule grows along a stroke (Ijiri et al. 2006). It stands where the pen came
@@ -31,6 +34,20 @@ Result<ModelSource> model_of(GrowAlongStroke const& edit);
 // Grows that model: a plant frame whose origin is where the pen came down. Fails like model_of(),
 // and where the model takes more than the options allow.
 Result<BuiltSource> build_sketch(GrowAlongStroke const& edit, LoadOptions const& options);
+
+// The nodes of the drawn axis, plant frame in millimetres on the desk. Fails like model_of().
+Result<std::vector<Vec3>> drawn_nodes_mm(GrowAlongStroke const& edit);
+
+// What the edit puts into a document, and the edit that has put a source there; null for a source
+// of another kind.
+PlantSource source_of(GrowAlongStroke const& edit);
+GrowAlongStroke const* sketch_of(PlantSource const& source);
+
+// Lists the fields of a rule by the letters of rule files.
+void list_rule(Fields& fields, Rule& rule);
+
+// The words for Leaves, in their order.
+inline constexpr std::array kLeavesWords { "bare", "leafy" };
 
 // Where the plant stands. World frame. On paper on the desk, below where the pen came down.
 Vec3 stands_at_mm(GrowAlongStroke const& edit);

@@ -196,6 +196,14 @@ inline Edit random_edit()
         return SetScale { random_double() };
     case 18:
         return random_measured();
+    case 19:
+        return GraftPlant { random_id(), random_id(), *rc::gen::arbitrary<SegmentAddress>(),
+                            random_vec3(), random_vec3() };
+    case 20:
+        return TakeOffGraft { random_id(), random_id(), random_vec3(), random_id() };
+    case 21:
+        return HideBranch { random_id(), *rc::gen::arbitrary<SegmentAddress>(),
+                            *rc::gen::arbitrary<bool>() };
     default:
         return SetGrowth { random_growth(), *rc::gen::arbitrary<std::uint64_t>(), random_double(),
                            random_double() };

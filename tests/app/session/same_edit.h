@@ -190,6 +190,23 @@ inline bool same(SetScale const& one, SetScale const& other)
     return same(one.scale, other.scale);
 }
 
+inline bool same(GraftPlant const& one, GraftPlant const& other)
+{
+    return one.plant == other.plant && one.onto == other.onto && one.at == other.at
+        && same(one.turn_rad, other.turn_rad) && same(one.base_mm, other.base_mm);
+}
+
+inline bool same(TakeOffGraft const& one, TakeOffGraft const& other)
+{
+    return one.plant == other.plant && one.graft == other.graft
+        && same(one.stands_at_mm, other.stands_at_mm) && one.id == other.id;
+}
+
+inline bool same(HideBranch const& one, HideBranch const& other)
+{
+    return one.plant == other.plant && one.at == other.at && one.hidden == other.hidden;
+}
+
 inline bool same(UnknownEdit const& one, UnknownEdit const& other)
 {
     return one.word == other.word && one.fields == other.fields && one.numbers == other.numbers;
@@ -214,7 +231,8 @@ inline bool same(Edit const& one, Edit const& other)
         || same_of<MovePlant>(one, other) || same_of<CopyPlant>(one, other)
         || same_of<HidePlant>(one, other) || same_of<NamePlant>(one, other)
         || same_of<RemovePlant>(one, other) || same_of<SetScale>(one, other)
-        || same_of<UnknownEdit>(one, other);
+        || same_of<GraftPlant>(one, other) || same_of<TakeOffGraft>(one, other)
+        || same_of<HideBranch>(one, other) || same_of<UnknownEdit>(one, other);
 }
 
 } // namespace tractus

@@ -94,6 +94,39 @@ TEST(StationView, KeepsTheSkeletonAsStrokesBendIt)
     EXPECT_EQ(in_state(view, SkeletonLine::State::Next), 0u);
 }
 
+// A stroke that changes nothing stays to be seen beside the reason, until the next one begins.
+TEST(StationView, KeepsARefusedStrokeInSight)
+{
+    auto station = station_on(small_scene(), DrawTool {}); // Nothing is selected.
+    StationView view(station, station.document());
+    auto const draw = [&] {
+        begin_stroke(station);
+        end_stroke(station);
+        view.show(station, station.document());
+    };
+    draw();
+    auto const drawn = station.strokes();
+    ASSERT_EQ(drawn.size(), 1u);
+    ASSERT_FALSE(drawn[0].refusal.empty());
+    view.tell(drawn[0]);
+    ASSERT_TRUE(view.state().refused);
+    EXPECT_EQ(view.state().refused->why, drawn[0].refusal);
+    EXPECT_EQ(view.state().refused->surface, Surface::Space);
+    EXPECT_EQ(view.state().refused->ink.points.size(), drawn[0].stroke.tips.size());
+    auto const revision = view.state().live_revision;
+    view.show(station, station.document());
+    EXPECT_TRUE(view.state().refused) << "nothing has happened";
+    for (int i = 0; i < 5; ++i)
+        station.push(kPen, at_ms(200 + 5 * i), pen_report(50 + 5 * i, 50, true));
+    view.show(station, station.document());
+    EXPECT_FALSE(view.state().refused);
+    EXPECT_GT(view.state().live_revision, revision);
+    DrawnStroke const done { drawn[0].stroke, drawn[0].tool };
+    view.tell(drawn[0]);
+    view.tell(done);
+    EXPECT_FALSE(view.state().refused) << "the last one was not";
+}
+
 TEST(StationView, ShowsWhatPropagationShapes)
 {
     auto scene = small_scene();

@@ -1,6 +1,7 @@
 #include "app/methods/all_methods.h"
 #include "app/tools/erase_tool.h"
 #include "app/tools/select_tool.h"
+#include "app/window/refusal_note.h"
 #include "app/window/shortcuts.h"
 #include "tests/app/window/small_state.h"
 
@@ -116,6 +117,15 @@ TEST_F(Shortcuts, InTheCalibrationEscapeLeadsBack)
     EXPECT_EQ(model.asked.size(), 1u);
     take_calibration_shortcut({ 'Q' }, model, bench);
     EXPECT_TRUE(bench.wants_to_close);
+}
+
+TEST(Status, BeginsWithACapitalUnlessItBeginsWithAName)
+{
+    EXPECT_EQ(as_sentence("there is no branch here"), "There is no branch here");
+    EXPECT_EQ(as_sentence("w.tractus is in use"), "w.tractus is in use");
+    EXPECT_EQ(as_sentence("/home is full"), "/home is full");
+    EXPECT_EQ(as_sentence("3 branches"), "3 branches");
+    EXPECT_EQ(as_sentence(""), "");
 }
 
 } // namespace

@@ -62,6 +62,23 @@ TEST(PadCurves, ShowWhereTheEraserWasButNotAsInk)
     EXPECT_NE(places()[0].color, theme::palette().pad_background) << "it is seen";
 }
 
+TEST(PadCurves, DashWhatWasRefused)
+{
+    auto state = small_state();
+    auto const before = pad_live_curves(state).size();
+    RefusedStroke refused { .why = "nothing is selected" };
+    for (int i = 0; i <= 40; ++i)
+        refused.ink.points.push_back({ { static_cast<float>(i), 50, 150 }, 5 });
+    state.refused = refused;
+    auto const dashed = pad_live_curves(state);
+    ASSERT_EQ(dashed.size(), before + 5) << "40 mm in dashes and gaps of 4";
+    auto const first = find(dashed, { 0, 50, 150 }, Curve::WidthUnit::Pixels);
+    EXPECT_TRUE(first.points.back().position_mm.isApprox(Vec3f(4, 50, 150)));
+    EXPECT_NE(first.points[0].color, theme::palette().ink);
+    state.hand = OutlineTool {}; // It draws on paper, where that stroke was not.
+    EXPECT_EQ(pad_live_curves(state).size(), before);
+}
+
 TEST(PadCurves, ShowTheBranchesThatTheInkWouldMove)
 {
     auto state = small_state();

@@ -1,5 +1,6 @@
 #include "engine/plant/join_plants.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 namespace tractus {
@@ -65,6 +66,47 @@ TEST(JoinPlants, MakesRoundWhatHasNoSections)
     ASSERT_EQ(behind.node_section.size(), 15u);
     EXPECT_EQ(behind.node_section[6].contour, 1);
     EXPECT_TRUE(behind.node_section[11].is_round());
+}
+
+TEST(JoinPlants, PutsAPartOnABranch)
+{
+    auto plant = leafy_plant();
+    // A quarter turn that takes +z to +x, then to 1 mm beside the end of segment 2.
+    PartPlace const place { .on = 2,
+                            .turn = Quat(Eigen::AngleAxisd(kPi / 2, Vec3::UnitY())),
+                            .moved_mm = { 6, 0, 15 } };
+    auto const segments = append_part(plant, leafy_plant(), place);
+    check_plant(plant);
+    EXPECT_EQ(segments, (std::vector<SegmentId> { 3, 4, 5 }));
+    ASSERT_EQ(plant.axes.size(), 4u);
+    EXPECT_EQ(plant.axes[2].parent_segment, 2u);
+    EXPECT_EQ(plant.axes[2].parent_axis, 1u);
+    EXPECT_EQ(plant.axes[2].order, 2u);
+    EXPECT_EQ(plant.axes[3].parent_axis, 2u);
+    EXPECT_EQ(plant.axes[3].order, 3u);
+    EXPECT_EQ(plant.node_position_mm[5], Vec3(5, 0, 15)) << "at the branch's end";
+    EXPECT_TRUE(plant.node_position_mm[6].isApprox(Vec3(16, 0, 15))) << "as the place says";
+    EXPECT_TRUE(plant.node_position_mm[9].isApprox(Vec3(21, 0, 10)));
+    EXPECT_TRUE((plant.organs[1].orientation * Vec3::UnitZ()).isApprox(Vec3::UnitX()));
+}
+
+TEST(JoinPlants, LeavesOutWhatIsHiddenAndWhatThatBears)
+{
+    Plant plant;
+    auto const part = leafy_plant();
+    EXPECT_EQ(append_part(plant, part, {}, { false, true, false }),
+              (std::vector<SegmentId> { 0, kNone, 1 }));
+    check_plant(plant);
+    EXPECT_EQ(plant.axes.size(), 2u);
+    EXPECT_EQ(plant.axes[0].segment_count, 1u);
+    EXPECT_EQ(plant.organs.size(), 1u) << "on the branch";
+    EXPECT_TRUE(plant.polygons.empty()) << "was on the upper segment";
+    Plant none;
+    EXPECT_EQ(append_part(none, part, {}, { true, false, false }),
+              (std::vector<SegmentId>(3, kNone)));
+    check_plant(none);
+    EXPECT_TRUE(none.axes.empty());
+    EXPECT_TRUE(none.organs.empty());
 }
 
 } // namespace

@@ -1,8 +1,12 @@
 #include "app/methods/plants/choose_plant_tool.h"
 #include "app/methods/plants/copy_plant_tool.h"
+#include "app/methods/plants/graft_plant_tool.h"
+#include "app/methods/plants/hide_branch_tool.h"
 #include "app/methods/plants/hide_plant_tool.h"
 #include "app/methods/plants/move_plant_tool.h"
 #include "app/methods/plants/remove_plant_tool.h"
+#include "app/methods/plants/take_off_tool.h"
+#include "engine/plant/join_axes.h"
 #include "tests/app/small_model.h"
 
 #include <gtest/gtest.h>
@@ -81,6 +85,60 @@ TEST(PlantTools, RemoveThePlantThatTakesWhatIsDrawn)
     EXPECT_TRUE(none.plants.empty());
     EXPECT_FALSE(Tool(RemovePlantTool {}).mean({}, none));
     EXPECT_FALSE(Tool(CopyPlantTool {}).mean({}, none));
+}
+
+Vec3 end_of(BuiltPlant const& plant, SegmentId segment)
+{
+    return plant.placement.world_of_plant(
+        plant.base->node_position_mm[nodes_of(*plant.base, segment).tip]);
+}
+
+TEST(PlantTools, PutAPlantOnABranchAndTakeItOff)
+{
+    auto const two = after(CopyPlantTool {}, {}, small_scene());
+    Vec3 const tip_mm = end_of(*two.plants[0], two.base->axes[1].first_segment + 1);
+    auto const from_mm = two.placement.origin_mm;
+    auto const on = after(GraftPlantTool {}, stroke_through({ from_mm, tip_mm }), two);
+    ASSERT_EQ(on.plants.size(), 1u);
+    EXPECT_EQ(on.base->segment_count(), 24u);
+    EXPECT_EQ(on.placement.scale, two.placement.scale);
+    Vec3 const stands_mm = on.placement.world_of_plant(on.base->positions(on.base->axes[3])[0]);
+    EXPECT_NEAR((stands_mm - tip_mm).norm(), 0, 1e-9);
+    EXPECT_FALSE(Tool(TakeOffTool {}).mean(touch(on.placement.origin_mm), on)) << "its own";
+    auto const off = after(TakeOffTool {}, touch(end_of(on, 14)), on);
+    ASSERT_EQ(off.plants.size(), 2u);
+    EXPECT_EQ(off.base->segment_count(), 12u);
+    EXPECT_EQ(off.placement.origin_mm.z(), 0);
+    auto const beside = stroke_through({ from_mm, from_mm + Vec3(0, 400, 0) });
+    EXPECT_FALSE(Tool(GraftPlantTool {}).mean(beside, two));
+}
+
+TEST(PlantTools, PutAPlantInThePlaceOfABranch)
+{
+    auto const two = after(CopyPlantTool {}, {}, small_scene());
+    auto const& branch = two.base->axes[2]; // Of four internodes.
+    auto const drag = stroke_through(
+        { two.placement.origin_mm, end_of(*two.plants[0], branch.first_segment + 2) });
+    auto const on = after(GraftPlantTool { Grafting::InPlace }, drag, two);
+    ASSERT_EQ(on.plants.size(), 1u);
+    EXPECT_EQ(on.base->segment_count(), 12u - 4 + 12);
+    EXPECT_EQ(on.base->axes[2].parent_segment, branch.parent_segment) << "where the branch stood";
+    auto const shown = after(HideBranchTool { HideBranchTool::What::None }, {}, on);
+    EXPECT_EQ(shown.base->segment_count(), 24u);
+}
+
+TEST(PlantTools, HideTheBranchesThatAreSelected)
+{
+    auto scene = small_scene();
+    EXPECT_FALSE(Tool(HideBranchTool {}).mean({}, scene)) << "nothing is selected";
+    EXPECT_FALSE(Tool(HideBranchTool { HideBranchTool::What::None }).mean({}, scene));
+    auto path = segments_of(scene.base->axes[2]);
+    path.insert(path.begin(), { 0, 1, 2 }); // From the ground, as a pen selects it.
+    select(scene, { path });
+    auto const hidden = after(HideBranchTool {}, {}, scene);
+    EXPECT_EQ(hidden.base->segment_count(), 8u) << "the stem stays";
+    auto const shown = after(HideBranchTool { HideBranchTool::What::None }, {}, hidden);
+    EXPECT_EQ(shown.base->node_position_mm, scene.base->node_position_mm);
 }
 
 } // namespace

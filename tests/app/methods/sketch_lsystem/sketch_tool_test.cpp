@@ -2,7 +2,11 @@
 
 #include "app/document/document.h"
 #include "app/methods/all_methods.h"
+#include "app/methods/sketch_lsystem/shorten_sketch_tool.h"
 #include "app/methods/sketch_lsystem/sketch_previewer.h"
+#include "app/tools/bent_plant.h"
+#include "engine/scene/scene_shaper.h"
+#include "engine/variation/place_nodes.h"
 #include "tests/app/small_model.h"
 
 #include <gtest/gtest.h>
@@ -59,6 +63,145 @@ TEST(SketchTool, ShowsThePlantThatItWillGrow)
     }
     auto const too_short = stroke_through({ { 0, 0, 0 }, { 5, 0, 0 } });
     EXPECT_TRUE(sketch_previewer()->show({ scene, tool, too_short.tips.vector(), 99 }).empty());
+}
+
+// Lines of the plant that the previewer shows, against the plant of the finished stroke. The first
+// axes of a plant with a part are those of what bears it. The part's stem begins on its branch,
+// which the pen need not have met.
+void expect_shown(Scene const& scene, Tool const& tool, Stroke const& stroke, std::size_t first)
+{
+    auto const shared = std::make_shared<Scene const>(scene);
+    auto const lines = sketch_previewer()->show({ shared, tool, stroke.tips.vector(), 99 });
+    auto const after = apply_edits(scene, tool.mean(stroke, scene).value()).value();
+    ASSERT_EQ(lines.size(), after.base->axes.size() - first);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        auto const nodes_mm = after.base->positions(after.base->axes[first + i]);
+        ASSERT_EQ(lines[i].points_mm.size(), nodes_mm.size());
+        for (std::size_t k = i == 0 ? 1 : 0; k < nodes_mm.size(); ++k) {
+            Vec3 const shown_mm
+                = scene.placement.world_of_plant(lines[i].points_mm[k].cast<double>());
+            EXPECT_NEAR((shown_mm - after.placement.world_of_plant(nodes_mm[k])).norm(), 0, 0.05)
+                << i << ", " << k;
+        }
+    }
+}
+
+Stroke from(Vec3 const& at_mm)
+{
+    return stroke_through({ at_mm, at_mm + Vec3(20, 20, 60), at_mm + Vec3(10, 30, 140) });
+}
+
+TEST(SketchTool, GrowsOnTheBranchWhereTheStrokeBegins)
+{
+    auto const scene = small_scene();
+    auto const node = nodes_of(*scene.base, 7).tip;
+    Vec3 const end_mm = scene.placement.world_of_plant(scene.base->node_position_mm[node]);
+    Tool const tool
+        = SketchTool { .leaves = sketch::Leaves::Bare, .place = SketchTool::Place::Branch };
+    for (auto const& off_mm : { Vec3(2, -1, 3), Vec3(1, 1, 25) }) {
+        auto const stroke = from(end_mm + off_mm);
+        auto const after = apply_edits(scene, tool.mean(stroke, scene).value()).value();
+        ASSERT_EQ(after.plants.size(), 1u);
+        EXPECT_EQ(after.base->axes[3].parent_segment, 7u);
+        EXPECT_EQ(after.placement.scale, scene.placement.scale);
+        expect_shown(scene, tool, stroke, 3);
+    }
+    auto const flat = stroke_through({ end_mm, end_mm + Vec3(90, 60, 0) });
+    auto const level = apply_edits(scene, tool.mean(flat, scene).value()).value();
+    EXPECT_EQ(level.base->axes[3].parent_segment, 7u) << "in space, as the pad shows the branch";
+    auto const& radii_mm = level.base->node_radius_mm;
+    double const first_mm = 2 * scene.placement.scale * radii_mm[level.base->axes[3].first_node];
+    double const bearer_mm = 2 * scene.placement.scale * radii_mm[node];
+    EXPECT_LE(first_mm, std::max(bearer_mm, 0.0201 * 30)) << "as thin as a rule can be";
+    EXPECT_FALSE(tool.mean(from({ 0, 300, 0 }), scene)) << "no branch there";
+    EXPECT_FALSE(tool.mean(from(end_mm + Vec3(0, 0, 60)), scene)) << "far below";
+    EXPECT_FALSE(tool.mean(from({ 0, 0, 0 }), Scene {})) << "no plant at all";
+}
+
+// A stroke on a branch that another one has bent: the new branch is where it was drawn.
+TEST(SketchTool, GrowsOnWhatStrokesHaveBent)
+{
+    auto scene = small_scene();
+    select(scene, { { 0, 1, 2, 3, 4, 5 } });
+    scene = apply_edit(scene,
+                       Associate { stroke_through({ { 0, 0, 0 }, { 90, 0, 60 } }),
+                                   Propagation::Selected, StrokeFit::World })
+                .value();
+    Tool const tool
+        = SketchTool { .leaves = sketch::Leaves::Bare, .place = SketchTool::Place::Branch };
+    double const height_mm = 6 * 100 * scene.placement.scale;
+    Vec3 const end_mm = Vec3(90, 0, 60).normalized() * height_mm;
+    auto const stroke = from(end_mm);
+    auto const after = apply_edits(scene, tool.mean(stroke, scene).value()).value();
+    SceneShaper shaper;
+    ASSERT_TRUE(shaper.set_plant(after));
+    std::vector<Vec3> nodes_mm;
+    place_nodes(*after.base, *after.rest, shaper.shape(), nodes_mm);
+    auto const alone
+        = apply_edits(
+              scene,
+              Tool(SketchTool { .leaves = sketch::Leaves::Bare }).mean(stroke, scene).value())
+              .value();
+    auto const& drawn = alone.base->axes[0];
+    auto const& grown = after.base->axes[3];
+    ASSERT_EQ(grown.parent_segment, 5u);
+    ASSERT_EQ(grown.segment_count, drawn.segment_count);
+    for (std::size_t k = 0; k <= grown.segment_count; ++k) {
+        Vec3 const wanted_mm = alone.placement.world_of_plant(alone.base->positions(drawn)[k]);
+        Vec3 const seen_mm = after.placement.world_of_plant(nodes_mm[grown.first_node + k]);
+        EXPECT_NEAR((seen_mm - wanted_mm).norm(), 0, 0.5) << k;
+    }
+}
+
+TEST(SketchTool, GrowsInThePlaceOfABranch)
+{
+    auto const scene = small_scene();
+    auto const node = nodes_of(*scene.base, 7).tip;
+    Vec3 const end_mm = scene.placement.world_of_plant(scene.base->node_position_mm[node]);
+    Tool const tool = SketchTool { .laterals = 0, .place = SketchTool::Place::InPlace };
+    auto const after = apply_edits(scene, tool.mean(from(end_mm), scene).value()).value();
+    ASSERT_EQ(after.plants.size(), 1u);
+    ASSERT_EQ(after.base->axes.size(), 3u) << "the trunk, the other branch and what was drawn";
+    EXPECT_EQ(after.base->axes[2].parent_segment, scene.base->axes[1].parent_segment);
+    EXPECT_EQ(after.drawn->hidden_branches.size(), 1u);
+}
+
+TEST(SketchTool, ChangesWhatHasGrownAtOnce)
+{
+    Tool const draws = SketchTool { .leaves = sketch::Leaves::Bare };
+    auto const scene
+        = apply_edits(small_scene(), draws.mean(rising_stroke(), small_scene()).value()).value();
+    Tool const changes = SketchTool { .laterals = 4,
+                                      .leaves = sketch::Leaves::Bare,
+                                      .place = SketchTool::Place::Change };
+    EXPECT_TRUE(changes.can_be_done_at_once());
+    auto const after = apply_edits(scene, changes.mean({}, scene).value()).value();
+    Tool const four = SketchTool { .laterals = 4, .leaves = sketch::Leaves::Bare };
+    auto const drawn
+        = apply_edits(small_scene(), four.mean(rising_stroke(), small_scene()).value()).value();
+    EXPECT_EQ(after.base->node_position_mm, drawn.base->node_position_mm);
+    EXPECT_FALSE(changes.mean({}, small_scene())) << "that one has not grown along a stroke";
+}
+
+TEST(ShortenSketchTool, TakesTheEndAwayWhereItRunsOverTheAxis)
+{
+    Tool const draws = SketchTool { .leaves = sketch::Leaves::Bare };
+    auto const stroke = stroke_through({ { 0, 0, 0 }, { 100, 40, 60 } });
+    auto const scene = apply_edits({}, draws.mean(stroke, {}).value()).value();
+    auto const whole = scene.base->axes[0].segment_count;
+    ASSERT_GE(whole, 3u);
+    auto const middle_mm = BentPlant(scene).begin_of(1);
+    auto const end_mm = BentPlant(scene).end_of(1);
+    Vec3 const at_mm = (middle_mm + end_mm) / 2;
+    Tool const tool = ShortenSketchTool {};
+    auto const across = [](Vec3 const& place_mm) {
+        return stroke_through({ place_mm - Vec3(3, -6, 0), place_mm + Vec3(3, -6, 0) });
+    };
+    auto const after = apply_edits(scene, tool.mean(across(at_mm), scene).value()).value();
+    EXPECT_EQ(after.base->axes[0].segment_count, 1u);
+    EXPECT_FALSE(tool.mean(across({ 0, 0, 0 }), scene)) << "nothing would be left";
+    EXPECT_FALSE(tool.mean(across({ 0, 300, 0 }), scene));
+    EXPECT_FALSE(tool.mean(across({ 0, 0, 50 }), small_scene()));
 }
 
 // Undo, redo and a replay of what was drawn go through the document as for any other tool.

@@ -1,0 +1,49 @@
+#include "app/methods/plants/graft_plant_tool.h"
+
+#include "app/methods/plants/touched_plant.h"
+#include "app/tools/erase_tool.h"
+
+#include <array>
+
+namespace tractus {
+
+namespace {
+
+// In the order of Grafting.
+constexpr std::array<OptionWord, 2> kGraftWords { {
+    { "beside", "Put on" },
+    { "instead", "Put in place", "Put a plant in the place of a branch" },
+} };
+
+void visit(OptionVisitor& visitor, GraftPlantTool& tool)
+{
+    visitor.choice({ kGraftWords }, tool.grafting);
+}
+
+Result<std::vector<Edit>> graft(Tool const& tool, Stroke const& stroke, Scene const& scene)
+{
+    auto const plant = TRY(plant_under(stroke.tips.front(), scene));
+    auto const id = plant->drawn->id;
+    auto const place = TRY(branch_at(scene, stroke.tips.back().position_mm, Vec3::UnitZ(),
+                                     tool.get<GraftPlantTool>()->grafting, id));
+    return graft_edits(scene, place, id);
+}
+
+} // namespace
+
+constexpr ToolKind GraftPlantTool::kKind {
+    .word = "graft_plant",
+    .label = "Put on",
+    .title = "Put a plant on a branch",
+    .done = "It is a part of the plant that bears it now",
+    .help = "puts the plant where the stroke begins on the branch of another where it ends, or in "
+            "the place of that branch: it is a part of that plant from then on",
+    .group = "Plants",
+    .begins_group_of_buttons = true,
+    .ink = { InkStyle::Look::Arrow },
+    .options = options_type<GraftPlantTool, visit>(),
+    .mean = graft,
+    .other_end = { &EraseTool::kKind },
+};
+
+} // namespace tractus

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/tools/tool.h"
+
+namespace tractus {
+
+// Hides the branches that are selected, or shows all that are hidden on the active plant.
+struct HideBranchTool {
+    static ToolKind const kKind;
+
+    enum class What { Selected, None } what = What::Selected;
+};
+
+} // namespace tractus

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/tools/tool.h"
+
+namespace tractus {
+
+// Makes a part that was put on a plant a plant of its own again.
+struct TakeOffTool {
+    static ToolKind const kKind;
+};
+
+} // namespace tractus

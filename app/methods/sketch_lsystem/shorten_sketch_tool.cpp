@@ -1,0 +1,102 @@
+#include "app/methods/sketch_lsystem/shorten_sketch_tool.h"
+
+#include "app/tools/bent_plant.h"
+#include "app/tools/erase_tool.h"
+#include "engine/methods/sketch_lsystem/change_edits.h"
+#include "engine/plant/plant_addresses.h"
+#include "engine/scene/paper.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace tractus {
+
+namespace {
+
+// Where the pad, or the paper on it, shows a point.
+Vec2 seen_at(Vec3 const& point_mm, StrokeSurface surface, Scene const& scene)
+{
+    return surface == StrokeSurface::Paper ? paper_of(scene.state).sheet_of_world(point_mm)
+                                           : Vec2(point_mm.head<2>());
+}
+
+double distance_mm(Vec2 const& point_mm, Vec2 const& from_mm, Vec2 const& to_mm)
+{
+    Vec2 const along_mm = to_mm - from_mm;
+    double const length2 = along_mm.squaredNorm();
+    double const share
+        = length2 > 0 ? std::clamp((point_mm - from_mm).dot(along_mm) / length2, 0.0, 1.0) : 0;
+    return (from_mm + share * along_mm - point_mm).norm();
+}
+
+// The segments of the drawn axis, in the plant as it is built.
+std::vector<SegmentId> drawn_axis(Scene const& scene, ItemId part)
+{
+    std::vector<SegmentId> axis;
+    auto const prefix = part == 0 ? PartPrefix {} : part_prefix(part);
+    for (std::uint32_t i = 0;; ++i) {
+        auto const segment
+            = scene.rest->addresses.find_segment(*scene.base, in_part(prefix, { 0, i }));
+        if (!segment)
+            return axis;
+        axis.push_back(*segment);
+    }
+}
+
+// How many segments lie before the first that the eraser touches; no value: it touches none.
+std::optional<std::size_t> untouched(Stroke const& eraser, std::vector<SegmentId> const& axis,
+                                     StrokeSurface surface, Scene const& scene)
+{
+    BentPlant const bent(scene);
+    for (std::size_t i = 0; i < axis.size(); ++i) {
+        auto const from_mm = seen_at(bent.begin_of(axis[i]), surface, scene);
+        auto const to_mm = seen_at(bent.end_of(axis[i]), surface, scene);
+        for (auto const& tip : eraser.tips)
+            if (distance_mm(tip.position_mm.head<2>(), from_mm, to_mm)
+                <= ShortenSketchTool::kRadius_mm)
+                return i;
+    }
+    return std::nullopt;
+}
+
+// Strokes and indicators that were drawn on the plant lie over its axis, so they go first.
+Result<std::vector<Edit>> shorten(Tool const&, Stroke const& stroke, Scene const& scene)
+{
+    if (auto erased = Tool(EraseTool {}).mean(stroke, scene))
+        return erased;
+    auto const grown = sketch::newest_grown(*scene.drawn);
+    if (!grown)
+        return fail(Fault::User,
+                    "the plant that takes what is drawn has not grown along a stroke: choose one "
+                    "that has");
+    auto const left
+        = untouched(stroke, drawn_axis(scene, grown->part), grown->sketch->surface, scene);
+    if (!left)
+        return fail(Fault::User,
+                    "the eraser touched nothing of the axis that was drawn: move it over the axis");
+    if (*left == 0)
+        return fail(Fault::User,
+                    "nothing of the stroke would be left: remove the plant to take it away");
+    auto const tips = TRY(sketch::count_tips(*grown->sketch, *left));
+    return std::vector<Edit> { sketch::ShortenSketch { scene.drawn->id, grown->part,
+                                                       tips.value_or(0) } };
+}
+
+} // namespace
+
+constexpr ToolKind ShortenSketchTool::kKind {
+    .word = "shorten_sketch",
+    .label = "Shorten",
+    .title = "Shorten the stroke of a plant",
+    .done = "The plant is that of the shorter stroke",
+    .help = "takes the end of the stroke away along which a rule has grown, from where this one "
+            "runs over the plant's axis; but first strokes and indicators that it runs over",
+    .group = "Sketch",
+    .method = "Along a stroke",
+    .ink = { InkStyle::Look::Eraser, 2 * ShortenSketchTool::kRadius_mm },
+    .options = options_type<ShortenSketchTool>(),
+    .mean = shorten,
+    .other_end = { &ShortenSketchTool::kKind },
+};
+
+} // namespace tractus

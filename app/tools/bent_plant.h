@@ -1,0 +1,31 @@
+#pragma once
+
+#include "engine/scene/scene.h"
+#include "engine/scene/scene_shaper.h"
+
+#include <vector>
+
+namespace tractus {
+
+// Where a plant of the document is, as strokes have bent it. Each stroke was checked when it was
+// drawn; one that cannot be read now leaves the plant at rest.
+class BentPlant {
+public:
+    // The plant must outlive it.
+    explicit BentPlant(BuiltPlant const& plant);
+
+    // The ends of a segment of the base plant. World frame.
+    Vec3 begin_of(SegmentId segment) const;
+    Vec3 end_of(SegmentId segment) const;
+
+    // Turns what rides on the segment from where it is at rest; exactly nothing where the segment
+    // is as it was.
+    Quat turn_of(SegmentId segment) const;
+
+private:
+    BuiltPlant const& plant_;
+    SceneShaper shaper_;
+    std::vector<Vec3> nodes_mm_;
+};
+
+} // namespace tractus

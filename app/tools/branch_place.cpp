@@ -1,0 +1,113 @@
+#include "app/tools/branch_place.h"
+
+#include "app/tools/bent_plant.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace tractus {
+
+namespace {
+
+constexpr double kFinger_mm = 10;
+constexpr double kDepth_mm = 30; // Along the sight: a hand at the branch's height, more or less.
+
+// How near a stroke begins to the branch, or to where the branch stood, that is meant to begin
+// there.
+constexpr double kJoined_mm = 10;
+
+BuiltPlant const& plant_with(Scene const& scene, ItemId id)
+{
+    return **std::find_if(scene.plants.begin(), scene.plants.end(),
+                          [&](auto const& plant) { return plant->drawn->id == id; });
+}
+
+struct TouchedBranch {
+    BuiltPlant const* plant = nullptr;
+    SegmentId segment = 0;
+    bool is_near_begin = false; // Rather than near its end.
+    double distance_mm = std::numeric_limits<double>::infinity();
+};
+
+// The point of a line between two others that is nearest to a place, as a share of the way.
+double nearest_share(Vec3 const& place_mm, Vec3 const& from_mm, Vec3 const& to_mm)
+{
+    Vec3 const along_mm = to_mm - from_mm;
+    double const length2 = along_mm.squaredNorm();
+    return length2 > 0 ? std::clamp((place_mm - from_mm).dot(along_mm) / length2, 0.0, 1.0) : 0;
+}
+
+TouchedBranch nearest_to(Scene const& scene, Vec3 const& place_mm, Vec3 const& sight, ItemId except)
+{
+    TouchedBranch nearest;
+    for (auto const& plant : scene.plants) {
+        if (plant->drawn->is_hidden || plant->drawn->id == except)
+            continue;
+        BentPlant const bent(*plant);
+        for (SegmentId segment = 0; segment < plant->base->segment_count(); ++segment) {
+            Vec3 const from_mm = bent.begin_of(segment);
+            Vec3 const to_mm = bent.end_of(segment);
+            double const share = nearest_share(place_mm, from_mm, to_mm);
+            Vec3 const off_mm = from_mm + share * (to_mm - from_mm) - place_mm;
+            double const depth_mm = sight.dot(off_mm);
+            bool const is_touched = (off_mm - depth_mm * sight).norm() <= kFinger_mm
+                && std::abs(depth_mm) <= kDepth_mm;
+            if (!is_touched || off_mm.norm() >= nearest.distance_mm)
+                continue;
+            nearest = { plant.get(), segment, share < 0.5, off_mm.norm() };
+        }
+    }
+    return nearest;
+}
+
+} // namespace
+
+Result<BranchPlace> branch_at(Scene const& scene, Vec3 const& base_mm, Vec3 const& sight,
+                              Grafting grafting, ItemId except)
+{
+    auto const touched = nearest_to(scene, base_mm, sight, except);
+    if (!touched.plant)
+        return fail(Fault::User, "there is no branch here: touch one where the pad shows it");
+    auto const& plant = *touched.plant;
+    auto const& base = *plant.base;
+    auto const& axis = base.axes[axis_of(base, touched.segment)];
+    auto const below = parent_segment(base, touched.segment);
+    BranchPlace place { .plant = plant.drawn->id, .touched = touched.segment };
+    place.on = touched.is_near_begin && below != kNone ? below : touched.segment;
+    if (grafting == Grafting::InPlace && axis.parent_segment != kNone) {
+        place.on = axis.parent_segment;
+        place.hidden = axis.first_segment;
+    } else if (grafting == Grafting::InPlace
+               && place.on + 1 < axis.first_segment + axis.segment_count) {
+        place.hidden = place.on + 1;
+    }
+    Vec3 const end_mm = BentPlant(plant).end_of(place.on);
+    place.diameter_mm = 2 * plant.placement.scale
+        * static_cast<double>(base.node_radius_mm[nodes_of(base, place.on).tip]);
+    auto const off_mm
+        = grafting == Grafting::InPlace ? (base_mm - end_mm).norm() : touched.distance_mm;
+    place.base_mm = off_mm <= kJoined_mm ? base_mm : end_mm;
+    return place;
+}
+
+std::vector<Edit> graft_edits(Scene const& scene, BranchPlace const& place, ItemId plant)
+{
+    auto const& bearer = plant_with(scene, place.plant);
+    auto const address = [&](SegmentId segment) {
+        return bearer.rest->addresses.address_of(*bearer.base, segment);
+    };
+    std::vector<Edit> edits;
+    if (!scene.state.scale) // It is the first plant's, which may become a part of another now.
+        edits.push_back(SetScale { bearer.placement.scale });
+    if (place.hidden)
+        edits.push_back(HideBranch { place.plant, address(*place.hidden) });
+    BentPlant const bent(bearer);
+    Quat const back = bent.turn_of(place.on).conjugate();
+    Eigen::AngleAxisd const turn(back);
+    Vec3 const off_mm = place.base_mm - bent.end_of(place.on);
+    edits.push_back(GraftPlant { plant, place.plant, address(place.on), turn.angle() * turn.axis(),
+                                 back * off_mm / bearer.placement.scale });
+    return edits;
+}
+
+} // namespace tractus

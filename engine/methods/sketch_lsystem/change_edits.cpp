@@ -1,0 +1,136 @@
+#include "engine/methods/sketch_lsystem/change_edits.h"
+
+#include "engine/methods/sketch_lsystem/stroke_resampler.h"
+#include "engine/plant/plant_addresses.h"
+#include "engine/scene/edit_words.h"
+#include "engine/scene/make_edit_kind.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <utility>
+
+namespace tractus::sketch {
+
+namespace {
+
+template<typename Grafts> auto find_graft(Grafts& grafts, ItemId part)
+{
+    return std::find_if(grafts.begin(), grafts.end(),
+                        [&](Graft const& graft) { return graft.prefix == part_prefix(part); });
+}
+
+Result<GrowAlongStroke> sketch_in(PlantState const& plant, ItemId part)
+{
+    GrowAlongStroke const* sketch = nullptr;
+    if (part == 0)
+        sketch = sketch_of(plant.source);
+    else if (auto const graft = find_graft(plant.grafts, part); graft != plant.grafts.end())
+        sketch = sketch_of(graft->source);
+    if (!sketch)
+        return fail(Fault::User,
+                    fmt::format("plant {} has nothing any more that grew along that stroke",
+                                name_of(plant.id)));
+    return *sketch;
+}
+
+// The document with what `change` makes of a sketch in its place.
+template<typename Edit, typename Change>
+Result<DocumentState> changed(DocumentState state, Edit const& edit, Change const& change)
+{
+    auto const number = TRY(plant_number(state, edit.plant));
+    auto sketch = TRY(sketch_in(*state.plants[number], edit.part));
+    TRY(change(sketch));
+    TRY(drawn_nodes_mm(sketch));
+    change_plant(state, number, [&](PlantState& plant) {
+        auto const graft = find_graft(plant.grafts, edit.part);
+        auto& source = edit.part == 0 ? plant.source : graft->source;
+        auto& source_edit = edit.part == 0 ? plant.source_edit : graft->source_edit;
+        source = source_of(sketch);
+        source_edit = state.last_edit;
+        plant.selection.clear();
+    });
+    return state;
+}
+
+void list(Fields& fields, ChangeSketch& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.sparse_field("part", &edit.part);
+    list_rule(fields, edit.rule);
+    fields.word("leaves", edit.leaves, kLeavesWords);
+}
+
+Result<DocumentState> applied(DocumentState state, ChangeSketch const& edit, SceneBuilder&)
+{
+    return changed(std::move(state), edit, [&](GrowAlongStroke& sketch) {
+        sketch.rule = edit.rule;
+        sketch.leaves = edit.leaves;
+        return Result<void> {};
+    });
+}
+
+std::string described(ChangeSketch const& edit)
+{
+    return fmt::format("changes the rule of {} to {} at {:g} degrees",
+                       name_of(edit.part == 0 ? edit.plant : edit.part),
+                       counted(static_cast<std::size_t>(edit.rule.laterals), "lateral"),
+                       edit.rule.angle_deg);
+}
+
+void list(Fields& fields, ShortenSketch& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.sparse_field("part", &edit.part);
+    fields.field("tips", &edit.tips);
+}
+
+Result<DocumentState> applied(DocumentState state, ShortenSketch const& edit, SceneBuilder&)
+{
+    return changed(std::move(state), edit, [&](GrowAlongStroke& sketch) -> Result<void> {
+        auto const tips = TRY(sketch.stroke.tips.in_memory());
+        auto const kept = std::min<std::uint64_t>(edit.tips, tips.size());
+        sketch.stroke.tips
+            = std::vector(tips.begin(), tips.begin() + static_cast<std::ptrdiff_t>(kept));
+        return {};
+    });
+}
+
+std::string described(ShortenSketch const& edit)
+{
+    return fmt::format("shortens the stroke of {} to {}",
+                       name_of(edit.part == 0 ? edit.plant : edit.part), counted(edit.tips, "tip"));
+}
+
+} // namespace
+
+std::optional<GrownPart> newest_grown(PlantState const& plant)
+{
+    for (auto graft = plant.grafts.rbegin(); graft != plant.grafts.rend(); ++graft)
+        if (auto const* const sketch = sketch_of(graft->source);
+            sketch && graft->prefix == part_prefix(part_of(graft->prefix)))
+            return GrownPart { part_of(graft->prefix), sketch };
+    if (auto const* const sketch = sketch_of(plant.source))
+        return GrownPart { 0, sketch };
+    return std::nullopt;
+}
+
+Result<std::optional<std::size_t>> count_tips(GrowAlongStroke const& sketch, std::size_t segments)
+{
+    auto const tips = TRY(sketch.stroke.tips.in_memory());
+    StrokeResampler resampler(sketch.rule);
+    std::size_t count = 0;
+    for (auto const& tip_mm : plant_tips(tips.vector(), sketch.surface)) {
+        ++count;
+        resampler.push(tip_mm);
+        if (static_cast<std::size_t>(resampler.segments()) >= segments)
+            return count;
+    }
+    return std::nullopt;
+}
+
+constexpr EditKind ChangeSketch::kKind
+    = make_edit_kind<ChangeSketch, list, applied, described>("change_sketch", true);
+constexpr EditKind ShortenSketch::kKind
+    = make_edit_kind<ShortenSketch, list, applied, described>("shorten_sketch", true);
+
+} // namespace tractus::sketch

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "engine/methods/sketch_lsystem/grow_edit.h"
+#include "engine/scene/document_state.h"
+#include "engine/scene/edit.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace tractus::sketch {
+
+// Edits of what has grown along a stroke already. What was drawn on its branches stays where they
+// stay. Both name a plant, and, where it is a part that was put on that plant, the part; 0: it is
+// the plant itself.
+
+// Lets another rule grow along the same stroke.
+struct ChangeSketch {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    ItemId part = 0;
+    Rule rule {};
+    Leaves leaves = Leaves::Leafy;
+};
+
+// Takes the end of the stroke away, and what the rule has grown along it.
+struct ShortenSketch {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    ItemId part = 0;
+    std::uint64_t tips = 0; // How many of the stroke's stay, from its beginning.
+};
+
+// Something that has grown along a stroke.
+struct GrownPart {
+    ItemId part = 0;                         // As in the edits.
+    GrowAlongStroke const* sketch = nullptr; // As long as the plant's state is there.
+};
+
+// What has grown of a plant last: the newest part that has, or else the plant itself. No value: it
+// has not.
+std::optional<GrownPart> newest_grown(PlantState const& plant);
+
+// How many of the stroke's tips it takes to make so many segments; no value: it makes fewer.
+Result<std::optional<std::size_t>> count_tips(GrowAlongStroke const& sketch, std::size_t segments);
+
+} // namespace tractus::sketch

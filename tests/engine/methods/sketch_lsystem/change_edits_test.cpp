@@ -1,0 +1,106 @@
+#include "engine/methods/sketch_lsystem/change_edits.h"
+
+#include "engine/plant/join_axes.h"
+#include "engine/plant/plant_addresses.h"
+#include "engine/scene/scene.h"
+#include "tests/engine/methods/sketch_lsystem/strokes.h"
+#include "tests/engine/scene/edits.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus::sketch {
+namespace {
+
+GrowAlongStroke drawn(Rule const& rule)
+{
+    GrowAlongStroke edit { .rule = rule, .leaves = Leaves::Bare };
+    for (auto const& place_mm : bow())
+        edit.stroke.tips.push_back({ .position_mm = place_mm, .touching = true });
+    return edit;
+}
+
+Rule const kFirst { .angle_deg = 52, .shortest_mm = 4 };
+Rule const kOther { .first_length_mm = 25, .laterals = 3, .angle_deg = 70, .shortest_mm = 4 };
+
+// Changed afterwards equals drawn again.
+TEST(ChangeSketch, IsThePlantOfTheOtherRule)
+{
+    auto const scene = after({ drawn(kFirst) });
+    auto const changed
+        = after({ ChangeSketch { scene.state.active, 0, kOther, Leaves::Bare } }, scene);
+    auto const again = after({ drawn(kOther) });
+    EXPECT_EQ(changed.base->node_position_mm, again.base->node_position_mm);
+    EXPECT_EQ(changed.placement.origin_mm, again.placement.origin_mm);
+}
+
+TEST(ChangeSketch, KeepsWhatWasDrawnOnBranches)
+{
+    auto scene = after({ drawn(kFirst) });
+    auto const path = segments_of(scene.base->axes[1]);
+    scene = after({ select_paths(scene, { path }), Associate { stroke_towards({ 40, 0, 0 }) } },
+                  scene);
+    auto steeper = kFirst;
+    steeper.angle_deg = 20;
+    auto const changed
+        = after({ ChangeSketch { scene.state.active, 0, steeper, Leaves::Leafy } }, scene);
+    ASSERT_EQ(changed.associations.size(), 1u);
+    EXPECT_FALSE(changed.associations[0].what.is_orphaned);
+    EXPECT_EQ(changed.associations[0].what.path.vector(), path);
+    EXPECT_GT(changed.base->organs.size(), 0u);
+}
+
+TEST(ChangeSketch, RefusesRulesThatGrowNothing)
+{
+    auto const scene = after({ drawn(kFirst) });
+    auto rule = kFirst;
+    rule.laterals = 99;
+    EXPECT_FALSE(apply_edit(scene, ChangeSketch { scene.state.active, 0, rule, Leaves::Bare }));
+    EXPECT_FALSE(apply_edit(scene, ChangeSketch { scene.state.active, 77, kOther, Leaves::Bare }));
+    EXPECT_FALSE(apply_edit(scene, ShortenSketch { scene.state.active, 0, 3 })) << "no internode";
+}
+
+// The prefix law: a shorter stroke's plant is the one that stood there when the pen was there.
+TEST(ShortenSketch, IsThePlantOfTheShorterStroke)
+{
+    auto const scene = after({ drawn(kFirst) });
+    auto const whole = newest_grown(*scene.drawn);
+    ASSERT_TRUE(whole);
+    auto const tips = count_tips(*whole->sketch, 3);
+    ASSERT_TRUE(tips && *tips);
+    auto const shortened = after({ ShortenSketch { scene.state.active, 0, **tips } }, scene);
+    EXPECT_EQ(shortened.base->axes[0].segment_count, 3u);
+    auto begun = drawn(kFirst);
+    begun.stroke.tips.own().resize(**tips);
+    EXPECT_EQ(shortened.base->node_position_mm, after({ begun }).base->node_position_mm);
+    for (NodeId node = 0; node <= 3; ++node)
+        EXPECT_EQ(shortened.base->node_position_mm[node], scene.base->node_position_mm[node]);
+    EXPECT_EQ(count_tips(*whole->sketch, 1000).value(), std::nullopt);
+}
+
+TEST(ChangeSketch, ReachesWhatWasPutOnAnotherPlant)
+{
+    auto first = drawn(kFirst);
+    auto scene = after({ first, drawn(kFirst) });
+    auto const host = scene.plants[0]->drawn->id;
+    auto const guest = scene.plants[1]->drawn->id;
+    auto const& bearer = *scene.plants[0];
+    auto const at = bearer.rest->addresses.address_of(*bearer.base, 4);
+    scene = after({ GraftPlant { guest, host, at } }, scene);
+    auto const grown = newest_grown(*scene.drawn);
+    ASSERT_TRUE(grown);
+    EXPECT_EQ(grown->part, guest);
+    auto const axis_of_part = [&](Scene const& wanted) {
+        auto const stem = in_part(part_prefix(guest), { 0, 0 });
+        auto const segment = wanted.rest->addresses.find_segment(*wanted.base, stem);
+        return wanted.base->axes[axis_of(*wanted.base, segment.value())];
+    };
+    auto const changed = after({ ChangeSketch { host, guest, kOther, Leaves::Bare } }, scene);
+    EXPECT_NE(axis_of_part(changed).segment_count, axis_of_part(scene).segment_count);
+    auto const tips = count_tips(*grown->sketch, 2).value().value();
+    auto const shortened = after({ ShortenSketch { host, guest, tips } }, scene);
+    EXPECT_EQ(axis_of_part(shortened).segment_count, 2u);
+    EXPECT_EQ(shortened.base->axes[0].segment_count, scene.base->axes[0].segment_count);
+}
+
+} // namespace
+} // namespace tractus::sketch
