@@ -9,18 +9,31 @@ namespace tractus {
 
 namespace fs = std::filesystem;
 
+static fs::path folder_in(char const* variable)
+{
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody changes the environment.
+    char const* const value = std::getenv(variable);
+    // The specification lets only absolute paths count.
+    return value != nullptr && *value == '/' ? value : "";
+}
+
+// The program's own folder in that which the variable names, else in one of the home folder.
+static fs::path own_folder(char const* variable, char const* in_home)
+{
+    if (auto const named = folder_in(variable); !named.empty())
+        return named / "tractus";
+    auto const home = folder_in("HOME");
+    return home.empty() ? home : home / in_home / "tractus";
+}
+
 fs::path user_folder()
 {
-    // The specification lets only absolute paths count.
-    auto const folder = [](char const* variable) -> fs::path {
-        char const* const value = std::getenv(variable); // NOLINT(concurrency-mt-unsafe): nobody
-                                                         // changes the environment.
-        return value != nullptr && *value == '/' ? value : "";
-    };
-    if (auto const data = folder("XDG_DATA_HOME"); !data.empty())
-        return data / "tractus";
-    auto const home = folder("HOME");
-    return home.empty() ? home : home / ".local" / "share" / "tractus";
+    return own_folder("XDG_DATA_HOME", ".local/share");
+}
+
+fs::path user_cache_folder()
+{
+    return own_folder("XDG_CACHE_HOME", ".cache");
 }
 
 Result<fs::path> make_user_folder(std::string_view instead)

@@ -10,8 +10,12 @@ namespace tractus {
 // ~/.local/share/tractus (XDG Base Directory Specification). Empty where the user has no home.
 std::filesystem::path user_folder();
 
-// Makes that folder if it is not there, and returns it. Fails, as the user's fault, if it cannot be
-// made; the sentence ends in what to do: `instead`.
+// Where what can be made again is kept meanwhile: $XDG_CACHE_HOME/tractus, else ~/.cache/tractus.
+// Empty where the user has no home. The folder need not be there.
+std::filesystem::path user_cache_folder();
+
+// Makes user_folder() if it is not there, and returns it. Fails, as the user's fault, if it cannot
+// be made; the sentence ends in what to do: `instead`.
 Result<std::filesystem::path> make_user_folder(std::string_view instead);
 
 // The calibration of the table that belongs to this user, where the window keeps it unless it is

@@ -2,11 +2,14 @@
 
 #include "app/calibration/save_calibration.h"
 #include "app/document/logged_step.h"
+#include "app/live/unnamed_session.h"
+#include "app/user_folder.h"
 #include "calib/rig_file.h"
 #include "drivers/height_decoder.h"
 #include "engine/base/check.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/core.h>
 #include <utility>
 
@@ -103,6 +106,15 @@ std::optional<std::string> size_note(LiveDevices const& devices, Rig const& rig)
                        rig.tablet_size_mm.x(), rig.tablet_size_mm.y());
 }
 
+// As sentences in the window begin.
+std::string with_capital(std::string sentence)
+{
+    if (!sentence.empty())
+        sentence.front()
+            = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+    return sentence;
+}
+
 } // namespace
 
 Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions options)
@@ -143,12 +155,13 @@ LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
     , options_(std::move(options))
     , station_options_(std::move(station_options))
     , station_(std::move(station))
-    , controller_(station_, std::exchange(options_.session, std::nullopt),
+    , controller_(std::in_place, station_, std::exchange(options_.session, std::nullopt),
                   std::exchange(options_.scene, {}), options_.folder)
     , states_(devices_.infos().size(), LiveDevices::State::Connected)
 {
     view().state().is_live = true;
     view().state().playing = false;
+    view().state().may_begin_anew = options_.start_page != nullptr;
     if (view().state().status.empty()) // Else it says what of the session is unknown.
         view().state().status = "Draw: the station reads the pen";
 }
@@ -164,7 +177,7 @@ Result<void> LiveWindow::finish()
     take_reports();
     station_.finish();
     record_tool_changes();
-    auto const kept = controller_.finish(station_, options_.now());
+    auto const kept = controller_->finish(station_, options_.now());
     record_steps();
     return kept;
 }
@@ -175,7 +188,7 @@ Result<void> LiveWindow::close()
         return {};
     auto const kept = finish();
     auto const recorded = recorder_ ? stop_recording() : Result<void>();
-    auto const written = controller_.finish_files();
+    auto const written = controller_->finish_files();
     if (!kept) // The drawing is worth most.
         return kept;
     return recorded ? written : recorded;
@@ -186,7 +199,8 @@ void LiveWindow::advance(Duration real_step)
     if (options_.counted_time)
         *options_.counted_time += real_step;
     take_reports();
-    controller_.show(station_, options_.now());
+    follow_start_page();
+    controller_->show(station_, options_.now());
     record_steps();
     view().show_pen(station_.take_moments());
     calibrate();
@@ -195,6 +209,15 @@ void LiveWindow::advance(Duration real_step)
     tell_who_is_away();
     tell_what_is_lost();
     flush_recording();
+}
+
+void LiveWindow::settle()
+{
+    if (options_.start_page) {
+        options_.start_page->settle();
+        follow_start_page();
+    }
+    controller_->settle(station_, options_.now());
 }
 
 void LiveWindow::take_reports()
@@ -226,7 +249,7 @@ void LiveWindow::record_tool_changes()
 // known that it was done, strokes after it may have begun.
 void LiveWindow::record_steps()
 {
-    for (auto const& step : controller_.take_done()) {
+    for (auto const& step : controller_->take_done()) {
         if (!recorder_)
             continue;
         auto const words = words_for(step, step.strokes_before - recorded_from_stroke_);
@@ -285,9 +308,9 @@ Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
                                          { .devices = devices_.infos(),
                                            .rig_text = print_rig(station_options_.rig),
                                            .start = now }));
-    (void)controller_.finish(station_, now);
-    (void)controller_.take_done(); // Steps from before are not of the recording.
-    recorded_from_stroke_ = controller_.document().stroke_count();
+    (void)controller_->finish(station_, now);
+    (void)controller_->take_done(); // Steps from before are not of the recording.
+    recorded_from_stroke_ = controller_->document().stroke_count();
     auto const tools = station_.tools_to_go_on_with();
     // A replay begins with the first tool, so that need not be written.
     if (tools != std::vector { Tool(*station_options_.tools.front()) })
@@ -327,13 +350,13 @@ void LiveWindow::perform_kind(SetRecording const& command)
         return;
     auto& status = view().state().status;
     if (command.is_on) {
-        auto const path = controller_.new_file(".tractus-log");
+        auto const path = controller_->new_file(".tractus-log");
         auto const begun = start_recording(path);
         status = begun ? fmt::format("Recording into {}", path.string()) : begun.error().message;
         return;
     }
     // Steps that were asked for are part of it.
-    (void)controller_.finish(station_, options_.now());
+    (void)controller_->finish(station_, options_.now());
     record_steps();
     auto const stopped = stop_recording();
     auto const& [is_on, file, bytes] = view().state().recording;
@@ -348,7 +371,7 @@ void LiveWindow::perform(WindowCommand const& command)
 
 void LiveWindow::perform_kind(Restart const&)
 {
-    controller_.begin_again(station_, "The plant is as its model gives it");
+    controller_->begin_again(station_, "The plant is as its model gives it");
 }
 
 // Takes the present station's place, with what is in the hand.
@@ -365,7 +388,7 @@ void LiveWindow::perform_kind(ChooseTool const& command)
 {
     station_.set_tool(options_.now(), command.tool);
     record_tool_changes();
-    controller_.show(station_, options_.now());
+    controller_->show(station_, options_.now());
 }
 
 void LiveWindow::perform_kind(SetPressingAreas const& command)
@@ -471,13 +494,95 @@ void LiveWindow::use_rig(Rig const& rig)
     }
     station_.finish();
     record_tool_changes();
-    auto const kept = controller_.finish(station_, options_.now()); // Else it is tried again.
+    auto const kept = controller_->finish(station_, options_.now()); // Else it is tried again.
     station_options_ = std::move(options);
     go_on_with(*std::move(station));
-    controller_.show_again(station_,
-                           kept ? "The pen draws by the new calibration" : kept.error().message);
+    controller_->show_again(station_,
+                            kept ? "The pen draws by the new calibration" : kept.error().message);
     if (recorder_) // Its header has the old one.
         perform_kind(SetRecording { false });
+}
+
+StartPageModel* LiveWindow::start_page()
+{
+    auto* const page = options_.start_page.get();
+    return page && page->is_open() ? page : nullptr;
+}
+
+void LiveWindow::perform_kind(OpenStartPage const&)
+{
+    if (!options_.start_page || options_.start_page->is_open() || !controller_->may_close(finish()))
+        return;
+    auto left = leave_drawing();
+    options_.start_page->open(std::move(left));
+}
+
+// What becomes of it, for the person. It is finished, and kept as far as it can be.
+std::string LiveWindow::leave_drawing()
+{
+    if (recorder_)
+        perform_kind(SetRecording { false });
+    auto const written = controller_->finish_files();
+    auto const& session = controller_->document().session();
+    auto const file = session.is_in_file() ? session.path() : std::filesystem::path();
+    bool const is_drawn = session.last_step() > 0;
+    auto const unnamed = options_.unnamed ? std::exchange(*options_.unnamed, {}) : file;
+    go_on_with(OpenedDrawing {}); // The file is closed.
+    view().state().title = "tractus";
+    if (!written)
+        return fmt::format("A file was not written: {}", written.error().message);
+    if (!unnamed.empty() && unnamed == file && !is_drawn) {
+        remove_if_nothing_was_drawn(unnamed);
+        return {};
+    }
+    if (file.empty())
+        return {};
+    bool const is_listed = file.parent_path() == user_folder();
+    return fmt::format("The drawing is kept as {}", (is_listed ? file.filename() : file).string());
+}
+
+// In place of the one at hand; what the window knows of the devices stays.
+void LiveWindow::go_on_with(OpenedDrawing drawing)
+{
+    auto const before = state();
+    if (options_.unnamed)
+        *options_.unnamed = drawing.unnamed;
+    controller_.emplace(station_, std::move(drawing.session), std::move(drawing.scene),
+                        options_.folder);
+    auto& state = view().state();
+    state.live_revision += before.live_revision + 1; // What was shown before is shown no more.
+    state.strokes_revision += before.strokes_revision + 1;
+    state.skeleton_revision += before.skeleton_revision + 1;
+    state.plant_revision += before.plant_revision + 1;
+    state.collection_revision += before.collection_revision + 1;
+    state.preview_revision += before.preview_revision + 1;
+    state.devices_revision += before.devices_revision + 1;
+    state.is_live = true;
+    state.playing = false;
+    state.pen = before.pen;
+    state.mouse_draws = before.mouse_draws;
+    state.mouse_moves_surface = before.mouse_moves_surface;
+    state.may_calibrate = before.may_calibrate;
+    state.may_begin_anew = before.may_begin_anew;
+    state.title = fmt::format("tractus: {}", drawing.name);
+    state.recording.file = before.recording.file;
+    if (!drawing.trouble.empty())
+        state.status = with_capital(drawing.trouble);
+    else if (auto const& session = controller_->document().session(); session.is_in_file())
+        state.status = fmt::format("What is drawn is kept in {}", session.path().string());
+}
+
+void LiveWindow::follow_start_page()
+{
+    if (!start_page())
+        return;
+    options_.start_page->advance();
+    auto chosen = options_.start_page->take_opened();
+    if (!chosen)
+        return;
+    go_on_with(std::move(chosen->drawing));
+    if (chosen->tool)
+        perform_kind(ChooseTool { *chosen->tool });
 }
 
 } // namespace tractus

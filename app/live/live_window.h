@@ -5,6 +5,7 @@
 #include "app/devices/live_recorder.h"
 #include "app/live/calibration_panel_controller.h"
 #include "app/live/mouse_rig.h"
+#include "app/live/start_page_controller.h"
 #include "app/live/station_controller.h"
 #include "app/session/session.h"
 #include "app/station/window_model.h"
@@ -43,6 +44,13 @@ struct LiveWindowOptions {
     // Stands in for the pen, the height sensor, or both, where the devices lack them; `height_mm`
     // is where its surface is at first.
     std::optional<MouseRig> mouse {};
+    // What the window shows before there is a drawing, and between two: at first, if it is open.
+    // Null: nothing; then it ends with its drawing.
+    std::unique_ptr<StartPageController> start_page {};
+    // The session's file that goes away if nothing was drawn in it; may be null. Shared with who
+    // takes that of the last drawing away when the window is closed: this one does so before it
+    // opens the next.
+    std::shared_ptr<std::filesystem::path> unnamed {};
 };
 
 // Contents of the station's window while somebody draws: devices are read on threads of their own,
@@ -59,16 +67,17 @@ public:
     ~LiveWindow() override; // Closes, if that was not done.
 
     void advance(Duration real_step) override;
-    void settle() override { controller_.settle(station_, options_.now()); }
-    bool may_close() override { return controller_.may_close(finish()); }
+    void settle() override;
+    bool may_close() override { return controller_->may_close(finish()); }
     Result<void> close() override;
-    WindowState const& state() const override { return controller_.view().state(); }
+    WindowState const& state() const override { return controller_->view().state(); }
     void perform(WindowCommand const& command) override;
+    StartPageModel* start_page() override;
     CalibrationModel* calibration() override { return calibration_ ? &*calibration_ : nullptr; }
 
     Station const& station() const { return station_; }
     // The scene that is shown.
-    Scene const& scene() const { return *controller_.view().grown_scene(); }
+    Scene const& scene() const { return *controller_->view().grown_scene(); }
 
 private:
     LiveWindow(LiveDevices devices, LiveWindowOptions options, StationOptions station_options,
@@ -86,13 +95,17 @@ private:
     void perform_kind(WatchDevices const& command);
     void perform_kind(OpenCalibration const&);
     void perform_kind(CloseCalibration const&);
+    void perform_kind(OpenStartPage const&);
     template<typename Command> void perform_kind(Command const& command)
     {
-        controller_.perform(command, station_);
+        controller_->perform(command, station_);
     }
 
-    StationView& view() { return controller_.view(); }
+    StationView& view() { return controller_->view(); }
     Result<void> finish();
+    std::string leave_drawing();
+    void go_on_with(OpenedDrawing drawing);
+    void follow_start_page();
     void take_reports();
     void show_devices();
     void calibrate();
@@ -111,7 +124,7 @@ private:
     LiveWindowOptions options_;
     StationOptions station_options_; // To begin again.
     Station station_;
-    StationController controller_;
+    std::optional<StationController> controller_; // Of the drawing at hand; never without.
     std::optional<LiveRecorder> recorder_;
     // Number of the recording's first stroke in the document.
     std::size_t recorded_from_stroke_ = 0;

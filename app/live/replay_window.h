@@ -46,8 +46,9 @@ private:
     void perform_kind(PressInstead const&) { }
     void perform_kind(MoveMousePen const&) { }
     void perform_kind(MoveSurface const&) { }
-    void perform_kind(SetRecording const&) { } // It is recorded.
-    void perform_kind(WatchDevices const&) { } // None is read.
+    void perform_kind(SetRecording const&) { }  // It is recorded.
+    void perform_kind(WatchDevices const&) { }  // None is read.
+    void perform_kind(OpenStartPage const&) { } // It has an end of its own.
     void perform_kind(OpenCalibration const&) { }
     void perform_kind(CloseCalibration const&) { }
     template<typename Command> void perform_kind(Command const& command)

@@ -214,8 +214,13 @@ void StationController::perform(PickVariation const& command, Station& station)
 void StationController::set_growth(
     std::function<Result<WantedStep::Change>(SetGrowth growth)> const& change, Station& station)
 {
-    document_->make(
-        { [=](Scene const& scene) { return change(scene.growth); }, WantedStep::Of::Growth });
+    document_->make({ [=](Scene const& scene) -> Result<WantedStep::Change> {
+                         bool const is_empty = scene.plants.empty() && scene.base->axes.empty();
+                         return is_empty
+                             ? fail(Fault::User, "There is no plant yet: draw one first")
+                             : change(scene.growth);
+                     },
+                      WantedStep::Of::Growth });
     show_document(station, now_);
 }
 

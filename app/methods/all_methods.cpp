@@ -23,6 +23,7 @@
 #include "app/methods/silhouettes/outline_tool.h"
 #include "app/methods/sketch_lsystem/shorten_sketch_tool.h"
 #include "app/methods/sketch_lsystem/sketch_tool.h"
+#include "app/session/begin_empty.h"
 #include "app/tools/delete_tool.h"
 #include "app/tools/draw_in_order_tool.h"
 #include "app/tools/draw_tool.h"
@@ -58,6 +59,7 @@ Methods all_methods()
     static auto const edits = [] {
         auto const core = core_edit_kinds();
         std::vector<EditKind const*> all(core.begin(), core.end());
+        all.push_back(&BeginEmpty::kKind);
         all.insert(all.end(),
                    { &sketch::GrowAlongStroke::kKind, &sketch::ChangeSketch::kKind,
                      &sketch::ShortenSketch::kKind });

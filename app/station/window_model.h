@@ -4,6 +4,7 @@
 #include "app/diagnosis/device_monitor.h"
 #include "app/diagnosis/finding.h"
 #include "app/render/image.h"
+#include "app/station/start_page.h"
 #include "app/tools/layer.h"
 #include "app/tools/skeleton_line.h"
 #include "app/tools/tool.h"
@@ -98,6 +99,8 @@ struct DevicesView {
 // All that the window shows at one moment. Each revision number changes when the values after it
 // do, and only then: what did not change is not uploaded or drawn again.
 struct WindowState {
+    std::string title; // Of the window; empty: as it is.
+
     // The volume that the pen reaches, world frame; z from the lowest to the highest surface.
     Bounds volume_mm;
 
@@ -167,6 +170,7 @@ struct WindowState {
     // why not.
     bool is_saving = false;
     bool may_calibrate = false;   // There is a height sensor: see OpenCalibration.
+    bool may_begin_anew = false;  // See OpenStartPage.
     bool has_session = false;     // What is drawn is kept in a file. Undo works without one, too.
     std::size_t unkept_steps = 0; // Of what is seen: not on the disk yet.
     double progress = 0;          // Of the recording, 0 to 1.
@@ -223,6 +227,9 @@ struct ChooseTool {
 };
 struct Undo { }; // The last stroke, another one, other growth, or what else was done last.
 struct Redo { }; // What was undone last.
+// Closes the drawing, which is kept, and shows WindowModel::start_page(). Where not all can be kept
+// the status says so, and drawing goes on, as with may_close().
+struct OpenStartPage { };
 struct TakeOrphansAway { }; // All of WindowState::orphans; a step that can be undone.
 
 // Where on the surface a touch of the pen presses what the window shows there, and does not draw.
@@ -255,7 +262,7 @@ using WindowCommand
     = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture, ChooseTool, Undo,
                    Redo, ChangeGrowth, AskForCollection, PickVariation, SetPressingAreas,
                    PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording, WatchDevices,
-                   OpenCalibration, CloseCalibration, TakeOrphansAway>;
+                   OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {
@@ -281,6 +288,9 @@ public:
     virtual WindowState const& state() const = 0;
 
     virtual void perform(WindowCommand const& command) = 0;
+
+    // What to show before there is a drawing; null for none.
+    virtual StartPageModel* start_page() { return nullptr; }
 
     // The calibration to show in place of the state; null for none.
     virtual CalibrationModel* calibration() { return nullptr; }

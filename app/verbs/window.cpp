@@ -1,12 +1,12 @@
 #include "app/verbs/window.h"
 
 #include "app/devices/live_devices.h"
-#include "app/document/model_cost.h"
+#include "app/live/drawing_file.h"
 #include "app/live/live_window.h"
 #include "app/live/replay_window.h"
+#include "app/live/start_page_controller.h"
 #include "app/live/unnamed_session.h"
 #include "app/plants/malloc_tuning.h"
-#include "app/plants/model_file.h"
 #include "app/plants/session_plant.h"
 #include "app/resources.h"
 #include "app/station/log_replay.h"
@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <fmt/core.h>
 #include <memory>
 #include <string>
@@ -36,6 +35,8 @@ namespace tractus {
 
 namespace {
 
+constexpr auto kUsualModel = "broadleaf";
+
 struct WindowArguments {
     Methods methods;
     std::string file; // A log or a session: sort_out() makes it one of the next two.
@@ -44,7 +45,8 @@ struct WindowArguments {
     std::string played; // A log whose devices are taken for real ones.
     std::string recording;
     std::string session;
-    std::string model = "broadleaf";
+    std::string model;             // Empty: the start page, or kUsualModel where there is none.
+    bool wants_start_page = false; // Whatever else is said.
     std::string rig;
     std::string height;
     bool fills_display = false;
@@ -55,20 +57,21 @@ struct WindowArguments {
     std::string screenshot;
 };
 
-Result<Scene> load_scene(std::filesystem::path const& model, EditKinds kinds)
+std::string window_title(std::string const& hand, std::string const& drawing)
 {
-    if (is_session_file(model))
-        return load_session_scene(model, kinds);
-    auto const edit = TRY(load_plant_edit(model));
-    return apply_edit({}, edit, make_load_options());
+    return fmt::format("tractus: {} on {}", hand, drawing);
 }
 
-WindowOptions window_options(WindowArguments const& arguments, std::string const& what,
-                             std::filesystem::path const& model)
+// Where a drawing has to be of something.
+Result<std::filesystem::path> model_of(WindowArguments const& arguments)
+{
+    return find_model(arguments.model.empty() ? kUsualModel : arguments.model);
+}
+
+WindowOptions window_options(WindowArguments const& arguments, std::string title)
 {
     WindowOptions options;
-    auto const on = arguments.session.empty() ? model : std::filesystem::path(arguments.session);
-    options.title = fmt::format("tractus: {} on {}", what, on.stem().string());
+    options.title = std::move(title);
     if (arguments.fills_display || !arguments.display.empty())
         options.full_screen = arguments.display;
     options.is_light = arguments.is_light;
@@ -79,71 +82,62 @@ WindowOptions window_options(WindowArguments const& arguments, std::string const
     return options;
 }
 
-Result<std::vector<Edit>> model_edits(std::filesystem::path const& model)
-{
-    auto edit = TRY(load_plant_edit(model));
-    return std::vector<Edit> { std::move(edit) };
-}
-
-// The session in the file, or a new one of the plant.
-Result<Session> keep_in(std::filesystem::path const& file, std::filesystem::path const& model,
-                        EditKinds kinds)
-{
-    std::error_code ignored;
-    if (std::filesystem::exists(file, ignored)) {
-        auto session
-            = TRY(Session::open(file, session_by_the_clock(kinds, [] { return load_options(); })));
-        if (auto const said = session.unknown().sentence(); !said.empty())
-            print_warning(fmt::format("{}: {}", file.string(), said));
-        return session;
-    }
-    auto edits = is_session_file(model) ? session_edits(model, kinds) : model_edits(model);
-    return begin_session(file, TRY(edits), kinds);
-}
-
 Result<void> show_replay(WindowArguments const& arguments)
 {
-    auto const model = TRY(find_model(arguments.model));
+    auto const model = TRY(model_of(arguments));
     ReplayOptions options { .methods = arguments.methods };
-    auto scene = TRY(load_scene(model, arguments.methods.edits));
+    auto scene = TRY(scene_of_plant(model, arguments.methods.edits));
     if (!arguments.rig.empty())
         options.rig = TRY(load_rig(arguments.rig));
     if (!arguments.height.empty())
         options.height = TRY(parse_height_scenario(arguments.height));
     auto const log = TRY(read_log(arguments.log));
     std::optional<Session> session;
-    if (!arguments.session.empty())
-        session = TRY(keep_in(arguments.session, model, arguments.methods.edits));
+    if (!arguments.session.empty()) {
+        std::string trouble;
+        session
+            = TRY(open_or_begin({ model, arguments.session }, arguments.methods.edits, trouble));
+        if (!trouble.empty())
+            print_warning(trouble);
+    }
     ClosingSignals const signals; // Held until the window is closed and all is kept.
     auto window = TRY(ReplayWindow::create(log, options, std::move(scene),
                                            std::filesystem::current_path(), std::move(session)));
     auto const name = std::filesystem::path(log.name).filename().string();
-    return run_window(window, window_options(arguments, name, model));
+    auto const on = arguments.session.empty() ? model : std::filesystem::path(arguments.session);
+    return run_window(window, window_options(arguments, window_title(name, on.stem().string())));
 }
 
-// Keeps what is drawn in the session that was asked for; else in a new one, which is `unnamed`
-// then. Where that has no place the person is told, and may draw.
-Result<void> keep(WindowArguments const& arguments, std::filesystem::path const& model,
-                  LiveWindowOptions& options, std::filesystem::path& unnamed)
+// Nothing was asked for that a window could begin with, or end with.
+bool begins_with_start_page(WindowArguments const& arguments)
 {
-    if (!arguments.session.empty()) {
-        options.session = TRY(keep_in(arguments.session, model, arguments.methods.edits));
-        return {};
+    if (arguments.wants_start_page)
+        return true;
+    return arguments.model.empty() && arguments.session.empty() && arguments.played.empty()
+        && arguments.recording.empty() && arguments.frames == 0 && arguments.screenshot.empty();
+}
+
+// Opens what was asked for, kept in its session; else in a new one, of which the person is told.
+// Returns its name; of the start page none.
+Result<std::string> open_first_drawing(WindowArguments const& arguments, LiveWindowOptions& options)
+{
+    auto start = std::make_unique<StartPageController>(start_page_of_user(arguments.methods));
+    options.start_page = std::move(start);
+    options.unnamed = std::make_shared<std::filesystem::path>();
+    if (begins_with_start_page(arguments)) {
+        options.start_page->open({});
+        return std::string();
     }
-    options.scene = TRY(load_scene(model, arguments.methods.edits));
-    auto const begin = [&]() -> Result<Session> {
-        auto const now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-        unnamed = TRY(unnamed_session_path(model.stem().string(), now));
-        return keep_in(unnamed, model, arguments.methods.edits);
-    };
-    auto session = begin();
-    if (!session) {
-        unnamed.clear();
-        print_warning("what is drawn is not kept: " + session.error().message);
-        return {};
-    }
-    options.session = std::move(*session);
-    return print_out(fmt::format("What is drawn is kept in {}\n", unnamed.string()));
+    auto const model = TRY(model_of(arguments));
+    auto drawing = TRY(open_drawing({ model, arguments.session }, arguments.methods.edits));
+    options.scene = std::move(drawing.scene);
+    options.session = std::move(drawing.session);
+    *options.unnamed = drawing.unnamed;
+    if (!drawing.trouble.empty())
+        print_warning(drawing.trouble);
+    if (!drawing.unnamed.empty())
+        TRY(print_out(fmt::format("What is drawn is kept in {}\n", drawing.unnamed.string())));
+    return drawing.name;
 }
 
 // A hand that draws now has no end at which a movement could be over.
@@ -171,7 +165,6 @@ Clock clock_for(WindowArguments const& arguments)
 
 Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices, Clock const& clock)
 {
-    auto const model = TRY(find_model(arguments.model));
     LiveWindowOptions options { .methods = arguments.methods };
     options.rig_file
         = arguments.rig.empty() ? user_rig_path() : std::filesystem::path(arguments.rig);
@@ -182,8 +175,8 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
         options.rig = TRY(load_rig(options.rig_file));
     if (!arguments.height.empty())
         options.height_mm = TRY(constant_height_mm(arguments.height));
-    std::filesystem::path unnamed;
-    TRY(keep(arguments, model, options, unnamed)); // Last, since it may begin a file.
+    // Last, since it may begin a file.
+    auto const drawing = TRY(open_first_drawing(arguments, options));
     options.folder = std::filesystem::current_path();
     options.recording = arguments.recording;
     options.now = clock.now;
@@ -191,10 +184,10 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
     if (!clock.counted)
         options.mouse.emplace(options.now); // The mouse's threads go by the machine's clock.
     auto const name = devices.infos().empty() ? "mouse" : devices.infos().front().name;
-    auto how = window_options(arguments, name, model);
-    auto const tidy_up = [&unnamed] {
-        if (!unnamed.empty())
-            remove_if_nothing_was_drawn(unnamed);
+    auto how = window_options(arguments, drawing.empty() ? "tractus" : window_title(name, drawing));
+    auto const tidy_up = [unnamed = options.unnamed] {
+        if (!unnamed->empty())
+            remove_if_nothing_was_drawn(*unnamed);
     };
     how.when_display_has_gone = tidy_up;
     auto const done = draw_in_window(std::move(devices), std::move(options), how);
@@ -310,11 +303,20 @@ void add_window_verb(CLI::App& root, Action& action, Methods const& methods)
             "the time, in ~/.local/share/tractus")
         ->type_name("FILE.tractus")
         ->check(name_ending_in({ ".tractus" }));
-    add_plant_option(*verb, arguments->model);
+    add_plant_option(*verb, arguments->model)->required(false);
+    verb->add_flag("--start-page", arguments->wants_start_page,
+                   "Begin with the page on which one chooses, also with --log, --record, --frames "
+                   "or --screenshot")
+        ->excludes("--plant")
+        ->excludes("--session");
     add_rig_option(*verb, arguments->rig);
     add_height_option(*verb, arguments->height);
     add_look_options(*verb, *arguments);
     verb->footer(
+        "Begins with a page on which one chooses: an empty sheet, a model, or a drawing to go\n"
+        "on with. With FILE, --plant, --session, --log, --record, --frames or --screenshot it\n"
+        "begins with the drawing, of a broadleaf unless something else is named.\n"
+        "\n"
         "Needs a display. Pictures that are saved appear in the working folder. While a pen is\n"
         "in range, the mouse counts for nothing in the window, since the desktop moves it with\n"
         "the pen; drivers/70-tractus.rules says how to stop that everywhere.");

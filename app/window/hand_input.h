@@ -14,8 +14,14 @@ struct MouseMoment {
 
 struct KeyPress {
     static constexpr char kEscape = '\x1b';
+    static constexpr char kEnter = '\r';
+    static constexpr char kLeft = '\x11'; // Arrows.
+    static constexpr char kRight = '\x12';
+    static constexpr char kUp = '\x13';
+    static constexpr char kDown = '\x14';
 
-    char key = 0; // The letter that the key bears, as a capital; what is typed by it, '?'; kEscape.
+    char key = 0; // The letter that the key bears, as a capital; what is typed by it, '?'; or one
+                  // of the above.
     bool has_control = false;
     bool has_shift = false;
 };

@@ -31,6 +31,28 @@ tl::unexpected<Error> no_window(char const* what)
             what, reason ? reason : "no reason given"));
 }
 
+// What a key without a letter is as a KeyPress; 0: nothing.
+char special_key(int key)
+{
+    switch (key) {
+    case GLFW_KEY_ESCAPE:
+        return KeyPress::kEscape;
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+        return KeyPress::kEnter;
+    case GLFW_KEY_LEFT:
+        return KeyPress::kLeft;
+    case GLFW_KEY_RIGHT:
+        return KeyPress::kRight;
+    case GLFW_KEY_UP:
+        return KeyPress::kUp;
+    case GLFW_KEY_DOWN:
+        return KeyPress::kDown;
+    default:
+        return 0;
+    }
+}
+
 // The letter that a key bears on this keyboard, or where that has others than Latin ones, on an
 // American one; 0 if none.
 char letter_of(int key, int scancode)
@@ -169,7 +191,8 @@ bool Host::wait_for_events(double wait_s)
 
 void Host::take_key(int key, int scancode, bool is_pressed, int modifiers)
 {
-    auto const letter = key == GLFW_KEY_ESCAPE ? KeyPress::kEscape : letter_of(key, scancode);
+    auto const special = special_key(key);
+    auto const letter = special != 0 ? special : letter_of(key, scancode);
     if (letter == 0)
         return;
     held_.erase(std::remove(held_.begin(), held_.end(), letter), held_.end());
@@ -180,6 +203,12 @@ void Host::take_key(int key, int scancode, bool is_pressed, int modifiers)
     lately_held_.push_back(letter);
     presses_.push_back(
         { letter, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0 });
+}
+
+void Host::set_title(std::string const& title)
+{
+    if (!title.empty() && std::exchange(title_, title) != title)
+        glfwSetWindowTitle(window_, title.c_str());
 }
 
 bool Host::take_wish_to_close()

@@ -30,7 +30,8 @@ public:
     // Fails like run_window(). Once.
     Result<void> open(WindowOptions const& options);
 
-    bool take_wish_to_close(); // Since the last call, by the window's button or key.
+    void set_title(std::string const& title); // Empty: as it is.
+    bool take_wish_to_close();                // Since the last call, by the window's button or key.
     // `step_s`: how long after the last one, where that is not the clock's. Returns what mouse and
     // keyboard did up to this frame.
     HandInput begin_frame(std::optional<float> step_s);
@@ -80,7 +81,8 @@ private:
     std::string held_;         // The letters of the keys that are down now.
     bool library_ = false;
     GLFWwindow* window_ = nullptr;
-    Place last_place_; // As a window among others.
+    std::string title_; // Set last; empty: as it was opened.
+    Place last_place_;  // As a window among others.
     bool imgui_ = false;
     float scale_ = 1;
     ImFont* title_font_ = nullptr;

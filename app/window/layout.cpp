@@ -55,13 +55,17 @@ void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
 {
     begin_frame(model, input);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
-                        model.calibration() ? ImGui::GetStyle().WindowPadding : ImVec2(0, 0));
+                        model.calibration() || model.start_page() ? ImGui::GetStyle().WindowPadding
+                                                                  : ImVec2(0, 0));
     ImGui::SetNextWindowPos({ 0, 0 });
     ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
     ImGui::Begin("station", nullptr, kPanelFlags | ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PopStyleVar();
-    if (model.calibration() != nullptr) {
-        show_calibration(model, pen);
+    if (model.calibration() != nullptr || model.start_page() != nullptr) {
+        if (model.calibration() != nullptr)
+            show_calibration(model, pen);
+        else
+            show_start(model);
         ImGui::End();
         return;
     }
@@ -82,6 +86,17 @@ void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
     show_ring(model, pen);
     fulfil_view_wishes();
     follow_angle(model);
+    tell_pressing_areas(model);
+}
+
+// All of the window is to be pressed.
+void Layout::show_start(WindowModel& model)
+{
+    auto const whole = whole_window();
+    pen_area_ = fit_pen_area(model.state().volume_mm, { 0, 0 }, { whole.width, whole.height });
+    mouse_.let_go(model);
+    start_.show(*model.start_page(), bench_, controls_);
+    covered_.push_back(whole);
     tell_pressing_areas(model);
 }
 
@@ -131,10 +146,26 @@ void Layout::fulfil_view_wishes()
         plant_.zoom(factor);
 }
 
+// With the views as they are at first, and what the page has put in the hand.
+void Layout::begin_drawing(WindowModel& model)
+{
+    start_.leave();
+    bench_.shown = Shown::All;
+    bench_.close_menu();
+    bench_.choose(model, model.state().hand);
+    plant_.look_at_whole();
+    bench_.angle.zoom = 1;
+    bench_.angle.moved_mm.setZero();
+    has_begun_ = false;
+}
+
 // A person with a tablet begins where it draws.
 void Layout::begin_frame(WindowModel& model, HandInput const& input)
 {
     auto const& state = model.state();
+    bool const starts = model.start_page() != nullptr;
+    if (std::exchange(start_is_shown_, starts) && !starts)
+        begin_drawing(model);
     if (!std::exchange(has_begun_, true) && state.is_live && !state.mouse_draws)
         bench_.shown = Shown::Pad;
     bench_.angle.area_mm = (state.volume_mm.max_mm - state.volume_mm.min_mm).head<2>().cwiseMax(1);
@@ -143,7 +174,9 @@ void Layout::begin_frame(WindowModel& model, HandInput const& input)
     if (ImGui::GetIO().WantTextInput)
         return;
     for (auto const& press : input.presses)
-        if (model.calibration() != nullptr)
+        if (auto* const start = model.start_page(); start && model.calibration() == nullptr)
+            start_.take_key(press, *start, bench_);
+        else if (model.calibration() != nullptr)
             take_calibration_shortcut(press, model, bench_);
         else
             take_shortcut(press, model, bench_, ring_);

@@ -7,6 +7,7 @@
 #include "app/window/mouse_hand.h"
 #include "app/window/number_panel.h"
 #include "app/window/pen_pointer.h"
+#include "app/window/start_view.h"
 #include "app/window/tool_ring.h"
 #include "app/window/views.h"
 
@@ -27,6 +28,7 @@ public:
         , controls_(scale)
         , menu_(title_font, scale)
         , number_panel_(scale)
+        , start_(title_font, scale)
     {
     }
 
@@ -45,6 +47,8 @@ public:
 private:
     void begin_frame(WindowModel& model, HandInput const& input);
     void show_calibration(WindowModel& model, PenPointer const& pen);
+    void show_start(WindowModel& model);
+    void begin_drawing(WindowModel& model);
     void show_menu(WindowModel& model, Renderer& renderer);
     void show_views(WindowModel& model, Renderer& renderer, HandInput const& input);
     void show_pad(WindowModel& model, Renderer& renderer, WindowPart const& part,
@@ -72,6 +76,7 @@ private:
     Controls controls_;
     Menu menu_;
     NumberPanel number_panel_;
+    StartView start_;
     PadView pad_;
     SkeletonView skeleton_;
     PlantView plant_;
@@ -85,6 +90,7 @@ private:
     bool collection_is_shown_ = false;
     bool devices_are_watched_ = false;
     bool has_begun_ = false;
+    bool start_is_shown_ = false;
 };
 
 } // namespace tractus

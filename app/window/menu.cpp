@@ -96,8 +96,14 @@ void Menu::show_keeping(WindowModel& model, Controls const& controls,
             model.perform(ExportPlant { format, organs_ });
     }
     show_organs(controls);
-    if (model.state().is_live && controls.button("Start again", item_px()))
+    bool const may_begin_anew = model.state().may_begin_anew;
+    if (model.state().is_live && controls.button("Start again", item_px(may_begin_anew ? 2 : 1)))
         model.perform(Restart {});
+    if (!may_begin_anew)
+        return;
+    ImGui::SameLine();
+    if (controls.button("New ...", item_px(2)))
+        model.perform(OpenStartPage {});
 }
 
 // How the leaves of a .glb are written, and for whom that is.

@@ -73,6 +73,8 @@ void take_shortcut(KeyPress const& press, WindowModel& model, Workbench& bench, 
 {
     if (press.has_control && press.key == 'Z')
         return take_undo_key(model, press.has_shift);
+    if (press.has_control && press.key == 'N')
+        return model.perform(OpenStartPage {});
     if (press.has_control && press.key != 'Q')
         return;
     switch (press.key) {
@@ -128,7 +130,7 @@ WindowPart show_shortcuts(ToolKinds tools, ImGuiWindowFlags flags, float scale)
         char const* key;
         char const* meaning;
     };
-    static constexpr std::array<Key, 12> kKeys {
+    static constexpr std::array<Key, 13> kKeys {
         { { "T", "turn and zoom views" },
           { "V", "the next view" },
           { "F", "full screen, or a window again" },
@@ -138,6 +140,7 @@ WindowPart show_shortcuts(ToolKinds tools, ImGuiWindowFlags flags, float scale)
           { "Ctrl+Z", "undo" },
           { "Ctrl+Shift+Z", "redo" },
           { "N", "another one: the next seed" },
+          { "Ctrl+N", "closes the drawing, for another one" },
           { "?", "this list" },
           { "Esc", "closes what is open, full screen, or the window" },
           { "Q", "closes the window" } }

@@ -1,11 +1,11 @@
 #include "app/window/tool_ring.h"
 
+#include "app/window/icon.h"
 #include "app/window/theme.h"
 #include "engine/base/vectors.h"
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace tractus {
 
@@ -15,6 +15,7 @@ constexpr float kRingInner_px = 62;
 constexpr float kRingOuter_px = 190;
 constexpr float kRingGap_rad = 0.035f;
 constexpr float kRingIcon_px = 26;
+constexpr float kRingIconLine_px = kRingIcon_px / 9;
 
 float sector_rad(std::size_t count)
 {
@@ -29,25 +30,6 @@ float middle_angle(std::size_t number, std::size_t count)
 ImVec2 around(ImVec2 const& middle, float angle, float radius)
 {
     return { middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle) };
-}
-
-// Lines on a grid of ten by ten, `size` large, above its lower edge's middle.
-void draw_icon(char const* icon, ImVec2 const& foot, float size)
-{
-    auto* const draw = ImGui::GetWindowDrawList();
-    auto const stroke
-        = [&] { draw->PathStroke(ImGui::GetColorU32(ImGuiCol_Text), ImDrawFlags_None, size / 9); };
-    std::string_view const places(icon);
-    for (std::size_t i = 0; i + 1 < places.size(); i += 2) {
-        if (places[i] == ' ') {
-            stroke();
-            ++i;
-        }
-        float const x = static_cast<float>(places[i] - '0') / 9 - 0.5f;
-        float const y = static_cast<float>(places[i + 1] - '0') / 9 - 1;
-        draw->PathLineTo({ foot.x + x * size, foot.y + y * size });
-    }
-    stroke();
 }
 
 } // namespace
@@ -107,7 +89,8 @@ void ToolRing::draw_sector(std::span<RingEntry const> entries, std::size_t numbe
     ImVec2 const place = around(middle_px_, angle, middle_radius);
     draw->AddText({ place.x - size.x / 2, place.y - size.y / 2 }, ImGui::GetColorU32(ImGuiCol_Text),
                   entry.text);
-    draw_icon(entry.icon, { place.x, place.y - size.y / 2 - 4 * scale_ }, kRingIcon_px * scale_);
+    draw_icon(entry.icon, { place.x, place.y - size.y / 2 - 4 * scale_ }, kRingIcon_px * scale_,
+              kRingIconLine_px * scale_);
 }
 
 std::optional<std::size_t> ToolRing::show(std::span<RingEntry const> entries, bool button_let_go)

@@ -63,12 +63,15 @@ private:
 // Whether the model shows something else than at the last call.
 class Changes {
 public:
-    bool any(WindowState const& state)
+    bool any(WindowModel& model)
     {
+        auto const& state = model.state();
+        auto const* const start = model.start_page();
+        auto const of_start = start ? 1 + start->state().revision : 0;
         std::array const revisions { state.live_revision,       state.strokes_revision,
                                      state.skeleton_revision,   state.plant_revision,
                                      state.collection_revision, state.preview_revision,
-                                     state.devices_revision };
+                                     state.devices_revision,    of_start };
         bool const same_revisions = std::exchange(revisions_, revisions) == revisions;
         bool const same_status = std::exchange(status_, state.status) == state.status;
         bool const same_trouble = std::exchange(trouble_, state.trouble) == state.trouble;
@@ -79,7 +82,7 @@ public:
     }
 
 private:
-    std::array<std::uint64_t, 7> revisions_ {};
+    std::array<std::uint64_t, 8> revisions_ {};
     std::string status_;
     std::string trouble_;
     std::uint64_t recorded_ = 0;
@@ -133,6 +136,7 @@ static Result<void> show_window(Host& host, WindowModel& model, WindowOptions co
             ? std::optional(static_cast<float>(to_seconds(kTestStep)))
             : std::nullopt;
         fill_as_wished(host, model.state(), layout.bench());
+        host.set_title(model.state().title);
         auto const input = host.begin_frame(step_s);
         pen.feed(model.state(), layout.pen_area(), ImGui::GetIO().DeltaTime);
         ImGui::NewFrame();
@@ -152,7 +156,7 @@ static Result<void> show_window(Host& host, WindowModel& model, WindowOptions co
         model.advance(step_since(last_s, options.frames));
         if (options.frames > 0)
             model.settle();
-        if (!changes.any(model.state()) && !may_differ && !pen.has_more())
+        if (!changes.any(model) && !may_differ && !pen.has_more())
             continue;
         draw_frame();
         host.show_frame();

@@ -87,7 +87,7 @@ constexpr ToolKind LineTool::kKind {
             "this pattern, with a divergence in degrees of spirals and so many organs of whorls",
     .group = "Sketch",
     .method = "From lines",
-    .icon = "5095 5010 2590 2030 5010 7590 8030 5010 2545 5065 7545",
+    .icon = "5951 292351 898351 245684",
     .key = 'I',
     .surface = Surface::Paper,
     .options = options_type<LineTool, visit>(),

@@ -165,7 +165,7 @@ constexpr ToolKind SketchTool::kKind {
             "numbers for what has grown along a stroke last",
     .group = "Sketch",
     .method = "Along a stroke",
-    .icon = "5095 5050 5005 5060 7540 5045 2525 5035 6520",
+    .icon = "5950 5674 5422 5362",
     .key = 'K',
     .options = options_type<SketchTool, visit>(),
     .mean = grow,

@@ -19,6 +19,35 @@
 namespace tractus {
 namespace {
 
+// A page of so many recent drawings, and with pictures as large as those of models.
+class CardsModel : public StartPageModel {
+public:
+    explicit CardsModel(std::size_t recent)
+    {
+        auto const picture = std::make_shared<Image const>(360, 300, Color { 90, 120, 60 });
+        StartCard const model { "Broadleaf", "A broadleaf tree like a young lime", picture };
+        StartCard const drawing { "Lombardy poplar", "28 February, 23:59", picture };
+        StartCard const sheet {
+            "Along a stroke", "A rule grows along the stroke", {}, "5095 5050", 'K'
+        };
+        state_.groups = { { "An empty sheet", std::vector<StartCard>(3, sheet), {} },
+                          { "From a model", std::vector<StartCard>(14, model), {} } };
+        if (recent > 0)
+            state_.groups.insert(
+                state_.groups.begin() + 1,
+                { "Recent drawings", std::vector<StartCard>(recent, drawing), "Earlier drawings" });
+    }
+
+    StartPageState const& state() const override { return state_; }
+    void choose(std::size_t group, std::size_t card) override { chosen.emplace_back(group, card); }
+    void say(std::string note) { state_.note = std::move(note); }
+
+    std::vector<std::pair<std::size_t, std::size_t>> chosen {};
+
+private:
+    StartPageState state_;
+};
+
 class DrawingModel : public WindowModel {
 public:
     DrawingModel()
@@ -38,11 +67,14 @@ public:
 
     void advance(Duration) override { }
     WindowState const& state() const override { return state_; }
+    StartPageModel* start_page() override { return start ? &*start : nullptr; }
     void perform(WindowCommand const& command) override
     {
         if (auto const* const choice = std::get_if<ChooseTool>(&command))
             state_.hand = choice->tool;
     }
+
+    std::optional<CardsModel> start {};
 
 private:
     Methods methods_;
@@ -189,6 +221,38 @@ protected:
         ImGui::DestroyContext();
     }
 
+    // Where ImGui's mouse is, and whether its button is down, in each of the frames; the keys that
+    // are pressed in the first.
+    struct Moment {
+        ImVec2 place_px;
+        bool is_down = false;
+        HandInput input {};
+    };
+
+    // Shows the page in a window of that many points, and what a hand does there.
+    void work(ImVec2 const& points, std::vector<Moment> const& moments, DrawingModel& model)
+    {
+        ImGui::CreateContext();
+        {
+            auto& io = ImGui::GetIO();
+            io.IniFilename = nullptr;
+            io.DisplaySize = points;
+            io.DeltaTime = 0.02f;
+            auto* const title = theme::apply(1);
+            io.Fonts->Build();
+            Layout layout(title, 1);
+            PenPointer const pen;
+            for (auto const& moment : moments) {
+                io.MousePos = moment.place_px;
+                io.MouseDown[0] = moment.is_down;
+                ImGui::NewFrame();
+                layout.show(model, *renderer_, pen, moment.input);
+                ImGui::Render();
+            }
+        }
+        ImGui::DestroyContext();
+    }
+
     std::optional<OffscreenContext> context_;
     std::optional<Renderer> renderer_;
 };
@@ -223,7 +287,8 @@ std::vector<Size> sizes()
 // What does not fit is reached by dragging, up and down.
 bool scrolls(Box const& box)
 {
-    return box.panel.find("meanings") != std::string::npos || box.panel == "menu";
+    return box.panel.find("meanings") != std::string::npos || box.panel == "menu"
+        || box.panel.find("cards") != std::string::npos;
 }
 
 void check_buttons(DrawnFrame const& drawn, ImVec2 const& size_px)
@@ -288,6 +353,76 @@ TEST_F(LayoutTest, ShowsThePlantBesideTheMenuThatChangesIt)
                     EXPECT_GE(plant.height(), 100 * size.scale) << text_of(plant);
                 });
         }
+}
+
+TEST_F(LayoutTest, ShowsEveryCardOfTheStartPageWhole)
+{
+    for (auto const& size : sizes())
+        for (std::size_t const recent : { 0u, 2u, 12u }) {
+            SCOPED_TRACE(fmt::format("{}, {} recent", text_of(size), recent));
+            show(
+                { size.width, size.height }, size.scale,
+                [&](Layout&, DrawingModel& model) {
+                    model.start.emplace(recent);
+                    if (recent == 2)
+                        model.start->say("The drawing is kept as "
+                                         "lombardy_poplar-2026-01-09-1403.tractus");
+                },
+                [&](DrawnFrame const& drawn, ImVec2 const& size_px) {
+                    check_buttons(drawn, size_px);
+                    EXPECT_GE(drawn.pictures.size(), size.height >= 560 ? 2u : 0u);
+                    std::size_t whole = 0;
+                    for (auto const& button : drawn.buttons)
+                        whole += button.whole.panel.find("cards") != std::string::npos
+                            && button.visible.height() > button.whole.height() - 1.5f;
+                    EXPECT_GE(whole, 3u) << "the empty sheets are seen at once";
+                });
+        }
+}
+
+static ImVec2 const kFirstCard { 110, 200 };
+
+TEST_F(LayoutTest, PressesACardOnlyIfTheTouchStaysThere)
+{
+    DrawingModel model;
+    model.start.emplace(12);
+    std::vector<Moment> tap { { { 0, 0 } },         { { 0, 0 } },         { kFirstCard },
+                              { kFirstCard, true }, { kFirstCard, true }, { kFirstCard },
+                              { kFirstCard } };
+    work({ 800, 600 }, tap, model);
+    ASSERT_EQ(model.start->chosen.size(), 1u);
+    EXPECT_EQ(model.start->chosen[0], std::pair(std::size_t { 0 }, std::size_t { 0 }));
+
+    model.start->chosen.clear();
+    std::vector<Moment> drag { { { 0, 0 } }, { { 0, 0 } }, { kFirstCard } };
+    for (int i = 0; i <= 10; ++i)
+        drag.push_back({ { kFirstCard.x, kFirstCard.y - 8 * static_cast<float>(i) }, true });
+    drag.push_back({ { kFirstCard.x, kFirstCard.y - 80 } });
+    drag.push_back({ { kFirstCard.x, kFirstCard.y - 80 } });
+    work({ 800, 600 }, drag, model);
+    EXPECT_TRUE(model.start->chosen.empty()) << "it has moved the page";
+}
+
+TEST_F(LayoutTest, PressesCardsByTheKeys)
+{
+    DrawingModel model;
+    model.start.emplace(0);
+    auto const press = [](char key) {
+        return Moment { { 0, 0 }, false, { .mouse = {}, .presses = { { key } }, .held = {} } };
+    };
+    work({ 800, 600 },
+         { { { 0, 0 } },
+           press(KeyPress::kEnter),
+           press(KeyPress::kDown),
+           press(KeyPress::kDown),
+           press(KeyPress::kRight),
+           press(KeyPress::kEnter),
+           press('K'),
+           press('X') },
+         model);
+    ASSERT_EQ(model.start->chosen.size(), 2u);
+    EXPECT_EQ(model.start->chosen[0], std::pair(std::size_t { 1 }, std::size_t { 1 }));
+    EXPECT_EQ(model.start->chosen[1], std::pair(std::size_t { 0 }, std::size_t { 0 }));
 }
 
 } // namespace tractus

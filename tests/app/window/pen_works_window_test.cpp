@@ -157,6 +157,31 @@ protected:
         return LiveWindow::create(std::move(devices), std::move(options)).value();
     }
 
+    // The same before there is a drawing.
+    LiveWindow window_at_start(PenScript& script)
+    {
+        auto const file = folder_ / "pen.tractus-log";
+        std::ofstream(file) << script.text();
+        auto const now = std::make_shared<Timestamp>();
+        LiveWindowOptions options {
+            .methods = all_methods(),
+            .height_mm = 100.0,
+            .folder = folder_,
+            .now = [now] { return *now; },
+            .counted_time = now,
+            .start_page = std::make_unique<StartPageController>(
+                StartPageOptions { .kinds = all_methods().edits,
+                                   .tools = all_methods().tools,
+                                   .models = {},
+                                   .sessions = folder_,
+                                   .pictures = {},
+                                   .now = [] { return std::chrono::sys_seconds(); } }),
+        };
+        options.start_page->open({});
+        auto devices = LiveDevices::play_log(file.string(), options.now).value();
+        return LiveWindow::create(std::move(devices), std::move(options)).value();
+    }
+
     void run(LiveWindow& window, PenScript const& script)
     {
         auto const result = run_window(window,
@@ -350,6 +375,22 @@ TEST_F(PenWorksWindow, FillsTheDisplay)
     auto const picture = read_png(read_file(folder_ / "window.png").value());
     EXPECT_GT(picture.width(), kWidth_px);
     EXPECT_GT(picture.height(), kHeight_px);
+}
+
+TEST_F(PenWorksWindow, PressesACardAndDrawsOnTheEmptySheet)
+{
+    ::setenv("XDG_DATA_HOME", folder_.c_str(), 1);
+    PenScript script;
+    script.tap(110, 200); // Along a stroke.
+    script.draw(300, 150, 700, 150);
+    auto window = window_at_start(script);
+    ASSERT_NE(window.start_page(), nullptr);
+    run(window, script);
+    ::unsetenv("XDG_DATA_HOME");
+    EXPECT_EQ(window.start_page(), nullptr);
+    EXPECT_STREQ(window.state().hand.kind().word, "sketch");
+    EXPECT_EQ(window.station().counts().strokes, 1u) << "what presses draws nothing";
+    EXPECT_EQ(window.scene().plants.size(), 1u) << window.state().status;
 }
 
 } // namespace tractus

@@ -57,6 +57,14 @@ TEST_F(Shortcuts, UndoAndRedoNeedControl)
     EXPECT_TRUE(model.was_last_asked_for<Redo>());
 }
 
+TEST_F(Shortcuts, AnotherOneIsForTheKeyAloneAndAnotherDrawingForControl)
+{
+    press('N');
+    EXPECT_TRUE(model.was_last_asked_for<NextVariation>());
+    press('N', true);
+    EXPECT_TRUE(model.was_last_asked_for<OpenStartPage>());
+}
+
 TEST_F(Shortcuts, ToolsAreForAKeyAlone)
 {
     press('E', true);

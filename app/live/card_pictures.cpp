@@ -1,0 +1,146 @@
+#include "app/live/card_pictures.h"
+
+#include "app/live/drawing_file.h"
+#include "app/live/recent_drawings.h"
+#include "app/plants/picture_thread.h"
+#include "app/plants/session_plant.h"
+#include "app/render/read_picture.h"
+#include "drivers/file.h"
+#include "engine/mesh/make_mesh.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace tractus {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// That is looked at in passing.
+constexpr std::uintmax_t kLargestFile_bytes = 32'000'000;
+constexpr double kLongest_s = 5;
+
+std::optional<Image> read_image(fs::path const& file)
+{
+    constexpr std::size_t kLargest_bytes = 4'000'000;
+    auto const bytes = read_file(file, kLargest_bytes);
+    if (!bytes)
+        return std::nullopt;
+    auto image = read_picture(*bytes);
+    return image ? std::optional(*std::move(image)) : std::nullopt;
+}
+
+// Names of the pictures that were ever kept for a file begin alike; the rest says of which state.
+struct KeptName {
+    std::string beginning;
+    std::string whole;
+};
+
+KeptName kept_name(fs::path const& file)
+{
+    std::error_code ignored;
+    auto const beginning = fmt::format(
+        "card-{:016x}-", std::hash<std::string>()(fs::absolute(file, ignored).string()));
+    return { beginning,
+             fmt::format("{}{:x}-{:x}.png", beginning,
+                         written_last(file).time_since_epoch().count(),
+                         fs::file_size(file, ignored)) };
+}
+
+// In place of those of earlier states. A folder that takes none is no reason to say anything.
+void keep(Image const& picture, fs::path const& folder, KeptName const& name)
+{
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+        if (entry->path().filename().string().starts_with(name.beginning)) {
+            std::error_code ignored;
+            fs::remove(entry->path(), ignored);
+        }
+    static_cast<void>(write_file(folder / name.whole,
+                                 [&](std::ostream& out) { return write_png(out, picture); }));
+}
+
+} // namespace
+
+CardPictures::CardPictures(EditKinds kinds, fs::path kept_in)
+    : kinds_(kinds)
+    , kept_in_(std::move(kept_in))
+    , job_([this](fs::path const& file, std::stop_token const& stop) { return make(file, stop); },
+           Urgency::Later)
+{
+}
+
+CardPictures::~CardPictures() = default;
+
+void CardPictures::want(std::deque<fs::path> files)
+{
+    waiting_ = std::move(files);
+}
+
+std::optional<CardPictures::Made> CardPictures::take()
+{
+    std::optional<Made> made;
+    if (is_making_) {
+        made = job_.take();
+        is_making_ = !made && job_.is_busy();
+    }
+    if (!is_making_ && !waiting_.empty()) {
+        is_making_ = true;
+        job_.want(std::move(waiting_.front()));
+        waiting_.pop_front();
+    }
+    return made;
+}
+
+CardPictures::Made CardPictures::make(fs::path const& file, std::stop_token const& stop)
+{
+    Made made { file, nullptr };
+    auto image = is_session_file(file) ? std::nullopt
+                                       : read_image(fs::path(file).replace_extension(".png"));
+    auto const name = kept_name(file);
+    if (!image && !kept_in_.empty())
+        image = read_image(kept_in_ / name.whole);
+    if (!image && !stop.stop_requested()) {
+        image = draw(file, stop);
+        if (image && !kept_in_.empty())
+            keep(*image, kept_in_, name);
+    }
+    if (image)
+        made.picture = std::make_shared<Image const>(*std::move(image));
+    return made;
+}
+
+std::optional<Image> CardPictures::draw(fs::path const& file, std::stop_token const& stop)
+{
+    std::error_code error;
+    if (fs::file_size(file, error) > kLargestFile_bytes || error || cannot_draw_)
+        return std::nullopt;
+    auto const scene = scene_of_plant(file, kinds_, { .max_seconds = kLongest_s });
+    if (!scene || scene->plants.empty() || stop.stop_requested())
+        return std::nullopt;
+    auto const plant = shown_plants(*scene);
+    if (!plant || plant->segment_count() == 0 || stop.stop_requested())
+        return std::nullopt;
+    auto const mesh = make_mesh(*plant, {}, stop);
+    if (stop.stop_requested())
+        return std::nullopt;
+    if (!drawing_) {
+        auto thread = PictureThread::create();
+        cannot_draw_ = !thread;
+        if (!thread)
+            return std::nullopt;
+        drawing_ = std::make_unique<PictureThread>(*std::move(thread));
+    }
+    std::optional<Image> picture;
+    drawing_->draw([&](PictureMaker& maker) {
+        picture = maker.plant(mesh, { .width_px = kWidth_px, .height_px = kHeight_px });
+    });
+    return picture;
+}
+
+} // namespace tractus

@@ -1,0 +1,29 @@
+#include "app/session/begin_empty.h"
+
+#include "engine/scene/make_edit_kind.h"
+
+#include <string>
+
+namespace tractus {
+
+namespace {
+
+void list_nothing(Fields&, BeginEmpty&) { }
+
+// NOLINTNEXTLINE(performance-unnecessary-value-param): as for all kinds.
+Result<DocumentState> emptied(DocumentState state, BeginEmpty const&, SceneBuilder&)
+{
+    return DocumentState { .last_edit = state.last_edit };
+}
+
+std::string described_as_empty(BeginEmpty const&)
+{
+    return "begins with an empty sheet";
+}
+
+} // namespace
+
+constexpr EditKind BeginEmpty::kKind
+    = make_edit_kind<BeginEmpty, list_nothing, emptied, described_as_empty>("begin_empty");
+
+} // namespace tractus

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "app/render/image.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// A large button of the start page: something to begin with, or to go on with.
+struct StartCard {
+    std::string title {};
+    std::string detail {}; // A second line; may be empty.
+    // Null: there is none, or not yet. Shared with who made it; nobody changes it.
+    std::shared_ptr<Image const> picture {};
+    std::string icon {}; // Shown where there is no picture: lines as in ToolKind::icon.
+    char key = 0;        // A capital letter that presses it; 0: none.
+};
+
+// Cards that belong together.
+struct StartCards {
+    std::string title {};
+    std::vector<StartCard> cards {};
+    // The cards are in order of use: the first may stand beside what comes before them, and the
+    // others at the end of the page, under this title. Empty: all stay together.
+    std::string title_of_others {};
+};
+
+struct StartPageState {
+    std::vector<StartCards> groups {}; // None of them without cards.
+    std::string note {};               // A sentence for the person; may be empty.
+    bool is_opening = false;    // A card was chosen: others count for nothing until it opens.
+    std::uint64_t revision = 0; // Changes when anything of this does.
+};
+
+// What the window shows before there is a drawing. Called from the window's thread only.
+class StartPageModel {
+public:
+    virtual ~StartPageModel() = default;
+
+    // Valid until the next choose() or until the window's model advances.
+    virtual StartPageState const& state() const = 0;
+
+    // Opens what the card shows; the page goes when it is open.
+    virtual void choose(std::size_t group, std::size_t card) = 0;
+};
+
+} // namespace tractus

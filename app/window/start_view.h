@@ -1,0 +1,65 @@
+#pragma once
+
+#include "app/render/gl_objects.h"
+#include "app/station/start_page.h"
+#include "app/window/card_grid.h"
+#include "app/window/controls.h"
+#include "app/window/hand_input.h"
+#include "app/window/workbench.h"
+
+#include <imgui.h>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace tractus {
+
+// The start page, over the whole window: cards in a grid, to be pressed with the pen, the mouse or
+// the keys, and above them what the window itself offers. What does not fit is reached by dragging,
+// over cards, too, or with the wheel.
+class StartView {
+public:
+    // `title_font` is theme::apply()'s; `scale` the display's.
+    StartView(ImFont* title_font, float scale)
+        : title_font_(title_font)
+        , scale_(scale)
+    {
+    }
+
+    // In the current ImGui window.
+    void show(StartPageModel& page, Workbench& bench, Controls const& controls);
+
+    // The letter of a card presses it; arrows go from card to card, and Enter presses.
+    void take_key(KeyPress const& press, StartPageModel& page, Workbench& bench);
+
+    // Forgets its pictures: it is not shown any more.
+    void leave();
+
+private:
+    struct Texture {
+        std::shared_ptr<Image const> picture; // Shared with the page; nobody changes it.
+        gl::Texture on_card {};
+    };
+
+    void show_head(StartPageState const& state, Workbench& bench, Controls const& controls) const;
+    void show_cards(StartPageModel& page);
+    bool show_card(StartCard const& card, ImVec2 const& size_px, bool has_focus);
+    void draw_picture(StartCard const& card, ImVec2 const& corner);
+    void draw_words(StartCard const& card, ImVec2 const& corner) const;
+    float words_width() const;
+    void draw_fitted(std::string const& text, ImVec2 const& place, float size_px,
+                     ImU32 color) const;
+    GLuint texture_of(std::shared_ptr<Image const> const& picture);
+    void scroll(bool& presses_count);
+    void scroll_to_focus() const;
+
+    ImFont* title_font_ = nullptr;
+    float scale_ = 1;
+    CardGrid grid_;                    // As last shown.
+    std::optional<std::size_t> focus_; // A place in it, by the keys.
+    bool focus_has_moved_ = false;     // Since the last frame.
+    bool scrolls_ = false;             // The touch under way.
+    std::map<Image const*, Texture> textures_;
+};
+
+} // namespace tractus
