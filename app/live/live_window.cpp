@@ -9,7 +9,6 @@
 #include "engine/base/check.h"
 
 #include <algorithm>
-#include <cctype>
 #include <fmt/core.h>
 #include <utility>
 
@@ -104,15 +103,6 @@ std::optional<std::string> size_note(LiveDevices const& devices, Rig const& rig)
     return fmt::format("The tablet does not tell its size, and {:.0f} x {:.0f} mm is a guess: "
                        "\"tractus doctor\" asks for it",
                        rig.tablet_size_mm.x(), rig.tablet_size_mm.y());
-}
-
-// As sentences in the window begin.
-std::string with_capital(std::string sentence)
-{
-    if (!sentence.empty())
-        sentence.front()
-            = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
-    return sentence;
 }
 
 } // namespace
@@ -567,7 +557,7 @@ void LiveWindow::go_on_with(OpenedDrawing drawing)
     state.title = fmt::format("tractus: {}", drawing.name);
     state.recording.file = before.recording.file;
     if (!drawing.trouble.empty())
-        state.status = with_capital(drawing.trouble);
+        state.status = drawing.trouble;
     else if (auto const& session = controller_->document().session(); session.is_in_file())
         state.status = fmt::format("What is drawn is kept in {}", session.path().string());
 }
