@@ -27,8 +27,10 @@ std::string describe_stroke(Stroke const& stroke)
     double length_mm = 0;
     for (std::size_t i = 1; i < stroke.tips.size(); ++i)
         length_mm += (stroke.tips[i].position_mm - stroke.tips[i - 1].position_mm).norm();
-    double const seconds
-        = stroke.tips.empty() ? 0 : to_seconds(stroke.tips.back().time - stroke.tips.front().time);
+    // Times of a session that somebody has made may be too far apart for a duration.
+    double const seconds = stroke.tips.empty()
+        ? 0
+        : to_seconds(stroke.tips.back().time) - to_seconds(stroke.tips.front().time);
     return fmt::format("{}, {:.0f} mm in {:.1f} s", counted(stroke.tips.size(), "tip"), length_mm,
                        seconds);
 }

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace tractus {
 namespace {
@@ -257,6 +258,16 @@ TEST(DrawnEdits, AMeasuredTreeThatIsNoneChangesNothing)
     auto const scene = after({ measured() });
     EXPECT_EQ(apply_edit(scene, measured("5,x,1,1,1,1,1,1,1\n")).error().message,
               "tree.csv:5: found x in column 2, expected a number");
+}
+
+// A session may come from anybody, with any times.
+TEST(DrawnEdits, AreDescribedWhateverTheirTimes)
+{
+    Associate edit { stroke_towards({ 0, 0, 0 }) };
+    edit.stroke.tips.own().front().time = timestamp_ns(std::numeric_limits<std::int64_t>::min());
+    edit.stroke.tips.own().back().time = timestamp_ns(std::numeric_limits<std::int64_t>::max());
+    EXPECT_NE(Edit(edit).describe().find("in 18446744073.7 s"), std::string::npos)
+        << Edit(edit).describe();
 }
 
 } // namespace
