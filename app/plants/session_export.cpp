@@ -1,15 +1,20 @@
 #include "app/plants/session_export.h"
 
+#include "app/document/model_cost.h"
 #include "app/plants/model_file.h"
 #include "app/plants/session_plant.h"
 #include "app/plants/stroke_file.h"
 #include "drivers/file.h"
+#include "engine/plant/mtg.h"
+#include "engine/plant/plant_addresses.h"
 #include "engine/scene/scene.h"
 #include "engine/stroke/stroke_text.h"
 
 #include <array>
 #include <fmt/format.h>
 #include <iterator>
+#include <map>
+#include <sstream>
 
 namespace tractus {
 
@@ -24,8 +29,12 @@ class FolderWriter {
 public:
     explicit FolderWriter(fs::path folder)
         : folder_(std::move(folder))
+        , inner_(folder_)
     {
     }
+
+    // What is written from here on goes into a folder in it.
+    void enter(fs::path const& inner) { inner_ = folder_ / inner; }
 
     Result<void> write(fs::path const& name, std::string const& text)
     {
@@ -34,7 +43,7 @@ public:
                         fmt::format("the session's model includes {}, which is outside the model's "
                                     "folder",
                                     name.string()));
-        auto const path = folder_ / name;
+        auto const path = inner_ / name;
         TRY(write_file(path, text));
         files.push_back(path);
         return {};
@@ -44,6 +53,7 @@ public:
 
 private:
     fs::path folder_;
+    fs::path inner_;
 };
 
 // The end of a name that was a path, with another ending.
@@ -54,12 +64,13 @@ fs::path file_name(std::string const& path, char const* ending)
     return (is_usable ? stem.string() : "model") + ending;
 }
 
-Result<void> write_plant(FolderWriter& out, LoadModel const& edit)
+Result<void> write_plant(FolderWriter& out, ModelSource const& source,
+                         std::map<std::string, std::string> const& includes)
 {
-    TRY(out.write(file_name(edit.source.name, ".l"), edit.source.text));
-    if (!edit.source.view_text.empty())
-        TRY(out.write(file_name(edit.source.name, ".v"), edit.source.view_text));
-    for (auto const& [name, text] : edit.includes)
+    TRY(out.write(file_name(source.name, ".l"), source.text));
+    if (!source.view_text.empty())
+        TRY(out.write(file_name(source.name, ".v"), source.view_text));
+    for (auto const& [name, text] : includes)
         TRY(out.write(name, text));
     return {};
 }
@@ -96,24 +107,79 @@ Result<void> write_plant(FolderWriter& out, LoadMeasured const& edit)
     return out.write(is_text ? own : file_name(edit.name, usual), edit.text);
 }
 
+// A plant whose source is of no file and no model goes as a graph.
+Result<void> write_graph(FolderWriter& out, std::string const& name, PlantSource const& source)
+{
+    auto const built = TRY(source.build(load_options()));
+    std::ostringstream text;
+    write_mtg(text, built.plant);
+    return out.write(file_name(name, ".mtg"), text.str());
+}
+
+Result<void> write_source(FolderWriter& out, std::string const& name, PlantSource const& source)
+{
+    if (auto const* const edit = loaded_model(source))
+        return write_plant(out, edit->source, edit->includes);
+    if (auto const* const edit = loaded_skeleton(source))
+        return write_plant(out, *edit);
+    if (auto const* const edit = loaded_measured(source))
+        return write_plant(out, *edit);
+    if (auto const model = TRY(source.model()))
+        return write_plant(out, model->source, model->includes);
+    return source.empty() ? Result<void>() : write_graph(out, name, source);
+}
+
+// Where files of a plant or part go that is not the document's first.
+fs::path inner_folder(std::string const& name, ItemId id)
+{
+    return fmt::format("{}-{}", file_name(name, "").string(), name_of(id));
+}
+
+// What stands where, for people.
+std::string describe_place(PlantState const& plant, DocumentState const& state)
+{
+    auto const& at_mm = plant.stands_at_mm;
+    return fmt::format("plant {}: {} at {:.1f}, {:.1f}, {:.1f} mm{}{}\n", name_of(plant.id),
+                       fs::path(plant.name).filename().string(), at_mm.x(), at_mm.y(), at_mm.z(),
+                       plant.is_hidden ? ", hidden" : "",
+                       plant.id == state.active ? ", takes what is drawn" : "");
+}
+
+std::string describe_place(Graft const& graft, PlantState const& bearer)
+{
+    return fmt::format("part {}: {} on plant {}\n", name_of(part_of(graft.prefix)),
+                       fs::path(graft.name).filename().string(), name_of(bearer.id));
+}
+
+// Each plant and each part of one: the first in the folder, the others in folders of their own,
+// since their files may have the same names.
+Result<void> write_plants(FolderWriter& out, DocumentState const& state)
+{
+    std::string places;
+    for (auto const& plant : state.plants) {
+        if (plant != state.plants.front())
+            out.enter(inner_folder(plant->name, plant->id));
+        TRY(write_source(out, plant->name, plant->source));
+        places += describe_place(*plant, state);
+        for (auto const& graft : plant->grafts) {
+            out.enter(inner_folder(graft.name, part_of(graft.prefix)));
+            TRY(write_source(out, graft.name, graft.source));
+            places += describe_place(graft, *plant);
+        }
+    }
+    out.enter("");
+    bool const is_one = state.plants.size() == 1 && state.plants.front()->grafts.empty();
+    return is_one || state.plants.empty() ? Result<void>() : out.write("plants.txt", places);
+}
+
 } // namespace
 
 Result<std::vector<fs::path>> export_session(fs::path const& session, fs::path const& folder,
                                              EditKinds kinds)
 {
-    auto const edits = TRY(session_edits(session, kinds));
     auto const scene = TRY(load_session_scene(session, kinds));
     FolderWriter out(folder);
-    for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit) {
-        if (auto const* const model = edit->get<LoadModel>())
-            TRY(write_plant(out, *model));
-        else if (auto const* const skeleton = edit->get<LoadSkeleton>())
-            TRY(write_plant(out, *skeleton));
-        else if (auto const* const measured = edit->get<LoadMeasured>())
-            TRY(write_plant(out, *measured));
-        if (edit->kind().loads_plant)
-            break;
-    }
+    TRY(write_plants(out, scene.state));
     if (!scene.associations.empty())
         TRY(out.write(kStrokesName, print_strokes(strokes_of(scene))));
     return std::move(out.files);

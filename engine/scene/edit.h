@@ -4,6 +4,7 @@
 #include "engine/plant/skeleton_lines.h"
 #include "engine/scene/anchored.h"
 #include "engine/scene/edit_kind.h"
+#include "engine/scene/plant_source.h"
 #include "engine/stroke/erase_tips.h"
 #include "engine/stroke/stroke.h"
 #include "engine/variation/association.h"
@@ -83,6 +84,11 @@ struct LoadMeasured {
 
     bool operator==(LoadMeasured const&) const = default;
 };
+
+// The edit that has put a source into a document; null for a source of another kind.
+LoadModel const* loaded_model(PlantSource const& source);
+LoadSkeleton const* loaded_skeleton(PlantSource const& source);
+LoadMeasured const* loaded_measured(PlantSource const& source);
 
 // Chooses what the next associations go to, in place of what was chosen. Usually one path, or one
 // for each branch that the pen left undetermined (Streit 2006, section 4.1); none chooses nothing.

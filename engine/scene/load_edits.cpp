@@ -132,6 +132,21 @@ std::string described(LoadMeasured const& edit)
 
 } // namespace
 
+LoadModel const* loaded_model(PlantSource const& source)
+{
+    return source.get<LoadModel>(kLSystem);
+}
+
+LoadSkeleton const* loaded_skeleton(PlantSource const& source)
+{
+    return source.get<LoadSkeleton>(kLines);
+}
+
+LoadMeasured const* loaded_measured(PlantSource const& source)
+{
+    return source.get<LoadMeasured>(kMeasured);
+}
+
 constexpr EditKind LoadModel::kKind
     = make_edit_kind<LoadModel, list, applied, described>("load_model", true);
 

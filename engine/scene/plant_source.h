@@ -2,12 +2,15 @@
 
 #include "engine/base/result.h"
 #include "engine/lsystem/limits.h"
+#include "engine/lsystem/model.h"
 #include "engine/plant/branch_address.h"
 #include "engine/plant/plant.h"
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,6 +34,12 @@ struct BuiltSource {
     AxisKeys axis_keys {};
 };
 
+// A model in cpfg's language, with the files that it includes, by their names.
+struct SourceModel {
+    ModelSource source {};
+    std::map<std::string, std::string> includes {};
+};
+
 // A way to make base plants from what was drawn or written: a row of functions on values of one
 // type, which edits put into a document and nobody changes.
 struct SourceKind {
@@ -39,6 +48,8 @@ struct SourceKind {
     Result<BuiltSource> (*build)(void const* drawn, LoadOptions const& options);
     // Whether two give the same plant for certain.
     bool (*same)(void const* one, void const* other);
+    // The model in cpfg's language whose plant it is, for other programs. Null where there is none.
+    Result<SourceModel> (*model)(void const* drawn) = nullptr;
 };
 
 // The row for sources of type T, which can be compared.
@@ -73,6 +84,14 @@ public:
     Result<BuiltSource> build(LoadOptions const& options) const
     {
         return empty() ? BuiltSource {} : kind_->build(drawn_.get(), options);
+    }
+
+    // The model whose plant it is; no value where the kind has none.
+    Result<std::optional<SourceModel>> model() const
+    {
+        if (empty() || !kind_->model)
+            return std::nullopt;
+        return TRY(kind_->model(drawn_.get()));
     }
 
     // Null for a source of another kind.

@@ -118,6 +118,10 @@ constexpr SourceKind kPenSketch {
         [](void const* one, void const* other) {
             return same(*static_cast<PenSketch const*>(one), *static_cast<PenSketch const*>(other));
         },
+    .model = [](void const* drawn) -> Result<SourceModel> {
+        auto model = TRY(model_of(*static_cast<PenSketch const*>(drawn)));
+        return SourceModel { std::move(model.source), std::move(model.functions) };
+    },
 };
 
 Result<std::vector<Vec3>> points_on_sheet(SketchLine const& line)

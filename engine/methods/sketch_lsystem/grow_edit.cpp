@@ -39,6 +39,9 @@ constexpr SourceKind kSketch {
             return same(*static_cast<GrowAlongStroke const*>(one),
                         *static_cast<GrowAlongStroke const*>(other));
         },
+    .model = [](void const* drawn) -> Result<SourceModel> {
+        return SourceModel { TRY(model_of(*static_cast<GrowAlongStroke const*>(drawn))) };
+    },
 };
 
 void list(Fields& fields, GrowAlongStroke& edit)

@@ -1,10 +1,17 @@
 #include "app/plants/session_export.h"
 
+#include "app/methods/all_methods.h"
+#include "app/plants/model_file.h"
 #include "app/plants/session_plant.h"
+#include "engine/methods/silhouettes/tree_edits.h"
+#include "engine/methods/sketch_lsystem/grow_edit.h"
+#include "engine/plant/mtg.h"
 #include "tests/app/small_model.h"
 
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <string>
 #include <unistd.h>
 
@@ -31,6 +38,49 @@ TEST(SessionExport, WritesNothingOutsideOfItsFolder)
         EXPECT_FALSE(std::filesystem::exists(folder / "escaped"));
     }
     EXPECT_FALSE(std::filesystem::exists("/tmp/tractus_escaped"));
+    std::filesystem::remove_all(folder);
+}
+
+std::string text_of(std::filesystem::path const& file)
+{
+    std::ifstream in(file, std::ios::binary);
+    return { std::istreambuf_iterator<char>(in), {} };
+}
+
+// The models of methods and of parts derive to the plants that they are.
+TEST(SessionExport, GivesEachPlantAndPartItsFiles)
+{
+    auto const folder = std::filesystem::temp_directory_path()
+        / ("tractus_session_export_parts_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    sketch::GrowAlongStroke sketch { .rule = { .shortest_mm = 8 } };
+    sketch.stroke = stroke_through({ { 60, 0, 0 }, { 80, 10, 70 }, { 60, 20, 150 } });
+    silhouette::DrawTree const stem { .part = silhouette::DrawTree::Part::Trunk,
+                                      .stroke = stroke_through({ { 99, -60, 9 }, { 99, 5, 9 } }),
+                                      .stands_at_mm = { 99, 0, 0 } };
+    std::vector<Edit> edits { small_model(), sketch, stem };
+    auto const before = apply_edits({}, edits).value();
+    auto const& host = *before.plants[0];
+    auto const part = before.plants[1]->drawn->id;
+    edits.push_back(
+        GraftPlant { part, host.drawn->id, host.rest->addresses.address_of(*host.base, 2) });
+    auto const kinds = all_methods().edits;
+    ASSERT_TRUE(begin_session(folder / "a.tractus", edits, kinds));
+    auto const written = export_session(folder / "a.tractus", folder / "files", kinds).value();
+    EXPECT_EQ(text_of(folder / "files" / "small.l"), small_model().source.text);
+    auto const model = folder / "files" / "sketch-2" / "sketch.l";
+    auto const alone
+        = apply_edits({}, std::vector<Edit> { load_model_edit(model).value() }).value();
+    EXPECT_EQ(alone.base->node_position_mm, before.plants[1]->base->node_position_mm);
+    EXPECT_EQ(alone.base->organs.size(), before.plants[1]->base->organs.size());
+    auto const graph = text_of(folder / "files" / "tree-3" / "tree.mtg");
+    EXPECT_EQ(parse_mtg("tree.mtg", graph).value().axes.size(), 1u);
+    EXPECT_EQ(text_of(folder / "files" / "plants.txt"),
+              "plant 1: small.l at 0.0, 0.0, 0.0 mm\n"
+              "part 2: sketch on plant 1\n"
+              "plant 3: tree at 99.0, 0.0, 0.0 mm, takes what is drawn\n");
+    for (auto const& file : written)
+        EXPECT_TRUE(std::filesystem::exists(file)) << file;
     std::filesystem::remove_all(folder);
 }
 
