@@ -1,6 +1,7 @@
 #include "app/tools/branch_place.h"
 
 #include "app/tools/bent_plant.h"
+#include "engine/stroke/polyline.h"
 
 #include <algorithm>
 #include <limits>
@@ -28,14 +29,6 @@ struct TouchedBranch {
     bool is_near_begin = false; // Rather than near its end.
     double distance_mm = std::numeric_limits<double>::infinity();
 };
-
-// The point of a line between two others that is nearest to a place, as a share of the way.
-double nearest_share(Vec3 const& place_mm, Vec3 const& from_mm, Vec3 const& to_mm)
-{
-    Vec3 const along_mm = to_mm - from_mm;
-    double const length2 = along_mm.squaredNorm();
-    return length2 > 0 ? std::clamp((place_mm - from_mm).dot(along_mm) / length2, 0.0, 1.0) : 0;
-}
 
 TouchedBranch nearest_to(Scene const& scene, Vec3 const& place_mm, Vec3 const& sight, ItemId except)
 {

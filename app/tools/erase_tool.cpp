@@ -50,10 +50,8 @@ public:
 
     void look_at(Vec3 const& from_mm, Vec3 const& to_mm)
     {
-        Vec2 const along = (to_mm - from_mm).head<2>();
-        Vec2 const to_eraser = (eraser_mm_ - from_mm).head<2>();
-        double const length2 = along.squaredNorm();
-        double const share = length2 > 0 ? std::clamp(to_eraser.dot(along) / length2, 0.0, 1.0) : 0;
+        double const share
+            = nearest_share<Vec2>(eraser_mm_.head<2>(), from_mm.head<2>(), to_mm.head<2>());
         Vec3 const nearest_mm = from_mm + share * (to_mm - from_mm);
         bool const is_seen = nearest_mm.z() <= eraser_mm_.z() + kSeenAbove_mm;
         bool const is_near = (nearest_mm - eraser_mm_).head<2>().norm() <= kRadius_mm;

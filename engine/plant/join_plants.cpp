@@ -125,7 +125,7 @@ private:
         }
     }
 
-    // What rides on the segment of the whole; no value: on one that is hidden.
+    // Whether what rides on a segment, or stands on the ground, is there.
     bool is_shown(SegmentId segment) const
     {
         return segment == kNone || segments_[segment] != kNone;

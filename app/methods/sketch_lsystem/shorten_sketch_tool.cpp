@@ -5,8 +5,8 @@
 #include "engine/methods/sketch_lsystem/change_edits.h"
 #include "engine/plant/plant_addresses.h"
 #include "engine/scene/paper.h"
+#include "engine/stroke/polyline.h"
 
-#include <algorithm>
 #include <optional>
 
 namespace tractus {
@@ -22,11 +22,8 @@ Vec2 seen_at(Vec3 const& point_mm, StrokeSurface surface, Scene const& scene)
 
 double distance_mm(Vec2 const& point_mm, Vec2 const& from_mm, Vec2 const& to_mm)
 {
-    Vec2 const along_mm = to_mm - from_mm;
-    double const length2 = along_mm.squaredNorm();
-    double const share
-        = length2 > 0 ? std::clamp((point_mm - from_mm).dot(along_mm) / length2, 0.0, 1.0) : 0;
-    return (from_mm + share * along_mm - point_mm).norm();
+    double const share = nearest_share(point_mm, from_mm, to_mm);
+    return (from_mm + share * (to_mm - from_mm) - point_mm).norm();
 }
 
 // The segments of the drawn axis, in the plant as it is built.
