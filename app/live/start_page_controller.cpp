@@ -105,7 +105,7 @@ void StartPageController::open(std::string note)
     pictures_.want(std::move(files));
 }
 
-// Those that the page has shown already. Sessions were drawn in since.
+// Pictures that the page has shown already, but for those of sessions, which were drawn in since.
 std::map<fs::path, std::shared_ptr<Image const>> StartPageController::pictures_of_models() const
 {
     std::map<fs::path, std::shared_ptr<Image const>> pictures;

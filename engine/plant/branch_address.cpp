@@ -156,16 +156,6 @@ std::optional<SegmentId> AddressIndex::find_segment(Plant const& plant,
     return segment == kNone ? std::nullopt : std::optional(segment);
 }
 
-std::optional<std::vector<SegmentId>> AddressIndex::find_path(Plant const& plant,
-                                                              PathAddress const& address) const
-{
-    auto const first = find_segment(plant, address.first);
-    auto const last = find_segment(plant, address.last);
-    if (!first || !last)
-        return std::nullopt;
-    return path_between(plant, *first, *last);
-}
-
 std::optional<std::vector<SegmentId>> path_between(Plant const& plant, SegmentId first,
                                                    SegmentId last)
 {

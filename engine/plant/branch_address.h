@@ -61,10 +61,6 @@ public:
     // No value where the plant has nothing at the address.
     std::optional<SegmentId> find_segment(Plant const& plant, SegmentAddress const& address) const;
 
-    // No value where one of its ends is missing, or they are no longer on one way from root to tip.
-    std::optional<std::vector<SegmentId>> find_path(Plant const& plant,
-                                                    PathAddress const& address) const;
-
 private:
     // The first of the axes that the segment bears, or that stand on the ground for kNone.
     std::vector<AxisId>::const_iterator first_on(Plant const& plant, SegmentId parent) const;

@@ -146,6 +146,35 @@ inline std::vector<PathAddress> random_paths()
     return paths;
 }
 
+// An edit of the plants of a document and their parts.
+inline Edit random_plant_edit()
+{
+    switch (*rc::gen::inRange(0, 10)) {
+    case 0:
+        return ActivatePlant { random_id() };
+    case 1:
+        return MovePlant { random_id(), random_vec3() };
+    case 2:
+        return CopyPlant { random_id(), random_vec3(), random_id() };
+    case 3:
+        return HidePlant { random_id(), *rc::gen::arbitrary<bool>() };
+    case 4:
+        return NamePlant { random_id(), random_bytes() };
+    case 5:
+        return RemovePlant { random_id() };
+    case 6:
+        return SetScale { random_double() };
+    case 7:
+        return GraftPlant { random_id(), random_id(), *rc::gen::arbitrary<SegmentAddress>(),
+                            random_vec3(), random_vec3() };
+    case 8:
+        return TakeOffGraft { random_id(), random_id(), random_vec3(), random_id() };
+    default:
+        return HideBranch { random_id(), *rc::gen::arbitrary<SegmentAddress>(),
+                            *rc::gen::arbitrary<bool>() };
+    }
+}
+
 // An edit of any kind with any values, whether or not a scene takes it.
 inline Edit random_edit()
 {
@@ -181,32 +210,12 @@ inline Edit random_edit()
         return edit;
     }
     case 11:
-        return ActivatePlant { random_id() };
-    case 12:
-        return MovePlant { random_id(), random_vec3() };
-    case 13:
-        return CopyPlant { random_id(), random_vec3(), random_id() };
-    case 14:
-        return HidePlant { random_id(), *rc::gen::arbitrary<bool>() };
-    case 15:
-        return NamePlant { random_id(), random_bytes() };
-    case 16:
-        return RemovePlant { random_id() };
-    case 17:
-        return SetScale { random_double() };
-    case 18:
-        return random_measured();
-    case 19:
-        return GraftPlant { random_id(), random_id(), *rc::gen::arbitrary<SegmentAddress>(),
-                            random_vec3(), random_vec3() };
-    case 20:
-        return TakeOffGraft { random_id(), random_id(), random_vec3(), random_id() };
-    case 21:
-        return HideBranch { random_id(), *rc::gen::arbitrary<SegmentAddress>(),
-                            *rc::gen::arbitrary<bool>() };
-    default:
         return SetGrowth { random_growth(), *rc::gen::arbitrary<std::uint64_t>(), random_double(),
                            random_double() };
+    case 12:
+        return random_measured();
+    default:
+        return random_plant_edit();
     }
 }
 

@@ -157,7 +157,7 @@ protected:
         return LiveWindow::create(std::move(devices), std::move(options)).value();
     }
 
-    // The same before there is a drawing.
+    // A pen works the window also before there is a drawing.
     LiveWindow window_at_start(PenScript& script)
     {
         auto const file = folder_ / "pen.tractus-log";

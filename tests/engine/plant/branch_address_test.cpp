@@ -1,6 +1,7 @@
 #include "engine/plant/branch_address.h"
 
 #include "engine/plant/join_axes.h"
+#include "engine/plant/plant_addresses.h"
 #include "tests/engine/variation/plants.h"
 
 #include <gtest/gtest.h>
@@ -39,11 +40,11 @@ TEST(BranchAddress, HoldsWhenThePlantChangesElsewhere)
     auto const trunk = add_axis(changed, straight({ 0, 0, 0 }, { 0, 0, 400 }, 4));
     add_axis(changed, straight({ 0, 0, 100 }, { 0, 90, 100 }, 5), trunk, 0);
     auto const right = add_axis(changed, straight({ 0, 0, 200 }, { 150, 0, 200 }, 3), trunk, 1);
-    EXPECT_EQ(AddressIndex(changed).find_path(changed, address),
+    EXPECT_EQ(PlantAddresses(changed).find_path(changed, address),
               std::nullopt); // The twig is not there yet.
     add_axis(changed, straight({ 50, 0, 200 }, { 50, 0, 260 }, 2), right,
              changed.axes[right].first_segment);
-    EXPECT_EQ(AddressIndex(changed).find_path(changed, address),
+    EXPECT_EQ(PlantAddresses(changed).find_path(changed, address),
               (std::vector<SegmentId> { 1, 9, 12, 13 }));
 }
 
@@ -57,7 +58,7 @@ TEST(BranchAddress, FollowsTheKeyOfAnAxis)
     AddressIndex const index(plant, keys);
     auto const address = index.address_of(plant, path);
     EXPECT_EQ(address.first.front(), kKeyedAxis);
-    EXPECT_EQ(index.find_path(plant, address), path);
+    EXPECT_EQ(PlantAddresses(plant, keys).find_path(plant, address), path);
     for (SegmentId segment = 0; segment < plant.segment_count(); ++segment)
         EXPECT_EQ(index.find_segment(plant, index.address_of(plant, segment)),
                   std::optional(segment));
@@ -69,13 +70,13 @@ TEST(BranchAddress, FollowsTheKeyOfAnAxis)
     AxisKeys changed_keys(changed.axes.size(), 0);
     changed_keys[right] = axis_key("right");
     auto const first = changed.axes[right].first_segment;
-    auto const found = AddressIndex(changed, changed_keys).find_path(changed, address);
+    auto const found = PlantAddresses(changed, changed_keys).find_path(changed, address);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->front(), first);
     EXPECT_EQ(found->back(), first + 6) << "the whole branch stays the whole";
-    EXPECT_EQ(AddressIndex(changed).find_path(changed, address), std::nullopt);
+    EXPECT_EQ(PlantAddresses(changed).find_path(changed, address), std::nullopt);
     changed_keys[trunk] = axis_key("right");
-    EXPECT_EQ(AddressIndex(changed, changed_keys).find_path(changed, address), std::nullopt)
+    EXPECT_EQ(PlantAddresses(changed, changed_keys).find_path(changed, address), std::nullopt)
         << "two of the same name have none";
 }
 

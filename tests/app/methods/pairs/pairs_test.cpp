@@ -58,7 +58,7 @@ void load_model(Steps& steps, double x_mm)
     steps.add(model);
 }
 
-// The same rules with longer internodes.
+// The model has the same rules with longer internodes.
 Edit change_model(ItemId)
 {
     auto model = small_model();
