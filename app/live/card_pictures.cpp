@@ -3,6 +3,7 @@
 #include "app/live/drawing_file.h"
 #include "app/live/recent_drawings.h"
 #include "app/plants/picture_thread.h"
+#include "app/plants/plant_group.h"
 #include "app/plants/session_plant.h"
 #include "app/render/read_picture.h"
 #include "drivers/file.h"

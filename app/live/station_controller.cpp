@@ -3,7 +3,8 @@
 #include "app/dated_path.h"
 #include "app/plants/glb_size.h"
 #include "app/plants/plant_file.h"
-#include "app/plants/session_plant.h"
+#include "app/plants/plant_group.h"
+#include "app/plants/plant_season.h"
 #include "app/station/orphans.h"
 #include "drivers/file.h"
 
@@ -194,6 +195,21 @@ void StationController::perform(ChangeGrowth const& command, Station& station)
         return WantedStep::Change { { growth }, std::move(status) };
     };
     set_growth(set, station);
+}
+
+void StationController::perform(ChangeSeason const& command, Station& station)
+{
+    if (command.slider == ChangeGrowth::Slider::Moving)
+        return view_.preview(command.season);
+    auto const change
+        = [season = command.season](Scene const& scene) -> Result<WantedStep::Change> {
+        auto edits = TRY(season_edits(scene, season));
+        auto status = season ? fmt::format("It is {}", month_name(season->month))
+                             : std::string("No season: leaves as the models have them");
+        return WantedStep::Change { std::move(edits), std::move(status) };
+    };
+    document_->make({ change, WantedStep::Of::Scene });
+    show_document(station, now_);
 }
 
 void StationController::perform(AskForCollection const& command, Station&)

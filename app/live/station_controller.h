@@ -57,6 +57,7 @@ public:
 
     void perform(NextVariation const&, Station& station);
     void perform(ChangeGrowth const& command, Station& station);
+    void perform(ChangeSeason const& command, Station& station);
     void perform(AskForCollection const& command, Station& station);
     void perform(PickVariation const& command, Station& station);
     void perform(SavePicture const& command, Station& station);

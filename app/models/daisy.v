@@ -14,3 +14,6 @@ organ: l leaf kind=blade material=2 length=6 width=1.9 petiole=0 widest=0.6 tip=
 organ: p petal kind=blade material=3 length=2.8 width=0.84 petiole=0 widest=0.6 tip=0.1 base=0.6 fold=7 curl=22
 organ: d disc kind=disc material=4 length=0.6 width=1.6
 organ: c cup kind=ball material=5 length=0.75 width=1.3
+calendar: p opens=4.6 grown=5.2 turns=9 bare=10.4
+calendar: d opens=4.6 grown=5.2 turns=9 bare=10.4
+calendar: c opens=4.6 grown=5.2 turns=9 bare=10.4

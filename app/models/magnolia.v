@@ -12,3 +12,5 @@ organ: l leaf kind=blade material=2 length=14 width=6.5 petiole=1.5 widest=0.6 t
 organ: p tepal kind=blade material=3 length=9 width=4.6 petiole=0 widest=0.6 tip=0.3 base=0.6 fold=40 curl=-48
 organ: c cone kind=ball material=4 length=2.6 width=1.1
 leaf: l magnolia
+calendar: l opens=4.4 grown=5.9 turns=9.4 bare=11.5
+calendar: p opens=3.4 grown=3.9 turns=4.7 bare=5.2

@@ -16,3 +16,4 @@ organ: g receptacle kind=disc material=6 length=1.4 width=20
 organ: o floret kind=ball material=5 length=1.5 width=0.62
 organ: i floret kind=ball material=4 length=1.1 width=0.72
 organ: c floret kind=ball material=7 length=0.8 width=0.66
+calendar: p opens=6.4 grown=7.2 turns=8.8 bare=9.8

@@ -42,6 +42,8 @@ Result<void> write_manifest(std::ostream& out, CollectionOptions const& options,
     };
     if (options.drawing)
         head["drawing"] = options.drawing->log.filename().string();
+    if (auto const& season = options.growth.season)
+        head["season"] = { { "month", season->month }, { "fallen", season->fallen } };
     auto text = line(head);
     text.pop_back(); // The closing brace.
     out << text << ",\n\"plants\": [";

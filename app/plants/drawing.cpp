@@ -2,6 +2,7 @@
 
 #include "app/document/document.h"
 #include "app/plants/model_file.h"
+#include "app/plants/plant_season.h"
 #include "app/plants/session_plant.h"
 #include "app/plants/stroke_file.h"
 #include "app/play/paced_log.h"
@@ -202,6 +203,11 @@ Result<std::vector<Edit>> growing_plant_edits(PlantChoice const& plant, GrowthOp
     if (!own || growth.preset)
         own = TRY(growth_preset(growth.preset.value_or(kUsual)));
     edits.push_back(SetGrowth { *own, seed, growth.variability });
+    if (growth.season) {
+        auto const scene = TRY(scene_after({}, edits));
+        for (auto& edit : TRY(season_edits(scene, growth.season)))
+            edits.push_back(std::move(edit));
+    }
     return edits;
 }
 

@@ -21,7 +21,8 @@ struct GrowthOptions {
     // See growth_presets(). Without it a session's plants grow as the session says, and others as
     // "usual".
     std::optional<std::string> preset {};
-    double variability = 1; // See at_variability().
+    double variability = 1;          // See at_variability().
+    std::optional<Season> season {}; // No value: as a session says, and else without one.
 };
 
 // How the plants of `model` grow, in words.

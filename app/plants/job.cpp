@@ -1,6 +1,8 @@
 #include "app/plants/job.h"
 
 #include "app/plants/pictures.h"
+#include "app/plants/plant_group.h"
+#include "app/plants/plant_season.h"
 #include "app/plants/session_plant.h"
 #include "app/render/contact_sheet.h"
 #include "drivers/file.h"
@@ -25,11 +27,69 @@ constexpr PictureSize kTile { 420, 420 };
 // Enough for a tile, in which the thickest trunk is a few pixels wide.
 constexpr MeshOptions kTileMesh { .min_sides = 3, .max_sides = 8, .subdivision = 2 };
 
-// Columns of a sheet or a field of `count` plants: a little wider than high.
+// Columns of a sheet or a field of `count` plants: a little wider than high, and one fewer where
+// the rows are full then.
 int columns(std::size_t count)
 {
-    return static_cast<int>(std::ceil(std::sqrt(1.2 * static_cast<double>(count))));
+    auto const wide = static_cast<std::size_t>(std::ceil(std::sqrt(1.2 * double(count))));
+    bool const is_fuller = wide > 1 && count % wide != 0 && count % (wide - 1) == 0;
+    return static_cast<int>(is_fuller ? wide - 1 : wide);
 }
+
+// The plants of a job: the variations of what was drawn and, if wanted, the drawing itself in each
+// season.
+class Sequence {
+public:
+    static Result<Sequence> create(Scene const& scene, JobOptions const& options)
+    {
+        Sequence sequence(options, TRY(PlantGroup::create(scene)));
+        if (options.all_seasons)
+            for (auto const* name : { "spring", "summer", "autumn", "winter" }) {
+                auto season = options.growth.season.value_or(Season());
+                season.month = parse_month(name).value();
+                auto const there = TRY(with_season(scene, season));
+                sequence.seasons_.push_back({ name, TRY(shown_plants(there)) });
+            }
+        return sequence;
+    }
+
+    std::size_t size() const { return options_->variations + seasons_.size(); }
+
+    // The number of a variation, or the season's name.
+    std::string name(std::size_t index) const
+    {
+        return index < options_->variations ? fmt::format("{}", index + 1) : season(index).name;
+    }
+
+    // Holds until the next call.
+    Plant const& grow(std::size_t index)
+    {
+        return index < options_->variations
+            ? group_.grow({ options_->seed, static_cast<std::uint32_t>(index) }, options_->age)
+            : season(index).plant;
+    }
+
+private:
+    struct InSeason {
+        std::string name;
+        Plant plant;
+    };
+
+    Sequence(JobOptions const& options, PlantGroup group)
+        : options_(&options)
+        , group_(std::move(group))
+    {
+    }
+
+    InSeason const& season(std::size_t index) const
+    {
+        return seasons_[index - options_->variations];
+    }
+
+    JobOptions const* options_;
+    PlantGroup group_;
+    std::vector<InSeason> seasons_;
+};
 
 // One job on its way: each member function is a stage.
 class Job {
@@ -48,8 +108,7 @@ private:
     Result<void> draw_base(Drawing const& drawing);
     Result<void> make_collection(Scene const& scene);
     Result<void> write_picture(std::string const& name, Image const& picture);
-    Result<void> write_collection(Bounds const& frame,
-                                  std::function<Mesh(std::size_t)> const& mesh);
+    Result<void> write_collection(Bounds const& frame, Sequence& sequence);
 
     JobOptions const& options_;
     Progress& progress_;
@@ -115,7 +174,7 @@ Result<void> Job::write_picture(std::string const& name, Image const& picture)
 Result<void> Job::draw_base(Drawing const& drawing)
 {
     progress_.begin("drawing the base plant and the strokes");
-    auto const mesh = make_mesh(*drawing.scene.base);
+    auto const mesh = make_mesh(*drawing.scene.in_season);
     report_.triangles = mesh.triangle_count();
     TRY(write_picture("base.png", pictures_->plant(mesh, kPicture)));
     TRY(write_picture("strokes.png", pictures_->strokes(drawing.scene, drawing.strokes, kPicture)));
@@ -124,23 +183,16 @@ Result<void> Job::draw_base(Drawing const& drawing)
 
 Result<void> Job::make_collection(Scene const& scene)
 {
-    auto const plan = TRY(plan_growth(scene));
-    Grower grower(plan);
+    auto plants = TRY(Sequence::create(scene, options_));
     // Grown again whenever it is needed: that is quicker than keeping them all is large.
-    Plant young;
-    auto const plant = [&](std::size_t index) -> Plant const& {
-        auto const& grown
-            = grower.grow({ options_.seed, static_cast<std::uint32_t>(index) }, options_.age);
-        if (options_.age == 1)
-            return grown;
-        young = without_unborn(grown);
-        return young;
-    };
-    report_.plants = options_.variations;
+    auto const plant = [&](std::size_t index) -> Plant const& { return plants.grow(index); };
+    auto const count = plants.size();
+    report_.plants = count;
 
     progress_.begin("growing the collection", options_.variations);
     Framing framing({}, kTile.aspect()); // Shows all at one scale.
     Bounds frame;
+    // What has fallen in other seasons lies far around.
     for (std::size_t i = 0; i < options_.variations; ++i) {
         auto const mesh = make_mesh(plant(i)); // Leaves and petals stand out.
         framing.add(mesh);
@@ -150,38 +202,39 @@ Result<void> Job::make_collection(Scene const& scene)
         progress_.step();
     }
 
-    progress_.begin("drawing the collection", options_.variations);
+    progress_.begin("drawing the collection", count);
     std::vector<SheetTile> tiles;
-    for (std::size_t i = 0; i < options_.variations; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         auto const& grown = plant(i);
         if (i == 0)
             TRY(write_picture("varied.png", pictures_->plant(make_mesh(grown), kPicture)));
         tiles.push_back({ pictures_->plant(make_mesh(grown, kTileMesh), kTile, framing.camera()),
-                          fmt::format("{}", i + 1) });
+                          plants.name(i) });
         progress_.step();
     }
     SheetStyle style;
-    style.columns = columns(options_.variations);
+    style.columns = columns(count);
     TRY(write_picture("collection.png", contact_sheet(tiles, style)));
-    return write_collection(frame, [&](std::size_t i) { return make_mesh(plant(i)); });
+    return write_collection(frame, plants);
 }
 
-Result<void> Job::write_collection(Bounds const& frame,
-                                   std::function<Mesh(std::size_t)> const& mesh)
+Result<void> Job::write_collection(Bounds const& frame, Sequence& sequence)
 {
     // Spacing in a plant's width, so that neighbours do not touch.
     constexpr double kPlantSpacing = 1.15;
     progress_.begin("writing the collection");
     double const spacing_mm
         = kPlantSpacing * std::max((frame.max_mm - frame.min_mm).head<2>().maxCoeff(), 1.0);
-    auto const row = static_cast<std::size_t>(columns(options_.variations));
+    auto const row = static_cast<std::size_t>(columns(sequence.size()));
     std::vector<PlacedMesh> plants;
-    for (std::size_t i = 0; i < options_.variations; ++i)
+    for (std::size_t i = 0; i < sequence.size(); ++i)
         plants.push_back(
-            { .name = fmt::format("{} {}", options_.model.stem().string(), i + 1),
+            { .name = fmt::format("{} {}", options_.model.stem().string(), sequence.name(i)),
               .position_mm
               = spacing_mm * Vec3(static_cast<double>(i % row), -static_cast<double>(i / row), 0),
-              .mesh = std::function<Mesh()>([&mesh, i] { return mesh(i); }) });
+              .mesh = std::function<Mesh()>([&sequence, &style = options_.mesh, i] {
+                  return make_mesh(sequence.grow(i), style);
+              }) });
     auto const path = options_.folder / "collection.glb";
     auto const write = [&](std::ostream& out) -> Result<void> {
         auto const summary = TRY(write_glb(out, plants, options_.glb));
@@ -210,6 +263,8 @@ std::string print_report(JobReport const& report)
     if (report.growth.preset || report.growth.variability != 1)
         text += fmt::format("growth                {}, variability {}\n",
                             growth_name(report.model, report.growth), report.growth.variability);
+    if (report.growth.season)
+        text += fmt::format("season                {}\n", month_name(report.growth.season->month));
     auto const count = [&](char const* name, std::size_t value) {
         text += fmt::format("{:<22}{}\n", name, value);
     };

@@ -4,6 +4,7 @@
 #include "app/terminal/progress.h"
 #include "engine/base/result.h"
 #include "engine/export/glb_writer.h"
+#include "engine/mesh/make_mesh.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +14,8 @@
 
 namespace tractus {
 
-// The main job: a recorded drawing and a model become a set of varied plants.
+// The main job: a recorded drawing and a model become a set of varied plants. Where several plants
+// were drawn each of the set is all of them.
 struct JobOptions {
     DrawingOptions drawing {};
     std::filesystem::path model {};
@@ -21,8 +23,10 @@ struct JobOptions {
     std::size_t variations = 12;        // Plants in the collection; at least 1.
     std::filesystem::path folder = "."; // Made if it is not there.
     GrowthOptions growth {};
-    double age = 1;                   // Age of all plants; see Grower::grow().
-    GlbOptions glb {};                // Options of the collection's file.
+    double age = 1;           // Age of all plants; see Grower::grow().
+    bool all_seasons = false; // Also the drawing itself in four seasons.
+    GlbOptions glb {};        // Options of the collection's file, as the next one.
+    MeshOptions mesh {};
     std::filesystem::path session {}; // The new file that keeps what is drawn; empty: none.
 };
 

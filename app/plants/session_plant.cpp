@@ -1,7 +1,6 @@
 #include "app/plants/session_plant.h"
 
 #include "app/terminal/error_text.h"
-#include "engine/plant/join_plants.h"
 #include "engine/scene/edit_ids.h"
 #include "engine/variation/growth.h"
 
@@ -113,32 +112,6 @@ Result<Plant> shown_plant(BuiltPlant const& built)
     Grower grower(plan);
     auto const& plant = grower.grow({ built.growth.seed, 0 }, built.growth.age);
     return built.growth.age < 1 ? without_unborn(plant) : plant;
-}
-
-Result<Plant> shown_plants(Scene const& scene)
-{
-    if (scene.plants.empty())
-        return shown_plant(scene);
-    Plant all;
-    BuiltPlant const* first = nullptr;
-    for (auto const& plant : scene.plants) {
-        if (plant->drawn->is_hidden)
-            continue;
-        // The scene may have the active plant otherwise than the document has it.
-        bool const is_active = plant->drawn->id == scene.drawn->id;
-        auto shown = TRY(shown_plant(is_active ? static_cast<BuiltPlant const&>(scene) : *plant));
-        if (!first) {
-            first = plant.get();
-            all = std::move(shown);
-            continue;
-        }
-        Vec3 const moved_mm
-            = first->placement.plant_of_world(plant->placement.world_of_plant(Vec3::Zero()));
-        append_plant(all, shown, moved_mm);
-    }
-    if (!first)
-        return fail(Fault::User, "all plants are hidden: show one");
-    return all;
 }
 
 Result<Session> begin_session(std::filesystem::path const& path, std::vector<Edit> const& edits,

@@ -43,10 +43,6 @@ Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost co
 // plan_growth().
 Result<Plant> shown_plant(BuiltPlant const& built);
 
-// Returns all plants of a document that are not hidden, each as above and where it stands, as one
-// in the frame of the first of them. Fails, as the user's fault, where all are hidden.
-Result<Plant> shown_plants(Scene const& scene);
-
 // Begins a session that this program, at this time, begins with `edits`. Fails like
 // Session::create().
 Result<Session> begin_session(std::filesystem::path const& path, std::vector<Edit> const& edits,

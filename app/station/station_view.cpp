@@ -286,6 +286,15 @@ void StationView::preview(SetGrowth const& growth)
     state_.growth
         = { std::string(growth_preset_of(growth.parameters)), growth.variability, growth.age };
     grower_->grow({ grown_scene_, growth });
+    state_.season = grown_scene_->state.season;
+    state_.is_growing = true;
+}
+
+void StationView::preview(std::optional<Season> const& season)
+{
+    auto seen = std::make_shared<Scene const>(preview_in_season(*grown_scene_, season));
+    auto const& growth = seen->growth;
+    grower_->grow({ seen, growth });
     state_.is_growing = true;
 }
 

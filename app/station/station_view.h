@@ -48,6 +48,9 @@ public:
     // What other growth would give.
     void preview(SetGrowth const& growth);
 
+    // What another season would give.
+    void preview(std::optional<Season> const& season);
+
     // Grows so many variations of the plant, from its own seed on.
     void collect(std::size_t count);
 

@@ -13,6 +13,7 @@
 #include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"
 #include "engine/scene/paper.h"
+#include "engine/scene/season.h"
 
 #include <Eigen/Geometry>
 #include <cstddef>
@@ -131,7 +132,8 @@ struct WindowState {
     Mesh const* plant = nullptr;
     // A newer plant is being grown in the background; meanwhile the last one stays.
     bool is_growing = false;
-    GrowthView growth; // Of the newest one that was asked for.
+    GrowthView growth;               // Of the newest one that was asked for.
+    std::optional<Season> season {}; // Of the document.
 
     // Those that were asked for last, as far as they have been grown; they come one by one.
     std::uint64_t collection_revision = 0;
@@ -196,6 +198,12 @@ struct NextVariation { }; // "Another one": the next seed.
 struct ChangeGrowth {
     GrowthView growth;
     enum class Slider { Moving, Released } slider = Slider::Released;
+};
+// The time of the year that all plants show; no value: as their models have their leaves. While a
+// slider that sets it moves it is only shown, as with growth.
+struct ChangeSeason {
+    std::optional<Season> season {};
+    ChangeGrowth::Slider slider = ChangeGrowth::Slider::Released;
 };
 struct AskForCollection {
     std::size_t count = 12; // 0 takes the present one away.
@@ -262,7 +270,7 @@ using WindowCommand
     = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture, ChooseTool, Undo,
                    Redo, ChangeGrowth, AskForCollection, PickVariation, SetPressingAreas,
                    PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording, WatchDevices,
-                   OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage>;
+                   OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage, ChangeSeason>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

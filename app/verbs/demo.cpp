@@ -18,20 +18,22 @@ void add_demo_verb(CLI::App& root, Action& action, Methods const& methods)
 {
     struct DemoArguments {
         JobOptions job;
-        std::string plant = "broadleaf";
+        std::string plant = "station";
     };
     auto arguments = std::make_shared<DemoArguments>();
     arguments->job.folder = "tractus-demo";
     auto* const verb = root.add_subcommand(
         "demo",
-        "See what the station is for: a drawing recorded on the simulated rig varies a plant");
+        "See what the station is for: a drawing recorded on the simulated rig varies plants");
     add_folder_option(*verb, arguments->job.folder);
     add_organs_option(*verb, arguments->job.glb);
     verb->footer(job_footer());
-    verb->add_option("--plant", arguments->plant,
-                     "Which of our plants: broadleaf, conifer, daisy or shrub")
+    verb->add_option(
+            "--plant", arguments->plant,
+            "Which drawing: one on our broadleaf, conifer, daisy or shrub, or station: three "
+            "plants drawn by every method, also in four seasons")
         ->type_name("NAME")
-        ->check(one_of({ "broadleaf", "conifer", "daisy", "shrub" }))
+        ->check(one_of({ "broadleaf", "conifer", "daisy", "shrub", "station" }))
         ->capture_default_str();
     add_seed_option(*verb, arguments->job.seed);
     verb->callback([arguments, methods, &action] {
@@ -39,7 +41,18 @@ void add_demo_verb(CLI::App& root, Action& action, Methods const& methods)
             auto job = arguments->job;
             job.drawing.methods = methods;
             TRY(check_writable(job.folder / "report.txt"));
-            job.model = TRY(find_model(arguments->plant));
+            bool const is_station = arguments->plant == "station";
+            job.model = TRY(find_model(is_station ? "birch" : arguments->plant));
+            job.all_seasons = is_station;
+            if (is_station) { // Sixteen times three plants, for whoever opens the file first.
+                job.growth.season.emplace();
+                job.mesh = { .min_sides = 3,
+                             .max_sides = 8,
+                             .subdivision = 2,
+                             .ends = MeshOptions::Ends::Open,
+                             .sections = MeshOptions::Sections::SameArea };
+                job.glb.vertices = GlbOptions::Vertices::Quantized;
+            }
             job.drawing.log
                 = TRY(find_resource(fmt::format("demo/{}.tractus-log", arguments->plant)));
             Progress progress;

@@ -3,6 +3,8 @@
 #include "app/plants/model_file.h"
 #include "app/plants/pictures.h"
 #include "app/plants/plant_file.h"
+#include "app/plants/plant_group.h"
+#include "app/plants/plant_season.h"
 #include "app/plants/session_plant.h"
 #include "app/resources.h"
 #include "app/terminal/console.h"
@@ -190,7 +192,7 @@ Result<Scene> with_growth(GrowthOptions const& options, Scene scene)
     growth.parameters = TRY(options.preset ? growth_preset(*options.preset)
                                            : at_variability(growth.parameters, growth.variability));
     growth.variability = options.variability;
-    return apply_edit(std::move(scene), growth);
+    return with_season(TRY(apply_edit(std::move(scene), growth)), options.season);
 }
 
 Result<Scene> add_drawing(DrawingOptions const& options, Scene scene, std::string const& name)
@@ -223,7 +225,7 @@ Result<void> grow_model(GrowArguments const& arguments, Methods const& methods)
     if (arguments.frames > 0)
         return write_sequence(arguments, scene, name);
     if (!is_session && !arguments.is_varied())
-        return write_one(arguments, *scene.base, name);
+        return write_one(arguments, *scene.in_season, name);
     return write_one(arguments, TRY(shown_plants(scene)), name);
 }
 

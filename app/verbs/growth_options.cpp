@@ -33,6 +33,37 @@ void add_growth_options(CLI::App& verb, GrowthOptions& growth, std::string const
         ->type_name("X")
         ->check(number(0, 4))
         ->capture_default_str();
+    add_season_options(verb, growth.season);
+}
+
+void add_season_options(CLI::App& verb, std::optional<Season>& season)
+{
+    auto* const month = verb.add_option_function<std::string>(
+        "--season",
+        [&season](std::string const& text) {
+            if (!season)
+                season.emplace();
+            season->month = *parse_month(text);
+        },
+        "The time of the year: buds, spring, summer, autumn, winter or bare, a month's name, or "
+        "its number, 1 to below 13; without it, as the model or the session has its leaves");
+    month->type_name("WHEN")->check(CLI::Validator(
+        [](std::string const& text) {
+            auto const read = parse_month(text);
+            return read ? "" : read.error().message;
+        },
+        ""));
+    verb.add_option_function<double>(
+            "--fallen",
+            [&season](double share) {
+                if (!season)
+                    season.emplace();
+                season->fallen = share;
+            },
+            "Share of the leaves fallen by then that lie on the ground, 0 to 1 (0.25)")
+        ->type_name("X")
+        ->check(number(0, 1))
+        ->needs(month);
 }
 
 void add_age_option(CLI::App& verb, double& age)

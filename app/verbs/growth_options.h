@@ -3,13 +3,17 @@
 #include "app/plants/drawing.h"
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 namespace tractus {
 
-// "--growth NAME" and "--variability X": how a verb's plants grow. `without` ends a sentence: how
-// they grow without a name. `growth` must live as long as the verb.
+// "--growth NAME", "--variability X" and the season's options: how a verb's plants grow. `without`
+// ends a sentence: how they grow without a name. `growth` must live as long as the verb.
 void add_growth_options(CLI::App& verb, GrowthOptions& growth, std::string const& without);
+
+// "--season WHEN" and "--fallen X": the time of the year. `season` must live as long as the verb.
+void add_season_options(CLI::App& verb, std::optional<Season>& season);
 
 // "--age X": how old they are, all alike. `age` must live as long as the verb.
 void add_age_option(CLI::App& verb, double& age);

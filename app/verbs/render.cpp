@@ -1,5 +1,6 @@
 #include "app/verbs/render.h"
 
+#include "app/plants/plant_group.h"
 #include "app/plants/session_plant.h"
 #include "app/render/offscreen_context.h"
 #include "app/render/renderer.h"

@@ -45,6 +45,8 @@ void add_replay_verb(CLI::App& root, Action& action, Methods const& methods)
         ->capture_default_str();
     add_growth_options(*verb, arguments->job.growth, "usual, or as in a session");
     add_age_option(*verb, arguments->job.age);
+    verb->add_flag("--seasons", arguments->job.all_seasons,
+                   "Show what was drawn also in spring, summer, autumn and winter");
     add_folder_option(*verb, arguments->job.folder);
     add_organs_option(*verb, arguments->job.glb);
     verb->add_option("--session", arguments->job.session,

@@ -11,6 +11,8 @@
 
 namespace tractus {
 
+static constexpr float kLastMonth = 12.99f;
+
 namespace {
 
 constexpr float kMenuWidth_px = 460;
@@ -178,7 +180,7 @@ void Menu::show_window(WindowState const& state, Workbench& bench, Controls cons
         bench.wants_to_close = true;
 }
 
-void Menu::show_plant(WindowModel& model, Controls const& controls) const
+void Menu::show_plant(WindowModel& model, Controls const& controls)
 {
     if (controls.button("Another one", item_px()))
         model.perform(NextVariation {});
@@ -204,6 +206,7 @@ void Menu::show_plant(WindowModel& model, Controls const& controls) const
         change.slider = ChangeGrowth::Slider::Released;
         model.perform(change);
     }
+    show_season(model, controls);
     if (model.state().orphans.empty())
         return;
     ImGui::Spacing();
@@ -212,6 +215,35 @@ void Menu::show_plant(WindowModel& model, Controls const& controls) const
         ImGui::TextWrapped("%s: %s", orphan.name.c_str(), orphan.place.c_str());
     if (controls.button("Take them away", item_px()))
         model.perform(TakeOrphansAway {});
+}
+
+// The slider's left end is no season: leaves as the models have them.
+void Menu::show_season(WindowModel& model, Controls const& controls)
+{
+    auto season = model.state().season;
+    double month = moved_month_.value_or(season ? season->month : 0);
+    bool is_released = false;
+    auto const text = month < 1 ? std::string("no season") : month_name(month);
+    bool const moves = show_slider("##season", text.c_str(), kLastMonth, month, is_released);
+    moved_month_ = moves ? std::optional(month) : is_released ? std::nullopt : moved_month_;
+    using Slider = ChangeGrowth::Slider;
+    auto const go_to = [&](double wanted, Slider slider = Slider::Released) {
+        if (wanted < 1)
+            season.reset();
+        else
+            season = Season { wanted, season.value_or(Season()).fallen };
+        model.perform(ChangeSeason { season, slider });
+    };
+    if (moves || is_released)
+        go_to(month, is_released ? Slider::Released : Slider::Moving);
+    bool is_left = true;
+    for (auto const* name : { "Spring", "Summer", "Autumn", "Winter" }) {
+        if (!std::exchange(is_left, !is_left))
+            ImGui::SameLine();
+        auto const named = parse_month(name).value();
+        if (controls.button(name, item_px(2), season && season->month == named))
+            go_to(named);
+    }
 }
 
 // True while the slider moves.

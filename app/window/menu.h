@@ -5,6 +5,7 @@
 #include "engine/export/glb_writer.h"
 
 #include <functional>
+#include <optional>
 
 namespace tractus {
 
@@ -29,7 +30,8 @@ public:
 
 private:
     void show_pages(Workbench& bench, Controls const& controls) const;
-    void show_plant(WindowModel& model, Controls const& controls) const;
+    void show_plant(WindowModel& model, Controls const& controls);
+    void show_season(WindowModel& model, Controls const& controls);
     void show_keeping(WindowModel& model, Controls const& controls,
                       std::function<Image()> const& picture);
     void show_organs(Controls const& controls);
@@ -44,6 +46,7 @@ private:
     float scale_ = 1;
     float row_px_ = 0; // As wide as the panel is inside.
     DevicesPanel devices_;
+    std::optional<double> moved_month_; // Where the season's slider is while it moves.
     GlbOptions::Organs organs_ = GlbOptions::Organs::Merged; // Of the next .glb.
 };
 

@@ -3,6 +3,7 @@
 #include "engine/lsystem/text_lines.h"
 #include "engine/lsystem/view_reader.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -70,13 +71,13 @@ public:
         LeafSheet sheet;
         auto const color = TRY(numbers("mean", 3));
         sheet.mean_color = Vec3(color[0], color[1], color[2]).cwiseMax(0).cwiseMin(1).cast<float>();
-        sheet.color_png = TRY(picture("color"));
-        sheet.normal_png = TRY(picture("normal"));
+        sheet.color = leaf_page(TRY(picture("color")));
+        sheet.normal = leaf_page(TRY(picture("normal")));
         auto const count = TRY(numbers("leaves", 1))[0];
         if (!(count >= 1 && count <= double(kMostLeaves)))
             return error("expected 1 to 64 leaves");
         for (int i = 0; i < static_cast<int>(count); ++i)
-            sheet.leaves.push_back(std::make_shared<CutLeaf const>(TRY(leaf())));
+            sheet.leaves.push_back(std::make_shared<CutLeaf const>(TRY(leaf(i))));
         return sheet;
     }
 
@@ -110,13 +111,15 @@ private:
         return *std::move(bytes);
     }
 
-    Result<CutLeaf> leaf()
+    Result<CutLeaf> leaf(int place)
     {
         auto const head = TRY(numbers("leaf", 5));
         if (!(head[0] >= 3 && head[0] <= double(kMostCorners) && head[1] >= 1
               && head[1] <= double(kMostCorners)))
             return error("expected 3 to 64 corners and 1 to 64 triangles");
         CutLeaf leaf;
+        leaf.sheet = name_;
+        leaf.number = place;
         leaf.stem_in_picture = { head[2], head[3] };
         leaf.length_in_picture = head[4];
         for (int i = 0; i < static_cast<int>(head[0]); ++i) {
@@ -143,9 +146,41 @@ private:
 
 } // namespace
 
+double leaf_age(LeafOrder const& order, int number)
+{
+    if (order.spread <= 0)
+        return order.age;
+    // Multiples of the golden ratio fill the range evenly, however many there are; the logistic
+    // curve is within 0.01 of the normal distribution.
+    constexpr double kGolden = 0.6180339887498949;
+    constexpr double kLogistic = 1.702;
+    constexpr double kYoungest = 0.02;
+    double const turned = (number + 0.5) * kGolden;
+    double const share = std::clamp(turned - std::floor(turned), 0.01, 0.99);
+    double const deviation = std::log(share / (1 - share)) / kLogistic;
+    return std::clamp(order.age + order.spread * deviation, kYoungest, 1.0);
+}
+
+TextureSlot leaf_page(std::string png)
+{
+    return std::make_shared<TexturePicture const>(
+        TexturePicture { .png = std::move(png), .edges = TexturePicture::Edges::Clamp });
+}
+
+MaterialTextures leaf_textures(LeafSheet const& sheet)
+{
+    return { .base_color = sheet.color,
+             .normal = sheet.normal,
+             .alpha = MaterialTextures::Alpha::Mask,
+             .color = MaterialTextures::Color::Replaced };
+}
+
 std::string leaf_sheet_name(LeafOrder const& order)
 {
-    return fmt::format("{} {} {}{}", order.grammar, order.variants, order.age, kEnding);
+    auto name = fmt::format("{} {} {}", order.grammar, order.variants, order.age);
+    if (order.spread > 0)
+        name += fmt::format(" {}", order.spread);
+    return name.append(kEnding);
 }
 
 std::optional<LeafOrder> parse_leaf_sheet_name(std::string_view name)
@@ -154,21 +189,24 @@ std::optional<LeafOrder> parse_leaf_sheet_name(std::string_view name)
         return std::nullopt;
     name.remove_suffix(kEnding.size());
     auto const parts = words(name, " ");
-    if (parts.size() != 3)
+    if (parts.size() != 3 && parts.size() != 4)
         return std::nullopt;
     auto const variants = number(parts[1]);
     auto const age = number(parts[2]);
-    if (!variants || !age || !(*variants >= 1 && *variants <= double(kMostLeaves)))
+    auto const spread = parts.size() == 4 ? number(parts[3]) : 0;
+    auto const is_share = [](std::optional<double> value) { return value >= 0.0 && value <= 1.0; };
+    if (!variants || !is_share(age) || !is_share(spread)
+        || !(*variants >= 1 && *variants <= double(kMostLeaves)))
         return std::nullopt;
-    return LeafOrder { std::string(parts[0]), static_cast<int>(*variants), *age };
+    return LeafOrder { std::string(parts[0]), static_cast<int>(*variants), *age, *spread };
 }
 
 std::string print_leaf_sheet(LeafSheet const& sheet)
 {
     std::string text
         = fmt::format("mean {} {} {}\ncolor {}\nnormal {}\nleaves {}\n", sheet.mean_color.x(),
-                      sheet.mean_color.y(), sheet.mean_color.z(), base64(sheet.color_png),
-                      base64(sheet.normal_png), sheet.leaves.size());
+                      sheet.mean_color.y(), sheet.mean_color.z(), base64(sheet.color->png),
+                      base64(sheet.normal->png), sheet.leaves.size());
     for (auto const& leaf : sheet.leaves) {
         text += fmt::format("leaf {} {} {} {} {}\n", leaf->corners.size(), leaf->triangles.size(),
                             leaf->stem_in_picture.x(), leaf->stem_in_picture.y(),

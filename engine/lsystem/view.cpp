@@ -216,6 +216,7 @@ constexpr std::array kStatements {
     Statement { "material", read_material },
     Statement { "organ", read_organ },
     Statement { "leaf", read_leaf },
+    Statement { "calendar", read_calendar },
     Statement { "radii", read_radii },
     Statement { "environment", read_environment },
 };

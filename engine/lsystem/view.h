@@ -46,7 +46,7 @@ struct OrganDefinition {
 
 // Geometry that a view file (.v) describes. Angles in degrees, lengths in turtle units.
 //
-// Besides cpfg's statements there are six of our own, which cpfg reports and skips:
+// Besides cpfg's statements there are seven of our own, which cpfg reports and skips:
 //   material: INDEX NAME kind=bark|stem|leaf|petal|solid color=R,G,B [roughness=] [translucency=]
 //     INDEX is the turtle's colour, as ; and , set it. color is sRGB, 0 to 1.
 //   color: INDEX R,G,B [roughness=] [translucency=]
@@ -60,6 +60,9 @@ struct OrganDefinition {
 //     Its blade is as long as the organ's without the petiole, its width is its own; fold and curl
 //     stay the organ's. The organ's material, from above too, gets the leaves' pictures. See
 //     leaf_sheet.h.
+//   calendar: LETTER evergreen
+//   calendar: LETTER [opens=] [grown=] [turns=] [bare=]
+//     the year of an organ: above, in months (engine/plant/organ_calendar.h).
 //   radii: pipe EXPONENT TIP_RADIUS
 //     radii by the pipe model instead of the turtle's line width.
 //   environment: light|space|terrain|water [KEY=NUMBER…]

@@ -9,6 +9,7 @@ Result<void> read_material(ViewReader& reader, std::string_view value);
 Result<void> read_color(ViewReader& reader, std::string_view value);
 Result<void> read_organ(ViewReader& reader, std::string_view value);
 Result<void> read_leaf(ViewReader& reader, std::string_view value);
+Result<void> read_calendar(ViewReader& reader, std::string_view value);
 Result<void> read_radii(ViewReader& reader, std::string_view value);
 
 } // namespace tractus

@@ -3,9 +3,11 @@
 #include "engine/plant/bezier_patch.h"
 #include "engine/plant/cut_leaf.h"
 #include "engine/plant/material.h"
+#include "engine/plant/organ_calendar.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +54,9 @@ struct OrganShape {
     // Leaf only, which has none without it. Shared by all copies of a shape, since plants are
     // copied often.
     std::shared_ptr<CutLeaf const> cut {};
+    // When it is there in the course of a year. No value: as organs of its kind and material are
+    // (engine/scene/season.h).
+    std::optional<OrganCalendar> calendar {};
 };
 
 } // namespace tractus

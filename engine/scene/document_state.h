@@ -7,6 +7,7 @@
 #include "engine/scene/anchored.h"
 #include "engine/scene/edit.h"
 #include "engine/scene/plant_source.h"
+#include "engine/scene/season.h"
 #include "engine/stroke/stroke.h"
 #include "engine/variation/association.h"
 #include "engine/variation/motion_indicator.h"
@@ -71,7 +72,9 @@ struct DocumentState {
     // World millimetres per plant millimetre, of all plants alike. No value: such that the first
     // plant fits the drawing volume.
     std::optional<double> scale {};
-    std::uint64_t last_edit = 0; // The number of edits so far: of it, ids of items are made.
+    std::optional<Season> season {}; // No value: plants are as their sources give them.
+    LeafSheets leaf_sheets {};       // What seasons need of grown leaves.
+    std::uint64_t last_edit = 0;     // The number of edits so far: of it, ids of items are made.
 };
 
 // The number of a plant in the document's list; no value where there is none of this id.

@@ -283,6 +283,24 @@ struct SetScale {
     double scale = 0.1; // World millimetres per plant millimetre; above 0.
 };
 
+// The seasons. Their kinds are in season_edits.cpp.
+
+// Keeps grown leaves for the seasons that need them: a session has them as they were.
+struct KeepLeaves {
+    static EditKind const kKind;
+
+    std::string name {};  // Of the sheet, which says what they are (leaf_sheet.h).
+    std::string sheet {}; // Its text.
+};
+
+// Shows all plants of the document at a time of the year (season.h).
+struct SetSeason {
+    static EditKind const kKind;
+
+    double month = 0;     // 1 to below 13; 0: as the plants' sources give them.
+    double fallen = 0.25; // Share of the fallen leaves that are seen on the ground, 0 to 1.
+};
+
 // An edit that another tractus has made, a newer one or one with more methods, in the words of its
 // record (app/session/edit_record.h). It is kept as it is, and refused when it is to be applied.
 struct UnknownEdit {

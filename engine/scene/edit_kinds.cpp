@@ -34,7 +34,8 @@ EditKinds core_edit_kinds()
         &EraseTips::kKind,  &Indicate::kKind,      &ChangeIndicator::kKind, &DeleteIndicator::kKind,
         &SetGrowth::kKind,  &ActivatePlant::kKind, &MovePlant::kKind,       &CopyPlant::kKind,
         &HidePlant::kKind,  &NamePlant::kKind,     &RemovePlant::kKind,     &SetScale::kKind,
-        &GraftPlant::kKind, &TakeOffGraft::kKind,  &HideBranch::kKind
+        &GraftPlant::kKind, &TakeOffGraft::kKind,  &HideBranch::kKind,      &KeepLeaves::kKind,
+        &SetSeason::kKind
     };
     return kKinds;
 }

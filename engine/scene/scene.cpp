@@ -78,4 +78,20 @@ Result<Scene> fold(std::span<Edit const> edits)
     return apply_edits({}, edits);
 }
 
+Scene preview_in_season(Scene scene, std::optional<Season> const& season)
+{
+    auto const show = [&](BuiltPlant& plant) {
+        plant.in_season = season ? std::make_shared<Plant const>(
+                              in_season(*plant.base, *season, scene.state.leaf_sheets))
+                                 : plant.base;
+    };
+    for (auto& shared : scene.plants) {
+        auto plant = std::make_shared<BuiltPlant>(*shared);
+        show(*plant);
+        shared = std::move(plant);
+    }
+    show(scene);
+    return scene;
+}
+
 } // namespace tractus

@@ -11,6 +11,7 @@
 #include "engine/variation/rest_shape.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ struct BuiltPlant {
     // by nobody, between scenes that follow each other, the views and the workers that grow it.
     std::shared_ptr<Plant const> base = std::make_shared<Plant const>();
     std::shared_ptr<RestShape const> rest = std::make_shared<RestShape const>(); // Of `base`.
+    // `base` in the document's season: with other organs on the same segments. What grows.
+    std::shared_ptr<Plant const> in_season = base;
 
     DeskPlacement placement; // Where it is shown in the drawing volume,
     DeskPlacement fitted;    // and where it would be as the only plant.
@@ -77,6 +80,10 @@ Result<Scene> apply_edits(Scene scene, std::span<Edit const> edits,
 
 // The scene that all edits amount to, beginning with an empty one.
 Result<Scene> fold(std::span<Edit const> edits);
+
+// The scene as it would be in another season, or without one, before that is an edit: grown leaves
+// that the document does not have for it are told from their colour alone.
+Scene preview_in_season(Scene scene, std::optional<Season> const& season);
 
 // The plan by which variations of a plant grow: its strokes and indicators resolved once, for any
 // number of plants. Fails like resolve_associations and plan_growth.

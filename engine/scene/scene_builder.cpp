@@ -29,6 +29,8 @@ SceneBuilder::SceneBuilder(MakeLoadOptions load_options)
 SceneBuilder::SceneBuilder(Scene const& scene, MakeLoadOptions load_options)
     : load_options_(std::move(load_options))
     , plants_(scene.plants)
+    , season_(scene.state.season)
+    , leaf_sheets_(scene.state.leaf_sheets)
 {
     for (auto const& plant : plants_) {
         auto base = std::make_shared<BasePlant const>(
@@ -100,6 +102,7 @@ Result<Scene> SceneBuilder::build(DocumentState state)
     for (auto const& plant : state.plants)
         bases.push_back(TRY(base_of(*plant)));
 
+    bool const is_same_season = state.season == season_ && state.leaf_sheets == leaf_sheets_;
     Scene scene;
     for (std::size_t i = 0; i < bases.size(); ++i) {
         auto const& drawn = state.plants[i];
@@ -109,11 +112,17 @@ Result<Scene> SceneBuilder::build(DocumentState state)
         auto const before = std::find_if(plants_.begin(), plants_.end(), [&](auto const& plant) {
             return plant->drawn == drawn && plant->placement.scale == placement.scale;
         });
-        scene.plants.push_back(before != plants_.end() ? *before
-                                                       : std::make_shared<BuiltPlant const>(
-                                                           build(drawn, *bases[i], placement)));
+        if (before != plants_.end() && is_same_season) {
+            scene.plants.push_back(*before);
+            continue;
+        }
+        auto plant = build(drawn, *bases[i], placement);
+        set_season(plant, is_same_season ? built_before(*drawn) : nullptr, state);
+        scene.plants.push_back(std::make_shared<BuiltPlant const>(std::move(plant)));
     }
     plants_ = scene.plants;
+    season_ = state.season;
+    leaf_sheets_ = state.leaf_sheets;
     forget_old_bases(state);
     if (auto const active = find_plant(state, state.active))
         static_cast<BuiltPlant&>(scene) = *scene.plants[*active];
@@ -164,6 +173,19 @@ BuiltPlant SceneBuilder::build(std::shared_ptr<PlantState const> const& drawn,
     find_strokes(plant, before);
     find_selection(plant, before);
     return plant;
+}
+
+// `before`: the plant in the same season, if there was one.
+void SceneBuilder::set_season(BuiltPlant& plant, BuiltPlant const* before,
+                              DocumentState const& state) const
+{
+    if (before && before->base == plant.base)
+        plant.in_season = before->in_season;
+    else if (state.season)
+        plant.in_season = std::make_shared<Plant const>(
+            in_season(*plant.base, *state.season, state.leaf_sheets));
+    else
+        plant.in_season = plant.base;
 }
 
 void SceneBuilder::find_strokes(BuiltPlant& plant, BuiltPlant const* before)

@@ -7,6 +7,7 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -65,6 +66,7 @@ private:
                                                      std::uint64_t source_edit);
     BuiltPlant build(std::shared_ptr<PlantState const> const& drawn, BasePlant const& base,
                      DeskPlacement const& placement);
+    void set_season(BuiltPlant& plant, BuiltPlant const* before, DocumentState const& state) const;
     void find_strokes(BuiltPlant& plant, BuiltPlant const* before);
     void find_selection(BuiltPlant& plant, BuiltPlant const* before);
     SharedVector<SegmentId> path_of(BuiltPlant const& plant, SharedVector<PathAddress> const& at);
@@ -75,6 +77,8 @@ private:
     std::uint64_t failed_edit_ = 0;
     std::list<KnownBase> bases_; // The newest first.
     std::vector<std::shared_ptr<BuiltPlant const>> plants_;
+    std::optional<Season> season_; // Of plants_, as the next one.
+    LeafSheets leaf_sheets_;
     std::map<ItemId, FoundPaths> found_;
 };
 

@@ -36,7 +36,7 @@ Result<GrowthPlan> plan_growth(BuiltPlant const& plant, SceneShaper& shaper,
     auto const growth = TRY(at_variability(plant.growth.parameters, plant.growth.variability));
     if (stop.stop_requested())
         return GrowthPlan {};
-    return plan_growth(*plant.base, *plant.rest, shape, growth, std::move(influence), stop);
+    return plan_growth(*plant.in_season, *plant.rest, shape, growth, std::move(influence), stop);
 }
 
 Result<GrowthPlan> plan_growth(BuiltPlant const& plant)

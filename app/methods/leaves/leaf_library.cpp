@@ -50,7 +50,10 @@ std::vector<std::string> leaf_names()
     return names;
 }
 
-static constexpr std::size_t kMostBytes = std::size_t { 1 } << 20;
+Result<std::string> read_leaf_text(fs::path const& path)
+{
+    return read_text_file(path, std::size_t { 1 } << 20);
+}
 
 Result<leaf::Grammar> load_leaf_grammar(std::string const& name)
 {
@@ -59,10 +62,16 @@ Result<leaf::Grammar> load_leaf_grammar(std::string const& name)
     bool const is_name = name.find_first_of("/.") == std::string::npos;
     if (is_name && !fs::exists(path, error))
         return load_own_leaf_grammar(name);
-    return leaf::parse_grammar(TRY(read_text_file(path, kMostBytes)), path.string());
+    return leaf::parse_grammar(TRY(read_leaf_text(path)), path.string());
 }
 
 Result<leaf::Grammar> load_own_leaf_grammar(std::string const& name)
+{
+    auto const path = TRY(own_leaf_path(name));
+    return leaf::parse_grammar(TRY(read_leaf_text(path)), path.string());
+}
+
+Result<fs::path> own_leaf_path(std::string const& name)
 {
     auto const ours = leaf_names();
     if (std::ranges::find(ours, name) == ours.end())
@@ -70,8 +79,7 @@ Result<leaf::Grammar> load_own_leaf_grammar(std::string const& name)
                     fmt::format("there is no leaf {}: give the path of a leaf grammar, or one of "
                                 "{}",
                                 name, fmt::join(ours, ", ")));
-    auto const path = TRY(find_resource("leaves")) / (name + ".leaf");
-    return leaf::parse_grammar(TRY(read_text_file(path, kMostBytes)), path.string());
+    return TRY(find_resource("leaves")) / (name + ".leaf");
 }
 
 Result<GrownLeaf> grow_leaf(leaf::Grammar const& grammar, LeafLife const& life)

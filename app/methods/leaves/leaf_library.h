@@ -7,6 +7,7 @@
 #include "engine/methods/leaves/leaf_triangles.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,12 @@ Result<leaf::Grammar> load_leaf_grammar(std::string const& name);
 
 // One of ours by its name alone. Fails, as the user's fault, listing them.
 Result<leaf::Grammar> load_own_leaf_grammar(std::string const& name);
+
+// The file of one of ours. Fails like load_own_leaf_grammar().
+Result<std::filesystem::path> own_leaf_path(std::string const& name);
+
+// The text of a leaf grammar's file. Fails, as the user's fault, for one beyond 1 MiB.
+Result<std::string> read_leaf_text(std::filesystem::path const& path);
 
 // How one leaf is to be. Its life goes from bud, 0, over the adult, 0.35 to 0.65, to old age, 1.
 struct LeafLife {

@@ -9,7 +9,9 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <list>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <utility>
 
@@ -125,6 +127,40 @@ Vec3f color_of_leaves(leaf::CellPage const& page)
     return sum.unaryExpr([](double light) { return srgb_from_linear(light); }).cast<float>();
 }
 
+// The sheets that were grown last. Models are read again and again while people work on them, and a
+// sheet takes some tenths of a second.
+class GrownSheets {
+public:
+    std::optional<std::string> find(std::string const& key)
+    {
+        std::lock_guard const lock(mutex_);
+        auto const known = std::ranges::find(sheets_, key, &Sheet::key);
+        if (known == sheets_.end())
+            return std::nullopt;
+        sheets_.splice(sheets_.begin(), sheets_, known);
+        return known->text;
+    }
+
+    void keep(std::string const& key, std::string const& text)
+    {
+        std::lock_guard const lock(mutex_);
+        sheets_.push_front({ key, text });
+        if (sheets_.size() > kMost)
+            sheets_.pop_back();
+    }
+
+private:
+    static constexpr std::size_t kMost = 8; // Of some 2 MB.
+
+    struct Sheet {
+        std::string key;
+        std::string text;
+    };
+
+    std::mutex mutex_;
+    std::list<Sheet> sheets_; // The one that was asked for last is the first.
+};
+
 } // namespace
 
 CutLeaf cut_along_midrib(leaf::Cutout const& cutout, Vec2 const& stem, double blade_px, int bends)
@@ -169,7 +205,8 @@ Result<LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar, LeafOrder const&
     LeafSheet sheet;
     leaf::LeafPainter painter;
     for (int i = 0; i < order.variants; ++i) {
-        LeafLife const life { .age = order.age, .seed = static_cast<std::uint64_t>(i) + 1 };
+        LeafLife const life { .age = leaf_age(order, i),
+                              .seed = static_cast<std::uint64_t>(i) + 1 };
         auto const grown = TRY(grow_leaf(grammar, life));
         auto paint = paint_options(grammar, life);
         paint.side = kCell;
@@ -187,15 +224,15 @@ Result<LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar, LeafOrder const&
             return fail(Fault::User,
                         fmt::format("{}: there is nothing to cut out of the leaf of "
                                     "the age {}",
-                                    grammar.name, order.age));
+                                    grammar.name, life.age));
         Vec2 const corner = kCell * Vec2(i % columns, i / columns);
         leaf.stem_in_picture = (corner + stem) / (columns * kCell);
         leaf.length_in_picture = blade_px / (columns * kCell);
         sheet.leaves.push_back(std::make_shared<CutLeaf const>(std::move(leaf)));
     }
     sheet.mean_color = color_of_leaves(color.pixels);
-    sheet.color_png = png_of(color.pixels);
-    sheet.normal_png = png_of(normal.pixels);
+    sheet.color = leaf_page(png_of(color.pixels));
+    sheet.normal = leaf_page(png_of(normal.pixels));
     return sheet;
 }
 
@@ -206,9 +243,16 @@ Result<std::optional<std::string>> make_ordered_leaves(std::filesystem::path con
     if (!order)
         return std::nullopt;
     bool const is_file = std::filesystem::path(order->grammar).extension() == ".leaf";
-    auto const grammar = TRY(is_file ? load_leaf_grammar((folder / order->grammar).string())
-                                     : load_own_leaf_grammar(order->grammar));
-    return print_leaf_sheet(TRY(grow_leaf_sheet(grammar, *order)));
+    auto const path = TRY(is_file ? folder / order->grammar : own_leaf_path(order->grammar));
+    auto const text = TRY(read_leaf_text(path));
+    static GrownSheets grown;
+    auto const key = fmt::format("{}\n{}\n{}", name, path.string(), text);
+    if (auto known = grown.find(key))
+        return known;
+    auto const grammar = TRY(leaf::parse_grammar(text, path.string()));
+    auto sheet = print_leaf_sheet(TRY(grow_leaf_sheet(grammar, *order)));
+    grown.keep(key, sheet);
+    return sheet;
 }
 
 } // namespace tractus

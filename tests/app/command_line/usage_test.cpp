@@ -103,7 +103,7 @@ TEST_F(Usage, AValueThatAnOptionCannotHaveIsWrongUsage)
     for (char const* const height : { "wobble", "nan", "12,5", "120mm", "''", "1e300" })
         expect_error(run(std::string("tractus replay x --plant small.l --height ") + height), 2,
                      "--height: ");
-    expect_error(run("tractus demo --plant oak"), 2, "broadleaf, conifer, daisy, shrub");
+    expect_error(run("tractus demo --plant oak"), 2, "broadleaf, conifer, daisy, shrub, station");
     expect_error(run("tractus record -o x --seconds 0"), 2, "--seconds");
     expect_error(run("tractus window --frames -1"), 2, "--frames");
     EXPECT_FALSE(exists("x.glb"));

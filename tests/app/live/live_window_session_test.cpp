@@ -115,6 +115,35 @@ TEST_F(LiveWindowWithSession, ShowsWhatASliderWouldGiveAndKeepsItWhenItIsRelease
     EXPECT_EQ(read_session(path_, all_methods().edits).value().last_step(), 1u);
 }
 
+TEST_F(LiveWindowWithSession, ShowsASeasonAndTakesItBack)
+{
+    using Slider = ChangeGrowth::Slider;
+    auto leafy = small_model();
+    leafy.source.text.replace(leafy.source.text.find("]"), 1, "~l(1)]");
+    leafy.source.view_text = "material: 2 leaf kind=leaf color=0.2,0.5,0.2\n"
+                             "organ: l leaf kind=blade material=2 length=10 width=5\n";
+    auto options = live_options();
+    options.session = begin_session(path_, { leafy }, all_methods().edits).value();
+    auto window = LiveWindow::create(drawing_devices(false), std::move(options)).value();
+    window.settle();
+    auto const triangles = window.state().plant->triangle_count();
+    Season const winter { .month = 1.5, .fallen = 0 };
+    window.perform(ChangeSeason { winter, Slider::Moving });
+    window.settle();
+    EXPECT_LT(window.state().plant->triangle_count(), triangles);
+    EXPECT_EQ(read_session(path_, all_methods().edits).value().last_step(), 0u);
+    window.perform(ChangeSeason { winter });
+    window.settle();
+    EXPECT_LT(window.state().plant->triangle_count(), triangles);
+    EXPECT_EQ(window.state().season, winter);
+    EXPECT_EQ(window.state().status, "It is mid-January");
+    EXPECT_EQ(read_session(path_, all_methods().edits).value().last_step(), 1u);
+    window.perform(Undo {});
+    window.settle();
+    EXPECT_EQ(window.state().plant->triangle_count(), triangles);
+    EXPECT_FALSE(window.state().season);
+}
+
 TEST_F(LiveWindowWithSession, MakesAVariationThePlant)
 {
     auto window = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();

@@ -79,6 +79,25 @@ TEST_F(LeafyJob, PlacesPlantsSideBySideWithTheirLeaves)
     EXPECT_GT(width_mm(*collection), 2 * plant_width_mm_);
 }
 
+TEST_F(LeafyJob, ShowsTheDrawingInFourSeasons)
+{
+    Progress progress;
+    auto const report
+        = run_job({ .drawing = { .log = folder_ / "leafy.tractus-log", .methods = all_methods() },
+                    .model = folder_ / "leafy.l",
+                    .variations = 1,
+                    .folder = folder_ / "out",
+                    .all_seasons = true },
+                  progress);
+    ASSERT_TRUE(report) << report.error().message;
+    EXPECT_EQ(report->plants, 5u);
+    // The one in winter has no leaf on its stem: the row is wide by the others.
+    auto const bytes = read_file(folder_ / "out" / "collection.glb").value();
+    for (auto const* name :
+         { "leafy 1", "leafy spring", "leafy summer", "leafy autumn", "leafy winter" })
+        EXPECT_NE(bytes.find(name), std::string::npos) << name;
+}
+
 TEST_F(LeafyJob, SaysThatTheRigIsAnotherOne)
 {
     Rig rig;

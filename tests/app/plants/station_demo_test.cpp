@@ -1,6 +1,6 @@
 #include "app/methods/all_methods.h"
 #include "app/plants/model_file.h"
-#include "app/plants/session_plant.h"
+#include "app/plants/plant_group.h"
 #include "app/play/simulated_recording.h"
 #include "app/resources.h"
 #include "drivers/file.h"

@@ -12,8 +12,8 @@ LeafSheet sheet_of(std::size_t size = 9)
 {
     LeafSheet sheet;
     sheet.mean_color = { 0.25f, 0.5f, 0.125f };
-    sheet.color_png = "\x89PNG" + std::string(size, '\xFE');
-    sheet.normal_png = "\x89PNG" + std::string(size + 1, '\0');
+    sheet.color = leaf_page("\x89PNG" + std::string(size, '\xFE'));
+    sheet.normal = leaf_page("\x89PNG" + std::string(size + 1, '\0'));
     for (double const length : { 1.0, 2.0 })
         sheet.leaves.push_back(std::make_shared<CutLeaf const>(
             CutLeaf { .corners = { { 0, 0 }, { 0.3, 0.5 }, { 0, length } },
@@ -29,8 +29,8 @@ TEST(LeafSheet, IsReadAsItWasWritten)
         auto const sheet = sheet_of(size);
         auto const read = parse_leaf_sheet("a.leaf-sheet", print_leaf_sheet(sheet));
         ASSERT_TRUE(read) << read.error().message;
-        EXPECT_EQ(read->color_png, sheet.color_png);
-        EXPECT_EQ(read->normal_png, sheet.normal_png);
+        EXPECT_EQ(read->color->png, sheet.color->png);
+        EXPECT_EQ(read->normal->png, sheet.normal->png);
         EXPECT_EQ(read->mean_color, sheet.mean_color);
         ASSERT_EQ(read->leaves.size(), 2u);
         EXPECT_EQ(read->leaves[1]->corners, sheet.leaves[1]->corners);
@@ -42,8 +42,8 @@ TEST(LeafSheet, IsReadAsItWasWritten)
 TEST(LeafSheet, WritesBase64AsTheStandardHasIt)
 {
     auto sheet = sheet_of();
-    sheet.color_png = "foob"; // RFC 4648, section 10.
-    sheet.normal_png = "fooba";
+    sheet.color = leaf_page("foob"); // RFC 4648, section 10.
+    sheet.normal = leaf_page("fooba");
     auto const text = print_leaf_sheet(sheet);
     EXPECT_NE(text.find("color Zm9vYg==\nnormal Zm9vYmE=\n"), std::string::npos) << text;
 }
@@ -105,7 +105,7 @@ TEST(LeafOfAView, StandsForAnOrgansBlade)
     EXPECT_EQ(leaves[1].material, 2);
     auto const& material = view->materials.at(2);
     EXPECT_EQ(material.base_color, Vec3f(0.25f, 0.5f, 0.125f));
-    EXPECT_EQ(material.textures.base_color->png, sheet_of().color_png);
+    EXPECT_EQ(material.textures.base_color->png, sheet_of().color->png);
     EXPECT_EQ(material.textures.alpha, MaterialTextures::Alpha::Mask);
 }
 
@@ -128,6 +128,47 @@ TEST(LeafOfAView, SaysWhereItIsWrong)
     EXPECT_EQ(error_of(organ + "leaf: l maple age=2\n"), "m.v:3:1: found age=2, expected 0 to 1");
     EXPECT_EQ(error_of(organ + "leaf: l maple size=2\n"),
               "m.v:3:1: found 'size=2', expected variants= or age=");
+}
+
+TEST(CalendarOfAView, SaysWhenAnOrganIsThere)
+{
+    auto const view = view_with(kOrgan
+                                + std::string("leaf: l maple variants=2\n"
+                                              "calendar: l opens=4.5 bare=12\n"));
+    ASSERT_TRUE(view) << view.error().message;
+    OrganCalendar const expected { .opens = 4.5, .bare = 12 };
+    EXPECT_EQ(view->organs.at(0).shape.calendar, expected);
+    EXPECT_EQ(view->organs.at(0).leaves.at(1).calendar, expected) << "and its leaves'";
+    auto const evergreen = view_with(kOrgan + std::string("calendar: l evergreen\n"));
+    ASSERT_TRUE(evergreen) << evergreen.error().message;
+    EXPECT_TRUE(evergreen->organs.at(0).shape.calendar.value().is_evergreen);
+}
+
+TEST(CalendarOfAView, SaysWhereItIsWrong)
+{
+    auto const error_of = [](std::string const& text) {
+        auto const view = view_with(text);
+        return view ? "no error" : view.error().message;
+    };
+    std::string const organ = kOrgan;
+    EXPECT_EQ(error_of("calendar: l evergreen\n"),
+              "m.v:1:1: there is no 'organ: l …' above this line");
+    EXPECT_EQ(error_of(organ + "calendar: l closes=4\n"),
+              "m.v:3:1: found 'closes=4', expected opens=, grown=, turns= or bare=");
+    EXPECT_EQ(error_of(organ + "calendar: l opens=6\n"),
+              "m.v:3:1: found the months 6, 5.5, 9, 11.3, expected them to ascend from 1 to 13");
+    EXPECT_NE(error_of(organ + "calendar: l bare=nan\n"), "no error");
+    EXPECT_NE(error_of(organ + "calendar: l\n"), "no error");
+}
+
+TEST(LeafSheet, SaysInItsNameHowFarAgesAreSpread)
+{
+    LeafOrder const order { .grammar = "oak", .variants = 4, .age = 0.82, .spread = 0.08 };
+    EXPECT_EQ(leaf_sheet_name(order), "oak 4 0.82 0.08.leaf-sheet");
+    EXPECT_EQ(parse_leaf_sheet_name(leaf_sheet_name(order)), order);
+    for (auto const* const other :
+         { "oak 4 2.leaf-sheet", "oak 4 0.5 nan.leaf-sheet", "oak 4 0.5 -1.leaf-sheet" })
+        EXPECT_FALSE(parse_leaf_sheet_name(other)) << other;
 }
 
 } // namespace

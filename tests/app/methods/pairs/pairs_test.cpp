@@ -1,5 +1,5 @@
 #include "app/methods/all_methods.h"
-#include "app/plants/session_plant.h"
+#include "app/plants/plant_group.h"
 #include "app/tools/bent_plant.h"
 #include "app/tools/branch_place.h"
 #include "engine/export/glb_writer.h"

@@ -1,0 +1,316 @@
+#include "engine/base/random.h"
+#include "engine/scene/season.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+constexpr double kSpread = 0.08;  // Of ages about their calendar's.
+constexpr double kSheetAges = 50; // Sheets are grown for so many ages from 0 to 1.
+constexpr double kDecayed = 3;    // The month in which the leaves of the year before are gone.
+constexpr int kPlainVariants = 4; // Ages of an organ that is no grown leaf.
+constexpr double kDrift = 0.12;   // How far leaves fall aside, by the height from which.
+constexpr std::uint32_t kFallStream = 0x5ea5;
+
+double eased(double share)
+{
+    double const s = std::clamp(share, 0.0, 1.0);
+    return s * s * (3 - 2 * s);
+}
+
+bool is_leaf(Plant const& plant, OrganShape const& shape)
+{
+    return plant.materials[shape.material].kind == Material::Kind::Leaf
+        && shape.kind != OrganShape::Kind::Needle && shape.kind != OrganShape::Kind::Ball
+        && shape.kind != OrganShape::Kind::Disc;
+}
+
+OrganCalendar calendar_of(Plant const& plant, OrganShape const& shape)
+{
+    if (shape.calendar)
+        return *shape.calendar;
+    bool const is_petal = plant.materials[shape.material].kind == Material::Kind::Petal;
+    return { .is_evergreen = !is_petal && !is_leaf(plant, shape) };
+}
+
+// Whether the leaves of the year lie below their plant when none is on it.
+bool lies_below(OrganCalendar const& calendar, double month)
+{
+    return !calendar.is_evergreen && (month >= calendar.bare || month < kDecayed);
+}
+
+// The order of the leaves that stand for a shape at that age; no value where it is none of a sheet.
+std::optional<LeafOrder> order_at(OrganShape const& shape, double age)
+{
+    auto order = shape.cut ? parse_leaf_sheet_name(shape.cut->sheet) : std::nullopt;
+    if (!order)
+        return std::nullopt;
+    order->age = std::round(age * kSheetAges) / kSheetAges;
+    order->spread = kSpread;
+    return order;
+}
+
+// What a shape's age is looked up by: on the plant, or of what has fallen.
+std::optional<double> age_to_show(OrganCalendar const& calendar, double month)
+{
+    if (auto const age = age_in_season(calendar, month))
+        return age;
+    return lies_below(calendar, month) ? std::optional(1.0) : std::nullopt;
+}
+
+// The colour of a leaf of that age, from the one that it has grown up.
+Vec3f aged_color(Vec3f const& grown_up, double age)
+{
+    Vec3f const fresh(0.62f, 0.76f, 0.32f);
+    Vec3f const turned(0.84f, 0.66f, 0.18f);
+    Vec3f const dead(0.43f, 0.30f, 0.18f);
+    auto const mixed = [](Vec3f const& from, Vec3f const& to, double share) {
+        return Vec3f(from + static_cast<float>(share) * (to - from));
+    };
+    auto const young = mixed(fresh, grown_up, 0.3 + 0.7 * eased(age / 0.4));
+    return mixed(mixed(young, turned, eased((age - 0.58) / 0.24)), dead, eased((age - 0.8) / 0.2));
+}
+
+// A leaf's size at that age, of its size grown up.
+float size_at(double age)
+{
+    return static_cast<float>(0.15 + 0.85 * eased(age / 0.4));
+}
+
+// Share of the leaves of that age that have fallen, where theirs is `mean_age` on the average: old
+// ones sooner, and in the end all.
+double fallen_share(double age, double mean_age)
+{
+    return std::max(eased((age - 0.88) / 0.12), eased((mean_age - 0.9) / 0.1));
+}
+
+class Seasoner {
+public:
+    Seasoner(Plant const& plant, Season const& season, LeafSheets const& sheets)
+        : from_(plant)
+        , season_(season)
+        , sheets_(sheets)
+        , plant_(plant)
+    {
+        plant_.organs.clear();
+        plant_.organs.reserve(plant.organs.size());
+    }
+
+    Plant run()
+    {
+        for (std::size_t i = 0; i < from_.organ_shapes.size(); ++i)
+            looks_.push_back(look_of(from_.organ_shapes[i], static_cast<OrganShapeId>(i)));
+        for (std::size_t i = 0; i < from_.organs.size(); ++i)
+            place(from_.organs[i], i);
+        age_polygons();
+        return std::move(plant_);
+    }
+
+private:
+    // One age of a shape.
+    struct Aged {
+        OrganShapeId shape = 0;
+        double age = 0;
+        float scale = 1;
+    };
+    struct Look {
+        std::vector<Aged> ages {}; // By chance one of these; empty: it is not there at all.
+        bool falls = false;
+        double mean_age = 0; // 1: all have fallen.
+    };
+
+    Look look_of(OrganShape const& shape, OrganShapeId id)
+    {
+        auto const calendar = calendar_of(from_, shape);
+        if (calendar.is_evergreen)
+            return { .ages = { { .shape = id } } };
+        auto const age = age_to_show(calendar, season_.month);
+        if (!age)
+            return {};
+        Look look { .falls = is_leaf(from_, shape), .mean_age = *age };
+        if (!look.falls) {
+            if (age_in_season(calendar, season_.month))
+                look.ages.push_back({ .shape = id });
+            return look;
+        }
+        auto const order = order_at(shape, *age);
+        auto const sheet = order ? sheets_.find(leaf_sheet_name(*order)) : sheets_.end();
+        if (sheet != sheets_.end()
+            && shape.cut->number < static_cast<int>(sheet->second->leaves.size()))
+            look.ages.push_back(grown_leaf(shape, id, *order, *sheet->second));
+        else
+            look.ages = plain_ages(shape, *age);
+        return look;
+    }
+
+    // The leaf of the same number, in the place of the shape that there was.
+    Aged grown_leaf(OrganShape const& shape, OrganShapeId id, LeafOrder const& order,
+                    LeafSheet const& sheet)
+    {
+        double const age = leaf_age(order, shape.cut->number);
+        auto const& leaf = sheet.leaves[static_cast<std::size_t>(shape.cut->number)];
+        double const blade_mm = shape.length_mm / box_of(*shape.cut).max().y();
+        auto& aged = plant_.organ_shapes[id];
+        aged.cut = leaf;
+        aged.length_mm = blade_mm * box_of(*leaf).max().y();
+        aged.width_mm = blade_mm * box_of(*leaf).sizes().x();
+        bend(aged, age);
+        show_sheet(plant_.materials[shape.material], sheet);
+        return { .shape = id, .age = age, .scale = size_at(age) };
+    }
+
+    // Some ages of an organ about that one, each with a colour and a shape.
+    std::vector<Aged> plain_ages(OrganShape const& shape, double age)
+    {
+        LeafOrder const order { .variants = kPlainVariants, .age = age, .spread = kSpread };
+        std::vector<Aged> ages;
+        for (int i = 0; i < kPlainVariants; ++i) {
+            double const own = leaf_age(order, i);
+            auto aged = shape;
+            bend(aged, own);
+            aged.material = aged_material(shape.material, own);
+            plant_.organ_shapes.push_back(std::move(aged));
+            ages.push_back({ .shape = static_cast<OrganShapeId>(plant_.organ_shapes.size() - 1),
+                             .age = own,
+                             .scale = size_at(own) });
+        }
+        return ages;
+    }
+
+    MaterialId aged_material(MaterialId material, double age)
+    {
+        auto const [known, is_new]
+            = materials_.try_emplace({ material, std::lround(age * 1000) }, MaterialId { 0 });
+        if (is_new) {
+            auto aged = from_.materials[material];
+            aged.textures = {}; // Pictures of leaves of another age.
+            aged.base_color = aged_color(aged.base_color, age);
+            plant_.materials.push_back(std::move(aged));
+            known->second = static_cast<MaterialId>(plant_.materials.size() - 1);
+        }
+        return known->second;
+    }
+
+    // Folded up in the bud, hanging and rolled up in old age.
+    static void bend(OrganShape& shape, double age)
+    {
+        double const young = 1 - eased(age / 0.35);
+        double const decay = eased((age - 0.65) / 0.35);
+        shape.fold_rad += 0.9 * young + 0.3 * decay;
+        shape.curl_rad += 0.9 * decay - 0.4 * young;
+    }
+
+    static void show_sheet(Material& material, LeafSheet const& sheet)
+    {
+        material.base_color = sheet.mean_color;
+        material.textures = leaf_textures(sheet);
+    }
+
+    void place(Organ organ, std::size_t number)
+    {
+        auto const& look = looks_[organ.shape];
+        if (look.ages.empty())
+            return;
+        Random random({ 0, kFallStream, static_cast<std::uint32_t>(number) });
+        auto const& aged
+            = look.ages[static_cast<std::size_t>(random.uniform() * double(look.ages.size()))];
+        organ.scale *= aged.scale;
+        organ.shape = aged.shape;
+        bool const has_fallen
+            = look.falls && random.uniform() < fallen_share(aged.age, look.mean_age);
+        if (has_fallen && random.uniform() >= season_.fallen)
+            return;
+        if (has_fallen)
+            lay_down(organ, random);
+        plant_.organs.push_back(organ);
+    }
+
+    // On the ground, any side up.
+    void lay_down(Organ& organ, Random& random)
+    {
+        auto const [known, is_new] = fallen_.try_emplace(organ.shape, OrganShapeId { 0 });
+        if (is_new) {
+            auto shape = plant_.organ_shapes[organ.shape];
+            shape.curl_rad *= 0.5;
+            plant_.organ_shapes.push_back(std::move(shape));
+            known->second = static_cast<OrganShapeId>(plant_.organ_shapes.size() - 1);
+        }
+        auto const& shape = plant_.organ_shapes[known->second];
+        double const aside_mm = kDrift * std::max(organ.position_mm.z(), 0.0);
+        double const above_mm = 0.1 * shape.length_mm * std::abs(double(organ.scale.z()));
+        organ.shape = known->second;
+        organ.segment = kNone;
+        organ.position_mm.x() += aside_mm * random.normal();
+        organ.position_mm.y() += aside_mm * random.normal();
+        organ.position_mm.z() = above_mm * random.uniform(0.3, 1);
+        bool const is_face_down = random.uniform() < 0.5;
+        organ.orientation
+            = Eigen::AngleAxisd(random.uniform(0, 2 * std::numbers::pi), Vec3::UnitZ())
+            * Eigen::AngleAxisd(0.2 * random.normal(), Vec3::UnitX())
+            * Eigen::AngleAxisd((is_face_down ? std::numbers::pi : 0) + 0.2 * random.normal(),
+                                Vec3::UnitY());
+    }
+
+    // The turtle's own leaves have no calendar: they are deciduous, and as old as their calendar
+    // says.
+    void age_polygons()
+    {
+        if (from_.polygons.empty())
+            return;
+        auto const age = age_in_season({}, season_.month);
+        plant_.polygons.clear();
+        plant_.polygon_vertices_mm.clear();
+        for (auto polygon : from_.polygons) {
+            bool const is_aging = from_.materials[polygon.material].kind == Material::Kind::Leaf;
+            if (is_aging && !age)
+                continue;
+            if (is_aging)
+                polygon.material = aged_material(polygon.material, *age);
+            auto const* const first = from_.polygon_vertices_mm.data() + polygon.first_vertex;
+            polygon.first_vertex = static_cast<std::uint32_t>(plant_.polygon_vertices_mm.size());
+            plant_.polygon_vertices_mm.insert(plant_.polygon_vertices_mm.end(), first,
+                                              first + polygon.vertex_count);
+            plant_.polygons.push_back(polygon);
+        }
+    }
+
+    Plant const& from_;
+    Season const& season_;
+    LeafSheets const& sheets_;
+    Plant plant_;
+    std::vector<Look> looks_;                                     // By shape.
+    std::map<std::pair<MaterialId, long>, MaterialId> materials_; // By age in thousandths.
+    std::map<OrganShapeId, OrganShapeId> fallen_;
+};
+
+} // namespace
+
+std::set<std::string> missing_leaves(Plant const& plant, Season const& season,
+                                     LeafSheets const& sheets)
+{
+    std::set<std::string> missing;
+    for (auto const& shape : plant.organ_shapes) {
+        auto const calendar = calendar_of(plant, shape);
+        auto const age = age_to_show(calendar, season.month);
+        auto const order = age && !calendar.is_evergreen ? order_at(shape, *age) : std::nullopt;
+        if (auto const name = order ? leaf_sheet_name(*order) : std::string();
+            order && !sheets.contains(name))
+            missing.insert(name);
+    }
+    return missing;
+}
+
+Plant in_season(Plant const& plant, Season const& season, LeafSheets const& sheets)
+{
+    return Seasoner(plant, season, sheets).run();
+}
+
+} // namespace tractus

@@ -1,0 +1,68 @@
+// A season on two birches with 9,660 leaves: what a window does from a slider's move to the
+// triangles of the next picture, and what is done once the slider is released, for which the leaves
+// are grown at their new age.
+#include "app/plants/model_file.h"
+#include "app/plants/plant_season.h"
+#include "app/resources.h"
+#include "app/station/plant_grower.h"
+#include "tests/bench/report.h"
+
+#include <memory>
+#include <thread>
+
+namespace tractus {
+namespace {
+
+Scene two_birches()
+{
+    auto scene = apply_edit({}, load_model_edit(find_model("birch").value()).value()).value();
+    auto const active = scene.state.active;
+    return apply_edit(std::move(scene), CopyPlant { active, { 100, 0, 0 } }).value();
+}
+
+// Half a month later each time.
+double month_of(std::size_t step)
+{
+    return 4.5 + 0.5 * static_cast<double>(step % 12);
+}
+
+Mesh grown(PlantGrower& grower, Scene scene)
+{
+    auto const shared = std::make_shared<Scene const>(std::move(scene));
+    grower.grow({ shared, shared->growth });
+    for (;;) {
+        if (auto mesh = grower.take())
+            return *std::move(*mesh);
+        std::this_thread::yield();
+    }
+}
+
+void season_while_a_slider_moves(benchmark::State& state)
+{
+    auto const scene = two_birches();
+    PlantGrower grower;
+    benchmark::DoNotOptimize(grown(grower, scene).triangle_count());
+    std::size_t step = 0;
+    for (auto _ : state) {
+        auto const seen = preview_in_season(scene, Season { month_of(step++), 0.5 });
+        benchmark::DoNotOptimize(grown(grower, seen).triangle_count());
+    }
+    report(state, { .item = "pictures" });
+}
+BENCHMARK(season_while_a_slider_moves)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void season_chosen(benchmark::State& state)
+{
+    auto const scene = two_birches();
+    PlantGrower grower;
+    std::size_t step = 0;
+    for (auto _ : state) {
+        auto const there = with_season(scene, Season { month_of(step++), 0.5 }).value();
+        benchmark::DoNotOptimize(grown(grower, there).triangle_count());
+    }
+    report(state, { .item = "pictures" });
+}
+BENCHMARK(season_chosen)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+} // namespace
+} // namespace tractus
