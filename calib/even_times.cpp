@@ -11,7 +11,7 @@ namespace tractus {
 namespace {
 
 constexpr std::int64_t kMemory_ns = 8'000'000'000;
-constexpr std::int64_t kShortestFit_ns = 500'000'000;
+constexpr std::int64_t kLongestLearning_ns = 4'000'000'000;
 constexpr std::size_t kFewestSamples = 32;
 constexpr std::size_t kFewestBursts = 8;
 constexpr std::size_t kOneInBurst = 150; // Of so many samples, one at least shares a burst.
@@ -95,8 +95,9 @@ std::int64_t EvenTimes::missed_at(Sample const& last) const
     constexpr double kPlainly = 1.5;
     constexpr int kAgree = 3;
     double const late = late_periods(last);
-    bool const is_line_sure = last.arrival - samples_.front().arrival >= kShortestFit_ns;
-    if (late < -kBarely && is_line_sure)
+    auto const length_ns = last.arrival - samples_.front().arrival;
+    if ((late < -0.5 && length_ns >= kShortestFit_ns)
+        || (late < -kBarely && length_ns >= 4 * kShortestFit_ns))
         return std::min<std::int64_t>(-1, std::llround(late));
     if (late < kSurely)
         return 0;
@@ -119,7 +120,7 @@ void EvenTimes::end_burst()
     last.is_last_of_burst = true;
     ++bursts_;
     if (is_evened_)
-        if (auto const missed = missed_at(last); missed != 0 && !is_explained()) {
+        if (auto const missed = missed_at(last); missed != 0 && unexplained_bursts() > 0) {
             last.index += missed;
             last.is_counted_anew = true;
             next_index_ += missed;
@@ -130,14 +131,15 @@ void EvenTimes::end_burst()
     judge();
 }
 
-// Whether a line explains all bursts without another step: the period was not quite right yet, for
-// bursts that nearly keep step with the samples show it only once in a while.
-bool EvenTimes::is_explained()
+// How many bursts a line does not explain without another step. Where that is none, the period was
+// not quite right yet: bursts that nearly keep step with the samples show it only once in a while.
+std::size_t EvenTimes::unexplained_bursts()
 {
     fit();
-    return std::none_of(samples_.begin(), samples_.end(), [&](Sample const& sample) {
-        return sample.is_last_of_burst && late_periods(sample) > kSurely;
-    });
+    return static_cast<std::size_t>(
+        std::count_if(samples_.begin(), samples_.end(), [&](Sample const& sample) {
+            return sample.is_last_of_burst && late_periods(sample) > kSurely;
+        }));
 }
 
 void EvenTimes::forget_oldest()
@@ -155,16 +157,18 @@ void EvenTimes::judge()
     auto const first = std::find_if(samples_.begin(), samples_.end(),
                                     [](Sample const& one) { return one.is_last_of_burst; });
     bool const is_short = count < kFewestSamples || bursts_ < kFewestBursts
-        || samples_.back().arrival - first->arrival < kShortestFit_ns;
+        || samples_.back().arrival - first->arrival < to_learn_ns_;
     bool const steps_often = counted_anew_ > 2 + count / kOneCountedAnew;
     bool const has_bursts = is_short ? is_evened_ : joined_ * kOneInBurst >= count;
     bool const was_evened = std::exchange(is_evened_, has_bursts && !steps_often);
     if (is_evened_ && was_evened)
         fit();
     else if (is_evened_)
-        is_evened_ = is_explained() && is_line_known_;
+        is_evened_ = unexplained_bursts() * 4 <= bursts_ && is_line_known_; // Some may be lost.
     if (has_bursts && !is_evened_) { // Counting fails: it does not sample evenly, or lost some.
         is_line_known_ = false;
+        if (was_evened)
+            to_learn_ns_ = std::min(2 * to_learn_ns_, kLongestLearning_ns);
         while (samples_.size() > 1)
             forget_oldest();
     }

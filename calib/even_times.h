@@ -17,14 +17,15 @@ namespace tractus {
 // it for devices with a clock, and what lies above the line is the delivery's jitter. The least
 // delay stays in the result, as a constant latency.
 //
-// Times are moved only where arrivals prove that they have to be: where at least one in thirty-two
-// samples of the last two seconds arrived sooner after the one before it than half a period, which
-// no evenly sampling device can mean; and where counting explains them, which is when each burst's
-// last sample is less than a period late, for a burst brings all that has been taken until then. A
-// sample that was lost or is one too many shows as a step of a period, at the latest three bursts
-// later, and is counted in; where there are many such steps the device does not sample evenly, and
-// all arrivals stay as they are. So they do in the first half second and in a stream whose bursts
-// bring one sample each.
+// Times are moved only where arrivals prove that they have to be: where at least one in 150
+// samples of the last eight seconds arrived sooner after the one before it than half a period,
+// which no evenly sampling device can mean; and where counting explains them, which is when each
+// burst's last sample is less than a period late, for a burst brings all that has been taken until
+// then. A sample that was lost or is one too many shows as a step of a period, at the latest three
+// bursts later, and is counted in; where there are many such steps the device does not sample
+// evenly: then all arrivals stay as they are, as in the first half second, and twice as much has
+// to be seen before it is tried again, up to four seconds. A stream whose bursts bring one sample
+// each stays as it is, too.
 //
 // After a silence of kSilence the device may have begun anew: its period is remembered, when its
 // samples fall is not, and is found again within the first bursts.
@@ -55,7 +56,7 @@ private:
 
     void begin(Timestamp arrival);
     void end_burst();
-    bool is_explained();
+    std::size_t unexplained_bursts();
     std::int64_t missed_at(Sample const& last) const;
     double late_periods(Sample const& sample) const;
     void forget_oldest();
@@ -66,13 +67,15 @@ private:
 
     Timestamp origin_ {};
     std::int64_t next_index_ = 0;
-    std::deque<Sample> samples_;   // Of the last two seconds, and since the last silence.
+    std::deque<Sample> samples_;   // Of the last eight seconds, and since the last silence.
     std::size_t bursts_ = 0;       // Of them, the last ones of bursts …
     std::size_t joined_ = 0;       // … those that came too soon …
     std::size_t counted_anew_ = 0; // … and those where a step was found.
     Timestamp last_time_ {};       // The one returned last.
     bool is_evened_ = false;
 
+    static constexpr std::int64_t kShortestFit_ns = 500'000'000;
+    std::int64_t to_learn_ns_ = kShortestFit_ns; // Doubles whenever counting has failed.
     bool is_line_known_ = false; // Period and all, of this or of the time before a silence.
     double period_ns_ = 0;
     double offset_ns_ = 0; // Height of the line at index 0.

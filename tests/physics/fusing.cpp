@@ -200,10 +200,10 @@ bool check_bursts(Run const& run)
                     .burst_s = 0.008,
                     .most_burst_s = 0.03,
                     .most_times = 2 },
-           Bursts { .name = "16 ms, one in 200 lost",
+           Bursts { .name = "16 ms, one in 1000 lost",
                     .burst_s = 0.016,
-                    .lost_part = 0.005,
-                    .most_times = 8,
+                    .lost_part = 0.001,
+                    .most_times = 5,
                     .least_part = 0.85 } })
         for (double const speed : { 50.0, 200.0, 400.0 })
             all_good &= check_bursts(bursts, speed, run);
