@@ -96,6 +96,7 @@ void Fuser::push(HeightSample const& sample)
     ++counts_.heights;
     if (scripted_)
         return;
+    auto const time = has_times_evened() ? height_times_.add(sample.time) : sample.time;
     bool const ours = sample.full_scale == rig_.full_scale_counts && sample.counts >= 0
         && sample.counts <= sample.full_scale;
     auto const height = ours ? height_mm(rig_.height_model, sample.counts) : std::nullopt;
@@ -105,7 +106,7 @@ void Fuser::push(HeightSample const& sample)
     }
     if (sample.counts < rig_.calibrated_min_counts || sample.counts > rig_.calibrated_max_counts)
         ++counts_.heights_uncalibrated;
-    heights_.add(sample.time - rig_.height_latency, *height);
+    heights_.add(time - rig_.height_latency, *height);
     settle_ready();
 }
 
@@ -120,7 +121,9 @@ static void lift_after_gap(TipSample& tip, bool& gap)
 
 std::optional<TipSample> Fuser::push(PenSample const& reported)
 {
-    auto const pen = as_felt(reported);
+    auto pen = as_felt(reported);
+    if (has_times_evened())
+        pen.time = pen_times_.add(pen.time);
     ++counts_.pens;
     pending_.push_back(pen);
     settle_ready();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "calib/even_times.h"
 #include "calib/height_scenario.h"
 #include "calib/height_track.h"
 #include "calib/rig.h"
@@ -44,8 +45,9 @@ struct FuserCounts {
 // Each pen sample gives two tips. One comes at once, for live ink; its height is mostly carried on
 // from the last readings (HeightTrack::newest_at). The other comes later and is final: settled,
 // once the readings around its instant have come, from a line fitted through them (height_track.h).
-// The instants are those of the samples less their sensor's latency. Whether a tip touches, and how
-// strongly, is as the rig's PressureResponse has it.
+// The instants are those of the samples less their sensor's latency; where the rig has times
+// evened, of the samples as EvenTimes tells them from their arrivals. Whether a tip touches, and
+// how strongly, is as the rig's PressureResponse has it.
 //
 // Tips lie 0.1 mm from the truth in the mean, with heights 500 times a second of 12 bits and one
 // count of noise, and a hand at 300 mm/s in the plane and 200 mm/s in height; settled ones at most
@@ -91,6 +93,7 @@ public:
     FuserCounts const& counts() const { return counts_; }
 
 private:
+    bool has_times_evened() const { return rig_.sample_times == SampleTimes::Evened && !scripted_; }
     PenSample as_felt(PenSample pen);
     TipSample tip(PenSample const& pen, HeightTrack::Estimate const& height) const;
     Timestamp instant(PenSample const& pen) const { return pen.time - rig_.tablet_latency; }
@@ -106,6 +109,8 @@ private:
     std::optional<HeightRange> calibrated_;
     std::optional<ScriptedHeight> scripted_;
     HeightTrack heights_;
+    EvenTimes pen_times_;
+    EvenTimes height_times_;
     std::deque<PenSample> pending_; // Samples that are not settled yet.
     std::vector<TipSample> settled_;
     bool presses_ = false; // Above the rig's pressure threshold.

@@ -26,6 +26,8 @@ constexpr double kSlipDeviations = 4;
 constexpr double kRarityOfSlips = 9.2;       // -2 ln of one slip in a hundred captures.
 constexpr std::size_t kFreedomThatTells = 3; // Captures over, from which a variance can be told.
 constexpr std::size_t kMostKnots = 12;
+constexpr double kUsualLinearity_percent = 0.25; // Of a spool's potentiometer, by data sheets.
+constexpr std::size_t kFewestForBend = 5;        // Captures that tell a little of a bend.
 constexpr std::array<std::string_view, 3> kNames { "linear", "string", "monotone" };
 
 // A model's fit with what it leaves out.
@@ -368,14 +370,23 @@ void tell_range(Captures captures, HeightFit& fit)
     fit.high_mm = std::max(*one, *other);
 }
 
-// Gives the fit a track that may be bent, if one was asked for.
+// What is known of the track before the captures: what was told, else what potentiometers usually
+// have, if the captures can tell and nobody asked for a law.
+double linearity_to_fit_percent(HeightFitOptions const& options, std::size_t captures)
+{
+    bool const may_assume = !options.kind && captures >= kFewestForBend;
+    return options.linearity_percent > 0 || !may_assume ? options.linearity_percent
+                                                        : kUsualLinearity_percent;
+}
+
+// Gives the fit a track that may be bent.
 void bend_track(Captures captures, HeightFitOptions const& options, HeightFit& fit)
 {
-    if (!(options.linearity_percent > 0))
-        return;
     auto const used = captures_without(captures, fit.slipped);
-    auto const bent
-        = fit_track_bend(fit.model, used, options.ruler_error_mm, options.linearity_percent);
+    double const linearity_percent = linearity_to_fit_percent(options, used.size());
+    if (!(linearity_percent > 0))
+        return;
+    auto const bent = fit_track_bend(fit.model, used, options.ruler_error_mm, linearity_percent);
     if (!bent)
         return;
     double const freedom = static_cast<double>(used.size()) - bent->effective_parameters;

@@ -26,7 +26,11 @@ struct HeightFitOptions {
 
     // How far the potentiometer's track may be off a straight one, in percent, as its data sheet
     // says: 0.1 to 2, with some tenths for a converter that loads it. The fit then has a bend
-    // (track_bend_fit.h), and its errors know of it. 0: the track is taken to be straight.
+    // (track_bend_fit.h), and its errors know of it; so do the choice of the law and of what
+    // slipped, which then bear with more. 0: nothing is known. Law and slips are then judged as of
+    // a straight track, so that a false capture stands out as ever, and only the curve that comes
+    // of them has a bend of some 0.25 %, as far as the captures make it likely: of five captures or
+    // more, unless a law was asked for.
     double linearity_percent = 0;
 };
 
@@ -66,7 +70,7 @@ struct HeightFit {
     Eigen::MatrixXd covariance;
 
     // Standard deviation of the bend that the captures make likely, in percent of their range; 0
-    // where the track was taken to be straight.
+    // where the track was taken to be straight: see HeightFitOptions::linearity_percent.
     double bend_percent = 0;
 
     std::vector<double> residuals_mm; // Ruler less model, for each capture, slipped ones too.

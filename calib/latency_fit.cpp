@@ -64,6 +64,7 @@ struct Data {
 Data data_of(std::span<PenSample const> pens, std::span<HeightSample const> heights, Rig rig)
 {
     rig.tablet_latency = rig.height_latency = Duration {};
+    rig.sample_times = SampleTimes::Evened;
     auto const points = touch_points(pens, rig);
     if (points.empty())
         return { {}, HeightTable(HeightTrack(Duration {}), {}, {}) };
@@ -267,6 +268,7 @@ Result<LatencyFit> fit_latency(std::span<PenSample const> pens,
 Rig with_delay(Rig rig, LatencyFit const& fit)
 {
     auto const delay = from_seconds(fit.delay_ms / 1000);
+    rig.sample_times = SampleTimes::Evened;
     rig.tablet_latency = std::max(rig.height_latency + delay, Duration {});
     rig.height_latency = rig.tablet_latency - delay;
     return rig;

@@ -36,7 +36,8 @@ struct LatencyFit {
 // (Gauss and Newton), which is as exact as the noise allows and tells its error. A pen that is
 // dragged and a string with slack are always behind, as a delay is, but by a length and not by a
 // time: a term c tanh(v / 30 mm/s) for each axis of the tablet, v the height's speed, keeps that
-// apart, since a hand is not always equally quick. The rig's own latencies do not matter.
+// apart, since a hand is not always equally quick. The rig's own latencies do not matter, and
+// the times are evened out (EvenTimes) whatever it says.
 //
 // Fails, as the user's fault, with what to do: fewer than 200 touches with a height, less than 50
 // mm of rise or 20 mm along the tablet, fewer than two turns from up to down or down to up, place
@@ -44,9 +45,9 @@ struct LatencyFit {
 Result<LatencyFit> fit_latency(std::span<PenSample const> pens,
                                std::span<HeightSample const> heights, Rig const& rig);
 
-// The rig with latencies that differ by the delay: the height sensor's stays, and the tablet's
-// follows, unless that would be less than nothing; then it is nothing, and the height sensor's
-// follows.
+// The rig with times that are evened out and latencies that differ by the delay: the height
+// sensor's stays, and the tablet's follows, unless that would be less than nothing; then it is
+// nothing, and the height sensor's follows.
 Rig with_delay(Rig rig, LatencyFit const& fit);
 
 } // namespace tractus

@@ -1,10 +1,17 @@
 #include "calib/pen_track.h"
 
+#include "calib/even_times.h"
+
 namespace tractus {
 
 static constexpr Duration kAllOfIt = std::chrono::hours(24);
 static constexpr Duration kLongestGap = std::chrono::milliseconds(50);
 static constexpr Duration kStretch = std::chrono::milliseconds(500);
+
+static Timestamp time_of(Timestamp arrival, Rig const& rig, EvenTimes& times)
+{
+    return rig.sample_times == SampleTimes::Evened ? times.add(arrival) : arrival;
+}
 
 std::vector<TouchPoint> touch_points(std::span<PenSample const> pens, Rig const& rig)
 {
@@ -12,11 +19,13 @@ std::vector<TouchPoint> touch_points(std::span<PenSample const> pens, Rig const&
     level.travel_shear = Vec2::Zero();
     auto const T_world_tablet = tractus::T_world_tablet(level);
     std::vector<TouchPoint> points;
+    EvenTimes times;
     for (auto const& pen : pens) {
+        auto const time = time_of(pen.time, rig, times);
         if (!pen.touching)
             continue;
         Vec3 const place_mm = T_world_tablet * Vec3(pen.position_mm.x(), pen.position_mm.y(), 0);
-        points.push_back({ pen.time - rig.tablet_latency, place_mm.head<2>() });
+        points.push_back({ time - rig.tablet_latency, place_mm.head<2>() });
     }
     return points;
 }
@@ -24,10 +33,13 @@ std::vector<TouchPoint> touch_points(std::span<PenSample const> pens, Rig const&
 HeightTrack height_track(std::span<HeightSample const> heights, Rig const& rig)
 {
     HeightTrack track(kAllOfIt);
-    for (auto const& sample : heights)
+    EvenTimes times;
+    for (auto const& sample : heights) {
+        auto const time = time_of(sample.time, rig, times);
         if (sample.full_scale == rig.full_scale_counts)
             if (auto const height = height_mm(rig.height_model, sample.counts))
-                track.add(sample.time - rig.height_latency, *height);
+                track.add(time - rig.height_latency, *height);
+    }
     return track;
 }
 

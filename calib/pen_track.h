@@ -15,7 +15,7 @@ namespace tractus {
 // Shared by travel_fit.h and latency_fit.h: a pen that touches while the carriage moves.
 
 // Where the pen touched the tablet, the tablet's turn and centre taken off: world frame at height
-// zero, before the carriage's travel. Times are those of arrival, less the rig's tablet latency.
+// zero, before the carriage's travel. Times are as the rig has them told, less its tablet latency.
 struct TouchPoint {
     Timestamp time {};
     Vec2 position_mm = Vec2::Zero();
@@ -23,8 +23,8 @@ struct TouchPoint {
 
 std::vector<TouchPoint> touch_points(std::span<PenSample const> pens, Rig const& rig);
 
-// The heights by the rig's model, at times less the rig's height latency. Readings of another
-// converter and readings that the model has no height for are left out.
+// The heights by the rig's model, at times as the rig has them told, less its height latency.
+// Readings of another converter and readings that the model has no height for are left out.
 HeightTrack height_track(std::span<HeightSample const> heights, Rig const& rig);
 
 // The height at an instant between two readings; no value elsewhere.

@@ -11,6 +11,13 @@
 
 namespace tractus {
 
+// When a sample is taken to have been there, of a device that does not tell. In both cases its
+// latency is taken off.
+enum class SampleTimes {
+    AsArrived, // When it arrived. All that there was for rigs of files that do not say.
+    Evened,    // As EvenTimes has it: what a burst brought was taken one after the other.
+};
+
 // Calibration of one rig: how its two sensors' readings become a place in the world. rig_file.h
 // keeps it in a file. The default is a rig that exists nowhere, for tests and for logs without a
 // height sensor.
@@ -39,6 +46,10 @@ struct Rig {
 
     // The pen. Pens that report no pressure draw wherever they touch.
     PressureResponse pressure {};
+
+    // Of both sensors. It goes with the latencies, which bursts lengthen where they are not evened
+    // out.
+    SampleTimes sample_times = SampleTimes::AsArrived;
 
     // How long one height reading stands for the height before and after it.
     Duration max_height_age = std::chrono::milliseconds(50);

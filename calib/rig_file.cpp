@@ -12,6 +12,7 @@
 namespace tractus {
 
 static constexpr std::int64_t kVersion = 2; // 1 had no [calibration], and knew no monotone models.
+static constexpr std::string_view kSampleTimes = "sample_times";
 static constexpr std::size_t kMaxBytes = std::size_t { 1 } << 20;
 
 // Milliseconds in files; the nearest nanosecond.
@@ -131,11 +132,18 @@ static Result<void> parse_pen(TomlTable& table, PressureResponse& pressure)
     return table.refuse_unknown_keys();
 }
 
+static Result<SampleTimes> parse_sample_times(TomlTable& root)
+{
+    return static_cast<SampleTimes>(TRY(root.word(kSampleTimes, { "as_arrived", "evened" })));
+}
+
 Result<Rig> parse_rig(std::string_view text, std::string const& file)
 {
     auto root = TRY(TomlTable::parse(text, file));
     TRY(root.require_version(kVersion));
     Rig rig;
+    if (root.has(kSampleTimes))
+        rig.sample_times = TRY(parse_sample_times(root));
     auto height = TRY(root.table("height"));
     TRY(parse_height(height, rig));
     auto tablet = TRY(root.table("tablet"));
@@ -173,13 +181,22 @@ static std::string print_surface(Rig const& rig)
         rig.surface_mm->x(), rig.surface_mm->y());
 }
 
+static std::string print_sample_times(Rig const& rig)
+{
+    if (rig.sample_times == SampleTimes::AsArrived)
+        return {};
+    return fmt::format(
+        "{} = \"evened\"       # What comes in bursts was taken one after the other.\n",
+        kSampleTimes);
+}
+
 std::string print_rig(Rig const& rig)
 {
     return fmt::format(
                R"(# A rig: what calibration found out about one tractus. Lengths are millimetres, times milliseconds,
 # angles degrees, counts what the height sensor's converter reads.
 version = {}
-
+{}
 [height]
 {}full_scale_counts = {}            # The converter's greatest reading.
 calibrated_counts = [{}, {}]  # Where the model was fitted.
@@ -192,8 +209,8 @@ size_mm = [{}, {}]            # The active area: width, depth.
 rotation_deg = {}             # Of the tablet on its carriage, counterclockwise seen from above.
 travel_shear = [{}, {}]       # Drift to the right and away from the user per millimetre of rise.
 )",
-               kVersion, print_height_model(rig.height_model), rig.full_scale_counts,
-               rig.calibrated_min_counts, rig.calibrated_max_counts,
+               kVersion, print_sample_times(rig), print_height_model(rig.height_model),
+               rig.full_scale_counts, rig.calibrated_min_counts, rig.calibrated_max_counts,
                to_milliseconds(rig.height_latency), to_milliseconds(rig.max_height_age),
                rig.tablet_size_mm.x(), rig.tablet_size_mm.y(), print_surface(rig),
                to_milliseconds(rig.tablet_latency), rig.rotation_deg, rig.travel_shear.x(),

@@ -10,7 +10,8 @@
 namespace tractus {
 
 // A rig in a file (.rig.toml): TOML with the units in its keys, angles in degrees. Print a rig to
-// see all keys with what they mean; these may be left out: tablet.surface_mm, tablet.rotation_deg,
+// see all keys with what they mean; these may be left out: sample_times ("as_arrived"
+// then, as in files of before it was there), tablet.surface_mm, tablet.rotation_deg,
 // tablet.travel_shear, height.max_age_ms, [pen] and [calibration].
 
 // The rig that `text` describes. Fails as the user's fault, naming `file` and the line, for what is

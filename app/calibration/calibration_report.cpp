@@ -54,6 +54,12 @@ std::string describe_doubts(HeightCalibration const& calibration)
     return text;
 }
 
+std::string by_data_sheet(double linearity_percent)
+{
+    return linearity_percent > 0 ? fmt::format("{:g} % by its data sheet", linearity_percent)
+                                 : "its data sheet's linearity was not told";
+}
+
 } // namespace
 
 std::string describe(HeightCalibration const& calibration, Rig const& rig)
@@ -68,9 +74,9 @@ std::string describe(HeightCalibration const& calibration, Rig const& rig)
     text += fmt::format("  residuals: {:.2f} mm RMS, {:.2f} mm at most\n", fit.rms_mm, fit.max_mm);
     if (fit.bend_percent > 0)
         text += fmt::format("  the potentiometer's track bends by {:.2g} % of the range, as far as "
-                            "{} captures can tell ({:g} % by its data sheet)\n",
+                            "{} captures can tell ({})\n",
                             fit.bend_percent, calibration.captures.size(),
-                            calibration.options.linearity_percent);
+                            by_data_sheet(calibration.options.linearity_percent));
     if (fit.hysteresis)
         text += fmt::format("  up against down: {:+.2f} ± {:.2f} mm\n", fit.hysteresis->mm,
                             fit.hysteresis->standard_error_mm);

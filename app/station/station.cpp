@@ -52,6 +52,7 @@ Station::Station(StationOptions const& options)
     , height_model_(options.rig.height_model)
     , is_height_measured_(!options.scripted_height)
     , tablet_latency_(options.rig.tablet_latency)
+    , sample_times_(options.rig.sample_times)
     , tool_changes_ { { Timestamp::min(), first_tool(options) } }
     , remembered_kinds_(kinds_to_remember(options.tools))
     , tool_in_hand_(first_tool(options))
@@ -162,7 +163,7 @@ void Station::use_pen(Pen& pen, PenSample const& decoded)
     if (!is_height_there_)
         return; // Nobody knows where it is.
     if (auto const tip = pen.fuser.push(sample)) {
-        follow_touch(pen, sample, *tip);
+        follow_touch(pen, *tip);
         pen.builder.push_live(*tip);
         newest_tip_ = *tip;
         keep_moment(pen, sample, *tip);
@@ -170,22 +171,31 @@ void Station::use_pen(Pen& pen, PenSample const& decoded)
     take_settled(pen);
 }
 
-// What a touch is for is decided where it begins.
-void Station::follow_touch(Pen& pen, PenSample const& sample, TipSample const& tip)
+// When to change the tool for a tip, in the time of arrivals as all tool changes are. A recording
+// keeps microseconds, so where times are computed the instant has to lie well before the tip's.
+Timestamp Station::change_before(TipSample const& tip, std::optional<Timestamp> last_tip) const
 {
+    bool const is_exact = sample_times_ == SampleTimes::AsArrived || !last_tip;
+    return (is_exact ? tip.time : *last_tip + (tip.time - *last_tip) / 2) + tablet_latency_;
+}
+
+// What a touch is for is decided where it begins.
+void Station::follow_touch(Pen& pen, TipSample const& tip)
+{
+    auto const began = change_before(tip, std::exchange(pen.last_tip, tip.time));
     if (tip.touching == pen.touches_since.has_value())
         return;
     if (!tip.touching) {
         pen.touches_since.reset();
         if (is_pressing())
-            change_tool(sample.time, tool_in_hand_);
+            change_tool(began, tool_in_hand_);
         return;
     }
-    pen.touches_since = sample.time;
+    pen.touches_since = began;
     Vec2 const place_mm = tip.position_mm.head<2>();
     if (std::any_of(pressing_areas_.begin(), pressing_areas_.end(),
                     [&](Eigen::AlignedBox2d const& area) { return area.contains(place_mm); }))
-        change_tool(sample.time, pressing());
+        change_tool(began, pressing());
 }
 
 void Station::press_instead()

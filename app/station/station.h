@@ -156,7 +156,8 @@ private:
         Vec2 scale; // From the decoder's millimetres to those of the surface as it was measured.
         Fuser fuser;
         StrokeBuilder builder {};
-        std::optional<Timestamp> touches_since {}; // On arrival; no value while it does not touch.
+        std::optional<Timestamp> last_tip {};      // Live.
+        std::optional<Timestamp> touches_since {}; // Latency included; no value: does not touch.
     };
 
     explicit Station(StationOptions const& options); // Without devices.
@@ -164,7 +165,8 @@ private:
     Result<void> add_pens(std::span<DeviceInfo const> devices, StationOptions const& options);
     Pen* find_pen(std::size_t device);
     void use_pen(Pen& pen, PenSample const& decoded);
-    void follow_touch(Pen& pen, PenSample const& sample, TipSample const& tip);
+    Timestamp change_before(TipSample const& tip, std::optional<Timestamp> last_tip) const;
+    void follow_touch(Pen& pen, TipSample const& tip);
     void keep_moment(Pen const& pen, PenSample const& sample, TipSample const& tip);
     void change_tool(Timestamp time, Tool const& tool);
     void forget(Tool const& tool);
@@ -187,6 +189,7 @@ private:
     bool is_height_measured_;     // Not scripted.
     bool is_height_there_ = true; // The sensor that measures it has not gone away.
     Duration tablet_latency_;
+    SampleTimes sample_times_;
     std::vector<Pen> pens_;           // In the order of their devices.
     std::vector<PenSample> new_pens_; // Kept for its memory.
     std::unique_ptr<HeightDecoder> height_decoder_;

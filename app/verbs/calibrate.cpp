@@ -58,7 +58,7 @@ Result<Rig> load_start(CalibrateArguments const& arguments, std::string const& l
     if (!log_rig.empty())
         return parse_rig(log_rig, arguments.log);
     if (arguments.procedure == CalibrationProcedure::Height)
-        return Rig {};
+        return Rig { .sample_times = SampleTimes::Evened };
     return fail(Fault::User,
                 fmt::format("{} is not there, and calibrate {} needs the heights in it: use "
                             "\"tractus calibrate height --rig {}\" first",

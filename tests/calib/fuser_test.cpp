@@ -1,6 +1,9 @@
 #include "calib/fuser.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace tractus {
 namespace {
@@ -332,6 +335,43 @@ TEST(Fuser, TakesHeightsFromAScenarioWhereThereIsNoSensor)
     auto const settled = fuser.take_settled();
     ASSERT_EQ(settled.size(), 1u);
     EXPECT_EQ(settled[0].position_mm, live->position_mm);
+}
+
+// A carriage that rises 100 mm a second and a pen that goes with it; all of it comes every 30 ms.
+std::vector<double> errors_in_bursts_mm(SampleTimes sample_times)
+{
+    auto rig = kRig;
+    rig.height_latency = rig.tablet_latency = 0ms;
+    rig.sample_times = sample_times;
+    Fuser fuser(rig);
+    auto next_pen = 0us;
+    auto next_height = 700us;
+    std::vector<double> errors_mm;
+    for (Duration burst = 30ms; burst < 3s; burst += 30ms) {
+        for (; next_height < burst; next_height += 1970us)
+            fuser.push(height(burst, static_cast<int>(next_height / 1ms)));
+        for (; next_pen < burst; next_pen += 7310us) // Its place is a tenth of its time.
+            (void)fuser.push(pen(burst, { to_seconds(next_pen) * 10, 0 }));
+    }
+    fuser.flush();
+    for (auto const& tip : fuser.take_settled()) {
+        double const taken_s = (tip.position_mm.x() + rig.tablet_size_mm.x() / 2) / 10;
+        if (taken_s > 1)
+            errors_mm.push_back(tip.position_mm.z() - 100 * taken_s);
+    }
+    return errors_mm;
+}
+
+TEST(Fuser, PutsBurstsOfBothSensorsOneAfterTheOther)
+{
+    auto const evened_mm = errors_in_bursts_mm(SampleTimes::Evened);
+    ASSERT_GT(evened_mm.size(), 200u);
+    for (double const error_mm : evened_mm)
+        EXPECT_LT(std::abs(error_mm), 0.2);
+    double most_mm = 0;
+    for (double const error_mm : errors_in_bursts_mm(SampleTimes::AsArrived))
+        most_mm = std::max(most_mm, std::abs(error_mm));
+    EXPECT_GT(most_mm, 1) << "or there is nothing to even out";
 }
 
 } // namespace

@@ -50,15 +50,21 @@ TEST(HeightFit, FindsALinearSensor)
     EXPECT_LT(fit.max_mm, 1e-6);
 }
 
+// Where a law is asked for, the track is straight: then exact captures give it exactly.
+HeightFitOptions const kStraightString { .kind = HeightModelKind::String };
+
 TEST(HeightFit, FindsAString)
 {
-    auto const fit = fit_height(captures_of(kFittedString, kRulerHeights)).value();
+    auto const chosen = fit_height(captures_of(kFittedString, kRulerHeights)).value();
+    ASSERT_TRUE(std::holds_alternative<StringHeight>(chosen.model));
+    EXPECT_LT(chosen.max_mm, 0.01);
+    auto const fit = fit_height(captures_of(kFittedString, kRulerHeights), kStraightString).value();
     auto const& model = std::get<StringHeight>(fit.model);
     EXPECT_NEAR(model.offset_mm, 120, 0.01);
     EXPECT_NEAR(model.base_mm, 80, 0.01);
     EXPECT_NEAR(model.mm_per_count, 0.1, 1e-5);
     EXPECT_EQ(model.spool, StringHeight::Spool::Below);
-    EXPECT_NE(fit.reason.find("string: it gains more than chance"), std::string::npos);
+    EXPECT_NE(chosen.reason.find("string: it gains more than chance"), std::string::npos);
 }
 
 // Most of what tells it lies in one capture, which is no slip.
@@ -105,7 +111,10 @@ TEST(HeightFit, TakesASpoolAboveTheCarriage)
                                .spool = StringHeight::Spool::Above };
     auto const captures = captures_of(above, kRulerHeights);
     EXPECT_GT(captures.front().counts, captures.back().counts);
-    auto const fit = fit_height(captures).value();
+    auto const chosen = fit_height(captures).value();
+    ASSERT_TRUE(std::holds_alternative<StringHeight>(chosen.model));
+    EXPECT_LT(chosen.max_mm, 0.01);
+    auto const fit = fit_height(captures, kStraightString).value();
     auto const& model = std::get<StringHeight>(fit.model);
     EXPECT_EQ(model.spool, StringHeight::Spool::Above);
     EXPECT_NEAR(model.base_mm, -480, 0.1);
@@ -185,8 +194,9 @@ TEST(HeightFit, DoesWhatItIsAskedFor)
 TEST(HeightFit, TellsErrorsThatShrinkWithTheRulersError)
 {
     auto const captures = captures_of(kFittedLinear, kRulerHeights);
-    auto const coarse = fit_height(captures, { .ruler_error_mm = 1 }).value();
-    auto const fine = fit_height(captures, { .ruler_error_mm = 0.1 }).value();
+    auto const line = HeightModelKind::Linear;
+    auto const coarse = fit_height(captures, { .kind = line, .ruler_error_mm = 1 }).value();
+    auto const fine = fit_height(captures, { .kind = line, .ruler_error_mm = 0.1 }).value();
     EXPECT_NEAR(coarse.parameters[0].standard_error, 10 * fine.parameters[0].standard_error, 1e-9);
     EXPECT_NEAR(height_error_mm(fine, fine.low_counts), 0.06, 0.02);
 }
@@ -272,6 +282,40 @@ TEST(HeightFit, BendsTheTrackWhenTheDataSheetSaysSo)
     EXPECT_TRUE(straight.slipped.empty());
     EXPECT_LT(bent.max_mm, straight.max_mm / 2);
     EXPECT_GT(height_error_mm(bent, 2500), height_error_mm(straight, 2500) * 0.9);
+}
+
+// A ruler tells no track's bend for certain, so that a better one does not make the curve as much
+// better.
+TEST(HeightFit, KnowsOfATracksBendWithoutBeingTold)
+{
+    auto const captures = captures_of(kFittedLinear, kRulerHeights);
+    auto const coarse = fit_height(captures, { .ruler_error_mm = 1 }).value();
+    auto const fine = fit_height(captures, { .ruler_error_mm = 0.1 }).value();
+    EXPECT_GT(fine.bend_percent, 0);
+    EXPECT_LT(fine.bend_percent, 0.5);
+    EXPECT_GT(10 * height_error_mm(fine, 2000), 1.2 * height_error_mm(coarse, 2000));
+    auto const few = fit_height(std::span(captures).first(4)).value();
+    EXPECT_EQ(few.bend_percent, 0);
+}
+
+TEST(HeightFit, FollowsABendWithoutBeingTold)
+{
+    auto const captures = captures_under_load(0.015);
+    auto const straight = fit_height(captures, { .kind = HeightModelKind::Linear }).value();
+    auto const bent = fit_height(captures).value();
+    EXPECT_FALSE(bend_of(bent.model).empty());
+    EXPECT_LT(bent.max_mm, straight.max_mm / 2);
+}
+
+// Slips are judged as of a straight track all the same.
+TEST(HeightFit, DoesNotBendTheTrackToASlip)
+{
+    auto captures = captures_of(kFittedLinear, kRulerHeights);
+    captures[2].ruler_mm += 3;
+    auto const fit = fit_height(captures).value();
+    EXPECT_EQ(fit.slipped, std::vector<std::size_t> { 2 });
+    auto const told = fit_height(captures, { .linearity_percent = 2 }).value();
+    EXPECT_TRUE(told.slipped.empty()) << "or the slip is plain to both";
 }
 
 TEST(HeightFit, TakesNoBendForASlip)

@@ -194,6 +194,26 @@ TEST(RigFile, KeepsAMeasuredSurface)
         << refused.error().message;
 }
 
+// Files of before it was there say nothing, and are written as they were.
+TEST(RigFile, KeepsHowSampleTimesAreTold)
+{
+    Rig rig;
+    auto const old = print_rig(rig);
+    EXPECT_EQ(old.find("sample_times"), std::string::npos);
+    EXPECT_EQ(parse_rig(old, "x").value().sample_times, SampleTimes::AsArrived);
+    rig.sample_times = SampleTimes::Evened;
+    auto const text = print_rig(rig);
+    auto const back = parse_rig(text, "x");
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_EQ(back->sample_times, SampleTimes::Evened);
+    auto wrong = text;
+    wrong.replace(wrong.find("\"evened\""), 8, "\"even\"");
+    auto const refused = parse_rig(wrong, "x");
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("sample_times"), std::string::npos)
+        << refused.error().message;
+}
+
 TEST(RigFile, RefusesWhatNoRigCanBe)
 {
     Rig rig;

@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kBegins_s = 0.2; // Before, there is nothing to be told from.
 
-double rms_mm(std::vector<Tip> const& tips)
+double rms_mm(std::vector<Tip> const& tips, double from_s = kBegins_s)
 {
     double squares = 0;
     int count = 0;
     for (auto const& tip : tips)
-        if (tip.seconds > kBegins_s) {
+        if (tip.seconds > from_s) {
             squares += tip.error_mm * tip.error_mm;
             ++count;
         }
@@ -59,7 +59,7 @@ bool print(char const* name, Row const& row, double most, double goal, Run const
     auto const& values = row.values;
     auto const good = std::upper_bound(values.begin(), values.end(), most) - values.begin();
     double const part = static_cast<double>(good) / run.rigs;
-    std::printf("%-44s median %5.2f  95 %% %5.2f  worst %5.2f  at most %.2f: %5.1f %%\n", name,
+    std::printf("%-56s median %5.2f  95 %% %5.2f  worst %5.2f  at most %.2f: %5.1f %%\n", name,
                 values[values.size() / 2], values[values.size() * 95 / 100], values.back(), most,
                 100 * part);
     if (!row.missed.empty() && row.missed.size() < 400)
@@ -142,6 +142,74 @@ bool check_gaps(Run const& run)
     return all_good;
 }
 
+struct Bursts {
+    char const* name = "";
+    double burst_s = 0;
+    double most_burst_s = 0;
+    double lost_part = 0;
+    double most_times = 1.5; // Of the error without bursts, in the median.
+    double least_part = 0.95;
+};
+
+double median(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+bool check_bursts(Bursts const& bursts, double speed_mm_per_s, Run const& run)
+{
+    constexpr double kLearnt_s = 1;
+    std::vector<double> none;
+    std::vector<double> as_arrived;
+    auto const row = measure(run, 0.5, [&](Dice& dice) {
+        Sampling sampling { .height_hz = uniform(dice, 490, 510),
+                            .pen_hz = uniform(dice, 126, 140),
+                            .lost_part = bursts.lost_part };
+        auto const settled_mm = [&] {
+            auto same = dice;
+            return rms_mm(fuse(sway(speed_mm_per_s), sampling, same).settled, kLearnt_s);
+        };
+        none.push_back(settled_mm());
+        sampling.burst_s = bursts.burst_s;
+        sampling.most_burst_s = bursts.most_burst_s;
+        as_arrived.push_back(settled_mm());
+        sampling.sample_times = SampleTimes::Evened;
+        return settled_mm();
+    });
+    char name[80];
+    std::snprintf(name, sizeof name, "%s, %3.0f mm/s (none %.3f, as arrived %.2f)", bursts.name,
+                  speed_mm_per_s, median(none), median(as_arrived));
+    bool const is_good = print(name, row, 0.5, bursts.least_part, run);
+    double const times = median(row.values) / median(none);
+    if (times > bursts.most_times)
+        std::printf("  MISSES ITS GOAL: %.2f times the error without bursts, not %.1f\n", times,
+                    bursts.most_times);
+    return is_good && times <= bursts.most_times;
+}
+
+// Settled tips of devices whose rates keep no step with the bursts, as two crystals do not.
+bool check_bursts(Run const& run)
+{
+    bool all_good = true;
+    for (Bursts const& bursts :
+         { Bursts { .name = "bursts of 8 ms", .burst_s = 0.008 },
+           Bursts { .name = "bursts of 16 ms", .burst_s = 0.016 },
+           Bursts { .name = "bursts of 32 ms", .burst_s = 0.032, .most_times = 3 },
+           Bursts { .name = "bursts of 8 to 30 ms",
+                    .burst_s = 0.008,
+                    .most_burst_s = 0.03,
+                    .most_times = 2 },
+           Bursts { .name = "16 ms, one in 1000 lost",
+                    .burst_s = 0.016,
+                    .lost_part = 0.001,
+                    .most_times = 5,
+                    .least_part = 0.85 } })
+        for (double const speed : { 50.0, 200.0, 400.0 })
+            all_good &= check_bursts(bursts, speed, run);
+    return all_good;
+}
+
 } // namespace
 
 bool check_fusing(Run const& run)
@@ -150,7 +218,8 @@ bool check_fusing(Run const& run)
         "\nFusing: heights of tips, of a sensor with 0.1 mm of noise and a pen of 133 Hz\n");
     bool const is_prompt = check_lag(run);
     bool const stops = check_stops(run);
-    return check_gaps(run) && is_prompt && stops;
+    bool const is_evened = check_bursts(run);
+    return check_gaps(run) && is_prompt && stops && is_evened;
 }
 
 } // namespace tractus::physics

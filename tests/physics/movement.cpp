@@ -17,39 +17,61 @@ Timestamp at(double seconds)
     return Timestamp(std::chrono::nanoseconds(std::llround(seconds * 1e9)));
 }
 
-double arrival_s(double seconds, double burst_s)
+// When bursts come; none where samples come as they are.
+std::vector<double> delivery_times_s(Sampling const& sampling, Dice& dice)
 {
-    return burst_s > 0 ? std::ceil(seconds / burst_s) * burst_s : seconds;
+    std::vector<double> times_s;
+    if (sampling.burst_s > 0)
+        for (double t = 0; t<sampling.seconds + sampling.burst_s + sampling.most_burst_s;
+                             t += sampling.most_burst_s>
+                               sampling.burst_s
+                 ? uniform(dice, sampling.burst_s, sampling.most_burst_s)
+                 : sampling.burst_s)
+            times_s.push_back(t);
+    return times_s;
+}
+
+double arrival_s(double seconds, std::vector<double> const& deliveries_s)
+{
+    auto const next = std::lower_bound(deliveries_s.begin(), deliveries_s.end(), seconds);
+    return next == deliveries_s.end() ? seconds : *next;
+}
+
+bool is_lost(Sampling const& sampling, Dice& dice)
+{
+    return sampling.lost_part > 0 && uniform(dice, 0, 1) < sampling.lost_part;
 }
 
 std::vector<HeightSample> height_samples(Movement const& movement, Sampling const& sampling,
-                                         Dice& dice)
+                                         std::vector<double> const& deliveries_s, Dice& dice)
 {
     std::vector<HeightSample> samples;
     double const phase_s = uniform(dice, 0, 1 / sampling.height_hz);
     for (double t = phase_s; t < sampling.seconds; t += 1 / sampling.height_hz) {
-        if (t >= sampling.gap_from_s && t < sampling.gap_to_s)
+        if ((t >= sampling.gap_from_s && t < sampling.gap_to_s) || is_lost(sampling, dice))
             continue;
         double counts = kCountsPerMm * movement(t) + normal(dice, sampling.noise_counts);
         if (uniform(dice, 0, 1) < sampling.spike_part)
             counts += 30 * kCountsPerMm * (uniform(dice, 0, 1) < 0.5 ? -1 : 1);
-        samples.push_back({ .time = at(arrival_s(t, sampling.burst_s)),
+        samples.push_back({ .time = at(arrival_s(t, deliveries_s)),
                             .counts = std::clamp(static_cast<int>(std::lround(counts)), 0, 4095),
                             .full_scale = 4095 });
     }
     return samples;
 }
 
-std::vector<PenSample> pen_samples(Sampling const& sampling, Dice& dice)
+std::vector<PenSample> pen_samples(Sampling const& sampling,
+                                   std::vector<double> const& deliveries_s, Dice& dice)
 {
     std::vector<PenSample> samples;
     double const phase_s = uniform(dice, 0, 1 / sampling.pen_hz);
     for (double t = phase_s; t < sampling.seconds; t += 1 / sampling.pen_hz)
-        samples.push_back({ .time = at(arrival_s(t, sampling.burst_s)),
-                            .position_mm = { t, 0 }, // The place tells when the pen was there.
-                            .pressure = 1,
-                            .in_range = true,
-                            .touching = true });
+        if (!is_lost(sampling, dice))
+            samples.push_back({ .time = at(arrival_s(t, deliveries_s)),
+                                .position_mm = { t, 0 }, // The place tells when the pen was there.
+                                .pressure = 1,
+                                .in_range = true,
+                                .touching = true });
     return samples;
 }
 
@@ -67,15 +89,17 @@ Tips fuse(Movement const& movement, Sampling const& sampling, Dice& dice)
 {
     Rig rig;
     rig.height_model = LinearHeight { .mm_per_count = 1 / kCountsPerMm, .zero_counts = 0 };
+    rig.sample_times = sampling.sample_times;
     Fuser fuser(rig);
-    auto const heights = height_samples(movement, sampling, dice);
+    auto const deliveries_s = delivery_times_s(sampling, dice);
+    auto const heights = height_samples(movement, sampling, deliveries_s, dice);
     Tips tips;
     auto const settle = [&] {
         for (auto const& tip : fuser.take_settled())
             tips.settled.push_back(tip_of(tip, movement, rig));
     };
     std::size_t next = 0;
-    for (auto const& pen : pen_samples(sampling, dice)) {
+    for (auto const& pen : pen_samples(sampling, deliveries_s, dice)) {
         for (; next < heights.size() && heights[next].time <= pen.time; ++next)
             fuser.push(heights[next]);
         if (auto const live = fuser.push(pen))

@@ -19,10 +19,13 @@ struct Sampling {
     double height_hz = 500;
     double pen_hz = 133;
     double noise_counts = 1;
-    double gap_from_s = 0; // No readings come from here …
-    double gap_to_s = 0;   // … to here.
-    double spike_part = 0; // Share of the readings that are off by 30 mm, alone.
-    double burst_s = 0;    // Readings and pen samples come together, so often; 0: as they are.
+    double gap_from_s = 0;   // No readings come from here …
+    double gap_to_s = 0;     // … to here.
+    double spike_part = 0;   // Share of the readings that are off by 30 mm, alone.
+    double burst_s = 0;      // Readings and pen samples come together, so often; 0: as they are.
+    double most_burst_s = 0; // Greater: each burst at random from burst_s to this.
+    double lost_part = 0;    // Share of the readings and pen samples that are lost.
+    SampleTimes sample_times = SampleTimes::AsArrived;
 };
 
 // Result of the program for a pen sample.

@@ -7,6 +7,7 @@
 #include "app/tools/select_tool.h"
 #include "tests/app/simple_rig.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace tractus {
@@ -53,6 +54,40 @@ TEST(StationTools, PressesWhereATouchBeginsInAnAreaForIt)
     EXPECT_FALSE(moments[20].touching || moments[20].pressing);
     EXPECT_TRUE(moments[21].touching && !moments[21].pressing);
     EXPECT_TRUE(station.take_moments().empty());
+}
+
+// Reports of both devices come in bursts, and their times are computed: what a touch is for has to
+// be found again from its evened times, by a recording that keeps microseconds, too.
+TEST(StationTools, PressesWhereReportsComeInBursts)
+{
+    StationOptions options;
+    options.rig = { .height_model = LinearHeight { .mm_per_count = 0.1 },
+                    .tablet_size_mm = { 200, 100 },
+                    .sample_times = SampleTimes::Evened };
+    options.tools = all_methods().tools;
+    auto station = Station::create(simple_rig(), options).value();
+    station.set_pressing_areas({ left_part() });
+    std::int64_t pen_us = 0;
+    for (std::int64_t burst_ms = 16; burst_ms < 4000; burst_ms += 16) {
+        for (int i = 0; i < 4; ++i)
+            station.push(kHeight, at_ms(burst_ms), height_report(1000));
+        for (; pen_us < 1000 * burst_ms; pen_us += 7310) {
+            auto const part_us = pen_us - 2'000'000;
+            bool const touches = part_us > 0 && part_us % 400'000 < 200'000;
+            bool const presses = part_us < 400'000 || part_us > 800'000;
+            double const along_mm
+                = static_cast<double>(std::max<std::int64_t>(part_us, 0) % 400'000) / 1e4;
+            station.push(kPen, at_ms(burst_ms),
+                         pen_report(presses ? 30 : 100 + along_mm, 40 + along_mm, touches));
+        }
+    }
+    station.finish();
+    auto const strokes = station.take_strokes();
+    ASSERT_EQ(strokes.size(), 1u);
+    auto const& tips = strokes[0].stroke.tips;
+    EXPECT_GT(tips.size(), 20u);
+    for (std::size_t i = 1; i < tips.size(); ++i)
+        EXPECT_NEAR(to_seconds(tips[i].time - tips[i - 1].time), 0.00731, 0.0005);
 }
 
 TEST(StationTools, TakesAToolThatWasChosenByPressing)

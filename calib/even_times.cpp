@@ -1,0 +1,211 @@
+#include "calib/even_times.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+constexpr std::int64_t kMemory_ns = 8'000'000'000;
+constexpr std::int64_t kLongestLearning_ns = 4'000'000'000;
+constexpr std::size_t kFewestSamples = 32;
+constexpr std::size_t kFewestBursts = 8;
+constexpr std::size_t kOneInBurst = 150; // Of so many samples, one at least shares a burst.
+constexpr std::size_t kOneCountedAnew = 32;
+constexpr double kSurely = 1.1; // Periods that a burst's last sample is late only if one was lost.
+
+// A point of the line's plane.
+struct Point {
+    double index = 0;
+    double arrival_ns = 0;
+};
+
+bool is_above_chord(Point const& a, Point const& b, Point const& c)
+{
+    return (b.arrival_ns - a.arrival_ns) * (c.index - a.index)
+        >= (c.arrival_ns - a.arrival_ns) * (b.index - a.index);
+}
+
+} // namespace
+
+Timestamp EvenTimes::add(Timestamp arrival)
+{
+    auto const last_arrival
+        = samples_.empty() ? Timestamp::min() : origin_ + Duration(samples_.back().arrival);
+    if (samples_.empty() || arrival < last_arrival || arrival - last_arrival > kSilence)
+        begin(arrival);
+    std::int64_t const since_ns = (arrival - origin_).count();
+    double const period_ns = is_line_known_ ? period_ns_ : rough_period_ns();
+    bool is_alone = samples_.empty() || period_ns == 0;
+    if (!is_alone) {
+        is_alone = static_cast<double>(since_ns - samples_.back().arrival) >= period_ns / 2;
+        if (is_alone)
+            end_burst();
+    }
+    samples_.push_back({ .index = next_index_++, .arrival = since_ns, .joins_burst = !is_alone });
+    joined_ += !is_alone;
+
+    auto time = arrival;
+    if (is_evened_) {
+        auto const line = origin_ + Duration(std::llround(line_ns(samples_.back().index)));
+        time = std::min(arrival, line);
+        time = std::max(time, last_time_ + std::chrono::microseconds(1));
+    }
+    return last_time_ = time;
+}
+
+// The first sample, or the first one after a silence.
+void EvenTimes::begin(Timestamp arrival)
+{
+    samples_.clear();
+    bursts_ = joined_ = counted_anew_ = 0;
+    origin_ = arrival;
+    next_index_ = 0;
+    last_time_ = Timestamp::min();
+    offset_ns_ = 0;
+}
+
+double EvenTimes::line_ns(std::int64_t index) const
+{
+    return offset_ns_ + period_ns_ * static_cast<double>(index);
+}
+
+// Mean spacing of what is remembered; 0 of too few.
+double EvenTimes::rough_period_ns() const
+{
+    if (samples_.size() < kFewestSamples / 2)
+        return 0;
+    return static_cast<double>(samples_.back().arrival - samples_.front().arrival)
+        / static_cast<double>(samples_.size() - 1);
+}
+
+double EvenTimes::late_periods(Sample const& sample) const
+{
+    return (static_cast<double>(sample.arrival) - line_ns(sample.index)) / period_ns_;
+}
+
+// How many samples were lost, or too many where negative, before the last of a burst.
+std::int64_t EvenTimes::missed_at(Sample const& last) const
+{
+    constexpr double kBarely = 0.1;
+    constexpr double kPlainly = 1.5;
+    constexpr int kAgree = 3;
+    double const late = late_periods(last);
+    auto const length_ns = last.arrival - samples_.front().arrival;
+    if ((late < -0.5 && length_ns >= kShortestFit_ns)
+        || (late < -kBarely && length_ns >= 4 * kShortestFit_ns))
+        return std::min<std::int64_t>(-1, std::llround(late));
+    if (late < kSurely)
+        return 0;
+    if (late >= kPlainly)
+        return std::max<std::int64_t>(1, std::llround(late - 0.6));
+    int agree = 0;
+    for (auto sample = samples_.rbegin(); sample != samples_.rend() && agree < kAgree; ++sample) {
+        bool const is_late = late_periods(*sample) >= kSurely;
+        if (sample->is_last_of_burst && !is_late)
+            break;
+        agree += sample->is_last_of_burst;
+    }
+    return agree == kAgree ? 1 : 0;
+}
+
+// The newest sample is the last of its burst.
+void EvenTimes::end_burst()
+{
+    auto& last = samples_.back();
+    last.is_last_of_burst = true;
+    ++bursts_;
+    if (is_evened_)
+        if (auto const missed = missed_at(last); missed != 0 && unexplained_bursts() > 0) {
+            last.index += missed;
+            last.is_counted_anew = true;
+            next_index_ += missed;
+            ++counted_anew_;
+        }
+    while (last.arrival - samples_.front().arrival > kMemory_ns)
+        forget_oldest();
+    judge();
+}
+
+// How many bursts a line does not explain without another step. Where that is none, the period was
+// not quite right yet: bursts that nearly keep step with the samples show it only once in a while.
+std::size_t EvenTimes::unexplained_bursts()
+{
+    fit();
+    return static_cast<std::size_t>(
+        std::count_if(samples_.begin(), samples_.end(), [&](Sample const& sample) {
+            return sample.is_last_of_burst && late_periods(sample) > kSurely;
+        }));
+}
+
+void EvenTimes::forget_oldest()
+{
+    bursts_ -= samples_.front().is_last_of_burst;
+    joined_ -= samples_.front().joins_burst;
+    counted_anew_ -= samples_.front().is_counted_anew;
+    samples_.pop_front();
+}
+
+// Whether times are to be moved; if so, finds the line.
+void EvenTimes::judge()
+{
+    auto const count = samples_.size();
+    auto const first = std::find_if(samples_.begin(), samples_.end(),
+                                    [](Sample const& one) { return one.is_last_of_burst; });
+    bool const is_short = count < kFewestSamples || bursts_ < kFewestBursts
+        || samples_.back().arrival - first->arrival < to_learn_ns_;
+    bool const steps_often = counted_anew_ > 2 + count / kOneCountedAnew;
+    bool const has_bursts = is_short ? is_evened_ : joined_ * kOneInBurst >= count;
+    bool const was_evened = std::exchange(is_evened_, has_bursts && !steps_often);
+    if (is_evened_ && was_evened)
+        fit();
+    else if (is_evened_)
+        is_evened_ = unexplained_bursts() * 4 <= bursts_ && is_line_known_; // Some may be lost.
+    if (has_bursts && !is_evened_) { // Counting fails: it does not sample evenly, or lost some.
+        is_line_known_ = false;
+        if (was_evened)
+            to_learn_ns_ = std::min(2 * to_learn_ns_, kLongestLearning_ns);
+        while (samples_.size() > 1)
+            forget_oldest();
+    }
+}
+
+// The line under the last samples of bursts, Moon, Skelly and Towsley's as in ClockMap::fit(): the
+// edge of their lower convex hull that spans their mean index. In too short a time the period stays
+// as it was.
+void EvenTimes::fit()
+{
+    std::vector<Point> hull;
+    double sum = 0;
+    for (auto const& sample : samples_) {
+        if (!sample.is_last_of_burst)
+            continue;
+        Point const point { static_cast<double>(sample.index),
+                            static_cast<double>(sample.arrival) };
+        if (!hull.empty() && point.index <= hull.back().index)
+            continue; // One too many.
+        while (hull.size() >= 2 && is_above_chord(hull[hull.size() - 2], hull.back(), point))
+            hull.pop_back();
+        hull.push_back(point);
+        sum += point.index;
+    }
+    bool const is_long = hull.back().arrival_ns - hull.front().arrival_ns >= kShortestFit_ns;
+    if (is_long) {
+        double const mean = sum / static_cast<double>(bursts_);
+        std::size_t right = 1;
+        while (right + 1 < hull.size() && hull[right].index < mean)
+            ++right;
+        period_ns_ = (hull[right].arrival_ns - hull[right - 1].arrival_ns)
+            / (hull[right].index - hull[right - 1].index);
+        is_line_known_ = true;
+    }
+    offset_ns_ = std::numeric_limits<double>::max();
+    for (auto const& point : hull)
+        offset_ns_ = std::min(offset_ns_, point.arrival_ns - period_ns_ * point.index);
+}
+
+} // namespace tractus
