@@ -195,6 +195,7 @@ void Menu::show_plant(WindowModel& model, Controls const& controls)
         change.slider = is_released ? ChangeGrowth::Slider::Released : ChangeGrowth::Slider::Moving;
         model.perform(change);
     }
+    show_season(model);
     bool is_left = true;
     for (auto const& preset : growth_presets()) {
         std::string const name(preset.name);
@@ -206,7 +207,6 @@ void Menu::show_plant(WindowModel& model, Controls const& controls)
         change.slider = ChangeGrowth::Slider::Released;
         model.perform(change);
     }
-    show_season(model, controls);
     if (model.state().orphans.empty())
         return;
     ImGui::Spacing();
@@ -217,33 +217,26 @@ void Menu::show_plant(WindowModel& model, Controls const& controls)
         model.perform(TakeOrphansAway {});
 }
 
-// The slider's left end is no season: leaves as the models have them.
-void Menu::show_season(WindowModel& model, Controls const& controls)
+// The slider's left end is no season: leaves as the models have them. It stays where it was let go
+// until the plant is there, for which leaves may have to be grown.
+void Menu::show_season(WindowModel& model)
 {
-    auto season = model.state().season;
-    double month = moved_month_.value_or(season ? season->month : 0);
+    auto const& shown = model.state().season;
+    double const shown_month = shown ? shown->month : 0;
+    if (wanted_month_ == shown_month)
+        wanted_month_.reset();
+    double month = wanted_month_.value_or(shown_month);
     bool is_released = false;
     auto const text = month < 1 ? std::string("no season") : month_name(month);
     bool const moves = show_slider("##season", text.c_str(), kLastMonth, month, is_released);
-    moved_month_ = moves ? std::optional(month) : is_released ? std::nullopt : moved_month_;
+    if (!moves && !is_released)
+        return;
+    wanted_month_ = month < 1 ? 0 : month;
+    std::optional<Season> season;
+    if (month >= 1)
+        season = Season { month, shown.value_or(Season()).fallen };
     using Slider = ChangeGrowth::Slider;
-    auto const go_to = [&](double wanted, Slider slider = Slider::Released) {
-        if (wanted < 1)
-            season.reset();
-        else
-            season = Season { wanted, season.value_or(Season()).fallen };
-        model.perform(ChangeSeason { season, slider });
-    };
-    if (moves || is_released)
-        go_to(month, is_released ? Slider::Released : Slider::Moving);
-    bool is_left = true;
-    for (auto const* name : { "Spring", "Summer", "Autumn", "Winter" }) {
-        if (!std::exchange(is_left, !is_left))
-            ImGui::SameLine();
-        auto const named = parse_month(name).value();
-        if (controls.button(name, item_px(2), season && season->month == named))
-            go_to(named);
-    }
+    model.perform(ChangeSeason { season, is_released ? Slider::Released : Slider::Moving });
 }
 
 // True while the slider moves.

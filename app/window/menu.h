@@ -31,7 +31,7 @@ public:
 private:
     void show_pages(Workbench& bench, Controls const& controls) const;
     void show_plant(WindowModel& model, Controls const& controls);
-    void show_season(WindowModel& model, Controls const& controls);
+    void show_season(WindowModel& model);
     void show_keeping(WindowModel& model, Controls const& controls,
                       std::function<Image()> const& picture);
     void show_organs(Controls const& controls);
@@ -46,7 +46,7 @@ private:
     float scale_ = 1;
     float row_px_ = 0; // As wide as the panel is inside.
     DevicesPanel devices_;
-    std::optional<double> moved_month_; // Where the season's slider is while it moves.
+    std::optional<double> wanted_month_; // Of the season; no value: the one that is shown.
     GlbOptions::Organs organs_ = GlbOptions::Organs::Merged; // Of the next .glb.
 };
 
