@@ -35,7 +35,8 @@ Heights const kFive { 0, 60, 160, 280, 400 };
 Heights const kSeven { 0, 60, 200, 400, 300, 120, 20 };
 Heights const kTen { 0, 60, 200, 400, 300, 120, 20, 250, 350, 160 };
 
-std::vector<Scenario> scenarios()
+// Rigs that are not as the models have them, measured without a mistake.
+std::vector<Scenario> honest_scenarios()
 {
     return {
         { .name = "five captures", .heights_mm = kFive, .least_part = 0.95 },
@@ -58,6 +59,13 @@ std::vector<Scenario> scenarios()
           .heights_mm = kSeven,
           .faults = { .loading = 0.015 },
           .least_part = 0.95 },
+    };
+}
+
+// What the data sheet says of the track is told.
+std::vector<Scenario> told_scenarios()
+{
+    return {
         { .name = "straight, told 0.25 %",
           .heights_mm = kSeven,
           .linearity_percent = 0.25,
@@ -81,6 +89,12 @@ std::vector<Scenario> scenarios()
           .faults = { .loading = 0.015 },
           .linearity_percent = 0.25,
           .least_part = 0.95 },
+    };
+}
+
+std::vector<Scenario> mistaken_scenarios()
+{
+    return {
         { .name = "two swapped of ten",
           .heights_mm = kTen,
           .mistake = Mistake::TwoSwapped,
@@ -99,6 +113,14 @@ std::vector<Scenario> scenarios()
           .mistake = Mistake::Centimetres,
           .least_part = 1 },
     };
+}
+
+std::vector<Scenario> scenarios()
+{
+    auto all = honest_scenarios();
+    for (auto const& more : { told_scenarios(), mistaken_scenarios() })
+        all.insert(all.end(), more.begin(), more.end());
+    return all;
 }
 
 Heights told(Scenario const& scenario, Dice& dice)

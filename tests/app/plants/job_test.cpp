@@ -57,6 +57,15 @@ protected:
         ASSERT_TRUE(write_file(folder_ / name, text));
     }
 
+    // The drawing on the leafy stem, varied so often, into the folder "out".
+    JobOptions job(std::size_t variations) const
+    {
+        return { .drawing = { .log = folder_ / "leafy.tractus-log", .methods = all_methods() },
+                 .model = folder_ / "leafy.l",
+                 .variations = variations,
+                 .folder = folder_ / "out" };
+    }
+
     fs::path folder_
         = fs::temp_directory_path() / ("tractus_job_test_" + std::to_string(::getpid()));
     double plant_width_mm_ = 0;
@@ -65,12 +74,7 @@ protected:
 TEST_F(LeafyJob, PlacesPlantsSideBySideWithTheirLeaves)
 {
     Progress progress;
-    auto const report
-        = run_job({ .drawing = { .log = folder_ / "leafy.tractus-log", .methods = all_methods() },
-                    .model = folder_ / "leafy.l",
-                    .variations = 2,
-                    .folder = folder_ / "out" },
-                  progress);
+    auto const report = run_job(job(2), progress);
     ASSERT_TRUE(report) << report.error().message;
     EXPECT_EQ(report->plants, 2u);
     auto const collection = read_glb(read_file(folder_ / "out" / "collection.glb").value());
@@ -81,17 +85,12 @@ TEST_F(LeafyJob, PlacesPlantsSideBySideWithTheirLeaves)
 
 TEST_F(LeafyJob, ShowsTheDrawingInFourSeasons)
 {
+    auto options = job(1);
+    options.all_seasons = true;
     Progress progress;
-    auto const report
-        = run_job({ .drawing = { .log = folder_ / "leafy.tractus-log", .methods = all_methods() },
-                    .model = folder_ / "leafy.l",
-                    .variations = 1,
-                    .folder = folder_ / "out",
-                    .all_seasons = true },
-                  progress);
+    auto const report = run_job(options, progress);
     ASSERT_TRUE(report) << report.error().message;
     EXPECT_EQ(report->plants, 5u);
-    // The one in winter has no leaf on its stem: the row is wide by the others.
     auto const bytes = read_file(folder_ / "out" / "collection.glb").value();
     for (auto const* name :
          { "leafy 1", "leafy spring", "leafy summer", "leafy autumn", "leafy winter" })
