@@ -1,10 +1,9 @@
 // A season on two birches with 9,660 leaves: what a window does from a slider's move to the
 // triangles of the next picture, and what is done once the slider is released, for which the leaves
 // are grown at their new age.
-#include "app/plants/model_file.h"
 #include "app/plants/plant_season.h"
-#include "app/resources.h"
 #include "app/station/plant_grower.h"
+#include "tests/app/our_plant.h"
 #include "tests/bench/report.h"
 
 #include <memory>
@@ -15,7 +14,7 @@ namespace {
 
 Scene two_birches()
 {
-    auto scene = apply_edit({}, load_model_edit(find_model("birch").value()).value()).value();
+    auto scene = our_plant("birch");
     auto const active = scene.state.active;
     return apply_edit(std::move(scene), CopyPlant { active, { 100, 0, 0 } }).value();
 }

@@ -4,6 +4,7 @@
 #include "app/resources.h"
 #include "drivers/file.h"
 #include "engine/plant/join_axes.h"
+#include "tests/app/our_plant.h"
 #include "tests/app/replayed.h"
 
 #include <fmt/core.h>
@@ -16,10 +17,7 @@ namespace {
 // Each of our plants has a demo: a script of what the hand does, and the recording made from it.
 class Demo : public ::testing::TestWithParam<char const*> {
 protected:
-    Scene scene() const
-    {
-        return apply_edit({}, load_model_edit(find_model(GetParam()).value()).value()).value();
-    }
+    Scene scene() const { return our_plant(GetParam()); }
     std::filesystem::path file(char const* kind) const
     {
         return find_resource(fmt::format("demo/{}.{}", GetParam(), kind)).value();

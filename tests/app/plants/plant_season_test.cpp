@@ -7,6 +7,7 @@
 #include "app/resources.h"
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/make_mesh.h"
+#include "tests/app/our_plant.h"
 #include "tests/app/small_model.h"
 
 #include <algorithm>
@@ -18,11 +19,6 @@
 
 namespace tractus {
 namespace {
-
-Scene birch()
-{
-    return apply_edit({}, load_model_edit(find_model("birch").value()).value()).value();
-}
 
 std::string glb_of(Plant const& plant)
 {
@@ -45,7 +41,7 @@ std::set<MaterialId> leaf_materials(Plant const& plant)
 
 TEST(PlantSeason, GrowsLeavesOfTheSeasonOnOnePage)
 {
-    auto const summer = birch();
+    auto const summer = our_plant("birch");
     auto const edits = season_edits(summer, Season { .month = 10.2, .fallen = 1 }).value();
     ASSERT_EQ(edits.size(), 2u);
     ASSERT_NE(edits[0].get<KeepLeaves>(), nullptr);
@@ -106,7 +102,8 @@ TEST(PlantGroup, IsThePlantsOfADocumentWhereTheyStand)
 {
     auto scene = small_scene();
     auto const one = shown_plants(scene).value();
-    scene = apply_edit(std::move(scene), CopyPlant { scene.state.active, { 100, 0, 0 } }).value();
+    CopyPlant const copy { scene.state.active, { 100, 0, 0 } };
+    scene = apply_edit(std::move(scene), copy).value();
     auto group = PlantGroup::create(scene).value();
     auto const both = group.as_set();
     ASSERT_EQ(both.segment_count(), 2 * one.segment_count());
@@ -122,7 +119,8 @@ TEST(PlantGroup, IsThePlantsOfADocumentWhereTheyStand)
     EXPECT_EQ(group.grow(key, 1).node_position_mm, varied.node_position_mm);
     check_plant(varied);
     EXPECT_LT(bounds(group.grow(key, 0.3)).max_mm.z(), bounds(varied).max_mm.z());
-    for (auto const& plant : scene.plants)
+    auto const shown = scene.plants;
+    for (auto const& plant : shown)
         scene = apply_edit(std::move(scene), HidePlant { plant->drawn->id }).value();
     EXPECT_FALSE(PlantGroup::create(scene));
 }

@@ -6,6 +6,7 @@
 #include "drivers/file.h"
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/make_mesh.h"
+#include "tests/app/our_plant.h"
 #include "tests/app/replayed.h"
 
 #include <gtest/gtest.h>
@@ -21,17 +22,13 @@ Log recording()
     return read_log(find_resource("demo/station.tractus-log").value()).value();
 }
 
-Scene birch()
-{
-    return apply_edit({}, load_model_edit(find_model("birch").value()).value()).value();
-}
-
 TEST(StationDemo, IsRecordedFromItsScriptByteForByte)
 {
     auto const path = find_resource("demo/station.hand.toml").value();
     auto const script = parse_gesture_script(read_file(path).value(), path.string()).value();
     std::ostringstream out;
-    auto const written = write_simulated_recording(out, script, birch(), all_methods().tools);
+    auto const written
+        = write_simulated_recording(out, script, our_plant("birch"), all_methods().tools);
     ASSERT_TRUE(written) << written.error().message;
     auto const kept = read_file(find_resource("demo/station.tractus-log").value()).value();
     EXPECT_TRUE(out.str() == kept) << "record it again: its script says how";
@@ -40,7 +37,7 @@ TEST(StationDemo, IsRecordedFromItsScriptByteForByte)
 
 TEST(StationDemo, DrawsWithEveryMethodInOneDocument)
 {
-    auto const [counts, scene, strokes] = replayed(recording(), {}, birch());
+    auto const [counts, scene, strokes] = replayed(recording(), {}, our_plant("birch"));
     EXPECT_EQ(strokes.size(), 13u);
     for (auto const& drawn : strokes)
         EXPECT_EQ(drawn.refusal, "") << drawn.tool.title();
@@ -64,7 +61,7 @@ TEST(StationDemo, IsTheSameOnAnyNumberOfThreads)
     auto const exported = [](int threads) {
         std::ostringstream out;
         tbb::task_arena(threads).execute([&] {
-            auto const scene = replayed(recording(), {}, birch()).scene;
+            auto const scene = replayed(recording(), {}, our_plant("birch")).scene;
             auto const mesh = make_mesh(shown_plants(scene).value());
             PlacedMesh placed;
             placed.mesh = &mesh;

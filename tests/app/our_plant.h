@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/plants/model_file.h"
+#include "app/resources.h"
+#include "engine/scene/scene.h"
+
+#include <string_view>
+
+namespace tractus {
+
+// A document with the plant of one of our models, such as "birch".
+inline Scene our_plant(std::string_view name)
+{
+    return apply_edit({}, load_model_edit(find_model(name).value()).value()).value();
+}
+
+} // namespace tractus
