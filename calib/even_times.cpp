@@ -19,12 +19,12 @@ constexpr std::size_t kOneCountedAnew = 32;
 constexpr double kSurely = 1.1; // Periods that a burst's last sample is late only if one was lost.
 
 // A point of the line's plane.
-struct Point {
+struct HullPoint {
     double index = 0;
     double arrival_ns = 0;
 };
 
-bool is_above_chord(Point const& a, Point const& b, Point const& c)
+bool is_above_chord(HullPoint const& a, HullPoint const& b, HullPoint const& c)
 {
     return (b.arrival_ns - a.arrival_ns) * (c.index - a.index)
         >= (c.arrival_ns - a.arrival_ns) * (b.index - a.index);
@@ -179,13 +179,13 @@ void EvenTimes::judge()
 // as it was.
 void EvenTimes::fit()
 {
-    std::vector<Point> hull;
+    std::vector<HullPoint> hull;
     double sum = 0;
     for (auto const& sample : samples_) {
         if (!sample.is_last_of_burst)
             continue;
-        Point const point { static_cast<double>(sample.index),
-                            static_cast<double>(sample.arrival) };
+        HullPoint const point { static_cast<double>(sample.index),
+                                static_cast<double>(sample.arrival) };
         if (!hull.empty() && point.index <= hull.back().index)
             continue; // One too many.
         while (hull.size() >= 2 && is_above_chord(hull[hull.size() - 2], hull.back(), point))

@@ -186,7 +186,7 @@ constexpr Duration kStepTakes = std::chrono::milliseconds(30);
 // goes as far as the mean of both speeds takes it, and exactly so under a steady acceleration.
 void HeightMonitor::watch_step(HeightSample const& sample)
 {
-    constexpr std::size_t kLeastReadings = 3;
+    constexpr std::size_t kLeastForStep = 3;
     auto const height = sample.full_scale == rig_.full_scale_counts && !is_on_rail(sample)
         ? height_mm(rig_.height_model, sample.counts)
         : std::nullopt;
@@ -201,7 +201,7 @@ void HeightMonitor::watch_step(HeightSample const& sample)
     auto const after = line_through(path_, sample.time, {}, kSide);
     auto const before
         = line_through(path_, sample.time, kSide + kStepTakes, 2 * kSide + kStepTakes);
-    if (std::min(after.count, before.count) < kLeastReadings
+    if (std::min(after.count, before.count) < kLeastForStep
         || std::abs(after.mm_per_s - before.mm_per_s) > limits_.step_speed_mm_per_s)
         return;
     double const way_mm = (after.mm_per_s + before.mm_per_s) / 2 * (after.seconds - before.seconds);

@@ -13,8 +13,8 @@ namespace tractus {
 
 namespace {
 
-constexpr std::size_t kLeastTouches = 200;
-constexpr double kLeastRise_mm = 50;
+constexpr std::size_t kLeastLatencyTouches = 200;
+constexpr double kLeastLatencyRise_mm = 50;
 constexpr double kLeastRun_mm = 20;
 constexpr double kTurn_mm = 20; // A way back that counts as a turn.
 constexpr int kLeastTurns = 2;
@@ -154,17 +154,18 @@ int count_turns(Eigen::VectorXd const& heights)
 
 Result<void> check_movement(Data const& data)
 {
-    if (data.touches.size() < kLeastTouches)
+    if (data.touches.size() < kLeastLatencyTouches)
         return fail(Fault::User,
                     fmt::format("the pen touched in only {} reports with a height, expected at "
                                 "least {}: let it follow the edge for ten seconds or more",
-                                data.touches.size(), kLeastTouches));
+                                data.touches.size(), kLeastLatencyTouches));
     auto const heights = heights_at(data, 0).value();
-    if (double const rise_mm = heights.maxCoeff() - heights.minCoeff(); rise_mm < kLeastRise_mm)
+    if (double const rise_mm = heights.maxCoeff() - heights.minCoeff();
+        rise_mm < kLeastLatencyRise_mm)
         return fail(Fault::User,
                     fmt::format("the surface moved by only {:.0f} mm while the pen touched, "
                                 "expected at least {}: move it further",
-                                rise_mm, kLeastRise_mm));
+                                rise_mm, kLeastLatencyRise_mm));
     if (int const turns = count_turns(heights); turns < kLeastTurns)
         return fail(Fault::User,
                     fmt::format("the surface turned {} times while the pen touched, expected at "

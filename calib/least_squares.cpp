@@ -53,14 +53,14 @@ Eigen::MatrixXd inverse_normal(Eigen::MatrixXd const& jacobian)
         * scale.cwiseInverse().asDiagonal();
 }
 
-struct Point {
+struct SolverPoint {
     Eigen::VectorXd parameters;
     Eigen::VectorXd residuals;
 };
 
 // The next better point, more damped with each one that is not; no value if there is none.
-std::optional<Point> better_point(ResidualFunction const& residuals, Point const& here,
-                                  Eigen::MatrixXd const& jacobian, double& damping)
+std::optional<SolverPoint> better_point(ResidualFunction const& residuals, SolverPoint const& here,
+                                        Eigen::MatrixXd const& jacobian, double& damping)
 {
     Eigen::MatrixXd const normal = jacobian.transpose() * jacobian;
     Eigen::VectorXd const gradient = jacobian.transpose() * here.residuals;
@@ -71,7 +71,7 @@ std::optional<Point> better_point(ResidualFunction const& residuals, Point const
         Eigen::VectorXd const next = here.parameters - damped.ldlt().solve(gradient);
         auto const there = residuals(next);
         if (there && there->squaredNorm() <= here.residuals.squaredNorm())
-            return Point { next, *there };
+            return SolverPoint { next, *there };
     }
     return std::nullopt;
 }
@@ -90,7 +90,7 @@ std::optional<LeastSquares> fit_least_squares(ResidualFunction const& residuals,
     auto const first = residuals(start);
     if (!first)
         return std::nullopt;
-    Point here { start, *first };
+    SolverPoint here { start, *first };
     double damping = 1e-3;
     for (int step = 0; step < kMostSteps; ++step) {
         auto const jacobian = jacobian_at(residuals, here.parameters, here.residuals, steps);

@@ -38,9 +38,9 @@ static Result<Duration> duration_ms(TomlTable& table, std::string_view key, Numb
 
 // Limits that no rig that can be built goes beyond: a value that does is a slip of somebody's
 // keyboard.
-static constexpr double kFarthest_mm = 10'000; // Any height.
-static constexpr double kMinSide_mm = 1;       // Sides of a tablet,
-static constexpr double kMaxSide_mm = 5'000;   // as its maker or a drawing says.
+static constexpr double kFarthestMark_mm = 10'000; // Any height.
+static constexpr double kMinSide_mm = 1;           // Sides of a tablet,
+static constexpr double kMaxSide_mm = 5'000;       // as its maker or a drawing says.
 static constexpr double kMaxRotation_deg = 360;
 static constexpr double kMaxShear = 1; // A carriage that rises at 45 degrees.
 static constexpr double kMaxExponent = 10;
@@ -73,12 +73,12 @@ static Result<void> parse_height(TomlTable& table, Rig& rig)
                 fmt::format("holds {}, where the model has no height: the string would "
                             "be shorter than its offset",
                             counts));
-        if (!(std::abs(*height) <= kFarthest_mm))
+        if (!(std::abs(*height) <= kFarthestMark_mm))
             return table.wrong(
                 "calibrated_counts",
                 fmt::format("holds {}, where the model's height is {} mm: no carriage goes "
                             "beyond {} mm",
-                            counts, *height, kFarthest_mm));
+                            counts, *height, kFarthestMark_mm));
     }
     rig.calibrated_min_counts = range.x();
     rig.calibrated_max_counts = range.y();

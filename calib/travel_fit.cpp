@@ -13,8 +13,8 @@ namespace tractus {
 
 namespace {
 
-constexpr std::size_t kLeastTouches = 100;
-constexpr double kLeastRise_mm = 100;
+constexpr std::size_t kLeastTravelTouches = 100;
+constexpr double kLeastTravelRise_mm = 100;
 constexpr double kMostStray_mm = 3;
 constexpr double kHuberDeviations = 1.345; // 95 % efficient where nothing slips.
 
@@ -83,22 +83,22 @@ void weigh(std::vector<Touch>& touches, LeastSquares const& x, LeastSquares cons
 
 Result<double> check_rise(std::vector<Touch> const& touches)
 {
-    if (touches.size() < kLeastTouches)
+    if (touches.size() < kLeastTravelTouches)
         return fail(Fault::User,
                     fmt::format("the pen touched in only {} reports with a height, expected at "
                                 "least {}: hold it on the tablet and against the edge while the "
                                 "surface moves",
-                                touches.size(), kLeastTouches));
+                                touches.size(), kLeastTravelTouches));
     auto const [low, high]
         = std::minmax_element(touches.begin(), touches.end(), [](auto const& a, auto const& b) {
               return a.height_mm < b.height_mm;
           });
     double const rise_mm = high->height_mm - low->height_mm;
-    if (rise_mm < kLeastRise_mm)
+    if (rise_mm < kLeastTravelRise_mm)
         return fail(Fault::User,
                     fmt::format("the surface moved by only {:.0f} mm while the pen touched, "
                                 "expected at least {}: move it over most of its travel",
-                                rise_mm, kLeastRise_mm));
+                                rise_mm, kLeastTravelRise_mm));
     return rise_mm;
 }
 

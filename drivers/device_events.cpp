@@ -1,8 +1,9 @@
 #include "drivers/device_events.h"
 
+#include "drivers/udev_handles.h"
+
 #include <chrono>
 #include <filesystem>
-#include <libudev.h>
 #include <poll.h>
 #include <string_view>
 
@@ -10,15 +11,9 @@ namespace tractus {
 
 namespace {
 
-struct Unreference {
-    void operator()(udev* context) const { udev_unref(context); }
-    void operator()(udev_monitor* monitor) const { udev_monitor_unref(monitor); }
-    void operator()(udev_device* device) const { udev_device_unref(device); }
-};
-
 class UdevEvents final : public DeviceEvents {
 public:
-    explicit UdevEvents(std::unique_ptr<udev_monitor, Unreference> monitor)
+    explicit UdevEvents(std::unique_ptr<udev_monitor, UdevUnreference> monitor)
         : monitor_(std::move(monitor))
     {
     }
@@ -28,14 +23,14 @@ public:
 private:
     bool take();
 
-    std::unique_ptr<udev_monitor, Unreference> monitor_;
+    std::unique_ptr<udev_monitor, UdevUnreference> monitor_;
 };
 
 // Takes all events that are waiting. True if there is one of something that may be opened now.
 bool UdevEvents::take()
 {
     bool is_any = false;
-    while (std::unique_ptr<udev_device, Unreference> const device {
+    while (std::unique_ptr<udev_device, UdevUnreference> const device {
         udev_monitor_receive_device(monitor_.get()) }) {
         auto const* const action = udev_device_get_action(device.get());
         is_any |= !action || std::string_view(action) != "remove";
@@ -64,10 +59,10 @@ std::unique_ptr<DeviceEvents> listen_to_udev()
     std::error_code ignored;
     if (!std::filesystem::exists("/run/udev/control", ignored))
         return nullptr;
-    std::unique_ptr<udev, Unreference> const context(udev_new());
+    std::unique_ptr<udev, UdevUnreference> const context(udev_new());
     if (!context)
         return nullptr;
-    std::unique_ptr<udev_monitor, Unreference> monitor(
+    std::unique_ptr<udev_monitor, UdevUnreference> monitor(
         udev_monitor_new_from_netlink(context.get(), "udev"));
     if (!monitor)
         return nullptr;

@@ -1,8 +1,8 @@
 #include "drivers/input_size.h"
 
+#include "drivers/udev_handles.h"
+
 #include <charconv>
-#include <libudev.h>
-#include <memory>
 #include <string_view>
 #include <system_error>
 
@@ -11,11 +11,6 @@ namespace tractus {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Unreference {
-    void operator()(udev* context) const { udev_unref(context); }
-    void operator()(udev_device* device) const { udev_device_unref(device); }
-};
 
 std::string_view property(udev_device* device, char const* name)
 {
@@ -37,7 +32,7 @@ std::optional<double> side_mm(std::string_view text)
 
 std::optional<Vec2> pen_size(udev* context, fs::path const& event_folder)
 {
-    std::unique_ptr<udev_device, Unreference> const device(
+    std::unique_ptr<udev_device, UdevUnreference> const device(
         udev_device_new_from_syspath(context, event_folder.c_str()));
     if (!device || property(device.get(), "ID_INPUT_TABLET") != "1"
         || property(device.get(), "ID_INPUT_TABLET_PAD") == "1"
@@ -54,7 +49,7 @@ std::optional<Vec2> pen_size(udev* context, fs::path const& event_folder)
 
 std::optional<Vec2> size_known_to_udev(fs::path const& hidraw_folder)
 {
-    std::unique_ptr<udev, Unreference> const context(udev_new());
+    std::unique_ptr<udev, UdevUnreference> const context(udev_new());
     if (!context)
         return std::nullopt;
     std::error_code ignored; // A device without inputs, or one that goes away.

@@ -17,6 +17,7 @@ set(engine/methods/sketch_lsystem engine/base engine/stroke engine/plant engine/
 set(drivers          engine/base)
 set(calib            engine/base engine/stroke drivers)
 set(sim              engine/base engine/stroke drivers calib)
+set(app/render       engine/base engine/plant engine/mesh engine/export)
 set(app/session      engine drivers)
 set(app/tools        engine)
 set(app/terminal     engine/base drivers)
@@ -30,7 +31,7 @@ set(app              engine drivers calib sim)
 set(layers engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh
            engine/scene engine/export engine/methods/construction_lines engine/methods/leaves
            engine/methods/silhouettes engine/methods/sketch_lsystem
-           drivers calib sim app/session app/tools app/terminal app/document app/station
+           drivers calib sim app/render app/session app/tools app/terminal app/document app/station
            app/methods/indicators app/methods/plants app)
 
 foreach(layer IN LISTS layers)

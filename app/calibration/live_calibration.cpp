@@ -10,7 +10,7 @@ namespace tractus {
 
 namespace {
 
-constexpr Duration kRest = std::chrono::milliseconds(2);
+constexpr Duration kCalibrationRest = std::chrono::milliseconds(2);
 constexpr Duration kShowEvery = std::chrono::milliseconds(100);
 constexpr Duration kCaptureEndsAfter = kCaptureTime + std::chrono::seconds(2); // Or never.
 constexpr char kEndOfInput = '\4';
@@ -54,7 +54,7 @@ public:
                             "the devices ended before the calibration did: give a "
                             "longer log, or connect them");
             if (!any)
-                options_.rest(kRest);
+                options_.rest(kCalibrationRest);
         }
         if (options_.recorder)
             TRY(options_.recorder->flush());

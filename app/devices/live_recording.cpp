@@ -9,7 +9,7 @@
 
 namespace tractus {
 
-static constexpr auto kRest = std::chrono::milliseconds(2);
+static constexpr auto kRecordingRest = std::chrono::milliseconds(2);
 
 LiveRecordingOptions live_recording_by_the_clock(std::optional<double> seconds)
 {
@@ -36,7 +36,7 @@ Result<LiveRecordingCounts> record_live(LiveDevices& devices, LiveRecorder& reco
         TRY(recorder.flush_if_due(options.now()));
         news.tell(devices);
         if (reports.empty() && goes_on)
-            options.rest(kRest);
+            options.rest(kRecordingRest);
     }
     TRY(recorder.flush());
     return LiveRecordingCounts { recorder.report_count(), devices.lost_count() };

@@ -11,6 +11,8 @@ namespace tractus {
 
 namespace {
 
+using Standing = FoundRow::Standing;
+
 constexpr std::size_t kFileHeaderBytes = 100;
 constexpr std::size_t kLogHeaderBytes = 32;
 constexpr std::size_t kFrameHeaderBytes = 24;
@@ -170,7 +172,6 @@ void SqlitePages::find_free_pages()
 // How a row would stand that begins at each place of the page.
 std::vector<FoundRow::Standing> SqlitePages::standings(Page const& page) const
 {
-    using Standing = FoundRow::Standing;
     std::size_t const begin = page.number == 1 ? kFileHeaderBytes : 0;
     std::vector<Standing> standings(page.bytes.size(), Standing::Unknown);
     auto const all_deleted = [&] {

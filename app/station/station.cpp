@@ -296,8 +296,8 @@ std::optional<double> Station::surface_height_mm() const
 
 bool Station::pen_rests() const
 {
-    constexpr Duration kRest = std::chrono::milliseconds(50);
-    return read_height_mm_ && newest_tip_ && read_height_time_ - newest_tip_->time > kRest;
+    constexpr Duration kHandAtRest = std::chrono::milliseconds(50);
+    return read_height_mm_ && newest_tip_ && read_height_time_ - newest_tip_->time > kHandAtRest;
 }
 
 FuserCounts Station::fuser_counts() const

@@ -31,7 +31,7 @@ namespace tractus {
 
 namespace {
 
-constexpr auto kRest = std::chrono::milliseconds(2);
+constexpr auto kDoctorRest = std::chrono::milliseconds(2);
 
 struct DoctorArguments {
     std::vector<std::string> devices;
@@ -114,7 +114,7 @@ Result<void> listen(LiveDevices& devices, double seconds, std::vector<Finding>& 
         for (auto& monitor : monitors)
             monitor.pass_time(Timestamp(now));
         if (reports.empty())
-            std::this_thread::sleep_for(kRest);
+            std::this_thread::sleep_for(kDoctorRest);
     }
     append(findings, diagnose_clocks(before, read_clocks()));
     judge(monitors, listened, findings);

@@ -26,7 +26,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration kRest = 2ms;
+constexpr Duration kWatchRest = 2ms;
 constexpr Duration kScreenPeriod = 100ms; // Faster than that nobody reads.
 constexpr Duration kPlainPeriod = 1s;
 constexpr std::size_t kPlainWidth = 200;
@@ -162,7 +162,7 @@ Result<void> run(WatchArguments const& arguments)
                 TRY(print_lines(watch.lines(kPlainWidth)));
         }
         if (!had_reports)
-            std::this_thread::sleep_for(kRest);
+            std::this_thread::sleep_for(kWatchRest);
     }
     return {};
 }

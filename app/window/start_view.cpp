@@ -13,8 +13,8 @@ namespace tractus {
 
 namespace {
 
-constexpr float kAir_px = 10;   // Around the words of a card.
-constexpr float kBorder_px = 5; // Of a card around its picture.
+constexpr float kCardAir_px = 10; // Around the words of a card.
+constexpr float kBorder_px = 5;   // Of a card around its picture.
 constexpr float kDetailSize_px = 16;
 constexpr float kLeastSize_px = 15; // Of letters that are made to fit.
 constexpr float kIconSize = 0.62f;  // Of the picture's height.
@@ -121,8 +121,8 @@ void StartView::show_cards(StartPageModel& page)
     float const height = ImGui::GetWindowHeight();
     grid_ = arrange_cards(state.groups, width, scale_);
     if (grid_.height > height) // A bar is beside them.
-        grid_ = arrange_cards(state.groups,
-                              width - ImGui::GetStyle().ScrollbarSize - kAir_px * scale_, scale_);
+        grid_ = arrange_cards(
+            state.groups, width - ImGui::GetStyle().ScrollbarSize - kCardAir_px * scale_, scale_);
     ImGui::PushFont(title_font_);
     for (auto const& title : grid_.titles) {
         ImGui::SetCursorPos({ origin.x + title.left, origin.y + title.top + 4 * scale_ });
@@ -222,7 +222,7 @@ void StartView::draw_picture(StartCard const& card, ImVec2 const& corner)
 
 void StartView::draw_words(StartCard const& card, ImVec2 const& corner) const
 {
-    float const left = corner.x + kAir_px * scale_;
+    float const left = corner.x + kCardAir_px * scale_;
     float const top = corner.y + grid_.picture_height + 4 * scale_;
     draw_fitted(card.title, { left, top }, ImGui::GetFontSize(), ImGui::GetColorU32(ImGuiCol_Text));
     auto const gray = ImGui::GetColorU32(ImGuiCol_TextDisabled);
@@ -235,7 +235,7 @@ void StartView::draw_words(StartCard const& card, ImVec2 const& corner) const
 
 float StartView::words_width() const
 {
-    return grid_.card_width - 2 * kAir_px * scale_;
+    return grid_.card_width - 2 * kCardAir_px * scale_;
 }
 
 // With smaller letters where it does not fit otherwise; what does not fit then ends in dots.

@@ -12,7 +12,7 @@
 namespace tractus {
 namespace {
 
-constexpr int kSize = 512;
+constexpr int kRelief_px = 512;
 constexpr std::uint32_t kReliefStream = 0x72656c69;
 
 double eased_between(double low, double high, double x)
@@ -85,10 +85,10 @@ public:
         CylinderNoise const wander(0, 2, 7);
         CylinderNoise const coarse(1, 3.4, 5);
         CylinderNoise const fine(2, 8, 15);
-        for (int row = 0; row < kSize; ++row)
-            for (int column = 0; column < kSize; ++column) {
-                double const angle = 2 * kPi * (column + 0.5) / kSize;
-                double const v = (row + 0.5) / kSize;
+        for (int row = 0; row < kRelief_px; ++row)
+            for (int column = 0; column < kRelief_px; ++column) {
+                double const angle = 2 * kPi * (column + 0.5) / kRelief_px;
+                double const v = (row + 0.5) / kRelief_px;
                 double const x = std::cos(angle);
                 double const y = std::sin(angle);
                 double const bent = wander.at(x, y, v);
@@ -108,8 +108,9 @@ public:
 private:
     static std::size_t index(int column, int row)
     {
-        auto const wrapped = [](int i) { return static_cast<std::size_t>((i + kSize) % kSize); };
-        return wrapped(row) * kSize + wrapped(column);
+        auto const wrapped
+            = [](int i) { return static_cast<std::size_t>((i + kRelief_px) % kRelief_px); };
+        return wrapped(row) * kRelief_px + wrapped(column);
     }
 
     // Along the rows, then across them.
@@ -126,11 +127,11 @@ private:
                 total += value_at(i);
             return total / kCount;
         };
-        for (int row = 0; row < kSize; ++row)
-            for (int column = 0; column < kSize; ++column)
+        for (int row = 0; row < kRelief_px; ++row)
+            for (int column = 0; column < kRelief_px; ++column)
                 along[index(column, row)] = sum([&](int x) { return at(column + x, row); });
-        for (int row = 0; row < kSize; ++row)
-            for (int column = 0; column < kSize; ++column)
+        for (int row = 0; row < kRelief_px; ++row)
+            for (int column = 0; column < kRelief_px; ++column)
                 means_[index(column, row)]
                     = sum([&](int y) { return along[index(column, row + y)]; });
     }
@@ -154,21 +155,21 @@ std::uint8_t byte_of(double value)
 template<typename Color> TextureSlot paint_colors(Color const& color)
 {
     std::vector<std::uint8_t> pixels;
-    pixels.reserve(std::size_t { 3 } * kSize * kSize);
-    for (int row = 0; row < kSize; ++row)
-        for (int column = 0; column < kSize; ++column)
+    pixels.reserve(std::size_t { 3 } * kRelief_px * kRelief_px);
+    for (int row = 0; row < kRelief_px; ++row)
+        for (int column = 0; column < kRelief_px; ++column)
             for (double const value : Vec3(color(column, row)))
                 pixels.push_back(byte_of(value));
-    return std::make_shared<TexturePicture const>(
-        TexturePicture { png_bytes({ kSize, kSize, 3, pixels, PngPicture::Packing::Fast }),
-                         TexturePicture::Edges::Repeat });
+    return std::make_shared<TexturePicture const>(TexturePicture {
+        png_bytes({ kRelief_px, kRelief_px, 3, pixels, PngPicture::Packing::Fast }),
+        TexturePicture::Edges::Repeat });
 }
 
 Vec3 normal_color(int column, int row)
 {
     constexpr double kBump = 0.055; // The window's bark has the same.
     auto const& heights = relief();
-    double const per_step = 0.5 * kSize * kBump;
+    double const per_step = 0.5 * kRelief_px * kBump;
     double const slope_u = per_step * (heights.at(column + 1, row) - heights.at(column - 1, row));
     double const slope_v = per_step * (heights.at(column, row + 1) - heights.at(column, row - 1));
     Vec3 const normal = Vec3(-slope_u, slope_v, 1).normalized();
@@ -186,9 +187,9 @@ Vec3 occlusion_color(int column, int row)
 
 GreyPicture bark_color_picture()
 {
-    GreyPicture picture { kSize, kSize, {} };
-    for (int row = 0; row < kSize; ++row)
-        for (int column = 0; column < kSize; ++column)
+    GreyPicture picture { kRelief_px, kRelief_px, {} };
+    for (int row = 0; row < kRelief_px; ++row)
+        for (int column = 0; column < kRelief_px; ++column)
             picture.pixels.push_back(
                 byte_of(0.45 + 0.55 * eased_between(0.30, 0.95, relief().at(column, row))));
     return picture;

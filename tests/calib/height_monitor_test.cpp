@@ -15,9 +15,9 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 // 0.1 mm per count, 12 bits.
-Rig const kRig;
+Rig const kPlainRig;
 
-Timestamp at(Duration time)
+Timestamp moment(Duration time)
 {
     return Timestamp(time);
 }
@@ -28,7 +28,7 @@ void push(HeightMonitor& monitor, Duration begin, Duration end, Counts const& co
 {
     int index = 0;
     for (auto time = begin; time < end; time += milliseconds(2))
-        monitor.push({ .time = at(time), .counts = counts(index++), .full_scale = 4095 });
+        monitor.push({ .time = moment(time), .counts = counts(index++), .full_scale = 4095 });
 }
 
 int flickering(int index)
@@ -49,7 +49,7 @@ void expect_no_fault(HeightMonitor const& monitor)
 
 TEST(HeightMonitor, FindsNoFaultInAHealthySensor)
 {
-    HeightMonitor monitor(kRig);
+    HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), seconds(20), flickering);
     expect_no_fault(monitor);
     EXPECT_NEAR(monitor.rate_hz(), 500, 0.1);
@@ -65,7 +65,7 @@ int rising_with_slip(int index, double slip_mm)
 
 TEST(HeightMonitor, SeesASlowSlipInTheMidstOfAMovement)
 {
-    HeightMonitor monitor(kRig);
+    HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), milliseconds(700), [](int i) { return rising_with_slip(i, 6); });
     ASSERT_TRUE(monitor.present());
     EXPECT_EQ(monitor.present()->kind, Jump);
@@ -79,14 +79,14 @@ TEST(HeightMonitor, SeesASlowSlipInTheMidstOfAMovement)
 
 TEST(HeightMonitor, TakesNoSmallStepForASlip)
 {
-    HeightMonitor monitor(kRig);
+    HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), milliseconds(700), [](int i) { return rising_with_slip(i, 2); });
     expect_no_fault(monitor);
 }
 
 TEST(HeightMonitor, TakesTheBeginningOfAMovementForNoSlip)
 {
-    HeightMonitor monitor(kRig);
+    HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), seconds(1),
          [](int i) { return 1000 + std::max(0, i - 250) * 6; }); // 300 mm/s at once.
     expect_no_fault(monitor);
@@ -94,34 +94,34 @@ TEST(HeightMonitor, TakesTheBeginningOfAMovementForNoSlip)
 
 TEST(HeightMonitor, TellsThatNothingComesAnyMore)
 {
-    HeightMonitor monitor(kRig);
+    HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), seconds(1), flickering);
-    monitor.advance(at(milliseconds(1200)));
+    monitor.advance(moment(milliseconds(1200)));
     EXPECT_FALSE(monitor.present()) << "a fifth of a second may be the computer's fault";
-    monitor.advance(at(milliseconds(3198)));
+    monitor.advance(moment(milliseconds(3198)));
     ASSERT_TRUE(monitor.present());
     EXPECT_EQ(monitor.present()->kind, Silence);
-    EXPECT_EQ(monitor.present()->begin, at(milliseconds(998)));
+    EXPECT_EQ(monitor.present()->begin, moment(milliseconds(998)));
     EXPECT_EQ(describe_fault(*monitor.present()),
               "height sensor silent for 2 s: is it plugged in?");
 }
 
 TEST(HeightMonitor, TellsThatNothingEverCame)
 {
-    HeightMonitor monitor(kRig);
-    monitor.advance(at(seconds(100)));
-    monitor.advance(at(seconds(101)));
+    HeightMonitor monitor(kPlainRig);
+    monitor.advance(moment(seconds(100)));
+    monitor.advance(moment(seconds(101)));
     ASSERT_TRUE(monitor.present());
-    EXPECT_EQ(monitor.present()->begin, at(seconds(100)));
+    EXPECT_EQ(monitor.present()->begin, moment(seconds(100)));
 }
 
 TEST(HeightMonitor, ForgivesSilenceWhenReadingsComeAgain)
 {
-    HeightMonitor monitor(kRig);
+    HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), seconds(1), flickering);
     push(monitor, seconds(4), seconds(5), flickering);
     EXPECT_FALSE(monitor.present());
-    EXPECT_EQ(describe_faults(monitor, at({})),
+    EXPECT_EQ(describe_faults(monitor, moment({})),
               std::vector<std::string>({ "the height sensor fell silent once, for 3.0 s at 1.0 s: "
                                          "check its plug and its cable" }));
 }
@@ -129,12 +129,12 @@ TEST(HeightMonitor, ForgivesSilenceWhenReadingsComeAgain)
 TEST(HeightMonitor, TellsOfReadingsAtEitherEnd)
 {
     for (int const rail : { 0, 4, 4091, 4095 }) {
-        HeightMonitor monitor(kRig);
+        HeightMonitor monitor(kPlainRig);
         push(monitor, seconds(0), seconds(1), flickering);
         push(monitor, seconds(1), seconds(2), [&](int) { return rail; });
         ASSERT_TRUE(monitor.present()) << rail;
         EXPECT_EQ(monitor.present()->kind, Rail);
-        EXPECT_EQ(monitor.present()->begin, at(seconds(1)));
+        EXPECT_EQ(monitor.present()->begin, moment(seconds(1)));
         EXPECT_EQ(monitor.present()->counts, rail);
         EXPECT_EQ(monitor.total(Jump).count, 0U) << "the way there is the same fault";
     }
@@ -142,19 +142,19 @@ TEST(HeightMonitor, TellsOfReadingsAtEitherEnd)
 
 TEST(HeightMonitor, TakesASingleReadingAtAnEndForASpike)
 {
-    HeightMonitor monitor(kRig);
+    HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), seconds(2), [](int i) { return i % 100 == 50 ? 0 : flickering(i); });
     expect_no_fault(monitor);
 }
 
 TEST(HeightMonitor, TellsOfAJumpThatNoHandMakes)
 {
-    HeightMonitor monitor(kRig);
+    HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), seconds(1), flickering);
     push(monitor, seconds(1), milliseconds(1100), [](int i) { return 300 + flickering(i); });
     ASSERT_TRUE(monitor.present());
     EXPECT_EQ(monitor.present()->kind, Jump);
-    EXPECT_EQ(monitor.present()->begin, at(seconds(1)));
+    EXPECT_EQ(monitor.present()->begin, moment(seconds(1)));
     EXPECT_NEAR(monitor.present()->speed_mm_per_s, 30 / 0.0025, 100);
     push(monitor, milliseconds(1100), seconds(2), [](int i) { return 300 + flickering(i); });
     EXPECT_FALSE(monitor.present());
@@ -163,14 +163,14 @@ TEST(HeightMonitor, TellsOfAJumpThatNoHandMakes)
 
 TEST(HeightMonitor, CountsASpikeOnce)
 {
-    HeightMonitor monitor(kRig);
+    HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), seconds(2), [](int i) { return i == 400 ? 2000 : flickering(i); });
     EXPECT_EQ(monitor.total(Jump).count, 1U);
 }
 
 TEST(HeightMonitor, LetsAHandMoveAsFastAsItCan)
 {
-    HeightMonitor monitor(kRig);
+    HeightMonitor monitor(kPlainRig);
     // 1.9 m/s are 38 counts in 2 ms.
     push(monitor, seconds(0), milliseconds(200), [](int i) { return 100 + 38 * i; });
     expect_no_fault(monitor);
@@ -178,12 +178,12 @@ TEST(HeightMonitor, LetsAHandMoveAsFastAsItCan)
 
 TEST(HeightMonitor, DoesNotTakeABurstForAJump)
 {
-    HeightMonitor monitor(kRig);
+    HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), milliseconds(100), [](int i) { return 1000 + 10 * i; });
     // Readings that were held up for 50 ms come at once: a hand at 0.5 m/s, 50 us apart.
     auto time = milliseconds(150);
     for (int i = 0; i < 25; ++i)
-        monitor.push({ .time = at(time + i * std::chrono::microseconds(50)),
+        monitor.push({ .time = moment(time + i * std::chrono::microseconds(50)),
                        .counts = 1500 + 10 * i,
                        .full_scale = 4095 });
     expect_no_fault(monitor);
@@ -191,12 +191,12 @@ TEST(HeightMonitor, DoesNotTakeABurstForAJump)
 
 TEST(HeightMonitor, TellsThatANoisySensorStandsStill)
 {
-    HeightMonitor monitor(kRig);
+    HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), seconds(1), flickering);
     push(monitor, seconds(1), seconds(7), still);
     ASSERT_TRUE(monitor.present());
     EXPECT_EQ(monitor.present()->kind, Stuck);
-    EXPECT_EQ(monitor.present()->begin, at(seconds(1)));
+    EXPECT_EQ(monitor.present()->begin, moment(seconds(1)));
     push(monitor, seconds(7), seconds(8), flickering);
     EXPECT_FALSE(monitor.present());
     EXPECT_EQ(describe_faults(monitor, {}).size(), 1U);
@@ -204,7 +204,7 @@ TEST(HeightMonitor, TellsThatANoisySensorStandsStill)
 
 TEST(HeightMonitor, HasPatienceWithASensorThatNeverFlickers)
 {
-    HeightMonitor monitor(kRig);
+    HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), seconds(1), [](int i) { return i; });
     push(monitor, seconds(1), seconds(59), still);
     EXPECT_FALSE(monitor.present());
@@ -215,11 +215,11 @@ TEST(HeightMonitor, HasPatienceWithASensorThatNeverFlickers)
 
 TEST(HeightMonitor, AddsUpWhatHappenedSeveralTimes)
 {
-    HeightMonitor monitor(kRig);
+    HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(10), seconds(11), flickering);
     push(monitor, seconds(12), seconds(13), flickering);
     push(monitor, seconds(15), seconds(16), flickering);
-    EXPECT_EQ(describe_faults(monitor, at(seconds(10))),
+    EXPECT_EQ(describe_faults(monitor, moment(seconds(10))),
               std::vector<std::string>({ "the height sensor fell silent 2 times, for 3.0 s in all, "
                                          "the longest at 3.0 s: check its plug and its cable" }));
 }
@@ -247,11 +247,20 @@ TEST(HeightMonitor, FindsExactlyTheFaultsThatWereSimulated)
 {
     auto const hand = fast_hand(1);
     SimulatedHeightFault const faults[] {
-        { .kind = Silence, .begin = at(seconds(1)), .end = at(milliseconds(1600)) },
-        { .kind = Rail, .begin = at(seconds(1)), .end = at(milliseconds(1100)), .counts = 4095 },
-        { .kind = Rail, .begin = at(seconds(1)), .end = at(milliseconds(1100)), .counts = 0 },
-        { .kind = Jump, .begin = at(seconds(1)), .end = at(milliseconds(1100)), .counts = 150 },
-        { .kind = Stuck, .begin = at(seconds(1)), .end = at(milliseconds(6500)) },
+        { .kind = Silence, .begin = moment(seconds(1)), .end = moment(milliseconds(1600)) },
+        { .kind = Rail,
+          .begin = moment(seconds(1)),
+          .end = moment(milliseconds(1100)),
+          .counts = 4095 },
+        { .kind = Rail,
+          .begin = moment(seconds(1)),
+          .end = moment(milliseconds(1100)),
+          .counts = 0 },
+        { .kind = Jump,
+          .begin = moment(seconds(1)),
+          .end = moment(milliseconds(1100)),
+          .counts = 150 },
+        { .kind = Stuck, .begin = moment(seconds(1)), .end = moment(milliseconds(6500)) },
     };
     for (auto const& fault : faults) {
         SimulatedRigOptions options;

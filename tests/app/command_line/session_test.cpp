@@ -3,16 +3,23 @@
 namespace tractus {
 namespace {
 
+// In a folder with a session, "hand.tractus": drawn once for all tests of a process.
 class SessionVerb : public Workshop {
 protected:
     void SetUp() override
     {
+        static std::string session;
         Workshop::SetUp();
         record();
+        if (!session.empty()) {
+            write("hand.tractus", session);
+            return;
+        }
         auto const drawn = run("tractus replay hand.tractus-log --plant small.l --count 1 -o out "
                                "--session hand.tractus");
         ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
         EXPECT_NE(drawn.out.find("wrote hand.tractus\n"), std::string::npos) << drawn.out;
+        session = read("hand.tractus");
     }
 
     std::string out(std::string const& command) const

@@ -58,12 +58,18 @@ protected:
         return outcome;
     }
 
-    // A recording of the hand, "hand.tractus-log".
+    // A recording of the hand, "hand.tractus-log": made once for all tests of a process.
     void record() const
     {
+        static std::string recording;
+        if (!recording.empty()) {
+            write("hand.tractus-log", recording);
+            return;
+        }
         auto const outcome
             = run("tractus record --simulate hand.toml --plant small.l -o hand.tractus-log");
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        recording = read("hand.tractus-log");
     }
 
     void write(std::string const& name, std::string const& text) const

@@ -2,7 +2,10 @@
 
 #include "engine/export/glb_writer.h"
 
+#include <cstdint>
+#include <cstring>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <sstream>
 #include <string>
@@ -25,6 +28,14 @@ inline std::string glb_of(Mesh const& mesh, GlbOptions const& options = {})
 {
     PlacedMesh const placed { .mesh = &mesh };
     return glb_of(std::span(&placed, 1), options);
+}
+
+// What the first chunk of a .glb says.
+inline nlohmann::json json_of(std::string const& glb)
+{
+    std::uint32_t size = 0;
+    std::memcpy(&size, glb.data() + 12, sizeof size);
+    return nlohmann::json::parse(glb.substr(20, size));
 }
 
 } // namespace tractus

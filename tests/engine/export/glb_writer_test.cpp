@@ -24,11 +24,6 @@ std::uint32_t u32_at(std::string const& bytes, std::size_t offset)
     return value;
 }
 
-nlohmann::json json_of(std::string const& glb)
-{
-    return nlohmann::json::parse(glb.substr(20, u32_at(glb, 12)));
-}
-
 // A stream that takes some bytes and then fails, as a full disk does.
 class FullDisk : public std::stringbuf {
 public:

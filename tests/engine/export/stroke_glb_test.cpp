@@ -1,6 +1,7 @@
 #include "engine/export/stroke_glb.h"
 
 #include "engine/export/glb_lines.h"
+#include "tests/engine/export/glb_of.h"
 #include "tests/engine/stroke/strokes.h"
 
 #include <array>
@@ -19,13 +20,6 @@ std::string glb_of(std::vector<Stroke> const& strokes)
     auto const written = write_strokes_glb(out, strokes);
     EXPECT_TRUE(written) << written.error().message;
     return out.str();
-}
-
-nlohmann::json json_of(std::string const& glb)
-{
-    std::uint32_t size = 0;
-    std::memcpy(&size, glb.data() + 12, 4);
-    return nlohmann::json::parse(glb.substr(20, size));
 }
 
 TEST(StrokeGlb, IsReadBackAsTheSameLines)

@@ -15,7 +15,7 @@ namespace {
 constexpr int kLeaves = 2000;
 
 // A stem with organs of one shape all along it.
-Plant plant_of(OrganShape shape, Material::Kind kind = Material::Kind::Leaf)
+Plant leafy_plant(OrganShape shape, Material::Kind kind = Material::Kind::Leaf)
 {
     Plant plant;
     plant.materials = { {}, { .name = "leaf", .kind = kind, .base_color = { 0.3f, 0.5f, 0.2f } } };
@@ -50,7 +50,7 @@ Count count_of(Plant const& plant)
 
 Count at(double month, double fallen = 0.25, OrganShape const& shape = {})
 {
-    auto const plant = in_season(plant_of(shape), { month, fallen }, {});
+    auto const plant = in_season(leafy_plant(shape), { month, fallen }, {});
     check_plant(plant);
     return count_of(plant);
 }
@@ -122,7 +122,7 @@ TEST(Season, TurnsGreenLeavesYellow)
 
 TEST(Season, LaysFallenLeavesOnTheGroundBelow)
 {
-    auto const plant = in_season(plant_of({}), { 1.5, 1 }, {});
+    auto const plant = in_season(leafy_plant({}), { 1.5, 1 }, {});
     double reach_mm = 0;
     for (auto const& organ : plant.organs) {
         EXPECT_EQ(organ.segment, kNone);
@@ -139,7 +139,7 @@ TEST(Season, LaysFallenLeavesOnTheGroundBelow)
 TEST(Season, LeavesSegmentsAndEvergreensAsTheyAre)
 {
     for (double const month : { 1.5, 4.8, 7.0, 10.4 }) {
-        auto const before = plant_of({ .kind = OrganShape::Kind::Needle });
+        auto const before = leafy_plant({ .kind = OrganShape::Kind::Needle });
         auto const needles = in_season(before, { month }, {});
         EXPECT_EQ(needles.organs.size(), before.organs.size());
         EXPECT_EQ(needles.materials.size(), before.materials.size());
@@ -155,7 +155,7 @@ TEST(Season, ShowsPetalsInTheirMonths)
     OrganShape petal;
     petal.calendar = OrganCalendar { .opens = 3.5, .grown = 4, .turns = 4.7, .bare = 5 };
     auto const petals_at = [&](double month) {
-        return in_season(plant_of(petal, Material::Kind::Petal), { month, 1 }, {}).organs.size();
+        return in_season(leafy_plant(petal, Material::Kind::Petal), { month, 1 }, {}).organs.size();
     };
     EXPECT_EQ(petals_at(3), 0u);
     EXPECT_EQ(petals_at(4.2), std::size_t { kLeaves });
@@ -164,8 +164,8 @@ TEST(Season, ShowsPetalsInTheirMonths)
 
 TEST(Season, IsTheSameTwice)
 {
-    auto const one = in_season(plant_of({}), { 10.4 }, {});
-    auto const other = in_season(plant_of({}), { 10.4 }, {});
+    auto const one = in_season(leafy_plant({}), { 10.4 }, {});
+    auto const other = in_season(leafy_plant({}), { 10.4 }, {});
     ASSERT_EQ(one.organs.size(), other.organs.size());
     for (std::size_t i = 0; i < one.organs.size(); ++i) {
         EXPECT_EQ(one.organs[i].position_mm, other.organs[i].position_mm);
@@ -190,7 +190,7 @@ TEST(Season, TakesGrownLeavesOfItsAge)
 {
     OrganShape shape { .kind = OrganShape::Kind::Leaf, .length_mm = 60 };
     shape.cut = sheet_of("birch 1 0.5.leaf-sheet", 1)->leaves[0];
-    auto const plant = plant_of(shape);
+    auto const plant = leafy_plant(shape);
     Season const autumn { 10.4 };
     auto const missing = missing_leaves(plant, autumn, {});
     ASSERT_EQ(missing.size(), 1u);

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <libudev.h>
+#include <memory>
+
+namespace tractus {
+
+/// Gives back what libudev handed out: `std::unique_ptr<udev_device, UdevUnreference>`.
+struct UdevUnreference {
+    void operator()(udev* context) const { udev_unref(context); }
+    void operator()(udev_monitor* monitor) const { udev_monitor_unref(monitor); }
+    void operator()(udev_device* device) const { udev_device_unref(device); }
+};
+
+} // namespace tractus
