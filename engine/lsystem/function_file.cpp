@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <optional>
+#include <span>
 
 namespace tractus {
 
@@ -14,28 +16,58 @@ namespace {
 constexpr std::size_t kMaxFunctionSamples = 100'000;
 constexpr double kMaxMultiplicity = 10;
 
-// y at x by bisection, x rising along the curve; as near as cpfg goes, so that numbers agree.
-double value_at(std::vector<Vec3> const& points, double x)
-{
-    constexpr double kPrecision = 0.001;
-    double low = 0;
-    double high = 1;
-    Vec3 point = Vec3::Zero();
-    for (int i = 0; i < 60; ++i) {
-        double const middle = (low + high) / 2;
-        point = bspline_point(points, middle);
-        if (std::fabs(point.x() - x) <= kPrecision)
-            break;
-        (point.x() > x ? high : low) = middle;
+// A curve over [0, 1] whose x rises, halved again and again: what was computed at a middle serves
+// all searches that come by.
+class HalvedCurve {
+public:
+    explicit HalvedCurve(std::vector<Vec3> const& points)
+        : points_(points)
+        , known_(kKept)
+    {
     }
-    return point.y();
-}
+
+    // y at x by bisection; as near as cpfg goes, so that numbers agree.
+    double value_at(double x)
+    {
+        constexpr double kPrecision = 0.001;
+        double low = 0;
+        double high = 1;
+        std::size_t half = 1; // Of all, as in a heap: those of a half are twice it and one more.
+        Vec3 point = Vec3::Zero();
+        for (int i = 0; i < 60; ++i) {
+            double const middle = (low + high) / 2;
+            point = at(half, middle);
+            if (std::fabs(point.x() - x) <= kPrecision)
+                break;
+            bool const is_below = point.x() > x;
+            (is_below ? high : low) = middle;
+            half = half < kKept ? 2 * half + (is_below ? 0 : 1) : kKept;
+        }
+        return point.y();
+    }
+
+private:
+    static constexpr std::size_t kKept = 1024; // Ten halvings, which the precision takes.
+
+    Vec3 at(std::size_t half, double middle)
+    {
+        if (half >= kKept)
+            return bspline_point(points_, middle);
+        if (!known_[half])
+            known_[half] = bspline_point(points_, middle);
+        return *known_[half];
+    }
+
+    std::span<Vec3 const> points_;
+    std::vector<std::optional<Vec3>> known_;
+};
 
 std::vector<double> tabulate(std::vector<Vec3> const& points, std::size_t samples)
 {
+    HalvedCurve curve(points);
     std::vector<double> values(samples);
     for (std::size_t i = 0; i < samples; ++i)
-        values[i] = value_at(points, static_cast<double>(i) / static_cast<double>(samples - 1));
+        values[i] = curve.value_at(static_cast<double>(i) / static_cast<double>(samples - 1));
     return values;
 }
 
