@@ -1,6 +1,7 @@
 #include "app/calibration/live_calibration.h"
 
 #include "app/calibration/log_calibration.h"
+#include "app/devices/live_devices.h"
 #include "drivers/sensors/sensor_volts.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace tractus {
 
 namespace {
 
-constexpr Duration kCalibrationRest = std::chrono::milliseconds(2);
 constexpr Duration kShowEvery = std::chrono::milliseconds(100);
 constexpr Duration kCaptureEndsAfter = kCaptureTime + std::chrono::seconds(2); // Or never.
 constexpr char kEndOfInput = '\4';
@@ -54,7 +54,7 @@ public:
                             "the devices ended before the calibration did: give a "
                             "longer log, or connect them");
             if (!any)
-                options_.rest(kCalibrationRest);
+                options_.rest(kPollRest);
         }
         if (options_.recorder)
             TRY(options_.recorder->flush());

@@ -5,7 +5,9 @@
 #include "drivers/report_source.h"
 #include "drivers/threaded_source.h"
 #include "engine/base/result.h"
+#include "engine/base/time.h"
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -16,6 +18,9 @@
 #include <vector>
 
 namespace tractus {
+
+// How long a loop over devices rests where none has sent anything new.
+constexpr Duration kPollRest = std::chrono::milliseconds(2);
 
 // A report of one of several devices.
 struct LiveReport {

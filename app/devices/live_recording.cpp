@@ -1,6 +1,7 @@
 #include "app/devices/live_recording.h"
 
 #include "app/devices/device_news.h"
+#include "app/devices/live_devices.h"
 #include "drivers/clock.h"
 
 #include <chrono>
@@ -8,8 +9,6 @@
 #include <vector>
 
 namespace tractus {
-
-static constexpr auto kRecordingRest = std::chrono::milliseconds(2);
 
 LiveRecordingOptions live_recording_by_the_clock(std::optional<double> seconds)
 {
@@ -36,7 +35,7 @@ Result<LiveRecordingCounts> record_live(LiveDevices& devices, LiveRecorder& reco
         TRY(recorder.flush_if_due(options.now()));
         news.tell(devices);
         if (reports.empty() && goes_on)
-            options.rest(kRecordingRest);
+            options.rest(kPollRest);
     }
     TRY(recorder.flush());
     return LiveRecordingCounts { recorder.report_count(), devices.lost_count() };

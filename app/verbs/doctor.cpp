@@ -31,8 +31,6 @@ namespace tractus {
 
 namespace {
 
-constexpr auto kDoctorRest = std::chrono::milliseconds(2);
-
 struct DoctorArguments {
     std::vector<std::string> devices;
     std::string log;
@@ -114,7 +112,7 @@ Result<void> listen(LiveDevices& devices, double seconds, std::vector<Finding>& 
         for (auto& monitor : monitors)
             monitor.pass_time(Timestamp(now));
         if (reports.empty())
-            std::this_thread::sleep_for(kDoctorRest);
+            std::this_thread::sleep_for(kPollRest);
     }
     append(findings, diagnose_clocks(before, read_clocks()));
     judge(monitors, listened, findings);

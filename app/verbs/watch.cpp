@@ -26,7 +26,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration kWatchRest = 2ms;
 constexpr Duration kScreenPeriod = 100ms; // Faster than that nobody reads.
 constexpr Duration kPlainPeriod = 1s;
 constexpr std::size_t kPlainWidth = 200;
@@ -162,7 +161,7 @@ Result<void> run(WatchArguments const& arguments)
                 TRY(print_lines(watch.lines(kPlainWidth)));
         }
         if (!had_reports)
-            std::this_thread::sleep_for(kWatchRest);
+            std::this_thread::sleep_for(kPollRest);
     }
     return {};
 }
