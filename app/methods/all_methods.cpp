@@ -53,9 +53,9 @@ Methods all_methods()
         &CopyPlantTool::kKind,   &HidePlantTool::kKind,     &RemovePlantTool::kKind,
         &GraftPlantTool::kKind,  &TakeOffTool::kKind,       &HideBranchTool::kKind,
     };
-    static constexpr std::array kLayers { &kOutlineLayer,  &kTrunkLayer,       &kStemLayer,
-                                          &kBoundaryLayer, &kInclinationLayer, &kUnsureLayer,
-                                          &kIndicatorLayer };
+    static constexpr std::array kLayers { &kOutlineLayer,     &kTrunkLayer,       &kStemLayer,
+                                          &kBoundaryLayer,    &kInclinationLayer, &kUnsureLayer,
+                                          &kLinesToDrawLayer, &kIndicatorLayer };
     static auto const edits = [] {
         auto const core = core_edit_kinds();
         std::vector<EditKind const*> all(core.begin(), core.end());

@@ -1,6 +1,7 @@
 #include "app/methods/construction_lines/line_layers.h"
 
 #include "engine/methods/construction_lines/line_edits.h"
+#include "engine/methods/construction_lines/lines_to_draw.h"
 #include "engine/scene/paper.h"
 
 namespace tractus {
@@ -26,6 +27,23 @@ std::vector<Vec3f> shown(lines::SketchLine const& line, lines::SheetPlacement co
             points.push_back(at_mm);
     }
     return points;
+}
+
+Lines to_be_drawn(BuiltPlant const& plant)
+{
+    Lines result;
+    auto const* const sketch = lines::pen_sketch(*plant.drawn);
+    auto const drawn = sketch ? lines::line_sketch(*sketch) : fail(Fault::User, "no sketch");
+    if (!drawn || !plant.drawn->paper_mm)
+        return result;
+    auto const sheet = lines::sheet_of(*plant.drawn, plant.placement.scale);
+    Paper const paper { *plant.drawn->paper_mm, plant.drawn->stands_at_mm };
+    for (auto const& line : lines::lines_to_draw(*drawn)) {
+        result.emplace_back();
+        for (auto const& point : line)
+            result.back().push_back(paper.world_of_sheet(sheet.on_tablet(point)).cast<float>());
+    }
+    return result;
 }
 
 template<lines::Role... roles> Lines lines_of(BuiltPlant const& plant)
@@ -58,5 +76,10 @@ constexpr Layer kInclinationLayer { .label = "inclination lines",
 constexpr Layer kUnsureLayer { .label = "unsure lines",
                                .style = { .pattern = LayerStyle::Pattern::Dotted },
                                .lines = lines_of<Unsure> };
+constexpr Layer kLinesToDrawLayer { .label = "still to be drawn",
+                                    .style = { .color = LayerStyle::Color::Blue,
+                                               .pattern = LayerStyle::Pattern::Dotted,
+                                               .width_mm = 1 },
+                                    .lines = to_be_drawn };
 
 } // namespace tractus

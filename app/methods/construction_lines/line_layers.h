@@ -10,7 +10,9 @@ extern Layer const kStemLayer;
 extern Layer const kBoundaryLayer;
 // its inclination lines, and halves of them,
 extern Layer const kInclinationLayer;
-// and those of which nobody knows what they are.
+// those of which nobody knows what they are,
 extern Layer const kUnsureLayer;
+// and where lines that it lacks might be (lines_to_draw.h).
+extern Layer const kLinesToDrawLayer;
 
 } // namespace tractus

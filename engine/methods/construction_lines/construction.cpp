@@ -64,23 +64,6 @@ Result<DrawnStem> measure_stem(LineSketch const& sketch)
     return stem;
 }
 
-// A line at the other side of the stem: each point goes as far beyond it as it was before it.
-// Beyond the stem's ends the stem goes on straight.
-std::vector<Vec2> mirrored(DrawnLine const& stem, std::span<Vec2 const> points)
-{
-    std::vector<Vec2> result;
-    for (auto const& point : points) {
-        double const at_mm = stem.nearest_mm(point);
-        Vec2 foot = stem.point(at_mm);
-        if (at_mm <= 0 || at_mm >= stem.length_mm()) {
-            Vec2 const way = direction(stem.heading_deg(at_mm));
-            foot += (point - foot).dot(way) * way;
-        }
-        result.push_back(2 * foot - point);
-    }
-    return result;
-}
-
 struct Boundaries {
     DrawnLine left;
     DrawnLine right;

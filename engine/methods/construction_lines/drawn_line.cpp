@@ -141,6 +141,21 @@ static bool is_on_piece(double share, bool is_last)
     return share >= -kRounding && (is_last ? share <= 1 + kRounding : share < 1 - kRounding);
 }
 
+std::vector<Vec2> mirrored(DrawnLine const& line, std::span<Vec2 const> points)
+{
+    std::vector<Vec2> result;
+    for (auto const& point : points) {
+        double const at_mm = line.nearest_mm(point);
+        Vec2 foot = line.point(at_mm);
+        if (at_mm <= 0 || at_mm >= line.length_mm()) {
+            Vec2 const way = direction(line.heading_deg(at_mm));
+            foot += (point - foot).dot(way) * way;
+        }
+        result.push_back(2 * foot - point);
+    }
+    return result;
+}
+
 std::vector<Crossing> crossings(DrawnLine const& first, DrawnLine const& second)
 {
     std::vector<Crossing> found;

@@ -83,6 +83,10 @@ DrawnLine::Place place_in(std::span<double const> rising, double value);
 // Linear between the values at the rising numbers.
 double value_in(std::span<double const> values, DrawnLine::Place const& place);
 
+// Points at the other side of a line: each as far beyond it as it was before it. Beyond its ends
+// the line goes on straight.
+std::vector<Vec2> mirrored(DrawnLine const& line, std::span<Vec2 const> points);
+
 // Where two lines cross: how far along each of them.
 struct Crossing {
     double first_mm = 0;

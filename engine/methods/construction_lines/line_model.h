@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/lsystem/model.h"
+#include "engine/lsystem/language/model.h"
 #include "engine/methods/construction_lines/construction.h"
 #include "engine/methods/construction_lines/pattern.h"
 #include "engine/plant/plant.h"

@@ -35,7 +35,8 @@ bool has(LineSketch const& sketch, Role role)
 std::string what_is_missing(LineSketch const& sketch)
 {
     if (!has_boundary(sketch))
-        return "draw a boundary on its left or right, the line that the leaves' tips reach";
+        return "draw a boundary on its left or right, the line that the leaves' tips reach, such "
+               "as the dotted ones";
     if (sketch.inclinations.empty())
         return "draw inclination lines across the stem; until then leaves lean by 45 degrees";
     if (sketch.inclinations.size() == 1)

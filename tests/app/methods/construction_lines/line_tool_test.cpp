@@ -287,7 +287,7 @@ TEST(LineTool, SaysWhatTheLineWasTakenForAndWhatIsMissing)
     ASSERT_EQ(drawn.size(), 3U);
     EXPECT_EQ(drawn[0].said,
               "This is the stem: draw a boundary on its left or right, the line that the leaves' "
-              "tips reach");
+              "tips reach, such as the dotted ones");
     EXPECT_EQ(drawn[1].said.substr(0, 37), "It has no effect: this line neither c");
     EXPECT_EQ(drawn[2].refusal, "this is only a dot: draw a line of the sketch");
     auto const station = flat_station();
@@ -330,7 +330,9 @@ TEST(LineLayers, ShowTheLinesByWhatTheyAre)
     EXPECT_EQ(kBoundaryLayer.lines(drawn).size(), 2U);
     EXPECT_EQ(kInclinationLayer.lines(drawn).size(), 2U);
     EXPECT_EQ(kUnsureLayer.lines(drawn).size(), 1U);
+    EXPECT_TRUE(kLinesToDrawLayer.lines(drawn).empty());
     EXPECT_TRUE(kStemLayer.lines(small_scene()).empty());
+    EXPECT_TRUE(kLinesToDrawLayer.lines(small_scene()).empty());
     std::vector<Edit> const changes { MovePlant { drawn.state.active, { 25, 10, 0 } },
                                       SetScale { 0.04 } };
     for (auto const& scene : { drawn, apply_edits(drawn, changes).value() }) {
@@ -359,6 +361,24 @@ TEST(LinePatternTool, GoesThroughThePatterns)
     Scene scene = small_scene();
     EXPECT_NE(draw({}, LinePatternTool {}, scene).refusal.find("has no construction lines"),
               std::string::npos);
+}
+
+// Drawn where it is proposed, the other boundary changes nothing.
+TEST(LineLayers, ShowWhereALineIsMissing)
+{
+    Document document(Scene {}, Document::Working::AtOnce);
+    for (std::size_t i : { 0U, 1U, 3U, 4U }) // All but the right boundary.
+        document.draw({ frond()[i], spiral() });
+    auto const scene = document.newest()->scene;
+    auto const missing = kLinesToDrawLayer.lines(scene);
+    ASSERT_EQ(missing.size(), 1U);
+    std::vector<Vec3> points;
+    for (auto const& point : missing[0])
+        points.emplace_back(point.x(), point.z() - 100, 50); // From upright paper to the tablet.
+    document.draw({ stroke_through(points), spiral() });
+    auto const drawn = document.take_drawn();
+    EXPECT_EQ(drawn.back().said, "This is the right boundary");
+    EXPECT_TRUE(kLinesToDrawLayer.lines(document.newest()->scene).empty());
 }
 
 TEST(LayerNodesTool, ChangesTheLayerThatIsTouchedOrTheTopmost)

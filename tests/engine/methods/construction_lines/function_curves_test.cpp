@@ -1,6 +1,6 @@
 #include "engine/methods/construction_lines/function_curves.h"
 
-#include "engine/lsystem/function_file.h"
+#include "engine/lsystem/view/function_file.h"
 #include "tests/engine/methods/construction_lines/sketches.h"
 
 namespace tractus::lines {

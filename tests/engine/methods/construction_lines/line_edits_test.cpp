@@ -361,7 +361,7 @@ TEST(SaidOf, NamesTheLineAndWhatIsMissing)
     EXPECT_EQ(said,
               (std::vector<std::string> {
                   "This is the stem: draw a boundary on its left or right, the line that the "
-                  "leaves' tips reach",
+                  "leaves' tips reach, such as the dotted ones",
                   "This is the left boundary: draw inclination lines across the stem; until then "
                   "leaves lean by 45 degrees",
                   "This is an inclination line: draw a second inclination line; until then the "

@@ -1,6 +1,6 @@
 #include "engine/methods/construction_lines/line_model.h"
 
-#include "engine/lsystem/print.h"
+#include "engine/lsystem/language/print.h"
 #include "tests/engine/methods/construction_lines/sketches.h"
 
 namespace tractus::lines {
