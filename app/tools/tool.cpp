@@ -88,17 +88,23 @@ public:
     {
     }
 
-    void word(WordOption const&, int& value) override
+    void word(WordOption const& option, int& value) override
     {
-        if (number_++ == option_)
-            value = value_;
+        if (number_++ != option_)
+            return;
+        value = value_;
+        goes_with_ = option.goes_with;
     }
     void number(NumberOption const&, double&) override { }
+
+    // Null where nothing goes with it.
+    auto goes_with() const { return goes_with_; }
 
 private:
     std::size_t option_;
     int value_;
     std::size_t number_ = 0;
+    void (*goes_with_)(void* options) = nullptr;
 };
 
 // Finds the option that a word of a log is about, and sets it.
@@ -265,6 +271,15 @@ Tool Tool::changed_by(OptionVisitor& visitor) const
     return changed;
 }
 
+Tool Tool::changed_by(void (*change)(void* options)) const
+{
+    auto const options = kind_->options.copy(options_.get());
+    change(options.get());
+    auto changed = *this;
+    changed.options_ = options;
+    return changed;
+}
+
 bool Tool::can_be_done_at_once() const
 {
     auto const words = chosen_words(*this);
@@ -335,7 +350,8 @@ std::optional<double> read_number(NumberOption const& option, std::string_view t
 Tool with_word(Tool const& tool, std::size_t option, int value)
 {
     WordSetter setter(option, value);
-    return tool.changed_by(setter);
+    auto const chosen = tool.changed_by(setter);
+    return setter.goes_with() ? chosen.changed_by(setter.goes_with()) : chosen;
 }
 
 ToolKind const* find_tool_kind(ToolKinds kinds, std::string_view word)

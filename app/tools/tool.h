@@ -51,6 +51,8 @@ public:
 
     // The same tool after the visitor has changed its options.
     Tool changed_by(OptionVisitor& visitor) const;
+    // After a function for options of its kind has (WordOption::goes_with).
+    Tool changed_by(void (*change)(void* options)) const;
 
     // It is done at once, without a stroke, and the tool in hand stays in hand: "now".
     bool is_done_at_once() const { return at_once_; }

@@ -22,6 +22,9 @@ struct WordOption {
         InHand, // or when the tool itself is; until then its label has one, if no word has.
     } offered
         = Offered::Always;
+    // What else a person chooses with a word: sets the tool's other options, which logs then name.
+    // Null: nothing.
+    void (*goes_with)(void* options) = nullptr;
 };
 
 // An option that is a number: "name=2.5" in logs.

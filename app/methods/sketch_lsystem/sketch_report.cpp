@@ -1,8 +1,8 @@
 #include "app/methods/sketch_lsystem/sketch_report.h"
 
 #include "app/document/model_cost.h"
-#include "engine/lsystem/derive.h"
-#include "engine/lsystem/print.h"
+#include "engine/lsystem/derivation/derive.h"
+#include "engine/lsystem/language/print.h"
 
 #include <nlohmann/json.hpp>
 

@@ -30,8 +30,56 @@ constexpr std::array<OptionWord, 4> kPlaceWords { {
     { "change", "Change", nullptr, true },
 } };
 
+constexpr std::array<OptionWord, 6> kCardWords { {
+    { "opposite", "Opposite" },
+    { "whorls", "Whorls" },
+    { "crown", "Crown" },
+    { "vase", "Vase" },
+    { "spire", "Spire" },
+    { "fern", "Fern" },
+} };
+
+// What a ready rule is made of, in the order of the words.
+struct RuleCard {
+    double laterals;
+    double angle_deg;
+    double first_length_mm;
+    double length_ratio;
+    double lateral_length;
+    double shortest_mm;
+    std::optional<double> twist_deg {}; // No value: rings of laterals alternate.
+};
+constexpr std::array<RuleCard, 6> kCards { {
+    { 2, 45, 30, 0.9, 0.62, 1 },
+    { 4, 75, 28, 0.88, 0.62, 4 },
+    { 5, 35, 60, 0.75, 0.7, 12 },
+    { 2, 26, 45, 0.8, 0.8, 8 },
+    { 6, 60, 14, 0.96, 0.7, 6 },
+    { 2, 55, 13, 0.96, 0.7, 3, 0.0 }, // All in one plane.
+} };
+
+RuleCard const& card_of(SketchTool const& tool)
+{
+    return kCards[static_cast<std::size_t>(tool.card)];
+}
+
+void take_numbers_of_card(void* options)
+{
+    auto& tool = *static_cast<SketchTool*>(options);
+    auto const& card = card_of(tool);
+    tool.laterals = card.laterals;
+    tool.angle_deg = card.angle_deg;
+    tool.first_length_mm = card.first_length_mm;
+    tool.length_ratio = card.length_ratio;
+    tool.lateral_length = card.lateral_length;
+}
+
 void visit(OptionVisitor& visitor, SketchTool& tool)
 {
+    visitor.choice({ .words = kCardWords,
+                     .offered = WordOption::Offered::InHand,
+                     .goes_with = take_numbers_of_card },
+                   tool.card);
     visitor.number({ "laterals", "", 0, 8, 1, "Laterals" }, tool.laterals);
     visitor.number({ "angle", "degrees", 0, 150, 5, "Angle" }, tool.angle_deg);
     visitor.number({ "first", "mm", 5, 100, 5, "Internode" }, tool.first_length_mm);
@@ -66,7 +114,9 @@ sketch::Rule rule_of(SketchTool const& tool)
     rule.first_width_mm = kSlender * tool.first_length_mm;
     rule.length_ratio = tool.length_ratio;
     rule.lateral_length = tool.lateral_length;
-    double const twist_deg = rule.laterals > 0 ? 180.0 / rule.laterals : 0;
+    auto const& card = card_of(tool);
+    rule.shortest_mm = card.shortest_mm;
+    double const twist_deg = card.twist_deg.value_or(rule.laterals > 0 ? 180.0 / rule.laterals : 0);
     rule.axis_twist_deg = twist_deg;
     rule.lateral_twist_deg = twist_deg;
     return rule;
@@ -90,6 +140,8 @@ Result<std::vector<Edit>> change(SketchTool const& tool, Scene const& scene)
     rule.lateral_length = wanted.lateral_length;
     rule.axis_twist_deg = wanted.axis_twist_deg;
     rule.lateral_twist_deg = wanted.lateral_twist_deg;
+    if (tool.card != SketchTool::Card::Opposite) // The first is what a tool without any has.
+        rule.shortest_mm = wanted.shortest_mm;
     return std::vector<Edit> { sketch::ChangeSketch { scene.drawn->id, grown->part, rule,
                                                       tool.leaves } };
 }
@@ -157,7 +209,8 @@ constexpr ToolKind SketchTool::kKind {
     .label = "Rule",
     .title = "A rule grows along the stroke",
     .done = "A plant has grown along the stroke",
-    .help = "adds a plant: a rule grows along the stroke, with so many laterals at an angle in "
+    .help = "adds a plant: a rule grows along the stroke, a ready one or with so many laterals at "
+            "an angle in "
             "degrees, a first internode of so many mm, the next ones and laterals by ratios; with "
             "leaves or bare; as drawn in space, on paper that stands upright, or whichever the "
             "surface's way shows; alone, on the branch where the stroke begins, or in its place; "

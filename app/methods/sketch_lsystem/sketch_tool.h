@@ -12,8 +12,9 @@ namespace tractus {
 struct SketchTool {
     static ToolKind const kKind;
 
-    // Numbers of the rule; all else of it is as usual, the twist such that rings of laterals
-    // alternate.
+    // A ready rule: what of it the numbers do not say, the twist and the shortest internode. A
+    // person who chooses one chooses its numbers, too.
+    enum class Card { Opposite, Whorls, Crown, Vase, Spire, Fern } card = Card::Opposite;
     double laterals = 2;
     double angle_deg = 45;
     double first_length_mm = 30;

@@ -1,4 +1,5 @@
 #include "app/methods/sketch_lsystem/sketch_tool.h"
+#include "app/tools/tool_choices.h"
 
 #include "app/document/document.h"
 #include "app/methods/all_methods.h"
@@ -24,6 +25,40 @@ TEST(SketchTool, SaysItsRuleInLogs)
     SketchTool tool { .laterals = 3, .angle_deg = 60, .leaves = sketch::Leaves::Bare };
     auto const words = words_for(tool);
     EXPECT_EQ(words.name + " " + words.arguments, "sketch laterals=3 angle=60 bare");
+    EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), Tool(tool));
+}
+
+// Logs have all that a card stands for, so that they mean the same if it is ever another.
+TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
+{
+    auto const tools = all_methods().tools;
+    std::size_t plants = 0;
+    std::vector<Tool> chosen;
+    for (auto const& meaning : meanings_of(tools, SketchTool {}))
+        for (auto const* const label : { "Opposite", "Whorls", "Crown", "Vase", "Spire", "Fern" })
+            if (meaning.text == label)
+                chosen.push_back(meaning.tool);
+    ASSERT_EQ(chosen.size(), 6u);
+    EXPECT_EQ(chosen[0], Tool(SketchTool {}));
+    EXPECT_EQ(words_for(chosen[1]).arguments, "whorls laterals=4 angle=75 first=28 ratio=0.88");
+    EXPECT_EQ(words_for(chosen[5]).arguments, "fern angle=55 first=13 ratio=0.96 lateral=0.7");
+    for (auto const& tool : chosen) {
+        auto const words = words_for(tool);
+        EXPECT_EQ(parse_tool(tools, words.name, words.arguments).value(), tool);
+        auto const edits = tool.mean(rising_stroke(), Scene {}).value();
+        auto const& rule = edits.front().get<sketch::GrowAlongStroke>()->rule;
+        EXPECT_EQ(rule.axis_twist_deg, &tool == &chosen[5] ? 0 : 180.0 / rule.laterals);
+        plants += apply_edits(Scene {}, edits).value().plants.size();
+    }
+    EXPECT_EQ(plants, 6u);
+}
+
+// A number that is the tool's own again is no less the person's.
+TEST(SketchTool, KeepsNumbersThatArePutBackBesideACard)
+{
+    SketchTool const tool { .card = SketchTool::Card::Whorls, .laterals = 2 };
+    auto const words = words_for(tool);
+    EXPECT_EQ(words.arguments, "whorls");
     EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), Tool(tool));
 }
 
