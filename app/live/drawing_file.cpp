@@ -70,13 +70,20 @@ static Result<OpenedDrawing> begin_unnamed(WantedDrawing wanted, EditKinds kinds
     return opened;
 }
 
-Result<OpenedDrawing> open_drawing(WantedDrawing const& wanted, EditKinds kinds)
+static Result<OpenedDrawing> open_named(WantedDrawing const& wanted, EditKinds kinds)
 {
-    if (wanted.session.empty())
-        return begin_unnamed(wanted, kinds);
     OpenedDrawing opened;
     opened.session = TRY(open_or_begin(wanted, kinds, opened.trouble));
     opened.name = wanted.session.stem().string();
+    return opened;
+}
+
+Result<OpenedDrawing> open_drawing(WantedDrawing const& wanted, EditKinds kinds)
+{
+    auto opened
+        = TRY(wanted.session.empty() ? begin_unnamed(wanted, kinds) : open_named(wanted, kinds));
+    if (wanted.plant.extension() == ".l")
+        opened.model = wanted.plant;
     return opened;
 }
 

@@ -26,8 +26,9 @@ struct OpenedDrawing {
     Scene scene {};      // Where nothing keeps it, which `trouble` explains.
     std::optional<Session> session {};
     std::filesystem::path
-        unnamed {};         // The session's file, if it is a new one that nobody has named.
-    std::string trouble {}; // What a person should know: a sentence, without its stop.
+        unnamed {};                 // The session's file, if it is a new one that nobody has named.
+    std::filesystem::path model {}; // The file of its model in cpfg's language; empty: it has none.
+    std::string trouble {};         // What a person should know: a sentence, without its stop.
 };
 
 // Opens a drawing. Where a new session that nobody has named has no place, it is opened all the

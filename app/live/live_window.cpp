@@ -2,10 +2,10 @@
 
 #include "app/calibration/save_calibration.h"
 #include "app/document/logged_step.h"
+#include "app/live/live_rig.h"
 #include "app/live/unnamed_session.h"
 #include "app/user_folder.h"
 #include "calib/rig_file.h"
-#include "drivers/height_decoder.h"
 #include "engine/base/check.h"
 
 #include <algorithm>
@@ -17,93 +17,6 @@ namespace tractus {
 namespace {
 
 constexpr double kMousePressure = 0.5; // Pressure of a hand that draws without effort.
-
-bool has_height_sensor(LiveDevices const& devices)
-{
-    return std::any_of(devices.infos().begin(), devices.infos().end(), [](auto const& info) {
-        return !make_pen_decoder(info) && make_height_decoder(info);
-    });
-}
-
-bool has_pen(LiveDevices const& devices)
-{
-    return std::any_of(devices.infos().begin(), devices.infos().end(),
-                       [](auto const& info) { return make_pen_decoder(info).has_value(); });
-}
-
-// Devices that the mouse stands in for.
-struct MouseParts {
-    bool pen = false;
-    bool height = false;
-};
-
-Result<MouseParts> add_mouse(LiveDevices& devices, LiveWindowOptions const& options)
-{
-    constexpr double kFirstSurface_mm = 100; // Some of the plant is below it, and to be seen.
-    if (!options.mouse)
-        return MouseParts {};
-    MouseParts const parts { .pen = !has_pen(devices), .height = !has_height_sensor(devices) };
-    auto mouse = *options.mouse;
-    if (parts.pen)
-        TRY(devices.add_source(mouse.open_tablet()));
-    if (parts.height) {
-        mouse.set_surface(options.height_mm.value_or(kFirstSurface_mm));
-        TRY(devices.add_source(mouse.open_height()));
-    }
-    return parts;
-}
-
-// Traits that the first tablet tells.
-std::optional<PenTraits> first_tablet(LiveDevices const& devices)
-{
-    for (auto const& info : devices.infos())
-        if (auto const decoder = make_pen_decoder(info))
-            return (*decoder)->traits();
-    return std::nullopt;
-}
-
-// The rig's height sensor has never been calibrated: its readings mean nothing yet.
-bool lacks_calibration(LiveDevices const& devices, LiveWindowOptions const& options)
-{
-    return !options.rig && devices.rig_text().empty() && !options.height_mm
-        && has_height_sensor(devices);
-}
-
-Result<Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions const& options,
-                       MouseParts const& mouse)
-{
-    if (mouse.pen && mouse.height)
-        return MouseRig::rig();
-    if (mouse.height) {
-        auto rig
-            = options.rig.value_or(Rig { .tablet_size_mm = first_tablet(devices).value().size_mm });
-        MouseRig::set_height_sensor_in(rig);
-        return rig;
-    }
-    if (options.rig)
-        return *options.rig;
-    if (!devices.rig_text().empty())
-        return parse_rig(devices.rig_text(), "the log's rig");
-    if (lacks_calibration(devices, options) && options.rig_file.empty())
-        return fail(Fault::User,
-                    "there is a height sensor but no calibration of it: give one with --rig, or "
-                    "the surface's height with --height");
-    Rig rig;
-    if (auto const tablet = first_tablet(devices))
-        rig.tablet_size_mm = tablet->size_mm;
-    return rig;
-}
-
-// Says what to do about a tablet whose sides nobody knows: drawings may be squashed.
-std::optional<std::string> size_note(LiveDevices const& devices, Rig const& rig)
-{
-    auto const tablet = first_tablet(devices);
-    if (rig.surface_mm || !tablet || !tablet->is_size_assumed)
-        return std::nullopt;
-    return fmt::format("The tablet does not tell its size, and {:.0f} x {:.0f} mm is a guess: "
-                       "\"tractus doctor\" asks for it",
-                       rig.tablet_size_mm.x(), rig.tablet_size_mm.y());
-}
 
 } // namespace
 
@@ -152,6 +65,8 @@ LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
     view().state().is_live = true;
     view().state().playing = false;
     view().state().may_begin_anew = options_.start_page != nullptr;
+    if (!options_.model.empty())
+        model_.emplace(options_.model);
     if (view().state().status.empty()) // Else it says what of the session is unknown.
         view().state().status = "Draw: the station reads the pen";
 }
@@ -190,6 +105,7 @@ void LiveWindow::advance(Duration real_step)
         *options_.counted_time += real_step;
     take_reports();
     follow_start_page();
+    follow_model();
     controller_->show(station_, options_.now());
     record_steps();
     view().show_pen(station_.take_moments());
@@ -208,6 +124,14 @@ void LiveWindow::settle()
         follow_start_page();
     }
     controller_->settle(station_, options_.now());
+}
+
+void LiveWindow::follow_model()
+{
+    if (!model_)
+        return;
+    if (auto changed = model_->take_change(options_.now()))
+        controller_->take_model(*std::move(changed), station_);
 }
 
 void LiveWindow::take_reports()
@@ -539,6 +463,9 @@ void LiveWindow::go_on_with(OpenedDrawing drawing)
         *options_.unnamed = drawing.unnamed;
     controller_.emplace(station_, std::move(drawing.session), std::move(drawing.scene),
                         options_.folder);
+    model_.reset();
+    if (!drawing.model.empty())
+        model_.emplace(drawing.model);
     auto& state = view().state();
     state.live_revision += before.live_revision + 1; // What was shown before is shown no more.
     state.strokes_revision += before.strokes_revision + 1;

@@ -7,6 +7,7 @@
 #include "app/live/mouse_rig.h"
 #include "app/live/start_page_controller.h"
 #include "app/live/station_controller.h"
+#include "app/plants/followed_model.h"
 #include "app/session/session.h"
 #include "app/station/window_model.h"
 #include "app/tools/methods.h"
@@ -51,6 +52,8 @@ struct LiveWindowOptions {
     // takes that of the last drawing away when the window is closed: this one does so before it
     // opens the next.
     std::shared_ptr<std::filesystem::path> unnamed {};
+    // The model whose plant is drawn on: when it is saved, the plant follows. Empty: none.
+    std::filesystem::path model {};
 };
 
 // Contents of the station's window while somebody draws: devices are read on threads of their own,
@@ -106,6 +109,7 @@ private:
     std::string leave_drawing();
     void go_on_with(OpenedDrawing drawing);
     void follow_start_page();
+    void follow_model();
     void take_reports();
     void show_devices();
     void calibrate();
@@ -125,6 +129,7 @@ private:
     StationOptions station_options_; // To begin again.
     Station station_;
     std::optional<StationController> controller_; // Of the drawing at hand; never without.
+    std::optional<FollowedModel> model_;          // Its file, where somebody may write it.
     std::optional<LiveRecorder> recorder_;
     // Number of the recording's first stroke in the document.
     std::size_t recorded_from_stroke_ = 0;

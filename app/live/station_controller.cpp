@@ -170,6 +170,35 @@ void StationController::begin_again(Station& station, std::string const& status,
     show_document(station, now_);
 }
 
+void StationController::take_model(Result<LoadModel> model, Station& station)
+{
+    if (!model) {
+        view_.state().status = model.error().message;
+        return;
+    }
+    auto const change
+        = [model = *std::move(model)](Scene const& scene) -> Result<WantedStep::Change> {
+        auto const name = std::filesystem::path(model.source.name).filename();
+        auto const* const plant = active_plant(scene.state);
+        auto const* const drawn_on = plant ? loaded_model(plant->source) : nullptr;
+        if (!drawn_on || std::filesystem::path(drawn_on->source.name).filename() != name)
+            return fail(Fault::User,
+                        fmt::format("{} has been saved, but another plant is drawn on: choose its "
+                                    "plant and save it "
+                                    "again",
+                                    name.string()));
+        auto edit = model;
+        edit.steps = drawn_on->steps;
+        edit.seed = drawn_on->seed;
+        edit.drawn = Drawn::Keep;
+        return WantedStep::Change {
+            { edit }, fmt::format("The plant is that of {} as it was saved", name.string())
+        };
+    };
+    document_->make({ change, WantedStep::Of::Scene });
+    show_document(station, now_);
+}
+
 void StationController::perform(NextVariation const&, Station& station)
 {
     auto const next = [](SetGrowth growth) -> Result<WantedStep::Change> {
@@ -251,7 +280,7 @@ void StationController::perform(SavePicture const& command, Station&)
 
 void StationController::perform(ExportPlant const& command, Station&)
 {
-    constexpr std::array kEndings { ".glb", ".obj" };
+    constexpr std::array kEndings { ".glb", ".obj", ".mtg" };
     save(kEndings.at(static_cast<std::size_t>(command.format)),
          [scene = view_.grown_scene(),
           organs = command.organs](std::filesystem::path const& path) -> Result<std::string> {

@@ -66,6 +66,10 @@ public:
     void perform(Redo const&, Station& station);
     void perform(TakeOrphansAway const&, Station& station);
 
+    // The model of the active plant has been saved: the plant is that of its new text, with what
+    // was drawn on it. Where it is none any more, the plant stays and `status` says why.
+    void take_model(Result<LoadModel> model, Station& station);
+
     // The document is as it began; where it is in no file `status` says so.
     void begin_again(Station& station, std::string const& status,
                      Document::Growth growth = Document::Growth::AsItBegan);

@@ -221,6 +221,7 @@ struct ExportPlant {
     enum class Format {
         Glb,
         Obj,
+        Mtg, // Branches as botanists' programs read them.
     } format
         = Format::Glb;
     GlbOptions::Organs organs = GlbOptions::Organs::Merged;

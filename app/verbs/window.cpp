@@ -132,6 +132,7 @@ Result<std::string> open_first_drawing(WindowArguments const& arguments, LiveWin
     auto drawing = TRY(open_drawing({ model, arguments.session }, arguments.methods.edits));
     options.scene = std::move(drawing.scene);
     options.session = std::move(drawing.session);
+    options.model = drawing.model;
     *options.unnamed = drawing.unnamed;
     if (!drawing.trouble.empty())
         print_warning(drawing.trouble);
@@ -195,7 +196,7 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
     return done;
 }
 
-// A session is gone on with; anything else is a recording.
+// A session is gone on with, a plant is drawn on; anything else is a recording.
 Result<WindowArguments> sort_out(WindowArguments arguments)
 {
     if (is_session_file(arguments.file)) {
@@ -214,9 +215,13 @@ Result<WindowArguments> sort_out(WindowArguments arguments)
         ".l", ".obj", ".glb", ".mtg", ".ply", ".csv"
     };
     auto const ending = std::filesystem::path(arguments.file).extension().string();
-    if (std::find(kPlants.begin(), kPlants.end(), ending) != kPlants.end())
-        return fail(Fault::User,
-                    fmt::format("{0} is a plant: --plant {0} draws on it", arguments.file));
+    if (std::find(kPlants.begin(), kPlants.end(), ending) != kPlants.end()) {
+        if (!arguments.model.empty())
+            return fail(Fault::User,
+                        fmt::format("{} and --plant are two plants: give one", arguments.file));
+        arguments.model = arguments.file;
+        return arguments;
+    }
     arguments.log = arguments.file;
     if (!arguments.log.empty()
         && !(arguments.devices.empty() && arguments.played.empty() && arguments.recording.empty()))
@@ -278,11 +283,13 @@ void add_window_verb(CLI::App& root, Action& action, Methods const& methods)
     auto* const verb = root.add_subcommand(
         "window", "Open the station's window: a hand draws, and the plant changes");
     verb->alias("draw");
-    verb->add_option("FILE", arguments->file,
-                     "A session (.tractus) to go on with, or a drawing to replay, a .tractus-log "
-                     "or anybody's hid-recorder file; without it, one draws: with the tablets and "
-                     "the height sensor that are found, and with the mouse in place of what is "
-                     "missing");
+    verb->add_option(
+        "FILE", arguments->file,
+        "A session (.tractus) to go on with; a plant to draw on, as of --plant; or a drawing to "
+        "replay, a .tractus-log or anybody's hid-recorder file; without it, one draws: with the "
+        "tablets and "
+        "the height sensor that are found, and with the mouse in place of what is "
+        "missing");
     verb->add_option(
             "--device", arguments->devices,
             fmt::format("What to read in place of what is found, each {}", device_name_help()))

@@ -82,8 +82,8 @@ void Menu::show_keeping(WindowModel& model, Controls const& controls,
                         std::function<Image()> const& picture)
 {
     using Format = ExportPlant::Format;
-    constexpr std::array<std::pair<char const*, Format>, 2> kFormats {
-        { { "Export .glb", Format::Glb }, { "Export .obj", Format::Obj } }
+    constexpr std::array<std::pair<char const*, Format>, 3> kFormats {
+        { { "Export .glb", Format::Glb }, { ".obj", Format::Obj }, { ".mtg", Format::Mtg } }
     };
     bool const records = model.state().recording.is_on;
     if (model.state().is_live
@@ -94,7 +94,7 @@ void Menu::show_keeping(WindowModel& model, Controls const& controls,
     for (auto const& [text, format] : kFormats) {
         if (format != Format::Glb)
             ImGui::SameLine();
-        if (controls.button(text, item_px(2)))
+        if (controls.button(text, item_px(format == Format::Glb ? 2 : 4)))
             model.perform(ExportPlant { format, organs_ });
     }
     show_organs(controls);
@@ -221,22 +221,26 @@ void Menu::show_plant(WindowModel& model, Controls const& controls)
 // until the plant is there, for which leaves may have to be grown.
 void Menu::show_season(WindowModel& model)
 {
-    auto const& shown = model.state().season;
-    double const shown_month = shown ? shown->month : 0;
-    if (wanted_month_ == shown_month)
-        wanted_month_.reset();
-    double month = wanted_month_.value_or(shown_month);
+    Season const none { .month = 0 };
+    auto const shown = model.state().season.value_or(none);
+    if (wanted_season_ == shown)
+        wanted_season_.reset();
+    auto season = wanted_season_.value_or(shown);
     bool is_released = false;
-    auto const text = month < 1 ? std::string("no season") : month_name(month);
-    bool const moves = show_slider("##season", text.c_str(), kLastMonth, month, is_released);
+    auto const text = season.month < 1 ? std::string("no season") : month_name(season.month);
+    bool moves = show_slider("##season", text.c_str(), kLastMonth, season.month, is_released);
+    if (season.month >= 1) {
+        auto const lie = fmt::format("fallen leaves: {:.0f} %% lie", 100 * season.fallen);
+        moves |= show_slider("##fallen", lie.c_str(), 1, season.fallen, is_released);
+    }
     if (!moves && !is_released)
         return;
-    wanted_month_ = month < 1 ? 0 : month;
-    std::optional<Season> season;
-    if (month >= 1)
-        season = Season { month, shown.value_or(Season()).fallen };
+    if (season.month < 1)
+        season = none;
+    wanted_season_ = season;
     using Slider = ChangeGrowth::Slider;
-    model.perform(ChangeSeason { season, is_released ? Slider::Released : Slider::Moving });
+    model.perform(ChangeSeason { season == none ? std::nullopt : std::optional(season),
+                                 is_released ? Slider::Released : Slider::Moving });
 }
 
 // True while the slider moves.

@@ -46,7 +46,7 @@ private:
     float scale_ = 1;
     float row_px_ = 0; // As wide as the panel is inside.
     DevicesPanel devices_;
-    std::optional<double> wanted_month_; // Of the season; no value: the one that is shown.
+    std::optional<Season> wanted_season_; // Of month 0: none. No value: the one that is shown.
     GlbOptions::Organs organs_ = GlbOptions::Organs::Merged; // Of the next .glb.
 };
 

@@ -119,13 +119,15 @@ TEST_F(LiveWindowWithFolder, ExportsThePlantInTheBackground)
     advance_to_end(window);
     window.perform(ExportPlant { ExportPlant::Format::Glb });
     window.perform(ExportPlant { ExportPlant::Format::Obj });
+    window.perform(ExportPlant { ExportPlant::Format::Mtg });
     window.perform(SavePicture { Image(2, 2) });
     EXPECT_TRUE(window.state().is_saving);
     EXPECT_EQ(window.state().status.substr(0, 8), "Writing ");
     window.settle();
     EXPECT_FALSE(window.state().is_saving);
     EXPECT_EQ(window.state().status.substr(0, 6), "Saved ");
-    for (auto const* const ending : { "-seed-1.glb", "-seed-1.obj", "-seed-1.png" }) {
+    for (auto const* const ending :
+         { "-seed-1.glb", "-seed-1.obj", "-seed-1.mtg", "-seed-1.png" }) {
         ASSERT_EQ(files(ending).size(), 1u) << ending;
         EXPECT_GT(fs::file_size(files(ending)[0]), 0u) << ending;
     }
