@@ -26,4 +26,9 @@ constexpr double degrees(double radians)
     return radians * (180.0 / kPi);
 }
 
+// Eigen's rotation from the direction of one vector to that of another, neither of them zero;
+// compiled once, since it contains a decomposition. Where both are unit vectors, least_rotation()
+// (engine/stroke/frames.h) needs none.
+Quat rotation_between(Vec3 const& from, Vec3 const& to);
+
 } // namespace tractus

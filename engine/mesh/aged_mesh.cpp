@@ -21,7 +21,7 @@ Eigen::Matrix3d turn_from(Vec3 const& from, Vec3 const& to)
     constexpr double kSame = 1e-12;
     if ((from - to).squaredNorm() < kSame * kSame)
         return Eigen::Matrix3d::Identity();
-    return Quat::FromTwoVectors(from, to).toRotationMatrix();
+    return rotation_between(from, to).toRotationMatrix();
 }
 
 // A normal of a prototype in the plant. What has no size yet along an axis is taken as whole.

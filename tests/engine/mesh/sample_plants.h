@@ -95,7 +95,7 @@ inline void add_sample_leaves(Plant& plant, Axis const& axis, Random& random)
 {
     for (std::uint32_t i = 1; i <= axis.segment_count; ++i) {
         Quat orientation
-            = Quat::FromTwoVectors(Vec3::UnitY(), Vec3(random.normal(), random.normal(), 0.5));
+            = rotation_between(Vec3::UnitY(), Vec3(random.normal(), random.normal(), 0.5));
         plant.organs.push_back(
             { .shape = 0,
               .segment = axis.first_segment + i - 1,
