@@ -4,8 +4,8 @@
 #include "app/plants/measured_file.h"
 #include "drivers/file.h"
 #include "engine/export/glb_lines.h"
-#include "engine/lsystem/color_files.h"
-#include "engine/lsystem/environment_choice.h"
+#include "engine/lsystem/view/color_files.h"
+#include "engine/lsystem/view/environment_choice.h"
 #include "engine/plant/skeleton_lines.h"
 
 #include <algorithm>

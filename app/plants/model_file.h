@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
-#include "engine/lsystem/model.h"
+#include "engine/lsystem/language/model.h"
 #include "engine/scene/edit.h"
 
 #include <filesystem>

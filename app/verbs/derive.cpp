@@ -6,9 +6,9 @@
 #include "app/terminal/error_text.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/model_options.h"
-#include "engine/lsystem/derive.h"
-#include "engine/lsystem/homomorphism.h"
-#include "engine/lsystem/print.h"
+#include "engine/lsystem/derivation/derive.h"
+#include "engine/lsystem/language/print.h"
+#include "engine/lsystem/rewriting/homomorphism.h"
 
 #include <fmt/core.h>
 #include <memory>

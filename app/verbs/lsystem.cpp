@@ -6,9 +6,9 @@
 #include "app/verbs/checks.h"
 #include "app/verbs/model_options.h"
 #include "drivers/file.h"
-#include "engine/lsystem/derive.h"
-#include "engine/lsystem/features.h"
-#include "engine/lsystem/interpret.h"
+#include "engine/lsystem/derivation/derive.h"
+#include "engine/lsystem/derivation/features.h"
+#include "engine/lsystem/turtle/interpret.h"
 
 #include <filesystem>
 #include <fmt/format.h>

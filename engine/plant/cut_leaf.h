@@ -21,7 +21,7 @@ struct CutLeaf {
     // is there for a length of 1.
     Vec2 stem_in_picture = Vec2::Zero();
     double length_in_picture = 1;
-    // The name of the sheet that it is of (engine/lsystem/leaf_sheet.h) and its number there.
+    // The name of the sheet that it is of (engine/lsystem/view/leaf_sheet.h) and its number there.
     std::string sheet {};
     int number = 0;
 

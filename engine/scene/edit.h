@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/lsystem/model.h"
+#include "engine/lsystem/language/model.h"
 #include "engine/plant/skeleton_lines.h"
 #include "engine/scene/anchored.h"
 #include "engine/scene/edit_kind.h"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/base/result.h"
-#include "engine/lsystem/limits.h"
-#include "engine/lsystem/model.h"
+#include "engine/lsystem/language/limits.h"
+#include "engine/lsystem/language/model.h"
 #include "engine/plant/branch_address.h"
 #include "engine/plant/plant.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
-#include "engine/lsystem/leaf_sheet.h"
+#include "engine/lsystem/view/leaf_sheet.h"
 #include "engine/plant/plant.h"
 
 #include <map>

@@ -3,8 +3,8 @@
 // Files are written where temporary files are, into the page cache, as cp writes them: neither
 // waits for the disk, and neither finds a file of that name.
 #include "engine/export/glb_writer.h"
-#include "engine/lsystem/derive.h"
-#include "engine/lsystem/interpret.h"
+#include "engine/lsystem/derivation/derive.h"
+#include "engine/lsystem/turtle/interpret.h"
 #include "engine/mesh/make_mesh.h"
 #include "tests/bench/monopodial_tree.h"
 #include "tests/bench/report.h"

@@ -1,6 +1,6 @@
 #include "engine/base/check.h"
-#include "engine/lsystem/features.h"
-#include "engine/lsystem/model.h"
+#include "engine/lsystem/derivation/features.h"
+#include "engine/lsystem/language/model.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #include "engine/base/check.h"
-#include "engine/lsystem/source_text.h"
+#include "engine/lsystem/text/source_text.h"
 
 #include <algorithm>
 #include <cstddef>

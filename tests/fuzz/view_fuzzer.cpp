@@ -1,14 +1,14 @@
 // Files that a model names or that lie beside it: the first byte says which, the rest is the file.
 // A view has the text behind a zero byte for whatever it includes.
 
-#include "engine/lsystem/color_files.h"
-#include "engine/lsystem/contour_file.h"
-#include "engine/lsystem/curve_file.h"
-#include "engine/lsystem/function_file.h"
-#include "engine/lsystem/leaf_sheet.h"
-#include "engine/lsystem/surface_file.h"
-#include "engine/lsystem/triangle_file.h"
-#include "engine/lsystem/view.h"
+#include "engine/lsystem/view/color_files.h"
+#include "engine/lsystem/view/contour_file.h"
+#include "engine/lsystem/view/curve_file.h"
+#include "engine/lsystem/view/function_file.h"
+#include "engine/lsystem/view/leaf_sheet.h"
+#include "engine/lsystem/view/surface_file.h"
+#include "engine/lsystem/view/triangle_file.h"
+#include "engine/lsystem/view/view.h"
 #include "tests/fuzz/fuzz_input.h"
 
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/base/vectors.h"
-#include "engine/lsystem/model.h"
+#include "engine/lsystem/language/model.h"
 #include "engine/methods/sketch_lsystem/rule.h"
 
 #include <span>

@@ -1,5 +1,5 @@
-#include "engine/lsystem/placed_text.h"
-#include "engine/lsystem/source_text.h"
+#include "engine/lsystem/text/placed_text.h"
+#include "engine/lsystem/text/source_text.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/lsystem/model.h"
+#include "engine/lsystem/language/model.h"
 
 #include <filesystem>
 #include <fstream>

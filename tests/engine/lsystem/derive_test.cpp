@@ -1,5 +1,5 @@
-#include "engine/lsystem/derive.h"
-#include "engine/lsystem/homomorphism.h"
+#include "engine/lsystem/derivation/derive.h"
+#include "engine/lsystem/rewriting/homomorphism.h"
 
 #include "tests/engine/lsystem/small_model.h"
 

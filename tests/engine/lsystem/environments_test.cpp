@@ -1,4 +1,4 @@
-#include "engine/lsystem/environments.h"
+#include "engine/lsystem/derivation/environments.h"
 #include "tests/engine/lsystem/small_model.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "engine/lsystem/arithmetic.h"
+#include "engine/lsystem/language/arithmetic.h"
 #include "tests/engine/lsystem/small_model.h"
 
 #include <array>

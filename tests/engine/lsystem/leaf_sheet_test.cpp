@@ -1,6 +1,6 @@
-#include "engine/lsystem/leaf_sheet.h"
+#include "engine/lsystem/view/leaf_sheet.h"
 
-#include "engine/lsystem/view.h"
+#include "engine/lsystem/view/view.h"
 
 #include <gtest/gtest.h>
 

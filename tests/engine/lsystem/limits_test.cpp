@@ -1,4 +1,4 @@
-#include "engine/lsystem/homomorphism.h"
+#include "engine/lsystem/rewriting/homomorphism.h"
 #include "tests/engine/lsystem/small_model.h"
 
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "engine/lsystem/model.h"
+#include "engine/lsystem/language/model.h"
 
 #include "tests/engine/lsystem/small_model.h"
 

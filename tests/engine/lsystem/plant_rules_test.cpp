@@ -1,4 +1,4 @@
-#include "engine/lsystem/plant_rules.h"
+#include "engine/lsystem/turtle/plant_rules.h"
 #include "tests/engine/lsystem/small_model.h"
 #include "tests/engine/plant/small_plant.h"
 

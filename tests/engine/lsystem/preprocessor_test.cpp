@@ -1,4 +1,4 @@
-#include "engine/lsystem/source_text.h"
+#include "engine/lsystem/text/source_text.h"
 #include "tests/engine/lsystem/small_model.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "engine/lsystem/range_rewriter.h"
+#include "engine/lsystem/rewriting/range_rewriter.h"
 #include "tests/engine/lsystem/small_model.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "engine/lsystem/query.h"
+#include "engine/lsystem/derivation/query.h"
 
 #include "tests/engine/lsystem/small_model.h"
 

@@ -1,8 +1,8 @@
-#include "engine/lsystem/color_files.h"
-#include "engine/lsystem/contour_file.h"
-#include "engine/lsystem/surface_file.h"
-#include "engine/lsystem/triangle_file.h"
-#include "engine/lsystem/view.h"
+#include "engine/lsystem/view/color_files.h"
+#include "engine/lsystem/view/contour_file.h"
+#include "engine/lsystem/view/surface_file.h"
+#include "engine/lsystem/view/triangle_file.h"
+#include "engine/lsystem/view/view.h"
 #include "tests/corpus.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "engine/lsystem/interpret.h"
+#include "engine/lsystem/turtle/interpret.h"
 
 #include "engine/base/vectors.h"
 #include "tests/engine/lsystem/small_model.h"

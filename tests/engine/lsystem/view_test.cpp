@@ -1,6 +1,6 @@
-#include "engine/lsystem/view.h"
+#include "engine/lsystem/view/view.h"
 
-#include "engine/lsystem/function_file.h"
+#include "engine/lsystem/view/function_file.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

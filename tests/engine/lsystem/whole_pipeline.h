@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/lsystem/derive.h"
-#include "engine/lsystem/interpret.h"
-#include "engine/lsystem/print.h"
+#include "engine/lsystem/derivation/derive.h"
+#include "engine/lsystem/language/print.h"
+#include "engine/lsystem/turtle/interpret.h"
 
 #include <algorithm>
 #include <atomic>

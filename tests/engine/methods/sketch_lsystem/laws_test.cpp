@@ -1,5 +1,5 @@
-#include "engine/lsystem/derive.h"
-#include "engine/lsystem/print.h"
+#include "engine/lsystem/derivation/derive.h"
+#include "engine/lsystem/language/print.h"
 #include "engine/methods/sketch_lsystem/drawn_axis.h"
 #include "engine/methods/sketch_lsystem/stroke_resampler.h"
 

@@ -1,0 +1,381 @@
+#include "engine/lsystem/derivation/derive.h"
+
+#include "engine/base/parallel.h"
+#include "engine/lsystem/derivation/environments.h"
+#include "engine/lsystem/language/print.h"
+#include "engine/lsystem/rewriting/context_table.h"
+#include "engine/lsystem/rewriting/range_rewriter.h"
+#include "engine/lsystem/rewriting/subsystem_rewriter.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <fmt/core.h>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+// Places in a string are 32-bit numbers, of parameters too.
+constexpr std::size_t kMaxModules = 200'000'000;
+
+constexpr std::size_t kPiecesAtATime = 32;
+
+// Where modules and their parameters begin.
+struct Place {
+    std::size_t module = 0;
+    std::size_t parameter = 0;
+
+    void operator+=(Place const& other)
+    {
+        module += other.module;
+        parameter += other.parameter;
+    }
+};
+
+class Derivation {
+public:
+    Derivation(Model const& model, DeriveOptions const& options)
+        : model_(model)
+        , options_(options)
+        , piece_(std::max<std::size_t>(options.piece, 1))
+        , machine_(model, options.seed)
+        , table_(ContextTable::create(model))
+        , plan_(model, model)
+        , rewriter_(plan_, machine_, branches_)
+    {
+        machine_.set_printer(&options.print);
+        machine_.set_time_limit(&options.limits.time);
+        machine_.set_memory_limit(options.limits.max_memory_bytes);
+        if (!model.subsystems.empty())
+            subsystems_.emplace(model, machine_, branches_);
+        environment_ = options.environment
+            ? options.environment
+            : make_environment(model.view.environment, options.limits.time);
+        has_queries_ = has_queries(model) || keeps_cuts(model);
+    }
+
+    Result<ModuleString> run();
+
+private:
+    // Where a piece begins, and what becomes of it.
+    struct PiecePlace {
+        Place from; // Place in in_.
+        Place to;   // Place in out_.
+    };
+
+    Result<void> start();
+    int length();
+    Result<void> step(int number);
+    Result<void> answer();
+    template<typename Write> Result<void> rewrite_known_sizes(Write const& write);
+    Result<void> rewrite_fixed();
+    Result<void> rewrite_to_places();
+    Result<void> rewrite();
+    Result<void> rewrite_in_pieces();
+    std::vector<PiecePlace> find_pieces() const;
+    void write_fixed(PiecePlace const& begin, PiecePlace const& end_place);
+    StringLimit limit() const;
+    Result<void> check_size(std::size_t modules, std::size_t parameters) const;
+
+    Model const& model_;
+    DeriveOptions const& options_;
+    std::size_t piece_;
+    VirtualMachine machine_;
+    std::optional<ContextTable> table_;
+    RulePlan plan_;
+    Branches branches_; // Branches of in_, where rules have contexts.
+    RangeRewriter rewriter_;
+    std::optional<SubsystemRewriter> subsystems_;
+    Environment environment_;
+    bool has_queries_ = false;
+    int step_ = 0;
+    ModuleString in_;
+    ModuleString out_;
+};
+
+Result<ModuleString> Derivation::run()
+{
+    auto const steps = options_.steps.value_or(model_.steps);
+    machine_.global(GlobalIndex::Steps) = steps;
+    machine_.global(GlobalIndex::DerivationLength) = steps;
+    TRY(start());
+    TRY(check_size(in_.size(), in_.parameters.size()));
+    TRY(answer());
+    if (options_.on_step)
+        options_.on_step(0, in_);
+    for (int i = 1; i <= length(); ++i) {
+        TRY(step(i));
+        TRY(answer());
+        if (options_.on_step)
+            options_.on_step(i, in_);
+    }
+    machine_.begin_module(static_cast<std::uint32_t>(step_), kNoPosition - 2);
+    machine_.run(model_.end);
+    TRY(machine_.check());
+    in_.globals = std::move(machine_.globals);
+    in_.arrays = std::move(machine_.arrays);
+    in_.seed = machine_.seed();
+    return std::move(in_);
+}
+
+// Fills the string's query modules.
+Result<void> Derivation::answer()
+{
+    if (!has_queries_)
+        return {};
+    return answer_queries(model_, in_, machine_, step_, environment_);
+}
+
+// How many steps there are, as far as the model has decided by now.
+int Derivation::length()
+{
+    if (options_.steps)
+        return *options_.steps;
+    double const length = machine_.global(GlobalIndex::DerivationLength);
+    return static_cast<int>(std::clamp(std::isnan(length) ? 0 : length, 0.0, 1e9));
+}
+
+Result<void> Derivation::start()
+{
+    machine_.begin_module(0, kNoPosition);
+    machine_.run(model_.start);
+    auto frame = model_.axiom_program.frame;
+    machine_.run(model_.axiom_program.program, frame.data());
+    TRY(machine_.check());
+    auto const& axiom = model_.axiom;
+    in_.kinds.append(axiom.kinds.data(), axiom.kinds.size());
+    for (auto const reg : axiom.parameters) {
+        auto const value = static_cast<float>(frame[reg]);
+        in_.parameters.append(&value, 1);
+    }
+    if (subsystems_)
+        TRY(subsystems_->add_calls(in_, 0, 0));
+    return {};
+}
+
+Result<void> Derivation::step(int number)
+{
+    step_ = number;
+    machine_.global(GlobalIndex::Step) = number;
+    auto const stream = static_cast<std::uint32_t>(number);
+    machine_.begin_module(stream, kNoPosition);
+    machine_.spend(in_.size() + 1);
+    machine_.run(model_.start_each);
+    out_.kinds.clear();
+    out_.parameters.clear();
+    if (table_) // A module is a byte.
+        table_->rewrite(in_.kinds, out_.kinds, std::min(limit().modules, limit().bytes));
+    else if (plan_.is_fixed() && !subsystems_)
+        TRY(rewrite_fixed());
+    else
+        TRY(rewrite());
+    machine_.begin_module(stream, kNoPosition - 1);
+    TRY(machine_.check());
+    TRY(check_size(out_.size(), out_.parameters.size()));
+    machine_.run(model_.end_each);
+    TRY(machine_.check());
+    in_.kinds.swap(out_.kinds);
+    in_.parameters.swap(out_.parameters);
+    in_.calls.swap(out_.calls);
+    return {};
+}
+
+// Returns the limit of the string that a step makes. Columns grow by half of themselves, and what
+// is rewritten, with the places of its branches, stays until the step is done.
+StringLimit Derivation::limit() const
+{
+    auto const held = in_.byte_size()
+        + (branches_.partner.capacity() + branches_.parameters.capacity()) * sizeof(std::uint32_t);
+    auto const left
+        = options_.limits.max_memory_bytes - std::min(held, options_.limits.max_memory_bytes);
+    return { std::min(options_.limits.max_modules, kMaxModules), left / 3 * 2 };
+}
+
+Result<void> Derivation::check_size(std::size_t modules, std::size_t parameters) const
+{
+    auto const most = limit();
+    auto const where = step_ == 0 ? std::string("the axiom") : fmt::format("step {}", step_);
+    // Modules have few parameters; the factor only keeps their places within 32 bits.
+    if (modules > most.modules || parameters / 16 > most.modules)
+        return fail(Fault::User,
+                    fmt::format("{}: {} makes more than {} modules; derive fewer steps or raise "
+                                "the limit of modules",
+                                model_.name, where, most.modules));
+    if (modules * sizeof(KindId) + parameters * sizeof(float) > most.bytes)
+        return fail(Fault::User,
+                    fmt::format("{}: {} needs more than {} MB of memory; derive fewer steps or "
+                                "raise the limit of memory",
+                                model_.name, where, options_.limits.max_memory_bytes >> 20));
+    return {};
+}
+
+Result<void> Derivation::rewrite()
+{
+    if (subsystems_ ? subsystems_->has_contexts() : rewriter_.has_contexts())
+        find_branches(model_, in_, branches_);
+    if (in_.size() > 2 * piece_ && plan_.is_divisible() && thread_count() > 1 && !subsystems_)
+        return plan_.has_known_sizes() ? rewrite_to_places() : rewrite_in_pieces();
+    out_.kinds.reserve(in_.size());
+    out_.parameters.reserve(in_.parameters.size());
+    RangeRewriter::Task const task { in_, static_cast<std::uint32_t>(step_), limit(), out_ };
+    if (subsystems_)
+        return subsystems_->rewrite(task, step_ >= length());
+    rewriter_.rewrite(task, { 0, in_.size(), 0 });
+    rewriter_.rewrite_kept(task);
+    return {};
+}
+
+// Several pieces at a time, each into a string of its own; then these are put one behind the other.
+Result<void> Derivation::rewrite_in_pieces()
+{
+    struct Piece {
+        ModuleString out;
+        VirtualMachine::Stop stop = VirtualMachine::Stop::None;
+    };
+    auto const places = find_pieces();
+    auto const count = places.size() - 1;
+    auto const most = limit();
+    std::vector<Piece> pieces(std::min(count, kPiecesAtATime));
+    for (std::size_t first = 0; first < count; first += pieces.size()) {
+        auto const now = std::span(pieces).first(std::min(pieces.size(), count - first));
+        parallel_for(now.size(), 1, [&](std::size_t begin, std::size_t end) {
+            VirtualMachine machine = machine_;
+            RangeRewriter rewriter(plan_, machine, branches_);
+            for (auto i = begin; i < end; ++i) {
+                auto const& place = places[first + i].from;
+                now[i].out.kinds.clear();
+                now[i].out.parameters.clear();
+                rewriter.rewrite(
+                    { in_, static_cast<std::uint32_t>(step_), most, now[i].out },
+                    { place.module, places[first + i + 1].from.module, place.parameter });
+                now[i].stop = machine.stop();
+            }
+        });
+        for (auto const& piece : now)
+            machine_.stop_too(piece.stop);
+        TRY(machine_.check());
+        std::vector<Place> to { { out_.size(), out_.parameters.size() } };
+        for (auto const& piece : now)
+            to.push_back({ to.back().module + piece.out.size(),
+                           to.back().parameter + piece.out.parameters.size() });
+        TRY(check_size(to.back().module, to.back().parameter));
+        out_.grow(to.back().module, to.back().parameter);
+        parallel_for(now.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (auto i = begin; i < end; ++i) {
+                auto const& piece = now[i].out;
+                std::copy_n(piece.kinds.data(), piece.size(), out_.kinds.data() + to[i].module);
+                std::copy_n(piece.parameters.data(), piece.parameters.size(),
+                            out_.parameters.data() + to[i].parameter);
+            }
+        });
+    }
+    return {};
+}
+
+// Where the pieces of in_ begin, and its end; and where what becomes of them begins in out_, if
+// sizes are known.
+std::vector<Derivation::PiecePlace> Derivation::find_pieces() const
+{
+    auto const& kinds = model_.alphabet.kinds;
+    std::vector<PiecePlace> places((in_.size() + piece_ - 1) / piece_ + 1);
+    parallel_for(places.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
+        for (auto i = begin; i < end; ++i) {
+            auto const last = std::min((i + 1) * piece_, in_.size());
+            auto const counts
+                = count_kinds({ in_.kinds.data() + i * piece_, in_.kinds.data() + last });
+            auto& place = places[i + 1];
+            place.from.module = last - i * piece_;
+            for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+                auto const size = plan_.size(static_cast<KindId>(kind));
+                place.from.parameter += counts[kind] * kinds[kind].parameter_count;
+                place.to.module += counts[kind] * size.modules;
+                place.to.parameter += counts[kind] * size.parameters;
+            }
+        }
+    });
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        places[i].from += places[i - 1].from;
+        places[i].to += places[i - 1].to;
+    }
+    return places;
+}
+
+// Rewrites where the size of what every module becomes is known beforehand: counts what comes out,
+// then lets pieces be written: write(places) those between the places.
+template<typename Write> Result<void> Derivation::rewrite_known_sizes(Write const& write)
+{
+    auto const places = find_pieces();
+    auto const& end_place = places.back().to;
+    TRY(check_size(end_place.module, end_place.parameter));
+    out_.grow(end_place.module, end_place.parameter);
+    parallel_for(places.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
+        write(std::span(places).subspan(begin, end - begin + 1));
+    });
+    return {};
+}
+
+Result<void> Derivation::rewrite_fixed()
+{
+    return rewrite_known_sizes([&](std::span<PiecePlace const> places) {
+        for (std::size_t i = 0; i + 1 < places.size(); ++i)
+            write_fixed(places[i], places[i + 1]);
+    });
+}
+
+// Rules choose by chance and compute parameters, but what becomes of a module has one size.
+Result<void> Derivation::rewrite_to_places()
+{
+    std::atomic<VirtualMachine::Stop> stop = VirtualMachine::Stop::None;
+    TRY(rewrite_known_sizes([&](std::span<PiecePlace const> places) {
+        VirtualMachine machine = machine_;
+        RangeRewriter rewriter(plan_, machine, branches_);
+        for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+            auto const& [from, to] = places[i];
+            rewriter.rewrite_to_place(
+                in_, static_cast<std::uint32_t>(step_),
+                { from.module, places[i + 1].from.module, from.parameter },
+                { out_.kinds.data() + to.module, out_.parameters.data() + to.parameter });
+        }
+        for (auto seen = stop.load();
+             machine.stop() > seen && !stop.compare_exchange_weak(seen, machine.stop());) { }
+    }));
+    machine_.stop_too(stop);
+    return {};
+}
+
+void Derivation::write_fixed(PiecePlace const& begin, PiecePlace const& end_place)
+{
+    auto const& [from, to] = begin;
+    // Local copies: kinds are bytes, and the compiler must think that writing them changes whatever
+    // else lies in memory.
+    auto const* kind = in_.kinds.data() + from.module;
+    auto const* const end = in_.kinds.data() + end_place.from.module;
+    auto const* parameters = in_.parameters.data() + from.parameter;
+    auto const* const successors = &plan_.fixed(0);
+    ModuleWriter writer(out_.kinds.data() + to.module, out_.parameters.data() + to.parameter);
+    // The next piece begins where this one ends, so the last moves must not be too wide.
+    auto const room = end_place.to.module - to.module;
+    auto const* const wide_end
+        = writer.kinds + (room >= FixedSuccessor::kShort ? room - FixedSuccessor::kShort + 1 : 0);
+    for (; kind != end && writer.kinds < wide_end; ++kind) {
+        successors[*kind].write(parameters, writer);
+        parameters += successors[*kind].read_parameter_count;
+    }
+    for (; kind != end; ++kind) {
+        successors[*kind].write_narrowly(parameters, writer);
+        parameters += successors[*kind].read_parameter_count;
+    }
+}
+
+} // namespace
+
+Result<ModuleString> derive(Model const& model, DeriveOptions const& options)
+{
+    return Derivation(model, options).run();
+}
+
+} // namespace tractus

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/lsystem/language/program.h"
+
+namespace tractus {
+
+// Whether an instruction depends on nothing but its two operands.
+bool is_pure(Op op);
+
+// The value of a pure operation.
+double compute(Op op, double left, double right);
+
+} // namespace tractus

@@ -1,0 +1,494 @@
+#include "engine/lsystem/language/model.h"
+
+#include "engine/lsystem/language/expression_compiler.h"
+#include "engine/lsystem/language/rule_parser.h"
+#include "engine/lsystem/language/statement_compiler.h"
+#include "engine/lsystem/text/placed_text.h"
+#include "engine/lsystem/text/user_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <fmt/core.h>
+
+namespace tractus {
+
+namespace {
+
+using NewNames = ExpressionCompiler::NewNames;
+
+constexpr int kMaxDepth = 1'000'000;
+constexpr double kMaxArraySize = 1e6;
+constexpr std::size_t kMaxArrayElements = 10'000'000; // Limit for all arrays together.
+constexpr std::size_t kMaxRules = 65'000;
+constexpr std::size_t kMaxSystems = 1'000;
+
+// Words that begin a line, for those who misspell one.
+constexpr std::array<std::string_view, 18> kStatements {
+    "Lsystem:",       "Axiom:",       "derivation length:", "Seed:",
+    "maximum depth:", "ignore:",      "consider:",          "ring L-system",
+    "define:",        "Start:",       "StartEach:",         "EndEach:",
+    "End:",           "homomorphism", "decomposition",      "homomorphism:",
+    "decomposition:", "endlsystem",
+};
+
+struct SymbolList {
+    bool is_consider = false;
+    std::string symbols;
+};
+
+// Reads the L-systems of a file, one after the other.
+class Parser {
+public:
+    Parser(ModelSource const& source, SourceText const& text, View view)
+        : cursor_(text)
+    {
+        model_.name = source.name;
+        model_.view = std::move(view);
+        names_.warnings = text.warnings;
+        for (auto const& function : model_.view.functions)
+            names_.functions.push_back(function.name);
+        for (auto const& curve : model_.view.curves)
+            names_.curves.push_back(curve.name);
+    }
+
+    Result<Model> parse();
+
+private:
+    Result<void> system();
+    Result<void> header();
+    void skip_blank_lines();
+    Result<bool> header_item();
+    Result<bool> block_item();
+    Result<void> items();
+    Result<bool> section();
+    Result<void> axiom();
+    Result<void> rule();
+    Result<double> constant_value();
+    Result<Block> block();
+    Result<void> definitions();
+    Result<void> array_definition();
+    Result<void> array_values(ArrayVariable& variable);
+    Result<void> external_definition();
+    Result<void> new_array(std::string const& name);
+    Result<void> end_line();
+    Result<void> rule_or_misspelt_statement();
+    tl::unexpected<Error> no_statement(std::string_view expected);
+    bool take_word(std::string_view word);
+    bool sees_word(std::string_view word);
+    bool is_main() const { return ignored_.empty(); }
+    Result<void> finish_system();
+    void set_ignored(LSystem& system, SymbolList const& list);
+    Model finish();
+
+    Cursor cursor_;
+    Model model_;
+    Names names_;
+    RuleParser rules_parser_ { cursor_, names_, model_.alphabet };
+    LSystem system_; // The one that is being read.
+    RuleSet* rules_ = &system_.rules;
+    SymbolList seen_;                 // Its ignore: or consider: statement.
+    std::vector<SymbolList> ignored_; // Lists of those that have been read, the main one first.
+    bool has_axiom_ = false;
+    std::size_t array_elements_ = 0;
+};
+
+// A word of the language, in either case, with blanks where `word` has them.
+bool Parser::take_word(std::string_view word)
+{
+    cursor_.skip();
+    auto const text = cursor_.rest();
+    if (text.size() < word.size())
+        return false;
+    for (std::size_t i = 0; i < word.size(); ++i)
+        if (std::tolower(static_cast<unsigned char>(text[i])) != word[i])
+            return false;
+    cursor_.set_position(cursor_.position() + word.size());
+    return true;
+}
+
+bool Parser::sees_word(std::string_view word)
+{
+    auto const begin = cursor_.position();
+    bool const found = take_word(word);
+    cursor_.set_position(begin);
+    return found;
+}
+
+// Takes a line that is no rule and looks like none for a statement.
+Result<void> Parser::rule_or_misspelt_statement()
+{
+    auto const begin = cursor_.position();
+    auto result = rule();
+    auto const text = std::string_view(cursor_.source().text).substr(begin);
+    auto const line = text.substr(0, text.find('\n'));
+    auto const has = [&](std::string_view part) { return line.find(part) != line.npos; };
+    auto const next = text.substr(std::min(line.size() + 1, text.size()), 1);
+    if (result || has("-->") || has("-o>") || has("{") || next == " " || next == "\t")
+        return result;
+    cursor_.set_position(begin);
+    return no_statement("a rule, which has -->, or a statement");
+}
+
+// The line here is none of the language's.
+tl::unexpected<Error> Parser::no_statement(std::string_view expected)
+{
+    auto const line = trimmed_line(cursor_.rest().substr(0, cursor_.rest().find('\n')));
+    auto const colon = line.find(':');
+    auto const word = colon == std::string_view::npos ? line : line.substr(0, colon + 1);
+    auto const nearest = nearest_word(word, kStatements);
+    return cursor_.error(
+        nearest.empty() ? fmt::format("found '{}', expected {}", shown(line), expected)
+                        : fmt::format("found '{}', expected '{}', perhaps", shown(line), nearest));
+}
+
+Result<void> Parser::end_line()
+{
+    if (!cursor_.at_line_end())
+        return cursor_.unexpected("the end of the line");
+    if (!cursor_.at_end())
+        cursor_.take_character();
+    cursor_.set_arrow_seen(false);
+    return {};
+}
+
+void Parser::skip_blank_lines()
+{
+    while (!cursor_.at_end() && cursor_.peek() == '\n')
+        cursor_.take_character();
+}
+
+Result<Model> Parser::parse()
+{
+    do {
+        TRY(system());
+        skip_blank_lines();
+    } while (sees_word("lsystem:"));
+    if (!cursor_.at_end())
+        names_.warn(fmt::format("{}: what follows endlsystem is not read, since it is no "
+                                "'Lsystem:'",
+                                cursor_.source().place(cursor_.position())));
+    return finish();
+}
+
+Result<void> Parser::system()
+{
+    system_ = {};
+    rules_ = &system_.rules;
+    seen_ = {};
+    has_axiom_ = false;
+    names_.variables = system_.globals;
+    names_.arrays.clear();
+    TRY(header());
+    TRY(items());
+    if (!has_axiom_ && is_main())
+        return cursor_.unexpected("'Axiom:'");
+    return finish_system();
+}
+
+// The label is the number by which ?(…) calls a sub-L-system; cpfg lets it be any text.
+Result<void> Parser::header()
+{
+    skip_blank_lines();
+    if (!take_word("lsystem:"))
+        return cursor_.at_end() ? cursor_.unexpected("'Lsystem:'") : no_statement("'Lsystem:'");
+    auto const position = cursor_.position();
+    cursor_.skip();
+    auto const label = cursor_.take_line();
+    system_.id = 0;
+    std::from_chars(label.data(), label.data() + label.size(), system_.id);
+    auto const has_same_id = [&](LSystem const& other) { return other.id == system_.id; };
+    if (!is_main()
+        && (model_.id == system_.id
+            || std::any_of(model_.subsystems.begin(), model_.subsystems.end(), has_same_id)))
+        return cursor_.error_at(
+            position,
+            fmt::format("found a second L-system {}, expected another number", system_.id));
+    if (ignored_.size() >= kMaxSystems)
+        return cursor_.error("the model has more than 1000 L-systems");
+    return end_line();
+}
+
+Result<void> Parser::items()
+{
+    while (!cursor_.at_end()) {
+        if (cursor_.peek() == '\n') {
+            TRY(end_line());
+            continue;
+        }
+        if (take_word("endlsystem"))
+            return end_line();
+        bool found = TRY(header_item());
+        if (!found)
+            found = TRY(block_item());
+        if (!found)
+            found = TRY(section());
+        if (!found && !has_axiom_ && is_main())
+            return no_statement("'Axiom:' or another statement of the header");
+        if (!found)
+            TRY(rule_or_misspelt_statement());
+        TRY(end_line());
+    }
+    names_.warn(fmt::format("{}: the file ends without endlsystem",
+                            cursor_.source().place(cursor_.position())));
+    return {};
+}
+
+Result<bool> Parser::header_item()
+{
+    if (take_word("axiom:")) {
+        TRY(axiom());
+    } else if (take_word("derivation length:") || take_word("derivationlength:")) {
+        auto const value = TRY(constant_value());
+        if (is_main())
+            model_.steps = static_cast<int>(std::clamp(value, 0.0, 1e9));
+    } else if (take_word("seed:")) {
+        auto const value = TRY(constant_value());
+        if (rules_ == &system_.rules) {
+            system_.stochastic = true;
+            system_.seed = static_cast<std::uint64_t>(std::clamp(value, 0.0, 1e15));
+        }
+    } else if (take_word("maximum depth:")) {
+        auto const value = TRY(constant_value());
+        rules_->max_depth = static_cast<int>(std::clamp(value, 0.0, double { kMaxDepth }));
+    } else if (take_word("ring l-system") || take_word("ring lsystem")) {
+        system_.ring = true;
+    } else if (take_word("ignore:")) {
+        seen_ = { false, std::string(cursor_.take_line()) };
+    } else if (take_word("consider:")) {
+        seen_ = { true, std::string(cursor_.take_line()) };
+    } else {
+        return false;
+    }
+    return true;
+}
+
+Result<bool> Parser::block_item()
+{
+    if (take_word("define:")) {
+        TRY(definitions());
+        return true;
+    }
+    Block* target = nullptr;
+    if (take_word("starteach:") || take_word("start each:"))
+        target = &system_.start_each;
+    else if (take_word("start:"))
+        target = &system_.start;
+    else if (take_word("endeach:") || take_word("end each:"))
+        target = &system_.end_each;
+    else if (take_word("end:"))
+        target = &system_.end;
+    if (!target)
+        return false;
+    *target = TRY(block());
+    return true;
+}
+
+Result<bool> Parser::section()
+{
+    auto const begin = cursor_.position();
+    RuleSet* set = nullptr;
+    if (take_word("homomorphism"))
+        set = &system_.homomorphism;
+    else if (take_word("decomposition"))
+        set = &system_.decomposition;
+    if (!set)
+        return false;
+    cursor_.take(":");
+    if (!take_word("no warnings"))
+        take_word("warnings");
+    if (!cursor_.at_line_end()) { // A rule whose predecessor begins with an h, say.
+        cursor_.set_position(begin);
+        return false;
+    }
+    rules_ = set;
+    set->specified = true;
+    return true;
+}
+
+Result<double> Parser::constant_value()
+{
+    ExpressionCompiler compiler(cursor_, names_, NewNames::Global);
+    Program program;
+    auto const position = cursor_.position();
+    auto const value = TRY(compiler.expression(program));
+    if (!program.empty())
+        return cursor_.error_at(position, "expected an expression of numbers alone");
+    return compiler.frame().value(value);
+}
+
+Result<Block> Parser::block()
+{
+    Block result;
+    ExpressionCompiler compiler(cursor_, names_, NewNames::Global);
+    TRY(StatementCompiler(compiler).block(result.program));
+    result.frame = compiler.frame().take_frame();
+    return result;
+}
+
+// define: { array NAME[size]... = { values }, ...; external NAME, NAME[size]..., ...; }
+Result<void> Parser::definitions()
+{
+    if (!cursor_.take("{"))
+        return cursor_.unexpected("'{'");
+    cursor_.enter_block();
+    while (!cursor_.take("}")) {
+        auto const word = ExpressionCompiler::name(cursor_);
+        if (word != "array" && word != "external")
+            return cursor_.unexpected("'array' or 'external'");
+        do
+            TRY(word == "array" ? array_definition() : external_definition());
+        while (cursor_.take(","));
+        if (!cursor_.take(";"))
+            return cursor_.unexpected("';'");
+    }
+    cursor_.leave_block();
+    return {};
+}
+
+// The sizes follow in brackets.
+Result<void> Parser::new_array(std::string const& name)
+{
+    Names::Array array { name, {} };
+    double size = 1;
+    while (cursor_.take("[")) {
+        auto const extent = TRY(constant_value());
+        size *= extent;
+        if (!(extent >= 1) || !(size <= kMaxArraySize))
+            return cursor_.error(
+                fmt::format("the size of array {} must be 1 to {}", name, kMaxArraySize));
+        array.sizes.push_back(static_cast<std::size_t>(extent));
+        if (!cursor_.take("]"))
+            return cursor_.unexpected("']'");
+    }
+    std::size_t count = 1;
+    for (auto const extent : array.sizes)
+        count *= extent;
+    array_elements_ += count;
+    if (array_elements_ > kMaxArrayElements || names_.arrays.size() >= Names::kMax)
+        return cursor_.error(
+            fmt::format("the model's arrays have more than {} elements", kMaxArrayElements));
+    names_.arrays.push_back(std::move(array));
+    system_.arrays.push_back({ name, std::vector<double>(count) });
+    return {};
+}
+
+Result<void> Parser::array_definition()
+{
+    auto const name = ExpressionCompiler::name(cursor_);
+    if (!name || cursor_.peek() != '[')
+        return cursor_.unexpected("an array's name and '['");
+    TRY(new_array(*name));
+    if (!cursor_.take("="))
+        return {};
+    return array_values(system_.arrays.back());
+}
+
+Result<void> Parser::array_values(ArrayVariable& variable)
+{
+    if (!cursor_.take("{"))
+        return cursor_.unexpected("'{'");
+    for (std::size_t i = 0; !cursor_.take("}"); ++i) {
+        auto const value = TRY(constant_value());
+        if (i < variable.values.size())
+            variable.values[i] = value;
+        if (!cursor_.take(",") && cursor_.peek() != '}')
+            return cursor_.unexpected("',' or '}'");
+    }
+    return {};
+}
+
+Result<void> Parser::external_definition()
+{
+    auto const name = ExpressionCompiler::name(cursor_);
+    if (!name)
+        return cursor_.unexpected("the name of a variable or an array");
+    if (cursor_.peek() == '[') {
+        auto const index = static_cast<std::uint16_t>(names_.arrays.size());
+        TRY(new_array(*name));
+        system_.externals.push_back({ true, index });
+    } else {
+        system_.externals.push_back({ false, TRY(names_.add_variable(*name, cursor_)) });
+    }
+    return {};
+}
+
+Result<void> Parser::rule()
+{
+    if (rules_->rules.size() >= kMaxRules)
+        return cursor_.error("the model has more than 65000 rules");
+    auto rule = TRY(rules_parser_.rule());
+    if (rule.has_probability && rules_ == &system_.rules)
+        system_.stochastic = true;
+    auto const first = rule.predecessor.front();
+    rules_->by_kind[first].push_back(static_cast<std::uint16_t>(rules_->rules.size()));
+    rules_->rules.push_back(std::move(rule));
+    return {};
+}
+
+Result<void> Parser::axiom()
+{
+    if (has_axiom_)
+        return cursor_.error("found a second axiom, expected one");
+    ExpressionCompiler compiler(cursor_, names_, NewNames::Global);
+    TRY(rules_parser_.modules(system_.axiom, compiler, system_.axiom_program.program));
+    system_.axiom_program.frame = compiler.frame().take_frame();
+    has_axiom_ = true;
+    return {};
+}
+
+Result<void> Parser::finish_system()
+{
+    system_.globals = std::move(names_.variables);
+    if (is_main())
+        static_cast<LSystem&>(model_) = std::move(system_);
+    else
+        model_.subsystems.push_back(std::move(system_));
+    ignored_.push_back(std::move(seen_));
+    return {};
+}
+
+void Parser::set_ignored(LSystem& system, SymbolList const& list)
+{
+    for (std::size_t i = 0; i < model_.alphabet.kinds.size(); ++i) {
+        char const symbol = model_.alphabet.kinds[i].symbol;
+        bool const listed = list.symbols.find(symbol) != std::string::npos;
+        system.ignored[i] = listed != list.is_consider;
+    }
+}
+
+Model Parser::finish()
+{
+    set_ignored(model_, ignored_.front());
+    for (std::size_t i = 0; i < model_.subsystems.size(); ++i)
+        set_ignored(model_.subsystems[i], ignored_[i + 1]);
+    if (!model_.subsystems.empty() && find_kind(model_.alphabet, { '%', 1 }))
+        names_.warn(fmt::format("{}: %(x) removes the rest of its branch, as % does; models with "
+                                "sub-L-systems cannot keep it at the string's end",
+                                model_.name));
+    model_.formats = std::move(names_.formats);
+    auto& warnings = model_.warnings;
+    warnings = std::move(model_.view.warnings);
+    warnings.insert(warnings.end(), names_.warnings.begin(), names_.warnings.end());
+    return std::move(model_);
+}
+
+} // namespace
+
+std::optional<KindId> find_kind(Alphabet const& alphabet, ModuleKind const& kind)
+{
+    auto const found = std::find(alphabet.kinds.begin(), alphabet.kinds.end(), kind);
+    if (found == alphabet.kinds.end())
+        return std::nullopt;
+    return static_cast<KindId>(found - alphabet.kinds.begin());
+}
+
+Result<Model> compile_model(ModelSource const& source, IncludeReader const& include)
+{
+    auto view = TRY(parse_view(source.view_name, source.view_text, include));
+    auto const text = TRY(preprocess(source.name, source.text, include));
+    return Parser(source, text, std::move(view)).parse();
+}
+
+} // namespace tractus

@@ -1,0 +1,172 @@
+#pragma once
+
+#include "engine/base/bulk_vector.h"
+#include "engine/lsystem/language/model.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace tractus {
+
+// A growing array of plain values that, unlike std::vector, leaves new elements unset and grows in
+// place where the system can: strings are written once, in order, and are large. Large ones lie on
+// huge pages.
+template<typename T> class Column {
+    static_assert(std::is_trivially_copyable_v<T>);
+
+public:
+    Column() = default;
+    Column(Column const& other) { append(other.data(), other.size()); }
+    Column(Column&& other) noexcept { swap(other); }
+    Column& operator=(Column other) noexcept
+    {
+        swap(other);
+        return *this;
+    }
+    ~Column() = default;
+
+    void swap(Column& other) noexcept
+    {
+        std::swap(data_, other.data_);
+        std::swap(size_, other.size_);
+        std::swap(capacity_, other.capacity_);
+    }
+
+    std::size_t size() const { return size_; }
+    std::size_t capacity() const { return capacity_; }
+    bool empty() const { return size_ == 0; }
+    T* data() { return data_.get(); }
+    T const* data() const { return data_.get(); }
+    T const& operator[](std::size_t index) const { return data_.get()[index]; }
+    std::span<T const> span() const { return { data(), size_ }; }
+
+    // Sets the size; new elements have no value yet. At most the capacity.
+    void set_size(std::size_t size) { size_ = size; }
+    void clear() { size_ = 0; }
+    void reserve(std::size_t capacity)
+    {
+        if (capacity <= capacity_)
+            return;
+        auto* const grown = std::realloc(data_.get(), capacity * sizeof(T));
+        if (!grown)
+            throw std::bad_alloc();
+        static_cast<void>(data_.release()); // realloc() has freed or kept it.
+        data_.reset(static_cast<T*>(grown));
+        capacity_ = capacity;
+        advise_huge_pages(grown, capacity * sizeof(T));
+    }
+    // Room for `count` more.
+    void reserve_more(std::size_t count)
+    {
+        if (size_ + count > capacity_)
+            reserve(std::max(size_ + count, capacity_ + capacity_ / 2 + 64));
+    }
+    void append(T const* values, std::size_t count)
+    {
+        reserve_more(count);
+        if (count > 0)
+            std::memcpy(data() + size_, values, count * sizeof(T));
+        size_ += count;
+    }
+
+private:
+    struct Free {
+        void operator()(T* data) const { std::free(data); }
+    };
+    std::unique_ptr<T, Free> data_;
+    std::size_t size_ = 0;
+    std::size_t capacity_ = 0;
+};
+
+// State of the sub-L-system that one ?(…) in a string calls.
+struct SubsystemCall {
+    std::uint16_t subsystem = 0; // Into Model::subsystems.
+    bool has_started = false;    // Its Start block has run.
+    std::vector<double> globals;
+    std::vector<std::vector<double>> arrays;
+};
+
+// A module %(x) in a string, which cuts its branch off in the next step: the turtle drawing the
+// branch then begins as ModuleString::turtles[turtle].
+struct KeptCut {
+    std::size_t module = 0;
+    std::size_t turtle = 0;
+};
+
+// Where the turtle was when it came to a %(x), and what it drew with. In the plant's frame, turtle
+// units.
+struct KeptTurtle {
+    Vec3 position = Vec3::Zero();
+    Vec3 heading = Vec3::UnitZ();
+    Vec3 left = -Vec3::UnitX();
+    Vec3 down = Vec3::UnitY();
+    double width = 0;
+    double scale = 1;
+    double elasticity = 0;
+    std::uint8_t color = 0;
+};
+
+// A string of modules: one byte for each module's kind, and the parameters of all modules one after
+// another, as many for each as its kind says.
+struct ModuleString {
+    Column<KindId> kinds;
+    Column<float> parameters;
+
+    // The main L-system's global variables and arrays after the last step, which homomorphism
+    // rules may use.
+    std::vector<double> globals;
+    std::vector<std::vector<double>> arrays;
+    std::vector<SubsystemCall> calls; // One for each ?(…) in the string, in their order.
+    std::vector<KeptCut> cuts;        // In the order of the string.
+    std::vector<KeptTurtle> turtles;  // %(x,i) goes on with turtle i.
+    std::uint64_t seed = 0;           // Seed of the numbers that homomorphism rules draw.
+
+    std::size_t size() const { return kinds.size(); }
+    std::size_t byte_size() const
+    {
+        return kinds.size() * sizeof(KindId) + parameters.size() * sizeof(float);
+    }
+
+    // Grows to a size; what is beyond the present one has no value yet.
+    void grow(std::size_t module_count, std::size_t parameter_count)
+    {
+        kinds.reserve_more(module_count - kinds.size());
+        kinds.set_size(module_count);
+        parameters.reserve_more(parameter_count - parameters.size());
+        parameters.set_size(parameter_count);
+    }
+};
+
+// Writes behind the end of a string that has been given room for it. What is written belongs to the
+// string after finish().
+struct ModuleWriter {
+    ModuleWriter(KindId* to_kinds, float* to_parameters)
+        : kinds(to_kinds)
+        , parameters(to_parameters)
+    {
+    }
+    explicit ModuleWriter(ModuleString& string)
+        : ModuleWriter(string.kinds.data() + string.kinds.size(),
+                       string.parameters.data() + string.parameters.size())
+    {
+    }
+
+    void finish(ModuleString& string) const
+    {
+        string.kinds.set_size(static_cast<std::size_t>(kinds - string.kinds.data()));
+        string.parameters.set_size(static_cast<std::size_t>(parameters - string.parameters.data()));
+    }
+
+    KindId* kinds;
+    float* parameters;
+};
+
+} // namespace tractus

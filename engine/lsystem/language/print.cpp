@@ -1,0 +1,149 @@
+#include "engine/lsystem/language/print.h"
+
+#include "engine/base/parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <cstdio>
+#include <string_view>
+#include <vector>
+
+namespace tractus {
+
+// The second letters of @-symbols with three characters, by their first: from cpfg's manual.
+static bool is_third_character(char second, char third)
+{
+    static constexpr std::array<std::string_view, 7> kSymbols { "Gscetr", "Tsdpfix", "Did", "bco",
+                                                                "Csae",   "PscdSCD", "moc" };
+    for (auto const letters : kSymbols)
+        if (letters[0] == second)
+            return letters.find(third, 1) != std::string_view::npos;
+    return false;
+}
+
+std::size_t symbol_length(Alphabet const& alphabet, std::span<KindId const> kinds)
+{
+    auto const& first = alphabet[kinds[0]];
+    if (first.parameter_count > 0 || kinds.size() < 2)
+        return 1;
+    auto const& second = alphabet[kinds[1]];
+    if (first.symbol == '~')
+        return 2;
+    if (first.symbol == '?')
+        return std::string_view("PHLUEQR").find(second.symbol) != std::string_view::npos ? 2 : 1;
+    if (first.symbol != '@')
+        return 1;
+    if (second.parameter_count == 0 && kinds.size() > 2
+        && is_third_character(second.symbol, alphabet[kinds[2]].symbol))
+        return 3;
+    return 2;
+}
+
+std::string to_string(Model const& model, ModuleString const& string)
+{
+    std::string result;
+    result.reserve(string.size() + string.parameters.size() * 8);
+    auto const* parameter = string.parameters.data();
+    for (auto const id : string.kinds.span()) {
+        auto const& kind = model.alphabet[id];
+        result.push_back(kind.symbol);
+        for (int i = 0; i < kind.parameter_count; ++i) {
+            std::array<char, 32> number {};
+            auto const length = std::snprintf(number.data(), number.size(), "%g",
+                                              static_cast<double>(*parameter++));
+            result.push_back(i == 0 ? '(' : ',');
+            result.append(number.data(), static_cast<std::size_t>(length));
+        }
+        if (kind.parameter_count > 0)
+            result.push_back(')');
+    }
+    return result;
+}
+
+KindCounts count_kinds(std::span<KindId const> modules)
+{
+    KindCounts result {};
+    constexpr std::size_t kMost = std::size_t { 1 } << 31; // Most that 32 bits can count.
+    for (std::size_t begin = 0; begin < modules.size(); begin += kMost) {
+        auto const part = modules.subspan(begin, std::min(kMost, modules.size() - begin));
+        // Kinds are mostly alike: one sum after the other would wait for itself.
+        std::array<std::array<std::uint32_t, 256>, 4> counts {};
+        std::size_t i = 0;
+        for (; i + 4 <= part.size(); i += 4)
+            for (std::size_t k = 0; k < 4; ++k)
+                ++counts[k][part[i + k]];
+        for (; i < part.size(); ++i)
+            ++counts[0][part[i]];
+        for (auto const& sums : counts)
+            for (std::size_t kind = 0; kind < sums.size(); ++kind)
+                result[kind] += sums[kind];
+    }
+    return result;
+}
+
+// Counts the same on as many threads as it is worth.
+static KindCounts count_kinds_of_all(std::span<KindId const> modules)
+{
+    constexpr std::size_t kPiece = std::size_t { 1 } << 18;
+    std::vector<KindCounts> pieces((modules.size() + kPiece - 1) / kPiece);
+    parallel_for(pieces.size(), 4, [&](std::size_t begin, std::size_t end) {
+        for (auto i = begin; i < end; ++i) {
+            auto const from = i * kPiece;
+            pieces[i] = count_kinds(modules.subspan(from, std::min(kPiece, modules.size() - from)));
+        }
+    });
+    KindCounts result {};
+    for (auto const& piece : pieces)
+        for (std::size_t kind = 0; kind < result.size(); ++kind)
+            result[kind] += piece[kind];
+    return result;
+}
+
+// The number of each symbol of several modules, which are taken out of the counts of single ones.
+static void count_long_symbols(Alphabet const& alphabet, std::span<KindId const> kinds,
+                               KindCounts& single, std::map<std::string, std::size_t>& counts)
+{
+    std::array<bool, 256> may_begin {};
+    bool is_any = false;
+    for (std::size_t kind = 0; kind < alphabet.kinds.size(); ++kind) {
+        auto const& [symbol, parameter_count] = alphabet.kinds[kind];
+        may_begin[kind] = parameter_count == 0 && (symbol == '@' || symbol == '~' || symbol == '?');
+        is_any |= may_begin[kind] && single[kind] > 0;
+    }
+    std::string before; // The symbol that came last, and its count: mostly they are alike.
+    std::size_t* count = nullptr;
+    for (std::size_t i = 0; is_any && i < kinds.size();) {
+        if (!may_begin[kinds[i]]) {
+            ++i;
+            continue;
+        }
+        auto const length = symbol_length(alphabet, kinds.subspan(i));
+        std::string name;
+        for (std::size_t k = 0; length > 1 && k < length; ++k) {
+            name.push_back(alphabet[kinds[i + k]].symbol);
+            --single[kinds[i + k]];
+        }
+        if (length > 1 && (!count || name != before)) {
+            before = name;
+            count = &counts[name];
+        }
+        if (length > 1)
+            ++*count;
+        i += length;
+    }
+}
+
+std::map<std::string, std::size_t> count_symbols(Model const& model, ModuleString const& string)
+{
+    std::map<std::string, std::size_t> counts;
+    auto single = count_kinds_of_all(string.kinds.span());
+    count_long_symbols(model.alphabet, string.kinds.span(), single, counts);
+    for (std::size_t kind = 0; kind < model.alphabet.kinds.size(); ++kind)
+        if (single[kind] > 0)
+            counts[std::string(1, model.alphabet.kinds[kind].symbol)] += single[kind];
+    return counts;
+}
+
+} // namespace tractus

@@ -1,0 +1,138 @@
+#pragma once
+
+#include "engine/lsystem/language/model.h"
+#include "engine/lsystem/language/module_string.h"
+#include "engine/lsystem/language/virtual_machine.h"
+#include "engine/lsystem/rewriting/fixed_successor.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace tractus {
+
+// Modules from some place on to the end of their string.
+struct Modules {
+    KindId const* kinds = nullptr;
+    float const* parameters = nullptr;
+    std::size_t count = 0;
+};
+
+// Where the branches of a string begin and end, so that contexts can pass over them at once.
+struct Branches {
+    // The place of the bracket that matches each one, or the string's size.
+    std::vector<std::uint32_t> partner;
+    // Where each module's parameters begin; empty for strings that have none.
+    std::vector<std::uint32_t> parameters;
+};
+
+// The place of the bracket that closes the branch in which module `from` is, or of the $ that ends
+// its sub-L-system, whichever comes first; the string's size when none does.
+std::size_t branch_end(Model const& model, ModuleString const& string, std::size_t from);
+
+// Returns where the part ends that a cut before module `from` removes: at the branch's end, or
+// before the next %(x) or %(x,i) of the branch, as in cpfg.
+std::size_t cut_end(Model const& model, ModuleString const& string, std::size_t from);
+
+// Fills `branches` for a string of fewer than 2^32 modules and parameters.
+void find_branches(Model const& model, ModuleString const& string, Branches& branches);
+
+// Where contexts are looked for: in `string`, leftwards from before module `left` and rightwards
+// from module `right`, whose parameters begin at the given places.
+struct Surroundings {
+    ModuleString const* string = nullptr;
+    Branches const* branches = nullptr; // Not needed where Rewriter::has_contexts() is false.
+    std::size_t left = 0;
+    std::size_t left_parameters = 0;
+    std::size_t right = 0;
+    std::size_t right_parameters = 0;
+};
+
+// Finds and applies the rules of one set. Holds the frames in which their programs run.
+class Rewriter {
+public:
+    // Rewrites with rules of one L-system of the model.
+    Rewriter(Model const& model, LSystem const& system, RuleSet const& rules,
+             VirtualMachine& machine);
+
+    // The rule that rewrites the first of `modules`, nullptr if none does. With `adjacent` the
+    // right context begins behind the predecessor in the string; otherwise at `around.right`.
+    // Parameters, and what the condition's block has changed, are in the rule's frame.
+    Rule const* find(Modules const& modules, Surroundings const& around, bool adjacent);
+
+    // Fills the rule's frame with its predecessor's parameters: instead of find(), where it is
+    // known that the rule applies and that it has no contexts.
+    void load_predecessor(Rule const& rule, float const* parameters);
+
+    // Runs the block behind the condition and appends the successor; a writer must have room for
+    // it, and for FixedSuccessor::kShort kinds.
+    void apply(Rule const& rule, ModuleString& out);
+    void apply(Rule const& rule, ModuleWriter& to);
+
+    bool has_rules(KindId kind) const { return !rules_.by_kind[kind].empty(); }
+    bool has_contexts() const { return has_contexts_; }
+
+private:
+    // A module in the string and where its parameters begin.
+    struct Place {
+        std::size_t module = 0;
+        std::size_t parameters = 0;
+    };
+    // The module next to the predecessor, found once for all rules that ask. No value: there is
+    // none.
+    struct Neighbour {
+        bool is_known = false;
+        std::size_t from = 0;
+        std::optional<Place> place;
+    };
+    enum class Bracket : std::uint8_t {
+        None,
+        Open,
+        Close,
+        Keep // %(…): what is behind it stands by itself, or will.
+    };
+    enum class OpeningBrackets { PassBranches, Stop };
+
+    bool matches(std::uint16_t rule, Modules const& modules, Surroundings const& around,
+                 bool adjacent);
+    bool matches_right(Rule const& rule, double* parameters, Surroundings const& around);
+    bool matches_left(Rule const& rule, double* parameters, Surroundings const& around);
+    std::optional<Place> next_right(Place at, int& rounds, Surroundings const& around,
+                                    OpeningBrackets brackets) const;
+    std::optional<Place> next_left(Place at, int& rounds, Surroundings const& around) const;
+    Place after(Place at, ModuleString const& string) const
+    {
+        return { at.module + 1, at.parameters + parameter_counts_[string.kinds[at.module]] };
+    }
+    void load(KindId kind, float const* from, double*& to) const
+    {
+        for (auto left = parameter_counts_[kind]; left > 0; --left)
+            *to++ = static_cast<double>(*from++);
+    }
+    Rule const* choose(Modules const& modules, Surroundings const& around, bool adjacent);
+    std::size_t index(Rule const& rule) const
+    {
+        return static_cast<std::size_t>(&rule - rules_.rules.data());
+    }
+
+    Model const& model_;
+    LSystem const& system_;
+    RuleSet const& rules_;
+    VirtualMachine& machine_;
+    std::vector<RegisterFile> frames_;
+    std::vector<FixedSuccessor> successors_; // Only their kinds are used.
+    struct Candidate {
+        Rule const* rule = nullptr;
+        double weight = 0;
+    };
+    std::vector<Candidate> candidates_;
+    bool has_contexts_ = false;
+    std::array<Bracket, 256> brackets_ {};
+    std::array<std::uint8_t, 256> parameter_counts_ {};
+    Neighbour right_; // Right neighbour of the modules that find() is looking at.
+    Neighbour left_;
+};
+
+} // namespace tractus

@@ -1,0 +1,119 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/lsystem/text/placed_text.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tractus {
+
+// The macros that #define makes, with and without parameters, replaced as C11 6.10.3 says: `#` and
+// `##`, arguments that are macros, and results that are read again together with what follows.
+// __LINE__ and __FILE__ are where they stand, in a macro where the call of the outermost one
+// begins.
+// `#` stands for itself where no parameter follows, as it is a turtle symbol. As in gcc, a comma
+// before ## __VA_ARGS__ goes where there is none in the call. Errors are the user's, with their
+// place.
+class MacroTable {
+public:
+    // `files` are the names of the files that places are in; they must outlive the table.
+    explicit MacroTable(std::vector<std::string> const& files)
+        : files_(files)
+    {
+    }
+
+    // Reads what stands behind #define in `line`, of which `rest` is a part.
+    Result<void> define(PlacedText const& line, std::string_view rest);
+    void undefine(std::string_view name);
+    bool is_defined(std::string_view name) const
+    {
+        return macros_.find(name) != macros_.end() || is_place(name);
+    }
+
+    // Appends the text with its macros replaced.
+    Result<void> expand(PlacedText const& text, PlacedText& out);
+
+    // Does as expand(), unless the text ends inside a macro's call, or perhaps before its
+    // parentheses: then nothing is appended, as what follows belongs to it, and the result is
+    // false.
+    Result<bool> expand_whole(PlacedText const& text, PlacedText& out);
+
+private:
+    using HiddenId = std::uint32_t; // Number of a set of macros in hidden_; 0 is the empty one.
+
+    // A preprocessing token, or one blank.
+    struct Token {
+        std::string characters;
+        SourcePlace place;       // Place of its first character.
+        bool is_in_body = false; // Then all its characters are at the call's place.
+        bool is_paste = false;   // The operator ##, in a body.
+        HiddenId hidden = 0;     // The macros that it came from, which do not replace it again.
+    };
+    using Tokens = std::vector<Token>;
+
+    struct Macro {
+        std::uint32_t number = 0;
+        bool has_parameters = false;
+        bool is_variadic = false; // The last parameter takes the rest of the arguments.
+        std::vector<std::string> parameters;
+        Tokens body;
+    };
+    struct Call {
+        std::vector<Tokens> arguments;
+        std::vector<Tokens> expanded; // Arguments with macros replaced; filled where asked for.
+        std::vector<bool> is_expanded;
+        SourcePlace place;
+        int depth = 0;                // Depth of calls in arguments of calls.
+        bool leaves_out_rest = false; // There is no comma before the variable arguments.
+    };
+
+    static bool is_place(std::string_view name) { return name == "__LINE__" || name == "__FILE__"; }
+    static Tokens tokens_of(PlacedText const& text);
+    static std::size_t parameter_index(Macro const& macro, Token const& token);
+    Result<void> set_body(Macro& macro, PlacedText const& line, std::string_view text);
+    Result<std::string_view> set_parameters(Macro& macro, PlacedText const& line,
+                                            std::string_view rest);
+    bool ends_in_call(PlacedText const& text) const;
+    Macro const* macro_for(Token const& token) const;
+    bool becomes_place(Token& token) const;
+
+    template<typename Sink> Result<void> expand(Tokens& rest, int depth, Sink const& sink);
+    Result<bool> take_call(Macro const& macro, Token const& name, Tokens& rest, Call& call,
+                           HiddenId& hidden);
+    Result<void> check_arguments(Macro const& macro, Token const& name, Call& call) const;
+    Result<Tokens> substitute(Macro const& macro, Call& call);
+    Result<void> substitute_token(Macro const& macro, Call& call, std::size_t at, Tokens& result);
+    Result<void> expand_argument(Call& call, std::size_t index);
+    static std::string quoted(Tokens const& argument);
+    static bool takes_comma(Macro const& macro, Call const& call, std::size_t at, Tokens& result);
+    static void paste(Tokens& result, Tokens const& next);
+
+    Result<HiddenId> hidden_id(std::vector<std::uint32_t> set, SourcePlace const& place);
+    Result<HiddenId> hidden_in_both(HiddenId a, HiddenId b, SourcePlace const& place);
+    Result<HiddenId> hidden_in_any(HiddenId a, HiddenId b, SourcePlace const& place);
+    Result<HiddenId> hidden_with(HiddenId set, std::uint32_t macro, SourcePlace const& place);
+    Result<void> spend(std::size_t size, SourcePlace const& place);
+
+    tl::unexpected<Error> error(PlacedText const& text, std::size_t index,
+                                std::string const& what) const
+    {
+        return error_in(text, index, files_, what);
+    }
+    tl::unexpected<Error> error(SourcePlace const& place, std::string const& what) const;
+
+    std::vector<std::string> const& files_;
+    std::map<std::string, Macro, std::less<>> macros_;
+    std::uint32_t next_number_ = 0;
+    std::vector<std::vector<std::uint32_t>> hidden_ { {} }; // Sorted.
+    std::map<std::vector<std::uint32_t>, HiddenId> hidden_ids_ { { {}, 0 } };
+    std::size_t spent_ = 0;
+    bool ended_in_call_
+        = false; // A text that was expanded, before or behind an opening parenthesis.
+};
+
+} // namespace tractus

@@ -1,0 +1,110 @@
+#include "engine/lsystem/text/placed_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/core.h>
+
+namespace tractus {
+
+tl::unexpected<Error> error_in(PlacedText const& text, std::size_t index,
+                               std::vector<std::string> const& files, std::string const& what)
+{
+    auto const place = index < text.places.size() ? text.places[index] : SourcePlace {};
+    return fail(Fault::User,
+                fmt::format("{}:{}:{}: {}", files[place.file], place.line, place.column, what));
+}
+
+bool is_name_start(char c)
+{
+    return std::isalpha(static_cast<unsigned char>(c)) || c == '_';
+}
+static bool is_name_part(char c)
+{
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+// Whether the character is a sign that belongs to the number before it, as in 1e-3.
+static bool is_exponent_sign(std::string_view text, std::size_t at)
+{
+    return (text[at] == '+' || text[at] == '-') && (text[at - 1] == 'e' || text[at - 1] == 'E');
+}
+bool is_digit(char c)
+{
+    return std::isdigit(static_cast<unsigned char>(c));
+}
+bool is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+std::size_t token_end(std::string_view text, std::size_t begin)
+{
+    auto end = begin + 1;
+    if (is_name_start(text[begin])) {
+        while (end < text.size() && is_name_part(text[end]))
+            ++end;
+    } else if (is_digit(text[begin])
+               || (text[begin] == '.' && end < text.size() && is_digit(text[end]))) {
+        while (end < text.size()
+               && (is_name_part(text[end]) || text[end] == '.' || is_exponent_sign(text, end)))
+            ++end;
+    } else if (text[begin] == '"') {
+        while (end < text.size() && text[end] != '"' && text[end] != '\n')
+            ++end;
+        end = std::min(end + 1, text.size());
+    }
+    return end;
+}
+
+PlacedText without_comments(std::string_view source, std::uint32_t file,
+                            std::optional<SourcePlace>& open_comment)
+{
+    PlacedText result;
+    SourcePlace place { file, 1, 1 };
+    std::size_t i = 0;
+    auto const advance = [&] {
+        if (source[i++] == '\n') {
+            ++place.line;
+            place.column = 1;
+        } else {
+            ++place.column;
+        }
+    };
+    while (i < source.size()) {
+        if (source.substr(i, 2) == "//") {
+            while (i < source.size() && source[i] != '\n')
+                advance();
+        } else if (source.substr(i, 2) == "/*") {
+            result.push(' ', place);
+            auto const close = source.find("*/", i + 2);
+            if (close == std::string_view::npos)
+                open_comment = place;
+            auto const end = std::min(close, source.size() - 2) + 2;
+            while (i < end)
+                advance();
+        } else {
+            if (source[i] != '\r')
+                result.push(source[i], place);
+            advance();
+        }
+    }
+    return result;
+}
+
+std::string_view trimmed_line(std::string_view text)
+{
+    while (!text.empty() && is_blank(text.front()))
+        text.remove_prefix(1);
+    while (!text.empty() && (is_blank(text.back()) || text.back() == '\n'))
+        text.remove_suffix(1);
+    return text;
+}
+
+std::string_view first_name(std::string_view text)
+{
+    std::size_t end = 0;
+    while (end < text.size() && is_name_part(text[end]))
+        ++end;
+    return text.substr(0, end);
+}
+
+} // namespace tractus

@@ -1,0 +1,367 @@
+#include "engine/lsystem/text/source_text.h"
+
+#include "engine/lsystem/text/condition.h"
+#include "engine/lsystem/text/macro_table.h"
+#include "engine/lsystem/text/placed_text.h"
+#include "engine/lsystem/text/user_text.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <fmt/core.h>
+#include <optional>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+// Limits for hostile models, whose files may include themselves.
+constexpr int kMaxIncludeNesting = 64;
+constexpr std::size_t kMaxFiles = 1000; // Includes of includes double, too.
+
+// The name of a file in the folder of another.
+std::string beside(std::string const& file, std::string const& name)
+{
+    return file.substr(0, file.rfind('/') + 1) + name;
+}
+
+// One #if that is open.
+struct Condition {
+    bool is_on = false;  // Its part that is being read is to be read.
+    bool was_on = false; // One of its parts was.
+    bool has_else = false;
+    bool is_possible = true; // The text around it is read.
+    SourcePlace place;
+};
+
+class Preprocessor {
+public:
+    explicit Preprocessor(IncludeReader const& include)
+        : include_(include)
+    {
+    }
+
+    Result<void> add_file(std::string const& name, std::string_view source, int nesting);
+    SourceText finish();
+
+private:
+    Result<void> add_lines(PlacedText const& text, int nesting);
+    PlacedText take_line(PlacedText const& text, std::size_t& begin);
+    void warn_of_joined_line(PlacedText const& definition, PlacedText const& line);
+    Result<bool> directive(PlacedText const& line, int nesting);
+    Result<void> include_file(PlacedText const& line, std::string_view rest, int nesting);
+    Result<bool> condition(PlacedText const& line, std::string_view word, std::string_view rest);
+    Result<void> next_part(PlacedText const& line, std::string_view word, std::string_view rest);
+    Result<bool> value(PlacedText const& line, std::string_view rest);
+    Result<bool> is_defined(PlacedText const& line, std::string_view rest,
+                            std::string_view word) const;
+
+    bool active() const
+    {
+        return conditions_.empty() || (conditions_.back().is_possible && conditions_.back().is_on);
+    }
+    tl::unexpected<Error> error(PlacedText const& text, std::size_t index,
+                                std::string const& what) const
+    {
+        return error_in(text, index, files_, what);
+    }
+
+    IncludeReader const& include_;
+    std::vector<std::string> files_;
+    MacroTable macros_ { files_ };
+    std::vector<Condition> conditions_;
+    std::size_t first_condition_ = 0; // Of the file that is read.
+    std::vector<std::string> warnings_;
+    PlacedText out_;
+};
+
+bool is_directive(std::string_view line)
+{
+    return trimmed_line(line).substr(0, 1) == "#";
+}
+
+void append(PlacedText& text, PlacedText const& other, std::size_t begin, std::size_t end)
+{
+    text.characters.append(other.characters, begin, end - begin);
+    text.places.insert(text.places.end(), other.places.begin() + static_cast<std::ptrdiff_t>(begin),
+                       other.places.begin() + static_cast<std::ptrdiff_t>(end));
+}
+
+// A part of a line, which a view into it names.
+PlacedText part_of(PlacedText const& line, std::string_view view)
+{
+    PlacedText result;
+    auto const begin = static_cast<std::size_t>(view.data() - line.characters.data());
+    append(result, line, begin, begin + view.size());
+    return result;
+}
+
+Result<void> Preprocessor::add_file(std::string const& name, std::string_view source, int nesting)
+{
+    if (nesting > kMaxIncludeNesting)
+        return fail(Fault::User,
+                    fmt::format("{}: includes are nested deeper than {}; does it include itself?",
+                                name, kMaxIncludeNesting));
+    if (files_.size() == kMaxFiles)
+        return fail(
+            Fault::User,
+            fmt::format("{}: there are more than {} includes before this one", name, kMaxFiles));
+    files_.push_back(name);
+    auto const file = static_cast<std::uint32_t>(files_.size() - 1);
+    std::optional<SourcePlace> open_comment;
+    auto const text = without_comments(source, file, open_comment);
+    if (open_comment)
+        return fail(Fault::User,
+                    fmt::format("{}:{}:{}: the comment that begins here has no */", name,
+                                open_comment->line, open_comment->column));
+    auto const first_before = std::exchange(first_condition_, conditions_.size());
+    TRY(add_lines(text, nesting));
+    if (conditions_.size() != first_condition_)
+        return fail(Fault::User,
+                    fmt::format("{}:{}:{}: this #if has no #endif", name,
+                                conditions_.back().place.line, conditions_.back().place.column));
+    first_condition_ = first_before;
+    return {};
+}
+
+// A line that calls a macro goes on to where the call ends, as in C, but not beyond a directive.
+Result<void> Preprocessor::add_lines(PlacedText const& text, int nesting)
+{
+    constexpr int kMaxCallLines = 1000;
+    for (std::size_t begin = 0; begin < text.size();) {
+        auto line = take_line(text, begin);
+        if (is_directive(line.characters) && TRY(directive(line, nesting))) {
+            if (line.characters.back() == '\n')
+                out_.push('\n', line.places.back());
+            continue;
+        }
+        if (!active())
+            continue;
+        bool is_whole = false;
+        for (int i = 0; i < kMaxCallLines && begin < text.size(); ++i) {
+            is_whole = TRY(macros_.expand_whole(line, out_));
+            auto next = begin;
+            auto const more = is_whole ? PlacedText {} : take_line(text, next);
+            if (is_whole || is_directive(more.characters))
+                break;
+            append(line, more, 0, more.size());
+            begin = next;
+        }
+        if (!is_whole)
+            TRY(macros_.expand(line, out_));
+    }
+    return {};
+}
+
+// A definition goes on behind a backslash at the line's end; elsewhere \ is a turtle symbol.
+PlacedText Preprocessor::take_line(PlacedText const& text, std::size_t& begin)
+{
+    auto const line_end
+        = [&] { return std::min(text.characters.find('\n', begin), text.size() - 1) + 1; };
+    PlacedText line;
+    auto end = line_end();
+    append(line, text, begin, end);
+    begin = end;
+    if (!is_directive(line.characters))
+        return line;
+    for (auto size = line.size();
+         size >= 2 && line.characters.compare(size - 2, 2, "\\\n") == 0 && begin < text.size();
+         size = line.size()) {
+        line.characters.resize(size - 2);
+        line.places.resize(size - 2);
+        end = line_end();
+        PlacedText next;
+        append(next, text, begin, end);
+        if (active())
+            warn_of_joined_line(line, next);
+        append(line, text, begin, end);
+        begin = end;
+    }
+    return line;
+}
+
+// A definition whose last symbol is a \ takes the next line in, as in C, which is seldom meant.
+void Preprocessor::warn_of_joined_line(PlacedText const& definition, PlacedText const& line)
+{
+    auto const rest = trimmed_line(line.characters);
+    bool const is_statement = rest.find("-->") != std::string_view::npos
+        || rest.find("xiom:") != std::string_view::npos || rest.substr(0, 1) == "#";
+    if (!rest.empty() && !is_statement)
+        return;
+    auto const& at = definition.places.front();
+    auto const next = rest.empty() ? "an empty one" : fmt::format("'{}'", shown(rest));
+    warnings_.push_back(fmt::format(
+        "{}:{}:{}: the \\ at the end of this definition joins the next line to it ({}); for the "
+        "turtle symbol, write another one behind it, such as \\(a)",
+        files_[at.file], at.line, at.column, next));
+}
+
+// Whether the line was a directive.
+Result<bool> Preprocessor::directive(PlacedText const& line, int nesting)
+{
+    auto rest = trimmed_line(line.characters);
+    if (rest.empty() || rest.front() != '#')
+        return false;
+    rest = trimmed_line(rest.substr(1));
+    auto const word = first_name(rest);
+    rest = trimmed_line(rest.substr(word.size()));
+    if (TRY(condition(line, word, rest)))
+        return true;
+    bool const is_for_others = word == "line" || word == "pragma";
+    if (word != "define" && word != "undef" && word != "include" && word != "error"
+        && word != "warning" && !is_for_others)
+        return false;
+    if (!active() || is_for_others)
+        return true;
+    if (word == "warning") {
+        auto const& at = line.places[line.characters.find('#')];
+        warnings_.push_back(
+            fmt::format("{}:{}:{}: #warning {}", files_[at.file], at.line, at.column, shown(rest)));
+        return true;
+    }
+    if (word == "error")
+        return error(line, 0, fmt::format("#error {}", shown(rest)));
+    if (word == "define")
+        TRY(macros_.define(line, rest));
+    else if (word == "undef")
+        macros_.undefine(first_name(rest));
+    else
+        TRY(include_file(line, rest, nesting));
+    return true;
+}
+
+// Whether the line was #if or what belongs to it. What is not read is not computed, either.
+Result<bool> Preprocessor::condition(PlacedText const& line, std::string_view word,
+                                     std::string_view rest)
+{
+    if (word == "elif" || word == "else" || word == "endif") {
+        TRY(next_part(line, word, rest));
+        return true;
+    }
+    if (word != "if" && word != "ifdef" && word != "ifndef")
+        return false;
+    Condition opened;
+    opened.is_possible = active();
+    opened.place = line.places[line.characters.find('#')];
+    if (opened.is_possible)
+        opened.is_on = word == "if" ? TRY(value(line, rest))
+                                    : TRY(is_defined(line, rest, word)) == (word == "ifdef");
+    opened.was_on = opened.is_on;
+    conditions_.push_back(opened);
+    return true;
+}
+
+Result<bool> Preprocessor::is_defined(PlacedText const& line, std::string_view rest,
+                                      std::string_view word) const
+{
+    auto const name = first_name(rest);
+    if (name.empty() || !is_name_start(name.front()))
+        return error(line, 0, fmt::format("found #{} {}, expected a name", word, shown(rest)));
+    return macros_.is_defined(name);
+}
+
+Result<void> Preprocessor::next_part(PlacedText const& line, std::string_view word,
+                                     std::string_view rest)
+{
+    if (conditions_.size() == first_condition_) // One of the file that includes this stays open.
+        return error(line, 0, fmt::format("found #{} without #if", word));
+    auto& open = conditions_.back();
+    if (word == "endif") {
+        conditions_.pop_back();
+        return {};
+    }
+    if (open.has_else)
+        return error(
+            line, 0,
+            fmt::format("found #{} behind the #else of the #if at line {}", word, open.place.line));
+    bool const is_open = open.is_possible && !open.was_on;
+    open.has_else = word == "else";
+    open.is_on = is_open && (open.has_else || TRY(value(line, rest)));
+    open.was_on = open.was_on || open.is_on;
+    return {};
+}
+
+// Value of an #if's expression. `defined` is replaced before macros are.
+Result<bool> Preprocessor::value(PlacedText const& line, std::string_view rest)
+{
+    auto const text = part_of(line, rest);
+    PlacedText ready;
+    std::string_view const characters = text.characters;
+    auto const skip_blanks = [&](std::size_t from) {
+        return std::min(characters.find_first_not_of(" \t\r\n", from), characters.size());
+    };
+    for (std::size_t i = 0; i < characters.size();) {
+        auto const begin = i;
+        i = token_end(characters, i);
+        if (characters.substr(begin, i - begin) != "defined") {
+            append(ready, text, begin, i);
+            continue;
+        }
+        auto name_at = skip_blanks(i);
+        bool const is_enclosed = characters.substr(name_at, 1) == "(";
+        if (is_enclosed)
+            name_at = skip_blanks(name_at + 1);
+        auto const name = first_name(characters.substr(name_at));
+        i = name_at + name.size();
+        if (is_enclosed)
+            i = skip_blanks(i);
+        if (name.empty() || !is_name_start(name.front())
+            || (is_enclosed && characters.substr(i, 1) != ")"))
+            return error(text, begin, "found 'defined', expected a name or (NAME) behind it");
+        i += is_enclosed;
+        ready.push(macros_.is_defined(name) ? '1' : '0', text.places[begin]);
+    }
+    PlacedText expanded;
+    TRY(macros_.expand(ready, expanded));
+    auto const end_place = line.places.back();
+    expanded.push(' ', end_place);
+    auto const result = TRY(condition_value(expanded.characters, [&](auto index, auto const& what) {
+        return error(expanded, std::min(index, expanded.size() - 1), what);
+    }));
+    return result != 0;
+}
+
+Result<void> Preprocessor::include_file(PlacedText const& line, std::string_view rest, int nesting)
+{
+    auto const close = rest.empty() ? '"' : rest.front() == '<' ? '>' : rest.front();
+    if (rest.size() < 3 || (close != '"' && close != '>')
+        || rest.find(close, 1) == std::string_view::npos)
+        return error(line, 0, fmt::format("found #include {}, expected \"FILE\"", shown(rest)));
+    auto const name = std::string(rest.substr(1, rest.find(close, 1) - 1));
+    if (!include_)
+        return error(line, 0, fmt::format("cannot include {}: this model has no folder", name));
+    auto const source = include_(name);
+    if (!source)
+        return error(line, 0, fmt::format("cannot include {}: {}", name, source.error().message));
+    return add_file(beside(files_.front(), name), *source, nesting + 1);
+}
+
+SourceText Preprocessor::finish()
+{
+    SourceText result;
+    auto const end = out_.places.empty() ? SourcePlace {} : out_.places.back();
+    result.files = std::move(files_);
+    result.warnings = std::move(warnings_);
+    result.text = std::move(out_.characters);
+    result.places = std::move(out_.places);
+    result.places.push_back(end);
+    return result;
+}
+
+} // namespace
+
+std::string SourceText::place(std::size_t index) const
+{
+    auto const& at = places[std::min(index, places.size() - 1)];
+    return fmt::format("{}:{}:{}", files[at.file], at.line, at.column);
+}
+
+Result<SourceText> preprocess(std::string const& name, std::string_view text,
+                              IncludeReader const& include)
+{
+    Preprocessor preprocessor(include);
+    TRY(preprocessor.add_file(name, text, 0));
+    return preprocessor.finish();
+}
+
+} // namespace tractus

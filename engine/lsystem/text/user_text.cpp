@@ -1,0 +1,92 @@
+#include "engine/lsystem/text/user_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <fmt/core.h>
+#include <numeric>
+#include <vector>
+
+namespace tractus {
+
+std::string_view first_character(std::string_view text)
+{
+    auto const lead = static_cast<unsigned char>(text.front());
+    std::size_t const size = lead >= 0xf0 && lead < 0xf5 ? 4
+        : lead >= 0xe0 && lead < 0xf0                    ? 3
+        : lead >= 0xc2 && lead < 0xe0                    ? 2
+                                                         : 1;
+    if (size > text.size())
+        return text.substr(0, 1);
+    auto const rest = text.substr(1, size - 1);
+    bool const is_whole
+        = std::all_of(rest.begin(), rest.end(), [](char c) { return (c & 0xc0) == 0x80; });
+    return text.substr(0, is_whole ? size : 1);
+}
+
+std::string shown(std::string_view text)
+{
+    constexpr std::size_t kMost = 60;
+    std::string result;
+    while (!text.empty() && result.size() < kMost) {
+        auto const character = first_character(text);
+        auto const code = static_cast<unsigned char>(character.front());
+        if (code == '\n' || code == '\t' || code == '\r')
+            result += code == '\n' ? "\\n" : code == '\t' ? "\\t" : "\\r";
+        else if (code < 0x20 || code == 0x7f || (code >= 0x80 && character.size() == 1))
+            result += fmt::format("\\x{:02x}", code);
+        else
+            result += character;
+        text.remove_prefix(character.size());
+    }
+    return text.empty() ? result : result + "...";
+}
+
+// How many characters must be added, removed, changed or swapped to make one of the other.
+static std::size_t distance(std::string_view a, std::string_view b)
+{
+    std::vector<std::size_t> before(b.size() + 1);
+    std::vector<std::size_t> last(b.size() + 1);
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(last.begin(), last.end(), 0);
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (std::size_t k = 1; k <= b.size(); ++k) {
+            row[k] = std::min(
+                { row[k - 1] + 1, last[k] + 1, last[k - 1] + (a[i - 1] != b[k - 1] ? 1u : 0u) });
+            if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1])
+                row[k] = std::min(row[k], before[k - 2] + 1);
+        }
+        std::swap(before, last);
+        std::swap(last, row);
+    }
+    return last[b.size()];
+}
+
+std::string_view nearest_word(std::string_view text, std::span<std::string_view const> words)
+{
+    constexpr std::size_t kLongest = 40;
+    if (text.size() > kLongest)
+        return {};
+    auto const lower = [](std::string_view word) {
+        std::string result(word);
+        std::transform(result.begin(), result.end(), result.begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        return result;
+    };
+    auto const sought = lower(text);
+    std::string_view nearest;
+    std::size_t least = kLongest;
+    for (auto const word : words) {
+        auto const far = distance(sought, lower(word));
+        if (far == 0)
+            return {};
+        if (far < least && far <= std::max<std::size_t>(word.size() / 4, 1)) {
+            least = far;
+            nearest = word;
+        }
+    }
+    return nearest;
+}
+
+} // namespace tractus

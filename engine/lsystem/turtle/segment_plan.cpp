@@ -1,0 +1,390 @@
+#include "engine/lsystem/turtle/segment_plan.h"
+
+#include "engine/base/parallel.h"
+#include "engine/lsystem/language/print.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <span>
+#include <string_view>
+
+namespace tractus {
+
+namespace {
+
+// Effect of a symbol on the segments that are drawn.
+enum class Effect : std::uint8_t {
+    None,
+    Draw,
+    Move,
+    Push,
+    Pop,
+    BeginPolygon,
+    EndPolygon,
+    Long,   // Perhaps none, but it has more than one module.
+    Unclear // Too much for counting.
+};
+
+// Whether all steps have lengths that are not 0 and keep the turtle within its bounds.
+enum class StepLengths { Plain, Any };
+
+constexpr double kMaxReachMm = 0.9e12; // A bit less than the turtle's bounds.
+
+Effect effect_of(ModuleKind const& kind)
+{
+    switch (kind.symbol) {
+    case 'F':
+    case 'G':
+        return Effect::Draw;
+    case 'f':
+    case 'g':
+        return Effect::Move;
+    case '[':
+        return Effect::Push;
+    case ']':
+        return Effect::Pop;
+    case '{': // A cylinder may begin, if there are parameters.
+        return kind.parameter_count == 0 ? Effect::BeginPolygon : Effect::Unclear;
+    case '}':
+        return kind.parameter_count == 0 ? Effect::EndPolygon : Effect::Unclear;
+    case '@':
+    case '~':
+    case '?':
+        return Effect::Long;
+    case '%':
+        return Effect::Unclear;
+    default:
+        return Effect::None;
+    }
+}
+
+// Whether modules draw no segments and leave the turtle's place as it is, whatever stands behind
+// them.
+bool are_plain(Alphabet const& alphabet, std::span<KindId const> kinds)
+{
+    // Balls, discs and frames; @b draws segments, others set scales, positions and cylinders.
+    static constexpr std::string_view kPlain = "voOcRTL;,YZ";
+    while (!kinds.empty()) {
+        auto const effect = effect_of(alphabet[kinds[0]]);
+        auto const length = symbol_length(alphabet, kinds);
+        if (effect != Effect::None && effect != Effect::Long)
+            return false;
+        if (effect == Effect::Long && length == 1)
+            return false;
+        if (alphabet[kinds[0]].symbol == '@'
+            && kPlain.find(alphabet[kinds[1]].symbol) == std::string_view::npos)
+            return false;
+        kinds = kinds.subspan(length);
+    }
+    return true;
+}
+
+// Counts the segments of pieces, one after the other. Each thread needs its own.
+class SegmentCounter {
+public:
+    SegmentCounter(Model const& model, ModuleString const& string, TurtleOptions const& options,
+                   BranchIndex const& index)
+        : alphabet_(model.alphabet)
+        , string_(string)
+        , scale_(model.view.scale)
+        , unit_mm_(options.unit_mm)
+        , index_(index)
+        , cutter_(index)
+    {
+        for (std::size_t i = 0; i < alphabet_.kinds.size(); ++i) {
+            auto const& kind = alphabet_.kinds[i];
+            steps_[i] = { effect_of(kind), kind.parameter_count, kind == ModuleKind { '@', 0 } };
+            is_plain_second_[i]
+                = std::string_view("voORc").find(kind.symbol) != std::string_view::npos;
+        }
+    }
+
+    // False if the piece cannot be counted. Branches that it leaves out are appended to `branches`,
+    // and are its gaps. Lengths of steps are looked at only if some may be 0 or too long.
+    bool count(PlannedPiece& piece, StepLengths lengths, std::vector<PlannedPiece>& branches);
+
+    // How far the turtle has gone at most, where lengths were looked at.
+    double reach_mm() const { return reach_mm_; }
+
+private:
+    static constexpr std::uint32_t kClosed = kNone; // The next segment begins an axis.
+
+    struct Step {
+        Effect effect = Effect::None;
+        std::uint8_t parameters = 0;
+        bool is_bare_at = false; // @ without parameters.
+    };
+
+    // Where a count has come to. A local variable while it runs: in memory, each module would wait
+    // for what the last one wrote.
+    struct Walk {
+        std::size_t at = 0;
+        std::size_t parameter = 0;  // Where lengths are looked at.
+        std::size_t axis_count = 0; // Axes of the piece.
+        std::size_t depth = 0;      // Depth in brackets.
+        std::size_t open_polygons = 0;
+        double reach_mm = 0;
+        std::uint32_t axis = kClosed; // Axis that the next segment goes on with.
+    };
+
+    template<StepLengths kLengths>
+    bool count_modules(PlannedPiece& piece, std::vector<PlannedPiece>& branches);
+    template<StepLengths kLengths> bool apply(Effect effect, Walk& walk);
+    template<StepLengths kLengths> void step(bool draws, Walk& walk);
+    template<StepLengths kLengths> void pass(std::size_t count, Walk& walk) const;
+    std::size_t plain_length(std::size_t at) const;
+    bool leave_out(PlannedPiece& piece, std::size_t at, std::size_t depth,
+                   std::vector<PlannedPiece>& branches);
+
+    Alphabet const& alphabet_;
+    ModuleString const& string_;
+    double scale_;
+    double unit_mm_;
+    BranchIndex const& index_;
+    BranchCutter cutter_;
+    std::array<Step, 256> steps_ {};
+    std::array<bool, 256> is_plain_second_ {}; // Behind @: a symbol of two modules.
+    Column<std::uint32_t> lengths_;            // Lengths of the piece's axes, in segments.
+    Column<std::uint32_t> stack_;              // Axes to go on with behind brackets.
+    double reach_mm_ = 0;
+};
+
+bool SegmentCounter::count(PlannedPiece& piece, StepLengths lengths,
+                           std::vector<PlannedPiece>& branches)
+{
+    lengths_.clear();
+    // More than there can be.
+    lengths_.reserve(piece.end - piece.begin);
+    stack_.reserve(piece.end - piece.begin);
+    cutter_.begin(piece.begin, piece.end);
+    return lengths == StepLengths::Plain ? count_modules<StepLengths::Plain>(piece, branches)
+                                         : count_modules<StepLengths::Any>(piece, branches);
+}
+
+template<StepLengths kLengths>
+bool SegmentCounter::count_modules(PlannedPiece& piece, std::vector<PlannedPiece>& branches)
+{
+    Walk walk;
+    walk.at = piece.begin;
+    if (kLengths == StepLengths::Any)
+        walk.parameter = index_.parameter(piece.begin);
+    while (walk.at < piece.end) {
+        auto const effect = steps_[string_.kinds[walk.at]].effect;
+        if (effect == Effect::None) {
+            pass<kLengths>(1, walk);
+        } else if (effect == Effect::Long) {
+            // Quickly, what most have.
+            bool const is_quick = steps_[string_.kinds[walk.at]].is_bare_at
+                && walk.at + 1 < string_.size() && is_plain_second_[string_.kinds[walk.at + 1]];
+            auto const length = is_quick ? 2 : plain_length(walk.at);
+            if (length == 0)
+                return false;
+            pass<kLengths>(length, walk);
+        } else if (effect == Effect::Push && walk.at >= cutter_.look_from(walk.at)
+                   && walk.open_polygons == 0 && leave_out(piece, walk.at, walk.depth, branches)) {
+            walk.at = branches.back().end + 1;
+            if (kLengths == StepLengths::Any)
+                walk.parameter = index_.parameter(walk.at);
+        } else {
+            if (!apply<kLengths>(effect, walk))
+                return false;
+            pass<kLengths>(1, walk);
+        }
+    }
+    piece.axis_lengths.assign(lengths_.data(), lengths_.data() + walk.axis_count);
+    reach_mm_ += walk.reach_mm;
+    return walk.depth == 0 && walk.open_polygons == 0 && walk.at == piece.end;
+}
+
+// How many modules the organ or other long symbol has; 0 if it may be more than plain.
+std::size_t SegmentCounter::plain_length(std::size_t at) const
+{
+    auto const kinds = string_.kinds.span().subspan(at);
+    auto const length = symbol_length(alphabet_, kinds);
+    return are_plain(alphabet_, kinds.first(length)) ? length : 0;
+}
+
+template<StepLengths kLengths> void SegmentCounter::pass(std::size_t count, Walk& walk) const
+{
+    if (kLengths == StepLengths::Any)
+        for (std::size_t i = 0; i < count; ++i)
+            walk.parameter += steps_[string_.kinds[walk.at + i]].parameters;
+    walk.at += count;
+}
+
+template<StepLengths kLengths> bool SegmentCounter::apply(Effect effect, Walk& walk)
+{
+    switch (effect) {
+    case Effect::Draw:
+    case Effect::Move:
+        step<kLengths>(effect == Effect::Draw, walk);
+        return true;
+    case Effect::Push:
+        stack_.data()[walk.depth++] = walk.axis;
+        walk.axis = kClosed;
+        return true;
+    case Effect::Pop:
+        if (walk.depth == 0)
+            return false;
+        walk.axis = stack_.data()[--walk.depth];
+        return true;
+    case Effect::BeginPolygon:
+        ++walk.open_polygons;
+        return true;
+    case Effect::EndPolygon:
+        return walk.open_polygons-- > 0;
+    default:
+        return false;
+    }
+}
+
+// Does as Turtle::step().
+template<StepLengths kLengths> void SegmentCounter::step(bool draws, Walk& walk)
+{
+    if (kLengths == StepLengths::Any) {
+        double const length = steps_[string_.kinds[walk.at]].parameters > 0
+            ? static_cast<double>(string_.parameters[walk.parameter])
+            : 1;
+        double const length_mm = length * scale_ * unit_mm_;
+        walk.reach_mm += std::abs(length_mm);
+        if (length_mm == 0)
+            return;
+    }
+    if (walk.open_polygons > 0)
+        return;
+    auto* const lengths = lengths_.data();
+    if (draws && walk.axis == kClosed) {
+        walk.axis = static_cast<std::uint32_t>(walk.axis_count++);
+        lengths[walk.axis] = 1;
+    } else if (draws) {
+        ++lengths[walk.axis];
+    } else {
+        walk.axis = kClosed;
+    }
+}
+
+// Leaves a long branch to another piece, if it begins at module `at`: the last of `branches` then.
+bool SegmentCounter::leave_out(PlannedPiece& piece, std::size_t at, std::size_t depth,
+                               std::vector<PlannedPiece>& branches)
+{
+    auto const depth_inside = piece.depth + static_cast<std::int64_t>(depth) + 1;
+    auto const end = cutter_.cut(at, depth_inside);
+    if (!end)
+        return false;
+    piece.gaps.push_back({ at, branches.size() });
+    PlannedPiece branch;
+    branch.begin = at + 1;
+    branch.end = end->module;
+    branch.end_parameter = end->parameter;
+    branch.depth = depth_inside;
+    branches.push_back(std::move(branch));
+    return true;
+}
+
+// Whether no rule of the homomorphism makes what counts, or replaces it.
+bool has_plain_homomorphism(Model const& model)
+{
+    auto const& rules = model.homomorphism.rules;
+    return std::all_of(rules.begin(), rules.end(), [&](Rule const& rule) {
+        return are_plain(model.alphabet, rule.successor.kinds)
+            && std::all_of(rule.predecessor.begin(), rule.predecessor.end(), [&](KindId kind) {
+                   return effect_of(model.alphabet[kind]) == Effect::None;
+               });
+    });
+}
+
+// Whether steps must be looked at, since they may be of no length or lead out of the turtle's
+// bounds, where they draw nothing.
+StepLengths step_lengths(Model const& model, ModuleString const& string,
+                         TurtleOptions const& options, ParameterRange const& range)
+{
+    double const unit_mm = std::abs(model.view.scale * options.unit_mm);
+    double const reach_mm = std::max(1.0, static_cast<double>(range.greatest)) * unit_mm
+        * static_cast<double>(string.size());
+    return !range.has_zero && unit_mm > 1e-100 && reach_mm < kMaxReachMm ? StepLengths::Plain
+                                                                         : StepLengths::Any;
+}
+
+// Moves the branches that each piece of a generation leaves out behind all pieces.
+void append_branches(std::vector<PlannedPiece>& pieces, std::size_t first,
+                     std::vector<std::vector<PlannedPiece>>& branches)
+{
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+        for (auto& gap : pieces[first + i].gaps)
+            gap.piece += pieces.size();
+        std::move(branches[i].begin(), branches[i].end(), std::back_inserter(pieces));
+    }
+}
+
+void add_totals(std::vector<PlannedPiece>& pieces)
+{
+    for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
+        piece->axis_count = piece->axis_lengths.size();
+        for (auto const length : piece->axis_lengths)
+            piece->segment_count += length;
+        for (auto const& gap : piece->gaps) {
+            piece->axis_count += pieces[gap.piece].axis_count;
+            piece->segment_count += pieces[gap.piece].segment_count;
+        }
+    }
+}
+
+} // namespace
+
+ParameterRange parameter_range(ModuleString const& string)
+{
+    // Magnitudes compare as their bits do; those of what is no number are the greatest.
+    std::atomic<bool> has_zero = false;
+    std::atomic<std::int32_t> greatest = 0;
+    parallel_for(string.parameters.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
+        std::int32_t high = 0;
+        std::int32_t zeros = 0;
+        for (auto i = begin; i < end; ++i) {
+            auto const bits = std::bit_cast<std::int32_t>(string.parameters[i]) & 0x7FFF'FFFF;
+            high = bits > high ? bits : high;
+            zeros |= static_cast<std::int32_t>(bits == 0);
+        }
+        if (zeros != 0)
+            has_zero = true;
+        for (auto seen = greatest.load();
+             high > seen && !greatest.compare_exchange_weak(seen, high);) { }
+    });
+    constexpr auto kInfinite = std::bit_cast<std::int32_t>(std::numeric_limits<float>::infinity());
+    return { has_zero, std::bit_cast<float>(std::min(greatest.load(), kInfinite)) };
+}
+
+std::optional<std::vector<PlannedPiece>>
+plan_segments(Model const& model, ModuleString const& string, TurtleOptions const& options,
+              BranchIndex const& index, ParameterRange const& parameters)
+{
+    // Surfaces move the turtle.
+    if (!parameters.are_finite() || !model.view.surfaces.empty() || !has_plain_homomorphism(model))
+        return std::nullopt;
+    auto const lengths = step_lengths(model, string, options, parameters);
+    std::vector<PlannedPiece> pieces(1);
+    pieces[0].end = string.size();
+    std::atomic<bool> is_good = true;
+    std::atomic<double> reach_mm = 0;
+    for (std::size_t first = 0; first < pieces.size() && is_good;) {
+        auto const count = pieces.size() - first;
+        std::vector<std::vector<PlannedPiece>> branches(count);
+        parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
+            SegmentCounter counter(model, string, options, index);
+            for (auto i = begin; i < end; ++i)
+                if (!counter.count(pieces[first + i], lengths, branches[i]))
+                    is_good = false;
+            reach_mm.fetch_add(counter.reach_mm());
+        });
+        append_branches(pieces, first, branches);
+        first += count;
+    }
+    if (!is_good || pieces.size() == 1 || !(reach_mm < kMaxReachMm))
+        return std::nullopt;
+    add_totals(pieces);
+    return pieces;
+}
+
+} // namespace tractus

@@ -1,0 +1,466 @@
+#include "engine/lsystem/turtle/turtle.h"
+
+#include "engine/lsystem/language/print.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <string_view>
+
+namespace tractus {
+
+static bool has_symbol(Model const& model, std::string_view symbols)
+{
+    return std::any_of(
+        model.alphabet.kinds.begin(), model.alphabet.kinds.end(),
+        [&](auto const& kind) { return symbols.find(kind.symbol) != std::string_view::npos; });
+}
+
+bool uses_turtle_extras(Model const& model)
+{
+    return !model.view.tropisms.empty() || (has_symbol(model, "@") && has_symbol(model, "TG"))
+        || std::any_of(model.alphabet.kinds.begin(), model.alphabet.kinds.end(),
+                       [](ModuleKind const& kind) {
+                           return kind.symbol == '{'
+                               && (kind.parameter_count == 1 || kind.parameter_count == 2);
+                       });
+}
+
+bool uses_patches(Model const& model)
+{
+    return has_symbol(model, "@") && has_symbol(model, "P");
+}
+
+Turtle::Turtle(Model const& model, TurtleOptions const& options)
+    : model_(model)
+    , view_(model.view)
+    , options_(options)
+    , has_extras_(uses_turtle_extras(model))
+{
+    for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i)
+        kinds_[i] = describe(model.alphabet.kinds[i]);
+}
+
+Turtle::Start Turtle::start() const
+{
+    Start start;
+    start.state.width = view_.line_width;
+    start.state.elasticity = view_.elasticity;
+    start.state.color = static_cast<std::uint8_t>(view_.color);
+    start.state.scale = view_.scale;
+    for (std::size_t i = 0; i < tropism_count(); ++i)
+        start.extras.elasticities[i] = view_.tropisms[i].elasticity;
+    start.extras.style.sides = static_cast<std::uint16_t>(view_.contour_sides);
+    return start;
+}
+
+void Turtle::begin(Start const& start, TurtleDrawing& drawing)
+{
+    drawing_ = &drawing;
+    state_ = start.state;
+    extras_ = start.extras;
+    depth_ = 0;
+    extras_stack_.clear();
+    polygons_.clear();
+    call_scales_.clear();
+    cylinder_stack_.clear();
+    patches_.clear();
+    patch_numbers_.clear();
+    patch_shapes_.clear();
+    is_cut_ = false;
+    has_unpaired_ = false;
+}
+
+void Turtle::drop_drawing()
+{
+    drawing_->clear();
+    patch_numbers_.clear();
+    patch_shapes_.clear();
+    state_.place = {};
+    for (auto& state : stack_)
+        state.place = {};
+    cylinder_.place = {};
+    for (auto& cylinder : cylinder_stack_)
+        cylinder.place = {};
+}
+
+Turtle::Start Turtle::branch_start() const
+{
+    Start start { state_, extras_ };
+    start.state.place.is_open = false;
+    if (start.state.place.segment != kNone && !drawing_->target.plant)
+        start.state.place.segment = TurtleDrawing::kBelow;
+    return start;
+}
+
+std::size_t Turtle::draw(Modules const& modules, std::size_t place, bool in_homomorphism)
+{
+    auto const length = symbol_length(model_.alphabet, { modules.kinds, modules.count });
+    Symbol symbol;
+    for (std::size_t i = 0; i < length; ++i)
+        symbol.name[i] = kinds_[modules.kinds[i]].symbol;
+    symbol.parameters = modules.parameters;
+    symbol.count = kinds_[modules.kinds[length - 1]].parameter_count;
+    place_ = place;
+    if (!check(symbol))
+        return length;
+    if (symbol.name[0] == '%' && !in_homomorphism && symbol.count == 0)
+        is_cut_ = !view_.draws_past_cut;
+    else if (symbol.name[0] == '%' && !in_homomorphism)
+        go_on_with(symbol);
+    else
+        draw_symbol(symbol);
+    return length;
+}
+
+// A number that is not finite would reach all that is drawn after it.
+bool Turtle::check(Symbol const& symbol)
+{
+    for (std::size_t i = 0; i < symbol.count; ++i)
+        if (!std::isfinite(symbol.parameters[i])) {
+            warn(fmt::format("{}: left out {} with a parameter that is not a number", model_.name,
+                             std::string(symbol.name.begin(),
+                                         std::find(symbol.name.begin(), symbol.name.end(), '\0'))));
+            return false;
+        }
+    return true;
+}
+
+void Turtle::draw_symbol(Symbol const& symbol)
+{
+    auto& frame = state_.frame;
+    switch (symbol.name[0]) {
+    case 'F':
+    case 'G':
+    case 'f':
+    case 'g':
+        return step(symbol);
+    case '+':
+    case '-':
+        return turn(frame.heading, frame.left, symbol, symbol.name[0] == '+' ? 1 : -1);
+    case '&':
+    case '^':
+        return turn(frame.heading, frame.down, symbol, symbol.name[0] == '&' ? 1 : -1);
+    case '/':
+    case '\\':
+        return turn(frame.left, frame.down, symbol, symbol.name[0] == '/' ? 1 : -1);
+    case '|':
+        return TurtleFrame::rotate(frame.heading, frame.left, 0, -1);
+    case '[':
+        return push();
+    case ']':
+        return pop();
+    case '!':
+        return set_width(state_, symbol.count > 0, symbol.parameter(0, -1));
+    case '#':
+        return set_width(state_, symbol.count > 0, symbol.parameter(0, 1));
+    case ';':
+        return set_color(symbol, 1);
+    case ',':
+        return set_color(symbol, -1);
+    case '_':
+        state_.elasticity = symbol.parameter(0, state_.elasticity + view_.elasticity_step);
+        return;
+    case '{':
+        return begin_path(symbol);
+    case '.':
+        return add_dot(symbol);
+    case '}':
+        if (symbol.parameter(0, 0) == 0)
+            return close_polygon();
+        return end_path();
+    case '~':
+        if (symbol.name[1] != 0)
+            add_organ(symbol.name[1], symbol);
+        return;
+    case '@':
+        return draw_at_symbol(symbol);
+    case '?':
+        return enter_subsystem(symbol);
+    case '$':
+        return leave_subsystem();
+    default:
+        return;
+    }
+}
+
+// ?(id), ?(id,scale): as cpfg, the scale is the caller's times this one, whatever @D has set, and
+// the line width grows with it.
+void Turtle::enter_subsystem(Symbol const& symbol)
+{
+    if (model_.subsystems.empty() || symbol.count == 0 || symbol.name[1] != 0)
+        return;
+    double const outer = call_scales_.empty() ? view_.scale : call_scales_.back();
+    double const scale = std::clamp(outer * symbol.parameter(1, 1), -1e6, 1e6);
+    call_scales_.push_back(scale);
+    state_.scale = scale;
+    if (outer != 0)
+        state_.width = std::clamp(state_.width * scale / outer, kMinWidth, 1e6);
+}
+
+KeptTurtle Turtle::kept() const
+{
+    auto const& frame = state_.frame;
+    return { frame.position_mm / options_.unit_mm,
+             frame.heading,
+             frame.left,
+             frame.down,
+             state_.width,
+             state_.scale,
+             state_.elasticity,
+             state_.color };
+}
+
+// %(x,i): what a cut has kept, which stands by itself now.
+void Turtle::go_on_with(Symbol const& symbol)
+{
+    double const number = symbol.parameter(1, -1);
+    if (!(number >= 0) || number >= static_cast<double>(kept_.size()))
+        return;
+    auto const& kept = kept_[static_cast<std::size_t>(number)];
+    state_.frame = { kept.position * options_.unit_mm, kept.heading, kept.left, kept.down };
+    state_.width = kept.width;
+    state_.scale = kept.scale;
+    state_.elasticity = kept.elasticity;
+    state_.color = kept.color;
+    state_.place = {};
+    extras_.carried = state_.frame;
+}
+
+void Turtle::leave_subsystem()
+{
+    if (call_scales_.empty())
+        return;
+    double const inner = call_scales_.back();
+    call_scales_.pop_back();
+    state_.scale = call_scales_.empty() ? view_.scale : call_scales_.back();
+    if (inner != 0)
+        state_.width = std::clamp(state_.width * state_.scale / inner, kMinWidth, 1e6);
+}
+
+void Turtle::draw_at_symbol(Symbol const& symbol)
+{
+    switch (symbol.name[1]) {
+    case 'v':
+        return state_.frame.roll_horizontal();
+    case 'M':
+        return set_position(symbol);
+    case 'R':
+        return set_frame(symbol);
+    case 'o':
+    case 'O':
+        return add_round(OrganShape::Kind::Ball, symbol);
+    case 'c':
+        return add_round(OrganShape::Kind::Disc, symbol);
+    case 'b':
+        return add_circle(symbol);
+    case 'D':
+        return set_scale(symbol);
+    case 'T':
+        return draw_movement_symbol(symbol);
+    case 'G':
+        return draw_cylinder_symbol(symbol);
+    case '#':
+        return set_contour(symbol);
+    case '!':
+        return set_sides(symbol);
+    case 'P':
+        return draw_patch_symbol(symbol);
+    case 'm': // @mc(1): a cut. @mo, as @J, is about ray tracing.
+        is_cut_ = is_cut_ || (symbol.name[2] == 'c' && symbol.parameter(0, 0) == 1);
+        return;
+    case 'L':
+        return warn(fmt::format("{}: labels are not drawn", model_.name));
+    case ';':
+    case ',':
+        return warn(fmt::format("{}: back faces have the colour of the front; @; and @, change "
+                                "nothing",
+                                model_.name));
+    case 'S':
+        return warn(fmt::format("{}: models run no programs here; @S does nothing", model_.name));
+    case 'I':
+    case 'J': // Meant for a ray tracer of cpfg's.
+    case 'Z':
+    case 'Y': // Meant for other programs.
+        return;
+    default:
+        warn(fmt::format("{}: the turtle symbol @{} is not supported; it draws nothing",
+                         model_.name, symbol.name[1]));
+    }
+}
+
+// @Ts @Ti @Td elasticity; @Tp carry the sides; @Tf carry them from here on; @Tx texture.
+void Turtle::draw_movement_symbol(Symbol const& symbol)
+{
+    switch (symbol.name[2]) {
+    case 's':
+    case 'i':
+    case 'd':
+    case '\0': // Treated as @Ti.
+        return set_elasticity(symbol);
+    case 'p':
+        return state_.frame.carry_from(extras_.carried);
+    case 'f':
+        extras_.carried = state_.frame;
+        return;
+    default:
+        return warn(
+            fmt::format("{}: textures are not supported; @Tx changes nothing", model_.name));
+    }
+}
+
+// F and G draw, F and f set vertices.
+void Turtle::step(Symbol const& symbol)
+{
+    bool const draws = symbol.name[0] == 'F' || symbol.name[0] == 'G';
+    bool const sets_vertex = symbol.name[0] == 'F' || symbol.name[0] == 'f';
+    auto& frame = state_.frame;
+    if (tropism_count() > 0)
+        bend_by_tropisms(frame, extras_.carried, view_.tropisms, extras_.elasticities);
+    auto const base_mm = frame.position_mm;
+    double const length_mm = symbol.parameter(0, 1) * state_.scale * options_.unit_mm;
+    Vec3 const tip_mm = base_mm + length_mm * frame.heading;
+    bool const is_inside = tip_mm.cwiseAbs().maxCoeff() < kMaxReachMm;
+    if (!is_inside)
+        warn(fmt::format("{}: left out steps to places more than 1e12 mm away", model_.name));
+    if (is_inside && length_mm != 0) {
+        frame.position_mm = tip_mm;
+        if (polygons_.empty() && draws && state_.path != State::Path::OfSteps)
+            drawing_->add_segment(state_.place, base_mm, tip_mm, radius_mm(state_), state_.color);
+        else if (polygons_.empty())
+            state_.place.is_open = false;
+    }
+    if (state_.elasticity != 0)
+        frame.bend_towards(from_model(view_.tropism_direction), state_.elasticity);
+    if (sets_vertex && !polygons_.empty())
+        polygons_.back().vertices_mm.push_back(frame.position_mm);
+    else if (sets_vertex && state_.path == State::Path::OfSteps)
+        add_control_point(0);
+    if (has_extras_ && draws)
+        extras_.carried = frame;
+}
+
+void Turtle::push()
+{
+    save(state_);
+    if (has_extras_)
+        extras_stack_.push_back(extras_);
+    if (state_.path != State::Path::None) {
+        cylinder_stack_.push_back(cylinder_);
+        cylinder_.place.is_open = false;
+    }
+    state_.place.is_open = false;
+}
+
+void Turtle::pop()
+{
+    if (depth_ == 0) {
+        has_unpaired_ = true;
+        return warn(fmt::format("{}: left out a ] without a [", model_.name));
+    }
+    state_ = stack_[--depth_];
+    if (has_extras_) {
+        extras_ = extras_stack_.back();
+        extras_stack_.pop_back();
+    }
+    if (state_.path != State::Path::None) {
+        cylinder_ = std::move(cylinder_stack_.back());
+        cylinder_stack_.pop_back();
+    }
+}
+
+void Turtle::close_polygon()
+{
+    if (polygons_.empty()) {
+        has_unpaired_ = true;
+        return warn(fmt::format("{}: left out a }} without a {{", model_.name));
+    }
+    auto const& polygon = polygons_.back();
+    drawing_->add_polygon(polygon.vertices_mm, state_.place.segment, polygon.color);
+    polygons_.pop_back();
+}
+
+// @D(scale), @Di[(factor)], @Dd[(factor)]; no change without a scale, or by a factor of 0.
+void Turtle::set_scale(Symbol const& symbol)
+{
+    double const value = symbol.parameter(0, view_.scale_step);
+    double scale = value;
+    if (symbol.name[2] == 0 ? symbol.count == 0 : value == 0)
+        return warn(
+            fmt::format("{}: left out a @D without a scale, or a @Di or @Dd by 0", model_.name));
+    if (symbol.name[2] == 'i')
+        scale = state_.scale * value;
+    else if (symbol.name[2] == 'd')
+        scale = state_.scale / value;
+    state_.scale = std::clamp(scale, -1e6, 1e6);
+}
+
+void Turtle::set_color(Symbol const& symbol, int sign)
+{
+    double const color = symbol.parameter(0, state_.color + sign * view_.color_step);
+    state_.color
+        = static_cast<std::uint8_t>(static_cast<int>(std::clamp(color, -256.0, 511.0)) & 255);
+}
+
+void Turtle::turn(Vec3& a, Vec3& b, Symbol const& symbol, double sign)
+{
+    auto const& angle = angles_.at(symbol.parameter(0, view_.angle_increment_deg));
+    TurtleFrame::rotate(a, b, sign * angle.sine, angle.cosine);
+}
+
+// @M(x,y[,z]).
+void Turtle::set_position(Symbol const& symbol)
+{
+    if (symbol.count < 2)
+        return;
+    Vec3 const position(symbol.parameter(0, 0), symbol.parameter(1, 0), symbol.parameter(2, 0));
+    state_.frame.position_mm = from_model(position).cwiseMax(-1e9).cwiseMin(1e9) * options_.unit_mm;
+    state_.place.is_open = false;
+}
+
+// @R(x,y[,z[,up]]): a heading of no length is straight up, as cpfg has it.
+void Turtle::set_frame(Symbol const& symbol)
+{
+    if (symbol.count < 2)
+        return;
+    auto const direction = [&](std::size_t i) {
+        return from_model(
+            { symbol.parameter(i, 0), symbol.parameter(i + 1, 0), symbol.parameter(i + 2, 0) });
+    };
+    Vec3 const heading = direction(0);
+    if (state_.frame.head_along(heading.isZero() ? Vec3(Vec3::UnitZ()) : heading)
+        && symbol.count >= 6)
+        state_.frame.set_up(direction(3));
+}
+
+// @Ts(tropism, value), @Ti(tropism[, step]), @Td(tropism[, step]); tropisms count from 1.
+void Turtle::set_elasticity(Symbol const& symbol)
+{
+    double const number = symbol.parameter(0, 1);
+    if (!(number >= 1) || number >= static_cast<double>(tropism_count()) + 1)
+        return warn(fmt::format("{}: @T{}({}) names a tropism that the view does not define",
+                                model_.name, std::string_view(&symbol.name[2], symbol.name[2] != 0),
+                                number));
+    auto const index = static_cast<std::size_t>(number) - 1;
+    auto& elasticity = extras_.elasticities[index];
+    double const change = symbol.parameter(1, view_.tropisms[index].elasticity_step);
+    if (symbol.name[2] == 's')
+        elasticity = symbol.parameter(1, 0);
+    else
+        elasticity += symbol.name[2] == 'd' ? -change : change;
+}
+
+std::size_t Turtle::tropism_count() const
+{
+    return std::min(view_.tropisms.size(), kMaxTropisms);
+}
+
+void Turtle::warn(std::string warning)
+{
+    auto& warnings = drawing_->warnings;
+    if (std::none_of(warnings.begin(), warnings.end(),
+                     [&](auto const& other) { return other.text == warning; }))
+        warnings.push_back({ place_, std::move(warning) });
+}
+
+} // namespace tractus

@@ -1,0 +1,141 @@
+// The turtle's way through long runs of the symbols that come most often.
+#include "engine/lsystem/language/print.h"
+#include "engine/lsystem/turtle/turtle.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace tractus {
+
+Turtle::Kind Turtle::describe(ModuleKind const& kind)
+{
+    static constexpr std::string_view kSymbols = "FGfg+-&^/\\[]!#@";
+    static constexpr std::array<Quick, kSymbols.size()> kQuick {
+        Quick::Step, Quick::Step,  Quick::Step,  Quick::Step,  Quick::Turn,
+        Quick::Turn, Quick::Pitch, Quick::Pitch, Quick::Roll,  Quick::Roll,
+        Quick::Push, Quick::Pop,   Quick::Width, Quick::Width, Quick::Level,
+    };
+    auto const is_one_of = [&](std::string_view symbols) {
+        return symbols.find(kind.symbol) != std::string_view::npos;
+    };
+    Kind result;
+    result.symbol = kind.symbol;
+    result.parameter_count = kind.parameter_count;
+    result.is_single = !is_one_of("@~?%");
+    result.draws = is_one_of("FG");
+    result.sign = is_one_of("-^\\!") ? -1 : 1;
+    if (is_one_of(kSymbols))
+        result.quick = kQuick[kSymbols.find(kind.symbol)];
+    else if (!is_one_of("|;,_{.}~?$%"))
+        result.quick = Quick::Nothing;
+    return result;
+}
+
+std::size_t Turtle::draw_plain(std::span<KindId const> kinds, float const*& parameters,
+                               std::size_t place, std::array<bool, 256> const& stops)
+{
+    Symbol symbol;
+    std::size_t i = 0;
+    while (i < kinds.size()) {
+        if (!has_extras_ && is_quick(state_) && polygons_.empty())
+            i += draw_quick(kinds.subspan(i), parameters, stops);
+        if (i == kinds.size() || stops[kinds[i]])
+            break;
+        auto const& kind = kinds_[kinds[i]];
+        std::size_t length = 1;
+        symbol.name = { kind.symbol };
+        symbol.count = kind.parameter_count;
+        if (!kind.is_single) {
+            length = name_at_symbol(kinds.subspan(i), symbol);
+            if (length == 0)
+                break;
+        }
+        symbol.parameters = parameters;
+        parameters += symbol.count;
+        place_ = place + i;
+        i += length;
+        draw_symbol(symbol);
+    }
+    return i;
+}
+
+// How many modules the @-symbol at the beginning has; 0 if there is none, it is a cut, or it may go
+// on behind them.
+std::size_t Turtle::name_at_symbol(std::span<KindId const> kinds, Symbol& symbol) const
+{
+    if (kinds_[kinds[0]].symbol != '@' || kinds.size() < symbol.name.size())
+        return 0;
+    auto const length = symbol_length(model_.alphabet, kinds);
+    if (length == 1 || kinds_[kinds[1]].symbol == 'm')
+        return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        symbol.name[i] = kinds_[kinds[i]].symbol;
+    symbol.count = kinds_[kinds[length - 1]].parameter_count;
+    return length;
+}
+
+// The state is a local variable meanwhile: in memory, each symbol would wait for what the last one
+// wrote.
+std::size_t Turtle::draw_quick(std::span<KindId const> kinds, float const*& parameters,
+                               std::array<bool, 256> const& stops)
+{
+    auto state = state_;
+    auto const* next = parameters;
+    bool goes_on = true;
+    std::size_t i = 0;
+    while (i < kinds.size() && !stops[kinds[i]]) {
+        auto const* kind = &kinds_[kinds[i]];
+        auto const value = [&](double otherwise) {
+            return kind->parameter_count > 0 ? static_cast<double>(*next) : otherwise;
+        };
+        auto const turn = [&](Vec3& a, Vec3& b) {
+            auto const& angle = angles_.at(value(view_.angle_increment_deg));
+            TurtleFrame::rotate(a, b, kind->sign * angle.sine, angle.cosine);
+        };
+        switch (kind->quick) {
+        case Quick::Nothing:
+            break;
+        case Quick::Step:
+            goes_on = step_quickly(state, value(1) * state.scale * options_.unit_mm, kind->draws);
+            break;
+        case Quick::Turn:
+            turn(state.frame.heading, state.frame.left);
+            break;
+        case Quick::Pitch:
+            turn(state.frame.heading, state.frame.down);
+            break;
+        case Quick::Roll:
+            turn(state.frame.left, state.frame.down);
+            break;
+        case Quick::Push:
+            save(state);
+            state.place.is_open = false;
+            break;
+        case Quick::Pop:
+            goes_on = restore_quickly(state);
+            break;
+        case Quick::Width:
+            set_width(state, kind->parameter_count > 0, value(kind->sign));
+            break;
+        case Quick::Level:
+            goes_on = i + 1 < kinds.size() && kind->parameter_count == 0
+                && kinds_[kinds[i + 1]].symbol == 'v';
+            if (goes_on) {
+                kind = &kinds_[kinds[++i]];
+                state.frame.roll_horizontal();
+            }
+            break;
+        case Quick::Other:
+            goes_on = false;
+        }
+        if (!goes_on)
+            break;
+        next += kind->parameter_count;
+        ++i;
+    }
+    state_ = state;
+    parameters = next;
+    return i;
+}
+
+} // namespace tractus

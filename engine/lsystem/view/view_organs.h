@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/lsystem/view/view_reader.h"
+
+namespace tractus {
+
+// The statements of our own; view.h says what they mean.
+Result<void> read_material(ViewReader& reader, std::string_view value);
+Result<void> read_color(ViewReader& reader, std::string_view value);
+Result<void> read_organ(ViewReader& reader, std::string_view value);
+Result<void> read_leaf(ViewReader& reader, std::string_view value);
+Result<void> read_calendar(ViewReader& reader, std::string_view value);
+Result<void> read_radii(ViewReader& reader, std::string_view value);
+
+} // namespace tractus
