@@ -1,19 +1,16 @@
 #include "app/methods/all_methods.h"
-#include "app/plants/plant_group.h"
 #include "app/tools/bent_plant.h"
 #include "app/tools/branch_place.h"
-#include "engine/export/glb_writer.h"
-#include "engine/mesh/make_mesh.h"
 #include "engine/methods/construction_lines/line_edits.h"
 #include "engine/methods/silhouettes/tree_edits.h"
 #include "engine/methods/sketch_lsystem/change_edits.h"
 #include "engine/plant/join_axes.h"
 #include "engine/plant/plant_addresses.h"
+#include "tests/app/methods/pairs/exported.h"
 #include "tests/app/session/small_session.h"
 
 #include <array>
 #include <cmath>
-#include <sstream>
 
 namespace tractus {
 namespace {
@@ -152,16 +149,6 @@ std::size_t segments_of_part(Scene const& scene, ItemId part)
     for (SegmentId segment = 0; segment < scene.base->segment_count(); ++segment)
         count += part_of(scene.rest->addresses.address_of(*scene.base, segment)) == part;
     return count;
-}
-
-std::string exported(Scene const& scene)
-{
-    auto const mesh = make_mesh(shown_plants(scene).value());
-    std::ostringstream out;
-    PlacedMesh placed;
-    placed.mesh = &mesh;
-    EXPECT_TRUE(write_glb(out, std::span(&placed, 1)));
-    return out.str();
 }
 
 class Pairs : public SessionFolder {

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "app/plants/plant_group.h"
+#include "engine/export/glb_writer.h"
+#include "engine/mesh/make_mesh.h"
+
+#include <gtest/gtest.h>
+#include <sstream>
+#include <string>
+
+namespace tractus {
+
+// All that is shown of a document, as a .glb.
+inline std::string exported(Scene const& scene)
+{
+    auto const mesh = make_mesh(shown_plants(scene).value());
+    std::ostringstream out;
+    PlacedMesh placed;
+    placed.mesh = &mesh;
+    EXPECT_TRUE(write_glb(out, std::span(&placed, 1)));
+    return out.str();
+}
+
+} // namespace tractus
