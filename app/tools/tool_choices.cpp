@@ -57,6 +57,7 @@ public:
 
 private:
     void add_words(Tool const& tool, WordOption const& option, std::size_t number);
+    void add_next_word(Tool const& tool, ChosenWord const& chosen, std::size_t number);
     void add_number(ChosenNumber const& chosen, std::size_t number);
     void add(std::string const& text, Tool const& tool);
 
@@ -100,10 +101,14 @@ void Meanings::add_kind(ToolKind const& kind)
     if (!has_word)
         add(kind.label, kind.at_once ? tool.done_at_once() : tool);
     for (std::size_t i = 0; i < options.size(); ++i) {
-        if (options[i].option.offered == WordOption::Offered::InHand && !is_in_hand)
+        bool const is_in_turn = options[i].option.offered == WordOption::Offered::InTurn;
+        if (options[i].option.offered != WordOption::Offered::Always && !is_in_hand)
             continue;
         begins_group_ |= i > 0;
-        add_words(tool, options[i].option, i);
+        if (is_in_turn)
+            add_next_word(tool, options[i], i);
+        else
+            add_words(tool, options[i].option, i);
     }
     for (std::size_t i = 0; i < numbers.size() && is_in_hand; ++i)
         add_number(numbers[i], i);
@@ -119,6 +124,18 @@ void Meanings::add_words(Tool const& tool, WordOption const& option, std::size_t
         was_at_once = word.at_once;
         add(word.label, word.at_once ? chosen.done_at_once() : chosen);
     }
+}
+
+void Meanings::add_next_word(Tool const& tool, ChosenWord const& chosen, std::size_t number)
+{
+    auto const& [option, value] = chosen;
+    auto const count = static_cast<int>(option.words.size());
+    auto const next = with_word(tool, number, (value + 1) % count);
+    // Its text changes under a press: the button stays the same one.
+    add(fmt::format("{}: {}##in turn", option.label,
+                    option.words[static_cast<std::size_t>(value)].label),
+        next);
+    meanings_.back().is_on = false;
 }
 
 void Meanings::add_number(ChosenNumber const& chosen, std::size_t number)

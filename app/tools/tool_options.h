@@ -20,11 +20,13 @@ struct WordOption {
     enum class Offered {
         Always, // Its words have buttons as soon as a tool of the group is in hand,
         InHand, // or when the tool itself is; until then its label has one, if no word has.
+        InTurn, // Likewise, but one button for all, "Rule: Opposite", which takes the next one.
     } offered
         = Offered::Always;
     // What else a person chooses with a word: sets the tool's other options, which logs then name.
     // Null: nothing.
     void (*goes_with)(void* options) = nullptr;
+    char const* label = ""; // What its button begins with, if it is offered in turn.
 };
 
 // An option that is a number: "name=2.5" in logs.

@@ -2,6 +2,7 @@
 
 #include "app/methods/silhouettes/erase_outline_tool.h"
 #include "app/methods/silhouettes/outline_previewer.h"
+#include "engine/methods/silhouettes/ready_form.h"
 #include "engine/scene/paper.h"
 
 #include <algorithm>
@@ -27,8 +28,39 @@ constexpr std::array<OptionWord, 4> kWords { {
     { "reseed", "Another one", nullptr, true },
 } };
 
+// In the order of OutlineTool::Form: the usual one, then the ready ones.
+constexpr std::array<OptionWord, 6> kFormWords { {
+    { "usual", "Usual" },
+    { "oak", "Oak" },
+    { "pine", "Pine" },
+    { "willow", "Willow" },
+    { "eucalyptus", "Eucalyptus" },
+    { "fir", "Fir" },
+} };
+
+silhouette::TreeForm ready_form(OutlineTool const& tool)
+{
+    if (tool.form == OutlineTool::Form::Usual)
+        return {};
+    return silhouette::ready_forms()[static_cast<std::size_t>(tool.form) - 1].form;
+}
+
+void take_numbers_of_form(void* options)
+{
+    auto& tool = *static_cast<OutlineTool*>(options);
+    auto const form = ready_form(tool);
+    tool.levels = form.levels;
+    tool.density = form.density;
+    tool.leaves = form.leaves;
+}
+
 void visit(OptionVisitor& visitor, OutlineTool& tool)
 {
+    visitor.choice({ .words = kFormWords,
+                     .offered = WordOption::Offered::InTurn,
+                     .goes_with = take_numbers_of_form,
+                     .label = "Form" },
+                   tool.form);
     visitor.number({ "levels", "", 1, 3, 1, "Orders" }, tool.levels);
     visitor.number({ "density", "", 0, 10, 0.25, "Density" }, tool.density);
     visitor.number({ "leaves", "", 1, 500, 4, "Leaves" }, tool.leaves);
@@ -99,6 +131,11 @@ silhouette::TreeForm form_of(OutlineTool const& tool, silhouette::TreeForm form)
     form.levels = static_cast<int>(std::lround(tool.levels));
     form.density = tool.density;
     form.leaves = static_cast<int>(std::lround(tool.leaves));
+    if (tool.form != OutlineTool::Form::Usual) {
+        auto const ready = ready_form(tool);
+        form.patterns = ready.patterns;
+        form.leaf_width = ready.leaf_width;
+    }
     return form;
 }
 
@@ -179,7 +216,8 @@ constexpr ToolKind OutlineTool::kKind {
     .title = "A trunk, and the outline of its crown",
     .done = "The tree has what was drawn",
     .help = "draws a tree on paper that stands upright: a line is a trunk, one that comes back to "
-            "its beginning the outline of a crown, a line from a trunk inside it a branch; so many "
+            "its beginning the outline of a crown, a line from a trunk inside it a branch; in a "
+            "ready form, or with so many "
             "levels of branches, so many times as many as usual that nobody draws, so many leaves "
             "on a twig; a new tree at each line, or at once these numbers, or other chance, for "
             "the tree that is there",

@@ -9,6 +9,7 @@
 #include "app/verbs/checks.h"
 #include "app/verbs/organs_option.h"
 #include "drivers/file.h"
+#include "engine/methods/silhouettes/ready_form.h"
 #include "engine/methods/silhouettes/tree_edits.h"
 
 #include <algorithm>
@@ -192,15 +193,21 @@ Result<void> make_trees(SilhouetteArguments const& arguments)
     return {};
 }
 
-void add_options(CLI::App& verb, SilhouetteArguments& arguments)
+// How branches stand, how many there are, and their leaves.
+void add_form_options(CLI::App& verb, SilhouetteArguments& arguments)
 {
-    verb.add_option("DRAWING", arguments.drawings,
-                    "JSON files of an outline and a trunk in millimetres, or SVG drawings (.svg)")
-        ->type_name("DRAWING");
-    verb.add_option("-o,--output", arguments.output,
-                    "The folder for pictures and glTF, made if it is not there; or the tree alone, "
-                    "as the file's ending says: .glb, .obj, .mtg or .png")
-        ->type_name("OUTPUT");
+    // Before its numbers, which change it.
+    verb.add_option_function<std::string>(
+            "--form",
+            [&form = arguments.form](std::string const& name) {
+                for (auto const& ready : silhouette::ready_forms())
+                    if (ready.name == name)
+                        form = ready.form;
+            },
+            "How the tree's branches stand, how many there are, and its leaves, but for what other "
+            "options say: oak, pine, willow, eucalyptus or fir")
+        ->type_name("NAME")
+        ->check(one_of({ "oak", "pine", "willow", "eucalyptus", "fir" }));
     verb.add_option("--levels", arguments.form.levels,
                     "How often branches branch before twigs come")
         ->type_name("N")
@@ -218,10 +225,6 @@ void add_options(CLI::App& verb, SilhouetteArguments& arguments)
         ->type_name("TIMES")
         ->capture_default_str()
         ->check(number(0, 10));
-    verb.add_option("--height", arguments.height_m, "Of the whole tree, metres")
-        ->type_name("METRES")
-        ->capture_default_str()
-        ->check(number(0.01, 200));
     verb.add_option("--leaves", arguments.form.leaves, "Leaves on each twig")
         ->type_name("N")
         ->capture_default_str()
@@ -231,6 +234,22 @@ void add_options(CLI::App& verb, SilhouetteArguments& arguments)
         ->type_name("SHARE")
         ->capture_default_str()
         ->check(number(0.01, 2));
+}
+
+void add_options(CLI::App& verb, SilhouetteArguments& arguments)
+{
+    verb.add_option("DRAWING", arguments.drawings,
+                    "JSON files of an outline and a trunk in millimetres, or SVG drawings (.svg)")
+        ->type_name("DRAWING");
+    verb.add_option("-o,--output", arguments.output,
+                    "The folder for pictures and glTF, made if it is not there; or the tree alone, "
+                    "as the file's ending says: .glb, .obj, .mtg or .png")
+        ->type_name("OUTPUT");
+    add_form_options(verb, arguments);
+    verb.add_option("--height", arguments.height_m, "Of the whole tree, metres")
+        ->type_name("METRES")
+        ->capture_default_str()
+        ->check(number(0.01, 200));
     verb.add_option("--seed", arguments.form.seed, "Of what the drawing leaves open")
         ->type_name("N")
         ->capture_default_str()

@@ -77,8 +77,9 @@ void take_numbers_of_card(void* options)
 void visit(OptionVisitor& visitor, SketchTool& tool)
 {
     visitor.choice({ .words = kCardWords,
-                     .offered = WordOption::Offered::InHand,
-                     .goes_with = take_numbers_of_card },
+                     .offered = WordOption::Offered::InTurn,
+                     .goes_with = take_numbers_of_card,
+                     .label = "Rule" },
                    tool.card);
     visitor.number({ "laterals", "", 0, 8, 1, "Laterals" }, tool.laterals);
     visitor.number({ "angle", "degrees", 0, 150, 5, "Angle" }, tool.angle_deg);

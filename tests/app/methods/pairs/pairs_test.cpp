@@ -6,7 +6,7 @@
 #include "engine/methods/sketch_lsystem/change_edits.h"
 #include "engine/plant/join_axes.h"
 #include "engine/plant/plant_addresses.h"
-#include "tests/app/methods/pairs/exported.h"
+#include "tests/app/methods/pairs/document_of_all_methods.h"
 #include "tests/app/session/small_session.h"
 
 #include <array>
@@ -153,13 +153,6 @@ std::size_t segments_of_part(Scene const& scene, ItemId part)
 
 class Pairs : public SessionFolder {
 protected:
-    SessionOptions options() const
-    {
-        auto options = options_for_tests();
-        options.kinds = all_methods().edits;
-        return options;
-    }
-
     // A session with both plants, the guest on the host, and a stroke on the guest.
     Result<Session> begin(MethodOfPair const& host, MethodOfPair const& guest)
     {
@@ -167,8 +160,8 @@ protected:
         auto const scene = apply_edits({}, first).value();
         for (auto& edit : made(host, scene, 0))
             first.push_back(edit);
-        auto session
-            = TRY(Session::create(path(), { .plant = "pair", .program = "1" }, first, options()));
+        auto session = TRY(Session::create(path(), { .plant = "pair", .program = "1" }, first,
+                                           options_for_all_methods()));
         host_ = session.scene().state.active;
         TRY(session.append(made(guest, session.scene(), 120)));
         guest_ = session.scene().state.active;
@@ -217,7 +210,7 @@ TEST_F(Pairs, AreOnePlantWhateverMadeTheTwo)
             ASSERT_TRUE(session.undo());
             EXPECT_TRUE(same_scene(session.scene(), drawn));
             opened = tl::unexpected(Error {});
-            opened = Session::open(path(), options());
+            opened = Session::open(path(), options_for_all_methods());
             ASSERT_TRUE(opened) << opened.error().message;
             EXPECT_TRUE(same_scene(opened->scene(), drawn));
             EXPECT_TRUE(exported(opened->scene()) == file);

@@ -4,7 +4,7 @@
 #include "app/tools/bent_plant.h"
 #include "engine/base/random.h"
 #include "engine/scene/paper.h"
-#include "tests/app/methods/pairs/exported.h"
+#include "tests/app/methods/pairs/document_of_all_methods.h"
 #include "tests/app/session/small_session.h"
 
 #include <algorithm>
@@ -118,15 +118,7 @@ private:
     std::vector<Stroke> drawn_;
 };
 
-class RandomEdits : public SessionFolder {
-protected:
-    SessionOptions options() const
-    {
-        auto options = options_for_tests();
-        options.kinds = all_methods().edits;
-        return options;
-    }
-};
+using RandomEdits = SessionFolder;
 
 // Draws until there are so many steps that count; some are undone and done again on the way.
 void draw_at_random(Document& document, RandomHand& hand, std::size_t steps)
@@ -185,14 +177,15 @@ TEST_F(RandomEdits, OfAllMethodsAreInTheSessionsFile)
     std::string file;
     {
         Document document(Session::create(path(), { .plant = "empty", .program = "1" },
-                                          std::vector<Edit> { BeginEmpty {} }, options())
+                                          std::vector<Edit> { BeginEmpty {} },
+                                          options_for_all_methods())
                               .value(),
                           Document::Working::AtOnce);
         RandomHand hand(5);
         draw_at_random(document, hand, kSteps);
         file = exported_again(document, kSteps);
     }
-    auto const opened = Session::open(path(), options());
+    auto const opened = Session::open(path(), options_for_all_methods());
     ASSERT_TRUE(opened) << opened.error().message;
     EXPECT_TRUE(exported(opened->scene()) == file);
 }

@@ -6,6 +6,7 @@
 #include "app/methods/silhouettes/erase_outline_tool.h"
 #include "app/methods/silhouettes/outline_layer.h"
 #include "app/methods/silhouettes/outline_previewer.h"
+#include "engine/methods/silhouettes/ready_form.h"
 #include "tests/app/small_model.h"
 
 #include <cmath>
@@ -51,6 +52,41 @@ TEST(OutlineTool, SaysItsNumbersInLogs)
     auto const words = words_for(tool);
     EXPECT_EQ(words.name + " " + words.arguments, "outline levels=1 leaves=8 new");
     EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), Tool(tool));
+}
+
+// The words of the tool are the names of the forms.
+TEST(OutlineTool, TakesAReadyFormWithItsNumbers)
+{
+    auto const tools = all_methods().tools;
+    auto const scene = after(after({}, trunk_at(0)), crown_around(0, 10));
+    for (auto const& ready : silhouette::ready_forms()) {
+        Tool tool = OutlineTool {};
+        auto const words = chosen_words(tool)[0].option.words;
+        for (std::size_t i = 0; i < words.size(); ++i)
+            if (words[i].word == ready.name)
+                tool = with_word(tool, 0, static_cast<int>(i));
+        ASSERT_FALSE(tool == Tool(OutlineTool {})) << ready.name;
+        auto const said = words_for(tool);
+        EXPECT_EQ(parse_tool(tools, said.name, said.arguments).value(), tool);
+        EXPECT_EQ(meant(trunk_at(0), {}, *tool.get<OutlineTool>()).form, ready.form) << ready.name;
+        auto given = *tool.get<OutlineTool>();
+        given.what = OutlineTool::What::Form;
+        auto const edits = Tool(given).mean({}, scene).value();
+        EXPECT_EQ(edits[0].get<silhouette::FormTree>()->form, ready.form) << ready.name;
+        EXPECT_TRUE(apply_edits(scene, edits)) << ready.name;
+    }
+}
+
+// Its number of leaves does not make a pine's needles broad again.
+TEST(OutlineTool, LeavesTheFormOfATreeToWhoGivesNumbersAlone)
+{
+    auto const pine = after({}, trunk_at(0), { .form = OutlineTool::Form::Pine });
+    OutlineTool const more { .leaves = 60, .what = OutlineTool::What::Form };
+    auto const edits = Tool(more).mean({}, pine).value();
+    auto const& form = edits[0].get<silhouette::FormTree>()->form;
+    EXPECT_EQ(form.leaves, 60);
+    EXPECT_EQ(form.leaf_width, 0.05);
+    EXPECT_EQ(form.patterns[0], silhouette::Pattern::Whorls);
 }
 
 TEST(OutlineTool, TellsTrunkOutlineAndBranchByHowTheyLie)

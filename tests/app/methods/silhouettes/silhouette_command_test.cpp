@@ -103,6 +103,26 @@ TEST_F(SilhouetteCommand, TheSameSeedGivesTheSameFile)
     EXPECT_FALSE(bytes(path("a.glb")) == bytes(path("c.glb")));
 }
 
+// Wherever it stands among the options, they change it.
+TEST_F(SilhouetteCommand, AReadyFormIsItsOptions)
+{
+    auto const written = [&](std::vector<std::string> arguments) {
+        auto const file = path("tree.glb");
+        arguments.insert(arguments.begin(),
+                         { "silhouette", path("oak.json"), "-o", file, "--organs", "instanced" });
+        auto const outcome = run(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return bytes(file);
+    };
+    auto const fir = written({ "--form", "fir" });
+    EXPECT_TRUE(fir
+                == written({ "--levels", "1", "--arrangement", "spiral,two-rows", "--density",
+                             "1.5", "--leaves", "120", "--leaf-width", "0.25" }));
+    auto const bare = written({ "--leaves", "2", "--form", "fir" });
+    EXPECT_TRUE(bare != fir);
+    EXPECT_TRUE(bare == written({ "--form", "fir", "--leaves", "2" }));
+}
+
 TEST_F(SilhouetteCommand, WritesAGraphThatIsAPlant)
 {
     ASSERT_EQ(

@@ -1,14 +1,23 @@
 #pragma once
 
+#include "app/methods/all_methods.h"
 #include "app/plants/plant_group.h"
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/make_mesh.h"
+#include "tests/app/session/small_session.h"
 
 #include <gtest/gtest.h>
 #include <sstream>
 #include <string>
 
 namespace tractus {
+
+inline SessionOptions options_for_all_methods()
+{
+    auto options = options_for_tests();
+    options.kinds = all_methods().edits;
+    return options;
+}
 
 // All that is shown of a document, as a .glb.
 inline std::string exported(Scene const& scene)

@@ -1,0 +1,34 @@
+#include "engine/methods/silhouettes/ready_form.h"
+
+#include <array>
+
+namespace tractus::silhouette {
+
+std::span<ReadyForm const> ready_forms()
+{
+    using enum Pattern;
+    static constexpr std::array<ReadyForm, 5> kForms { {
+        { "oak", { .patterns = { Even, Even, Even }, .leaves = 36, .leaf_width = 0.55 } },
+        { "pine",
+          { .patterns = { Whorls, TwoRows, TwoRows },
+            .density = 1.5,
+            .leaves = 120,
+            .leaf_width = 0.05 } },
+        { "willow",
+          { .patterns = { Even, Even, Even }, .density = 1.5, .leaves = 150, .leaf_width = 0.1 } },
+        { "eucalyptus",
+          { .patterns = { Spiral, Horizontal, Horizontal },
+            .density = 0.75,
+            .leaves = 16,
+            .leaf_width = 0.2 } },
+        { "fir",
+          { .levels = 1,
+            .patterns = { Spiral, TwoRows, TwoRows },
+            .density = 1.5,
+            .leaves = 120,
+            .leaf_width = 0.25 } },
+    } };
+    return kForms;
+}
+
+} // namespace tractus::silhouette
