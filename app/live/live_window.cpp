@@ -66,7 +66,7 @@ LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
     view().state().playing = false;
     view().state().may_begin_anew = options_.start_page != nullptr;
     if (!options_.model.empty())
-        model_.emplace(options_.model);
+        follow(options_.model);
     if (view().state().status.empty()) // Else it says what of the session is unknown.
         view().state().status = "Draw: the station reads the pen";
 }
@@ -124,6 +124,13 @@ void LiveWindow::settle()
         follow_start_page();
     }
     controller_->settle(station_, options_.now());
+}
+
+void LiveWindow::follow(std::filesystem::path const& model)
+{
+    auto const* const plant = active_plant(controller_->document().newest()->scene.state);
+    auto const* const drawn_on = plant ? loaded_model(plant->source) : nullptr;
+    model_.emplace(model, drawn_on ? std::optional(*drawn_on) : std::nullopt);
 }
 
 void LiveWindow::follow_model()
@@ -465,7 +472,7 @@ void LiveWindow::go_on_with(OpenedDrawing drawing)
                         options_.folder);
     model_.reset();
     if (!drawing.model.empty())
-        model_.emplace(drawing.model);
+        follow(drawing.model);
     auto& state = view().state();
     state.live_revision += before.live_revision + 1; // What was shown before is shown no more.
     state.strokes_revision += before.strokes_revision + 1;

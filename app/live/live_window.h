@@ -109,6 +109,7 @@ private:
     std::string leave_drawing();
     void go_on_with(OpenedDrawing drawing);
     void follow_start_page();
+    void follow(std::filesystem::path const& model);
     void follow_model();
     void take_reports();
     void show_devices();

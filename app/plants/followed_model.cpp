@@ -8,28 +8,29 @@
 
 namespace tractus {
 
-FollowedModel::FollowedModel(std::filesystem::path model)
-    : model_(std::move(model))
+static bool same_text(LoadModel const& one, LoadModel const& other)
 {
-    auto loaded = load();
-    if (loaded)
-        loaded_ = *std::move(loaded);
+    return one.source.text == other.source.text && one.source.view_text == other.source.view_text
+        && one.includes == other.includes;
+}
+
+FollowedModel::FollowedModel(std::filesystem::path model, std::optional<LoadModel> drawn_on)
+    : model_(std::move(model))
+    , loaded_(std::move(drawn_on))
+{
+    list_files(loaded_ ? &*loaded_ : nullptr);
     taken_ = last_look_ = look();
 }
 
-// What it includes counts from now on.
-Result<LoadModel> FollowedModel::load()
+// What it includes counts, too.
+void FollowedModel::list_files(LoadModel const* model)
 {
-    auto model = load_model_edit(model_);
-    if (!model && !files_.empty())
-        return model;
     files_ = { model_ };
     for (auto const* ending : { ".v", ".mat", ".map" })
         files_.push_back(std::filesystem::path(model_).replace_extension(ending));
     if (model)
         for (auto const& [name, text] : model->includes)
             files_.push_back(model_.parent_path() / name);
-    return model;
 }
 
 FollowedModel::Stamps FollowedModel::look() const
@@ -56,11 +57,13 @@ std::optional<Result<LoadModel>> FollowedModel::take_change(Timestamp now)
     if (is_still_written || stamps == taken_)
         return std::nullopt;
     auto const before = std::exchange(loaded_, std::nullopt);
-    auto model = load();
-    taken_ = last_look_ = look();
-    if (model)
+    auto model = load_model_edit(model_);
+    if (model) {
         loaded_ = *model;
-    if (model && loaded_ == before)
+        list_files(&*loaded_);
+    }
+    taken_ = last_look_ = look();
+    if (loaded_ && before && same_text(*loaded_, *before))
         return std::nullopt;
     return model;
 }

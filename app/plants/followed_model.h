@@ -16,7 +16,9 @@ namespace tractus {
 // included when it was last read without a fault.
 class FollowedModel {
 public:
-    explicit FollowedModel(std::filesystem::path model);
+    // `drawn_on`: the model as its plant is drawn on; no value: that is another one. Reads nothing:
+    // a model's leaves may take a second to grow.
+    FollowedModel(std::filesystem::path model, std::optional<LoadModel> drawn_on);
 
     // The model, where it has been saved since the last call, or why it is none any more. No value
     // where its text is what it was, and while its files change: editors write them in several
@@ -33,7 +35,7 @@ private:
     };
     using Stamps = std::vector<std::optional<Stamp>>;
 
-    Result<LoadModel> load();
+    void list_files(LoadModel const* model);
     Stamps look() const;
 
     std::filesystem::path model_;

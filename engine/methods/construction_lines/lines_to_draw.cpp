@@ -46,7 +46,8 @@ Line across(DrawnLine const& stem, std::array<Line, 2> const& boundaries,
     return { ends[0], foot, ends[1] };
 }
 
-// Those of the two that a plant without them has; the first where the only line is far from it.
+// The inclination lines that a plant without them has: both, or beside a line that was drawn the
+// farther one.
 std::vector<Inclination> inclinations_to_draw(LineSketch const& sketch, DrawnLine const& stem)
 {
     auto const measured = measure_sketch(sketch, Missing::Guessed);
