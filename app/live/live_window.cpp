@@ -107,6 +107,8 @@ void LiveWindow::advance(Duration real_step)
     follow_start_page();
     follow_model();
     controller_->show(station_, options_.now());
+    if (auto hand = controller_->take_hand())
+        perform_kind(ChooseTool { *std::move(hand) });
     record_steps();
     view().show_pen(station_.take_moments());
     calibrate();
@@ -310,6 +312,25 @@ void LiveWindow::perform_kind(ChooseTool const& command)
     station_.set_tool(options_.now(), command.tool);
     record_tool_changes();
     controller_->show(station_, options_.now());
+}
+
+void LiveWindow::perform_kind(AdjustTool const& command)
+{
+    auto const before = station_.tool();
+    if (command.slider == ChangeGrowth::Slider::Moving)
+        return controller_->preview_following(before, command.tool);
+    perform_kind(ChooseTool { command.tool });
+    controller_->let_follow(before, command.tool, station_);
+}
+
+void LiveWindow::perform_kind(TakeLikeDrawn const&)
+{
+    auto const hand = station_.tool();
+    auto* const like_drawn = hand.kind().like_drawn;
+    auto const tool = like_drawn ? like_drawn(hand, scene()) : std::nullopt;
+    if (tool)
+        return perform_kind(ChooseTool { *tool });
+    view().state().status = "The plant that takes what is drawn was drawn in another way";
 }
 
 void LiveWindow::perform_kind(SetPressingAreas const& command)

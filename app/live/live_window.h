@@ -90,6 +90,8 @@ private:
     void perform_kind(SetSpeed const&) { }   // nor another speed.
     void perform_kind(Restart const&);
     void perform_kind(ChooseTool const& command);
+    void perform_kind(AdjustTool const& command);
+    void perform_kind(TakeLikeDrawn const&);
     void perform_kind(SetPressingAreas const& command);
     void perform_kind(PressInstead const&);
     void perform_kind(MoveMousePen const& command);

@@ -41,7 +41,9 @@ private:
     void perform_kind(SetPlaying const& command);
     void perform_kind(SetSpeed const& command);
     void perform_kind(Restart const&);
-    void perform_kind(ChooseTool const&) { }       // The recording chooses.
+    void perform_kind(ChooseTool const&) { } // The recording chooses.
+    void perform_kind(AdjustTool const&) { }
+    void perform_kind(TakeLikeDrawn const&) { }
     void perform_kind(SetPressingAreas const&) { } // The hand was elsewhere.
     void perform_kind(PressInstead const&) { }
     void perform_kind(MoveMousePen const&) { }

@@ -44,21 +44,38 @@ void StationController::take_strokes(Station& station)
         document_->draw(std::move(stroke));
 }
 
+// What goes on following what was drawn with it; no value: nothing else.
+static std::optional<Tool> hand_after(Tool const& hand, Scene const& before, Scene const& after)
+{
+    auto* const like_drawn = hand.kind().like_drawn;
+    if (!like_drawn || like_drawn(hand, before) != hand)
+        return std::nullopt;
+    auto tool = like_drawn(hand, after);
+    return tool != hand ? tool : std::nullopt;
+}
+
 void StationController::show_document(Station& station, Timestamp now)
 {
     now_ = now;
     take_strokes(station);
     document_->pass_time(now);
+    auto const before = view_.grown_scene();
+    bool has_travelled = false;
     for (auto const& drawn : document_->take_drawn())
         view_.tell(drawn);
     while (auto done = document_->take_done()) {
         if (!done->status && done->of == WantedStep::Of::Growth)
             view_.show_growth();
+        else if (!done->status)
+            view_.propose({});
+        has_travelled |= done->status && done->what != LoggedStep::What::Edits;
         view_.state().status = done->status ? *done->status : done->status.error().message;
         if (done->status)
             done_.push_back(*std::move(done));
     }
     view_.show(station, *document_);
+    if (has_travelled)
+        hand_ = hand_after(station.tool(), *before, *view_.grown_scene());
     if (auto const& why = document_->newest()->not_kept; !why.empty())
         view_.state().trouble = fmt::format("What is drawn is not kept: {}", why);
 }
@@ -194,6 +211,34 @@ void StationController::take_model(Result<LoadModel> model, Station& station)
         return WantedStep::Change {
             { edit }, fmt::format("The plant is that of {} as it was saved", name.string())
         };
+    };
+    document_->make({ change, WantedStep::Of::Scene });
+    show_document(station, now_);
+}
+
+static std::vector<Edit> following(Tool const& before, Tool const& after, Scene const& scene)
+{
+    auto* const follow = after.kind().follow;
+    return follow && &before.kind() == &after.kind() ? follow(before, after, scene)
+                                                     : std::vector<Edit>();
+}
+
+void StationController::preview_following(Tool const& before, Tool const& after)
+{
+    view_.propose(following(before, after, *view_.grown_scene()));
+}
+
+void StationController::let_follow(Tool const& before, Tool const& after, Station& station)
+{
+    if (following(before, after, *view_.grown_scene()).empty())
+        return view_.propose({});
+    auto const change = [=](Scene const& scene) -> Result<WantedStep::Change> {
+        auto edits = following(before, after, scene);
+        if (edits.empty())
+            return fail(Fault::User, "what was drawn so is gone");
+        auto status = edits.size() == 1 ? std::string("What was drawn so follows")
+                                        : fmt::format("{} that were drawn so follow", edits.size());
+        return WantedStep::Change { std::move(edits), std::move(status) };
     };
     document_->make({ change, WantedStep::Of::Scene });
     show_document(station, now_);

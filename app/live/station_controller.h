@@ -52,6 +52,10 @@ public:
     // The steps beside drawing that were done since the last call, for a recording.
     std::vector<DoneStep> take_done() { return std::exchange(done_, {}); }
 
+    // What the hand holds since undo or redo, where it held what the plant was drawn with before
+    // (ToolKind::like_drawn). No value: the same as before, or it was given out already.
+    std::optional<Tool> take_hand() { return std::exchange(hand_, std::nullopt); }
+
     // A new file's name in the folder.
     std::filesystem::path new_file(std::string_view ending) const;
 
@@ -65,6 +69,11 @@ public:
     void perform(Undo const&, Station& station);
     void perform(Redo const&, Station& station);
     void perform(TakeOrphansAway const&, Station& station);
+
+    // What has been drawn with a tool follows other numbers (ToolKind::follow): is only shown so,
+    // or does as a step, if anything does.
+    void preview_following(Tool const& before, Tool const& after);
+    void let_follow(Tool const& before, Tool const& after, Station& station);
 
     // The model of the active plant has been saved: the plant is that of its new text, with what
     // was drawn on it. Where it is none any more, the plant stays and `status` says why.
@@ -89,6 +98,7 @@ private:
     std::unique_ptr<Document> document_; // On the heap, as this moves.
     StationView view_;
     std::vector<DoneStep> done_;      // Steps that are not taken yet.
+    std::optional<Tool> hand_;        // Likewise.
     Timestamp now_ {};                // Time of the last show().
     bool knows_what_is_lost_ = false; // A person who has asked to leave.
     std::filesystem::path folder_;

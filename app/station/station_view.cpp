@@ -32,6 +32,11 @@ StationView::StationView(Station const& station, Document const& document)
         [previewing = std::make_shared<Previewing>()](WantedPreview const& wanted) {
             return Preview { previewing->lines(wanted), wanted.stroke };
         }))
+    , proposal_(std::make_unique<NewestJob<WantedProposal, std::shared_ptr<Scene const>>>(
+          [](WantedProposal const& wanted) -> std::shared_ptr<Scene const> {
+              auto scene = apply_edits(*wanted.scene, wanted.edits);
+              return scene ? std::make_shared<Scene const>(*std::move(scene)) : nullptr;
+          }))
 {
     state_.volume_mm = station.volume_mm();
     layers_ = station.layers();
@@ -43,6 +48,7 @@ void StationView::show(Station const& station, Document const& document)
 {
     finished_strokes_ = station.counts().strokes;
     show_grown();
+    take_proposal();
     show_live(station, document);
     auto const snapshot = document.newest(); // After what waits: no stroke is seen in neither.
     state_.unkept_steps = snapshot->unkept;
@@ -266,7 +272,8 @@ void StationView::list_orphans(Scene const& scene)
 
 void StationView::show_skeleton(ShownSkeleton::Touched const& touched)
 {
-    auto const next = aims_at_ ? aims_at_(*grown_scene_) : std::vector<SegmentId>();
+    bool const aims = aims_at_ && !is_proposed_; // Else at a branch of another plant.
+    auto const next = aims ? aims_at_(*grown_scene_) : std::vector<SegmentId>();
     state_.skeleton = skeleton_.lines(touched, next);
     state_.skeleton_box_mm = skeleton_.box_mm();
     ++state_.skeleton_revision;
@@ -274,6 +281,7 @@ void StationView::show_skeleton(ShownSkeleton::Touched const& touched)
 
 void StationView::grow_plant(std::shared_ptr<Snapshot const> const& snapshot)
 {
+    is_proposed_ = false;
     shown_revision_ = snapshot->revision;
     grown_scene_ = { snapshot, &snapshot->scene };
     skeleton_.set_scene(grown_scene_);
@@ -295,6 +303,30 @@ void StationView::preview(std::optional<Season> const& season)
     auto seen = std::make_shared<Scene const>(preview_in_season(*grown_scene_, season));
     auto const& growth = seen->growth;
     grower_->grow({ seen, growth });
+    state_.is_growing = true;
+}
+
+void StationView::propose(std::vector<Edit> edits)
+{
+    bool const was_proposed = std::exchange(is_proposed_, !edits.empty());
+    if (is_proposed_)
+        proposal_->want({ grown_scene_, std::move(edits) });
+    else if (was_proposed)
+        show_in_place(grown_scene_);
+}
+
+void StationView::take_proposal()
+{
+    if (auto const scene = proposal_->take(); scene && *scene && is_proposed_)
+        show_in_place(*scene);
+}
+
+// Plant and skeleton, until the next snapshot.
+void StationView::show_in_place(std::shared_ptr<Scene const> const& scene)
+{
+    skeleton_.set_scene(scene);
+    show_skeleton();
+    grower_->grow({ scene, scene->growth });
     state_.is_growing = true;
 }
 
@@ -327,6 +359,8 @@ void StationView::show_variations()
 
 void StationView::settle()
 {
+    proposal_->settle();
+    take_proposal();
     grower_->settle();
     show_grown();
     preview_->settle();

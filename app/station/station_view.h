@@ -51,6 +51,10 @@ public:
     // What another season would give.
     void preview(std::optional<Season> const& season);
 
+    // Shows the document as edits of it would leave it, before they are made; none: as it is. What
+    // has changed meanwhile is shown without them.
+    void propose(std::vector<Edit> edits);
+
     // Grows so many variations of the plant, from its own seed on.
     void collect(std::size_t count);
 
@@ -78,7 +82,14 @@ private:
         std::size_t stroke = 0; // Of which stroke, by its number.
     };
 
+    struct WantedProposal {
+        std::shared_ptr<Scene const> scene; // Shared with this; nobody changes it.
+        std::vector<Edit> edits;
+    };
+
     void show_grown();
+    void take_proposal();
+    void show_in_place(std::shared_ptr<Scene const> const& scene);
     void show_live(Station const& station, Document const& document);
     void show_ink(Station const& station, std::vector<ToolStroke> const& waiting);
     void show_surface(Station const& station);
@@ -116,6 +127,9 @@ private:
     bool is_selecting_ = false;
     std::unique_ptr<NewestJob<WantedPreview, Preview>> preview_; // On the heap, as the grower.
     std::uint64_t previewed_live_ = 0;                           // The ink's revision.
+    // On the heap, as the grower. It gives null for edits that cannot be made.
+    std::unique_ptr<NewestJob<WantedProposal, std::shared_ptr<Scene const>>> proposal_;
+    bool is_proposed_ = false; // Edits that are not made yet are shown, or will be.
     bool is_drawing_ = false;
     std::size_t shown_waiting_ = 0; // Strokes as ink.
     // On the heap, since the state points to it when this moves.

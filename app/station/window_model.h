@@ -234,6 +234,14 @@ struct SetRecording {
 struct ChooseTool {
     Tool tool; // What the pen means from now on.
 };
+// The tool in hand with other numbers. What has been drawn with it follows (ToolKind::follow):
+// while a slider or a handle moves that is only shown, as with growth.
+struct AdjustTool {
+    Tool tool;
+    ChangeGrowth::Slider slider = ChangeGrowth::Slider::Released;
+};
+// The tool in hand with the options that the active plant was drawn with.
+struct TakeLikeDrawn { };
 struct Undo { }; // The last stroke, another one, other growth, or what else was done last.
 struct Redo { }; // What was undone last.
 // Closes the drawing, which is kept, and shows WindowModel::start_page(). Where not all can be kept
@@ -271,7 +279,8 @@ using WindowCommand
     = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture, ChooseTool, Undo,
                    Redo, ChangeGrowth, AskForCollection, PickVariation, SetPressingAreas,
                    PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording, WatchDevices,
-                   OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage, ChangeSeason>;
+                   OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage, ChangeSeason,
+                   AdjustTool, TakeLikeDrawn>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

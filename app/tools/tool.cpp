@@ -271,6 +271,20 @@ Tool Tool::changed_by(OptionVisitor& visitor) const
     return changed;
 }
 
+Glyph Tool::glyph() const
+{
+    return kind_->glyph->show(options_.get());
+}
+
+Tool Tool::dragged(std::size_t handle, Vec2 const& to) const
+{
+    auto const options = kind_->options.copy(options_.get());
+    kind_->glyph->drag(options.get(), handle, to);
+    auto changed = *this;
+    changed.options_ = options;
+    return changed;
+}
+
 Tool Tool::changed_by(void (*change)(void* options)) const
 {
     auto const options = kind_->options.copy(options_.get());

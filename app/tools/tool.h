@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/tools/glyph.h"
 #include "app/tools/tool_kind.h"
 #include "engine/base/result.h"
 #include "engine/scene/desk_placement.h"
@@ -53,6 +54,11 @@ public:
     Tool changed_by(OptionVisitor& visitor) const;
     // After a function for options of its kind has (WordOption::goes_with).
     Tool changed_by(void (*change)(void* options)) const;
+
+    // Its options as a drawing, and the tool after a person has dragged or pressed a handle of that
+    // (glyph.h). Only of kinds that have one.
+    Glyph glyph() const;
+    Tool dragged(std::size_t handle, Vec2 const& to) const;
 
     // It is done at once, without a stroke, and the tool in hand stays in hand: "now".
     bool is_done_at_once() const { return at_once_; }

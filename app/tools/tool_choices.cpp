@@ -111,7 +111,8 @@ void Meanings::add_kind(ToolKind const& kind)
             add_words(tool, options[i].option, i);
     }
     for (std::size_t i = 0; i < numbers.size() && is_in_hand; ++i)
-        add_number(numbers[i], i);
+        if (numbers[i].option.offered != NumberOption::Offered::OnGlyph)
+            add_number(numbers[i], i);
 }
 
 void Meanings::add_words(Tool const& tool, WordOption const& option, std::size_t number)
@@ -132,8 +133,8 @@ void Meanings::add_next_word(Tool const& tool, ChosenWord const& chosen, std::si
     auto const count = static_cast<int>(option.words.size());
     auto const next = with_word(tool, number, (value + 1) % count);
     // Its text changes under a press: the button stays the same one.
-    add(fmt::format("{}: {}##in turn", option.label,
-                    option.words[static_cast<std::size_t>(value)].label),
+    add(fmt::format("{}: {}##{} in turn", option.label,
+                    option.words[static_cast<std::size_t>(value)].label, option.label),
         next);
     meanings_.back().is_on = false;
 }

@@ -8,6 +8,7 @@
 #include "engine/stroke/stroke.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@
 namespace tractus {
 
 class Tool;
+struct GlyphKind;
 struct ToolKind;
 
 // What the places of a stroke are places on, and so which view a pen works in.
@@ -67,11 +69,20 @@ struct ToolKind {
     Surface surface = Surface::Space;
     InkStyle ink {};
     OptionsType options;
+    GlyphKind const* glyph = nullptr; // Its options as a drawing; no value: numbers and words do.
 
     // What a finished stroke says, as edits of `scene`, to be applied in order. `stroke` is without
     // tips if the tool does it at once. Fails, as the user's fault, when it says nothing: a stroke
     // beside the plant, nothing selected.
     Result<std::vector<Edit>> (*mean)(Tool const& tool, Stroke const& stroke, Scene const& scene);
+
+    // What has been drawn with the tool already, and follows when a person gives it other numbers:
+    // edits of `scene`, none if nothing does. No value: nothing ever does.
+    std::vector<Edit> (*follow)(Tool const& before, Tool const& after, Scene const& scene)
+        = nullptr;
+    // The tool with the options that the active plant was drawn with; no value: with none of its
+    // kind. Null: there is no such thing.
+    std::optional<Tool> (*like_drawn)(Tool const& tool, Scene const& scene) = nullptr;
 
     // What is said in place of `done`, given the scene as the stroke has left it. No value, or an
     // empty text: `done`.

@@ -37,6 +37,12 @@ struct NumberOption {
     double greatest;
     double step;                 // Of the buttons that make it less and more.
     char const* label = nullptr; // On its button; no value: the name.
+    enum class Offered {
+        Always,       // It has a button.
+        WithoutGlyph, // It has one as long as the kind's glyph is not seen, which sets it, too.
+        OnGlyph,      // Only the glyph sets it.
+    } offered
+        = Offered::Always;
 };
 
 // Visits the options of a tool in their order. A tool says them once, in a function that hands them

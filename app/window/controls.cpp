@@ -13,6 +13,7 @@ namespace tractus {
 
 namespace {
 
+constexpr char const* kLikeDrawn = "Like the plant"; // Takes its numbers into the hand.
 constexpr float kProgressHeight_px = 10;
 constexpr float kBarAir_px = 8;
 constexpr float kGroupGap_px = 28;
@@ -181,12 +182,22 @@ void Controls::show_recording(RecordingView const& recording)
     ImGui::TextUnformatted(text.c_str());
 }
 
+// Its number has a button only where there is no glyph.
+static bool is_on_glyph(Meaning const& meaning)
+{
+    return chosen_numbers(meaning.tool)[*meaning.number].option.offered
+        == NumberOption::Offered::WithoutGlyph;
+}
+
 // What the tool in hand may mean.
 std::vector<BarButton> Controls::tool_meanings(WindowModel& model, Workbench& bench)
 {
     std::vector<BarButton> buttons;
     auto const& state = model.state();
-    for (auto const& meaning : meanings_of(state.tools, state.hand, bench.remembered(state))) {
+    for (auto const& meaning :
+         meanings_of(state.tools, bench.hand(state), bench.remembered(state))) {
+        if (meaning.number && bench.glyph_is_seen && is_on_glyph(meaning))
+            continue;
         bool const is_asked = meaning.number && meaning.number == bench.asked_number;
         BarButton button { .text = meaning.text,
                            .width = meaning.width,
@@ -200,6 +211,10 @@ std::vector<BarButton> Controls::tool_meanings(WindowModel& model, Workbench& be
             };
         buttons.push_back(std::move(button));
     }
+    if (state.hand.kind().like_drawn)
+        buttons.push_back({ .text = kLikeDrawn,
+                            .width = button_width(kLikeDrawn),
+                            .press = [&model] { model.perform(TakeLikeDrawn {}); } });
     return buttons;
 }
 

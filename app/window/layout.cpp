@@ -78,6 +78,10 @@ void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
     float const right = is_beside_pen ? std::min(whole.width, pen_area_.right_px()) : whole.width;
     auto const bar = controls_.show(model, bench_, left, right);
     covered_.push_back(bar);
+    bench_.glyph_is_seen &= pad_part_.has_value();
+    if (pad_part_)
+        if (auto const glyph = glyph_panel_.show(model, bench_, controls_, *pad_part_))
+            covered_.push_back(*glyph);
     if (bench_.asked_number)
         covered_.push_back(number_panel_.show(model, bench_, controls_, bar));
     show_menu(model, renderer);
@@ -170,6 +174,7 @@ void Layout::begin_frame(WindowModel& model, HandInput const& input)
         bench_.shown = Shown::Pad;
     bench_.angle.area_mm = (state.volume_mm.max_mm - state.volume_mm.min_mm).head<2>().cwiseMax(1);
     covered_.clear();
+    pad_part_.reset();
     pad_is_pointed_at_ = false;
     if (ImGui::GetIO().WantTextInput)
         return;
@@ -252,6 +257,8 @@ void Layout::show_pad(WindowModel& model, Renderer& renderer, WindowPart const& 
         if (state.mouse_draws && !ring_.is_open())
             mouse_.hold(model, area, input.mouse);
     }
+    pad_part_ = part;
+    pad_part_->height = std::min(part.height, above_controls().height);
     pad_is_pointed_at_ = ImGui::IsItemHovered();
     move_surface_as_wished(model, input, pad_is_pointed_at_);
     float const gauge_px = kGaugeWidth_px * scale_;

@@ -3,6 +3,7 @@
 #include "app/window/calibration_panel.h"
 #include "app/window/collection_view.h"
 #include "app/window/controls.h"
+#include "app/window/glyph_panel.h"
 #include "app/window/menu.h"
 #include "app/window/mouse_hand.h"
 #include "app/window/number_panel.h"
@@ -11,7 +12,9 @@
 #include "app/window/tool_ring.h"
 #include "app/window/views.h"
 
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace tractus {
 
@@ -28,6 +31,7 @@ public:
         , controls_(scale)
         , menu_(title_font, scale)
         , number_panel_(scale)
+        , glyph_panel_(scale)
         , start_(title_font, scale)
     {
     }
@@ -76,6 +80,7 @@ private:
     Controls controls_;
     Menu menu_;
     NumberPanel number_panel_;
+    GlyphPanel glyph_panel_;
     StartView start_;
     PadView pad_;
     SkeletonView skeleton_;
@@ -86,6 +91,7 @@ private:
     PenArea pen_area_;
     std::vector<WindowPart> covered_;             // By what the pen presses, in this frame.
     std::vector<Eigen::AlignedBox2d> told_areas_; // As the model knows them.
+    std::optional<WindowPart> pad_part_;          // Where the pad is, in this frame.
     bool pad_is_pointed_at_ = false;              // By the mouse, in this frame.
     bool collection_is_shown_ = false;
     bool devices_are_watched_ = false;

@@ -44,8 +44,7 @@ std::string range_of(NumberOption const& option)
 WindowPart NumberPanel::show(WindowModel& model, Workbench& bench, Controls const& controls,
                              WindowPart const& bar)
 {
-    auto const hand = model.state().hand;
-    auto const numbers = chosen_numbers(hand);
+    auto const numbers = chosen_numbers(bench.hand(model.state()));
     if (!bench.asked_number || *bench.asked_number >= numbers.size()) {
         bench.asked_number.reset();
         return {};
@@ -79,9 +78,24 @@ WindowPart NumberPanel::show(WindowModel& model, Workbench& bench, Controls cons
     auto const size = ImGui::GetWindowSize();
     height_px_ = size.y;
     ImGui::End();
-    if (auto const wanted = std::exchange(wanted_, std::nullopt); wanted && *wanted != chosen.value)
-        bench.choose(model, with_number(hand, number, *wanted));
+    adjust(model, bench, chosen, number);
     return { corner.x, corner.y, size.x, size.y };
+}
+
+// A slider that moves only shows what it would do.
+void NumberPanel::adjust(WindowModel& model, Workbench& bench, ChosenNumber const& chosen,
+                         std::size_t number)
+{
+    auto const wanted = std::exchange(wanted_, std::nullopt);
+    bool const moves = std::exchange(moves_, false);
+    bool const is_released = std::exchange(is_released_, false);
+    bool const changes = wanted && *wanted != chosen.value;
+    if (!changes && !(is_released && bench.adjusted))
+        return;
+    auto const slider = moves ? ChangeGrowth::Slider::Moving : ChangeGrowth::Slider::Released;
+    bench.adjust(model,
+                 with_number(bench.hand(model.state()), number, wanted.value_or(chosen.value)),
+                 slider);
 }
 
 // The number in words, its range, a slider, and a step less and more.
@@ -97,6 +111,8 @@ void NumberPanel::show_value(ChosenNumber const& chosen, Controls const& control
     if (ImGui::SliderFloat("##value", &value, static_cast<float>(option.least),
                            static_cast<float>(option.greatest), "%g", ImGuiSliderFlags_NoInput))
         change_to(option, std::round(static_cast<double>(value) / option.step) * option.step);
+    moves_ = ImGui::IsItemActive();
+    is_released_ = ImGui::IsItemDeactivated();
     ImGui::PopStyleVar();
     float const gap_px = ImGui::GetStyle().ItemSpacing.x / scale_;
     float const half_px = (kValueWidth_px - gap_px) / 2;

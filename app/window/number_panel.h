@@ -27,6 +27,8 @@ private:
     void press_key(char key);
     void take_typed(NumberOption const& option);
     void change_to(NumberOption const& option, double value);
+    void adjust(WindowModel& model, Workbench& bench, ChosenNumber const& chosen,
+                std::size_t number);
 
     float scale_ = 1;
     float height_px_ = 0;  // As it was shown last.
@@ -34,6 +36,8 @@ private:
     std::string typed_ {};
     std::string objection_ {};        // To what was typed.
     std::optional<double> wanted_ {}; // In this frame.
+    bool moves_ = false;              // A slider, in this frame.
+    bool is_released_ = false;        // Likewise.
 };
 
 } // namespace tractus

@@ -20,6 +20,23 @@ void Workbench::choose(WindowModel& model, Tool tool)
     model.perform(ChooseTool { tool });
 }
 
+Tool const& Workbench::hand(WindowState const& state) const
+{
+    bool const is_same_kind = adjusted && &adjusted->kind() == &state.hand.kind();
+    return is_same_kind ? *adjusted : state.hand;
+}
+
+void Workbench::adjust(WindowModel& model, Tool tool, ChangeGrowth::Slider slider)
+{
+    if (slider == ChangeGrowth::Slider::Moving) {
+        adjusted = tool;
+    } else {
+        adjusted.reset();
+        remember(tool);
+    }
+    model.perform(AdjustTool { std::move(tool), slider });
+}
+
 void Workbench::remember(Tool const& tool)
 {
     if (*tool.kind().method == 0)

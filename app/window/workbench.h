@@ -58,7 +58,17 @@ struct Workbench {
     bool keys_are_listed = false;
     // The number, among those of the tool in hand, that its panel is open for.
     std::optional<std::size_t> asked_number {};
+    // Shows the tool in hand as a drawing, if its kind has one.
+    bool glyph_is_shown = true;
+    bool glyph_is_seen = false; // In the last frame: it needs room, too.
+    // The tool in hand as a slider or a handle that moves will have made it.
+    std::optional<Tool> adjusted {};
     bool wants_to_close = false;
+
+    // The tool in hand, as it is being adjusted.
+    Tool const& hand(WindowState const& state) const;
+    // Gives the tool in hand other numbers; what was drawn with it follows.
+    void adjust(WindowModel& model, Tool tool, ChangeGrowth::Slider slider);
 
     // Takes a tool in hand, and shows the view that it works in if one fills the window.
     void choose(WindowModel& model, Tool tool);

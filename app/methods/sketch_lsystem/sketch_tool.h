@@ -12,8 +12,8 @@ namespace tractus {
 struct SketchTool {
     static ToolKind const kKind;
 
-    // A ready rule: what of it the numbers do not say, the twist and the shortest internode. A
-    // person who chooses one chooses its numbers, too.
+    // A ready rule. A person who chooses one chooses its numbers, too, which logs name; its twist
+    // and its shortest internode are the card's as long as no option says others.
     enum class Card { Opposite, Whorls, Crown, Vase, Spire, Fern } card = Card::Opposite;
     double laterals = 2;
     double angle_deg = 45;
@@ -29,6 +29,14 @@ struct SketchTool {
         Change,  // At once: what has grown along a stroke last grows by these numbers.
     } place
         = Place::Ground;
+    // Whether what has grown by the rule follows when a person gives it other numbers.
+    enum class Drawn { Follows, Stays } drawn = Drawn::Follows;
+    // What the glyph sets beside the numbers above; twists are added to those of the card.
+    double width_ratio = 0.85;
+    double lateral_width = 0.55;
+    double axis_twist_deg = 0;
+    double lateral_twist_deg = 0;
+    double shortest_mm = 0; // 0: the card's.
 };
 
 // Returns what a stroke with the tool means, but for where the plant stands: the tips drawn so far,

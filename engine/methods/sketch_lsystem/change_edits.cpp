@@ -103,15 +103,22 @@ std::string described(ShortenSketch const& edit)
 
 } // namespace
 
-std::optional<GrownPart> newest_grown(PlantState const& plant)
+std::vector<GrownPart> all_grown(PlantState const& plant)
 {
+    std::vector<GrownPart> grown;
     for (auto graft = plant.grafts.rbegin(); graft != plant.grafts.rend(); ++graft)
         if (auto const* const sketch = sketch_of(graft->source);
             sketch && graft->prefix == part_prefix(part_of(graft->prefix)))
-            return GrownPart { part_of(graft->prefix), sketch };
+            grown.push_back({ part_of(graft->prefix), sketch });
     if (auto const* const sketch = sketch_of(plant.source))
-        return GrownPart { 0, sketch };
-    return std::nullopt;
+        grown.push_back({ 0, sketch });
+    return grown;
+}
+
+std::optional<GrownPart> newest_grown(PlantState const& plant)
+{
+    auto const grown = all_grown(plant);
+    return grown.empty() ? std::nullopt : std::optional(grown.front());
 }
 
 Result<std::optional<std::size_t>> count_tips(GrowAlongStroke const& sketch, std::size_t segments)

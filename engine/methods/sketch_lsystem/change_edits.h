@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace tractus::sketch {
 
@@ -38,6 +39,9 @@ struct GrownPart {
     ItemId part = 0;                         // As in the edits.
     GrowAlongStroke const* sketch = nullptr; // As long as the plant's state is there.
 };
+
+// All of a plant that has grown so, the newest part first and the plant itself last.
+std::vector<GrownPart> all_grown(PlantState const& plant);
 
 // What has grown of a plant last: the newest part that has, or else the plant itself. No value: it
 // has not.

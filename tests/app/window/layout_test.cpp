@@ -72,7 +72,20 @@ public:
     {
         if (auto const* const choice = std::get_if<ChooseTool>(&command))
             state_.hand = choice->tool;
+        if (auto const* const adjusted = std::get_if<AdjustTool>(&command)) {
+            bool const moves = adjusted->slider == ChangeGrowth::Slider::Moving;
+            if (!moves)
+                state_.hand = adjusted->tool;
+            (moves ? moved : released).push_back(adjusted->tool);
+        }
+        if (auto const* const pen = std::get_if<MoveMousePen>(&command))
+            touches += std::any_of(pen->path.begin(), pen->path.end(),
+                                   [](MousePen const& moment) { return moment.touching; });
     }
+
+    std::vector<Tool> moved {};    // What tools in hand are adjusted to,
+    std::vector<Tool> released {}; // and left as.
+    std::size_t touches = 0;
 
     std::optional<CardsModel> start {};
 
@@ -423,6 +436,28 @@ TEST_F(LayoutTest, PressesCardsByTheKeys)
     ASSERT_EQ(model.start->chosen.size(), 2u);
     EXPECT_EQ(model.start->chosen[0], std::pair(std::size_t { 1 }, std::size_t { 1 }));
     EXPECT_EQ(model.start->chosen[1], std::pair(std::size_t { 0 }, std::size_t { 0 }));
+}
+
+// Wherever on the glyph a drag begins, it sets the rule as it moves and once when it ends, if it
+// began on a handle, and draws nothing on the pad below.
+TEST_F(LayoutTest, DragsTheHandlesOfTheRule)
+{
+    DrawingModel model;
+    model.perform(ChooseTool { Tool(*find_tool_kind(all_methods().tools, "sketch")) });
+    std::vector<Moment> drags { { { 0, 0 } }, { { 0, 0 } } };
+    for (float x = 355; x < 560; x += 16)
+        for (float y = 70; y < 280; y += 16) {
+            drags.push_back({ { x, y } });
+            drags.push_back({ { x, y } });
+            for (int i = 0; i <= 6; ++i)
+                drags.push_back(
+                    { { x - 6 * static_cast<float>(i), y + 7 * static_cast<float>(i) }, true });
+            drags.push_back({ { x - 36, y + 42 } });
+        }
+    work({ 1600, 900 }, drags, model);
+    EXPECT_GE(model.released.size(), 5u) << "handles move with the rule";
+    EXPECT_GE(model.moved.size(), 2 * model.released.size());
+    EXPECT_EQ(model.touches, 0u);
 }
 
 } // namespace tractus

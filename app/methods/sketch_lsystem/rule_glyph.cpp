@@ -1,0 +1,212 @@
+#include "app/methods/sketch_lsystem/rule_glyph.h"
+
+#include "app/methods/sketch_lsystem/sketch_options.h"
+#include "engine/base/vectors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+using Color = LayerStyle::Color;
+
+constexpr double kBearer = 0.86; // A bearer's length in the glyph's frame, of which most is seen.
+constexpr double kWidth = 0.13;  // Its width.
+constexpr double kDial = 0.24;   // Radius on which handles of twists lie around what they turn.
+constexpr double kAside = 0.3;   // How far beside its part the handle of a width of 1 lies.
+constexpr double kTilt = 0.35;   // What is nearer lies lower by so much of its distance.
+constexpr double kRing = 0.5;    // Of its length in the plant, a lateral of the next ring.
+Vec2 const kBase { 0, -0.95 };
+Vec2 const kNode { 0, -0.25 };
+
+enum HandleId : std::size_t {
+    LateralEnd,
+    LateralTwist,
+    LateralWidth,
+    TopEnd,
+    TopTwist,
+    TopWidth,
+    Fewer,
+    More
+};
+
+// A point beside the upright bearer, whose laterals turn around it: the first lies in the plane of
+// the picture, and what is nearer is seen from above.
+Vec2 seen(Vec3 const& point)
+{
+    return { point.x(), point.y() - kTilt * point.z() };
+}
+
+// A direction `angle` away from `ahead`, turned around it from `aside`, which is at a right angle.
+Vec3 turned(Vec3 const& ahead, Vec3 const& aside, double angle, double around)
+{
+    Vec3 const out = std::cos(around) * aside + std::sin(around) * aside.cross(ahead);
+    return std::cos(angle) * ahead + std::sin(angle) * out;
+}
+
+Vec2 from_up(double angle)
+{
+    return { std::sin(angle), std::cos(angle) };
+}
+
+// Where handles lie, as the rule has them.
+struct Places {
+    explicit Places(sketch::Rule const& rule)
+        : angle(radians(rule.angle_deg))
+        , top_end(kNode + Vec2(0, kBearer * rule.length_ratio))
+        , lateral_end(kNode + kBearer * rule.lateral_length * from_up(angle))
+    {
+    }
+
+    double angle;
+    Vec2 top_end;
+    Vec2 lateral_end;
+};
+
+// The ring of laterals at the end of a part that goes `ahead`, in the length of the part.
+void add_ring(Glyph& glyph, sketch::Rule const& rule, Vec2 const& end, Vec3 const& ahead,
+              Vec3 const& aside, double length, double twist_deg)
+{
+    for (int i = 0; i < rule.laterals; ++i) {
+        double const around = radians(twist_deg + 360.0 * i / rule.laterals);
+        Vec3 const way = turned(ahead, aside, radians(rule.angle_deg), around);
+        glyph.lines.push_back({ { end, end + kRing * rule.lateral_length * length * seen(way) },
+                                0.3 * kWidth,
+                                Color::Grey });
+    }
+}
+
+void add_parts(Glyph& glyph, sketch::Rule const& rule)
+{
+    Places const at(rule);
+    glyph.lines.push_back({ { kBase, kNode }, kWidth, Color::Grey });
+    glyph.lines.push_back({ { kNode, at.top_end }, kWidth * rule.width_ratio, Color::Green });
+    add_ring(glyph, rule, at.top_end, Vec3::UnitY(), Vec3::UnitX(), kBearer * rule.length_ratio,
+             rule.axis_twist_deg);
+    double const length = kBearer * rule.lateral_length;
+    for (int i = 0; i < rule.laterals; ++i) {
+        double const around = radians(360.0 * i / rule.laterals);
+        Vec3 const out = turned(Vec3::UnitY(), Vec3::UnitX(), radians(90), around);
+        Vec3 const ahead = turned(Vec3::UnitY(), Vec3::UnitX(), at.angle, around);
+        Vec3 const aside = std::cos(at.angle) * out - std::sin(at.angle) * Vec3::UnitY();
+        Vec2 const end = kNode + length * seen(ahead);
+        glyph.lines.push_back(
+            { { kNode, end }, kWidth * rule.lateral_width, i == 0 ? Color::Blue : Color::Grey });
+        add_ring(glyph, rule, end, ahead, aside, length, rule.lateral_twist_deg);
+    }
+}
+
+std::string share(char const* name, double value)
+{
+    return fmt::format("{} {:.3g}", name, value);
+}
+
+void add_handles(Glyph& glyph, sketch::Rule const& rule)
+{
+    Places const at(rule);
+    auto const add = [&](HandleId id, Vec2 const& place, char const* sign, char const* number,
+                         std::string says) {
+        glyph.handles.push_back({ id, place, std::move(says), sign, false, number });
+    };
+    add(TopEnd, at.top_end, "D", "ratio", share("Lengthening", rule.length_ratio));
+    add(TopWidth, (kNode + at.top_end) / 2 - Vec2(kAside * rule.width_ratio, 0), "F", "width",
+        share("Thinning", rule.width_ratio));
+    if (rule.laterals > 0) {
+        Vec2 const across = from_up(at.angle - radians(90));
+        add(LateralEnd, at.lateral_end, "A", "angle",
+            fmt::format("Angle {:.3g}\u00b0, length {:.3g}", rule.angle_deg, rule.lateral_length));
+        add(LateralWidth, (kNode + at.lateral_end) / 2 - kAside * rule.lateral_width * across, "C",
+            "lateral_width", share("Lateral's thickness", rule.lateral_width));
+        add(LateralTwist,
+            at.lateral_end + kDial * from_up(at.angle + radians(rule.lateral_twist_deg)), "B",
+            "lateral_twist", fmt::format("Laterals' twist {:.3g}\u00b0", rule.lateral_twist_deg));
+        add(TopTwist, at.top_end + kDial * from_up(radians(rule.axis_twist_deg)), "E", "twist",
+            fmt::format("Twist {:.3g}\u00b0", rule.axis_twist_deg));
+    }
+    auto const laterals = fmt::format("{} lateral{}", rule.laterals, rule.laterals == 1 ? "" : "s");
+    glyph.handles.push_back({ Fewer, { 0.58, -0.86 }, laterals, "-", true });
+    glyph.handles.push_back({ More, { 0.86, -0.86 }, laterals, "+", true });
+}
+
+Glyph show_rule(void const* options)
+{
+    auto const rule = rule_of(*static_cast<SketchTool const*>(options));
+    Glyph glyph;
+    add_parts(glyph, rule);
+    add_handles(glyph, rule);
+    return glyph;
+}
+
+// The nearest multiple of `coarse`, a fifth of which is `fine`, if it is that near, else of `fine`;
+// and within the range.
+double snapped(double value, double coarse, double fine, double least, double greatest)
+{
+    constexpr double kReach = 0.8; // Of a fine step: what lies on the next one stays there.
+    double const near = std::round(value / coarse) * coarse;
+    double const taken
+        = std::abs(near - value) <= kReach * fine ? near : std::round(value / fine) * fine;
+    return std::clamp(taken, least, greatest);
+}
+
+double snapped_share(double value, double least, double greatest)
+{
+    return snapped(value, 0.05, 0.01, least, greatest);
+}
+
+double snapped_deg(double angle, double least_deg, double greatest_deg)
+{
+    return snapped(angle / radians(1), 5, 1, least_deg, greatest_deg);
+}
+
+// The angle from up to a direction, to the right.
+double angle_from_up(Vec2 const& way)
+{
+    return std::atan2(way.x(), way.y());
+}
+
+void drag_rule(void* options, std::size_t handle, Vec2 const& to)
+{
+    auto& tool = *static_cast<SketchTool*>(options);
+    auto rule = rule_of(tool);
+    Places const at(rule);
+    Vec2 const across = from_up(at.angle - radians(90));
+    switch (handle) {
+    case LateralEnd:
+        rule.angle_deg = snapped_deg(std::abs(angle_from_up(to - kNode)), 0, 150);
+        rule.lateral_length = snapped_share((to - kNode).norm() / kBearer, 0.2, 1);
+        break;
+    case LateralTwist:
+        rule.lateral_twist_deg
+            = as_twist_deg(snapped_deg(angle_from_up(to - at.lateral_end) - at.angle, -360, 360));
+        break;
+    case LateralWidth:
+        rule.lateral_width
+            = snapped_share(-(to - (kNode + at.lateral_end) / 2).dot(across) / kAside, 0.2, 1);
+        break;
+    case TopEnd:
+        rule.length_ratio = snapped_share((to - kNode).y() / kBearer, 0.5, 1.2);
+        break;
+    case TopTwist:
+        rule.axis_twist_deg = snapped_deg(angle_from_up(to - at.top_end), -180, 180);
+        break;
+    case TopWidth:
+        rule.width_ratio = snapped_share((kNode.x() - to.x()) / kAside, 0.3, 1);
+        break;
+    default: { // The twists are those that the rule has for such a ring.
+        double const more = handle == More ? 1 : -1;
+        tool.laterals = std::clamp(std::round(tool.laterals) + more, 0.0, 8.0);
+        return;
+    }
+    }
+    tool = saying_rule(tool, rule);
+}
+
+} // namespace
+
+constexpr GlyphKind kRuleGlyph { .title = "Rule", .show = show_rule, .drag = drag_rule };
+
+} // namespace tractus

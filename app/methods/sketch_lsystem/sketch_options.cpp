@@ -1,0 +1,198 @@
+#include "app/methods/sketch_lsystem/sketch_options.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace tractus {
+
+namespace {
+
+// Words in the order of the tool's values, of which the first is what no word means.
+constexpr std::array<OptionWord, 2> kLeavesWords { {
+    { "leafy", "Leaves" },
+    { "bare", "Bare" },
+} };
+constexpr std::array<OptionWord, 3> kSurfaceWords { {
+    { "as_it_moves", "As it moves" },
+    { "space", "In space" },
+    { "paper", "On paper" },
+} };
+constexpr std::array<OptionWord, 4> kPlaceWords { {
+    { "ground", "Alone" },
+    { "branch", "On a branch", "A rule grows along the stroke, on the branch where it begins" },
+    { "in_place", "In its place", "A rule grows in the place of the branch" },
+    { "change", "Change", nullptr, true },
+} };
+constexpr std::array<OptionWord, 2> kDrawnWords { {
+    { "follow", "follows" },
+    { "stay", "stays" },
+} };
+constexpr std::array<OptionWord, 6> kCardWords { {
+    { "opposite", "Opposite" },
+    { "whorls", "Whorls" },
+    { "crown", "Crown" },
+    { "vase", "Vase" },
+    { "spire", "Spire" },
+    { "fern", "Fern" },
+} };
+
+// What a ready rule is made of, in the order of the words.
+struct RuleCard {
+    double laterals;
+    double angle_deg;
+    double first_length_mm;
+    double length_ratio;
+    double lateral_length;
+    double shortest_mm;
+    std::optional<double> twist_deg {}; // No value: rings of laterals alternate.
+};
+constexpr std::array<RuleCard, 6> kCards { {
+    { 2, 45, 30, 0.9, 0.62, 1 },
+    { 4, 75, 28, 0.88, 0.62, 4 },
+    { 5, 35, 60, 0.75, 0.7, 12 },
+    { 2, 26, 45, 0.8, 0.8, 8 },
+    { 6, 60, 14, 0.96, 0.7, 6 },
+    { 2, 55, 13, 0.96, 0.7, 3, 0.0 }, // All in one plane.
+} };
+constexpr double kSlender = 0.15; // The first internode's diameter, by its length.
+
+RuleCard const& card_of(SketchTool const& tool)
+{
+    return kCards[static_cast<std::size_t>(tool.card)];
+}
+
+void take_numbers_of_card(void* options)
+{
+    auto& tool = *static_cast<SketchTool*>(options);
+    auto const& card = card_of(tool);
+    SketchTool const plain;
+    tool.laterals = card.laterals;
+    tool.angle_deg = card.angle_deg;
+    tool.first_length_mm = card.first_length_mm;
+    tool.length_ratio = card.length_ratio;
+    tool.lateral_length = card.lateral_length;
+    tool.width_ratio = plain.width_ratio;
+    tool.lateral_width = plain.lateral_width;
+    tool.axis_twist_deg = plain.axis_twist_deg;
+    tool.lateral_twist_deg = plain.lateral_twist_deg;
+    tool.shortest_mm = plain.shortest_mm;
+}
+
+// From node to node, where the tool's own twists are 0.
+double twist_of_card(SketchTool const& tool)
+{
+    double const laterals = std::round(tool.laterals);
+    return card_of(tool).twist_deg.value_or(laterals > 0 ? 180 / laterals : 0);
+}
+
+} // namespace
+
+void visit_sketch_options(OptionVisitor& visitor, SketchTool& tool)
+{
+    visitor.choice({ .words = kCardWords,
+                     .offered = WordOption::Offered::InTurn,
+                     .goes_with = take_numbers_of_card,
+                     .label = "Rule" },
+                   tool.card);
+    using enum NumberOption::Offered;
+    visitor.number({ "laterals", "", 0, 8, 1, "Laterals", WithoutGlyph }, tool.laterals);
+    visitor.number({ "angle", "degrees", 0, 150, 5, "Angle", WithoutGlyph }, tool.angle_deg);
+    visitor.number({ "first", "mm", 5, 100, 5, "Internode" }, tool.first_length_mm);
+    visitor.number({ "ratio", "", 0.5, 1.2, 0.05, "Lengthening", WithoutGlyph }, tool.length_ratio);
+    visitor.number({ "lateral", "", 0.2, 1, 0.02, "Lateral", WithoutGlyph }, tool.lateral_length);
+    int leaves = tool.leaves == sketch::Leaves::Leafy ? 0 : 1;
+    visitor.word({ kLeavesWords }, leaves);
+    tool.leaves = leaves == 0 ? sketch::Leaves::Leafy : sketch::Leaves::Bare;
+    int surface = tool.surface == StrokeSurface::Decided ? 0
+        : tool.surface == StrokeSurface::Space           ? 1
+                                                         : 2;
+    visitor.word({ kSurfaceWords }, surface);
+    tool.surface = surface == 0 ? StrokeSurface::Decided
+        : surface == 1          ? StrokeSurface::Space
+                                : StrokeSurface::Paper;
+    visitor.choice({ kPlaceWords }, tool.place);
+    visitor.choice(
+        { .words = kDrawnWords, .offered = WordOption::Offered::InTurn, .label = "What is drawn" },
+        tool.drawn);
+    visitor.number({ "width", "", 0.3, 1, 0.05, "Thinning", OnGlyph }, tool.width_ratio);
+    visitor.number({ "lateral_width", "", 0.2, 1, 0.05, "Lateral's thickness", OnGlyph },
+                   tool.lateral_width);
+    visitor.number({ "twist", "degrees", -180, 180, 5, "Twist beyond the rule's", OnGlyph },
+                   tool.axis_twist_deg);
+    visitor.number(
+        { "lateral_twist", "degrees", -180, 180, 5, "Laterals' twist beyond the rule's", OnGlyph },
+        tool.lateral_twist_deg);
+    visitor.number({ "shortest", "mm", 0, 100, 1, "Shortest internode, 0: the rule's", OnGlyph },
+                   tool.shortest_mm);
+}
+
+sketch::Rule rule_of(SketchTool const& tool)
+{
+    sketch::Rule rule;
+    rule.laterals = static_cast<int>(std::round(tool.laterals));
+    rule.angle_deg = tool.angle_deg;
+    rule.first_length_mm = tool.first_length_mm;
+    rule.first_width_mm = kSlender * tool.first_length_mm;
+    rule.length_ratio = tool.length_ratio;
+    rule.width_ratio = tool.width_ratio;
+    rule.lateral_length = tool.lateral_length;
+    rule.lateral_width = tool.lateral_width;
+    rule.shortest_mm = tool.shortest_mm > 0 ? tool.shortest_mm : card_of(tool).shortest_mm;
+    double const twist_deg = twist_of_card(tool);
+    rule.axis_twist_deg = as_twist_deg(twist_deg + tool.axis_twist_deg);
+    rule.lateral_twist_deg = as_twist_deg(twist_deg + tool.lateral_twist_deg);
+    return rule;
+}
+
+sketch::Rule with_options(sketch::Rule rule, SketchTool const& tool)
+{
+    auto wanted = rule_of(tool);
+    double const slender = rule.first_width_mm / rule.first_length_mm;
+    if (slender < kSlender)
+        wanted.first_width_mm = slender * wanted.first_length_mm;
+    wanted.most_segments = rule.most_segments;
+    wanted.most_internodes = rule.most_internodes;
+    return wanted;
+}
+
+bool says_rule(SketchTool const& tool, sketch::Rule const& rule)
+{
+    constexpr double kSame = 1e-6; // Of what has been computed both ways.
+    auto const said = rule_of(tool);
+    auto const is_same = [](double one, double other) { return std::abs(one - other) < kSame; };
+    return said.laterals == rule.laterals && is_same(said.angle_deg, rule.angle_deg)
+        && is_same(said.first_length_mm, rule.first_length_mm)
+        && is_same(said.length_ratio, rule.length_ratio)
+        && is_same(said.width_ratio, rule.width_ratio)
+        && is_same(said.lateral_length, rule.lateral_length)
+        && is_same(said.lateral_width, rule.lateral_width)
+        && is_same(as_twist_deg(said.axis_twist_deg - rule.axis_twist_deg), 0)
+        && is_same(as_twist_deg(said.lateral_twist_deg - rule.lateral_twist_deg), 0)
+        && is_same(said.shortest_mm, rule.shortest_mm);
+}
+
+SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule)
+{
+    tool.laterals = rule.laterals;
+    tool.angle_deg = rule.angle_deg;
+    tool.first_length_mm = rule.first_length_mm;
+    tool.length_ratio = rule.length_ratio;
+    tool.width_ratio = rule.width_ratio;
+    tool.lateral_length = rule.lateral_length;
+    tool.lateral_width = rule.lateral_width;
+    double const twist_deg = twist_of_card(tool);
+    tool.axis_twist_deg = as_twist_deg(rule.axis_twist_deg - twist_deg);
+    tool.lateral_twist_deg = as_twist_deg(rule.lateral_twist_deg - twist_deg);
+    tool.shortest_mm = rule.shortest_mm == card_of(tool).shortest_mm ? 0 : rule.shortest_mm;
+    return tool;
+}
+
+// Angles that are in range already stay to the last bit.
+double as_twist_deg(double angle_deg)
+{
+    return std::abs(angle_deg) <= 180 ? angle_deg : std::remainder(angle_deg, 360);
+}
+
+} // namespace tractus

@@ -1,0 +1,173 @@
+#include "app/window/glyph_panel.h"
+
+#include "app/window/theme.h"
+#include "app/window/view_curves.h"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+constexpr float kLeastSide_px = 170;
+constexpr float kGreatestSide_px = 320;
+constexpr float kShareOfPad = 0.4f;
+constexpr float kTitle_px = 44; // Of the view, above it.
+constexpr float kButtonWidth_px = 76;
+constexpr float kOpacity = 0.75f; // What is drawn below it is seen.
+constexpr float kSmall = 0.8f;    // Letters.
+constexpr float kPanelAir_px = 10;
+constexpr float kHandleRadius_px = 13; // Radius of its picture,
+constexpr float kReach_px = 22;        // and of where a pen takes it.
+
+using Slider = ChangeGrowth::Slider;
+
+// The tool's number that the handle asks for; no value: none.
+std::optional<std::size_t> number_of(Tool const& tool, Glyph::Handle const& handle)
+{
+    auto const numbers = chosen_numbers(tool);
+    auto const found
+        = std::find_if(numbers.begin(), numbers.end(), [&](ChosenNumber const& number) {
+              return std::string_view(number.option.name) == handle.number;
+          });
+    if (found == numbers.end())
+        return std::nullopt;
+    return static_cast<std::size_t>(found - numbers.begin());
+}
+
+} // namespace
+
+ImVec2 GlyphPanel::Square::to_px(Vec2 const& place) const
+{
+    return { middle.x + half * static_cast<float>(place.x()),
+             middle.y - half * static_cast<float>(place.y()) };
+}
+
+Vec2 GlyphPanel::Square::to_frame(ImVec2 const& place_px) const
+{
+    return { static_cast<double>((place_px.x - middle.x) / half),
+             static_cast<double>((middle.y - place_px.y) / half) };
+}
+
+std::optional<WindowPart> GlyphPanel::show(WindowModel& model, Workbench& bench,
+                                           Controls const& controls, WindowPart const& pad)
+{
+    auto const& state = model.state();
+    auto const* const kind = state.hand.kind().glyph;
+    float const room = kShareOfPad * std::min(pad.width, pad.height);
+    bench.glyph_is_seen = false;
+    if (!kind || !bench.draws(state) || room < kLeastSide_px * scale_)
+        return std::nullopt;
+    float const side = std::min(room, kGreatestSide_px * scale_);
+    bench.glyph_is_seen = bench.glyph_is_shown;
+    float const air = kPanelAir_px * scale_;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { air, air });
+    ImGui::SetNextWindowBgAlpha(kOpacity);
+    ImGui::SetNextWindowPos({ pad.left + pad.width - air, pad.top + kTitle_px * scale_ },
+                            ImGuiCond_Always, { 1, 0 });
+    ImGui::Begin("glyph", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
+                     | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar();
+    auto const top = ImGui::GetCursorScreenPos();
+    if (controls.button(kind->title, kButtonWidth_px, bench.glyph_is_shown))
+        bench.glyph_is_shown = !bench.glyph_is_shown;
+    if (bench.glyph_is_shown) {
+        auto const glyph = bench.hand(state).glyph();
+        show_glyph(model, bench, glyph, { { top.x + side / 2, top.y + side / 2 }, side / 2 });
+        ImGui::SetCursorScreenPos(top);
+        ImGui::Dummy({ side, side });
+        say_what_is_shown(glyph);
+    }
+    auto const corner = ImGui::GetWindowPos();
+    auto const size = ImGui::GetWindowSize();
+    ImGui::End();
+    return WindowPart { corner.x, corner.y, size.x, size.y };
+}
+
+void GlyphPanel::say_what_is_shown(Glyph const& glyph) const
+{
+    auto const shown
+        = std::find_if(glyph.handles.begin(), glyph.handles.end(),
+                       [&](Glyph::Handle const& handle) { return handle.id == shown_; });
+    ImGui::SetWindowFontScale(kSmall);
+    ImGui::TextUnformatted(shown == glyph.handles.end() ? "Drag a letter" : shown->says.c_str());
+    ImGui::SetWindowFontScale(1);
+}
+
+void GlyphPanel::show_glyph(WindowModel& model, Workbench& bench, Glyph const& glyph,
+                            Square const& square)
+{
+    auto* const draw = ImGui::GetWindowDrawList();
+    std::vector<ImVec2> points;
+    for (auto const& line : glyph.lines) {
+        points.clear();
+        for (auto const& point : line.points)
+            points.push_back(square.to_px(point));
+        auto const color = theme::packed(layer_color({ .color = line.color }));
+        draw->AddPolyline(points.data(), static_cast<int>(points.size()), color, 0,
+                          std::max(1.5f * scale_, square.half * static_cast<float>(line.width)));
+    }
+    for (auto const& handle : glyph.handles) {
+        take_hand(model, bench, handle, square);
+        draw_handle(handle, square);
+    }
+}
+
+// What a pen, or the mouse, does to a handle in this frame.
+void GlyphPanel::take_hand(WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
+                           Square const& square)
+{
+    auto const at = square.to_px(handle.place);
+    float const reach = kReach_px * scale_;
+    ImGui::SetCursorScreenPos({ at.x - reach, at.y - reach });
+    ImGui::PushID(static_cast<int>(handle.id));
+    bool const is_pressed = ImGui::InvisibleButton("handle", { 2 * reach, 2 * reach });
+    ImGui::PopID();
+    if (ImGui::IsItemHovered() && !held_)
+        shown_ = handle.id;
+    auto const& hand = bench.hand(model.state());
+    if (handle.is_button) {
+        if (is_pressed)
+            bench.adjust(model, hand.dragged(handle.id, handle.place), Slider::Released);
+        return;
+    }
+    auto const pointer = ImGui::GetIO().MousePos;
+    if (ImGui::IsItemActivated()) {
+        held_ = shown_ = handle.id;
+        off_px_ = { at.x - pointer.x, at.y - pointer.y };
+    }
+    if (held_ != handle.id)
+        return;
+    if (ImGui::IsItemDeactivated()) {
+        held_.reset();
+        if (bench.adjusted)
+            bench.adjust(model, hand, Slider::Released);
+        else if (auto const number = number_of(hand, handle))
+            bench.asked_number = number;
+        return;
+    }
+    auto const to = square.to_frame({ pointer.x + off_px_.x, pointer.y + off_px_.y });
+    if (auto const dragged = hand.dragged(handle.id, to); dragged != hand)
+        bench.adjust(model, dragged, Slider::Moving);
+}
+
+void GlyphPanel::draw_handle(Glyph::Handle const& handle, Square const& square) const
+{
+    auto* const draw = ImGui::GetWindowDrawList();
+    auto const at = square.to_px(handle.place);
+    bool const is_shown = shown_ == handle.id;
+    auto const& palette = theme::palette();
+    float const radius = kHandleRadius_px * scale_;
+    draw->AddCircleFilled(at, radius, theme::packed(palette.pad_background, 0.85f));
+    draw->AddCircle(at, radius, theme::packed(is_shown ? palette.ink : palette.stroke), 0,
+                    (is_shown ? 3.0f : 1.5f) * scale_);
+    float const letter = kSmall * ImGui::GetFontSize();
+    auto const size = ImGui::GetFont()->CalcTextSizeA(letter, 1000, 0, handle.sign);
+    draw->AddText(ImGui::GetFont(), letter, { at.x - size.x / 2, at.y - size.y / 2 },
+                  ImGui::GetColorU32(ImGuiCol_Text), handle.sign);
+}
+
+} // namespace tractus

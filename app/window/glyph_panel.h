@@ -1,0 +1,47 @@
+#pragma once
+
+#include "app/window/controls.h"
+
+#include <cstddef>
+#include <imgui.h>
+#include <optional>
+
+namespace tractus {
+
+// The tool in hand as a small drawing in a corner of the pad, whose handles are dragged by pen or
+// mouse (app/tools/glyph.h). What has been drawn with the tool is shown as it will follow, and does
+// when the handle is let go.
+class GlyphPanel {
+public:
+    explicit GlyphPanel(float scale)
+        : scale_(scale)
+    {
+    }
+
+    // Shows it in the upper right corner of `pad`, if the tool has one and there is room. Returns
+    // where it is; no value: nowhere.
+    std::optional<WindowPart> show(WindowModel& model, Workbench& bench, Controls const& controls,
+                                   WindowPart const& pad);
+
+private:
+    struct Square { // Of the glyph's frame, in pixels.
+        ImVec2 middle { 0, 0 };
+        float half = 1;
+
+        ImVec2 to_px(Vec2 const& place) const;
+        Vec2 to_frame(ImVec2 const& place_px) const;
+    };
+
+    void say_what_is_shown(Glyph const& glyph) const;
+    void show_glyph(WindowModel& model, Workbench& bench, Glyph const& glyph, Square const& square);
+    void take_hand(WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
+                   Square const& square);
+    void draw_handle(Glyph::Handle const& handle, Square const& square) const;
+
+    float scale_ = 1;
+    std::optional<std::size_t> held_ {};  // A handle's id.
+    std::optional<std::size_t> shown_ {}; // The one that was held or pointed at last.
+    ImVec2 off_px_ { 0, 0 };              // From where it was taken to the handle.
+};
+
+} // namespace tractus

@@ -1,0 +1,213 @@
+#include "app/methods/all_methods.h"
+#include "app/methods/sketch_lsystem/sketch_options.h"
+#include "app/methods/sketch_lsystem/sketch_tool.h"
+#include "engine/methods/sketch_lsystem/change_edits.h"
+#include "engine/scene/scene.h"
+#include "tests/app/small_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace tractus {
+namespace {
+
+Glyph::Handle const& handle_of(Glyph const& glyph, std::string_view sign)
+{
+    return *std::find_if(glyph.handles.begin(), glyph.handles.end(),
+                         [&](Glyph::Handle const& handle) { return handle.sign == sign; });
+}
+
+SketchTool dragged(SketchTool const& tool, std::string_view sign, Vec2 const& to)
+{
+    auto const& hand = Tool(tool);
+    auto const glyph = hand.glyph();
+    return *hand.dragged(handle_of(glyph, sign).id, to).get<SketchTool>();
+}
+
+Vec2 place_of_handle(SketchTool const& tool, std::string_view sign)
+{
+    auto const glyph = Tool(tool).glyph();
+    return handle_of(glyph, sign).place;
+}
+
+// Where the bearer ends: the glyph's first line.
+Vec2 node_of(SketchTool const& tool)
+{
+    return Tool(tool).glyph().lines.front().points.back();
+}
+
+class AnyRule {
+public:
+    explicit AnyRule(unsigned seed)
+        : random_(seed)
+    {
+    }
+
+    double number(double least, double greatest)
+    {
+        return std::uniform_real_distribution(least, greatest)(random_);
+    }
+
+    SketchTool tool()
+    {
+        using Card = SketchTool::Card;
+        return { .card = static_cast<Card>(static_cast<int>(number(0, 5.999))),
+                 .laterals = std::floor(number(0, 8.999)),
+                 .angle_deg = number(0, 150),
+                 .first_length_mm = number(5, 100),
+                 .length_ratio = number(0.5, 1.2),
+                 .lateral_length = number(0.2, 1),
+                 .width_ratio = number(0.3, 1),
+                 .lateral_width = number(0.2, 1),
+                 .axis_twist_deg = number(-180, 180),
+                 .lateral_twist_deg = number(-180, 180),
+                 .shortest_mm = number(0, 5) };
+    }
+
+private:
+    std::mt19937 random_;
+};
+
+TEST(RuleGlyph, SetsWhatAHandleIsDraggedTo)
+{
+    SketchTool const tool;
+    Vec2 const node = node_of(tool);
+    double const bearer = (place_of_handle(tool, "D") - node).norm() / tool.length_ratio;
+    auto const at = [&](double angle_deg, double length) {
+        double const angle = radians(angle_deg);
+        return Vec2(node + bearer * length * Vec2(std::sin(angle), std::cos(angle)));
+    };
+    auto const lateral = dragged(tool, "A", at(60, 0.8));
+    EXPECT_NEAR(lateral.angle_deg, 60, 1e-9);
+    EXPECT_NEAR(lateral.lateral_length, 0.8, 1e-9);
+    EXPECT_NEAR(dragged(tool, "A", at(-90, 0.5)).angle_deg, 90, 1e-9) << "either side";
+    EXPECT_NEAR(dragged(tool, "D", at(0, 0.7)).length_ratio, 0.7, 1e-9);
+    Vec2 const top = place_of_handle(tool, "D");
+    auto const turned = dragged(tool, "E", top + Vec2(0.3, 0));
+    EXPECT_NEAR(rule_of(turned).axis_twist_deg, 90, 1e-9);
+    EXPECT_NEAR(rule_of(dragged(tool, "E", top - Vec2(0.3, 0))).axis_twist_deg, -90, 1e-9);
+    Vec2 const end = place_of_handle(tool, "A");
+    auto const aside = dragged(tool, "B", end + (end - node)); // Straight on.
+    EXPECT_NEAR(rule_of(aside).lateral_twist_deg, 0, 1e-9);
+    EXPECT_EQ(dragged(tool, "+", {}).laterals, 3);
+    EXPECT_EQ(dragged(tool, "-", {}).laterals, 1);
+    EXPECT_EQ(rule_of(dragged(tool, "+", {})).axis_twist_deg, 60) << "rings still alternate";
+}
+
+TEST(RuleGlyph, ComesToRestInWholeSteps)
+{
+    SketchTool const tool;
+    Vec2 const node = node_of(tool);
+    auto const at_deg = [&](double angle_deg) {
+        double const angle = radians(angle_deg);
+        return dragged(tool, "A", node + 0.5 * Vec2(std::sin(angle), std::cos(angle))).angle_deg;
+    };
+    EXPECT_NEAR(at_deg(59.2), 60, 1e-9) << "near a multiple of five";
+    EXPECT_NEAR(at_deg(57.4), 57, 1e-9);
+}
+
+// However a hand drags, the rule stays one that grows, and its words say it.
+TEST(RuleGlyph, StaysWithinTheRangesOfRules)
+{
+    AnyRule any(4711);
+    auto const tools = all_methods().tools;
+    for (int i = 0; i < 1000; ++i) {
+        auto const tool = any.tool();
+        SCOPED_TRACE(words_for(Tool(tool)).arguments);
+        for (auto const& handle : Tool(tool).glyph().handles) {
+            auto const after
+                = Tool(tool).dragged(handle.id, { any.number(-3, 3), any.number(-3, 3) });
+            auto const rule = rule_of(*after.get<SketchTool>());
+            EXPECT_TRUE(sketch::check_rule(rule)) << handle.sign;
+            auto const words = words_for(after);
+            EXPECT_EQ(parse_tool(tools, words.name, words.arguments).value(), after);
+        }
+    }
+}
+
+TEST(RuleGlyph, LeavesAHandleWhereItWasPut)
+{
+    AnyRule any(12);
+    for (int i = 0; i < 300; ++i) {
+        auto const tool = any.tool();
+        for (auto const& handle : Tool(tool).glyph().handles) {
+            if (handle.is_button)
+                continue;
+            auto const once = Tool(tool).dragged(handle.id, handle.place);
+            for (auto const& moved : once.glyph().handles)
+                if (moved.id == handle.id) {
+                    EXPECT_LT((moved.place - handle.place).norm(), 0.03) << handle.sign;
+                    EXPECT_TRUE(says_rule(*once.dragged(moved.id, moved.place).get<SketchTool>(),
+                                          rule_of(*once.get<SketchTool>())))
+                        << handle.sign;
+                }
+        }
+    }
+}
+
+TEST(RuleGlyph, TakesARuleIntoTheHand)
+{
+    AnyRule any(5);
+    for (int i = 0; i < 300; ++i) {
+        auto const rule = rule_of(any.tool());
+        auto const taken = saying_rule(any.tool(), rule);
+        EXPECT_TRUE(says_rule(taken, rule));
+        EXPECT_EQ(words_for(Tool(taken)).name, "sketch");
+    }
+}
+
+Scene two_plants_and_another(SketchTool const& tool)
+{
+    auto scene
+        = apply_edits(
+              Scene {},
+              Tool(tool).mean(stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } }), Scene {}).value())
+              .value();
+    auto other = tool;
+    other.angle_deg = 70;
+    for (auto const& next : { tool, other }) {
+        auto const stroke = stroke_through({ { 50, 0, 0 }, { 50, 10, 100 } });
+        scene = apply_edits(scene, Tool(next).mean(stroke, scene).value()).value();
+    }
+    return scene;
+}
+
+TEST(RuleGlyph, LetsAllThatGrewByTheRuleFollow)
+{
+    SketchTool const before { .laterals = 3 };
+    auto after = before;
+    after.lateral_twist_deg = 15;
+    after.lateral_width = 0.4;
+    auto const scene = two_plants_and_another(before);
+    auto const edits = SketchTool::kKind.follow(Tool(before), Tool(after), scene);
+    ASSERT_EQ(edits.size(), 2u);
+    auto const changed = apply_edits(scene, edits).value();
+    for (std::size_t i = 0; i < 3; ++i) {
+        auto const rule = sketch::newest_grown(*changed.plants[i]->drawn)->sketch->rule;
+        EXPECT_EQ(says_rule(after, rule), i < 2) << i;
+        EXPECT_EQ(rule.first_width_mm, 4.5);
+    }
+    after.drawn = SketchTool::Drawn::Stays;
+    EXPECT_TRUE(SketchTool::kKind.follow(Tool(before), Tool(after), scene).empty());
+}
+
+TEST(RuleGlyph, TakesWhatThePlantWasDrawnWith)
+{
+    SketchTool drawn { .laterals = 5, .leaves = sketch::Leaves::Bare };
+    drawn.axis_twist_deg = 20;
+    auto const scene
+        = apply_edits(
+              Scene {},
+              Tool(drawn).mean(stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } }), Scene {}).value())
+              .value();
+    auto const taken = SketchTool::kKind.like_drawn(Tool(SketchTool {}), scene);
+    ASSERT_TRUE(taken);
+    EXPECT_TRUE(says_rule(*taken->get<SketchTool>(), rule_of(drawn)));
+    EXPECT_EQ(taken->get<SketchTool>()->leaves, sketch::Leaves::Bare);
+    EXPECT_FALSE(SketchTool::kKind.like_drawn(Tool(SketchTool {}), small_scene()));
+}
+
+} // namespace
+} // namespace tractus
