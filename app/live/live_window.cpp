@@ -60,6 +60,7 @@ LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
     , station_(std::move(station))
     , controller_(std::in_place, station_, std::exchange(options_.session, std::nullopt),
                   std::exchange(options_.scene, {}), options_.folder)
+    , cards_(options_.cards)
     , states_(devices_.infos().size(), LiveDevices::State::Connected)
 {
     view().state().is_live = true;
@@ -111,6 +112,7 @@ void LiveWindow::advance(Duration real_step)
         perform_kind(ChooseTool { *std::move(hand) });
     record_steps();
     view().show_pen(station_.take_moments());
+    cards_.show(view().state());
     calibrate();
     show_devices();
     tell_device_changes();
@@ -509,6 +511,7 @@ void LiveWindow::go_on_with(OpenedDrawing drawing)
     state.mouse_moves_surface = before.mouse_moves_surface;
     state.may_calibrate = before.may_calibrate;
     state.may_begin_anew = before.may_begin_anew;
+    state.cards = before.cards;
     state.title = fmt::format("tractus: {}", drawing.name);
     state.recording.file = before.recording.file;
     if (!drawing.trouble.empty())

@@ -4,6 +4,7 @@
 #include "app/devices/live_diagnosis.h"
 #include "app/devices/live_recorder.h"
 #include "app/live/calibration_panel_controller.h"
+#include "app/live/live_cards.h"
 #include "app/live/mouse_rig.h"
 #include "app/live/start_page_controller.h"
 #include "app/live/station_controller.h"
@@ -52,6 +53,7 @@ struct LiveWindowOptions {
     // takes that of the last drawing away when the window is closed: this one does so before it
     // opens the next.
     std::shared_ptr<std::filesystem::path> unnamed {};
+    std::filesystem::path cards {}; // The folder of a person's own cards; empty: none are kept.
     // The model whose plant is drawn on: when it is saved, the plant follows. Empty: none.
     std::filesystem::path model {};
 };
@@ -92,6 +94,9 @@ private:
     void perform_kind(ChooseTool const& command);
     void perform_kind(AdjustTool const& command);
     void perform_kind(TakeLikeDrawn const&);
+    void perform_kind(KeepCard const& command) { cards_.perform(command, view().state()); }
+    void perform_kind(RenameCard const& command) { cards_.perform(command, view().state()); }
+    void perform_kind(RemoveCard const& command) { cards_.perform(command, view().state()); }
     void perform_kind(SetPressingAreas const& command);
     void perform_kind(PressInstead const&);
     void perform_kind(MoveMousePen const& command);
@@ -132,7 +137,8 @@ private:
     StationOptions station_options_; // To begin again.
     Station station_;
     std::optional<StationController> controller_; // Of the drawing at hand; never without.
-    std::optional<FollowedModel> model_;          // Its file, where somebody may write it.
+    LiveCards cards_;
+    std::optional<FollowedModel> model_; // Its file, where somebody may write it.
     std::optional<LiveRecorder> recorder_;
     // Number of the recording's first stroke in the document.
     std::size_t recorded_from_stroke_ = 0;

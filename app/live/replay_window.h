@@ -44,6 +44,9 @@ private:
     void perform_kind(ChooseTool const&) { } // The recording chooses.
     void perform_kind(AdjustTool const&) { }
     void perform_kind(TakeLikeDrawn const&) { }
+    void perform_kind(KeepCard const&) { }
+    void perform_kind(RenameCard const&) { }
+    void perform_kind(RemoveCard const&) { }
     void perform_kind(SetPressingAreas const&) { } // The hand was elsewhere.
     void perform_kind(PressInstead const&) { }
     void perform_kind(MoveMousePen const&) { }

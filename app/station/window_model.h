@@ -8,6 +8,7 @@
 #include "app/tools/layer.h"
 #include "app/tools/skeleton_line.h"
 #include "app/tools/tool.h"
+#include "app/tools/tool_cards.h"
 #include "engine/base/time.h"
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/mesh.h"
@@ -154,6 +155,7 @@ struct WindowState {
 
     ToolKinds tools {};              // That can be chosen.
     Tool hand;                       // What the pen means now.
+    std::vector<ToolCard> cards {};  // A person's own of the hand's kind.
     std::vector<Tool> remembered {}; // Tools that are chosen with the options that they had last.
     std::string tool;                // What the pen means, for people, for example "Draw".
     std::string status;              // One line: what is going on, or what was done.
@@ -240,6 +242,16 @@ struct AdjustTool {
     Tool tool;
     ChangeGrowth::Slider slider = ChangeGrowth::Slider::Released;
 };
+// A person's own cards: the hand's is kept under a name of its own, another one is called otherwise
+// or goes away. The status says so, or why not.
+struct KeepCard { };
+struct RenameCard {
+    std::string from;
+    std::string to;
+};
+struct RemoveCard {
+    std::string name;
+};
 // The tool in hand with the options that the active plant was drawn with.
 struct TakeLikeDrawn { };
 struct Undo { }; // The last stroke, another one, other growth, or what else was done last.
@@ -280,7 +292,7 @@ using WindowCommand
                    Redo, ChangeGrowth, AskForCollection, PickVariation, SetPressingAreas,
                    PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording, WatchDevices,
                    OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage, ChangeSeason,
-                   AdjustTool, TakeLikeDrawn>;
+                   AdjustTool, TakeLikeDrawn, KeepCard, RenameCard, RemoveCard>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

@@ -1,5 +1,7 @@
 #include "app/tools/tool_choices.h"
 
+#include "app/tools/tool_cards.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <fmt/core.h>
@@ -58,6 +60,7 @@ public:
 private:
     void add_words(Tool const& tool, WordOption const& option, std::size_t number);
     void add_next_word(Tool const& tool, ChosenWord const& chosen, std::size_t number);
+    void add_cards(ChosenWord const& chosen);
     void add_number(ChosenNumber const& chosen, std::size_t number);
     void add(std::string const& text, Tool const& tool);
 
@@ -101,12 +104,15 @@ void Meanings::add_kind(ToolKind const& kind)
     if (!has_word)
         add(kind.label, kind.at_once ? tool.done_at_once() : tool);
     for (std::size_t i = 0; i < options.size(); ++i) {
-        bool const is_in_turn = options[i].option.offered == WordOption::Offered::InTurn;
-        if (options[i].option.offered != WordOption::Offered::Always && !is_in_hand)
+        using enum WordOption::Offered;
+        auto const offered = options[i].option.offered;
+        if (offered != Always && !is_in_hand)
             continue;
         begins_group_ |= i > 0;
-        if (is_in_turn)
+        if (offered == InTurn)
             add_next_word(tool, options[i], i);
+        else if (offered == Cards)
+            add_cards(options[i]);
         else
             add_words(tool, options[i].option, i);
     }
@@ -137,6 +143,17 @@ void Meanings::add_next_word(Tool const& tool, ChosenWord const& chosen, std::si
                     option.words[static_cast<std::size_t>(value)].label, option.label),
         next);
     meanings_.back().is_on = false;
+}
+
+// With the name of the ready card that is in the hand, whole.
+void Meanings::add_cards(ChosenWord const& chosen)
+{
+    auto const ready = ready_cards(hand_)[static_cast<std::size_t>(chosen.value)];
+    add(fmt::format("{}: {}##{} cards", chosen.option.label,
+                    ready.tool == hand_ ? ready.name : "your own", chosen.option.label),
+        hand_);
+    meanings_.back().is_on = false;
+    meanings_.back().opens_cards = true;
 }
 
 void Meanings::add_number(ChosenNumber const& chosen, std::size_t number)

@@ -20,13 +20,14 @@ struct WordOption {
     enum class Offered {
         Always, // Its words have buttons as soon as a tool of the group is in hand,
         InHand, // or when the tool itself is; until then its label has one, if no word has.
-        InTurn, // Likewise, but one button for all, "Rule: Opposite", which takes the next one.
+        InTurn, // Likewise, but one button for all, "Rule: Opposite", which takes the next one,
+        Cards,  // or which opens them as cards, beside a person's own (tool_cards.h).
     } offered
         = Offered::Always;
-    // What else a person chooses with a word: sets the tool's other options, which logs then name.
+    // What else a person chooses with a card: sets the tool's other options, which logs then name.
     // Null: nothing.
     void (*goes_with)(void* options) = nullptr;
-    char const* label = ""; // What its button begins with, if it is offered in turn.
+    char const* label = ""; // What its button begins with, if it has one for all.
 };
 
 // An option that is a number: "name=2.5" in logs.

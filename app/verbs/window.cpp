@@ -179,6 +179,8 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
     // Last, since it may begin a file.
     auto const drawing = TRY(open_first_drawing(arguments, options));
     options.folder = std::filesystem::current_path();
+    if (!user_folder().empty())
+        options.cards = user_folder() / "cards";
     options.recording = arguments.recording;
     options.now = clock.now;
     options.counted_time = clock.counted;

@@ -199,15 +199,22 @@ std::vector<BarButton> Controls::tool_meanings(WindowModel& model, Workbench& be
         if (meaning.number && bench.glyph_is_seen && is_on_glyph(meaning))
             continue;
         bool const is_asked = meaning.number && meaning.number == bench.asked_number;
-        BarButton button { .text = meaning.text,
-                           .width = meaning.width,
-                           .is_on = meaning.is_on || is_asked,
-                           .begins_group = buttons.empty() || meaning.begins_group,
-                           .press
-                           = [&model, &bench, tool = meaning.tool] { bench.choose(model, tool); } };
+        BarButton button {
+            .text = meaning.text,
+            .width = meaning.width,
+            .is_on = meaning.is_on || is_asked || (meaning.opens_cards && bench.cards_are_shown),
+            .begins_group = buttons.empty() || meaning.begins_group,
+            .press = [&model, &bench, tool = meaning.tool] { bench.choose(model, tool); }
+        };
         if (meaning.number)
             button.press = [&bench, is_asked, number = meaning.number] {
                 bench.asked_number = is_asked ? std::nullopt : number;
+                bench.cards_are_shown = false;
+            };
+        else if (meaning.opens_cards)
+            button.press = [&bench] {
+                bench.cards_are_shown = !bench.cards_are_shown;
+                bench.asked_number.reset();
             };
         buttons.push_back(std::move(button));
     }

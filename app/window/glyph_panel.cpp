@@ -1,11 +1,9 @@
 #include "app/window/glyph_panel.h"
 
 #include "app/window/theme.h"
-#include "app/window/view_curves.h"
 
 #include <algorithm>
 #include <string_view>
-#include <vector>
 
 namespace tractus {
 
@@ -38,18 +36,6 @@ std::optional<std::size_t> number_of(Tool const& tool, Glyph::Handle const& hand
 }
 
 } // namespace
-
-ImVec2 GlyphPanel::Square::to_px(Vec2 const& place) const
-{
-    return { middle.x + half * static_cast<float>(place.x()),
-             middle.y - half * static_cast<float>(place.y()) };
-}
-
-Vec2 GlyphPanel::Square::to_frame(ImVec2 const& place_px) const
-{
-    return { static_cast<double>((place_px.x - middle.x) / half),
-             static_cast<double>((middle.y - place_px.y) / half) };
-}
 
 std::optional<WindowPart> GlyphPanel::show(WindowModel& model, Workbench& bench,
                                            Controls const& controls, WindowPart const& pad)
@@ -98,18 +84,9 @@ void GlyphPanel::say_what_is_shown(Glyph const& glyph) const
 }
 
 void GlyphPanel::show_glyph(WindowModel& model, Workbench& bench, Glyph const& glyph,
-                            Square const& square)
+                            GlyphSquare const& square)
 {
-    auto* const draw = ImGui::GetWindowDrawList();
-    std::vector<ImVec2> points;
-    for (auto const& line : glyph.lines) {
-        points.clear();
-        for (auto const& point : line.points)
-            points.push_back(square.to_px(point));
-        auto const color = theme::packed(layer_color({ .color = line.color }));
-        draw->AddPolyline(points.data(), static_cast<int>(points.size()), color, 0,
-                          std::max(1.5f * scale_, square.half * static_cast<float>(line.width)));
-    }
+    draw_glyph(glyph, square, scale_);
     for (auto const& handle : glyph.handles) {
         take_hand(model, bench, handle, square);
         draw_handle(handle, square);
@@ -118,7 +95,7 @@ void GlyphPanel::show_glyph(WindowModel& model, Workbench& bench, Glyph const& g
 
 // What a pen, or the mouse, does to a handle in this frame.
 void GlyphPanel::take_hand(WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
-                           Square const& square)
+                           GlyphSquare const& square)
 {
     auto const at = square.to_px(handle.place);
     float const reach = kReach_px * scale_;
@@ -154,7 +131,7 @@ void GlyphPanel::take_hand(WindowModel& model, Workbench& bench, Glyph::Handle c
         bench.adjust(model, dragged, Slider::Moving);
 }
 
-void GlyphPanel::draw_handle(Glyph::Handle const& handle, Square const& square) const
+void GlyphPanel::draw_handle(Glyph::Handle const& handle, GlyphSquare const& square) const
 {
     auto* const draw = ImGui::GetWindowDrawList();
     auto const at = square.to_px(handle.place);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/controls.h"
+#include "app/window/glyph_picture.h"
 
 #include <cstddef>
 #include <imgui.h>
@@ -24,19 +25,12 @@ public:
                                    WindowPart const& pad);
 
 private:
-    struct Square { // Of the glyph's frame, in pixels.
-        ImVec2 middle { 0, 0 };
-        float half = 1;
-
-        ImVec2 to_px(Vec2 const& place) const;
-        Vec2 to_frame(ImVec2 const& place_px) const;
-    };
-
     void say_what_is_shown(Glyph const& glyph) const;
-    void show_glyph(WindowModel& model, Workbench& bench, Glyph const& glyph, Square const& square);
+    void show_glyph(WindowModel& model, Workbench& bench, Glyph const& glyph,
+                    GlyphSquare const& square);
     void take_hand(WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
-                   Square const& square);
-    void draw_handle(Glyph::Handle const& handle, Square const& square) const;
+                   GlyphSquare const& square);
+    void draw_handle(Glyph::Handle const& handle, GlyphSquare const& square) const;
 
     float scale_ = 1;
     std::optional<std::size_t> held_ {};  // A handle's id.

@@ -84,6 +84,8 @@ void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
             covered_.push_back(*glyph);
     if (bench_.asked_number)
         covered_.push_back(number_panel_.show(model, bench_, controls_, bar));
+    if (bench_.cards_are_shown)
+        covered_.push_back(cards_panel_.show(model, bench_, controls_, bar));
     show_menu(model, renderer);
     if (bench_.keys_are_listed)
         covered_.push_back(show_shortcuts(model.state().tools, kPanelFlags, scale_));

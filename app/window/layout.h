@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/calibration_panel.h"
+#include "app/window/cards_panel.h"
 #include "app/window/collection_view.h"
 #include "app/window/controls.h"
 #include "app/window/glyph_panel.h"
@@ -32,6 +33,7 @@ public:
         , menu_(title_font, scale)
         , number_panel_(scale)
         , glyph_panel_(scale)
+        , cards_panel_(scale)
         , start_(title_font, scale)
     {
     }
@@ -81,6 +83,7 @@ private:
     Menu menu_;
     NumberPanel number_panel_;
     GlyphPanel glyph_panel_;
+    CardsPanel cards_panel_;
     StartView start_;
     PadView pad_;
     SkeletonView skeleton_;

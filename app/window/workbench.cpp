@@ -13,8 +13,10 @@ void Workbench::choose(WindowModel& model, Tool tool)
         turns_views = false;
         if (shown != Shown::All)
             shown = is_select ? Shown::Skeleton : Shown::Pad;
-        if (&tool.kind() != &model.state().hand.kind())
+        if (&tool.kind() != &model.state().hand.kind()) {
             asked_number.reset();
+            cards_are_shown = false;
+        }
         remember(tool);
     }
     model.perform(ChooseTool { tool });
@@ -59,6 +61,7 @@ void Workbench::choose_view_tool()
 {
     turns_views = true;
     asked_number.reset();
+    cards_are_shown = false;
     if (shown == Shown::Pad)
         shown = Shown::Plant;
 }

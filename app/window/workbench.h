@@ -58,6 +58,7 @@ struct Workbench {
     bool keys_are_listed = false;
     // The number, among those of the tool in hand, that its panel is open for.
     std::optional<std::size_t> asked_number {};
+    bool cards_are_shown = false; // Of the kind in hand.
     // Shows the tool in hand as a drawing, if its kind has one.
     bool glyph_is_shown = true;
     bool glyph_is_seen = false; // In the last frame: it needs room, too.

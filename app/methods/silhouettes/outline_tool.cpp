@@ -57,7 +57,7 @@ void take_numbers_of_form(void* options)
 void visit(OptionVisitor& visitor, OutlineTool& tool)
 {
     visitor.choice({ .words = kFormWords,
-                     .offered = WordOption::Offered::InTurn,
+                     .offered = WordOption::Offered::Cards,
                      .goes_with = take_numbers_of_form,
                      .label = "Form" },
                    tool.form);

@@ -149,7 +149,8 @@ double snapped(double value, double coarse, double fine, double least, double gr
     double const near = std::round(value / coarse) * coarse;
     double const taken
         = std::abs(near - value) <= kReach * fine ? near : std::round(value / fine) * fine;
-    return std::clamp(taken, least, greatest);
+    double const in_one = std::round(1 / fine); // So that 0.7 is written so.
+    return std::clamp(std::round(taken * in_one) / in_one, least, greatest);
 }
 
 double snapped_share(double value, double least, double greatest)

@@ -2,13 +2,16 @@
 
 #include "app/document/model_cost.h"
 #include "app/methods/sketch_lsystem/rule_file.h"
+#include "app/methods/sketch_lsystem/sketch_options.h"
 #include "app/methods/sketch_lsystem/sketch_report.h"
+#include "app/methods/sketch_lsystem/sketch_tool.h"
 #include "app/plants/drawing.h"
 #include "app/plants/plant_file.h"
 #include "app/plants/session_plant.h"
 #include "app/plants/stroke_file.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
+#include "app/tools/tool_cards.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/shared_options.h"
 #include "drivers/file.h"
@@ -94,6 +97,23 @@ Result<sketch::DrawnAxis> draw_axis(SketchArguments const& arguments, sketch::Ru
     return sketch::draw_axis(rule, nodes_mm);
 }
 
+// A rule file, or a card that was kept in the window.
+Result<sketch::Rule> read_rule(SketchArguments const& arguments)
+{
+    constexpr std::size_t kMostBytes = 4096;
+    if (arguments.rule.empty())
+        return sketch::parse_rule("", "the usual rule");
+    if (arguments.rule.extension() != ".card")
+        return sketch::load_rule(arguments.rule);
+    auto const text = TRY(read_text_file(arguments.rule, kMostBytes));
+    auto const card = TRY(parse_card(arguments.methods.tools, text, arguments.rule.string()));
+    if (auto const* const tool = card.get<SketchTool>())
+        return rule_of(*tool);
+    return fail(
+        Fault::User,
+        fmt::format("{}: it is a card of another tool, and no rule", arguments.rule.string()));
+}
+
 Result<void> write_model_files(fs::path const& base, ModelSource const& model)
 {
     TRY(write_file(fs::path(base).concat(".l"), model.text));
@@ -112,8 +132,7 @@ void warn_of_cut(sketch::Rule const& rule, sketch::DrawnAxis const& axis)
 Result<void> sketch_plant(SketchArguments const& arguments)
 {
     TRY(check_writable(arguments.folder / "model.l"));
-    auto const rule = TRY(arguments.rule.empty() ? sketch::parse_rule("", "the usual rule")
-                                                 : sketch::load_rule(arguments.rule));
+    auto const rule = TRY(read_rule(arguments));
     auto const axis = TRY(draw_axis(arguments, rule));
     auto const name = arguments.stroke.stem().string();
     auto const base = arguments.folder / name;
@@ -146,7 +165,8 @@ void add_options(CLI::App& verb, SketchArguments& arguments)
         ->type_name("STROKE")
         ->required();
     verb.add_option("--rule", arguments.rule,
-                    "The rule, a small TOML file; without it the usual one")
+                    "The rule, a small TOML file or a card (.card) from the window; without it the "
+                    "usual one")
         ->type_name("RULE");
     verb.add_option("-o,--output", arguments.folder,
                     "The folder for the plant's files; made if it is not there")

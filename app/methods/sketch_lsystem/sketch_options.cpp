@@ -58,7 +58,7 @@ constexpr std::array<RuleCard, 6> kCards { {
 } };
 constexpr double kSlender = 0.15; // The first internode's diameter, by its length.
 
-RuleCard const& card_of(SketchTool const& tool)
+RuleCard const& ready_rule_of(SketchTool const& tool)
 {
     return kCards[static_cast<std::size_t>(tool.card)];
 }
@@ -66,7 +66,7 @@ RuleCard const& card_of(SketchTool const& tool)
 void take_numbers_of_card(void* options)
 {
     auto& tool = *static_cast<SketchTool*>(options);
-    auto const& card = card_of(tool);
+    auto const& card = ready_rule_of(tool);
     SketchTool const plain;
     tool.laterals = card.laterals;
     tool.angle_deg = card.angle_deg;
@@ -84,7 +84,7 @@ void take_numbers_of_card(void* options)
 double twist_of_card(SketchTool const& tool)
 {
     double const laterals = std::round(tool.laterals);
-    return card_of(tool).twist_deg.value_or(laterals > 0 ? 180 / laterals : 0);
+    return ready_rule_of(tool).twist_deg.value_or(laterals > 0 ? 180 / laterals : 0);
 }
 
 } // namespace
@@ -92,7 +92,7 @@ double twist_of_card(SketchTool const& tool)
 void visit_sketch_options(OptionVisitor& visitor, SketchTool& tool)
 {
     visitor.choice({ .words = kCardWords,
-                     .offered = WordOption::Offered::InTurn,
+                     .offered = WordOption::Offered::Cards,
                      .goes_with = take_numbers_of_card,
                      .label = "Rule" },
                    tool.card);
@@ -139,7 +139,7 @@ sketch::Rule rule_of(SketchTool const& tool)
     rule.width_ratio = tool.width_ratio;
     rule.lateral_length = tool.lateral_length;
     rule.lateral_width = tool.lateral_width;
-    rule.shortest_mm = tool.shortest_mm > 0 ? tool.shortest_mm : card_of(tool).shortest_mm;
+    rule.shortest_mm = tool.shortest_mm > 0 ? tool.shortest_mm : ready_rule_of(tool).shortest_mm;
     double const twist_deg = twist_of_card(tool);
     rule.axis_twist_deg = as_twist_deg(twist_deg + tool.axis_twist_deg);
     rule.lateral_twist_deg = as_twist_deg(twist_deg + tool.lateral_twist_deg);
@@ -185,7 +185,7 @@ SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule)
     double const twist_deg = twist_of_card(tool);
     tool.axis_twist_deg = as_twist_deg(rule.axis_twist_deg - twist_deg);
     tool.lateral_twist_deg = as_twist_deg(rule.lateral_twist_deg - twist_deg);
-    tool.shortest_mm = rule.shortest_mm == card_of(tool).shortest_mm ? 0 : rule.shortest_mm;
+    tool.shortest_mm = rule.shortest_mm == ready_rule_of(tool).shortest_mm ? 0 : rule.shortest_mm;
     return tool;
 }
 

@@ -83,6 +83,8 @@ public:
                                    [](MousePen const& moment) { return moment.touching; });
     }
 
+    void add_card(ToolCard card) { state_.cards.push_back(std::move(card)); }
+
     std::vector<Tool> moved {};    // What tools in hand are adjusted to,
     std::vector<Tool> released {}; // and left as.
     std::size_t touches = 0;
@@ -243,7 +245,9 @@ protected:
     };
 
     // Shows the page in a window of that many points, and what a hand does there.
-    void work(ImVec2 const& points, std::vector<Moment> const& moments, DrawingModel& model)
+    void work(
+        ImVec2 const& points, std::vector<Moment> const& moments, DrawingModel& model,
+        std::function<void(Layout&)> const& prepare = [](Layout&) {})
     {
         ImGui::CreateContext();
         {
@@ -254,6 +258,7 @@ protected:
             auto* const title = theme::apply(1);
             io.Fonts->Build();
             Layout layout(title, 1);
+            prepare(layout);
             PenPointer const pen;
             for (auto const& moment : moments) {
                 io.MousePos = moment.place_px;
@@ -436,6 +441,53 @@ TEST_F(LayoutTest, PressesCardsByTheKeys)
     ASSERT_EQ(model.start->chosen.size(), 2u);
     EXPECT_EQ(model.start->chosen[0], std::pair(std::size_t { 1 }, std::size_t { 1 }));
     EXPECT_EQ(model.start->chosen[1], std::pair(std::size_t { 0 }, std::size_t { 0 }));
+}
+
+TEST_F(LayoutTest, ShowsCardsOfToolsInTheWindow)
+{
+    for (auto const& size : sizes())
+        for (auto const* const word : { "sketch", "outline" }) {
+            SCOPED_TRACE(fmt::format("{}, {}", text_of(size), word));
+            show(
+                { size.width, size.height }, size.scale,
+                [&](Layout& layout, DrawingModel& model) {
+                    Tool const tool(*find_tool_kind(all_methods().tools, word));
+                    model.perform(ChooseTool { tool });
+                    for (int i = 1; i <= 12; ++i)
+                        model.add_card({ fmt::format("A card of a long name, {}", i), tool });
+                    layout.bench().cards_are_shown = true;
+                },
+                [&](DrawnFrame const& drawn, ImVec2 const& size_px) {
+                    std::size_t cards = 0;
+                    for (auto const& [whole, visible] : drawn.buttons) {
+                        if (whole.panel.find("cards") == std::string::npos)
+                            continue;
+                        ++cards;
+                        EXPECT_GE(whole.left, -1.5f) << text_of(whole);
+                        EXPECT_LE(whole.right, size_px.x + 1.5f) << text_of(whole);
+                        EXPECT_GE(visible.top, -1.5f) << text_of(whole);
+                        EXPECT_LE(visible.bottom, size_px.y + 1.5f) << text_of(whole);
+                    }
+                    EXPECT_GE(cards, 6u);
+                });
+        }
+}
+
+TEST_F(LayoutTest, TakesACardIntoTheHand)
+{
+    DrawingModel model;
+    Tool const tool(*find_tool_kind(all_methods().tools, "sketch"));
+    model.perform(ChooseTool { tool });
+    auto const second = ready_cards(tool)[1].tool;
+    std::vector<Moment> moments { { { 0, 0 } }, { { 0, 0 } } };
+    for (float y = 300; y < 560; y += 20) { // Wherever the second card is above the bar.
+        moments.push_back({ { 230, y } });
+        moments.push_back({ { 230, y }, true });
+        moments.push_back({ { 230, y } });
+    }
+    work({ 1600, 900 }, moments, model,
+         [](Layout& layout) { layout.bench().cards_are_shown = true; });
+    EXPECT_EQ(model.state().hand, second);
 }
 
 // Wherever on the glyph a drag begins, it sets the rule as it moves and once when it ends, if it

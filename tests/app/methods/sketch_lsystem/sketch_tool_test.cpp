@@ -1,4 +1,5 @@
 #include "app/methods/sketch_lsystem/sketch_tool.h"
+#include "app/tools/tool_cards.h"
 #include "app/tools/tool_choices.h"
 
 #include "app/document/document.h"
@@ -33,13 +34,9 @@ TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
 {
     auto const tools = all_methods().tools;
     std::size_t plants = 0;
-    std::vector<Tool> chosen { SketchTool {} };
-    do { // The button takes the next one, and the first one after the last.
-        for (auto const& meaning : meanings_of(tools, chosen.back()))
-            if (meaning.text.starts_with("Rule: "))
-                chosen.push_back(meaning.tool);
-    } while (chosen.size() < 10 && chosen.back() != chosen.front());
-    chosen.pop_back();
+    std::vector<Tool> chosen;
+    for (auto const& card : ready_cards(Tool(SketchTool {})))
+        chosen.push_back(card.tool);
     ASSERT_EQ(chosen.size(), 6u);
     EXPECT_EQ(words_for(chosen[1]).arguments, "whorls laterals=4 angle=75 first=28 ratio=0.88");
     EXPECT_EQ(words_for(chosen[5]).arguments, "fern angle=55 first=13 ratio=0.96 lateral=0.7");

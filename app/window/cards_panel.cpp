@@ -1,0 +1,141 @@
+#include "app/window/cards_panel.h"
+
+#include "app/window/glyph_picture.h"
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <imgui_stdlib.h>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+constexpr float kCardWidth_px = 148;
+constexpr float kGlyphHeight_px = 104;
+constexpr float kCardName_px = 34;
+constexpr float kAround_px = 14;
+constexpr float kGreatestShare = 0.5f; // Of the height above the bar.
+constexpr float kTyped_px = 220;
+
+// The own card that the hand is, or null.
+ToolCard const* card_in_hand(WindowState const& state)
+{
+    auto const card = card_of(state.hand);
+    auto const found = std::find_if(state.cards.begin(), state.cards.end(),
+                                    [&](ToolCard const& own) { return own.tool == card; });
+    return found == state.cards.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+WindowPart CardsPanel::show(WindowModel& model, Workbench& bench, Controls const& controls,
+                            WindowPart const& bar)
+{
+    auto const& state = model.state();
+    if (!cards_label(state.hand.kind())) {
+        bench.cards_are_shown = false;
+        return {};
+    }
+    float const around = kAround_px * scale_;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { around, around });
+    // It reaches over the bar rather than out of the window.
+    ImGui::SetNextWindowPos({ bar.left, std::max(bar.top - height_px_, 0.0f) });
+    ImGui::Begin("cards", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
+                     | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar();
+    show_cards(model, bench, bar.width - 2 * around);
+    if (auto const* const own = card_in_hand(state))
+        show_own(model, controls, *own);
+    if (controls.button("Keep this one", 180))
+        model.perform(KeepCard {});
+    ImGui::SameLine();
+    if (controls.button("Close##cards", 96))
+        bench.cards_are_shown = false;
+    auto const corner = ImGui::GetWindowPos();
+    auto const size = ImGui::GetWindowSize();
+    height_px_ = size.y;
+    ImGui::End();
+    return { corner.x, corner.y, size.x, size.y };
+}
+
+// What does not fit is reached by dragging.
+void CardsPanel::show_cards(WindowModel& model, Workbench& bench, float width_px)
+{
+    auto const& hand = model.state().hand;
+    auto cards = ready_cards(hand);
+    for (auto const& own : model.state().cards)
+        cards.push_back({ own.name, with_card(hand, own.tool) });
+    auto const& gap = ImGui::GetStyle().ItemSpacing;
+    float const card_px = kCardWidth_px * scale_;
+    float const height_px
+        = (hand.kind().glyph ? kGlyphHeight_px + kCardName_px : theme::kButtonHeight_px) * scale_;
+    auto const in_row = std::max(1, static_cast<int>((width_px + gap.x) / (card_px + gap.x)));
+    auto const rows = (static_cast<int>(cards.size()) + in_row - 1) / in_row;
+    float const room_px
+        = ImGui::GetIO().DisplaySize.y * kGreatestShare - theme::kButtonHeight_px * scale_;
+    float const least_px = std::min(static_cast<float>(in_row), static_cast<float>(cards.size()));
+    ImGui::BeginChild("cards",
+                      { least_px * (card_px + gap.x),
+                        std::clamp(static_cast<float>(rows) * (height_px + gap.y),
+                                   height_px + gap.y, std::max(room_px, height_px + gap.y)) });
+    for (std::size_t i = 0; i < cards.size(); ++i) {
+        if (static_cast<int>(i) % in_row != 0)
+            ImGui::SameLine();
+        ImGui::PushID(static_cast<int>(i));
+        if (show_card(cards[i], cards[i].tool == hand))
+            bench.choose(model, cards[i].tool);
+        ImGui::PopID();
+    }
+    theme::scroll_by_dragging();
+    ImGui::EndChild();
+}
+
+// True if it is pressed.
+bool CardsPanel::show_card(ToolCard const& card, bool is_on) const
+{
+    bool const has_glyph = card.tool.kind().glyph != nullptr;
+    float const name_px = (has_glyph ? kCardName_px : theme::kButtonHeight_px) * scale_;
+    float const glyph_px = has_glyph ? kGlyphHeight_px * scale_ : 0;
+    auto const corner = ImGui::GetCursorScreenPos();
+    ImVec2 const size { kCardWidth_px * scale_, glyph_px + name_px };
+    if (is_on)
+        ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+    bool const is_pressed = ImGui::Button("##card", size);
+    if (is_on)
+        ImGui::PopStyleColor();
+    if (has_glyph)
+        draw_glyph(card.tool.glyph(),
+                   { { corner.x + size.x / 2, corner.y + glyph_px / 2 }, glyph_px / 2 }, scale_);
+    auto* const draw = ImGui::GetWindowDrawList();
+    float const letter = ImGui::GetFontSize();
+    auto const text = ImGui::CalcTextSize(card.name.c_str());
+    float const left = corner.x + std::max((size.x - text.x) / 2, letter / 4);
+    draw->PushClipRect(corner, { corner.x + size.x, corner.y + size.y }, true);
+    draw->AddText({ left, corner.y + glyph_px + (name_px - letter) / 2 },
+                  ImGui::GetColorU32(ImGuiCol_Text), card.name.c_str());
+    draw->PopClipRect();
+    return is_pressed;
+}
+
+// What can be done with the own card in the hand.
+void CardsPanel::show_own(WindowModel& model, Controls const& controls, ToolCard const& card)
+{
+    if (std::exchange(named_, card.name) != card.name)
+        typed_ = card.name;
+    auto const name = card.name; // The card goes with what is done.
+    theme::push_button_frame(scale_);
+    ImGui::SetNextItemWidth(kTyped_px * scale_);
+    bool const is_entered
+        = ImGui::InputText("##name", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::PopStyleVar();
+    ImGui::SameLine();
+    if (controls.button("Rename", 110) || is_entered)
+        return model.perform(RenameCard { name, typed_ });
+    ImGui::SameLine();
+    if (controls.button("Remove##card", 110))
+        model.perform(RemoveCard { name });
+}
+
+} // namespace tractus

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/tools/glyph.h"
+
+#include <imgui.h>
+
+namespace tractus {
+
+// Where a glyph's frame is in the window, in pixels.
+struct GlyphSquare {
+    ImVec2 middle { 0, 0 };
+    float half = 1;
+
+    ImVec2 to_px(Vec2 const& place) const;
+    Vec2 to_frame(ImVec2 const& place_px) const;
+};
+
+// Draws the glyph's lines into ImGui's window, at a display's scale.
+void draw_glyph(Glyph const& glyph, GlyphSquare const& square, float scale);
+
+} // namespace tractus
