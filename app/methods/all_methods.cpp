@@ -62,7 +62,7 @@ Methods all_methods()
         all.push_back(&BeginEmpty::kKind);
         all.insert(all.end(),
                    { &sketch::GrowAlongStroke::kKind, &sketch::ChangeSketch::kKind,
-                     &sketch::ShortenSketch::kKind });
+                     &sketch::ShortenSketch::kKind, &sketch::RedrawSketch::kKind });
         all.push_back(&silhouette::DrawTree::kKind);
         all.push_back(&silhouette::EraseTreePart::kKind);
         all.push_back(&silhouette::FormTree::kKind);

@@ -19,10 +19,11 @@ constexpr std::array<OptionWord, 3> kSurfaceWords { {
     { "space", "In space" },
     { "paper", "On paper" },
 } };
-constexpr std::array<OptionWord, 4> kPlaceWords { {
+constexpr std::array<OptionWord, 5> kPlaceWords { {
     { "ground", "Alone" },
     { "branch", "On a branch", "A rule grows along the stroke, on the branch where it begins" },
     { "in_place", "In its place", "A rule grows in the place of the branch" },
+    { "again", "Again", "The stroke of a plant is drawn again" },
     { "change", "Change", nullptr, true },
 } };
 constexpr std::array<OptionWord, 2> kDrawnWords { {

@@ -28,8 +28,13 @@ public:
     std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override
     {
         auto const& tool = *stroke.tool.get<SketchTool>();
-        auto edit = grown_along(tool, Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) },
-                                *stroke.scene);
+        Stroke const ink { std::vector(stroke.ink.begin(), stroke.ink.end()) };
+        auto const again = tool.place == SketchTool::Place::Again
+            ? drawn_again(tool, ink, *stroke.scene)
+            : grown_along(tool, ink, *stroke.scene);
+        if (!again)
+            return {};
+        auto edit = *again;
         edit.leaves = sketch::Leaves::Bare;
         edit.rule.most_internodes = std::max<double>(edit.rule.most_segments, kMostInternodes);
         auto const& place = find_place(tool, edit, stroke.scene);

@@ -19,14 +19,20 @@ bool is_on_branch(SketchTool const& tool)
     return tool.place == SketchTool::Place::Branch || tool.place == SketchTool::Place::InPlace;
 }
 
-Result<std::vector<Edit>> change(SketchTool const& tool, Scene const& scene)
+Result<sketch::GrownPart> grown_last(Scene const& scene)
 {
     auto const grown = sketch::newest_grown(*scene.drawn);
     if (!grown)
         return fail(Fault::User,
                     "the plant that takes what is drawn has not grown along a stroke: choose one "
                     "that has, or draw one");
-    auto const& before = grown->sketch->rule;
+    return *grown;
+}
+
+Result<std::vector<Edit>> change(SketchTool const& tool, Scene const& scene)
+{
+    auto const grown = TRY(grown_last(scene));
+    auto const& before = grown.sketch->rule;
     auto rule = with_options(before, tool);
     // What nobody has set stays. Recordings rely on it, and on the thickness.
     SketchTool const plain;
@@ -37,8 +43,17 @@ Result<std::vector<Edit>> change(SketchTool const& tool, Scene const& scene)
         rule.lateral_width = before.lateral_width;
     if (tool.shortest_mm == plain.shortest_mm && tool.card == plain.card)
         rule.shortest_mm = before.shortest_mm;
-    return std::vector<Edit> { sketch::ChangeSketch { scene.drawn->id, grown->part, rule,
+    return std::vector<Edit> { sketch::ChangeSketch { scene.drawn->id, grown.part, rule,
                                                       tool.leaves } };
+}
+
+Result<std::vector<Edit>> draw_again(SketchTool const& tool, Stroke const& stroke,
+                                     Scene const& scene)
+{
+    auto const grown = TRY(grown_last(scene));
+    auto again = TRY(drawn_again(tool, stroke, scene));
+    return std::vector<Edit> { sketch::RedrawSketch { scene.drawn->id, grown.part, again.surface,
+                                                      std::move(again.stroke) } };
 }
 
 // All that has grown by the rule.
@@ -72,6 +87,8 @@ Result<std::vector<Edit>> grow(Tool const& tool, Stroke const& stroke, Scene con
     auto const& options = *tool.get<SketchTool>();
     if (options.place == SketchTool::Place::Change)
         return change(options, scene);
+    if (options.place == SketchTool::Place::Again)
+        return draw_again(options, stroke, scene);
     auto grown = grown_along(options, stroke, scene);
     auto const place = TRY(place_of(options, grown, scene));
     if (!place)
@@ -99,6 +116,15 @@ sketch::GrowAlongStroke grown_along(SketchTool const& tool, Stroke const& stroke
     if (!scene.plants.empty())
         edit.scale = scene.placement.scale;
     return edit;
+}
+
+Result<sketch::GrowAlongStroke> drawn_again(SketchTool const& tool, Stroke const& stroke,
+                                            Scene const& scene)
+{
+    auto again = *TRY(grown_last(scene)).sketch;
+    again.stroke = stroke;
+    again.surface = decide_surface(stroke.tips, tool.surface);
+    return again;
 }
 
 void fit_to_branch(sketch::GrowAlongStroke& grown, BranchPlace const& place)
@@ -135,8 +161,7 @@ constexpr ToolKind SketchTool::kKind {
             "degrees, a first internode of so many mm, the next ones and laterals by ratios; with "
             "leaves or bare; as drawn in space, on paper that stands upright, or whichever the "
             "surface's way shows; alone, on the branch where the stroke begins, or in its place; "
-            "or at once these "
-            "numbers for what has grown along a stroke last",
+            "or another stroke, or at once these numbers, for what has grown along a stroke last",
     .group = "Sketch",
     .method = "Along a stroke",
     .icon = "5950 5674 5422 5362",

@@ -26,7 +26,8 @@ struct SketchTool {
         Ground,  // The plant stands alone where the stroke begins,
         Branch,  // or on the branch on which it begins,
         InPlace, // or in the place of that branch, which is hidden.
-        Change,  // At once: what has grown along a stroke last grows by these numbers.
+        Again,   // or what has grown along a stroke last grows along this one,
+        Change,  // or, at once, grows by these numbers.
     } place
         = Place::Ground;
     // Whether what has grown by the rule follows when a person gives it other numbers.
@@ -43,6 +44,11 @@ struct SketchTool {
 // in a document as it is built.
 sketch::GrowAlongStroke grown_along(SketchTool const& tool, Stroke const& stroke,
                                     Scene const& scene);
+
+// Returns what has grown along a stroke last along this one, by its own rule. Fails, as the user's
+// fault, where nothing has.
+Result<sketch::GrowAlongStroke> drawn_again(SketchTool const& tool, Stroke const& stroke,
+                                            Scene const& scene);
 
 // Makes a plant that shall stand on a branch no thicker than that, as far as a rule can be thin.
 void fit_to_branch(sketch::GrowAlongStroke& grown, BranchPlace const& place);

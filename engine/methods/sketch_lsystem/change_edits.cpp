@@ -95,6 +95,38 @@ Result<DocumentState> applied(DocumentState state, ShortenSketch const& edit, Sc
     });
 }
 
+void list(Fields& fields, RedrawSketch& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.sparse_field("part", &edit.part);
+    fields.word("surface", edit.surface, kSurfaceWords);
+    fields.numbers(edit.stroke);
+}
+
+Result<DocumentState> applied(DocumentState state, RedrawSketch const& edit, SceneBuilder&)
+{
+    state = TRY(changed(std::move(state), edit, [&](GrowAlongStroke& sketch) {
+        sketch.stroke = edit.stroke;
+        sketch.surface = edit.surface;
+        return Result<void> {};
+    }));
+    if (edit.part != 0)
+        return state;
+    change_plant(state, TRY(plant_number(state, edit.plant)), [&](PlantState& plant) {
+        auto const& sketch = *sketch_of(plant.source);
+        plant.stands_at_mm = stands_at_mm(sketch);
+        plant.paper_mm = stands_on_paper_mm(sketch);
+    });
+    return state;
+}
+
+std::string described(RedrawSketch const& edit)
+{
+    return fmt::format("draws the stroke of {} again: {}",
+                       name_of(edit.part == 0 ? edit.plant : edit.part),
+                       describe_stroke(edit.stroke));
+}
+
 std::string described(ShortenSketch const& edit)
 {
     return fmt::format("shortens the stroke of {} to {}",
@@ -139,5 +171,7 @@ constexpr EditKind ChangeSketch::kKind
     = make_edit_kind<ChangeSketch, list, applied, described>("change_sketch", true);
 constexpr EditKind ShortenSketch::kKind
     = make_edit_kind<ShortenSketch, list, applied, described>("shorten_sketch", true);
+constexpr EditKind RedrawSketch::kKind
+    = make_edit_kind<RedrawSketch, list, applied, described>("redraw_sketch", true);
 
 } // namespace tractus::sketch

@@ -12,7 +12,7 @@
 namespace tractus::sketch {
 
 // Edits of what has grown along a stroke already. What was drawn on its branches stays where they
-// stay. Both name a plant, and, where it is a part that was put on that plant, the part; 0: it is
+// stay. They name a plant, and, where it is a part that was put on that plant, the part; 0: it is
 // the plant itself.
 
 // Lets another rule grow along the same stroke.
@@ -32,6 +32,17 @@ struct ShortenSketch {
     ItemId plant = 0;
     ItemId part = 0;
     std::uint64_t tips = 0; // How many of the stroke's stay, from its beginning.
+};
+
+// Lets the rule grow along another stroke. A plant stands where that begins then; a part stays on
+// its branch.
+struct RedrawSketch {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    ItemId part = 0;
+    StrokeSurface surface = StrokeSurface::Space; // Never Decided.
+    Stroke stroke {};                             // World frame.
 };
 
 // Something that has grown along a stroke.

@@ -5,7 +5,6 @@
 #include "engine/scene/lsystem_source.h"
 #include "engine/scene/make_edit_kind.h"
 
-#include <array>
 #include <cmath>
 #include <fmt/core.h>
 #include <optional>
@@ -14,10 +13,6 @@
 namespace tractus::sketch {
 
 namespace {
-
-// Words in the order of the enumerations' values; a stroke whose surface is not decided is in no
-// edit.
-constexpr std::array kSurfaces { "space", "paper", "decided" };
 
 // Scale of a model's text: a millimetre drawn is a centimetre grown.
 constexpr double kModelScale = 0.1;
@@ -47,7 +42,7 @@ constexpr SourceKind kSketch {
 void list(Fields& fields, GrowAlongStroke& edit)
 {
     list_rule(fields, edit.rule);
-    fields.word("surface", edit.surface, kSurfaces);
+    fields.word("surface", edit.surface, kSurfaceWords);
     fields.word("leaves", edit.leaves, kLeavesWords);
     fields.field("scale", &edit.scale);
     fields.id(edit.id);
@@ -63,14 +58,6 @@ Rule at_scale(Rule rule, double scale)
     return rule;
 }
 
-std::optional<Vec2> paper_mm(GrowAlongStroke const& edit)
-{
-    auto const tips = edit.stroke.tips.in_memory();
-    if (edit.surface != StrokeSurface::Paper || !tips || tips->empty())
-        return std::nullopt;
-    return tips->front().position_mm.head<2>();
-}
-
 Result<DocumentState> applied(DocumentState state, GrowAlongStroke const& edit, SceneBuilder&)
 {
     TRY(drawn_nodes_mm(edit));
@@ -81,7 +68,7 @@ Result<DocumentState> applied(DocumentState state, GrowAlongStroke const& edit, 
                          .source = source_of(edit),
                          .drawn = Drawn::Beside,
                          .stands_at_mm = stands_at_mm(edit),
-                         .paper_mm = paper_mm(edit),
+                         .paper_mm = stands_on_paper_mm(edit),
                          .id = edit.id });
 }
 
@@ -149,6 +136,14 @@ Vec3 stands_at_mm(GrowAlongStroke const& edit)
     if (edit.surface == StrokeSurface::Paper)
         at_mm = { at_mm.x(), 0, 0 };
     return at_mm;
+}
+
+std::optional<Vec2> stands_on_paper_mm(GrowAlongStroke const& edit)
+{
+    auto const tips = edit.stroke.tips.in_memory();
+    if (edit.surface != StrokeSurface::Paper || !tips || tips->empty())
+        return std::nullopt;
+    return tips->front().position_mm.head<2>();
 }
 
 Result<ModelSource> model_of(GrowAlongStroke const& edit)

@@ -8,6 +8,7 @@
 #include "engine/stroke/upright_sheet.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace tractus::sketch {
@@ -46,10 +47,15 @@ GrowAlongStroke const* sketch_of(PlantSource const& source);
 // Lists the fields of a rule by the letters of rule files.
 void list_rule(Fields& fields, Rule& rule);
 
-// The words for Leaves, in their order.
+// The words for Leaves, and for surfaces, in their order. A surface that is not decided is in no
+// edit.
 inline constexpr std::array kLeavesWords { "bare", "leafy" };
+inline constexpr std::array kSurfaceWords { "space", "paper", "decided" };
 
 // Where the plant stands. World frame. On paper on the desk, below where the pen came down.
 Vec3 stands_at_mm(GrowAlongStroke const& edit);
+
+// Where that is on the paper that the stroke was drawn on; no value: it was drawn in space.
+std::optional<Vec2> stands_on_paper_mm(GrowAlongStroke const& edit);
 
 } // namespace tractus::sketch

@@ -60,6 +60,30 @@ TEST(SketchTool, KeepsNumbersThatArePutBackBesideACard)
     EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), Tool(tool));
 }
 
+TEST(SketchTool, DrawsAStrokeAgain)
+{
+    SketchTool tool { .laterals = 3 };
+    auto const scene
+        = apply_edits(Scene {}, Tool(tool).mean(rising_stroke(), Scene {}).value()).value();
+    tool.place = SketchTool::Place::Again;
+    tool.laterals = 5; // The rule stays the plant's.
+    auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 150 }, { 60, 0, 200 } });
+    auto const edits = Tool(tool).mean(stroke, scene).value();
+    ASSERT_EQ(edits.size(), 1u);
+    auto const again = apply_edits(scene, edits).value();
+    ASSERT_EQ(again.plants.size(), 1u);
+    auto const* const grown = sketch::newest_grown(*again.drawn)->sketch;
+    EXPECT_EQ(grown->rule.laterals, 3);
+    EXPECT_EQ(grown->stroke.tips.vector().size(), stroke.tips.vector().size());
+    EXPECT_FALSE(Tool(tool).mean(stroke, small_scene())) << "nothing has grown along a stroke";
+    auto const preview = sketch_previewer();
+    auto const ink = stroke.tips.vector();
+    EXPECT_FALSE(
+        preview->show({ std::make_shared<Scene const>(scene), Tool(tool), ink, 9 }).empty());
+    EXPECT_TRUE(preview->show({ std::make_shared<Scene const>(small_scene()), Tool(tool), ink, 9 })
+                    .empty());
+}
+
 TEST(SketchTool, AddsAPlantInTheDocumentsScale)
 {
     Tool const tool = SketchTool {};

@@ -77,6 +77,26 @@ TEST(ShortenSketch, IsThePlantOfTheShorterStroke)
     EXPECT_EQ(count_tips(*whole->sketch, 1000).value(), std::nullopt);
 }
 
+// A plant whose stroke is drawn again is the one that the stroke alone would have made.
+TEST(RedrawSketch, IsThePlantOfTheOtherStroke)
+{
+    auto const scene = after({ drawn(kFirst) });
+    auto other = drawn(kFirst);
+    for (auto& tip : other.stroke.tips.own())
+        tip.position_mm += Vec3(30, 0.2 * tip.position_mm.z(), 0);
+    auto const again
+        = after({ RedrawSketch { scene.state.active, 0, other.surface, other.stroke } }, scene);
+    auto const alone = after({ other });
+    ASSERT_EQ(again.plants.size(), 1u);
+    EXPECT_EQ(again.base->node_position_mm, alone.base->node_position_mm);
+    EXPECT_NE(again.base->node_position_mm, scene.base->node_position_mm);
+    EXPECT_EQ(again.placement.origin_mm, alone.placement.origin_mm);
+    Stroke dot;
+    dot.tips.own().resize(2);
+    EXPECT_FALSE(
+        apply_edit(scene, RedrawSketch { scene.state.active, 0, StrokeSurface::Space, dot }));
+}
+
 TEST(ChangeSketch, ReachesWhatWasPutOnAnotherPlant)
 {
     auto first = drawn(kFirst);
@@ -100,6 +120,13 @@ TEST(ChangeSketch, ReachesWhatWasPutOnAnotherPlant)
     auto const shortened = after({ ShortenSketch { host, guest, tips } }, scene);
     EXPECT_EQ(axis_of_part(shortened).segment_count, 2u);
     EXPECT_EQ(shortened.base->axes[0].segment_count, scene.base->axes[0].segment_count);
+    auto longer = drawn(kFirst).stroke;
+    for (auto& tip : longer.tips.own())
+        tip.position_mm *= 1.5;
+    auto const redrawn
+        = after({ RedrawSketch { host, guest, StrokeSurface::Space, longer } }, scene);
+    EXPECT_GT(axis_of_part(redrawn).segment_count, axis_of_part(scene).segment_count);
+    EXPECT_EQ(redrawn.plants[0]->placement.origin_mm, scene.plants[0]->placement.origin_mm);
 }
 
 } // namespace
