@@ -81,7 +81,7 @@ struct CylinderCourse {
 Cylinder::Piece Cylinder::make_piece(CylinderPoint const& to, CylinderCourse const& course) const
 {
     auto const& from = current_;
-    Piece piece { from, to.style, {} };
+    Piece piece { from, to, {} };
     double const length = (to.position_mm - from.position_mm).norm();
     if (length < kLeastLength_mm)
         return piece;
@@ -116,7 +116,7 @@ Cylinder::Piece Cylinder::add_to_hermite(CylinderPoint point, int rings)
         current_ = point;
         if (options_.path == Path::ClosedHermite)
             first_ = { point };
-        return { current_, point.style, {} };
+        return { current_, point, {} };
     }
     CylinderCourse course;
     course.rings = rings;
@@ -140,7 +140,7 @@ Cylinder::Piece Cylinder::add_to_bspline(CylinderPoint const& point, int rings)
         last_.push_back(point);
         if (options_.path == Path::ClosedBSpline)
             first_.push_back(point);
-        return { point, point.style, {} };
+        return { point, point, {} };
     }
     CylinderCourse course;
     course.rings = rings;

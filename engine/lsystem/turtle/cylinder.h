@@ -63,11 +63,11 @@ public:
     {
     }
 
-    // The piece that ends in a new control point, as sections behind `from`; none where the path is
-    // only prepared. `rings`: 0 for the default.
+    // The piece that ends in `to`, as sections behind `from`; none where the path is only prepared.
+    // `rings`: 0 for the default.
     struct Piece {
         CylinderPoint from;
-        CylinderStyle to;
+        CylinderPoint to;
         std::vector<CylinderSection> sections;
     };
     Piece add(CylinderPoint point, int rings = 0);

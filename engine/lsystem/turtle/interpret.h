@@ -56,7 +56,8 @@ struct TurtlePlant {
 // step that draws nothing, begins an axis of its own that stands on the last segment. Steps of no
 // length draw nothing. Inside { } steps set the polygon's vertices, inside {(1) }(1) control
 // points, and draw nothing. A generalised cylinder is an axis of its own, its rings are nodes; with
-// a contour they have sections (NodeSection).
+// a contour they have sections (NodeSection). Behind a control point the first ring's segment has
+// the colour set there, all others up to the next point have that point's.
 //
 // Radii are half the line width: at each node of the segment that starts there, at an axis' tip
 // what its last segment has or what is set behind it. With `radii: pipe` in the view they follow

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/core.h>
 #include <iterator>
+#include <utility>
 
 namespace tractus {
 
@@ -118,7 +119,7 @@ void Turtle::draw_piece(Cylinder::Piece const& piece)
         return;
     auto const& from = piece.from;
     auto& place = cylinder_.place;
-    bool const is_round = from.style.contour == kNoContour && piece.to.contour == kNoContour;
+    bool const is_round = from.style.contour == kNoContour && piece.to.style.contour == kNoContour;
     if (is_round != cylinder_.is_round)
         place.is_open = false;
     cylinder_.is_round = is_round;
@@ -127,17 +128,20 @@ void Turtle::draw_piece(Cylinder::Piece const& piece)
             return;
         NodeSection section;
         section.contour = from.style.contour;
-        section.next_contour = piece.to.contour;
+        section.next_contour = piece.to.style.contour;
         section.share = static_cast<float>(share);
         section.normal = normal.cast<float>();
-        section.sides = std::max(from.style.sides, piece.to.sides);
+        section.sides = std::max(from.style.sides, piece.to.style.sides);
         drawing_->sections.push_back({ place.axis, node, section });
     };
     Vec3 base_mm = from.position_mm;
     double radius_mm = from.radius_mm;
+    // The colour changes behind the first section, as in cpfg: from there on it is that of the
+    // control point to which the piece leads.
+    auto color = from.color;
     for (auto const& section : piece.sections) {
         drawing_->add_segment(place, base_mm, section.position_mm, static_cast<float>(radius_mm),
-                              from.color);
+                              std::exchange(color, piece.to.color));
         auto const node = drawing_->axes[place.axis].segment_count;
         if (node == 1)
             add_section(0, from.normal, 0);

@@ -432,6 +432,43 @@ TEST(Turtle, DrawsPathsAlongControlPoints)
     EXPECT_EQ(warnings_of("}(1){(7)").size(), 2u);
 }
 
+// The names of the segments' materials, in the order of the axes.
+std::string colors_of(std::string const& axiom)
+{
+    auto const plant = drawn(axiom,
+                             "material: 1 r color=1,0,0\nmaterial: 2 g color=0,1,0\n"
+                             "material: 3 b color=0,0,1\nmaterial: 4 w color=1,1,1\n");
+    std::string names;
+    for (auto const& axis : plant.axes) {
+        names += names.empty() ? "" : " ";
+        for (std::size_t i = 0; i < axis.segment_count; ++i)
+            names += plant.materials[plant.segment_material[axis.first_segment + i]].name;
+    }
+    return names;
+}
+
+TEST(Turtle, GivesCylindersTheColorOfEachControlPointBehindItsFirstRing)
+{
+    EXPECT_EQ(colors_of(";(1)@Gs f(4);(2)@Ge(4)"), "rggg");
+    EXPECT_EQ(colors_of(";(1)@Gs;(2)f(4)@Gc(3)f(4);(3)@Ge(5)F"), "rgggbbbb b");
+    EXPECT_EQ(colors_of(";(1)@Gs f(4)@Ge(3)"), "rrr");
+    EXPECT_EQ(colors_of(";(1)@Gs f(4);(2)@Ge(1)"), "r"); // As the first ring of any piece.
+    EXPECT_EQ(colors_of(";(1)@Gs f(4);(2)@Ge"), "rggg"); // Without a number there are four.
+}
+
+TEST(Turtle, GivesBranchesOfCylindersColorsOfTheirOwn)
+{
+    EXPECT_EQ(colors_of(";(1)@Gs f(4)[+(45);(2)f(4)@Ge(3)]-(45);(3)f(4)@Ge(2)"), "rgg rb");
+}
+
+TEST(Turtle, GivesPathsTheColorsOfTheirControlPoints)
+{
+    EXPECT_EQ(colors_of(";(1){(1,3).;(2)f(6)+(90);(3)f(6)}(1)"), "rgggbb");
+    EXPECT_EQ(colors_of(";(1){(2,3).;(2)f(6)+(90);(3)f(6)}(2)"), "rgggbbbrr");
+    // A piece of a B-spline leads from the second of four points to the third.
+    EXPECT_EQ(colors_of(";(1){(3,3).;(2)f(6)+(90);(3)f(6)+(90);(4)f(6)}(3)"), "gbb");
+}
+
 Plant with_contour(std::string const& axiom, std::string const& view = {})
 {
     ModelSource source;
