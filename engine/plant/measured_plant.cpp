@@ -40,6 +40,7 @@ public:
         , next_(nodes.size(), kNone)
         , laterals_(nodes.size())
         , radius_mm_(nodes.size())
+        , segments_(nodes.size(), kNone)
     {
         for (std::uint32_t i = 0; i < nodes.size(); ++i) {
             auto const& node = nodes[i];
@@ -52,7 +53,7 @@ public:
         }
     }
 
-    Plant plant()
+    MeasuredPlant build()
     {
         plant_.materials = { Material {} };
         for (std::uint32_t i = 0; i < nodes_.size(); ++i)
@@ -60,7 +61,7 @@ public:
                 start_at(i, kNone, kNone);
         for (std::size_t i = 0; i < starts_.size(); ++i) // Grows as axes are followed.
             follow(starts_[i]);
-        return std::move(plant_);
+        return { .plant = std::move(plant_), .segments = std::move(segments_) };
     }
 
 private:
@@ -101,7 +102,8 @@ private:
         for (auto node = start.to; node != kNone; node = next_[node]) {
             add_node(node, radius_mm_[node]);
             plant_.segment_material.push_back(0);
-            start_at(node, axis.first_segment + axis.segment_count, id);
+            segments_[node] = axis.first_segment + axis.segment_count;
+            start_at(node, segments_[node], id);
             ++axis.segment_count;
         }
         plant_.axes.push_back(axis);
@@ -111,6 +113,7 @@ private:
     std::vector<std::uint32_t> next_;                  // Next node on the same axis.
     std::vector<std::vector<std::uint32_t>> laterals_; // Laterals in the order of the nodes.
     std::vector<double> radius_mm_;
+    std::vector<SegmentId> segments_; // The one that ends at each node.
     std::vector<AxisStart> starts_;
     Plant plant_;
 };
@@ -143,22 +146,24 @@ Result<void> check_size(std::string const& name, Bounds const& box_mm)
     return {};
 }
 
-Result<Plant> plant_from_nodes(std::string const& name, std::span<MeasuredNode const> nodes)
+Result<MeasuredPlant> measured_plant_from_nodes(std::string const& name,
+                                                std::span<MeasuredNode const> nodes)
 {
     TRY(check_nodes(name, nodes));
     Bounds box;
     for (auto const& node : nodes)
         box.add(node.position_mm);
     TRY(check_size(name, box));
-    auto plant = PlantBuilder(nodes).plant();
+    auto measured = PlantBuilder(nodes).build();
+    auto& plant = measured.plant;
     if (plant.axes.empty() || box.min_mm == box.max_mm)
         return fail(Fault::User,
                     fmt::format("{}: there is no branch in it: two positions, one above the other, "
                                 "make one",
                                 name));
-    Vec3 const base_mm = plant.node_position_mm.front();
+    measured.base_mm = plant.node_position_mm.front();
     for (auto& position_mm : plant.node_position_mm)
-        position_mm -= base_mm;
+        position_mm -= measured.base_mm;
     bool const has_radii
         = std::any_of(nodes.begin(), nodes.end(), [](auto const& node) { return node.radius_mm; });
     if (!has_radii) {
@@ -166,7 +171,12 @@ Result<Plant> plant_from_nodes(std::string const& name, std::span<MeasuredNode c
         apply_pipe_model(plant, 2,
                          kTipShare * std::max(extent_mm.z(), 1e-3 * extent_mm.maxCoeff()));
     }
-    return plant;
+    return measured;
+}
+
+Result<Plant> plant_from_nodes(std::string const& name, std::span<MeasuredNode const> nodes)
+{
+    return TRY(measured_plant_from_nodes(name, nodes)).plant;
 }
 
 } // namespace tractus

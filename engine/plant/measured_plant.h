@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace tractus {
 
@@ -27,6 +28,15 @@ struct MeasuredNode {
 // Refuses, in a sentence that begins with `name`, numbers that are not finite, radii below 0, nodes
 // without a single segment that has a length, and what check_size() does.
 Result<Plant> plant_from_nodes(std::string const& name, std::span<MeasuredNode const> nodes);
+
+// Such a plant, and where its nodes went.
+struct MeasuredPlant {
+    Plant plant {};
+    std::vector<SegmentId> segments {}; // The one that ends at each node; kNone: none does.
+    Vec3 base_mm = Vec3::Zero();        // The node that went to the origin.
+};
+Result<MeasuredPlant> measured_plant_from_nodes(std::string const& name,
+                                                std::span<MeasuredNode const> nodes);
 
 // Lengths in such files are metres where the whole is smaller than 100 units, else millimetres:
 // what they are to be multiplied with.

@@ -1,5 +1,6 @@
 #include "engine/plant/measured_plant.h"
 #include "engine/plant/mtg.h"
+#include "engine/plant/mtg_organs.h"
 #include "engine/plant/table_text.h"
 
 #include <algorithm>
@@ -10,6 +11,8 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace tractus {
@@ -20,7 +23,17 @@ constexpr std::size_t kMaxScales = 64;
 constexpr std::size_t kMaxGraphColumns = 100'000;
 constexpr long kMaxRepeats = 1'000'000; // Sum over all entities for which << and ++ stand.
 
-constexpr std::array<std::string_view, 5> kOrgans { "organ", "leaf", "flower", "fruit", "bud" };
+struct OrganName {
+    std::string_view name;
+    MtgOrganClass kind;
+};
+constexpr std::array<OrganName, 5> kOrganNames { {
+    { "organ", MtgOrganClass::Other },
+    { "leaf", MtgOrganClass::Leaf },
+    { "flower", MtgOrganClass::Flower },
+    { "fruit", MtgOrganClass::Other },
+    { "bud", MtgOrganClass::Other },
+} };
 constexpr std::array<std::string_view, 5> kTopDiameters { "topdiameter", "topdia", "diameter",
                                                           "diam", "diasom" };
 constexpr std::array<std::string_view, 4> kBaseDiameters { "bottomdiameter", "bottomdia", "botdia",
@@ -60,12 +73,21 @@ public:
     }
 
     Result<void> read(std::string_view line);
-    Result<Plant> take();
+    Result<MtgPlant> take();
 
 private:
     struct Class {
         std::size_t scale = 0;
-        bool is_organ = false;
+        std::uint32_t organ = kNone; // In organ_classes_; kNone: it is no organ.
+    };
+    struct OrganClass {
+        std::string name;
+        MtgOrganClass kind = MtgOrganClass::Other;
+        std::size_t left_out = 0; // How many organs cannot be placed.
+    };
+    struct ReadOrgan {
+        MtgOrgan organ;
+        std::uint32_t of_class = 0; // In organ_classes_.
     };
     struct Entity {
         char relation = '/';
@@ -85,6 +107,12 @@ private:
     Result<void> walk(GraphPlace& place, std::span<Entity const> entities,
                       std::vector<std::string_view> const& cells);
     Result<void> add_node(GraphPlace& place, std::vector<std::string_view> const& cells);
+    void set_organ(Class& of, std::string_view name, MtgOrganClass kind);
+    void find_organ_columns(std::vector<std::string_view> const& names);
+    void add_organ(GraphPlace const& place, Entity const& entity,
+                   std::vector<std::string_view> const& cells);
+    void place_organs(MeasuredPlant& measured, double scale);
+    std::string said_of_organs() const;
     Result<std::optional<double>> feature(std::optional<std::size_t> column,
                                           std::vector<std::string_view> const& cells) const;
     std::optional<std::size_t> column_of(std::span<std::string_view const> names,
@@ -106,6 +134,9 @@ private:
     std::vector<GraphColumn> columns_;
     long repeats_ = 0;
     std::vector<MeasuredNode> nodes_;
+    std::vector<OrganClass> organ_classes_;
+    std::optional<MtgOrganColumns> organ_columns_;
+    std::vector<ReadOrgan> organs_;
 };
 
 Result<void> MtgReader::read(std::string_view line)
@@ -161,10 +192,19 @@ Result<void> MtgReader::read_class(std::string_view line)
     if (!scale || !(*scale >= 0) || *scale >= static_cast<double>(kMaxScales))
         return error(
             fmt::format("class {} has no scale from 0 to {}", words.front(), kMaxScales - 1));
+    auto& read = classes_[std::string(words.front())];
+    read = { .scale = static_cast<std::size_t>(*scale) };
     auto const lower = lower_letters(words.front());
-    bool const is_organ = std::find(kOrgans.begin(), kOrgans.end(), lower) != kOrgans.end();
-    classes_[std::string(words.front())] = { static_cast<std::size_t>(*scale), is_organ };
+    for (auto const& [name, kind] : kOrganNames)
+        if (lower == name)
+            set_organ(read, words.front(), kind);
     return {};
+}
+
+void MtgReader::set_organ(Class& of, std::string_view name, MtgOrganClass kind)
+{
+    of.organ = static_cast<std::uint32_t>(organ_classes_.size());
+    organ_classes_.push_back({ std::string(name), kind });
 }
 
 std::optional<std::size_t> MtgReader::column_of(std::span<std::string_view const> names,
@@ -196,8 +236,22 @@ Result<void> MtgReader::read_header(std::string_view line)
     top_diameter_ = column_of(kTopDiameters, cells);
     base_diameter_ = column_of(kBaseDiameters, cells);
     radius_ = column_of(kRadii, cells);
+    find_organ_columns(cells);
     section_ = Section::Graph;
     return {};
+}
+
+// L, F and O are organs in such files as write_mtg() writes; in others they may be internodes.
+void MtgReader::find_organ_columns(std::vector<std::string_view> const& names)
+{
+    organ_columns_ = MtgOrganColumns::find(names, entity_columns_);
+    if (!organ_columns_)
+        return;
+    for (auto const kind : { MtgOrganClass::Leaf, MtgOrganClass::Flower, MtgOrganClass::Other }) {
+        std::string const symbol(1, mtg_symbol(kind));
+        if (auto const found = classes_.find(symbol); found != classes_.end())
+            set_organ(found->second, symbol, kind);
+    }
 }
 
 Result<void> MtgReader::read_entities(std::string_view line)
@@ -312,10 +366,34 @@ Result<void> MtgReader::walk(GraphPlace& place, std::span<Entity const> entities
         std::fill(place.has_entity.begin() + static_cast<std::ptrdiff_t>(scale) + 1,
                   place.has_entity.end(), false);
         place.is_branch |= entity.relation == '+';
-        if (entity.is_last && !entity.kind.is_organ)
+        if (entity.kind.organ != kNone)
+            add_organ(place, entity, cells);
+        else if (entity.is_last)
             TRY(add_node(place, cells));
     }
     return {};
+}
+
+// The file is read however little it says of its organs.
+void MtgReader::add_organ(GraphPlace const& place, Entity const& entity,
+                          std::vector<std::string_view> const& cells)
+{
+    auto read = organ_columns_ && entity.is_last ? organ_columns_->read(cells) : std::nullopt;
+    auto& organ_class = organ_classes_[entity.kind.organ];
+    for (std::size_t i = 0; read && i < 3; ++i) {
+        auto const cell = *position_[i] < cells.size() ? cells[*position_[i]] : std::string_view {};
+        if (auto const coordinate = number_in(cell))
+            read->position[static_cast<int>(i)] = *coordinate;
+        else
+            read.reset();
+    }
+    if (!read) {
+        ++organ_class.left_out;
+        return;
+    }
+    read->kind = organ_class.kind;
+    read->node = place.node;
+    organs_.push_back({ *read, entity.kind.organ });
 }
 
 Result<std::optional<double>> MtgReader::feature(std::optional<std::size_t> column,
@@ -355,7 +433,37 @@ Result<void> MtgReader::add_node(GraphPlace& place, std::vector<std::string_view
     return {};
 }
 
-Result<Plant> MtgReader::take()
+void MtgReader::place_organs(MeasuredPlant& measured, double scale)
+{
+    std::vector<MtgOrgan> sound;
+    for (auto& [organ, of_class] : organs_) {
+        organ.position *= scale;
+        for (auto* const size : { &organ.length, &organ.width, &organ.petiole })
+            *size *= scale;
+        if (organ.depth)
+            *organ.depth *= scale;
+        if (is_sound(organ, measured.base_mm))
+            sound.push_back(organ);
+        else
+            ++organ_classes_[of_class].left_out;
+    }
+    add_mtg_organs(measured, sound);
+}
+
+// A warning; empty if there are no organs that were left out.
+std::string MtgReader::said_of_organs() const
+{
+    std::string counts;
+    for (auto const& of : organ_classes_)
+        if (of.left_out > 0)
+            counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", of.left_out, of.name);
+    if (counts.empty())
+        return {};
+    return fmt::format("{}: left out organs that have no place, direction and length in it: {}",
+                       name_, counts);
+}
+
+Result<MtgPlant> MtgReader::take()
 {
     if (section_ != Section::Graph)
         return fail(Fault::User, fmt::format("{}: there is no section MTG: in it", name_));
@@ -369,17 +477,27 @@ Result<Plant> MtgReader::take()
             if (*radius_mm)
                 **radius_mm *= scale;
     }
-    return plant_from_nodes(name_, nodes_);
+    auto measured = TRY(measured_plant_from_nodes(name_, nodes_));
+    place_organs(measured, scale);
+    MtgPlant result { .plant = std::move(measured.plant) };
+    if (auto warning = said_of_organs(); !warning.empty())
+        result.warnings.push_back(std::move(warning));
+    return result;
 }
 
 } // namespace
 
-Result<Plant> parse_mtg(std::string const& name, std::string_view text)
+Result<MtgPlant> parse_mtg_with_warnings(std::string const& name, std::string_view text)
 {
     MtgReader reader(name);
     while (!text.empty())
         TRY(reader.read(take_text_line(text)));
     return reader.take();
+}
+
+Result<Plant> parse_mtg(std::string const& name, std::string_view text)
+{
+    return TRY(parse_mtg_with_warnings(name, text)).plant;
 }
 
 } // namespace tractus

@@ -1,9 +1,13 @@
 #include "engine/plant/mtg.h"
+#include "engine/plant/mtg_organs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <ostream>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,13 +24,15 @@ constexpr std::string_view kHeader = "# Lengths, diameters and positions are in 
                                      "P\t1\tFREE\tFREE\tEXPLICIT\n"
                                      "A\t2\tFREE\tFREE\tEXPLICIT\n"
                                      "S\t3\tFREE\tFREE\tEXPLICIT\n"
-                                     "Organ\t3\tFREE\tFREE\tEXPLICIT\n"
+                                     "L\t3\tFREE\tFREE\tEXPLICIT\n"
+                                     "F\t3\tFREE\tFREE\tEXPLICIT\n"
+                                     "O\t3\tFREE\tFREE\tEXPLICIT\n"
                                      "\n"
                                      "DESCRIPTION:\n"
                                      "LEFT\tRIGHT\tRELTYPE\tMAX\n"
                                      "A\tA\t+\t?\n"
                                      "S\tS\t<\t1\n"
-                                     "S\tS,Organ\t+\t?\n"
+                                     "S\tS,L,F,O\t+\t?\n"
                                      "\n"
                                      "FEATURES:\n"
                                      "NAME\tTYPE\n"
@@ -35,9 +41,19 @@ constexpr std::string_view kHeader = "# Lengths, diameters and positions are in 
                                      "ZZ\tREAL\n"
                                      "Length\tREAL\n"
                                      "TopDiameter\tREAL\n"
-                                     "BottomDiameter\tREAL\n"
-                                     "\n"
-                                     "MTG:\n";
+                                     "BottomDiameter\tREAL\n";
+
+// Columns of segments behind XX, YY and ZZ; the first is that of organs, too.
+constexpr std::string_view kSegmentColumns = "Length\tTopDiameter\tBottomDiameter";
+// Those of organs alone.
+constexpr auto kOwnColumns = std::span(kMtgOrganColumns).subspan<1>();
+
+// A number of a direction, which is at most 1.
+double rounded(double value)
+{
+    constexpr double kSteps = 1e6;
+    return std::round(value * kSteps) / kSteps + 0.0; // Adding it takes the sign off -0.
+}
 
 class MtgWriter {
 public:
@@ -54,15 +70,18 @@ public:
                 standing_[plant.axes[i].parent_segment].push_back(i);
         }
         for (std::size_t i = 0; i < plant.organs.size(); ++i)
-            if (plant.organs[i].segment != kNone)
-                organs_[plant.organs[i].segment].push_back(i);
+            (plant.organs[i].segment == kNone ? on_ground_ : organs_[plant.organs[i].segment])
+                .push_back(i);
         columns_ = orders + 2; // Organs stand one further to the right.
     }
 
     void write()
     {
-        out_ << kHeader << "ENTITY-CODE" << std::string(columns_, '\t')
-             << "XX\tYY\tZZ\tLength\tTopDiameter\tBottomDiameter\n";
+        out_ << kHeader;
+        for (auto const column : kOwnColumns)
+            out_ << column << (column == kMtgOrganColumns.back() ? "\tALPHA\n" : "\tREAL\n");
+        out_ << "\nMTG:\nENTITY-CODE" << std::string(columns_, '\t') << "XX\tYY\tZZ\t"
+             << kSegmentColumns << '\t' << fmt::format("{}\n", fmt::join(kOwnColumns, "\t"));
         for (AxisId i = 0; i < plant_.axes.size(); ++i)
             if (plant_.axes[i].parent_segment == kNone)
                 write_part(i);
@@ -78,6 +97,8 @@ private:
         auto const base = plant_.axes[trunk].first_node;
         write_entity(0, "^/S0", plant_.node_position_mm[base]);
         out_ << fmt::format("\t0\t{0}\t{0}\n", diameter_mm(base));
+        for (auto const organ : std::exchange(on_ground_, {}))
+            write_organ(1, organ);
         open.emplace_back(trunk, 0);
         while (!open.empty()) {
             auto& [axis, segment] = open.back();
@@ -126,10 +147,20 @@ private:
                             diameter_mm(from + 1), diameter_mm(from));
     }
 
-    void write_organ(std::uint32_t column, std::size_t organ)
+    void write_organ(std::uint32_t column, std::size_t id)
     {
-        write_entity(column, fmt::format("+Organ{}", organ + 1), plant_.organs[organ].position_mm);
-        out_ << '\n';
+        auto const organ = mtg_organ(plant_, plant_.organs[id]);
+        write_code(column, fmt::format("+{}{}", mtg_symbol(organ.kind), id + 1));
+        auto const& at_mm = organ.position;
+        out_ << std::string(columns_ - column, '\t')
+             << fmt::format("{:.9g}\t{:.9g}\t{:.9g}\t{:.6g}\t\t\t{:.6g}\t", at_mm.x(), at_mm.y(),
+                            at_mm.z(), organ.length, organ.width)
+             << (organ.depth ? fmt::format("{:.6g}", *organ.depth) : "") << '\t'
+             << (organ.petiole != 0 ? fmt::format("{:.6g}", organ.petiole) : "");
+        for (Vec3 const& direction : { organ.direction, organ.normal })
+            out_ << fmt::format("\t{}\t{}\t{}", rounded(direction.x()), rounded(direction.y()),
+                                rounded(direction.z()));
+        out_ << '\t' << mtg_shape_name(plant_, plant_.organs[id].shape) << '\n';
     }
 
     void write_code(std::uint32_t column, std::string const& code)
@@ -153,7 +184,8 @@ private:
     Plant const& plant_;
     std::vector<std::vector<AxisId>> standing_; // Axes on the end of each segment.
     std::vector<std::vector<std::size_t>> organs_;
-    std::uint32_t columns_ = 0; // Columns for entities.
+    std::vector<std::size_t> on_ground_; // Organs there that are not written yet.
+    std::uint32_t columns_ = 0;          // Columns for entities.
     std::size_t part_count_ = 0;
 };
 

@@ -9,23 +9,20 @@
 
 namespace tractus {
 
-static Result<Plant> read_plant(LoadMeasured const& measured)
+Result<BuiltSource> build_measured(LoadMeasured const& measured, LoadOptions const&)
 {
     switch (measured.format) {
-    case LoadMeasured::Format::Mtg:
-        return parse_mtg(measured.name, measured.text);
+    case LoadMeasured::Format::Mtg: {
+        auto read = TRY(parse_mtg_with_warnings(measured.name, measured.text));
+        return BuiltSource { .plant = std::move(read.plant), .warnings = std::move(read.warnings) };
+    }
     case LoadMeasured::Format::Qsm:
-        return parse_qsm(measured.name, measured.text);
+        return BuiltSource { .plant = TRY(parse_qsm(measured.name, measured.text)) };
     case LoadMeasured::Format::Ply:
         break;
     }
-    return parse_ply_skeleton(measured.name, std::as_bytes(std::span(measured.text)));
-}
-
-Result<BuiltSource> build_measured(LoadMeasured const& measured, LoadOptions const&)
-{
-    auto plant = TRY(read_plant(measured));
-    return BuiltSource { .plant = std::move(plant) };
+    auto const bytes = std::as_bytes(std::span(measured.text));
+    return BuiltSource { .plant = TRY(parse_ply_skeleton(measured.name, bytes)) };
 }
 
 } // namespace tractus

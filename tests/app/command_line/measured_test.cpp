@@ -152,6 +152,28 @@ TEST_F(Measured, AGraphThatWasWrittenGivesThePlantBack)
     EXPECT_EQ(read("second.mtg"), read("first.mtg"));
 }
 
+TEST_F(Measured, AGraphGivesItsOrgansBackAndNamesThoseItCannotPlace)
+{
+    write("leafy.l",
+          "Lsystem: 1\nderivation length: 0\nAxiom: F(10)[+(60)~l(5)]F(10)[-(60)~l(3)]F(8)\n"
+          "A --> A\nendlsystem\n");
+    write("leafy.v",
+          "material: 1 green kind=leaf color=0.2,0.6,0.1\n"
+          "organ: l leaf kind=blade material=1 length=2 width=1\n");
+    EXPECT_EQ(out("tractus grow leafy.l -o first.mtg"), "first.mtg: 3 segments, 2 organs\n");
+    EXPECT_EQ(out("tractus grow first.mtg -o second.mtg"), "second.mtg: 3 segments, 2 organs\n");
+    EXPECT_EQ(positions("second.mtg"), positions("first.mtg"));
+    auto graph = read("first.mtg");
+    graph.replace(graph.find("DirectionX\tD"), 10, "DirectionU");
+    graph.replace(graph.find("\nL\t3"), 3, "\nLeaf\t");
+    for (auto at = graph.find("+L"); at != std::string::npos; at = graph.find("+L", at + 2))
+        graph.replace(at, 2, "+Leaf");
+    write("foreign.mtg", graph);
+    auto const outcome = run("tractus grow foreign.mtg -o third.mtg");
+    EXPECT_EQ(outcome.out, "third.mtg: 3 segments, 0 organs\n");
+    EXPECT_NE(outcome.err.find("length in it: 2 Leaf"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Measured, AStrokeShapesAnAxis)
 {
     for (auto const& file : files) {

@@ -239,6 +239,12 @@ TEST(MeasuredPlant, IsWholeWhateverComesIn)
     std::string const graph = "CODE: FORM-A\nCLASSES:\nSYMBOL\tSCALE\n$\t0\nP\t1\nS\t2\nMTG:\n"
                               "ENTITY-CODE\t\tXX\tYY\tZZ\tTopDia\n/P1/S1\t\t0\t0\t0\t5\n"
                               "^<S2<<S4\t\t0\t0\t9\t4\n\t+S1\t3\t0\t9\t2\n^<S5\t\t0\t1\t20\n";
+    std::string const organs
+        = "CODE: FORM-A\nCLASSES:\nSYMBOL\tSCALE\nP\t1\nS\t2\nL\t2\nO\t2\nMTG:\n"
+          "ENTITY-CODE\t\tXX\tYY\tZZ\tLength\tWidth\tDepth\tPetiole\tDirectionX\t"
+          "DirectionY\tDirectionZ\tNormalX\tNormalY\tNormalZ\tShape\n"
+          "/P1/S1\t\t0\t0\t0\n\t+O1\t1\t2\t3\t4\t5\t6\t\t0\t0\t1\t1\t0\t0\tball-1\n"
+          "^<S2\t\t0\t0\t9\n\t+L2\t1\t2\t3\t-4e5\t5\t\t1\t0\t0\t-1\t0\t0\t1\tblade-2\n";
     std::string const cylinders = "0.1,1,0,0,0,0,0,1,0,2,1\n0.1,1,0,0,1,0,0,1,1,0,1\n"
                                   "0.05,1,0,0,1,1,0,0,1,0,2\n";
     std::mt19937 numbers(7);
@@ -250,8 +256,8 @@ TEST(MeasuredPlant, IsWholeWhateverComesIn)
             EXPECT_FALSE(plant.error().message.empty());
     };
     for (int i = 0; i < 3000; ++i)
-        for (auto text : { graph, cylinders, binary_tree() }) {
-            bool const is_graph = text == graph;
+        for (auto text : { graph, organs, cylinders, binary_tree() }) {
+            bool const is_graph = text.starts_with("CODE");
             bool const is_ply = text.starts_with("ply");
             for (auto changes = 1 + below(4); changes > 0; --changes) {
                 auto const at = below(text.size());
