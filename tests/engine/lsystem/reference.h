@@ -1,0 +1,72 @@
+#pragma once
+
+#include "engine/base/vectors.h"
+#include "engine/lsystem/language/model.h"
+#include "engine/lsystem/language/virtual_machine.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// What the language means, written as short as it can be: no tables, no indices, no pieces, one
+// module after the other. The program's fast ways are held against it. Compiled programs are run by
+// the program's own machine; sub-L-systems, queries and cuts that are kept are left out.
+
+struct ReferenceModule {
+    KindId kind = 0;
+    std::vector<float> parameters {};
+};
+using ReferenceString = std::vector<ReferenceModule>;
+
+class ReferenceRewriter {
+public:
+    ReferenceRewriter(Model const& model, std::uint64_t seed);
+
+    // No value beyond so many modules.
+    std::optional<ReferenceString> derive(int steps, std::size_t most_modules);
+
+    // A string with the modules that homomorphism rules without chance make of it.
+    ReferenceString drawn(ReferenceString const& string);
+
+private:
+    enum class Looks { Right, Left };
+
+    ReferenceString step(ReferenceString const& string, int number, std::size_t most_modules);
+    std::size_t rewrite(ReferenceString const& string, std::size_t at, ReferenceString& out);
+    void expand(RuleSet const& rules, ReferenceString const& string, std::size_t left,
+                std::size_t right, ReferenceModule const& module, int depth, ReferenceString& out);
+    Rule const* find(RuleSet const& rules, ReferenceString const& string, std::size_t left,
+                     std::size_t right, ReferenceString const& predecessor);
+    bool matches(Rule const& rule, ReferenceString const& string, std::size_t left,
+                 std::size_t right, ReferenceString const& predecessor);
+    bool matches_context(std::vector<KindId> const& context, Looks looks,
+                         ReferenceString const& string, std::size_t from, double* values);
+    std::optional<std::size_t> next(ReferenceString const& string, std::size_t from, Looks looks,
+                                    bool names_bracket, int& rounds) const;
+    ReferenceString successor(Rule const& rule);
+    RegisterFile& frame(Rule const& rule);
+    char symbol(KindId kind) const { return model_.alphabet[kind].symbol; }
+
+    Model const& model_;
+    VirtualMachine machine_;
+    std::vector<std::pair<Rule const*, RegisterFile>> frames_;
+};
+
+std::string to_string(Model const& model, ReferenceString const& string);
+
+struct ReferenceSegment {
+    Vec3 from = Vec3::Zero();
+    Vec3 to = Vec3::Zero();
+    double diameter = 0;
+};
+
+// The segments that F, G, f, g, + - & ^ \ / | [ ] !(w) #(w) and @v draw, in turtle units and in the
+// order of the string. `angle_deg` and `width` are the view's.
+std::vector<ReferenceSegment> draw_reference(Model const& model, ReferenceString const& string,
+                                             double angle_deg, double width);
+
+} // namespace tractus
