@@ -1,6 +1,7 @@
 #include "engine/lsystem/language/print.h"
 
 #include "engine/base/parallel.h"
+#include "engine/lsystem/language/turtle_symbols.h"
 
 #include <algorithm>
 #include <array>
@@ -12,33 +13,28 @@
 
 namespace tractus {
 
-// The second letters of @-symbols with three characters, by their first: from cpfg's manual.
-static bool is_third_character(char second, char third)
-{
-    static constexpr std::array<std::string_view, 7> kSymbols { "Gscetr", "Tsdpfix", "Did", "bco",
-                                                                "Csae",   "PscdSCD", "moc" };
-    for (auto const letters : kSymbols)
-        if (letters[0] == second)
-            return letters.find(third, 1) != std::string_view::npos;
-    return false;
-}
-
 std::size_t symbol_length(Alphabet const& alphabet, std::span<KindId const> kinds)
 {
     auto const& first = alphabet[kinds[0]];
     if (first.parameter_count > 0 || kinds.size() < 2)
         return 1;
     auto const& second = alphabet[kinds[1]];
-    if (first.symbol == '~')
+    auto const is_among = [](std::string_view characters, char symbol) {
+        return characters.find(symbol) != std::string_view::npos;
+    };
+    switch (turtle_symbol(first.symbol).does) {
+    case SymbolDoes::Organ:
         return 2;
-    if (first.symbol == '?')
-        return std::string_view("PHLUEQR").find(second.symbol) != std::string_view::npos ? 2 : 1;
-    if (first.symbol != '@')
+    case SymbolDoes::Call:
+        return is_among(kQueryCharacters, second.symbol) ? 2 : 1;
+    case SymbolDoes::At:
+        break;
+    default:
         return 1;
-    if (second.parameter_count == 0 && kinds.size() > 2
-        && is_third_character(second.symbol, alphabet[kinds[2]].symbol))
-        return 3;
-    return 2;
+    }
+    bool const has_third = second.parameter_count == 0 && kinds.size() > 2
+        && is_among(at_symbol(second.symbol).thirds, alphabet[kinds[2]].symbol);
+    return has_third ? 3 : 2;
 }
 
 std::string to_string(Model const& model, ModuleString const& string)

@@ -2,6 +2,7 @@
 
 #include "engine/base/parallel.h"
 #include "engine/lsystem/language/print.h"
+#include "engine/lsystem/language/turtle_symbols.h"
 
 #include <algorithm>
 #include <array>
@@ -35,26 +36,24 @@ constexpr double kMaxReachMm = 0.9e12; // A bit less than the turtle's bounds.
 
 Effect effect_of(ModuleKind const& kind)
 {
-    switch (kind.symbol) {
-    case 'F':
-    case 'G':
+    switch (turtle_symbol(kind.symbol).does) {
+    case SymbolDoes::Draw:
         return Effect::Draw;
-    case 'f':
-    case 'g':
+    case SymbolDoes::Move:
         return Effect::Move;
-    case '[':
+    case SymbolDoes::Push:
         return Effect::Push;
-    case ']':
+    case SymbolDoes::Pop:
         return Effect::Pop;
-    case '{': // A cylinder may begin, if there are parameters.
+    case SymbolDoes::BeginPath: // A cylinder may begin, if there are parameters.
         return kind.parameter_count == 0 ? Effect::BeginPolygon : Effect::Unclear;
-    case '}':
+    case SymbolDoes::EndPath:
         return kind.parameter_count == 0 ? Effect::EndPolygon : Effect::Unclear;
-    case '@':
-    case '~':
-    case '?':
+    case SymbolDoes::At:
+    case SymbolDoes::Organ:
+    case SymbolDoes::Call:
         return Effect::Long;
-    case '%':
+    case SymbolDoes::Cut:
         return Effect::Unclear;
     default:
         return Effect::None;
@@ -65,8 +64,6 @@ Effect effect_of(ModuleKind const& kind)
 // them.
 bool are_plain(Alphabet const& alphabet, std::span<KindId const> kinds)
 {
-    // Balls, discs and frames; @b draws segments, others set scales, positions and cylinders.
-    static constexpr std::string_view kPlain = "voOcRTL;,YZ";
     while (!kinds.empty()) {
         auto const effect = effect_of(alphabet[kinds[0]]);
         auto const length = symbol_length(alphabet, kinds);
@@ -74,8 +71,8 @@ bool are_plain(Alphabet const& alphabet, std::span<KindId const> kinds)
             return false;
         if (effect == Effect::Long && length == 1)
             return false;
-        if (alphabet[kinds[0]].symbol == '@'
-            && kPlain.find(alphabet[kinds[1]].symbol) == std::string_view::npos)
+        if (turtle_symbol(alphabet[kinds[0]].symbol).does == SymbolDoes::At
+            && !at_symbol(alphabet[kinds[1]].symbol).is_plain)
             return false;
         kinds = kinds.subspan(length);
     }
@@ -96,9 +93,11 @@ public:
     {
         for (std::size_t i = 0; i < alphabet_.kinds.size(); ++i) {
             auto const& kind = alphabet_.kinds[i];
-            steps_[i] = { effect_of(kind), kind.parameter_count, kind == ModuleKind { '@', 0 } };
-            is_plain_second_[i]
-                = std::string_view("voORc").find(kind.symbol) != std::string_view::npos;
+            auto const& behind_at = at_symbol(kind.symbol);
+            bool const is_at = turtle_symbol(kind.symbol).does == SymbolDoes::At;
+            steps_[i]
+                = { effect_of(kind), kind.parameter_count, is_at && kind.parameter_count == 0 };
+            is_plain_second_[i] = behind_at.is_plain && behind_at.thirds.empty();
         }
     }
 

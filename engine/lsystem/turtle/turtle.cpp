@@ -104,9 +104,10 @@ std::size_t Turtle::draw(Modules const& modules, std::size_t place, bool in_homo
     place_ = place;
     if (!check(symbol))
         return length;
-    if (symbol.name[0] == '%' && !in_homomorphism && symbol.count == 0)
+    bool const is_cut = turtle_symbol(symbol.name[0]).does == SymbolDoes::Cut;
+    if (is_cut && !in_homomorphism && symbol.count == 0)
         is_cut_ = !view_.draws_past_cut;
-    else if (symbol.name[0] == '%' && !in_homomorphism)
+    else if (is_cut && !in_homomorphism)
         go_on_with(symbol);
     else
         draw_symbol(symbol);
@@ -129,57 +130,48 @@ bool Turtle::check(Symbol const& symbol)
 void Turtle::draw_symbol(Symbol const& symbol)
 {
     auto& frame = state_.frame;
-    switch (symbol.name[0]) {
-    case 'F':
-    case 'G':
-    case 'f':
-    case 'g':
+    auto const& what = turtle_symbol(symbol.name[0]);
+    switch (what.does) {
+    case SymbolDoes::Draw:
+    case SymbolDoes::Move:
         return step(symbol);
-    case '+':
-    case '-':
-        return turn(frame.heading, frame.left, symbol, symbol.name[0] == '+' ? 1 : -1);
-    case '&':
-    case '^':
-        return turn(frame.heading, frame.down, symbol, symbol.name[0] == '&' ? 1 : -1);
-    case '/':
-    case '\\':
-        return turn(frame.left, frame.down, symbol, symbol.name[0] == '/' ? 1 : -1);
-    case '|':
+    case SymbolDoes::Turn:
+        return turn(frame.heading, frame.left, symbol, what.sign);
+    case SymbolDoes::Pitch:
+        return turn(frame.heading, frame.down, symbol, what.sign);
+    case SymbolDoes::Roll:
+        return turn(frame.left, frame.down, symbol, what.sign);
+    case SymbolDoes::TurnRound:
         return TurtleFrame::rotate(frame.heading, frame.left, 0, -1);
-    case '[':
+    case SymbolDoes::Push:
         return push();
-    case ']':
+    case SymbolDoes::Pop:
         return pop();
-    case '!':
-        return set_width(state_, symbol.count > 0, symbol.parameter(0, -1));
-    case '#':
-        return set_width(state_, symbol.count > 0, symbol.parameter(0, 1));
-    case ';':
-        return set_color(symbol, 1);
-    case ',':
-        return set_color(symbol, -1);
-    case '_':
+    case SymbolDoes::Width:
+        return set_width(state_, symbol.count > 0, symbol.parameter(0, what.sign));
+    case SymbolDoes::Color:
+        return set_color(symbol, what.sign);
+    case SymbolDoes::BendAsOlder:
         state_.elasticity = symbol.parameter(0, state_.elasticity + view_.elasticity_step);
         return;
-    case '{':
+    case SymbolDoes::BeginPath:
         return begin_path(symbol);
-    case '.':
+    case SymbolDoes::Dot:
         return add_dot(symbol);
-    case '}':
-        if (symbol.parameter(0, 0) == 0)
-            return close_polygon();
-        return end_path();
-    case '~':
+    case SymbolDoes::EndPath:
+        return symbol.parameter(0, 0) == 0 ? close_polygon() : end_path();
+    case SymbolDoes::Organ:
         if (symbol.name[1] != 0)
             add_organ(symbol.name[1], symbol);
         return;
-    case '@':
+    case SymbolDoes::At:
         return draw_at_symbol(symbol);
-    case '?':
+    case SymbolDoes::Call:
         return enter_subsystem(symbol);
-    case '$':
+    case SymbolDoes::Return:
         return leave_subsystem();
-    default:
+    case SymbolDoes::Cut:
+    case SymbolDoes::Nothing:
         return;
     }
 }
@@ -240,50 +232,45 @@ void Turtle::leave_subsystem()
 
 void Turtle::draw_at_symbol(Symbol const& symbol)
 {
-    switch (symbol.name[1]) {
-    case 'v':
+    switch (at_symbol(symbol.name[1]).does) {
+    case AtDoes::Level:
         return state_.frame.roll_horizontal();
-    case 'M':
+    case AtDoes::Position:
         return set_position(symbol);
-    case 'R':
+    case AtDoes::Frame:
         return set_frame(symbol);
-    case 'o':
-    case 'O':
+    case AtDoes::Ball:
         return add_round(OrganShape::Kind::Ball, symbol);
-    case 'c':
+    case AtDoes::Disc:
         return add_round(OrganShape::Kind::Disc, symbol);
-    case 'b':
+    case AtDoes::Circle:
         return add_circle(symbol);
-    case 'D':
+    case AtDoes::Scale:
         return set_scale(symbol);
-    case 'T':
+    case AtDoes::Movement:
         return draw_movement_symbol(symbol);
-    case 'G':
+    case AtDoes::Cylinder:
         return draw_cylinder_symbol(symbol);
-    case '#':
+    case AtDoes::Contour:
         return set_contour(symbol);
-    case '!':
+    case AtDoes::Sides:
         return set_sides(symbol);
-    case 'P':
+    case AtDoes::Patch:
         return draw_patch_symbol(symbol);
-    case 'm': // @mc(1): a cut. @mo, as @J, is about ray tracing.
+    case AtDoes::Cut: // @mc(1). @mo, as @J, is about ray tracing.
         is_cut_ = is_cut_ || (symbol.name[2] == 'c' && symbol.parameter(0, 0) == 1);
         return;
-    case 'L':
+    case AtDoes::Label:
         return warn(fmt::format("{}: labels are not drawn", model_.name));
-    case ';':
-    case ',':
+    case AtDoes::BackFace:
         return warn(fmt::format("{}: back faces have the colour of the front; @; and @, change "
                                 "nothing",
                                 model_.name));
-    case 'S':
+    case AtDoes::RunProgram:
         return warn(fmt::format("{}: models run no programs here; @S does nothing", model_.name));
-    case 'I':
-    case 'J': // Meant for a ray tracer of cpfg's.
-    case 'Z':
-    case 'Y': // Meant for other programs.
+    case AtDoes::Ignored:
         return;
-    default:
+    case AtDoes::Unknown:
         warn(fmt::format("{}: the turtle symbol @{} is not supported; it draws nothing",
                          model_.name, symbol.name[1]));
     }
@@ -312,8 +299,9 @@ void Turtle::draw_movement_symbol(Symbol const& symbol)
 // F and G draw, F and f set vertices.
 void Turtle::step(Symbol const& symbol)
 {
-    bool const draws = symbol.name[0] == 'F' || symbol.name[0] == 'G';
-    bool const sets_vertex = symbol.name[0] == 'F' || symbol.name[0] == 'f';
+    auto const& what = turtle_symbol(symbol.name[0]);
+    bool const draws = what.does == SymbolDoes::Draw;
+    bool const sets_vertex = what.sets_vertex;
     auto& frame = state_.frame;
     if (tropism_count() > 0)
         bend_by_tropisms(frame, extras_.carried, view_.tropisms, extras_.elasticities);

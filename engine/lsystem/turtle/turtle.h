@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/lsystem/language/turtle_symbols.h"
 #include "engine/lsystem/rewriting/rewriter.h"
 #include "engine/lsystem/turtle/cylinder.h"
 #include "engine/lsystem/turtle/interpret.h"
@@ -149,6 +150,7 @@ private:
         double sign = 1; // Sign of a turn or a step of the width.
     };
 
+    static Quick quick_way(SymbolDoes does);
     static Kind describe(ModuleKind const& kind);
     bool check(Symbol const& symbol);
     // turtle_plain.cpp

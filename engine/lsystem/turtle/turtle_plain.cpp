@@ -3,31 +3,48 @@
 #include "engine/lsystem/turtle/turtle.h"
 
 #include <algorithm>
-#include <string_view>
 
 namespace tractus {
 
+Turtle::Quick Turtle::quick_way(SymbolDoes does)
+{
+    switch (does) {
+    case SymbolDoes::Nothing:
+        return Quick::Nothing;
+    case SymbolDoes::Draw:
+    case SymbolDoes::Move:
+        return Quick::Step;
+    case SymbolDoes::Turn:
+        return Quick::Turn;
+    case SymbolDoes::Pitch:
+        return Quick::Pitch;
+    case SymbolDoes::Roll:
+        return Quick::Roll;
+    case SymbolDoes::Push:
+        return Quick::Push;
+    case SymbolDoes::Pop:
+        return Quick::Pop;
+    case SymbolDoes::Width:
+        return Quick::Width;
+    case SymbolDoes::At:
+        return Quick::Level;
+    default:
+        return Quick::Other;
+    }
+}
+
 Turtle::Kind Turtle::describe(ModuleKind const& kind)
 {
-    static constexpr std::string_view kSymbols = "FGfg+-&^/\\[]!#@";
-    static constexpr std::array<Quick, kSymbols.size()> kQuick {
-        Quick::Step, Quick::Step,  Quick::Step,  Quick::Step,  Quick::Turn,
-        Quick::Turn, Quick::Pitch, Quick::Pitch, Quick::Roll,  Quick::Roll,
-        Quick::Push, Quick::Pop,   Quick::Width, Quick::Width, Quick::Level,
-    };
-    auto const is_one_of = [&](std::string_view symbols) {
-        return symbols.find(kind.symbol) != std::string_view::npos;
-    };
+    auto const& symbol = turtle_symbol(kind.symbol);
+    using enum SymbolDoes;
+    auto const does = symbol.does;
     Kind result;
     result.symbol = kind.symbol;
     result.parameter_count = kind.parameter_count;
-    result.is_single = !is_one_of("@~?%");
-    result.draws = is_one_of("FG");
-    result.sign = is_one_of("-^\\!") ? -1 : 1;
-    if (is_one_of(kSymbols))
-        result.quick = kQuick[kSymbols.find(kind.symbol)];
-    else if (!is_one_of("|;,_{.}~?$%"))
-        result.quick = Quick::Nothing;
+    result.is_single = does != At && does != Organ && does != Call && does != Cut;
+    result.draws = does == Draw;
+    result.sign = symbol.sign;
+    result.quick = quick_way(does);
     return result;
 }
 
@@ -63,10 +80,11 @@ std::size_t Turtle::draw_plain(std::span<KindId const> kinds, float const*& para
 // on behind them.
 std::size_t Turtle::name_at_symbol(std::span<KindId const> kinds, Symbol& symbol) const
 {
-    if (kinds_[kinds[0]].symbol != '@' || kinds.size() < symbol.name.size())
+    if (turtle_symbol(kinds_[kinds[0]].symbol).does != SymbolDoes::At
+        || kinds.size() < symbol.name.size())
         return 0;
     auto const length = symbol_length(model_.alphabet, kinds);
-    if (length == 1 || kinds_[kinds[1]].symbol == 'm')
+    if (length == 1 || at_symbol(kinds_[kinds[1]].symbol).does == AtDoes::Cut)
         return 0;
     for (std::size_t i = 1; i < length; ++i)
         symbol.name[i] = kinds_[kinds[i]].symbol;
@@ -119,7 +137,7 @@ std::size_t Turtle::draw_quick(std::span<KindId const> kinds, float const*& para
             break;
         case Quick::Level:
             goes_on = i + 1 < kinds.size() && kind->parameter_count == 0
-                && kinds_[kinds[i + 1]].symbol == 'v';
+                && at_symbol(kinds_[kinds[i + 1]].symbol).does == AtDoes::Level;
             if (goes_on) {
                 kind = &kinds_[kinds[++i]];
                 state.frame.roll_horizontal();

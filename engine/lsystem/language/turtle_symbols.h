@@ -1,0 +1,158 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace tractus {
+
+// The symbols that the turtle draws: the one table of them, which the turtle, what counts segments
+// before they are drawn, and what prints strings read. Their meaning in full: interpret.h.
+
+enum class SymbolDoes : std::uint8_t {
+    Nothing,
+    Draw, // A step with a segment,
+    Move, // and one without.
+    Turn,
+    Pitch,
+    Roll,
+    TurnRound,
+    Push,
+    Pop,
+    Width,
+    Color,
+    BendAsOlder, // Elasticity of the older tropism.
+    BeginPath,   // A polygon, or a generalised cylinder.
+    Dot,
+    EndPath,
+    Organ,  // Named by the character behind it.
+    At,     // Does what the one or two characters behind it say: AtSymbol.
+    Call,   // A sub-L-system; or a query, by the character behind it.
+    Return, // From there.
+    Cut,
+};
+
+struct TurtleSymbol {
+    char symbol = 0;
+    SymbolDoes does = SymbolDoes::Nothing;
+    int sign = 1;             // Sign of a turn or a change.
+    bool sets_vertex = false; // In a polygon, and a control point in a path of steps.
+};
+
+inline constexpr std::array kTurtleSymbols {
+    TurtleSymbol { 'F', SymbolDoes::Draw, 1, true },
+    TurtleSymbol { 'G', SymbolDoes::Draw },
+    TurtleSymbol { 'f', SymbolDoes::Move, 1, true },
+    TurtleSymbol { 'g', SymbolDoes::Move },
+    TurtleSymbol { '+', SymbolDoes::Turn },
+    TurtleSymbol { '-', SymbolDoes::Turn, -1 },
+    TurtleSymbol { '&', SymbolDoes::Pitch },
+    TurtleSymbol { '^', SymbolDoes::Pitch, -1 },
+    TurtleSymbol { '/', SymbolDoes::Roll },
+    TurtleSymbol { '\\', SymbolDoes::Roll, -1 },
+    TurtleSymbol { '|', SymbolDoes::TurnRound },
+    TurtleSymbol { '[', SymbolDoes::Push },
+    TurtleSymbol { ']', SymbolDoes::Pop },
+    TurtleSymbol { '#', SymbolDoes::Width },
+    TurtleSymbol { '!', SymbolDoes::Width, -1 },
+    TurtleSymbol { ';', SymbolDoes::Color },
+    TurtleSymbol { ',', SymbolDoes::Color, -1 },
+    TurtleSymbol { '_', SymbolDoes::BendAsOlder },
+    TurtleSymbol { '{', SymbolDoes::BeginPath },
+    TurtleSymbol { '.', SymbolDoes::Dot },
+    TurtleSymbol { '}', SymbolDoes::EndPath },
+    TurtleSymbol { '~', SymbolDoes::Organ },
+    TurtleSymbol { '@', SymbolDoes::At },
+    TurtleSymbol { '?', SymbolDoes::Call },
+    TurtleSymbol { '$', SymbolDoes::Return },
+    TurtleSymbol { '%', SymbolDoes::Cut },
+};
+
+enum class AtDoes : std::uint8_t {
+    Unknown, // Nothing, with a warning.
+    Level,   // Rolls until the left is horizontal.
+    Position,
+    Frame,
+    Ball,
+    Disc,
+    Circle,
+    Scale,
+    Movement, // Tropisms, and how the sides are carried.
+    Cylinder,
+    Contour,
+    Sides,
+    Patch,
+    Cut,
+    Label, // These three are not done, and say so.
+    BackFace,
+    RunProgram,
+    Ignored, // Meant for other programs.
+};
+
+// The second character of a symbol that begins with @.
+struct AtSymbol {
+    char second = 0;
+    AtDoes does = AtDoes::Unknown;
+    std::string_view thirds {}; // Third characters that belong to it; none: it has two.
+    // It draws no segments and leaves the turtle's place as it is, whatever stands behind it.
+    bool is_plain = false;
+};
+
+inline constexpr std::array kAtSymbols {
+    AtSymbol { 'v', AtDoes::Level, {}, true },
+    AtSymbol { 'M', AtDoes::Position },
+    AtSymbol { 'R', AtDoes::Frame, {}, true },
+    AtSymbol { 'o', AtDoes::Ball, {}, true },
+    AtSymbol { 'O', AtDoes::Ball, {}, true },
+    AtSymbol { 'c', AtDoes::Disc, {}, true },
+    AtSymbol { 'b', AtDoes::Circle, "co" },
+    AtSymbol { 'D', AtDoes::Scale, "id" },
+    AtSymbol { 'T', AtDoes::Movement, "sdpfix", true },
+    AtSymbol { 'G', AtDoes::Cylinder, "scetr" },
+    AtSymbol { '#', AtDoes::Contour },
+    AtSymbol { '!', AtDoes::Sides },
+    AtSymbol { 'P', AtDoes::Patch, "scdSCD" },
+    AtSymbol { 'm', AtDoes::Cut, "oc" },
+    AtSymbol { 'C', AtDoes::Unknown, "sae" },
+    AtSymbol { 'L', AtDoes::Label, {}, true },
+    AtSymbol { ';', AtDoes::BackFace, {}, true },
+    AtSymbol { ',', AtDoes::BackFace, {}, true },
+    AtSymbol { 'S', AtDoes::RunProgram },
+    AtSymbol { 'I', AtDoes::Ignored },
+    AtSymbol { 'J', AtDoes::Ignored },
+    AtSymbol { 'Z', AtDoes::Ignored, {}, true },
+    AtSymbol { 'Y', AtDoes::Ignored, {}, true },
+};
+
+// Characters behind ? that make it a query.
+inline constexpr std::string_view kQueryCharacters = "PHLUEQR";
+
+namespace detail {
+
+// By the character, of which all that are not in the list do nothing.
+template<typename Symbol, std::size_t kCount>
+constexpr std::array<Symbol, 256> by_character(std::array<Symbol, kCount> const& symbols,
+                                               char Symbol::*character)
+{
+    std::array<Symbol, 256> table {};
+    for (auto const& symbol : symbols)
+        table[static_cast<unsigned char>(symbol.*character)] = symbol;
+    return table;
+}
+
+inline constexpr auto kByCharacter = by_character(kTurtleSymbols, &TurtleSymbol::symbol);
+inline constexpr auto kBySecond = by_character(kAtSymbols, &AtSymbol::second);
+
+} // namespace detail
+
+constexpr TurtleSymbol const& turtle_symbol(char symbol)
+{
+    return detail::kByCharacter[static_cast<unsigned char>(symbol)];
+}
+
+constexpr AtSymbol const& at_symbol(char second)
+{
+    return detail::kBySecond[static_cast<unsigned char>(second)];
+}
+
+} // namespace tractus
