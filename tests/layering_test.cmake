@@ -7,10 +7,13 @@ set(engine/lsystem/text engine/base)
 set(engine/lsystem/view engine/base engine/stroke engine/plant engine/lsystem/text)
 set(engine/lsystem/language engine/base engine/lsystem/text engine/lsystem/view)
 set(engine/lsystem/rewriting engine/base engine/lsystem/language)
+set(engine/lsystem/fast_rewriting engine/base engine/lsystem/language engine/lsystem/rewriting)
 set(engine/lsystem/turtle engine/base engine/plant engine/lsystem/view engine/lsystem/language
                           engine/lsystem/rewriting)
+set(engine/lsystem/fast_drawing engine/base engine/plant engine/lsystem/view engine/lsystem/language
+                                engine/lsystem/rewriting engine/lsystem/turtle)
 set(engine/lsystem/derivation engine/base engine/lsystem/view engine/lsystem/language engine/lsystem/rewriting
-                              engine/lsystem/turtle)
+                              engine/lsystem/fast_rewriting engine/lsystem/turtle)
 set(engine/variation engine/base engine/stroke engine/plant)
 set(engine/mesh      engine/base engine/plant)
 set(engine/scene     engine/base engine/stroke engine/plant engine/lsystem engine/variation engine/mesh)
@@ -36,7 +39,8 @@ set(app/methods/plants engine app/tools)
 set(app              engine drivers calib sim)
 
 set(layers engine/base engine/stroke engine/plant engine/lsystem/text engine/lsystem/view
-           engine/lsystem/language engine/lsystem/rewriting engine/lsystem/turtle engine/lsystem/derivation engine/variation engine/mesh
+           engine/lsystem/language engine/lsystem/rewriting engine/lsystem/fast_rewriting
+           engine/lsystem/turtle engine/lsystem/fast_drawing engine/lsystem/derivation engine/variation engine/mesh
            engine/scene engine/export engine/methods/construction_lines engine/methods/leaves
            engine/methods/silhouettes engine/methods/sketch_lsystem
            drivers calib sim app/render app/session app/tools app/terminal app/document app/station

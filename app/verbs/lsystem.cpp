@@ -8,7 +8,7 @@
 #include "drivers/file.h"
 #include "engine/lsystem/derivation/derive.h"
 #include "engine/lsystem/derivation/features.h"
-#include "engine/lsystem/turtle/interpret.h"
+#include "engine/lsystem/fast_drawing/interpret.h"
 
 #include <filesystem>
 #include <fmt/format.h>

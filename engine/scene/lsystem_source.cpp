@@ -1,7 +1,7 @@
 #include "engine/scene/lsystem_source.h"
 
 #include "engine/lsystem/derivation/derive.h"
-#include "engine/lsystem/turtle/interpret.h"
+#include "engine/lsystem/fast_drawing/interpret.h"
 #include "engine/plant/join_axes.h"
 
 #include <fmt/core.h>

@@ -1,5 +1,5 @@
 #include "engine/lsystem/derivation/derive.h"
-#include "engine/lsystem/turtle/interpret.h"
+#include "engine/lsystem/fast_drawing/interpret.h"
 #include "tests/bench/monopodial_tree.h"
 #include "tests/bench/report.h"
 

@@ -4,7 +4,7 @@
 // waits for the disk, and neither finds a file of that name.
 #include "engine/export/glb_writer.h"
 #include "engine/lsystem/derivation/derive.h"
-#include "engine/lsystem/turtle/interpret.h"
+#include "engine/lsystem/fast_drawing/interpret.h"
 #include "engine/mesh/make_mesh.h"
 #include "tests/bench/monopodial_tree.h"
 #include "tests/bench/report.h"

@@ -2,10 +2,10 @@
 
 #include "engine/base/parallel.h"
 #include "engine/lsystem/derivation/environments.h"
+#include "engine/lsystem/fast_rewriting/context_table.h"
+#include "engine/lsystem/fast_rewriting/range_rewriter.h"
+#include "engine/lsystem/fast_rewriting/subsystem_rewriter.h"
 #include "engine/lsystem/language/print.h"
-#include "engine/lsystem/rewriting/context_table.h"
-#include "engine/lsystem/rewriting/range_rewriter.h"
-#include "engine/lsystem/rewriting/subsystem_rewriter.h"
 
 #include <algorithm>
 #include <atomic>

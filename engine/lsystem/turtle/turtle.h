@@ -3,9 +3,9 @@
 #include "engine/lsystem/language/turtle_symbols.h"
 #include "engine/lsystem/rewriting/rewriter.h"
 #include "engine/lsystem/turtle/cylinder.h"
-#include "engine/lsystem/turtle/interpret.h"
 #include "engine/lsystem/turtle/turtle_drawing.h"
 #include "engine/lsystem/turtle/turtle_frame.h"
+#include "engine/lsystem/turtle/turtle_options.h"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ bool uses_turtle_extras(Model const& model);
 bool uses_patches(Model const& model);
 
 // Draws the symbols of a string, one after the other, into a TurtleDrawing. What each symbol does:
-// interpret.h.
+// fast_drawing/interpret.h.
 class Turtle {
 public:
     // All must outlive it.

@@ -1,7 +1,7 @@
 #include "engine/lsystem/derivation/derive.h"
+#include "engine/lsystem/fast_drawing/interpret.h"
 #include "engine/lsystem/language/print.h"
 #include "engine/lsystem/rewriting/homomorphism.h"
-#include "engine/lsystem/turtle/interpret.h"
 #include "tests/corpus.h"
 #include "tests/engine/lsystem/corpus_model.h"
 #include "tests/engine/lsystem/sha256.h"

@@ -1,4 +1,4 @@
-#include "engine/lsystem/turtle/segment_plan.h"
+#include "engine/lsystem/fast_drawing/segment_plan.h"
 #include "tests/engine/lsystem/small_model.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "engine/lsystem/rewriting/range_rewriter.h"
+#include "engine/lsystem/fast_rewriting/range_rewriter.h"
 #include "tests/engine/lsystem/small_model.h"
 
 #include <algorithm>

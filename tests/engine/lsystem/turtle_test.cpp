@@ -1,4 +1,4 @@
-#include "engine/lsystem/turtle/interpret.h"
+#include "engine/lsystem/fast_drawing/interpret.h"
 
 #include "engine/base/vectors.h"
 #include "tests/engine/lsystem/small_model.h"

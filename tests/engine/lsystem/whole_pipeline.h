@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/lsystem/derivation/derive.h"
+#include "engine/lsystem/fast_drawing/interpret.h"
 #include "engine/lsystem/language/print.h"
-#include "engine/lsystem/turtle/interpret.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/lsystem/derivation/derive.h"
-#include "engine/lsystem/turtle/interpret.h"
+#include "engine/lsystem/fast_drawing/interpret.h"
 #include "engine/methods/construction_lines/construction.h"
 #include "engine/methods/construction_lines/line_model.h"
 

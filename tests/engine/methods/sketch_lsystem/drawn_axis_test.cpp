@@ -1,8 +1,8 @@
 #include "engine/methods/sketch_lsystem/drawn_axis.h"
 
 #include "engine/lsystem/derivation/derive.h"
+#include "engine/lsystem/fast_drawing/interpret.h"
 #include "engine/lsystem/language/print.h"
-#include "engine/lsystem/turtle/interpret.h"
 #include "engine/methods/sketch_lsystem/stroke_resampler.h"
 #include "tests/engine/methods/sketch_lsystem/strokes.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/lsystem/rewriting/branch_index.h"
-#include "engine/lsystem/turtle/interpret.h"
+#include "engine/lsystem/fast_drawing/branch_index.h"
+#include "engine/lsystem/fast_drawing/interpret.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,10 +1,10 @@
-#include "engine/lsystem/turtle/interpret.h"
+#include "engine/lsystem/fast_drawing/interpret.h"
 
 #include "engine/base/parallel.h"
+#include "engine/lsystem/fast_drawing/piece_turtle.h"
+#include "engine/lsystem/fast_drawing/segment_plan.h"
 #include "engine/lsystem/rewriting/homomorphism.h"
-#include "engine/lsystem/turtle/piece_turtle.h"
 #include "engine/lsystem/turtle/plant_assembly.h"
-#include "engine/lsystem/turtle/segment_plan.h"
 #include "engine/plant/pipe_model.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "engine/lsystem/turtle/segment_plan.h"
+#include "engine/lsystem/fast_drawing/segment_plan.h"
 
 #include "engine/base/parallel.h"
 #include "engine/lsystem/language/print.h"

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "engine/base/arena.h"
+#include "engine/lsystem/fast_drawing/branch_index.h"
+#include "engine/lsystem/fast_drawing/interpret.h"
+#include "engine/lsystem/fast_drawing/segment_plan.h"
 #include "engine/lsystem/language/virtual_machine.h"
-#include "engine/lsystem/rewriting/branch_index.h"
 #include "engine/lsystem/rewriting/expander.h"
-#include "engine/lsystem/turtle/interpret.h"
 #include "engine/lsystem/turtle/plant_assembly.h"
-#include "engine/lsystem/turtle/segment_plan.h"
 #include "engine/lsystem/turtle/turtle.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "engine/lsystem/rewriting/block_scan.h"
+#include "engine/lsystem/fast_rewriting/block_scan.h"
 
 #include "engine/base/check.h"
 #include "engine/base/random_blocks.h"

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "engine/lsystem/fast_rewriting/range_rewriter.h"
 #include "engine/lsystem/language/call_stack.h"
 #include "engine/lsystem/language/model.h"
 #include "engine/lsystem/language/module_string.h"
-#include "engine/lsystem/rewriting/range_rewriter.h"
 
 #include <cstddef>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "engine/lsystem/rewriting/context_table.h"
+#include "engine/lsystem/fast_rewriting/context_table.h"
 
 #include <bit>
 

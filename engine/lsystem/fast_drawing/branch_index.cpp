@@ -1,4 +1,4 @@
-#include "engine/lsystem/rewriting/branch_index.h"
+#include "engine/lsystem/fast_drawing/branch_index.h"
 
 #include "engine/base/parallel.h"
 

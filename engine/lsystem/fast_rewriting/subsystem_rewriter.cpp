@@ -1,4 +1,4 @@
-#include "engine/lsystem/rewriting/subsystem_rewriter.h"
+#include "engine/lsystem/fast_rewriting/subsystem_rewriter.h"
 
 #include <algorithm>
 

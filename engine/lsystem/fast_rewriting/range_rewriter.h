@@ -1,13 +1,13 @@
 #pragma once
 
+#include "engine/lsystem/fast_rewriting/block_scan.h"
+#include "engine/lsystem/fast_rewriting/rule_batch.h"
 #include "engine/lsystem/language/model.h"
 #include "engine/lsystem/language/module_string.h"
 #include "engine/lsystem/language/virtual_machine.h"
-#include "engine/lsystem/rewriting/block_scan.h"
 #include "engine/lsystem/rewriting/expander.h"
 #include "engine/lsystem/rewriting/fixed_successor.h"
 #include "engine/lsystem/rewriting/rewriter.h"
-#include "engine/lsystem/rewriting/rule_batch.h"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "engine/lsystem/rewriting/rule_batch.h"
+#include "engine/lsystem/fast_rewriting/rule_batch.h"
 
 #include "engine/lsystem/language/arithmetic.h"
 

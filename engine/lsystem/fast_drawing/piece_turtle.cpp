@@ -1,4 +1,4 @@
-#include "engine/lsystem/turtle/piece_turtle.h"
+#include "engine/lsystem/fast_drawing/piece_turtle.h"
 
 #include "engine/base/check.h"
 #include "engine/lsystem/rewriting/homomorphism.h"
