@@ -13,17 +13,20 @@ std::optional<std::string> large_glb_size(GlbSummary const& summary)
                        static_cast<double>(summary.bytes) / 1e6);
 }
 
-std::optional<std::string> large_glb_note(GlbSummary const& expected, GlbOptions::Organs organs)
+std::optional<std::string> large_glb_note(GlbSummary const& expected, GlbOptions const& options)
 {
     auto const size = large_glb_size(expected);
     if (!size)
         return std::nullopt;
-    auto const* const instanced = organs == GlbOptions::Organs::Instanced
+    auto const* const quantized = options.vertices == GlbOptions::Vertices::Quantized
+        ? ""
+        : "--quantized is smaller for programs that know KHR_mesh_quantization; ";
+    auto const* const instanced = options.organs == GlbOptions::Organs::Instanced
         ? ""
         : "--organs instanced is smaller for programs that know EXT_mesh_gpu_instancing; ";
-    return fmt::format("the .glb will have {}: {}\"tractus vary\" has --sides, --quantized and "
-                       "--lods, and writes a file for each plant into a folder",
-                       *size, instanced);
+    return fmt::format("the .glb will have {}: {}{}\"tractus vary\" has --sides and --lods, and "
+                       "writes a file for each plant into a folder",
+                       *size, quantized, instanced);
 }
 
 } // namespace tractus

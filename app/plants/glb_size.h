@@ -16,6 +16,6 @@ std::optional<std::string> large_glb_size(GlbSummary const& summary);
 
 // Returns what to say before such a file is written: how large it will be, and the options that
 // make it smaller. Nothing for smaller ones.
-std::optional<std::string> large_glb_note(GlbSummary const& expected, GlbOptions::Organs organs);
+std::optional<std::string> large_glb_note(GlbSummary const& expected, GlbOptions const& options);
 
 } // namespace tractus

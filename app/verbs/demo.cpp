@@ -5,7 +5,7 @@
 #include "app/terminal/console.h"
 #include "app/terminal/progress.h"
 #include "app/verbs/checks.h"
-#include "app/verbs/organs_option.h"
+#include "app/verbs/glb_options.h"
 #include "app/verbs/shared_options.h"
 #include "drivers/file.h"
 
@@ -26,7 +26,7 @@ void add_demo_verb(CLI::App& root, Action& action, Methods const& methods)
         "demo",
         "See what the station is for: a drawing recorded on the simulated rig varies plants");
     add_folder_option(*verb, arguments->job.folder);
-    add_organs_option(*verb, arguments->job.glb);
+    add_glb_options(*verb, arguments->job.glb);
     verb->footer(job_footer());
     verb->add_option(
             "--plant", arguments->plant,

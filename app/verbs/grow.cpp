@@ -12,9 +12,9 @@
 #include "app/terminal/progress.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/drawing_options.h"
+#include "app/verbs/glb_options.h"
 #include "app/verbs/growth_options.h"
 #include "app/verbs/model_options.h"
-#include "app/verbs/organs_option.h"
 #include "drivers/file.h"
 #include "engine/export/glb_growth.h"
 #include "engine/mesh/make_mesh.h"
@@ -237,7 +237,8 @@ void add_animation_options(CLI::App& verb, GrowArguments& arguments)
                           ".glb: a morph target for each of N ages, and an animation of them")
               ->type_name("N")
               ->check(whole_number(2, 10'000))
-              ->excludes("--organs"); // Morph targets blend one mesh.
+              ->excludes("--organs") // Morph targets blend one mesh, of floats.
+              ->excludes("--quantized");
     verb.add_option("--seconds", arguments.seconds, "How long the animation takes")
         ->type_name("S")
         ->check(number(0.01, 1e6))
@@ -267,7 +268,7 @@ void add_grow_verb(CLI::App& root, Action& action, Methods const& methods)
         ->type_name("FILE")
         ->check(name_ending_in({ ".glb", ".obj", ".mtg", ".png" }))
         ->required();
-    add_organs_option(*verb, arguments->file.glb);
+    add_glb_options(*verb, arguments->file.glb);
     add_growth_options(*verb, arguments->growth, "as drawn, or as in a session");
     add_drawing_options(*verb, arguments->drawing, "the plant is as its model gives it");
     add_animation_options(*verb, *arguments);

@@ -6,7 +6,7 @@
 #include "app/terminal/progress.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/growth_options.h"
-#include "app/verbs/organs_option.h"
+#include "app/verbs/glb_options.h"
 #include "app/verbs/shared_options.h"
 #include "drivers/file.h"
 
@@ -48,7 +48,7 @@ void add_replay_verb(CLI::App& root, Action& action, Methods const& methods)
     verb->add_flag("--seasons", arguments->job.all_seasons,
                    "Show what was drawn also in spring, summer, autumn and winter");
     add_folder_option(*verb, arguments->job.folder);
-    add_organs_option(*verb, arguments->job.glb);
+    add_glb_options(*verb, arguments->job.glb);
     verb->add_option("--session", arguments->job.session,
                      "Keep what is drawn in a new session, each stroke as soon as it ends")
         ->type_name("FILE.tractus")

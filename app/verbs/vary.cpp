@@ -6,8 +6,8 @@
 #include "app/terminal/progress.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/drawing_options.h"
+#include "app/verbs/glb_options.h"
 #include "app/verbs/growth_options.h"
-#include "app/verbs/organs_option.h"
 #include "app/verbs/shared_options.h"
 #include "drivers/file.h"
 
@@ -26,7 +26,6 @@ struct VaryArguments {
     std::string stand = "grid";
     std::string shard = "1/1";
     std::string wind = "none";
-    bool quantized = false;
     bool nodes = false;
 };
 
@@ -45,8 +44,6 @@ Result<void> vary(VaryArguments const& arguments, Methods const& methods)
     options.mesh.min_sides = std::min(options.mesh.min_sides, options.mesh.max_sides);
     if (arguments.stand == "scatter")
         options.stand = Stand::Scatter;
-    if (arguments.quantized)
-        options.glb.vertices = GlbOptions::Vertices::Quantized;
     options.has_wind = arguments.wind != "none";
     if (arguments.wind == "uv")
         options.glb.wind = GlbOptions::Wind::TextureCoordinates;
@@ -91,9 +88,7 @@ void add_output_options(CLI::App& verb, VaryArguments& arguments)
         ->type_name("CHANNELS")
         ->check(one_of({ "none", "attributes", "uv", "colour" }))
         ->capture_default_str();
-    verb.add_flag("--quantized", arguments.quantized,
-                  "Write smaller vertices, for readers that know KHR_mesh_quantization");
-    auto* const organs = add_organs_option(verb, arguments.collection.glb);
+    auto* const organs = add_glb_options(verb, arguments.collection.glb);
     verb.add_flag("--nodes", arguments.nodes, "Means --organs nodes")->excludes(organs);
 }
 

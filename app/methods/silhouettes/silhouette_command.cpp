@@ -7,7 +7,7 @@
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "app/verbs/checks.h"
-#include "app/verbs/organs_option.h"
+#include "app/verbs/glb_options.h"
 #include "drivers/file.h"
 #include "engine/methods/silhouettes/ready_form.h"
 #include "engine/methods/silhouettes/tree_edits.h"
@@ -262,7 +262,7 @@ void add_options(CLI::App& verb, SilhouetteArguments& arguments)
                   "Print as JSON what was inferred from each drawing");
     verb.add_flag("--session", arguments.session,
                   "Write a session, too, in which the tree is as if a pen had drawn it");
-    add_organs_option(verb, arguments.file.glb);
+    add_glb_options(verb, arguments.file.glb);
 }
 
 } // namespace

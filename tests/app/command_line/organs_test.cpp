@@ -54,6 +54,18 @@ TEST_F(Organs, AreInstancedOrNodesInEveryVerbThatIsAskedForIt)
         }
 }
 
+TEST_F(Organs, AreOfSmallerVerticesWhereThatIsAskedFor)
+{
+    EXPECT_EQ(run("tractus grow broadleaf -n 9 -o whole.glb").exit_code, 0);
+    EXPECT_EQ(run("tractus grow broadleaf -n 9 --quantized -o small.glb").exit_code, 0);
+    EXPECT_EQ(json_of("small.glb")["extensionsRequired"],
+              nlohmann::json({ "KHR_mesh_quantization" }));
+    EXPECT_LT(read("small.glb").size(), read("whole.glb").size());
+    auto const again = run("tractus render small.glb -o small.png");
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(run("tractus grow leaf --quantized --animation 3 -o moving.glb").exit_code, 2);
+}
+
 TEST_F(Organs, OldSpellingMeansTheSame)
 {
     EXPECT_EQ(run("tractus vary leaf --count 1 --nodes -o old.glb").exit_code, 0);

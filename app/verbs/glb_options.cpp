@@ -1,4 +1,4 @@
-#include "app/verbs/organs_option.h"
+#include "app/verbs/glb_options.h"
 
 #include "app/plants/glb_size.h"
 #include "app/terminal/error_text.h"
@@ -8,11 +8,11 @@
 
 namespace tractus {
 
-CLI::Option* add_organs_option(CLI::App& verb, GlbOptions& options)
+CLI::Option* add_glb_options(CLI::App& verb, GlbOptions& options)
 {
     using Organs = GlbOptions::Organs;
     options.before_writing = [&options, said = false](GlbSummary const& expected) mutable {
-        auto const note = large_glb_note(expected, options.organs);
+        auto const note = large_glb_note(expected, options);
         if (note && !said)
             print_warning(*note);
         said |= note.has_value(); // Once for all files.
@@ -22,6 +22,9 @@ CLI::Option* add_organs_option(CLI::App& verb, GlbOptions& options)
             : word == "nodes"                ? Organs::Nodes
                                              : Organs::Merged;
     };
+    verb.add_flag_callback(
+        "--quantized", [&options] { options.vertices = GlbOptions::Vertices::Quantized; },
+        "Write smaller vertices into a .glb, for readers that know KHR_mesh_quantization");
     return verb
         .add_option_function<std::string>(
             "--organs", choose,
