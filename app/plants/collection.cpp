@@ -1,5 +1,6 @@
 #include "app/plants/collection.h"
 
+#include "app/plants/collection_grower.h"
 #include "app/plants/collection_manifest.h"
 #include "app/plants/collection_sheet.h"
 #include "app/plants/picture_thread.h"
@@ -41,20 +42,20 @@ public:
 
 private:
     Result<Scene> load();
-    void compare(Grower& grower, Plant const& drawn);
-    double spacing_mm(Grower& grower);
-    Result<std::vector<ManifestPlant>> write_one_file(Grower& grower,
+    Result<void> compare(CollectionGrower& grower);
+    double spacing_mm(CollectionGrower& grower);
+    Result<std::vector<ManifestPlant>> write_one_file(CollectionGrower& grower,
                                                       std::vector<PlantPlace> const& places);
-    Result<std::vector<ManifestPlant>> write_folder(Grower& grower,
+    Result<std::vector<ManifestPlant>> write_folder(CollectionGrower& grower,
                                                     std::vector<PlantPlace> const& places);
-    Result<void> write_sheet(Grower& grower, std::vector<PlantPlace> const& places);
+    Result<void> write_sheet(CollectionGrower& grower, std::vector<PlantPlace> const& places);
     PlacedMesh placed(PlantPlace const& place) const;
     void add_details(PlacedMesh& mesh, std::function<Plant()> const& plant);
     Billboard billboard(Plant const& plant);
     Result<GlbSummary> write_plants(std::ostream& out, std::span<PlacedMesh const> plants);
 
     // Holds until the next call. `place` is of a plant of this collection.
-    Plant const& grow(Grower& grower, PlantPlace const& place);
+    Plant const& grow(CollectionGrower& grower, PlantPlace const& place);
 
     std::optional<WindKey> wind(PlantPlace const& place) const
     {
@@ -84,19 +85,18 @@ Result<CollectionReport> Collection::run()
     if (!options_.sheet.empty() || options_.details > 0)
         pictures_.emplace(TRY(PictureThread::create()));
     auto const scene = TRY(load());
-    auto const plan = TRY(plan_growth(scene));
-    auto as_drawn = scene;
-    as_drawn.growth.variability = 0;
-    auto const drawn_plan = TRY(plan_growth(as_drawn));
-
-    Grower grower(plan);
-    compare(grower, Grower(drawn_plan).grow(key(0)));
+    auto grower = TRY(CollectionGrower::create(scene, options_.construction));
+    TRY(compare(grower));
     auto const places = place_plants(options_, spacing_mm(grower));
     bool const one_file = options_.output.extension() == ".glb";
     auto const plants
         = TRY(one_file ? write_one_file(grower, places) : write_folder(grower, places));
     report_.plants = plants.size();
 
+    if (grower.failed_count() > 0)
+        report_.notes.push_back(fmt::format("{} of the plants could not be built otherwise than "
+                                            "they were drawn: they differ by their growth alone",
+                                            grower.failed_count()));
     report_.manifest = manifest_path(options_);
     auto const write
         = [&](std::ostream& out) { return write_manifest(out, options_, report_, plants); };
@@ -123,10 +123,14 @@ Result<Scene> Collection::load()
     return std::move(drawing.scene);
 }
 
-void Collection::compare(Grower& grower, Plant const& drawn)
+// Plants whose segments are others cannot be compared node by node.
+Result<void> Collection::compare(CollectionGrower& grower)
 {
+    auto const drawn = TRY(grower.drawn());
     auto const box = bounds(drawn);
     report_.height_mm = box.max_mm.z() - box.min_mm.z();
+    if (!grower.has_one_topology())
+        return {};
     auto const count = std::min(options_.count, kCompared);
     progress_.begin("comparing the plants", count);
     Diversity diversity(drawn);
@@ -136,10 +140,11 @@ void Collection::compare(Grower& grower, Plant const& drawn)
     }
     report_.between_plants = diversity.between_plants();
     report_.from_drawn = diversity.from_drawn();
+    return {};
 }
 
 // Returns one spacing for all shards.
-double Collection::spacing_mm(Grower& grower)
+double Collection::spacing_mm(CollectionGrower& grower)
 {
     double width_mm = 1;
     for (std::size_t i = 0; i < std::min(options_.count, kMeasured); ++i) {
@@ -149,7 +154,7 @@ double Collection::spacing_mm(Grower& grower)
     return kSpacing * width_mm;
 }
 
-Plant const& Collection::grow(Grower& grower, PlantPlace const& place)
+Plant const& Collection::grow(CollectionGrower& grower, PlantPlace const& place)
 {
     auto const& grown = grower.grow(key(place.index), place.age);
     if (place.age == 1)
@@ -211,7 +216,7 @@ Result<GlbSummary> Collection::write_plants(std::ostream& out, std::span<PlacedM
     return summary;
 }
 
-Result<std::vector<ManifestPlant>> Collection::write_one_file(Grower& grower,
+Result<std::vector<ManifestPlant>> Collection::write_one_file(CollectionGrower& grower,
                                                               std::vector<PlantPlace> const& places)
 {
     progress_.begin("writing the plants", places.size());
@@ -243,7 +248,7 @@ Result<std::vector<ManifestPlant>> Collection::write_one_file(Grower& grower,
     return plants;
 }
 
-Result<std::vector<ManifestPlant>> Collection::write_folder(Grower& grower,
+Result<std::vector<ManifestPlant>> Collection::write_folder(CollectionGrower& grower,
                                                             std::vector<PlantPlace> const& places)
 {
     progress_.begin("writing the plants", places.size());
@@ -272,7 +277,8 @@ Result<std::vector<ManifestPlant>> Collection::write_folder(Grower& grower,
     return plants;
 }
 
-Result<void> Collection::write_sheet(Grower& grower, std::vector<PlantPlace> const& places)
+Result<void> Collection::write_sheet(CollectionGrower& grower,
+                                     std::vector<PlantPlace> const& places)
 {
     SheetPlants const plants {
         places.size(),

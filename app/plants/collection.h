@@ -43,6 +43,9 @@ struct CollectionOptions {
     EditKinds kinds {};                       // Kinds of its edits, if it is a session.
     std::optional<DrawingOptions> drawing {}; // If there is none, plants vary by chance alone.
     GrowthOptions growth {};
+    // How much each plant is another one than what was drawn before it grows: the arrangement of an
+    // outlined tree's branches, the angles of a rule, construction lines (SourceVariation::spread).
+    double construction = 0;
     AgeRange ages {};
     std::uint64_t seed = 1;
     std::size_t count = 12; // Plants in all shards together; at least 1.

@@ -42,6 +42,8 @@ Result<void> write_manifest(std::ostream& out, CollectionOptions const& options,
     };
     if (options.drawing)
         head["drawing"] = options.drawing->log.filename().string();
+    if (options.construction > 0)
+        head["construction"] = options.construction;
     if (auto const& season = options.growth.season)
         head["season"] = { { "month", season->month }, { "fallen", season->fallen } };
     auto text = line(head);

@@ -65,6 +65,12 @@ void add_output_options(CLI::App& verb, VaryArguments& arguments)
                     "Also draw a picture of small pictures of the plants, of at most 48")
         ->type_name("FILE.png")
         ->check(name_ending_in({ ".png" }));
+    verb.add_option("--construction", arguments.collection.construction,
+                    "How much what was sketched differs, too: a rule's angles, construction lines, "
+                    "how an outlined tree's branches stand; 0 not at all, 1 as plants of a kind do")
+        ->type_name("SPREAD")
+        ->check(number(0, 4))
+        ->capture_default_str();
     verb.add_option("--shard", arguments.shard,
                     "Makes the I-th of N parts of the collection, so that many machines share it")
         ->type_name("I/N")

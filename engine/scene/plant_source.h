@@ -40,6 +40,14 @@ struct SourceModel {
     std::map<std::string, std::string> includes {};
 };
 
+// How far a plant of a collection is another one than what was drawn, and by which chance.
+struct SourceVariation {
+    std::uint64_t seed = 1;
+    std::uint32_t plant = 0;  // Its number in the collection.
+    std::uint32_t stream = 0; // Of plants whose numbers are the same: which.
+    double spread = 1;        // 0: not at all; 1: as plants of a kind differ; at most 4.
+};
+
 // A way to make base plants from what was drawn or written: a row of functions on values of one
 // type, which edits put into a document and nobody changes.
 struct SourceKind {
@@ -50,6 +58,10 @@ struct SourceKind {
     bool (*same)(void const* one, void const* other);
     // The model in cpfg's language whose plant it is, for other programs. Null where there is none.
     Result<SourceModel> (*model)(void const* drawn) = nullptr;
+    // Another one of its type: what a hand has drawn is where it was drawn, or near it, and what
+    // follows from that differs. Null where nothing does. The same variation, the same plant.
+    std::shared_ptr<void const> (*vary)(void const* drawn, SourceVariation const& variation)
+        = nullptr;
 };
 
 // The row for sources of type T, which can be compared.
@@ -92,6 +104,16 @@ public:
         if (empty() || !kind_->model)
             return std::nullopt;
         return TRY(kind_->model(drawn_.get()));
+    }
+
+    bool can_vary() const { return !empty() && kind_->vary; }
+
+    PlantSource varied(SourceVariation const& variation) const
+    {
+        auto other = *this;
+        if (can_vary() && variation.spread > 0)
+            other.drawn_ = kind_->vary(drawn_.get(), variation);
+        return other;
     }
 
     // Null for a source of another kind.

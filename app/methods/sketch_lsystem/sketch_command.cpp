@@ -16,6 +16,7 @@
 #include "app/verbs/shared_options.h"
 #include "drivers/file.h"
 #include "engine/methods/sketch_lsystem/drawn_axis.h"
+#include "engine/methods/sketch_lsystem/grow_edit.h"
 #include "engine/methods/sketch_lsystem/stroke_resampler.h"
 #include "engine/scene/scene.h"
 #include "engine/stroke/upright_sheet.h"
@@ -129,6 +130,20 @@ void warn_of_cut(sketch::Rule const& rule, sketch::DrawnAxis const& axis)
                         axis.depth, rule.most_internodes));
 }
 
+// What a pen in the window would have made of it, so that rule and stroke can be changed there.
+Result<sketch::GrowAlongStroke> drawn_edit(SketchArguments const& arguments,
+                                           sketch::Rule const& rule)
+{
+    auto stroke = TRY(choose_stroke(arguments));
+    auto const surface = decide_surface(stroke.tips, surface_for(arguments));
+    return sketch::GrowAlongStroke {
+        .rule = rule,
+        .stroke = std::move(stroke),
+        .surface = surface,
+        .leaves = arguments.bare ? sketch::Leaves::Bare : sketch::Leaves::Leafy,
+    };
+}
+
 Result<void> sketch_plant(SketchArguments const& arguments)
 {
     TRY(check_writable(arguments.folder / "model.l"));
@@ -149,8 +164,10 @@ Result<void> sketch_plant(SketchArguments const& arguments)
     auto const scene = TRY(apply_edit({}, load, make_load_options()));
     for (auto const* const ending : { ".png", ".glb" })
         TRY(write_plant_file(*scene.base, name, fs::path(base).concat(ending)));
-    if (arguments.session)
-        TRY(begin_session(fs::path(base).concat(".tractus"), { load }, arguments.methods.edits));
+    if (arguments.session) {
+        auto const drawn = TRY(drawn_edit(arguments, rule));
+        TRY(begin_session(fs::path(base).concat(".tractus"), { drawn }, arguments.methods.edits));
+    }
     return print_out(
         fmt::format("{0}.l, .v, .png, .glb{1}: {2} segments drawn, {3} internodes, {4} "
                     "leaves\n",

@@ -1,6 +1,7 @@
 #include "engine/methods/construction_lines/pen_sketch.h"
 
 #include "engine/methods/construction_lines/capture_line.h"
+#include "engine/methods/construction_lines/varied_sketch.h"
 #include "engine/scene/lsystem_source.h"
 #include "engine/stroke/polyline.h"
 #include "engine/stroke/upright_sheet.h"
@@ -121,6 +122,10 @@ constexpr SourceKind kPenSketch {
     .model = [](void const* drawn) -> Result<SourceModel> {
         auto model = TRY(model_of(*static_cast<PenSketch const*>(drawn)));
         return SourceModel { std::move(model.source), std::move(model.functions) };
+    },
+    .vary = [](void const* drawn, SourceVariation const& variation) -> std::shared_ptr<void const> {
+        return std::make_shared<PenSketch const>(
+            varied_sketch(*static_cast<PenSketch const*>(drawn), variation));
     },
 };
 

@@ -1,5 +1,6 @@
 #include "engine/methods/silhouettes/outlined_tree.h"
 
+#include "engine/base/random.h"
 #include "engine/methods/silhouettes/match.h"
 
 #include <algorithm>
@@ -216,6 +217,15 @@ Result<BuiltSource> build_tree(OutlinedTree const& tree, LoadOptions const&)
     return built;
 }
 
+// What the drawing leaves open is left to another chance.
+static OutlinedTree varied(OutlinedTree tree, SourceVariation const& variation)
+{
+    constexpr std::uint32_t kStream = 0x7472;
+    Random random({ variation.seed ^ tree.form.seed, kStream + variation.stream, variation.plant });
+    tree.form.seed = random.next_u64();
+    return tree;
+}
+
 constexpr SourceKind OutlinedTree::kKind {
     .word = "outlined_tree",
     .build =
@@ -227,6 +237,10 @@ constexpr SourceKind OutlinedTree::kKind {
             return same(*static_cast<OutlinedTree const*>(one),
                         *static_cast<OutlinedTree const*>(other));
         },
+    .vary = [](void const* drawn, SourceVariation const& variation) -> std::shared_ptr<void const> {
+        return std::make_shared<OutlinedTree const>(
+            varied(*static_cast<OutlinedTree const*>(drawn), variation));
+    },
 };
 
 } // namespace tractus::silhouette

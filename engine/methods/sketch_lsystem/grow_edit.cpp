@@ -1,12 +1,15 @@
 #include "engine/methods/sketch_lsystem/grow_edit.h"
 
+#include "engine/base/random.h"
 #include "engine/methods/sketch_lsystem/stroke_resampler.h"
 #include "engine/scene/edit_words.h"
 #include "engine/scene/lsystem_source.h"
 #include "engine/scene/make_edit_kind.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -23,6 +26,26 @@ bool same(GrowAlongStroke const& one, GrowAlongStroke const& other)
         && one.surface == other.surface && one.leaves == other.leaves && one.scale == other.scale;
 }
 
+// The rule's laterals differ; the axis stays as it was drawn.
+GrowAlongStroke varied(GrowAlongStroke edit, SourceVariation const& variation)
+{
+    constexpr std::uint32_t kStream = 0x736B;
+    constexpr double kAngle_deg = 6; // Deviations where the spread is 1.
+    constexpr double kShare = 0.06;
+    constexpr double kTwist_deg = 10;
+    Random random({ variation.seed, kStream + variation.stream, variation.plant });
+    auto const spread = [&](double deviation) {
+        return variation.spread * deviation * std::clamp(random.normal(), -2.0, 2.0);
+    };
+    auto& rule = edit.rule;
+    rule.angle_deg = std::clamp(rule.angle_deg + spread(kAngle_deg), 0.0, 150.0);
+    rule.lateral_length = std::clamp(rule.lateral_length * (1 + spread(kShare)), 0.2, 1.0);
+    rule.lateral_width = std::clamp(rule.lateral_width * (1 + spread(kShare)), 0.2, 1.0);
+    rule.axis_twist_deg = std::remainder(rule.axis_twist_deg + spread(kTwist_deg), 360);
+    rule.lateral_twist_deg = std::remainder(rule.lateral_twist_deg + spread(kTwist_deg), 360);
+    return edit;
+}
+
 constexpr SourceKind kSketch {
     .word = "sketch_lsystem",
     .build =
@@ -36,6 +59,10 @@ constexpr SourceKind kSketch {
         },
     .model = [](void const* drawn) -> Result<SourceModel> {
         return SourceModel { TRY(model_of(*static_cast<GrowAlongStroke const*>(drawn))) };
+    },
+    .vary = [](void const* drawn, SourceVariation const& variation) -> std::shared_ptr<void const> {
+        return std::make_shared<GrowAlongStroke const>(
+            varied(*static_cast<GrowAlongStroke const*>(drawn), variation));
     },
 };
 

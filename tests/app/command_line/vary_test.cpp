@@ -83,6 +83,25 @@ TEST_F(Vary, OneFileHoldsAllPlants)
     EXPECT_LT(read("thin.glb").size(), first.size());
 }
 
+TEST_F(Vary, WhatWasSketchedDiffersIfThatIsAskedFor)
+{
+    write("bow.txt", "0 0 0\n0 0 60\n20 0 140\n60 0 200\n");
+    ASSERT_EQ(run("tractus sketch bow.txt --session -o sketch").exit_code, 0);
+    std::string const what = "sketch/bow.tractus --variability 0 --count 3 ";
+    vary(what + "-o alike");
+    vary(what + "--construction 0 -o alike-too");
+    auto const same = [&](char const* one, char const* other) { return read(one) == read(other); };
+    EXPECT_TRUE(same("alike/bow-1.glb", "alike-too/bow-1.glb"));
+    vary(what + "--construction 1 -o varied");
+    vary(what + "--construction 1 --shard 2/3 -o part", "taskset -c 0");
+    EXPECT_FALSE(same("varied/bow-1.glb", "varied/bow-2.glb"));
+    EXPECT_FALSE(same("varied/bow-1.glb", "alike/bow-1.glb"));
+    EXPECT_TRUE(same("part/bow-2.glb", "varied/bow-2.glb"));
+    vary("small.l --count 2 --construction 1 -o model");
+    vary("small.l --count 2 -o model-too");
+    EXPECT_TRUE(same("model/small-2.glb", "model-too/small-2.glb")) << "nothing was sketched";
+}
+
 TEST_F(Vary, PlantsAreAsOldAsTheManifestSays)
 {
     vary("small.l --count 8 --ages 0.2..0.6 -o young");

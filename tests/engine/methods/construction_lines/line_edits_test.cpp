@@ -1,5 +1,6 @@
 #include "engine/methods/construction_lines/line_edits.h"
 
+#include "engine/methods/construction_lines/varied_sketch.h"
 #include "engine/scene/edit_ids.h"
 #include "engine/scene/scene.h"
 #include "tests/engine/methods/construction_lines/sketches.h"
@@ -369,6 +370,67 @@ TEST(SaidOf, NamesTheLineAndWhatIsMissing)
                   "This is an inclination line: the right boundary is the other one, mirrored, "
                   "until you draw it",
                   "This is the right boundary" }));
+}
+
+// Of the functions at a few places, each as a share of what the sketch has there.
+std::vector<double> functions_of(PenSketch const& sketch)
+{
+    auto const construction = measure_sketch(line_sketch(sketch).value(), Missing::Guessed).value();
+    std::vector<double> values { construction.stem.length_mm() };
+    for (double const x : { 0.3, 0.5, 0.7 }) {
+        auto const at = values_at(construction, x);
+        values.insert(values.end(), { at.left_deg, at.right_deg, at.left_size, at.right_size });
+    }
+    return values;
+}
+
+TEST(VariedSketch, IsTheSketchInTheMean)
+{
+    constexpr int kPlants = 600;
+    Drawing drawing;
+    for (auto const& stroke :
+         { stem(), left_boundary(), right_boundary(), low_line(), high_line() })
+        drawing.draw(stroke, 20);
+    auto const& sketch = *active_pen_sketch(drawing.scene().state);
+    auto const drawn = functions_of(sketch);
+    std::vector<double> sums(drawn.size(), 0);
+    std::vector<double> squares(drawn.size(), 0);
+    double nodes = 0;
+    for (std::uint32_t i = 0; i < kPlants; ++i) {
+        auto const varied = varied_sketch(sketch, { .seed = 3, .plant = i });
+        ASSERT_TRUE(build_pen_sketch(varied, {})) << i;
+        EXPECT_LT((points_on_sheet(varied.lines[0]).value().front()
+                   - points_on_sheet(sketch.lines[0]).value().front())
+                      .norm(),
+                  1e-9)
+            << "it stands where it stood";
+        auto const values = functions_of(varied);
+        for (std::size_t k = 0; k < drawn.size(); ++k) {
+            sums[k] += values[k] / kPlants;
+            squares[k] += values[k] * values[k] / kPlants;
+        }
+        nodes += static_cast<double>(varied.lines[3].nodes) / kPlants;
+    }
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+        double const deviation = std::sqrt(std::max(0.0, squares[k] - sums[k] * sums[k]));
+        EXPECT_NEAR(sums[k], drawn[k], 0.01 * drawn[k] + 3 * deviation / std::sqrt(kPlants)) << k;
+        EXPECT_GT(deviation, 0.005 * drawn[k]) << k << ": it differs";
+        EXPECT_LT(deviation, 0.2 * drawn[k]) << k;
+    }
+    EXPECT_NEAR(nodes, 20, 0.5);
+}
+
+TEST(VariedSketch, DependsOnTheVariationAlone)
+{
+    Drawing drawing;
+    for (auto const& stroke : { stem(), left_boundary(), low_line(), high_line() })
+        drawing.draw(stroke);
+    auto const& sketch = *active_pen_sketch(drawing.scene().state);
+    SourceVariation const one { .seed = 3, .plant = 1 };
+    EXPECT_EQ(functions_of(varied_sketch(sketch, one)), functions_of(varied_sketch(sketch, one)));
+    EXPECT_NE(functions_of(varied_sketch(sketch, one)),
+              functions_of(varied_sketch(sketch, { .seed = 3, .plant = 2 })));
+    EXPECT_EQ(functions_of(varied_sketch(sketch, { .spread = 0 })), functions_of(sketch));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "engine/scene/paper.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/varied_scene.h"
 #include "tests/engine/methods/silhouettes/outlines.h"
 
 #include <array>
@@ -358,6 +359,27 @@ TEST(DrawTree, SaysWhatIsWrong)
     form = {};
     form.levels = 4;
     EXPECT_NE(refusal(FormTree { plant, form }, tree).find("levels"), std::string::npos);
+}
+
+// What was seen stays: the trunk, and how far the crown reaches.
+TEST(DrawTree, LeavesToChanceWhatWasNotDrawn)
+{
+    auto const first = drawn(trunk());
+    auto const tree = drawn(outline(first.state.active), first);
+    ASSERT_TRUE(has_sources_that_vary(tree));
+    auto const one = varied(tree, { .seed = 5, .plant = 1 }).value();
+    auto const again = varied(tree, { .seed = 5, .plant = 1 }).value();
+    auto const other = varied(tree, { .seed = 5, .plant = 2 }).value();
+    EXPECT_EQ(one.base->node_position_mm, again.base->node_position_mm);
+    EXPECT_NE(one.base->node_position_mm, other.base->node_position_mm);
+    auto const trunk_of = [](Scene const& scene) {
+        auto const nodes = scene.base->positions(scene.base->axes[0]);
+        return std::vector<Vec3>(nodes.begin(), nodes.end());
+    };
+    EXPECT_EQ(trunk_of(one).back(), trunk_of(tree).back());
+    auto const box_of_plant = [](Scene const& scene) { return bounds(*scene.base); };
+    auto const whole = box_of_plant(tree);
+    EXPECT_NEAR(box_of_plant(one).max_mm.z(), whole.max_mm.z(), 0.05 * whole.max_mm.z());
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "engine/plant/join_axes.h"
 #include "engine/plant/plant_addresses.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/varied_scene.h"
 #include "tests/engine/methods/sketch_lsystem/strokes.h"
 #include "tests/engine/scene/edits.h"
 
@@ -127,6 +128,31 @@ TEST(ChangeSketch, ReachesWhatWasPutOnAnotherPlant)
         = after({ RedrawSketch { host, guest, StrokeSurface::Space, longer } }, scene);
     EXPECT_GT(axis_of_part(redrawn).segment_count, axis_of_part(scene).segment_count);
     EXPECT_EQ(redrawn.plants[0]->placement.origin_mm, scene.plants[0]->placement.origin_mm);
+}
+
+// Laterals differ, the drawn axis does not, and what was drawn on branches stays.
+TEST(GrowAlongStroke, VariesItsLaterals)
+{
+    auto scene = after({ drawn(kFirst) });
+    auto const path = segments_of(scene.base->axes[1]);
+    scene = after({ select_paths(scene, { path }), Associate { stroke_towards({ 40, 0, 0 }) } },
+                  scene);
+    ASSERT_TRUE(has_sources_that_vary(scene));
+    auto const one = varied(scene, { .seed = 7, .plant = 1 }).value();
+    auto const again = varied(scene, { .seed = 7, .plant = 1 }).value();
+    auto const other = varied(scene, { .seed = 7, .plant = 2 }).value();
+    EXPECT_EQ(one.base->node_position_mm, again.base->node_position_mm);
+    EXPECT_NE(one.base->node_position_mm, other.base->node_position_mm);
+    auto const drawn_axis = [](Scene const& grown) {
+        auto const nodes = grown.base->positions(grown.base->axes[0]);
+        return std::vector<Vec3>(nodes.begin(), nodes.end());
+    };
+    EXPECT_EQ(drawn_axis(one), drawn_axis(scene));
+    EXPECT_EQ(drawn_axis(other), drawn_axis(scene));
+    ASSERT_EQ(one.associations.size(), 1u);
+    EXPECT_FALSE(one.associations[0].what.is_orphaned);
+    auto const not_at_all = varied(scene, { .seed = 7, .plant = 1, .spread = 0 }).value();
+    EXPECT_EQ(not_at_all.base, scene.base);
 }
 
 } // namespace
