@@ -45,8 +45,10 @@ bool keeps_cuts(Model const& model);
 // query modules: ?P(x,y,z) with the turtle's position, ?H ?L ?U(x,y,z) with the directions of its
 // frame, ?Q(x,y,z,w) with the quaternion that turns x, y and z into ?H, ?L and away from ?U; then
 // asks the environment, if there is one, about the ?E. A query with fewer parameters gets the first
-// of the values; one that a homomorphism rule makes gets none. What the turtle does to the string's
-// variables, by homomorphism rules, is forgotten. Fails like apply_homomorphism().
+// of the values; one that a homomorphism rule makes gets none. As in cpfg, what a cut will take
+// away in the next step is answered as well, unless the view lets the turtle stop at cuts: then it
+// keeps its values. What the turtle does to the string's variables, by homomorphism rules, is
+// forgotten. Fails like apply_homomorphism().
 Result<void> answer_queries(Model const& model, ModuleString& string, VirtualMachine const& main,
                             int step, Environment const& environment);
 

@@ -209,5 +209,104 @@ TEST(KeptCuts, StayApartOverManySteps)
               "F[]F[]F[%(2)L]A(3)%(0,0)L%(1,1)L");
 }
 
+// The string after some steps, where the turtle does not go past cuts.
+std::string derived_up_to_cuts(std::string const& axiom_and_rules, int steps = 0)
+{
+    auto const model
+        = compiled(with_header(axiom_and_rules, steps), "interpretation past %: off\n");
+    return to_string(model, derive(model).value());
+}
+
+// As in cpfg, a cut takes its branch away in the step after it: until then, what it cuts off is
+// interpreted as all the rest.
+TEST(QueriesBehindCuts, AreAnsweredUntilTheyGo)
+{
+    std::string const axiom = "Axiom: [F%F?P(9,9,9)[F?P(9,9,9)]%F?P(9,9,9)]F?P(9,9,9)";
+    EXPECT_EQ(derived(axiom, 0), "[F%F?P(0,2,0)[F?P(0,3,0)]%F?P(0,3,0)]F?P(0,1,0)");
+    EXPECT_EQ(derived(axiom, 1), "[F]F?P(0,1,0)");
+}
+
+TEST(QueriesBehindCuts, KeepTheirValuesWhereTheTurtleStopsAtCuts)
+{
+    EXPECT_EQ(derived_up_to_cuts("Axiom: F[F%F[F?P(9,9,9)]?P(9,9,9)]F?P(9,9,9)%F?P(9,9,9)"),
+              "F[F%F[F?P(9,9,9)]?P(9,9,9)]F?P(0,2,0)%F?P(9,9,9)");
+    EXPECT_EQ(derived_up_to_cuts("Axiom: A%F?P(9,9,9)\nignore: %F\nA > ?P(x,y,z) --> B(y)", 1),
+              "B(9)");
+    // A sub-L-system is cut up to its end.
+    auto const model = compiled(with_header("Axiom: F?(2)F%F?P(9,9,9)$F?P(9,9,9)", 0)
+                                    + "Lsystem: 2\nA --> A\nendlsystem\n",
+                                "interpretation past %: off\n");
+    EXPECT_EQ(to_string(model, derive(model).value()), "F?(2)F%F?P(9,9,9)$F?P(0,3,0)");
+}
+
+// A cut is made while its string is rewritten, so rules still see what it cuts off.
+TEST(QueriesBehindCuts, AreSeenByContextsInTheStepOfTheCut)
+{
+    EXPECT_EQ(derived("Axiom: FA%F?P(9,9,9)\nignore: %F\nA > ?P(x,y,z) --> B(y)"), "FB(2)");
+    EXPECT_EQ(derived("Axiom: FA%?P(9,9,9)\nA > %?P(x,y,z) --> B(y)"), "FB(1)");
+    EXPECT_EQ(derived("Axiom: A[F%?P(9,9,9)]\nA > [F%?P(x,y,z)] --> B(y)"), "B(1)[F]");
+}
+
+// An apex that leaves its bounds becomes a cut, and what it became in the same step goes with it.
+TEST(QueriesBehindCuts, GoWithWhatARuleCutsOff)
+{
+    std::string const rules = "Axiom: FA\nA --> [+(90)B]F?P(9,9,9)A\nB --> F?P(9,9,9)B\n"
+                              "?P(x,y,z) : y > 2.5 || x < -1.5 --> X%";
+    EXPECT_EQ(derived(rules, 2), "F[+(90)F?P(-1,1,0)B]F?P(0,2,0)[+(90)B]F?P(0,3,0)A");
+    EXPECT_EQ(derived(rules, 3),
+              "F[+(90)F?P(-1,1,0)F?P(-2,1,0)B]F?P(0,2,0)[+(90)F?P(-1,2,0)B]FX%"
+              "[+(90)B]F?P(0,4,0)A");
+    EXPECT_EQ(derived(rules, 4),
+              "F[+(90)F?P(-1,1,0)FX%F?P(-3,1,0)B]F?P(0,2,0)[+(90)F?P(-1,2,0)F?P(-2,2,0)B]FX");
+    EXPECT_EQ(derived(rules, 6), "F[+(90)F?P(-1,1,0)FX]F?P(0,2,0)[+(90)F?P(-1,2,0)FX]FX");
+}
+
+// What %(x) cuts off goes to the string's end, and stays where it is.
+TEST(QueriesBehindCuts, AreAnsweredWhereTheKeptBranchIs)
+{
+    std::string const rules = "Axiom: F[-(90)F%(5)FA?P(9,9,9)[F?P(9,9,9)]]F?P(9,9,9)\nA --> FA";
+    EXPECT_EQ(derived(rules, 0), "F[-(90)F%(5)FA?P(2,1,0)[F?P(3,1,0)]]F?P(0,2,0)");
+    EXPECT_EQ(derived(rules, 2), "F[-(90)F]F?P(0,2,0)%(5,0)FFFA?P(4,1,0)[F?P(5,1,0)]");
+    // Even where the turtle stops at plain cuts: those end at the next one that keeps.
+    EXPECT_EQ(derived_up_to_cuts("Axiom: F%F?P(9,9,9)%(1)F?P(9,9,9)"),
+              "F%F?P(9,9,9)%(1)F?P(0,2,0)");
+    EXPECT_EQ(derived_up_to_cuts("Axiom: F%F?P(9,9,9)%(1)F?P(9,9,9)", 1), "F%(1,0)F?P(0,2,0)");
+}
+
+TEST(QueriesBehindCuts, AreCutOnlyByTheStringItself)
+{
+    auto const answered = [](std::string const& axiom, std::string const& homomorphism) {
+        return derived_up_to_cuts("Axiom: " + axiom + "\nhomomorphism\n" + homomorphism);
+    };
+    EXPECT_EQ(answered("AF?P(9,9,9)", "A --> F%F"), "AF?P(0,3,0)");
+    EXPECT_EQ(answered("F%F?P(9,9,9)", "% --> F"), "F%F?P(0,3,0)");
+    // A rule draws the query instead.
+    EXPECT_EQ(answered("F?P(9,9,9)?H(9,9,9)", "?P(x,y,z) --> F"), "F?P(9,9,9)?H(0,1,0)");
+    EXPECT_EQ(answered("F?P(9,9,9)?P(9,9,9)", "P(x,y,z) --> F"), "F?P(0,1,0)?P(0,1,0)");
+}
+
+TEST(QueriesBehindCuts, AskTheEnvironmentUntilTheyGo)
+{
+    auto const model = compiled(with_header("Axiom: F%F?E(9)", 1));
+    DeriveOptions options;
+    std::vector<std::size_t> asked;
+    options.environment = [&](int, std::span<EnvironmentQuery const> queries) {
+        asked.push_back(queries.size());
+        for (auto const& query : queries)
+            EXPECT_EQ(query.position, Vec3(0, 2, 0));
+        return Result<void>();
+    };
+    EXPECT_EQ(to_string(model, derive(model, options).value()), "F");
+    EXPECT_EQ(asked, std::vector<std::size_t> { 1 }); // The axiom's; there is none left then.
+}
+
+// cpfg leaves brackets without their partners here: a part that is cut ends for it at the next
+// %(x) inside, however deep. Here each goes by itself, from the outermost on.
+TEST(KeptCuts, KeepWhatBranchesOfTheCutOnesKeep)
+{
+    EXPECT_EQ(derived("Axiom: F[F%(1)F[+(90)F%(2)F?P(9,9,9)]F?P(9,9,9)]F?P(9,9,9)"),
+              "F[F]F?P(0,2,0)%(1,0)F[+(90)F]F?P(0,4,0)%(2,1)F?P(-2,3,0)");
+}
+
 } // namespace
 } // namespace tractus
