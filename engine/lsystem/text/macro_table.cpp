@@ -67,15 +67,20 @@ Result<std::string_view> MacroTable::set_parameters(Macro& macro, PlacedText con
     auto list = rest.substr(1, close - 1);
     while (!trimmed_line(list).empty()) {
         auto const comma = std::min(list.find(','), list.size());
-        auto const parameter = trimmed_line(list.substr(0, comma));
-        macro.is_variadic = parameter == "...";
-        if (!macro.is_variadic
-            && (parameter.empty() || !is_name_start(parameter.front())
-                || first_name(parameter) != parameter))
+        auto const written = trimmed_line(list.substr(0, comma));
+        auto parameter = written;
+        macro.is_variadic
+            = parameter.size() >= 3 && parameter.substr(parameter.size() - 3) == "...";
+        if (macro.is_variadic) // As in gcc, the rest may have a name.
+            parameter = trimmed_line(parameter.substr(0, parameter.size() - 3));
+        if (macro.is_variadic && parameter.empty())
+            parameter = "__VA_ARGS__";
+        if (parameter.empty() || !is_name_start(parameter.front())
+            || first_name(parameter) != parameter)
             return error(line, 0,
                          fmt::format("found '{}' among the parameters of #define, expected a name",
-                                     shown(parameter)));
-        macro.parameters.emplace_back(macro.is_variadic ? "__VA_ARGS__" : parameter);
+                                     shown(written)));
+        macro.parameters.emplace_back(parameter);
         list.remove_prefix(std::min(comma + 1, list.size()));
     }
     return rest.substr(close + 1);

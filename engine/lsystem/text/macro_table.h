@@ -16,8 +16,9 @@ namespace tractus {
 // `##`, arguments that are macros, and results that are read again together with what follows.
 // __LINE__ and __FILE__ are where they stand, in a macro where the call of the outermost one
 // begins.
-// `#` stands for itself where no parameter follows, as it is a turtle symbol. As in gcc, a comma
-// before ## __VA_ARGS__ goes where there is none in the call. Errors are the user's, with their
+// `#` stands for itself where no parameter follows, as it is a turtle symbol. As in gcc, the
+// variable arguments may have a name, and a comma before ## __VA_ARGS__ goes where there is none in
+// the call. Errors are the user's, with their
 // place.
 class MacroTable {
 public:

@@ -36,6 +36,18 @@ bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
+// Where the string that begins here ends, behind its closing quote; not beyond its line.
+static std::optional<std::size_t> string_end(std::string_view text, std::size_t begin)
+{
+    for (auto at = begin + 1; at < text.size() && text[at] != '\n'; ++at) {
+        if (text[at] == '"')
+            return at + 1;
+        if (text[at] == '\\' && at + 1 < text.size() && text[at + 1] != '\n')
+            ++at;
+    }
+    return std::nullopt;
+}
+
 std::size_t token_end(std::string_view text, std::size_t begin)
 {
     auto end = begin + 1;
@@ -48,9 +60,7 @@ std::size_t token_end(std::string_view text, std::size_t begin)
                && (is_name_part(text[end]) || text[end] == '.' || is_exponent_sign(text, end)))
             ++end;
     } else if (text[begin] == '"') {
-        while (end < text.size() && text[end] != '"' && text[end] != '\n')
-            ++end;
-        end = std::min(end + 1, text.size());
+        end = string_end(text, begin).value_or(std::min(text.find('\n', begin), text.size()));
     }
     return end;
 }
@@ -61,6 +71,7 @@ PlacedText without_comments(std::string_view source, std::uint32_t file,
     PlacedText result;
     SourcePlace place { file, 1, 1 };
     std::size_t i = 0;
+    std::size_t no_string_before = 0; // Where none ends in a line, none is sought again.
     auto const advance = [&] {
         if (source[i++] == '\n') {
             ++place.line;
@@ -82,9 +93,18 @@ PlacedText without_comments(std::string_view source, std::uint32_t file,
             while (i < end)
                 advance();
         } else {
-            if (source[i] != '\r')
-                result.push(source[i], place);
-            advance();
+            auto end = i + 1;
+            if (source[i] == '"' && i >= no_string_before) {
+                auto const string = string_end(source, i);
+                end = string.value_or(end);
+                if (!string)
+                    no_string_before = std::min(source.find('\n', i), source.size());
+            }
+            while (i < end) {
+                if (source[i] != '\r')
+                    result.push(source[i], place);
+                advance();
+            }
         }
     }
     return result;

@@ -30,7 +30,8 @@ tl::unexpected<Error> error_in(PlacedText const& text, std::size_t index,
                                std::vector<std::string> const& files, std::string const& what);
 
 // The text of a file, its number `file`, without comments: each becomes one blank, so a rule may go
-// on behind one that spans lines. `open_comment` becomes the beginning of one that does not end.
+// on behind one that spans lines. In strings that end in their line there are none. `open_comment`
+// becomes the beginning of one that does not end.
 PlacedText without_comments(std::string_view source, std::uint32_t file,
                             std::optional<SourcePlace>& open_comment);
 

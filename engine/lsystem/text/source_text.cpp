@@ -6,9 +6,12 @@
 #include "engine/lsystem/text/user_text.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstddef>
 #include <fmt/core.h>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace tractus {
@@ -34,6 +37,12 @@ struct Condition {
     SourcePlace place;
 };
 
+// Where the lines behind a #line are said to be.
+struct Presumed {
+    std::uint32_t file = 0;
+    std::uint32_t added_lines = 0; // To the number of a line; may wrap round.
+};
+
 class Preprocessor {
 public:
     explicit Preprocessor(IncludeReader const& include)
@@ -47,8 +56,13 @@ public:
 private:
     Result<void> add_lines(PlacedText const& text, int nesting);
     PlacedText take_line(PlacedText const& text, std::size_t& begin);
+    PlacedText take_written_line(PlacedText const& text, std::size_t& begin);
     void warn_of_joined_line(PlacedText const& definition, PlacedText const& line);
     Result<bool> directive(PlacedText const& line, int nesting);
+    Result<void> obey(PlacedText const& line, std::string_view word, std::string_view rest,
+                      int nesting);
+    Result<void> set_line(PlacedText const& line, std::string_view rest);
+    Result<std::uint32_t> add_name(std::string const& name);
     Result<void> include_file(PlacedText const& line, std::string_view rest, int nesting);
     Result<bool> condition(PlacedText const& line, std::string_view word, std::string_view rest);
     Result<void> next_part(PlacedText const& line, std::string_view word, std::string_view rest);
@@ -71,6 +85,9 @@ private:
     MacroTable macros_ { files_ };
     std::vector<Condition> conditions_;
     std::size_t first_condition_ = 0; // Of the file that is read.
+    std::string name_;                // Of that file.
+    std::set<std::string> once_;      // Files that are not included again.
+    std::optional<Presumed> presumed_;
     std::vector<std::string> warnings_;
     PlacedText out_;
 };
@@ -78,6 +95,18 @@ private:
 bool is_directive(std::string_view line)
 {
     return trimmed_line(line).substr(0, 1) == "#";
+}
+
+// Words behind a #, besides those of conditions.
+constexpr std::array<std::string_view, 7> kWords { "define",  "undef", "include", "error",
+                                                   "warning", "line",  "pragma" };
+
+// Whether `# 12 "FILE"` stands there, which compilers write for `#line 12 "FILE"`.
+bool is_line_marker(std::string_view after_hash)
+{
+    auto const words = trimmed_line(after_hash);
+    auto const behind = trimmed_line(words.substr(first_name(words).size()));
+    return !words.empty() && is_digit(words.front()) && behind.substr(0, 1) == "\"";
 }
 
 void append(PlacedText& text, PlacedText const& other, std::size_t begin, std::size_t end)
@@ -102,12 +131,7 @@ Result<void> Preprocessor::add_file(std::string const& name, std::string_view so
         return fail(Fault::User,
                     fmt::format("{}: includes are nested deeper than {}; does it include itself?",
                                 name, kMaxIncludeNesting));
-    if (files_.size() == kMaxFiles)
-        return fail(
-            Fault::User,
-            fmt::format("{}: there are more than {} includes before this one", name, kMaxFiles));
-    files_.push_back(name);
-    auto const file = static_cast<std::uint32_t>(files_.size() - 1);
+    auto const file = TRY(add_name(name));
     std::optional<SourcePlace> open_comment;
     auto const text = without_comments(source, file, open_comment);
     if (open_comment)
@@ -115,12 +139,16 @@ Result<void> Preprocessor::add_file(std::string const& name, std::string_view so
                     fmt::format("{}:{}:{}: the comment that begins here has no */", name,
                                 open_comment->line, open_comment->column));
     auto const first_before = std::exchange(first_condition_, conditions_.size());
+    auto const name_before = std::exchange(name_, name);
+    auto const presumed_before = std::exchange(presumed_, std::nullopt);
     TRY(add_lines(text, nesting));
     if (conditions_.size() != first_condition_)
         return fail(Fault::User,
                     fmt::format("{}:{}:{}: this #if has no #endif", name,
                                 conditions_.back().place.line, conditions_.back().place.column));
     first_condition_ = first_before;
+    name_ = name_before;
+    presumed_ = presumed_before;
     return {};
 }
 
@@ -153,8 +181,19 @@ Result<void> Preprocessor::add_lines(PlacedText const& text, int nesting)
     return {};
 }
 
-// A definition goes on behind a backslash at the line's end; elsewhere \ is a turtle symbol.
 PlacedText Preprocessor::take_line(PlacedText const& text, std::size_t& begin)
+{
+    auto line = take_written_line(text, begin);
+    if (presumed_)
+        for (auto& place : line.places) {
+            place.file = presumed_->file;
+            place.line += presumed_->added_lines;
+        }
+    return line;
+}
+
+// A definition goes on behind a backslash at the line's end; elsewhere \ is a turtle symbol.
+PlacedText Preprocessor::take_written_line(PlacedText const& text, std::size_t& begin)
 {
     auto const line_end
         = [&] { return std::min(text.characters.find('\n', begin), text.size() - 1) + 1; };
@@ -202,39 +241,93 @@ Result<bool> Preprocessor::directive(PlacedText const& line, int nesting)
     auto rest = trimmed_line(line.characters);
     if (rest.empty() || rest.front() != '#')
         return false;
-    rest = trimmed_line(rest.substr(1));
+    auto const after_hash = rest.substr(1);
+    rest = trimmed_line(after_hash);
     auto const word = first_name(rest);
     rest = trimmed_line(rest.substr(word.size()));
     if (TRY(condition(line, word, rest)))
         return true;
-    bool const is_for_others = word == "line" || word == "pragma";
-    if (word != "define" && word != "undef" && word != "include" && word != "error"
-        && word != "warning" && !is_for_others)
+    bool const is_marker = is_line_marker(after_hash);
+    if (!is_marker && std::find(kWords.begin(), kWords.end(), word) == kWords.end())
         return false;
-    if (!active() || is_for_others)
-        return true;
-    if (word == "warning") {
-        auto const& at = line.places[line.characters.find('#')];
-        warnings_.push_back(
-            fmt::format("{}:{}:{}: #warning {}", files_[at.file], at.line, at.column, shown(rest)));
-        return true;
-    }
+    if (active() && is_marker)
+        TRY(set_line(line, trimmed_line(after_hash)));
+    else if (active())
+        TRY(obey(line, word, rest, nesting));
+    return true;
+}
+
+Result<void> Preprocessor::obey(PlacedText const& line, std::string_view word,
+                                std::string_view rest, int nesting)
+{
     if (word == "error")
         return error(line, 0, fmt::format("#error {}", shown(rest)));
     if (word == "define")
-        TRY(macros_.define(line, rest));
-    else if (word == "undef")
+        return macros_.define(line, rest);
+    if (word == "include")
+        return include_file(line, rest, nesting);
+    if (word == "line")
+        return set_line(line, rest);
+    if (word == "undef") {
         macros_.undefine(first_name(rest));
-    else
-        TRY(include_file(line, rest, nesting));
-    return true;
+    } else if (word == "pragma") {
+        if (rest == "once")
+            once_.insert(name_);
+    } else { // A warning.
+        auto const& at = line.places[line.characters.find('#')];
+        warnings_.push_back(
+            fmt::format("{}:{}:{}: #warning {}", files_[at.file], at.line, at.column, shown(rest)));
+    }
+    return {};
+}
+
+// Reads LINE or LINE "FILE", of the line that follows. As in C, macros may make them.
+Result<void> Preprocessor::set_line(PlacedText const& line, std::string_view rest)
+{
+    constexpr std::uint32_t kMaxLine = 2'147'483'647;
+    PlacedText expanded;
+    TRY(macros_.expand(part_of(line, rest), expanded));
+    auto const words = trimmed_line(expanded.characters);
+    std::uint32_t number = 0;
+    auto const* const end = words.data() + words.size();
+    auto const [behind, problem] = std::from_chars(words.data(), end, number);
+    auto const name = trimmed_line(words.substr(static_cast<std::size_t>(behind - words.data())));
+    auto const close = name.find('"', 1);
+    if (problem != std::errc() || number > kMaxLine
+        || (!name.empty() && (name.front() != '"' || close == std::string_view::npos)))
+        return error(line, 0,
+                     fmt::format("found #line {}, expected a line's number, and perhaps \"FILE\"",
+                                 shown(rest)));
+    auto const& at = line.places.back();
+    Presumed presumed = presumed_.value_or(Presumed { at.file, 0 });
+    presumed.added_lines += number - (at.line + 1);
+    if (!name.empty()) {
+        auto const file = name.substr(1, close - 1);
+        auto const known = std::find(files_.begin(), files_.end(), file);
+        presumed.file = known == files_.end() ? TRY(add_name(std::string(file)))
+                                              : static_cast<std::uint32_t>(known - files_.begin());
+    }
+    presumed_ = presumed;
+    return {};
+}
+
+// The number of a new name for messages.
+Result<std::uint32_t> Preprocessor::add_name(std::string const& name)
+{
+    if (files_.size() == kMaxFiles)
+        return fail(
+            Fault::User,
+            fmt::format("{}: there are more than {} includes before this one", name, kMaxFiles));
+    files_.push_back(name);
+    return static_cast<std::uint32_t>(files_.size() - 1);
 }
 
 // Whether the line was #if or what belongs to it. What is not read is not computed, either.
 Result<bool> Preprocessor::condition(PlacedText const& line, std::string_view word,
                                      std::string_view rest)
 {
-    if (word == "elif" || word == "else" || word == "endif") {
+    if (word == "elif" || word == "elifdef" || word == "elifndef" || word == "else"
+        || word == "endif") {
         TRY(next_part(line, word, rest));
         return true;
     }
@@ -276,7 +369,10 @@ Result<void> Preprocessor::next_part(PlacedText const& line, std::string_view wo
             fmt::format("found #{} behind the #else of the #if at line {}", word, open.place.line));
     bool const is_open = open.is_possible && !open.was_on;
     open.has_else = word == "else";
-    open.is_on = is_open && (open.has_else || TRY(value(line, rest)));
+    open.is_on = is_open
+        && (open.has_else
+            || (word == "elif" ? TRY(value(line, rest))
+                               : TRY(is_defined(line, rest, word)) == (word == "elifdef")));
     open.was_on = open.was_on || open.is_on;
     return {};
 }
@@ -323,17 +419,25 @@ Result<bool> Preprocessor::value(PlacedText const& line, std::string_view rest)
 
 Result<void> Preprocessor::include_file(PlacedText const& line, std::string_view rest, int nesting)
 {
+    PlacedText expanded; // A macro may name the file.
+    if (is_name_start(rest.empty() ? '"' : rest.front())) {
+        TRY(macros_.expand(part_of(line, rest), expanded));
+        rest = trimmed_line(expanded.characters);
+    }
     auto const close = rest.empty() ? '"' : rest.front() == '<' ? '>' : rest.front();
     if (rest.size() < 3 || (close != '"' && close != '>')
         || rest.find(close, 1) == std::string_view::npos)
         return error(line, 0, fmt::format("found #include {}, expected \"FILE\"", shown(rest)));
     auto const name = std::string(rest.substr(1, rest.find(close, 1) - 1));
+    auto const file = beside(files_.front(), name);
+    if (once_.contains(file))
+        return {};
     if (!include_)
         return error(line, 0, fmt::format("cannot include {}: this model has no folder", name));
     auto const source = include_(name);
     if (!source)
         return error(line, 0, fmt::format("cannot include {}: {}", name, source.error().message));
-    return add_file(beside(files_.front(), name), *source, nesting + 1);
+    return add_file(file, *source, nesting + 1);
 }
 
 SourceText Preprocessor::finish()

@@ -13,7 +13,8 @@ namespace tractus {
 // Gives the text of an included file by the name that stands in the including file.
 using IncludeReader = std::function<Result<std::string>(std::string const& name)>;
 
-// Where a character stood before macros and includes were expanded. Lines and columns count from 1.
+// Where a character stood before macros and includes were expanded, or where a #line says that it
+// did. Lines and columns count from 1.
 struct SourcePlace {
     std::uint32_t file = 0; // Into SourceText::files.
     std::uint32_t line = 1;
@@ -22,7 +23,7 @@ struct SourcePlace {
 
 // A model's text after the preprocessor: no comments, no directives, macros replaced.
 struct SourceText {
-    std::vector<std::string> files; // Names, for messages; the model's own first.
+    std::vector<std::string> files; // Names, for messages; the model's own first, #line's too.
     std::string text;
     std::vector<SourcePlace> places; // One per character, and one for the end.
     std::vector<std::string> warnings;
@@ -32,9 +33,10 @@ struct SourceText {
 };
 
 // C's preprocessor: comments of both kinds, #define with and without parameters and with # and ##,
-// #undef, #include, #if, #ifdef, #ifndef, #elif, #else, #endif, #error, #warning; __LINE__ and
-// __FILE__. #line and #pragma are passed over. A line that starts with `#` and none of these words
-// is left alone, since # is a turtle symbol.
+// #undef, #include, #if, #ifdef, #ifndef, #elif, #elifdef, #elifndef, #else, #endif, #error,
+// #warning, #line, also as `# 12 "FILE"`, #pragma once; __LINE__ and __FILE__. Other pragmas are
+// passed over. A line that starts with `#` and none of these words is left alone, since # is a
+// turtle symbol.
 Result<SourceText> preprocess(std::string const& name, std::string_view text,
                               IncludeReader const& include);
 

@@ -50,12 +50,16 @@ class Programs {
 public:
     void add(std::string const& program)
     {
-        text_ += fmt::format("@@ {}\n", lines_.size()); // Where its results begin.
+        std::string text = fmt::format("@@ {}\n", lines_.size()); // Where its results begin.
         for (auto const* name : { "A", "B", "C", "D", "f", "g", "h" })
-            text_ += fmt::format("#undef {}\n", name);
-        lines_.push_back(std::count(text_.begin(), text_.end(), '\n'));
+            text += fmt::format("#undef {}\n", name);
+        auto const line = line_count_ + std::count(text.begin(), text.end(), '\n') + 1;
+        text += fmt::format("#line {} \"model.l\"\n", line + 1); // Whatever others said.
+        lines_.push_back(line);
         programs_.push_back(program);
-        text_ += program;
+        text += program;
+        line_count_ += std::count(text.begin(), text.end(), '\n');
+        text_ += text;
     }
 
     // Compares the programs with which gcc found nothing wrong, and says how many there were.
@@ -101,13 +105,14 @@ private:
         ASSERT_NE(begin, std::string::npos) << mark;
         auto const from = begin + mark.size();
         auto const expected = results.substr(from, results.find("@@", from) - from);
-        std::string const before(static_cast<std::size_t>(lines_[index]), '\n');
+        auto const before = fmt::format("#line {}\n", lines_[index] + 1);
         auto const ours = preprocess("model.l", before + programs_[index], {});
         ASSERT_TRUE(ours) << ours.error().message << '\n' << programs_[index];
         EXPECT_EQ(tokens(ours->text), tokens(expected)) << programs_[index];
     }
 
     std::string text_;
+    std::ptrdiff_t line_count_ = 0; // In the text.
     std::vector<std::string> programs_;
     std::vector<std::ptrdiff_t> lines_; // Before each program.
 };
@@ -279,6 +284,103 @@ TEST(CPreprocessor, ComputesConditionsAsGcc)
                                  "#if {}\nif\n#elif {}\nelif\n#else\nelse\n#endif\n",
                                  random_condition(0), random_condition(2)));
     EXPECT_GT(programs.compare_with_gcc(), kProgramCount);
+}
+
+// Parts that are read or left out, nested, with definitions in both.
+class RandomParts {
+public:
+    std::string lines(int depth)
+    {
+        std::string result;
+        for (int count = number_below(4); count >= 0; --count)
+            result += number_below(3) == 0 && depth < 4 ? conditional(depth) : line();
+        return result;
+    }
+
+private:
+    static std::string name() { return one_of({ "A", "B", "C", "f" }); }
+
+    static std::string hash()
+    {
+        return one_of({ "#", "#", "  #", "# ", "#\t", "/* a */ #", "# /* a */ " });
+    }
+
+    // What may stand behind a directive, up to the end of its line.
+    static std::string end_of_line()
+    {
+        return one_of({ "\n", "\n", "\n", " // a\n", " /* a */\n", " /* a\n#else\n*/\n" });
+    }
+
+    static std::string condition()
+    {
+        auto const text = number_below(3) == 0
+            ? one_of({ "A", "B > 2", "__LINE__ % 2", "f(1) == 4", "defined A", "!defined(f)" })
+            : random_condition(3);
+        return number_below(6) == 0 ? "\\\n" + text + " \\\n" : text;
+    }
+
+    static std::string line()
+    {
+        switch (number_below(5)) {
+        case 0:
+            return hash() + "define " + one_of({ "A", "B", "C", "f(x)" })
+                + one_of({ "", " 1", " A", " (B + 1)", " 4 \\\n - 2", " /* a\nb */ 3" })
+                + end_of_line();
+        case 1:
+            return hash() + "undef " + name() + end_of_line();
+        default:
+            return one_of({ "A", "B C", "f(A)", "u f", "[f (B)]", "a /* b\n c */ d", "e // A",
+                            "/*\n#endif\n*/", "\"/* A */\" B", "" })
+                + " __LINE__\n";
+        }
+    }
+
+    std::string conditional(int depth)
+    {
+        auto const first = one_of({ "if", "if", "ifdef", "ifndef" });
+        auto result = hash() + first + ' ' + (first == "if" ? condition() : name()) + end_of_line();
+        result += lines(depth + 1);
+        for (int count = number_below(3); count > 0; --count)
+            result += hash() + "elif " + condition() + end_of_line() + lines(depth + 1);
+        if (number_below(2) == 0)
+            result += hash() + "else" + end_of_line() + lines(depth + 1);
+        return result + hash() + "endif" + end_of_line();
+    }
+};
+
+TEST(CPreprocessor, ChoosesPartsAsGcc)
+{
+    if (!has_gcc())
+        GTEST_SKIP() << "there is no gcc";
+    Programs programs;
+    for (int i = 0; i < kProgramCount; ++i)
+        programs.add(RandomParts().lines(0));
+    EXPECT_GT(programs.compare_with_gcc(), kProgramCount / 3);
+}
+
+TEST(CPreprocessor, ReadsWhatIsRareAsGcc)
+{
+    if (!has_gcc())
+        GTEST_SKIP() << "there is no gcc";
+    std::vector<std::string> const texts {
+        "#line 40\n__LINE__\n__LINE__\n",
+        "#line 40 \"other.l\"\n__LINE__ __FILE__\n#if __LINE__ == 41\nB\n#endif\n__LINE__\n",
+        "#line 7 /* a\nb */\n__LINE__ \n",
+        "# 50 \"other.l\"\n__LINE__ __FILE__\n#line 3\n__LINE__ __FILE__\n",
+        "#if 0\n#line 9\n#endif\n__LINE__ __FILE__\n",
+        "#define A 12\n#define B \"other.l\"\n#line A B\n\n__LINE__ __FILE__\n",
+        "#define f(args...) F(args)\nf(1,2) f() f(3)\n",
+        "#define f(x, args ...) F(x, ## args) #args\nf(1) f(1,2, 3) f(1,)\n",
+        "\"a // b\" c // d\n",
+        "\"a \\\" /* b */ \\\\\" d /* e */ \"\"/* f */\n",
+        "#define A \"/*\" /* a */ \"*/\"\nA B\n",
+        "#define B\n#if 0\n#elifdef A\na\n#elifndef B\nb\n#elifdef B\nc\n#else\nd\n#endif\n",
+        "#define A\n#if 1\na\n#elifdef A\nb\n#elifndef\n#endif\n",
+    };
+    Programs programs;
+    for (auto const& text : texts)
+        programs.add(text);
+    EXPECT_EQ(programs.compare_with_gcc(), static_cast<int>(texts.size()));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "engine/lsystem/text/source_text.h"
 #include "tests/engine/lsystem/small_model.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
 
@@ -230,6 +231,57 @@ TEST(Preprocessor, WarnsOfADefinitionThatSwallowsAStatement)
     auto const fine = preprocess("model.l", "#define LONG F\\\n  G\nLONG\n", {});
     ASSERT_TRUE(fine);
     EXPECT_TRUE(fine->warnings.empty());
+}
+
+TEST(Preprocessor, SaysWhatLineSays)
+{
+    EXPECT_EQ(preprocessed("#line 40 \"made.l\"\na\n#error no\n"), "made.l:41:1: #error no");
+    EXPECT_EQ(preprocessed("# 40 \"made.l\" 1\n\n#error no\n"), "made.l:41:1: #error no");
+    EXPECT_EQ(preprocessed("#line x\n"),
+              "model.l:1:1: found #line x, expected a line's number, and perhaps \"FILE\"");
+    EXPECT_NE(preprocessed("#line 40 made.l\n").find("found #line 40 made.l"), std::string::npos);
+    EXPECT_NE(preprocessed("#line 4000000000\n").find("found #line"), std::string::npos);
+    EXPECT_EQ(preprocessed("# 40 A\n#40F\n"), "#40A#40F"); // The turtle's #.
+    std::string many;
+    for (int i = 0; i < 2000; ++i)
+        many += "#line 1 \"" + std::to_string(i) + "\"\n";
+    EXPECT_NE(preprocessed(many).find("more than 1000"), std::string::npos);
+}
+
+// A line of an included file is of that file again, and one behind it of what includes it.
+TEST(Preprocessor, ForgetsAtTheEndOfAFileWhatLineSaid)
+{
+    auto const include
+        = [](std::string const&) -> Result<std::string> { return "#line 70 \"x.l\"\n__LINE__\n"; };
+    auto const source
+        = preprocess("model.l", "#line 10\n#include \"a.l\"\n__LINE__ __FILE__\n", include);
+    ASSERT_TRUE(source) << source.error().message;
+    EXPECT_EQ(source->text, "\n\n70\n\n11 \"model.l\"\n");
+}
+
+TEST(Preprocessor, IncludesOnceWhereAPragmaSaysSo)
+{
+    auto const include = [](std::string const& name) -> Result<std::string> {
+        return name == "once.l" ? "#pragma once\nA\n" : "B\n#if 0\n#pragma once\n#endif\n";
+    };
+    auto const source = preprocess("model.l",
+                                   "#define PART \"once.l\"\n#include \"once.l\"\n#include PART\n"
+                                   "#include \"b.l\"\n#include <b.l>\n",
+                                   include);
+    ASSERT_TRUE(source) << source.error().message;
+    EXPECT_EQ(std::count(source->text.begin(), source->text.end(), 'A'), 1);
+    EXPECT_EQ(std::count(source->text.begin(), source->text.end(), 'B'), 2);
+}
+
+TEST(Preprocessor, LeavesStringsAlone)
+{
+    EXPECT_EQ(preprocessed("#define b 1\n\"a//b\" \"/*b\\\"*/\" b//c"), "\"a//b\"\"/*b\\\"*/\"1");
+    EXPECT_EQ(preprocessed("A \" B // c\nD"), "A\"BD"); // A lone quote begins nothing.
+    EXPECT_EQ(derived("Start: { printf(\"// %g /* \", 1); }\nAxiom: A // b", 0), "A");
+    std::string quotes; // None of which ends another.
+    for (int i = 0; i < 100'000; ++i)
+        quotes += "\\\"";
+    EXPECT_EQ(preprocessed(quotes), quotes);
 }
 
 TEST(Preprocessor, SaysWhereAnOpenCommentBegan)
