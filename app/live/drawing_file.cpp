@@ -44,6 +44,10 @@ Result<Session> open_or_begin(WantedDrawing const& wanted, EditKinds kinds, std:
         Session::open(wanted.session, session_by_the_clock(kinds, [] { return load_options(); })));
     if (auto const said = session.unknown().sentence(); !said.empty())
         trouble = fmt::format("{}: {}", wanted.session.string(), said);
+    else if (session.is_derived_anew())
+        trouble = fmt::format("{}: an earlier tractus drew in it, to which some models meant "
+                              "something else; its plants are derived anew and may differ",
+                              wanted.session.string());
     return session;
 }
 

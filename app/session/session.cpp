@@ -3,6 +3,7 @@
 #include "engine/base/check.h"
 #include "engine/scene/edit_ids.h"
 
+#include <algorithm>
 #include <fmt/core.h>
 #include <functional>
 #include <utility>
@@ -38,6 +39,17 @@ ReadStep read_from(std::vector<std::vector<Edit>> const& steps)
             edits.push_back({ step, edit });
         return edits;
     };
+}
+
+// Whether any plant, or a part of one, is a model's.
+bool has_models(DocumentState const& state)
+{
+    auto const& plants = state.plants;
+    return std::any_of(plants.begin(), plants.end(), [](auto const& plant) {
+        return loaded_model(plant->source)
+            || std::any_of(plant->grafts.begin(), plant->grafts.end(),
+                           [](Graft const& graft) { return loaded_model(graft.source); });
+    });
 }
 
 // The edits with the numbers that they have after the scene: so what they make keeps its ids
@@ -93,6 +105,10 @@ Result<Session> Session::open(fs::path const& path, SessionOptions options)
     TRY(migrate(database, path));
     TRY(database.execute("COMMIT; BEGIN IMMEDIATE"));
     auto const summary = TRY(check_session(database, path.string(), options.kinds));
+    bool const is_of_older_language = summary.origin.language < kLanguageVersion;
+    if (is_of_older_language)
+        TRY(write_language(database));
+    TRY(database.execute("COMMIT; BEGIN IMMEDIATE"));
     SessionStore store(path, std::move(database), options.kinds);
     SceneBuilder builder(options.load_options);
     auto const build = [&]() -> Result<std::pair<SessionHistory, Scene>> {
@@ -108,6 +124,7 @@ Result<Session> Session::open(fs::path const& path, SessionOptions options)
     Session session(std::move(store), std::move(options), std::move(built->first),
                     std::move(builder), std::move(built->second));
     session.unknown_ = summary.unknown;
+    session.is_derived_anew_ = is_of_older_language && has_models(session.scene().state);
     return session;
 }
 

@@ -56,6 +56,10 @@ public:
     // The edits that this program did not know when it was opened.
     UnknownEdits const& unknown() const { return unknown_; }
 
+    // An earlier tractus drew in it last, to which models meant something else: plants of models
+    // are derived anew and may differ. Once; from then on they are what they are now.
+    bool is_derived_anew() const { return is_derived_anew_; }
+
     // Edits that lead from any scene of it to the one that it began with: those of step 0, without
     // what is unknown. Fails where its file was damaged since it was opened.
     Result<std::vector<Edit>> beginning() const;
@@ -95,6 +99,7 @@ private:
     SceneBuilder builder_;
     Scene scene_; // The scene of the history's state.
     UnknownEdits unknown_;
+    bool is_derived_anew_ = false;
 };
 
 } // namespace tractus

@@ -142,6 +142,8 @@ Result<SessionSummary> read_all(Database const& database, std::string const& nam
             summary.origin.program = meta.bytes(1);
         else if (key == "created")
             summary.origin.created = std::chrono::sys_seconds(std::chrono::seconds(meta.whole(1)));
+        else if (key == "language")
+            summary.origin.language = static_cast<int>(meta.whole(1));
         else if (key == "step")
             step = meta.whole(1);
     }
@@ -255,6 +257,7 @@ static Result<void> write_tables(Database const& database, SessionOrigin const& 
     TRY(write_meta(database, "plant", origin.plant));
     TRY(write_meta(database, "program", origin.program));
     TRY(write_meta(database, "created", origin.created.time_since_epoch().count()));
+    TRY(write_language(database));
     TRY(write_step(database, rows));
     TRY(write_cursor(database, step));
     return database.execute("COMMIT");
@@ -401,6 +404,11 @@ Result<void> migrate(Database const& database, std::filesystem::path const& path
     if (format == 1)
         TRY(add_checksums(database));
     return database.execute(fmt::format("PRAGMA user_version = {}", kSessionFormat));
+}
+
+Result<void> write_language(Database const& database)
+{
+    return write_meta(database, "language", std::int64_t { kLanguageVersion });
 }
 
 Result<void> write_cursor(Database const& database, std::size_t step)

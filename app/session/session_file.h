@@ -22,8 +22,9 @@ namespace tractus {
 //          kind, fields, numbers  an EditRecord; of any kind, since other programs may know more
 //          made     when, in Unix seconds; 0 where nobody knows
 //          checksum CRC-32 of what stands before, so that damage does not pass for a drawing
-//   meta   key, value: "plant", "program", "created" (Unix seconds), and "step", the last that
-//          counts: later ones are undone.
+//   meta   key, value: "plant", "program", "created" (Unix seconds), "step", the last that counts:
+//          later ones are undone; and "language", the kLanguageVersion by which its models were
+//          read last, where that is not 1.
 //
 // The file's application_id is "TRAC", its user_version the format's version: 1 had neither made
 // nor checksum, 2 no edit of the kind "erase_tips", 3 named strokes and indicators by their numbers
@@ -35,6 +36,7 @@ struct SessionOrigin {
     std::string plant {};                // The name of the model that it began with.
     std::string program {};              // The version of tractus that began it.
     std::chrono::sys_seconds created {}; // Time by the clock on the wall.
+    int language = 1;                    // The kLanguageVersion of what drew in it last.
 };
 
 // Identifies an edit in its file, so that it is found again and known to be the same.
@@ -134,6 +136,10 @@ Result<Edit> read_edit(Database const& database, EditPlace const& place, EditKin
 // Brings a session of an older format up to date. The file as it was stays beside it, with ".bak"
 // after its name. Nothing happens to a file that is up to date. Inside of a transaction.
 Result<void> migrate(Database const& database, std::filesystem::path const& path);
+
+// The kLanguageVersion by which the models are read from now on: this program's. Inside of a
+// transaction.
+Result<void> write_language(Database const& database);
 
 // The last step that counts. Inside of a transaction.
 Result<void> write_cursor(Database const& database, std::size_t step);

@@ -5,8 +5,8 @@
 #include "app/terminal/console.h"
 #include "app/terminal/progress.h"
 #include "app/verbs/checks.h"
-#include "app/verbs/growth_options.h"
 #include "app/verbs/glb_options.h"
+#include "app/verbs/growth_options.h"
 #include "app/verbs/shared_options.h"
 #include "drivers/file.h"
 

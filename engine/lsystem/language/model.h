@@ -156,6 +156,12 @@ struct Model : LSystem {
     std::vector<std::string> warnings; // Features we lack, names never defined: once each.
 };
 
+// What models mean, as a number that grows when the meaning of some model changes, so that those
+// who keep models and not plants can say so. 1: until rules' local variables kept their values,
+// right contexts saw brackets that are ignored as cpfg does, and cylinders had a colour for each
+// point.
+constexpr int kLanguageVersion = 2;
+
 // Compiles a model. Fails, as the user's fault, with "FILE:LINE:COLUMN: what was found, what was
 // expected".
 //

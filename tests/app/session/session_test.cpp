@@ -42,6 +42,19 @@ TEST_F(SessionTest, OpensAsItWasClosed)
     EXPECT_EQ(session.scene().associations.size(), 4u);
 }
 
+TEST_F(SessionTest, SaysOnceThatAnEarlierLanguagesPlantsAreDerivedAnew)
+{
+    ASSERT_TRUE(create());
+    EXPECT_FALSE(open().value().is_derived_anew());
+    EXPECT_EQ(read_session(path(), core_edit_kinds()).value().origin.language, kLanguageVersion);
+    ASSERT_TRUE(Database::open(path(), Database::Access::Write)
+                    .value()
+                    .execute("DELETE FROM meta WHERE key = 'language'"));
+    EXPECT_EQ(read_session(path(), core_edit_kinds()).value().origin.language, 1);
+    EXPECT_TRUE(open().value().is_derived_anew());
+    EXPECT_FALSE(open().value().is_derived_anew()) << "it is what it is now";
+}
+
 TEST_F(SessionTest, UndoEndsAtTheBeginningAndRedoAtTheEnd)
 {
     auto session = create().value();
