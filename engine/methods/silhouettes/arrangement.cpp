@@ -149,10 +149,15 @@ char const* name_of(Pattern pattern)
     return law_of(pattern).name;
 }
 
+std::size_t node_size(Pattern pattern)
+{
+    return static_cast<std::size_t>(std::max(1, law_of(pattern).whorl));
+}
+
 double node_distance(Pattern pattern, std::size_t count)
 {
-    int const whorl = std::max(1, law_of(pattern).whorl);
-    return whorl / static_cast<double>(std::max<std::size_t>(count, 1));
+    return static_cast<double>(node_size(pattern))
+        / static_cast<double>(std::max<std::size_t>(count, 1));
 }
 
 double misfit(Pattern pattern, double node, Place const& a, Place const& b)

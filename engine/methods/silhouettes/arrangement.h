@@ -66,6 +66,9 @@ Arrangement arrange(std::vector<DrawnPlace> const& drawn, ArrangementOptions con
 // How little a pair fits a pattern whose nodes are `node` apart in u: 0 where it does, 1/2 at most.
 double misfit(Pattern pattern, double node, Place const& a, Place const& b);
 
+// How many branches stand at a node of a pattern; 1 where it has none.
+std::size_t node_size(Pattern pattern);
+
 // How far a node is from the next, in u, of that many branches.
 double node_distance(Pattern pattern, std::size_t count);
 

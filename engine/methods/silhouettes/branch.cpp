@@ -54,8 +54,9 @@ BranchingAngles::BranchingAngles()
 {
 }
 
-BranchingAngles::BranchingAngles(std::vector<Sample> samples)
+BranchingAngles::BranchingAngles(std::vector<Sample> samples, double over)
     : samples_(std::move(samples))
+    , over_(over)
 {
     CHECK(!samples_.empty());
     std::sort(samples_.begin(), samples_.end(),
@@ -84,6 +85,43 @@ void BranchingAngles::learn(Sample const& sample)
     samples_.insert(after, sample);
 }
 
+Vec2 way_over(Cubic const& curve, double share)
+{
+    double const wanted = share * curve_length(curve);
+    double length = 0;
+    Vec2 before = curve.base;
+    for (std::size_t i = 1; i <= kChords; ++i) {
+        Vec2 const point = curve.at(static_cast<double>(i) / kChords);
+        double const chord = (point - before).norm();
+        if (length + chord >= wanted && chord > 0)
+            return before + (wanted - length) / chord * (point - before) - curve.base;
+        length += chord;
+        before = point;
+    }
+    return before - curve.base;
+}
+
+namespace {
+
+// Turns a curve's start until the way over a share of it has the angle to its bearer that its start
+// was given: a curve that bends at once has another one.
+void settle_angle(Cubic& curve, Vec2 const& along, double over)
+{
+    constexpr double kMost_deg = 170;
+    double const reach = curve.base_tangent.norm();
+    auto const angle_to
+        = [&](Vec2 const& way) { return std::atan2(cross(along, way), along.dot(way)); };
+    double const wanted = angle_to(curve.base_tangent);
+    double start = wanted;
+    for (int i = 0; i < 5; ++i) {
+        start += wanted - angle_to(way_over(curve, over));
+        start = std::clamp(start, -radians(kMost_deg), radians(kMost_deg));
+        curve.base_tangent = reach * turned(along, start);
+    }
+}
+
+} // namespace
+
 BranchCurve branch_from(BranchSearch const& search, std::size_t sample, BranchEnd const& to,
                         double share)
 {
@@ -98,6 +136,8 @@ BranchCurve branch_from(BranchSearch const& search, std::size_t sample, BranchEn
     Vec2 const start
         = turned(along, sign_of(branch.side) * radians(search.angles.at_deg(branch.t)));
     branch.curve = { base, to.end, reach * start, reach * to.tangent };
+    if (search.angles.over() > 0 && reach > 0)
+        settle_angle(branch.curve, along, search.angles.over());
     branch.length = curve_length(branch.curve);
     return branch;
 }

@@ -29,16 +29,19 @@ public:
     };
 
     BranchingAngles(); // 80 degrees at the base, 35 at the tip.
-    // In any order; at least one.
-    explicit BranchingAngles(std::vector<Sample> samples);
+    // In any order; at least one. Angles are those of the way over a share of the branch; 0: at its
+    // very base.
+    explicit BranchingAngles(std::vector<Sample> samples, double over = 0);
 
     double at_deg(double t) const;
     // Takes the angle of a branch that was drawn; one within 0.05 of its place goes.
     void learn(Sample const& sample);
     std::vector<Sample> const& samples() const { return samples_; }
+    double over() const { return over_; }
 
 private:
     std::vector<Sample> samples_;
+    double over_ = 0;
 };
 
 // A branch that stands on a sample of a trunk.
@@ -65,6 +68,9 @@ struct BranchSearch {
     std::span<Vec2 const> outline {}; // None: branches may go anywhere.
     BranchingAngles const& angles;
 };
+
+// The way from a branch's base to a share of its length.
+Vec2 way_over(Cubic const& curve, double share);
 
 // The branch from one sample; tangents are `share` of the way from there to the end.
 BranchCurve branch_from(BranchSearch const& search, std::size_t sample, BranchEnd const& to,

@@ -64,12 +64,12 @@ std::optional<std::size_t> bump_at(std::span<Bump const> bumps, Vec2 const& end,
     return nearest;
 }
 
-double angle_at_base_deg(BranchingSystem const& system, BranchCurve const& path)
+double angle_at_base_deg(BranchingSystem const& system, BranchCurve const& path, double over)
 {
     auto const& trunk = system.trunk;
     auto const next = std::min(path.trunk_sample + 1, trunk.size() - 1);
     Vec2 const along = trunk[next] - trunk[next - 1];
-    Vec2 const& out = path.curve.base_tangent;
+    Vec2 const out = over > 0 ? way_over(path.curve, over) : path.curve.base_tangent;
     return degrees(std::fabs(std::atan2(cross(along, out), along.dot(out))));
 }
 
@@ -89,7 +89,7 @@ DrawnBranches take_drawn(BranchingSystem const& system,
                                    .outline = system.outline,
                                    .angles = angles },
                                  strokes[number]);
-        angles.learn({ path.t, angle_at_base_deg(system, path) });
+        angles.learn({ path.t, angle_at_base_deg(system, path, angles.over()) });
         auto const bump = bump_at(system.bumps, path.curve.end, drawn.of_bump);
         Branch branch;
         if (bump) {
@@ -108,12 +108,23 @@ DrawnBranches take_drawn(BranchingSystem const& system,
     return drawn;
 }
 
-void infer_branches(BranchingSystem& system, std::vector<std::vector<Vec2>> const& strokes,
-                    BranchingAngles& angles)
+// The samples that may bear branches which nobody drew: at least two of those inside.
+Run bases_of(BranchingSystem const& system, double unbranched)
+{
+    auto bases = system.inside;
+    auto const first = static_cast<std::size_t>(
+        std::ceil(unbranched * static_cast<double>(system.trunk.size() - 1)));
+    if (bases.first < bases.last)
+        bases.first = std::clamp(first, bases.first, bases.last - 1);
+    return bases;
+}
+
+void infer_branches(BranchingSystem& system, Run const& bases,
+                    std::vector<std::vector<Vec2>> const& strokes, BranchingAngles& angles)
 {
     auto drawn = take_drawn(system, strokes, angles);
     BranchSearch const search {
-        .trunk = system.trunk, .bases = system.inside, .outline = system.outline, .angles = angles
+        .trunk = system.trunk, .bases = bases, .outline = system.outline, .angles = angles
     };
     for (std::size_t i = 0; i < system.bumps.size(); ++i) {
         auto const& bump = system.bumps[i];
@@ -131,13 +142,13 @@ void infer_branches(BranchingSystem& system, std::vector<std::vector<Vec2>> cons
         system.branches.push_back(std::move(branch));
 }
 
-void add_branches(BranchingSystem& system, std::optional<Vec2> const& goes_on,
+void add_branches(BranchingSystem& system, Run const& bases, std::optional<Vec2> const& goes_on,
                   BranchingAngles const& angles, FillOptions const& options)
 {
     auto const apex = apex_crown(system);
     auto filled = fill_crown({ .outline = system.outline,
                                .trunk = system.trunk,
-                               .run = system.inside,
+                               .run = bases,
                                .goes_on = goes_on,
                                .angles = angles,
                                .branches = system.branches,
@@ -247,8 +258,9 @@ Result<BranchingSystem> infer_system(Drawing const& drawing, InferenceOptions co
     auto const goes_on = set_roles(system.bumps, system.outline, system.trunk, *run);
     system.trunk_goes_on_to = apex_ahead(system);
     auto angles = options.angles;
-    infer_branches(system, clean.branches, angles);
-    add_branches(system, goes_on, angles, options.fill);
+    auto const bases = bases_of(system, options.unbranched);
+    infer_branches(system, bases, clean.branches, angles);
+    add_branches(system, bases, goes_on, angles, options.fill);
     add_apex(system);
     move_to_sheet(system, clean.to_sheet);
     return system;

@@ -15,6 +15,7 @@ struct InferenceOptions {
     BumpThresholds bumps {};
     FillOptions fill {};
     BranchingAngles angles {};
+    double unbranched = 0; // A share of the trunk: below it none is inferred.
 };
 
 // A trunk, a silhouette around it, and the branches that follow from them, millimetres in the plane

@@ -139,7 +139,9 @@ private:
                                      Side side) const
     {
         auto const& curve = model.path.curve;
-        Vec2 const from = direction_of(curve.at(1.0 / 16) - curve.base);
+        double const over = crown_.angles.over();
+        Vec2 const from = direction_of(over > 0 ? way_over(curve, over)
+                                                : Vec2(curve.at(1.0 / 16) - curve.base));
         bool const mirrors = model.path.side != side;
         Vec2 const unit = times(start, mirrors ? from : conjugate(from));
         Similarity way { .from = curve.base, .to = base, .turn = unit, .mirrors = mirrors };

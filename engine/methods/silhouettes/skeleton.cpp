@@ -49,6 +49,20 @@ void infer_level(Skeleton& skeleton, std::size_t first_system, InferenceOptions 
                 skeleton.system_of[s][copy] = skeleton.system_of[s][b];
 }
 
+InferenceOptions styled(InferenceOptions options, std::vector<BranchStyle> const& styles, int level)
+{
+    auto const i = static_cast<std::size_t>(level);
+    if (i >= styles.size() || !styles[i].is_set())
+        return options;
+    auto const& style = styles[i];
+    options.angles
+        = BranchingAngles({ { style.unbranched, style.first_angle_deg },
+                            { style.unbranched + style.extent(), style.last_angle_deg } },
+                          kAngleOver);
+    options.unbranched = style.unbranched;
+    return options;
+}
+
 } // namespace
 
 std::size_t Skeleton::branch_count() const
@@ -65,14 +79,14 @@ std::size_t Skeleton::branch_count() const
 Result<Skeleton> infer_skeleton(Drawing const& drawing, SkeletonOptions const& options)
 {
     Skeleton skeleton;
-    skeleton.systems.push_back(TRY(infer_system(drawing, options.tree)));
+    skeleton.systems.push_back(TRY(infer_system(drawing, styled(options.tree, options.styles, 0))));
     skeleton.system_of.emplace_back(skeleton.systems[0].branches.size(), kNoSystem);
     auto below = options.below;
     below.outline.least_area_mm2 = 0;
     std::size_t first = 0;
     for (int level = 1; level < options.levels; ++level) {
         auto const next = skeleton.systems.size();
-        infer_level(skeleton, first, below);
+        infer_level(skeleton, first, styled(below, options.styles, level));
         first = next;
     }
     return skeleton;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/methods/silhouettes/branch_style.h"
 #include "engine/methods/silhouettes/branching_system.h"
 
 #include <cstdint>
@@ -19,6 +20,9 @@ struct SkeletonOptions {
                              .bumps = {},
                              .fill = { .steps = 12, .most_branches = 16, .enough = 0.85 },
                              .angles = {} };
+    // Of the trunk's branches, then of theirs: where it is set, its angles are in place of those
+    // above, and none is inferred below the first of its branches.
+    std::vector<BranchStyle> styles {};
 };
 
 // A tree of branching systems: the crown of each branch is the silhouette of the next one. Copies

@@ -1,6 +1,7 @@
 #include "engine/methods/silhouettes/tree.h"
 
 #include "engine/methods/silhouettes/crown_surface.h"
+#include "engine/methods/silhouettes/styled_places.h"
 #include "engine/plant/pipe_model.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace tractus::silhouette {
@@ -117,6 +119,9 @@ public:
         : skeleton_(skeleton)
         , options_(options)
     {
+        for (std::uint32_t level = 0; level < options.levels.size(); ++level)
+            styled_.emplace_back(options.levels[level].style, options.levels[level].pattern,
+                                 options.seed, level);
     }
 
     Tree run()
@@ -162,16 +167,26 @@ private:
         plant.organ_shapes.push_back(spray_twig(0));
     }
 
+    // Of the levels that options speak of the last one goes on.
+    std::size_t options_of(std::uint32_t level) const
+    {
+        return std::min<std::size_t>(level, options_.levels.size() - 1);
+    }
+
     LevelOptions const& level_options(std::uint32_t level) const
     {
-        return options_.levels[std::min<std::size_t>(level, options_.levels.size() - 1)];
+        return options_.levels[options_of(level)];
     }
 
     // Depth first: an axis comes after its bearer.
     void grow(Bearer const& bearer)
     {
-        auto const* const crowd
-            = bearer.system == kNoSystem ? nullptr : &crowd_of(bearer.system, bearer.level);
+        std::optional<Crowd> own;
+        Crowd const* crowd = nullptr;
+        if (bearer.system != kNoSystem && level_options(bearer.level).style.is_set())
+            crowd = styled_crowd(bearer, own);
+        else if (bearer.system != kNoSystem)
+            crowd = &crowd_of(bearer.system, bearer.level);
         auto const places = node_places(bearer, crowd);
         auto const axis = add_axis(bearer, places);
         if (!crowd || bearer.level > 0)
@@ -182,7 +197,7 @@ private:
         for (auto const& standing : crowd->branches) {
             while (node + 1 < places.size() && places[node + 1] < standing.u - 1e-9)
                 ++node;
-            grow_branch(bearer, axis, standing, node);
+            grow_branch(bearer, axis, standing, own ? std::min(node, places.size() - 2) : node);
         }
     }
 
@@ -207,8 +222,7 @@ private:
         Space const to_model = branch.model ? own * in_space(branch.from_model) : own;
         grow({ .system = below,
                .space = to_model,
-               .line = Line(below == kNoSystem ? model.path.curve.points(9)
-                                               : skeleton_.systems[below].whole_trunk()),
+               .line = Line(line_of(model, below)),
                .crown = model.crown,
                .name = bearer.name.empty() ? standing.name : bearer.name + "/" + standing.name,
                .parent_segment
@@ -218,10 +232,13 @@ private:
     }
 
     // Shares of the bearer's length where it has nodes: its own, and where branches stand.
-    static std::vector<double> node_places(Bearer const& bearer, Crowd const* crowd)
+    std::vector<double> node_places(Bearer const& bearer, Crowd const* crowd) const
     {
         constexpr std::array kSegments { 16, 8, 4, 3 };
-        int const own = kSegments[std::min<std::size_t>(bearer.level, kSegments.size() - 1)];
+        constexpr int kStyled = 8; // At least: angles are those of an eighth.
+        int own = kSegments[std::min<std::size_t>(bearer.level, kSegments.size() - 1)];
+        if (bearer.level > 0 && level_options(bearer.level - 1).style.is_set())
+            own = std::max(own, kStyled);
         std::vector<double> places;
         for (int i = 0; i <= own; ++i)
             places.push_back(static_cast<double>(i) / own);
@@ -362,10 +379,15 @@ private:
             return found->second;
         auto& crowd = crowds_[system];
         crowd = make_crowd(system, level);
+        tell(level, crowd);
+        return crowd;
+    }
+
+    void tell(std::uint32_t level, Crowd const& crowd)
+    {
         if (!told_.contains(level))
             for (auto const& branch : crowd.branches)
                 told_[level].push_back({ branch.name, { branch.u, branch.theta_deg } });
-        return crowd;
     }
 
     // How far a branch may turn away from the plane: long ones hardly, so that the outline stays.
@@ -383,6 +405,44 @@ private:
         auto const& options = level_options(level);
         Crowd crowd { .bearer = Line(system.whole_trunk()), .branches = {} };
         CrownSurface const surface(system.outline, system.trunk);
+        auto const drawn = drawn_places(crowd.bearer, surface, system);
+        double first_u = 1;
+        for (auto const& place : drawn)
+            first_u = std::min(first_u, place.u);
+        auto const added = static_cast<std::size_t>(
+            std::lround(options.added * static_cast<double>(drawn.size())));
+        auto const arrangement = arrange(
+            drawn,
+            { .pattern = options.pattern,
+              .count = drawn.size() + added,
+              .first_u = first_u,
+              .proposals = options.proposals },
+            { .seed = options_.seed, .stream = 2, .substream = static_cast<std::uint32_t>(index) });
+        Model const model { system, surface, drawn };
+        for (std::size_t i = 0; i < arrangement.places.size(); ++i) {
+            auto const& place = arrangement.places[i];
+            if (i < drawn.size())
+                stand(crowd, model, i, place, place.u);
+            else
+                stand_added(crowd, model, place);
+        }
+        finish(crowd, system);
+        return crowd;
+    }
+
+    // The trunk's end last.
+    static void finish(Crowd& crowd, BranchingSystem const& system)
+    {
+        if (system.has_apex_branch())
+            crowd.branches.push_back({ system.branches.size() - 1, "apex", 1, 0, {} });
+        std::stable_sort(crowd.branches.begin(), crowd.branches.end(),
+                         [](Standing const& a, Standing const& b) { return a.u < b.u; });
+    }
+
+    // Of all branches in the plane but the apex.
+    static std::vector<DrawnPlace> drawn_places(Line const& bearer, CrownSurface const& surface,
+                                                BranchingSystem const& system)
+    {
         std::array<double, 2> greatest {};
         auto const span = [&](Branch const& branch) {
             return std::fabs(surface.to_trunk(branch.path.curve.end).x());
@@ -397,28 +457,10 @@ private:
         for (std::size_t i = 0; i < flat; ++i) {
             auto const& branch = system.branches[i];
             bool const is_left = branch.path.side == Side::Left;
-            drawn.push_back({ crowd.bearer.place_of(branch.path.curve.base), is_left ? 180.0 : 0.0,
+            drawn.push_back({ bearer.place_of(branch.path.curve.base), is_left ? 180.0 : 0.0,
                               most_off_deg(span(branch), greatest[is_left]) });
         }
-        double first_u = 1;
-        for (auto const& place : drawn)
-            first_u = std::min(first_u, place.u);
-        auto const added = static_cast<std::size_t>(
-            std::lround(options.added * static_cast<double>(drawn.size())));
-        auto const arrangement = arrange(
-            drawn,
-            { .pattern = options.pattern,
-              .count = drawn.size() + added,
-              .first_u = first_u,
-              .proposals = options.proposals },
-            { .seed = options_.seed, .stream = 2, .substream = static_cast<std::uint32_t>(index) });
-        for (std::size_t i = 0; i < arrangement.places.size(); ++i)
-            stand(crowd, { system, surface, drawn }, arrangement.places[i], i);
-        if (flat < system.branches.size())
-            crowd.branches.push_back({ flat, "apex", 1, 0, {} });
-        std::stable_sort(crowd.branches.begin(), crowd.branches.end(),
-                         [](Standing const& a, Standing const& b) { return a.u < b.u; });
-        return crowd;
+        return drawn;
     }
 
     struct Model {
@@ -427,40 +469,68 @@ private:
         std::vector<DrawnPlace> const& drawn;
     };
 
-    void stand(Crowd& crowd, Model const& model, Place const& place, std::size_t i) const
+    // One in the plane, where it was inferred or at the place to which it moves.
+    void stand(Crowd& crowd, Model const& model, std::size_t i, Place const& place,
+               double moves_to) const
     {
-        auto const count = model.drawn.size();
-        if (i < count) {
-            auto const& branch = model.system.branches[i];
-            Vec2 const base = branch.path.curve.base;
-            double const off = radians(place.theta_deg - model.drawn[i].theta_deg);
-            double const longer = std::min(kMostTurned, 1 / std::max(0.1, std::cos(off)));
-            Similarity way { .from = base, .to = base, .turn = Vec2(longer, 0) };
-            if (longer > 1)
-                way.turn.x() = largest_inside(model, branch, way, place.theta_deg,
-                                              { 1, longer, kOverSurface });
-            crowd.branches.push_back({ i, name_of(branch), place.u, place.theta_deg, way });
-            return;
+        auto const& branch = model.system.branches[i];
+        Vec2 const base = branch.path.curve.base;
+        double const off = radians(place.theta_deg - model.drawn[i].theta_deg);
+        double const longer = std::min(kMostTurned, 1 / std::max(0.1, std::cos(off)));
+        Similarity way { .from = base, .to = base, .turn = Vec2(longer, 0) };
+        Vec2 as_it_is = Vec2::UnitX();
+        if (moves_to != place.u) {
+            // Its end stays where the outline wants it.
+            way = way_to_end(branch, crowd.bearer.at(moves_to));
+            as_it_is = way.turn;
+            way.turn *= longer;
         }
+        if (longer > 1) {
+            double const size = as_it_is.norm();
+            way.turn = largest_inside(model, branch, way, place.theta_deg,
+                                      { size, longer * size, kOverSurface })
+                * direction_of(as_it_is);
+        }
+        crowd.branches.push_back({ i, name_of(branch), moves_to, place.theta_deg, way });
+    }
+
+    // How an added branch leaves its bearer, and how small it may be, of the one it is a copy of.
+    struct Lean {
+        Vec2 from = Vec2::UnitX(); // Which way of its model has the angle.
+        double angle_deg = 0;
+        double least = 0.15;
+        enum class Smaller { LeftOut, Least } smaller = Smaller::LeftOut;
+    };
+
+    void stand_added(Crowd& crowd, Model const& model, Place const& place) const
+    {
         auto const nearest = nearest_drawn(model, place);
         if (!nearest)
             return;
         auto const& branch = model.system.branches[*nearest];
+        stand_added(crowd, model, place, *nearest,
+                    { .from = branch.path.curve.base_tangent,
+                      .angle_deg = options_.angles.at_deg(place.u) });
+    }
+
+    void stand_added(Crowd& crowd, Model const& model, Place const& place, std::size_t nearest,
+                     Lean const& lean) const
+    {
+        auto const& branch = model.system.branches[nearest];
         Vec2 const along = crowd.bearer.direction(place.u);
-        Vec2 const start
-            = turned(along, sign_of(branch.path.side) * radians(options_.angles.at_deg(place.u)));
-        Vec2 const from = direction_of(branch.path.curve.base_tangent);
+        Vec2 const start = turned(along, sign_of(branch.path.side) * radians(lean.angle_deg));
+        Vec2 const from = direction_of(lean.from);
         Vec2 const unit(start.dot(from), cross(from, start));
         Similarity way { .from = branch.path.curve.base,
                          .to = crowd.bearer.at(place.u),
                          .turn = unit };
-        double const size
-            = largest_inside(model, branch, way, place.theta_deg, { 0, kLargestAdded, 1 });
-        if (size < 0.15)
+        double size = largest_inside(model, branch, way, place.theta_deg, { 0, kLargestAdded, 1 });
+        if (size < lean.least && lean.smaller == Lean::Smaller::LeftOut)
             return;
+        size = std::max(size, lean.least);
         way.turn = size * unit;
         crowd.branches.push_back(
-            { *nearest, name_of_added(crowd, place), place.u, place.theta_deg, way });
+            { nearest, name_of_added(crowd, place), place.u, place.theta_deg, way });
     }
 
     // After its place around the bearer, so that the one that stands there after a change has the
@@ -478,6 +548,185 @@ private:
         for (int n = 2; taken(unique); ++n)
             unique = fmt::format("{}.{}", name, n);
         return unique;
+    }
+
+    // The branches of a bearer in the style of its level; null: it bears none.
+    Crowd const* styled_crowd(Bearer const& bearer, std::optional<Crowd>& own)
+    {
+        auto const& system = skeleton_.systems[bearer.system];
+        auto& styled = styled_[options_of(bearer.level)];
+        if (!styled.next_bears())
+            return nullptr;
+        auto& crowd = own.emplace(Crowd { .bearer = bearer.line, .branches = {} });
+        CrownSurface const surface(system.outline, system.trunk);
+        auto const drawn = drawn_places(crowd.bearer, surface, system);
+        auto const id = static_cast<std::uint32_t>(tree_.plant.axes.size());
+        // On the trunk nothing stands below the crown; where the crowns of branches begin, which
+        // nobody drew, the style decides.
+        double const crown_u = crowd.bearer.place_of(system.trunk[system.inside.first]);
+        double const style_u = level_options(bearer.level).style.unbranched;
+        auto const places
+            = styled.next(bearer.level == 0 ? crown_u : std::min(crown_u, style_u), id);
+        auto const kept = kept_branches(system, drawn, places.size());
+        std::vector<std::optional<std::size_t>> branch_at(places.size());
+        std::vector<double> at;
+        for (auto const i : kept)
+            at.push_back(drawn[i].u);
+        auto const nearest = nearest_in_order(at, places);
+        for (std::size_t k = 0; k < kept.size(); ++k)
+            branch_at[nearest[k]] = kept[k];
+        Model const model { system, surface, drawn };
+        auto const thetas = styled_arrangement(model, bearer.level, branch_at, id);
+        double const extent = std::max(places.back() - places.front(), 1e-9);
+        // First those that have their ends, which the angles of the others make up for.
+        for (auto const has_end : { true, false })
+            for (std::size_t k = 0; k < places.size(); ++k) {
+                double const share = (places[k] - places.front()) / extent;
+                StyledPlace const place { branch_at[k], { places[k], thetas[k].theta_deg }, share };
+                if (has_end == keeps_end(bearer, model, place))
+                    stand_styled(bearer, crowd, model, place);
+            }
+        finish(crowd, system);
+        tell(bearer.level, crowd);
+        return &crowd;
+    }
+
+    // As many of the branches in the plane as there are places, by their places; those that were
+    // drawn before those of bumps, these before copies, and the largest before others.
+    static std::vector<std::size_t> kept_branches(BranchingSystem const& system,
+                                                  std::vector<DrawnPlace> const& drawn,
+                                                  std::size_t most)
+    {
+        constexpr std::array kRanks { 1, 2, 3, 0, 4 }; // Of origins in their order.
+        std::vector<std::tuple<int, double, std::size_t>> ranks;
+        for (std::size_t i = 0; i < drawn.size(); ++i)
+            ranks.emplace_back(kRanks[static_cast<std::size_t>(system.branches[i].origin)],
+                               -std::fabs(signed_area(system.branches[i].crown)), i);
+        std::sort(ranks.begin(), ranks.end());
+        std::vector<std::size_t> kept;
+        for (std::size_t k = 0; k < std::min(most, ranks.size()); ++k)
+            kept.push_back(std::get<2>(ranks[k]));
+        std::sort(kept.begin(), kept.end(), [&](std::size_t a, std::size_t b) {
+            return std::pair(drawn[a].u, a) < std::pair(drawn[b].u, b);
+        });
+        return kept;
+    }
+
+    // Places are taken as if nodes stood at equal distances, so that the pattern counts nodes.
+    std::vector<Place> styled_arrangement(Model const& model, std::uint32_t level,
+                                          std::vector<std::optional<std::size_t>> const& branch_at,
+                                          std::uint32_t id) const
+    {
+        constexpr double kAnywhere_deg = 180;
+        auto const& options = level_options(level);
+        auto const count = branch_at.size();
+        auto const whorl = node_size(options.pattern);
+        double const node = node_distance(options.pattern, count);
+        std::vector<DrawnPlace> free;
+        for (std::size_t k = 0; k < count; ++k) {
+            double const u = (static_cast<double>(k / whorl) + 0.5) * node;
+            auto place = branch_at[k] ? model.drawn[*branch_at[k]]
+                                      : DrawnPlace { 0, k % 2 == 0 ? 0.0 : 180.0, kAnywhere_deg };
+            place.u = std::min(u, 1.0);
+            free.push_back(place);
+        }
+        return arrange(
+                   free,
+                   { .pattern = options.pattern, .count = count, .proposals = options.proposals },
+                   { .seed = options_.seed, .stream = 2, .substream = id })
+            .places;
+    }
+
+    // One of the places that a style gives.
+    struct StyledPlace {
+        std::optional<std::size_t> branch; // In the plane, that takes it; no value: one is added.
+        Place at;
+        double share; // Of the way from the bearer's first place to its last.
+    };
+
+    // A branch that was drawn or ends in a bump goes there from its new place, too, if that makes
+    // it neither far longer nor shorter, nor takes it far from the style's angle. No other end is
+    // the outline's.
+    bool keeps_end(Bearer const& bearer, Model const& model, StyledPlace const& place) const
+    {
+        constexpr double kMostStretched = 1.5;
+        constexpr double kMostTurned_deg = 30;
+        if (!place.branch)
+            return false;
+        double const u = place.at.u;
+        auto const& branch = model.system.branches[*place.branch];
+        if (branch.origin != Branch::Origin::Bump)
+            return branch.origin == Branch::Origin::Drawn;
+        auto const way = way_to_end(branch, bearer.line.at(u));
+        double const size = way.turn.norm();
+        double const angle_deg = angle_between_deg(
+            bearer.line.direction(u), way.vector(way_of(bearer.system, *place.branch)));
+        double const wanted_deg = level_options(bearer.level).style.angle_at_deg(place.share);
+        return size < kMostStretched && 1 < kMostStretched * size
+            && std::fabs(angle_deg - wanted_deg) < kMostTurned_deg;
+    }
+
+    // From a branch as it is to one from another place to the same end.
+    static Similarity way_to_end(Branch const& branch, Vec2 const& from)
+    {
+        auto const& curve = branch.path.curve;
+        Vec2 const before = curve.end - curve.base;
+        Vec2 const after = curve.end - from;
+        Vec2 const turn(before.dot(after), cross(before, after));
+        return { .from = curve.base,
+                 .to = from,
+                 .turn = turn / std::max(before.squaredNorm(), 1e-300) };
+    }
+
+    static double angle_between_deg(Vec2 const& a, Vec2 const& b)
+    {
+        return degrees(std::fabs(std::atan2(cross(a, b), a.dot(b))));
+    }
+
+    void stand_styled(Bearer const& bearer, Crowd& crowd, Model const& model,
+                      StyledPlace const& place)
+    {
+        auto& styled = styled_[options_of(bearer.level)];
+        auto const& branch = place.branch;
+        if (keeps_end(bearer, model, place)) {
+            bool const is_drawn = model.system.branches[*branch].origin == Branch::Origin::Drawn;
+            double const as_inferred = model.drawn[*branch].u;
+            double const moves_to = is_drawn ? as_inferred : place.at.u;
+            stand(crowd, model, *branch, { as_inferred, place.at.theta_deg }, moves_to);
+            auto const& way = crowd.branches.back().way;
+            styled.take_angle(place.share,
+                              angle_between_deg(crowd.bearer.direction(moves_to),
+                                                way.vector(way_of(bearer.system, *branch))));
+            return;
+        }
+        double const angle_deg = styled.next_angle_deg(place.share);
+        auto const copied = branch ? branch : nearest_drawn(model, place.at);
+        if (!copied)
+            return;
+        stand_added(crowd, model, place.at, *copied,
+                    { .from = way_of(bearer.system, *copied),
+                      .angle_deg = angle_deg,
+                      .smaller = Lean::Smaller::Least });
+        if (branch)
+            crowd.branches.back().name = name_of(model.system.branches[*branch]);
+    }
+
+    // Over the share of its axis that angles are of, in its system's plane.
+    Vec2 way_of(std::size_t index, std::size_t i) const
+    {
+        auto const& system = skeleton_.systems[index];
+        auto const& branch = system.branches[i];
+        auto const below = skeleton_.system_of[index][i];
+        auto const& model = branch.model ? system.branches[*branch.model] : branch;
+        Line const line(line_of(model, below));
+        Vec2 const way = line.at(kAngleOver) - line.at(0);
+        return branch.model ? branch.from_model.vector(way) : way;
+    }
+
+    std::vector<Vec2> line_of(Branch const& model, std::size_t below) const
+    {
+        return below == kNoSystem ? model.path.curve.points(9)
+                                  : skeleton_.systems[below].whole_trunk();
     }
 
     static std::optional<std::size_t> nearest_drawn(Model const& model, Place const& place)
@@ -534,6 +783,7 @@ private:
     Tree tree_;
     std::map<std::size_t, Crowd> crowds_;
     std::map<std::uint32_t, std::vector<PlacedBranch>> told_;
+    std::vector<StyledPlaces> styled_; // Of each level.
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/methods/silhouettes/arrangement.h"
+#include "engine/methods/silhouettes/branch_style.h"
 #include "engine/methods/silhouettes/skeleton.h"
 #include "engine/methods/silhouettes/spray.h"
 #include "engine/plant/plant.h"
@@ -16,6 +17,10 @@ struct LevelOptions {
     Pattern pattern = Pattern::Even;
     double added = 1.5; // Branches that nobody sees in the plane, for each one in it; 0 or more.
     int proposals = 3000;
+    // If it is set, it says how many branches there are and where, and at which angles those are
+    // added: the ones that were inferred move to the nearest of its places, those that were drawn
+    // stay, and `added` says nothing.
+    BranchStyle style {};
 };
 
 struct TreeOptions {

@@ -1,0 +1,462 @@
+#include "engine/methods/silhouettes/measured_style.h"
+
+#include "engine/methods/silhouettes/arrangement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+constexpr std::size_t kMostMeasuredLevels = 3;
+constexpr double kTangentOver = 0.02;    // Of the bearer, to both sides.
+constexpr double kStraightOn_deg = 20;   // A child at the tip within this continues its bearer.
+constexpr double kSameNode = 0.2;        // Of the mean distance between children.
+constexpr double kSureOfTurn = 0.5;      // From here on a turn counts as one.
+constexpr std::size_t kLeastOfTurns = 4; // Children of a bearer whose turns have a direction.
+
+// Mean and deviation of what is added to it.
+class Spread {
+public:
+    void add(double value)
+    {
+        ++count_;
+        double const off = value - mean_;
+        mean_ += off / static_cast<double>(count_);
+        squares_ += off * (value - mean_);
+    }
+    std::size_t count() const { return count_; }
+    double mean() const { return mean_; }
+    double deviation() const
+    {
+        return count_ > 0 ? std::sqrt(squares_ / static_cast<double>(count_)) : 0;
+    }
+
+private:
+    std::size_t count_ = 0;
+    double mean_ = 0;
+    double squares_ = 0;
+};
+
+// A straight line through points, by least squares.
+class Slope {
+public:
+    void add(double x, double y)
+    {
+        ++count_;
+        x_ += x;
+        y_ += y;
+        xx_ += x * x;
+        xy_ += x * y;
+    }
+    // Flat where all points are at one x.
+    double at(double x) const
+    {
+        double const n = static_cast<double>(std::max<std::size_t>(count_, 1));
+        double const width = xx_ - x_ * x_ / n;
+        double const slope = width > 1e-6 * n ? (xy_ - x_ * y_ / n) / width : 0;
+        return y_ / n + slope * (x - x_ / n);
+    }
+
+private:
+    std::size_t count_ = 0;
+    double x_ = 0;
+    double y_ = 0;
+    double xx_ = 0;
+    double xy_ = 0;
+};
+
+// An axis' nodes, asked for the point at a length.
+class AxisLine {
+public:
+    explicit AxisLine(std::span<Vec3 const> nodes)
+        : nodes_(nodes)
+        , to_mm_ { 0 }
+    {
+        for (std::size_t i = 1; i < nodes.size(); ++i)
+            to_mm_.push_back(to_mm_.back() + (nodes[i] - nodes[i - 1]).norm());
+    }
+
+    double length_mm() const { return to_mm_.back(); }
+    double length_to_mm(std::size_t node) const { return to_mm_[node]; }
+
+    Vec3 at(double length_mm) const
+    {
+        auto const after = std::upper_bound(to_mm_.begin(), to_mm_.end(), length_mm);
+        auto const i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+            after - to_mm_.begin() - 1, 0, static_cast<std::ptrdiff_t>(nodes_.size()) - 2));
+        double const width = to_mm_[i + 1] - to_mm_[i];
+        double const share = width > 0 ? std::clamp((length_mm - to_mm_[i]) / width, 0.0, 1.0) : 0;
+        return nodes_[i] + share * (nodes_[i + 1] - nodes_[i]);
+    }
+
+    // Where it goes at a length; zero for an axis of no length.
+    Vec3 direction(double length_mm) const
+    {
+        double const step_mm = kTangentOver * this->length_mm();
+        return (at(length_mm + step_mm) - at(length_mm - step_mm)).normalized();
+    }
+
+private:
+    std::span<Vec3 const> nodes_;
+    std::vector<double> to_mm_;
+};
+
+// A child as it stands on its bearer.
+struct Child {
+    double u = 0;
+    double angle_deg = 0;
+    double azimuth_deg = 0; // From a direction that goes along with the bearer without turning.
+    double length = 0;      // A share of the bearer's.
+};
+
+// By their places from the bearer's base on.
+std::vector<Child> children_of(Plant const& plant, AxisId bearer, std::span<AxisId const> ids)
+{
+    auto const& axis = plant.axes[bearer];
+    AxisLine const line(plant.positions(axis));
+    std::vector<std::pair<double, AxisId>> places;
+    for (auto const id : ids) {
+        auto const node = plant.axes[id].parent_segment - axis.first_segment + std::size_t { 1 };
+        places.emplace_back(line.length_to_mm(std::min<std::size_t>(node, axis.segment_count)), id);
+    }
+    std::sort(places.begin(), places.end());
+    std::vector<Child> children;
+    Vec3 before = line.direction(0);
+    Vec3 across = before.unitOrthogonal();
+    for (auto const& [at_mm, id] : places) {
+        auto const nodes = plant.positions(plant.axes[id]);
+        AxisLine const own(nodes);
+        Vec3 const along = line.direction(at_mm);
+        Vec3 const way = own.at(kAngleOver * own.length_mm()) - nodes.front();
+        if (!(way.norm() > 0 && along.norm() > 0))
+            continue;
+        across = Quat::FromTwoVectors(before, along) * across;
+        before = along;
+        Vec3 const out = way.normalized();
+        double const u = at_mm / line.length_mm();
+        double const angle_deg = degrees(std::acos(std::clamp(along.dot(out), -1.0, 1.0)));
+        if (u > 0.999 && angle_deg < kStraightOn_deg)
+            continue;
+        double const azimuth = std::atan2(along.cross(across).dot(out), across.dot(out));
+        children.push_back({ u, angle_deg, degrees(azimuth), own.length_mm() / line.length_mm() });
+    }
+    return children;
+}
+
+using Turn = std::complex<double>; // Of length 1, or a sum of such.
+
+Turn turn_of(double angle_deg)
+{
+    return std::polar(1.0, radians(angle_deg));
+}
+
+// Children that stand at one place of their bearer.
+struct Node {
+    double u = 0;
+    std::span<Child const> children;
+};
+
+std::vector<Node> nodes_of(std::span<Child const> children)
+{
+    std::vector<Node> nodes;
+    double const mean_gap = (children.back().u - children.front().u)
+        / static_cast<double>(std::max<std::size_t>(children.size() - 1, 1));
+    std::size_t first = 0;
+    for (std::size_t i = 1; i <= children.size(); ++i) {
+        if (i < children.size() && children[i].u - children[first].u <= kSameNode * mean_gap)
+            continue;
+        nodes.push_back({ children[first].u, children.subspan(first, i - first) });
+        first = i;
+    }
+    return nodes;
+}
+
+// How uneven the distances of places on one bearer are: that bearers differ from each other is
+// something else.
+class Unevenness {
+public:
+    void add(std::span<double const> places)
+    {
+        auto const steps = places.size() - 1;
+        if (steps < 2 || !(places.back() > places.front()))
+            return;
+        double const mean = (places.back() - places.front()) / static_cast<double>(steps);
+        for (std::size_t i = 1; i < places.size(); ++i) {
+            double const off = (places[i] - places[i - 1]) / mean - 1;
+            squares_ += off * off;
+        }
+        steps_ += steps;
+    }
+    double value() const
+    {
+        return steps_ > 0 ? std::sqrt(squares_ / static_cast<double>(steps_)) : 0;
+    }
+
+private:
+    double squares_ = 0;
+    std::size_t steps_ = 0;
+};
+
+// Gathers the bearers of one level.
+class LevelMeter {
+public:
+    void add_bare() { ++bare_; }
+
+    void add(std::span<Child const> children)
+    {
+        counts_.add(static_cast<double>(children.size()));
+        unbranched_.add(children.front().u);
+        for (std::size_t i = 1; i < children.size(); ++i)
+            gaps_.add(children[i].u - children[i - 1].u);
+        for (std::size_t i = 0; i < children.size(); ++i) {
+            // By their number: few that stand apart would turn a line by their places.
+            double const share = children.size() > 1
+                ? static_cast<double>(i) / static_cast<double>(children.size() - 1)
+                : 0.5;
+            angle_.add(share, children[i].angle_deg);
+            mean_angle_.add(children[i].angle_deg);
+            angles_.emplace_back(share, children[i].angle_deg);
+        }
+        add_lengths(children);
+        auto const nodes = nodes_of(children);
+        std::vector<double> node_places;
+        std::vector<double> places;
+        for (auto const& child : children)
+            places.push_back(child.u);
+        for (auto const& node : nodes) {
+            node_sizes_.add(static_cast<double>(node.children.size()));
+            node_places.push_back(node.u);
+        }
+        of_children_.add(places);
+        of_nodes_.add(node_places);
+        if (children.size() >= kLeastOfTurns)
+            add_turns(nodes);
+    }
+
+    // No value: there is nothing.
+    std::optional<MeasuredLevel> level() const
+    {
+        if (counts_.count() == 0)
+            return std::nullopt;
+        MeasuredLevel level { .bearers = counts_.count(), .children = angles_.size() };
+        auto& style = level.style;
+        style.children = counts_.mean();
+        style.children_deviation = counts_.deviation();
+        style.bare = static_cast<double>(bare_) / static_cast<double>(bare_ + counts_.count());
+        style.unbranched = unbranched_.mean();
+        style.spacing = gaps_.mean();
+        level.spacing_deviation = gaps_.deviation();
+        level.mean_angle_deg = mean_angle_.mean();
+        set_angles(style);
+        for (std::size_t third = 0; third < lengths_.size(); ++third)
+            level.lengths[third] = lengths_[third].mean();
+        level.node_size = node_sizes_.mean();
+        set_pattern(level);
+        style.unevenness = (node_size(level.pattern) > 1 ? of_nodes_ : of_children_).value();
+        return level;
+    }
+
+private:
+    void add_lengths(std::span<Child const> children)
+    {
+        double const first = children.front().u;
+        double const width = std::max(children.back().u - first, 1e-9);
+        for (auto const& child : children) {
+            auto const third = static_cast<std::size_t>(3 * (child.u - first) / width);
+            lengths_[std::min<std::size_t>(third, 2)].add(child.length);
+        }
+    }
+
+    void add_turns(std::vector<Node> const& nodes)
+    {
+        Turn single {};
+        for (std::size_t i = 1; i < nodes.size(); ++i) {
+            single += turn_of(nodes[i].children.front().azimuth_deg
+                              - nodes[i - 1].children.front().azimuth_deg);
+            Turn one {}; // Of a pair either may come first: turns count twice.
+            Turn other {};
+            for (auto const& child : nodes[i - 1].children)
+                one += turn_of(2 * child.azimuth_deg);
+            for (auto const& child : nodes[i].children)
+                other += turn_of(2 * child.azimuth_deg);
+            if (std::abs(one) > 0 && std::abs(other) > 0)
+                doubled_ += other / std::abs(other) * std::conj(one / std::abs(one));
+            ++turns_;
+        }
+        // Spirals go around to the left or to the right.
+        single_ += single.imag() < 0 ? std::conj(single) : single;
+    }
+
+    void set_angles(BranchStyle& style) const
+    {
+        style.first_angle_deg = std::clamp(angle_.at(0), kLeastAngle_deg, kMostAngle_deg);
+        style.last_angle_deg = std::clamp(angle_.at(1), kLeastAngle_deg, kMostAngle_deg);
+        Spread off;
+        for (auto const& [share, angle_deg] : angles_)
+            off.add(angle_deg - style.angle_at_deg(share));
+        style.angle_deviation_deg = off.deviation();
+    }
+
+    void set_pattern(MeasuredLevel& level) const
+    {
+        if (turns_ == 0)
+            return;
+        auto const n = static_cast<double>(turns_);
+        bool const is_paired = level.node_size >= 1.5;
+        auto const mean = (is_paired ? doubled_ : single_) / n;
+        double const turn_deg = std::fabs(degrees(std::arg(mean)));
+        level.divergence_deg = is_paired ? turn_deg / 2 : turn_deg;
+        level.divergence_sureness = std::abs(mean);
+        if (level.node_size >= 2.5)
+            level.pattern = Pattern::Whorls;
+        else if (level.divergence_sureness < kSureOfTurn || (!is_paired && turn_deg < 100))
+            level.pattern = Pattern::Even;
+        else if (is_paired)
+            level.pattern = level.divergence_deg < 45 ? Pattern::Horizontal : Pattern::Decussate;
+        else
+            level.pattern = turn_deg > 162 ? Pattern::TwoRows : Pattern::Spiral;
+    }
+
+    std::size_t bare_ = 0;
+    Spread counts_;
+    Spread unbranched_;
+    Spread gaps_;
+    Spread node_sizes_;
+    Slope angle_;
+    Spread mean_angle_;
+    std::vector<std::pair<double, double>> angles_; // With the share of the way to the last.
+    std::array<Spread, 3> lengths_ {};
+    Unevenness of_children_;
+    Unevenness of_nodes_;
+    Turn single_ {};
+    Turn doubled_ {};
+    std::size_t turns_ = 0;
+};
+
+std::optional<MeasuredLevel> measure_level(Plant const& plant,
+                                           std::vector<std::vector<AxisId>> const& children,
+                                           std::uint32_t order)
+{
+    LevelMeter meter;
+    for (AxisId id = 0; id < plant.axes.size(); ++id) {
+        auto const& axis = plant.axes[id];
+        if (axis.order != order || !(axis_length_mm(plant, axis) > 0))
+            continue;
+        auto const standing = children_of(plant, id, children[id]);
+        if (standing.empty())
+            meter.add_bare();
+        else
+            meter.add(standing);
+    }
+    return meter.level();
+}
+
+bool is_leaf(Plant const& plant, OrganShape const& shape)
+{
+    return plant.materials[shape.material].kind == Material::Kind::Leaf;
+}
+
+// The width of a spray's leaves, which are lozenges.
+double width_in_spray(OrganShape const& spray)
+{
+    auto const& corners = spray.patches.front().control;
+    return (corners[3] - corners[12]).norm() / (corners[15] - corners[0]).norm();
+}
+
+void measure_leaves(Plant const& plant, MeasuredStyle& style)
+{
+    constexpr std::string_view kSpray = "spray ";
+    std::size_t leaves = 0;
+    std::size_t sprays = 0;
+    Spread width;
+    std::vector<AxisId> bearers;
+    for (auto const& organ : plant.organs) {
+        auto const& shape = plant.organ_shapes[organ.shape];
+        if (!is_leaf(plant, shape) || !(shape.length_mm > 0 && organ.scale.y() > 0))
+            continue;
+        if (shape.name.starts_with(kSpray) && !shape.patches.empty()) {
+            ++sprays;
+            leaves += shape.patches.size();
+            width.add(width_in_spray(shape));
+            continue;
+        }
+        ++leaves;
+        width.add(shape.width_mm * organ.scale.x() / (shape.length_mm * organ.scale.y()));
+        if (organ.segment != kNone)
+            bearers.push_back(axis_of(plant, organ.segment));
+    }
+    std::sort(bearers.begin(), bearers.end());
+    auto const twigs
+        = static_cast<std::size_t>(std::unique(bearers.begin(), bearers.end()) - bearers.begin())
+        + sprays;
+    style.has_sprays = sprays > 0;
+    style.leaf_width = width.mean();
+    if (twigs > 0)
+        style.leaves_per_twig = static_cast<double>(leaves) / static_cast<double>(twigs);
+}
+
+} // namespace
+
+Result<MeasuredStyle> measure_style(Plant const& plant)
+{
+    std::vector<std::vector<AxisId>> children(plant.axes.size());
+    MeasuredStyle style;
+    for (AxisId id = 0; id < plant.axes.size(); ++id) {
+        auto const& axis = plant.axes[id];
+        if (axis.parent_axis == kNone)
+            continue;
+        children[axis.parent_axis].push_back(id);
+        style.orders = std::max(style.orders, static_cast<int>(axis.order));
+    }
+    for (std::uint32_t order = 0; order < kMostMeasuredLevels; ++order) {
+        auto level = measure_level(plant, children, order);
+        if (!level)
+            break;
+        style.levels.push_back(*level);
+    }
+    if (style.levels.empty())
+        return fail(Fault::User, "the plant has no branches: a style is measured on one that has");
+    measure_leaves(plant, style);
+    return style;
+}
+
+// What a form takes.
+static BranchStyle within_limits(BranchStyle style)
+{
+    style.children = std::min(style.children, kMostChildren);
+    style.children_deviation = std::min(style.children_deviation, kMostChildren);
+    style.bare = std::min(style.bare, kMostBare);
+    style.unevenness = std::min(style.unevenness, kMostUneven);
+    return style;
+}
+
+TreeForm form_of(MeasuredStyle const& style)
+{
+    TreeForm form;
+    auto const measured = static_cast<int>(style.levels.size());
+    int const without_twigs = style.has_sprays ? style.orders : style.orders - 1;
+    form.levels = std::clamp(without_twigs, 1, measured);
+    for (std::size_t i = 0; i < form.patterns.size(); ++i) {
+        auto const& level = style.levels[std::min(i, style.levels.size() - 1)];
+        form.patterns[i] = level.pattern;
+        if (i < static_cast<std::size_t>(form.levels))
+            form.styles[i] = within_limits(level.style);
+    }
+    form.styles[0].bare = 0; // A form has one trunk.
+    while (form.levels > 1 && styled_branches(form) > kMostStyled)
+        form.styles[static_cast<std::size_t>(--form.levels)] = {};
+    if (style.leaves_per_twig > 0) {
+        form.leaves = static_cast<int>(std::clamp(std::round(style.leaves_per_twig), 1.0, 500.0));
+        form.leaf_width = std::clamp(style.leaf_width, 0.01, 2.0);
+    }
+    return form;
+}
+
+} // namespace tractus::silhouette

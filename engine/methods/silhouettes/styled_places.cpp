@@ -1,0 +1,172 @@
+#include "engine/methods/silhouettes/styled_places.h"
+
+#include "engine/base/check.h"
+#include "engine/base/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tractus::silhouette {
+
+namespace {
+
+constexpr std::uint32_t kPhaseStream = 5;
+constexpr std::uint32_t kPlaceStream = 6;
+constexpr double kGolden = 0.61803398874989485; // Its multiples fill a turn evenly.
+
+double part_of_turn(double turns)
+{
+    return turns - std::floor(turns);
+}
+
+// Below which a share of all normally distributed numbers is, with deviation 1.
+double normal_quantile(double share)
+{
+    double low = -4;
+    double high = 4;
+    for (int i = 0; i < 40; ++i) {
+        double const middle = (low + high) / 2;
+        bool const is_below = 0.5 * std::erfc(-middle / std::sqrt(2.0)) < share;
+        (is_below ? low : high) = middle;
+    }
+    return (low + high) / 2;
+}
+
+} // namespace
+
+StyledPlaces::StyledPlaces(BranchStyle const& style, Pattern pattern, std::uint64_t seed,
+                           std::uint32_t level)
+    : style_(style)
+    , whorl_(node_size(pattern))
+    , seed_(seed)
+{
+    Random random({ .seed = seed, .stream = kPhaseStream, .substream = level });
+    count_phase_ = random.uniform();
+    angle_phase_ = random.uniform();
+}
+
+bool StyledPlaces::next_bears()
+{
+    bearing_ += 1 - style_.bare;
+    if (bearing_ < 0.5)
+        return false;
+    bearing_ -= 1;
+    return true;
+}
+
+// The first bearer has as many as the mean; those that follow are pairs, one above it and one as
+// far below, so that few bearers have the mean, too.
+std::size_t StyledPlaces::next_count()
+{
+    auto const pair = (counted_ + 1) / 2;
+    double off = 0;
+    if (pair > 0)
+        off = normal_quantile(
+            0.5 + 0.5 * part_of_turn(count_phase_ + kGolden * static_cast<double>(pair)));
+    double const wanted
+        = style_.children + (counted_ % 2 == 0 ? -off : off) * style_.children_deviation;
+    ++counted_;
+    double const count = std::max(1.0, std::round(wanted + count_left_));
+    count_left_ += wanted - count;
+    return static_cast<std::size_t>(count);
+}
+
+double StyledPlaces::next_first(double low)
+{
+    double const wanted = style_.unbranched + first_left_;
+    double const first = std::clamp(wanted, std::min(low, 1.0), 1.0);
+    first_left_ = wanted - first;
+    return first;
+}
+
+// From the first child to the last.
+double StyledPlaces::next_extent(std::size_t count, double room)
+{
+    constexpr double kLeast = 0.3; // Of what a bearer has on average.
+    constexpr double kMost = 3;
+    extent_left_ += style_.spacing * static_cast<double>(count - 1);
+    if (count < 2)
+        return 0;
+    double const usual = style_.spacing * std::max(1.0, style_.children - 1);
+    double const extent = std::clamp(std::clamp(extent_left_, kLeast * usual, kMost * usual), 0.0,
+                                     std::max(room, 0.0));
+    extent_left_ -= extent;
+    return extent;
+}
+
+// Where nodes stand between the first and the last, 0 to 1. Wither 2009 takes normally distributed
+// distances; these have a logarithm that is, since they are as uneven as the style says without one
+// that would have to be cut off below 0.
+std::vector<double> StyledPlaces::node_shares(std::size_t nodes, std::uint32_t bearer) const
+{
+    Random random({ .seed = seed_, .stream = kPlaceStream, .substream = bearer });
+    double const spread = std::sqrt(std::log1p(style_.unevenness * style_.unevenness));
+    std::vector<double> shares { 0 };
+    double const phase = random.uniform();
+    for (std::size_t i = 1; i < nodes; ++i) {
+        // One of `nodes` is no farther out than that.
+        double const edge = 0.5 / static_cast<double>(nodes);
+        double const share
+            = std::clamp(part_of_turn(phase + kGolden * static_cast<double>(i)), edge, 1 - edge);
+        shares.push_back(shares.back() + std::exp(spread * normal_quantile(share)));
+    }
+    for (auto& share : shares)
+        share /= std::max(shares.back(), 1e-9);
+    return shares;
+}
+
+std::vector<double> StyledPlaces::next(double low, std::uint32_t bearer)
+{
+    auto const count = next_count();
+    double const first = next_first(low);
+    double const extent = next_extent(count, 1 - first);
+    auto const nodes = node_shares((count + whorl_ - 1) / whorl_, bearer);
+    std::vector<double> places;
+    for (std::size_t i = 0; i < count; ++i)
+        places.push_back(first + extent * nodes[i / whorl_]);
+    return places;
+}
+
+double StyledPlaces::next_angle_deg(double share)
+{
+    constexpr double kMostMadeUp_deg = 15;
+    double const part = part_of_turn(angle_phase_ + kGolden * static_cast<double>(angled_++));
+    double const wanted_deg
+        = style_.angle_at_deg(share) + style_.angle_deviation_deg * normal_quantile(part);
+    double const made_up_deg = std::clamp(angle_left_deg_, -kMostMadeUp_deg, kMostMadeUp_deg);
+    double const angle_deg = std::clamp(wanted_deg + made_up_deg, kLeastAngle_deg, kMostAngle_deg);
+    angle_left_deg_ += wanted_deg - angle_deg;
+    return angle_deg;
+}
+
+void StyledPlaces::take_angle(double share, double angle_deg)
+{
+    angle_left_deg_ += style_.angle_at_deg(share) - angle_deg;
+}
+
+std::vector<std::size_t> nearest_in_order(std::vector<double> const& places,
+                                          std::vector<double> const& others)
+{
+    auto const n = places.size();
+    auto const m = others.size();
+    CHECK(n <= m);
+    // The least sum for the first i places and the first j others.
+    std::vector<std::vector<double>> sums(
+        n + 1, std::vector<double>(m + 1, std::numeric_limits<double>::infinity()));
+    std::fill(sums[0].begin(), sums[0].end(), 0.0);
+    auto const taken = [&](std::size_t i, std::size_t j) {
+        double const off = places[i - 1] - others[j - 1];
+        return sums[i - 1][j - 1] + off * off;
+    };
+    for (std::size_t i = 1; i <= n; ++i)
+        for (std::size_t j = i; j <= m; ++j)
+            sums[i][j] = std::min(sums[i][j - 1], taken(i, j));
+    std::vector<std::size_t> result(n);
+    for (std::size_t i = n, j = m; i > 0; --j)
+        if (taken(i, j) <= sums[i][j - 1])
+            result[--i] = j - 1;
+    return result;
+}
+
+} // namespace tractus::silhouette

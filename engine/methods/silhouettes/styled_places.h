@@ -1,0 +1,57 @@
+#pragma once
+
+#include "engine/methods/silhouettes/arrangement.h"
+#include "engine/methods/silhouettes/branch_style.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tractus::silhouette {
+
+// Says of bearer after bearer of one level where its children stand, so that all of them together
+// have the style: what one bearer lacks, since branches are whole ones or its crown leaves no room,
+// the next ones make up for.
+class StyledPlaces {
+public:
+    // The stream of random numbers is `level`'s own.
+    StyledPlaces(BranchStyle const& style, Pattern pattern, std::uint64_t seed,
+                 std::uint32_t level);
+
+    // Whether the next bearer bears any children.
+    bool next_bears();
+
+    // Shares of the next bearer's length, ascending, `low` at least; those of a node are equal.
+    std::vector<double> next(double low, std::uint32_t bearer);
+
+    // The angle of the next branch at a share of the way from its bearer's first child to its last;
+    // and one that has an angle of its own there.
+    double next_angle_deg(double share);
+    void take_angle(double share, double angle_deg);
+
+private:
+    std::size_t next_count();
+    double next_first(double low);
+    double next_extent(std::size_t count, double room);
+    std::vector<double> node_shares(std::size_t nodes, std::uint32_t bearer) const;
+
+    BranchStyle style_;
+    std::size_t whorl_;
+    std::uint64_t seed_;
+    double count_phase_ = 0; // Shares of a turn, at which sequences begin.
+    double angle_phase_ = 0;
+    std::size_t counted_ = 0;
+    std::size_t angled_ = 0;
+    double bearing_ = 0; // What is left over from the bearers before.
+    double count_left_ = 0;
+    double first_left_ = 0;
+    double angle_left_deg_ = 0;
+    double extent_left_ = 0;
+};
+
+// For each of some places in ascending order one of others in ascending order, of which there are
+// as many at least: an own one, in the same order, such that they are near (least squares).
+std::vector<std::size_t> nearest_in_order(std::vector<double> const& places,
+                                          std::vector<double> const& others);
+
+} // namespace tractus::silhouette
