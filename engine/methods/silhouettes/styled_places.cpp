@@ -57,7 +57,7 @@ bool StyledPlaces::next_bears()
 
 // The first bearer has as many as the mean; those that follow are pairs, one above it and one as
 // far below, so that few bearers have the mean, too.
-std::size_t StyledPlaces::next_count()
+std::size_t StyledPlaces::next_count(std::size_t least)
 {
     auto const pair = (counted_ + 1) / 2;
     double off = 0;
@@ -67,7 +67,8 @@ std::size_t StyledPlaces::next_count()
     double const wanted
         = style_.children + (counted_ % 2 == 0 ? -off : off) * style_.children_deviation;
     ++counted_;
-    double const count = std::max(1.0, std::round(wanted + count_left_));
+    double const count
+        = std::max({ 1.0, static_cast<double>(least), std::round(wanted + count_left_) });
     count_left_ += wanted - count;
     return static_cast<std::size_t>(count);
 }
@@ -116,12 +117,12 @@ std::vector<double> StyledPlaces::node_shares(std::size_t nodes, std::uint32_t b
     return shares;
 }
 
-std::vector<double> StyledPlaces::next(double low, std::uint32_t bearer)
+std::vector<double> StyledPlaces::next(Bearer const& bearer)
 {
-    auto const count = next_count();
-    double const first = next_first(low);
+    auto const count = next_count(bearer.least);
+    double const first = next_first(bearer.low);
     double const extent = next_extent(count, 1 - first);
-    auto const nodes = node_shares((count + whorl_ - 1) / whorl_, bearer);
+    auto const nodes = node_shares((count + whorl_ - 1) / whorl_, bearer.number);
     std::vector<double> places;
     for (std::size_t i = 0; i < count; ++i)
         places.push_back(first + extent * nodes[i / whorl_]);

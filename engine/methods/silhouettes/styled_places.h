@@ -21,8 +21,13 @@ public:
     // Whether the next bearer bears any children.
     bool next_bears();
 
-    // Shares of the next bearer's length, ascending, `low` at least; those of a node are equal.
-    std::vector<double> next(double low, std::uint32_t bearer);
+    struct Bearer {
+        double low = 0;           // A share of its length: no child stands below.
+        std::size_t least = 0;    // It has so many children, whatever the style says.
+        std::uint32_t number = 0; // For its random numbers.
+    };
+    // Shares of the next bearer's length, ascending; those of a node are equal. At least one.
+    std::vector<double> next(Bearer const& bearer);
 
     // The angle of the next branch at a share of the way from its bearer's first child to its last;
     // and one that has an angle of its own there.
@@ -30,7 +35,7 @@ public:
     void take_angle(double share, double angle_deg);
 
 private:
-    std::size_t next_count();
+    std::size_t next_count(std::size_t least);
     double next_first(double low);
     double next_extent(std::size_t count, double room);
     std::vector<double> node_shares(std::size_t nodes, std::uint32_t bearer) const;

@@ -1,6 +1,7 @@
 #include "engine/methods/silhouettes/tree.h"
 
 #include "engine/methods/silhouettes/crown_surface.h"
+#include "engine/methods/silhouettes/line.h"
 #include "engine/methods/silhouettes/styled_places.h"
 #include "engine/plant/pipe_model.h"
 
@@ -38,65 +39,6 @@ Space in_space(Similarity const& way)
     space.translation() = Vec3(way.to.x(), way.to.y(), 0) - space.linear() * from;
     return space;
 }
-
-// A line that is asked for its point and direction at a share of its length.
-class Line {
-public:
-    explicit Line(std::vector<Vec2> points)
-        : points_(std::move(points))
-        , to_(1, 0)
-    {
-        for (std::size_t i = 1; i < points_.size(); ++i)
-            to_.push_back(to_.back() + (points_[i] - points_[i - 1]).norm());
-    }
-
-    double length() const { return to_.back(); }
-
-    Vec2 at(double u) const
-    {
-        auto const i = piece(u);
-        double const width = to_[i + 1] - to_[i];
-        double const share = width > 0 ? (u * length() - to_[i]) / width : 0;
-        return points_[i] + std::clamp(share, 0.0, 1.0) * (points_[i + 1] - points_[i]);
-    }
-
-    Vec2 direction(double u) const
-    {
-        return direction_of(at(std::min(1.0, u + 0.01)) - at(std::max(0.0, u - 0.01)));
-    }
-
-    // Of the nearest of its points, about.
-    double place_of(Vec2 const& point) const
-    {
-        double best = 0;
-        double least = 1e300;
-        for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
-            Vec2 const way = points_[i + 1] - points_[i];
-            double const share = std::clamp(
-                (point - points_[i]).dot(way) / std::max(way.squaredNorm(), 1e-300), 0.0, 1.0);
-            double const far = (points_[i] + share * way - point).squaredNorm();
-            if (far < least) {
-                least = far;
-                best = to_[i] + share * way.norm();
-            }
-        }
-        return length() > 0 ? best / length() : 0;
-    }
-
-    std::vector<Vec2> const& points() const { return points_; }
-
-private:
-    std::size_t piece(double u) const
-    {
-        auto const after = std::upper_bound(to_.begin(), to_.end(), u * length());
-        auto const i = after - to_.begin() - 1;
-        return static_cast<std::size_t>(
-            std::clamp<std::ptrdiff_t>(i, 0, static_cast<std::ptrdiff_t>(points_.size()) - 2));
-    }
-
-    std::vector<Vec2> points_;
-    std::vector<double> to_;
-};
 
 // A branch of a system where it stands around its bearer.
 struct Standing {
@@ -565,8 +507,11 @@ private:
         // nobody drew, the style decides.
         double const crown_u = crowd.bearer.place_of(system.trunk[system.inside.first]);
         double const style_u = level_options(bearer.level).style.unbranched;
-        auto const places
-            = styled.next(bearer.level == 0 ? crown_u : std::min(crown_u, style_u), id);
+        auto const drawn_by_hand = std::count_if(
+            system.branches.begin(), system.branches.end(),
+            [](Branch const& branch) { return branch.origin == Branch::Origin::Drawn; });
+        auto const places = styled.next({ bearer.level == 0 ? crown_u : std::min(crown_u, style_u),
+                                          static_cast<std::size_t>(drawn_by_hand), id });
         auto const kept = kept_branches(system, drawn, places.size());
         std::vector<std::optional<std::size_t>> branch_at(places.size());
         std::vector<double> at;

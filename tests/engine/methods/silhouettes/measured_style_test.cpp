@@ -246,24 +246,32 @@ TEST(SilhouetteStyle, GoesFromModelsToAnOutline)
     }
 }
 
+// Where they were drawn, even if the style has fewer.
 TEST(SilhouetteStyle, KeepsWhatWasDrawn)
 {
     auto drawing = lobed_crown(5);
-    drawing.branches.push_back({ { 0, -10 }, { 25, 5 }, { 45, 10 }, { 60, 12 } });
-    auto const form = form_of(style_of(grown("poplar")));
-    auto const skeleton = infer_skeleton(drawing, skeleton_options(form)).value();
-    auto const tree = make_tree(skeleton, tree_options(form, 8000));
-    auto const& placed = tree.arrangements[0];
-    auto const& branches = skeleton.systems[0].branches;
-    auto const drawn = std::find_if(branches.begin(), branches.end(), [](Branch const& one) {
-        return one.origin == Branch::Origin::Drawn;
-    });
-    ASSERT_NE(drawn, branches.end());
-    auto const found = std::find_if(placed.begin(), placed.end(), [&](PlacedBranch const& one) {
-        return one.name == name_of(*drawn);
-    });
-    ASSERT_NE(found, placed.end());
-    EXPECT_NEAR(found->place.u, drawn->path.t, 0.05);
+    drawing.branches = { { { 0, -10 }, { 25, 5 }, { 45, 10 }, { 60, 12 } },
+                         { { 0, 5 }, { -25, 15 }, { -50, 30 } },
+                         { { 0, 20 }, { 15, 35 }, { 30, 60 } } };
+    auto form = form_of(style_of(grown("poplar")));
+    for (double const children : { form.styles[0].children, 2.0 }) {
+        form.styles[0].children = children;
+        auto const skeleton = infer_skeleton(drawing, skeleton_options(form)).value();
+        auto const placed = make_tree(skeleton, tree_options(form, 8000)).arrangements[0];
+        int drawn = 0;
+        for (auto const& branch : skeleton.systems[0].branches) {
+            if (branch.origin != Branch::Origin::Drawn)
+                continue;
+            ++drawn;
+            auto const found
+                = std::find_if(placed.begin(), placed.end(), [&](PlacedBranch const& one) {
+                      return one.name == name_of(branch);
+                  });
+            ASSERT_NE(found, placed.end()) << name_of(branch);
+            EXPECT_NEAR(found->place.u, branch.path.t, 0.05) << name_of(branch);
+        }
+        EXPECT_EQ(drawn, 3);
+    }
 }
 
 TEST(SilhouetteStyle, RefusesWhatNoTreeHas)
