@@ -2,15 +2,19 @@
 
 #include "app/methods/silhouettes/silhouette_file.h"
 #include "app/methods/silhouettes/silhouette_report.h"
+#include "app/plants/model_file.h"
 #include "app/plants/plant_file.h"
 #include "app/plants/session_plant.h"
+#include "app/resources.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "app/verbs/checks.h"
 #include "app/verbs/glb_options.h"
 #include "drivers/file.h"
+#include "engine/methods/silhouettes/measured_style.h"
 #include "engine/methods/silhouettes/ready_form.h"
 #include "engine/methods/silhouettes/tree_edits.h"
+#include "engine/scene/scene.h"
 
 #include <algorithm>
 #include <array>
@@ -36,6 +40,8 @@ struct SilhouetteArguments {
     fs::path output;
     silhouette::TreeForm form;         // Without patterns:
     std::vector<std::string> patterns; // of each level; the last one goes on.
+    std::string style;                 // A plant, on which it is measured.
+    CLI::App const* verb = nullptr;    // Which knows what else was given.
     double height_m = 8;
     std::optional<std::size_t> count; // Of an arrangement alone.
     bool report = false;
@@ -53,6 +59,46 @@ silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
         given.push_back(*silhouette::pattern_of(word)); // one_of() has seen to it.
     for (std::size_t level = 0; level < form.patterns.size() && !given.empty(); ++level)
         form.patterns[level] = given[std::min(level, given.size() - 1)];
+    return form;
+}
+
+// The plant that a style is measured on, as it is drawn or was drawn on.
+Result<Plant> plant_of_style(SilhouetteArguments const& arguments)
+{
+    if (is_session_file(arguments.style))
+        return shown_plant(TRY(load_session_scene(arguments.style, arguments.methods.edits)));
+    auto const path = TRY(find_model(arguments.style));
+    auto const edit = TRY(load_plant_edit(path));
+    auto const scene = TRY(apply_edit({}, edit));
+    for (auto const& warning : scene.model_warnings)
+        print_warning(warning);
+    return *scene.base;
+}
+
+Result<silhouette::MeasuredStyle> measured_style(SilhouetteArguments const& arguments)
+{
+    auto style = silhouette::measure_style(TRY(plant_of_style(arguments)));
+    if (!style)
+        return fail(style.error().fault,
+                    fmt::format("{}: {}", arguments.style, style.error().message));
+    return style;
+}
+
+// A style's form, but for what other options say.
+silhouette::TreeForm styled_form(SilhouetteArguments const& arguments,
+                                 silhouette::MeasuredStyle const& style)
+{
+    auto const& given = arguments.form;
+    auto form = silhouette::form_of(style);
+    auto const is_given = [&](char const* option) { return arguments.verb->count(option) > 0; };
+    if (is_given("--levels"))
+        form.levels = given.levels;
+    if (is_given("--leaves"))
+        form.leaves = given.leaves;
+    if (is_given("--leaf-width"))
+        form.leaf_width = given.leaf_width;
+    form.density = given.density;
+    form.seed = given.seed;
     return form;
 }
 
@@ -135,14 +181,16 @@ Result<std::string> write_session(SilhouetteArguments const& arguments, fs::path
     return path.filename().string();
 }
 
-Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& drawing)
+Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& drawing,
+                          std::optional<silhouette::MeasuredStyle> const& style)
 {
     auto const file = TRY(silhouette::load_silhouette(drawing));
     for (auto const& key : file.unknown_keys)
         print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so", drawing.string(),
                                   key.substr(0, 40)));
     auto const form = form_of(arguments);
-    auto const skeleton = silhouette::infer_skeleton(file.drawing, { .levels = form.levels });
+    auto const skeleton
+        = silhouette::infer_skeleton(file.drawing, silhouette::skeleton_options(form));
     if (!skeleton)
         return about_drawing(drawing, skeleton.error());
     for (auto const& note : skeleton->systems[0].notes)
@@ -155,7 +203,7 @@ Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& 
     if (arguments.session)
         written += ", " + TRY(write_session(arguments, drawing, file.drawing, *skeleton));
     if (arguments.report)
-        return print_out(silhouette::print_report(*skeleton, tree));
+        return print_out(silhouette::print_report(*skeleton, tree, style));
     return print_out(fmt::format("{}: {} branches, {} leaves, {:.0f} % of the outline covered\n",
                                  written, tree.plant.axes.size() - 1 + tree.sprays, tree.leaves,
                                  100 * skeleton->systems[0].coverage_after));
@@ -173,7 +221,7 @@ Result<void> arrange_alone(SilhouetteArguments const& arguments)
     return print_out(silhouette::print_arrangement(arrangement, pattern, arguments.form.seed));
 }
 
-Result<void> make_trees(SilhouetteArguments const& arguments)
+Result<void> make_trees(SilhouetteArguments arguments)
 {
     if (arguments.drawings.empty())
         return arrange_alone(arguments);
@@ -188,8 +236,14 @@ Result<void> make_trees(SilhouetteArguments const& arguments)
                                                           : arguments.output / "tree.glb"));
     if (arguments.session && (arguments.output.empty() || is_tree_file(arguments.output)))
         return fail(Fault::User, "a session needs a folder to be in: give one as --output");
+    std::optional<silhouette::MeasuredStyle> style;
+    if (!arguments.style.empty()) {
+        style = TRY(measured_style(arguments));
+        arguments.form = styled_form(arguments, *style);
+        TRY(silhouette::check_form(arguments.form));
+    }
     for (auto const& drawing : arguments.drawings)
-        TRY(make_tree_of(arguments, drawing));
+        TRY(make_tree_of(arguments, drawing, style));
     return {};
 }
 
@@ -208,6 +262,11 @@ void add_form_options(CLI::App& verb, SilhouetteArguments& arguments)
             "options say: oak, pine, willow, eucalyptus or fir")
         ->type_name("NAME")
         ->check(one_of({ "oak", "pine", "willow", "eucalyptus", "fir" }));
+    verb.add_option("--style", arguments.style,
+                    "Branches as they are measured on a plant, but for what other options say: one "
+                    "of our models, or the file of a model, a session or a measured tree")
+        ->type_name("PLANT")
+        ->excludes(verb.get_option("--form"));
     verb.add_option("--levels", arguments.form.levels,
                     "How often branches branch before twigs come")
         ->type_name("N")
@@ -272,6 +331,7 @@ void add_silhouette_command(CLI::App& root, Action& action, Methods const& metho
     auto arguments = std::make_shared<SilhouetteArguments>();
     arguments->methods = methods;
     auto* const verb = root.add_subcommand("silhouette", "Make a tree from its outline");
+    arguments->verb = verb;
     add_options(*verb, *arguments);
     verb->footer(
         "A trunk and the outline of the crown around it make a tree (Wither, Boudon, Cani, Godin\n"

@@ -69,7 +69,34 @@ static Report arrangements_json(Tree const& tree)
     return levels;
 }
 
-std::string print_report(Skeleton const& skeleton, Tree const& tree)
+static Report level_json(MeasuredLevel const& level)
+{
+    auto const& style = level.style;
+    return { { "bearers", level.bearers },
+             { "children",
+               { { "mean", style.children }, { "deviation", style.children_deviation } } },
+             { "bare", style.bare },
+             { "unbranched", style.unbranched },
+             { "spacing", { { "mean", style.spacing }, { "deviation", level.spacing_deviation } } },
+             { "angle_deg",
+               { { "mean", level.mean_angle_deg },
+                 { "first", style.first_angle_deg },
+                 { "last", style.last_angle_deg },
+                 { "deviation", style.angle_deviation_deg } } },
+             { "lengths", level.lengths },
+             { "pattern", name_of(level.pattern) } };
+}
+
+static Report levels_json(MeasuredStyle const& style)
+{
+    Report levels = Report::array();
+    for (auto const& level : style.levels)
+        levels.push_back(level_json(level));
+    return levels;
+}
+
+std::string print_report(Skeleton const& skeleton, Tree const& tree,
+                         std::optional<MeasuredStyle> const& style)
 {
     auto const& system = skeleton.systems[0];
     auto const& counts = system.triangles;
@@ -80,7 +107,7 @@ std::string print_report(Skeleton const& skeleton, Tree const& tree)
     for (auto const& branch : system.branches)
         if (branch.origin != silhouette::Branch::Origin::Apex)
             branches.push_back(branch_json(branch));
-    Report const report {
+    Report report {
         { "samples", system.outline.size() },
         { "triangles", counts.terminal + counts.sleeve + counts.junction },
         { "terminal", counts.terminal },
@@ -100,6 +127,11 @@ std::string print_report(Skeleton const& skeleton, Tree const& tree)
         { "branches", tree.plant.axes.size() - 1 + tree.sprays },
         { "notes", system.notes }
     };
+    if (style) {
+        auto const again = measure_style(tree.plant);
+        report["style"] = { { "measured", levels_json(*style) },
+                            { "tree", again ? levels_json(*again) : Report::array() } };
+    }
     return report.dump() + "\n";
 }
 

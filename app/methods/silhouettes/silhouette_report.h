@@ -1,7 +1,9 @@
 #pragma once
 
+#include "engine/methods/silhouettes/measured_style.h"
 #include "engine/methods/silhouettes/tree.h"
 
+#include <optional>
 #include <string>
 
 namespace tractus::silhouette {
@@ -24,7 +26,17 @@ namespace tractus::silhouette {
 //                 levels below are of one bearer
 //   elements, leaves, branches   of the tree
 //   notes         what had to be guessed or was left out
-std::string print_report(Skeleton const& skeleton, Tree const& tree);
+//
+// and with a style that was measured on a plant, what it is on each level, and what it is in the
+// tree:
+//
+//   style         {"measured": [level, …], "tree": [level, …]}, a level {"bearers", "children":
+//                 {"mean", "deviation"} of a bearer that bears any, "bare": the share of those that
+//                 bear none, "unbranched", "spacing": {"mean", "deviation"}, "angle_deg": {"mean",
+//                 "first", "last", "deviation"}, "lengths": [low, middle, high], "pattern"}; all
+//                 lengths are shares of the bearer's
+std::string print_report(Skeleton const& skeleton, Tree const& tree,
+                         std::optional<MeasuredStyle> const& style = {});
 
 // An arrangement alone: {"pattern", "count", "seed", "cost_before", "cost_after", "places":
 // [{"theta", "u"}, …]}.

@@ -1,6 +1,8 @@
 #include "app/methods/all_methods.h"
 #include "app/plants/plant_file.h"
 #include "app/plants/session_plant.h"
+#include "app/session/edit_record.h"
+#include "engine/methods/silhouettes/tree_edits.h"
 #include "tests/app/verbs/outcome.h"
 #include "tests/corpus.h"
 
@@ -123,6 +125,66 @@ TEST_F(SilhouetteCommand, AReadyFormIsItsOptions)
     EXPECT_TRUE(bare == written({ "--form", "fir", "--leaves", "2" }));
 }
 
+// Level by level within 10 % of what the plant has, and so is the report.
+TEST_F(SilhouetteCommand, TakesTheStyleOfAPlant)
+{
+    auto low = crown();
+    low["trunk"] = { { 0, -69 }, { 0, 50 } };
+    std::ofstream(folder_ / "low.json") << low;
+    auto const outcome
+        = run({ "silhouette", path("low.json"), "--style", "poplar", "--seed", "3", "--report" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const style = json::parse(outcome.out)["style"];
+    ASSERT_EQ(style["measured"].size(), 3U);
+    ASSERT_GE(style["tree"].size(), 1U);
+    auto const& wanted = style["measured"][0];
+    auto const& given = style["tree"][0];
+    EXPECT_EQ(wanted["pattern"], "spiral");
+    for (auto const* const key : { "children", "spacing", "angle_deg" }) {
+        auto const mean = wanted[key]["mean"].get<double>();
+        EXPECT_NEAR(given[key]["mean"].get<double>(), mean, 0.1 * mean) << key;
+    }
+    auto const flat = run({ "silhouette", path("oak.json"), "--style", "poplar", "--arrangement",
+                            "horizontal", "--levels", "1", "--report" });
+    auto const report = json::parse(flat.out);
+    for (auto const& place : report["arrangement"][0])
+        EXPECT_TRUE(place["theta"] == 0 || place["theta"] == 180) << place;
+}
+
+TEST_F(SilhouetteCommand, TakesTheStyleOfAFile)
+{
+    ASSERT_EQ(run({ "silhouette", path("oak.json"), "-o", path("out"), "--session" }).exit_code, 0);
+    ASSERT_EQ(run({ "silhouette", path("oak.json"), "-o", path("oak.mtg") }).exit_code, 0);
+    for (std::string const name : { "out/oak.tractus", "oak.mtg" }) {
+        auto const again = "again-" + name.substr(name.size() - 3);
+        auto const outcome = run({ "silhouette", path("oak.json"), "--style", path(name), "-o",
+                                   path(again), "--session", "--report" });
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        auto const style = json::parse(outcome.out)["style"];
+        EXPECT_EQ(style["measured"].size(), 2U);
+        // The session's tree is in the style, too.
+        auto const scene
+            = load_session_scene(path(again + "/oak.tractus"), all_methods().edits).value();
+        ASSERT_TRUE(write_plant_file(*scene.base, "oak", path("again.glb")));
+        EXPECT_TRUE(bytes(path(again + "/oak.glb")) == bytes(path("again.glb"))) << name;
+    }
+}
+
+// As it was before there were styles.
+TEST_F(SilhouetteCommand, AFormWithoutStylesIsWrittenWithoutThem)
+{
+    using silhouette::FormTree;
+    FormTree edit { .plant = 7, .form = {} };
+    EXPECT_EQ(record_of(edit).fields,
+              R"({"plant":7,"levels":2,"trunk_pattern":"even","branch_pattern":"even",)"
+              R"("twig_pattern":"even","density":1.0,"leaves":24,"leaf_width":0.4,"seed":1})");
+    edit.form.styles[1] = { .children = 4, .unbranched = 0.25, .first_angle_deg = 50 };
+    auto const again = edit_of(record_of(edit), all_methods().edits);
+    ASSERT_TRUE(again) << again.error().message;
+    ASSERT_TRUE(again->get<FormTree>());
+    EXPECT_EQ(again->get<FormTree>()->form, edit.form);
+}
+
 TEST_F(SilhouetteCommand, WritesAGraphThatIsAPlant)
 {
     ASSERT_EQ(
@@ -193,6 +255,18 @@ TEST_F(SilhouetteCommand, SaysWhatIsWrong)
     EXPECT_NE(refusal({ "silhouette", path("oak.json") }).find("nothing is asked for"),
               std::string::npos);
     EXPECT_NE(refusal({ "silhouette" }).find("there is no drawing"), std::string::npos);
+    EXPECT_NE(refusal({ "silhouette", path("oak.json"), "--report", "--style", "leaf.none" })
+                  .find("leaf.none"),
+              std::string::npos);
+    std::ofstream(folder_ / "pole.l")
+        << "Lsystem: 1\nderivation length: 0\nAxiom: F(9)\nendlsystem\n";
+    EXPECT_NE(refusal({ "silhouette", path("oak.json"), "--report", "--style", path("pole.l") })
+                  .find("the plant has no branches"),
+              std::string::npos);
+    EXPECT_NE(refusal({ "silhouette", path("oak.json"), "--report", "--style", "poplar", "--form",
+                        "oak" })
+                  .find("--form"),
+              std::string::npos);
     EXPECT_NE(refusal({ "silhouette", path("oak.json"), path("oak.json"), "-o", path("a.glb") })
                   .find("several trees need a folder"),
               std::string::npos);
