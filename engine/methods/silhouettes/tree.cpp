@@ -1,16 +1,15 @@
 #include "engine/methods/silhouettes/tree.h"
 
-#include "engine/methods/silhouettes/crown_surface.h"
+#include "engine/methods/silhouettes/crowd.h"
 #include "engine/methods/silhouettes/line.h"
-#include "engine/methods/silhouettes/styled_places.h"
+#include "engine/methods/silhouettes/styled_crowd.h"
 #include "engine/plant/pipe_model.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 #include <map>
-#include <tuple>
+#include <optional>
 #include <utility>
 
 namespace tractus::silhouette {
@@ -18,9 +17,6 @@ namespace tractus::silhouette {
 namespace {
 
 constexpr std::uint32_t kSprayVariants = 8;
-constexpr double kLargestAdded = 1.5; // Of the branch that it is a copy of.
-constexpr double kMostTurned = 1.41;  // So much longer a branch may become as it turns away.
-constexpr double kOverSurface = 1.02; // And so far beyond the crown's surface it may go.
 
 // Shares of the tree's height: a bearer with the usual number of twigs, and twigs.
 constexpr double kBearer = 0.07;
@@ -40,30 +36,15 @@ Space in_space(Similarity const& way)
     return space;
 }
 
-// A branch of a system where it stands around its bearer.
-struct Standing {
-    std::size_t branch = 0; // Of the system: itself, or the one that it is a copy of.
-    std::string name;
-    double u = 0;
-    double theta_deg = 0;
-    Similarity way; // In the system's plane, before it is turned around the bearer.
-};
-
-// A system's branches in space, the same for all bearers that have the system.
-struct Crowd {
-    Line bearer { { Vec2::Zero(), Vec2::UnitY() } };
-    std::vector<Standing> branches; // By u.
-};
-
 class Grower {
 public:
     Grower(Skeleton const& skeleton, TreeOptions const& options)
         : skeleton_(skeleton)
         , options_(options)
+        , maker_(skeleton, options)
     {
         for (std::uint32_t level = 0; level < options.levels.size(); ++level)
-            styled_.emplace_back(options.levels[level].style, options.levels[level].pattern,
-                                 options.seed, level);
+            styled_.emplace_back(maker_, skeleton, options, level);
     }
 
     Tree run()
@@ -137,9 +118,9 @@ private:
             return;
         std::size_t node = 0;
         for (auto const& standing : crowd->branches) {
-            while (node + 1 < places.size() && places[node + 1] < standing.u - 1e-9)
+            while (node + 2 < places.size() && places[node + 1] < standing.u - 1e-9)
                 ++node;
-            grow_branch(bearer, axis, standing, own ? std::min(node, places.size() - 2) : node);
+            grow_branch(bearer, axis, standing, node);
         }
     }
 
@@ -164,7 +145,7 @@ private:
         Space const to_model = branch.model ? own * in_space(branch.from_model) : own;
         grow({ .system = below,
                .space = to_model,
-               .line = Line(line_of(model, below)),
+               .line = Line(maker_.line_of(model, below)),
                .crown = model.crown,
                .name = bearer.name.empty() ? standing.name : bearer.name + "/" + standing.name,
                .parent_segment
@@ -320,9 +301,23 @@ private:
         if (found != crowds_.end())
             return found->second;
         auto& crowd = crowds_[system];
-        crowd = make_crowd(system, level);
+        crowd = maker_.make(system, level_options(level));
         tell(level, crowd);
         return crowd;
+    }
+
+    // In the style of its level; null: it bears none.
+    Crowd const* styled_crowd(Bearer const& bearer, std::optional<Crowd>& own)
+    {
+        own = styled_[options_of(bearer.level)].next(
+            { .system = bearer.system,
+              .is_trunk = bearer.level == 0,
+              .line = bearer.line,
+              .number = static_cast<std::uint32_t>(tree_.plant.axes.size()) });
+        if (!own)
+            return nullptr;
+        tell(bearer.level, *own);
+        return &*own;
     }
 
     void tell(std::uint32_t level, Crowd const& crowd)
@@ -332,403 +327,13 @@ private:
                 told_[level].push_back({ branch.name, { branch.u, branch.theta_deg } });
     }
 
-    // How far a branch may turn away from the plane: long ones hardly, so that the outline stays.
-    static double most_off_deg(double span, double greatest)
-    {
-        constexpr double kShort_deg = 45;
-        constexpr double kLong_deg = 20;
-        double const share = greatest > 0 ? std::min(1.0, span / greatest) : 0;
-        return kShort_deg + (kLong_deg - kShort_deg) * share;
-    }
-
-    Crowd make_crowd(std::size_t index, std::uint32_t level)
-    {
-        auto const& system = skeleton_.systems[index];
-        auto const& options = level_options(level);
-        Crowd crowd { .bearer = Line(system.whole_trunk()), .branches = {} };
-        CrownSurface const surface(system.outline, system.trunk);
-        auto const drawn = drawn_places(crowd.bearer, surface, system);
-        double first_u = 1;
-        for (auto const& place : drawn)
-            first_u = std::min(first_u, place.u);
-        auto const added = static_cast<std::size_t>(
-            std::lround(options.added * static_cast<double>(drawn.size())));
-        auto const arrangement = arrange(
-            drawn,
-            { .pattern = options.pattern,
-              .count = drawn.size() + added,
-              .first_u = first_u,
-              .proposals = options.proposals },
-            { .seed = options_.seed, .stream = 2, .substream = static_cast<std::uint32_t>(index) });
-        Model const model { system, surface, drawn };
-        for (std::size_t i = 0; i < arrangement.places.size(); ++i) {
-            auto const& place = arrangement.places[i];
-            if (i < drawn.size())
-                stand(crowd, model, i, place, place.u);
-            else
-                stand_added(crowd, model, place);
-        }
-        finish(crowd, system);
-        return crowd;
-    }
-
-    // The trunk's end last.
-    static void finish(Crowd& crowd, BranchingSystem const& system)
-    {
-        if (system.has_apex_branch())
-            crowd.branches.push_back({ system.branches.size() - 1, "apex", 1, 0, {} });
-        std::stable_sort(crowd.branches.begin(), crowd.branches.end(),
-                         [](Standing const& a, Standing const& b) { return a.u < b.u; });
-    }
-
-    // Of all branches in the plane but the apex.
-    static std::vector<DrawnPlace> drawn_places(Line const& bearer, CrownSurface const& surface,
-                                                BranchingSystem const& system)
-    {
-        std::array<double, 2> greatest {};
-        auto const span = [&](Branch const& branch) {
-            return std::fabs(surface.to_trunk(branch.path.curve.end).x());
-        };
-        auto const flat = system.branches.size() - (system.has_apex_branch() ? 1 : 0);
-        for (std::size_t i = 0; i < flat; ++i) {
-            auto const& branch = system.branches[i];
-            auto& most = greatest[branch.path.side == Side::Left];
-            most = std::max(most, span(branch));
-        }
-        std::vector<DrawnPlace> drawn;
-        for (std::size_t i = 0; i < flat; ++i) {
-            auto const& branch = system.branches[i];
-            bool const is_left = branch.path.side == Side::Left;
-            drawn.push_back({ bearer.place_of(branch.path.curve.base), is_left ? 180.0 : 0.0,
-                              most_off_deg(span(branch), greatest[is_left]) });
-        }
-        return drawn;
-    }
-
-    struct Model {
-        BranchingSystem const& system;
-        CrownSurface const& surface;
-        std::vector<DrawnPlace> const& drawn;
-    };
-
-    // One in the plane, where it was inferred or at the place to which it moves.
-    void stand(Crowd& crowd, Model const& model, std::size_t i, Place const& place,
-               double moves_to) const
-    {
-        auto const& branch = model.system.branches[i];
-        Vec2 const base = branch.path.curve.base;
-        double const off = radians(place.theta_deg - model.drawn[i].theta_deg);
-        double const longer = std::min(kMostTurned, 1 / std::max(0.1, std::cos(off)));
-        Similarity way { .from = base, .to = base, .turn = Vec2(longer, 0) };
-        Vec2 as_it_is = Vec2::UnitX();
-        if (moves_to != place.u) {
-            // Its end stays where the outline wants it.
-            way = way_to_end(branch, crowd.bearer.at(moves_to));
-            as_it_is = way.turn;
-            way.turn *= longer;
-        }
-        if (longer > 1) {
-            double const size = as_it_is.norm();
-            way.turn = largest_inside(model, branch, way, place.theta_deg,
-                                      { size, longer * size, kOverSurface })
-                * direction_of(as_it_is);
-        }
-        crowd.branches.push_back({ i, name_of(branch), moves_to, place.theta_deg, way });
-    }
-
-    // How an added branch leaves its bearer, and how small it may be, of the one it is a copy of.
-    struct Lean {
-        Vec2 from = Vec2::UnitX(); // Which way of its model has the angle.
-        double angle_deg = 0;
-        double least = 0.15;
-        enum class Smaller { LeftOut, Least } smaller = Smaller::LeftOut;
-    };
-
-    void stand_added(Crowd& crowd, Model const& model, Place const& place) const
-    {
-        auto const nearest = nearest_drawn(model, place);
-        if (!nearest)
-            return;
-        auto const& branch = model.system.branches[*nearest];
-        stand_added(crowd, model, place, *nearest,
-                    { .from = branch.path.curve.base_tangent,
-                      .angle_deg = options_.angles.at_deg(place.u) });
-    }
-
-    void stand_added(Crowd& crowd, Model const& model, Place const& place, std::size_t nearest,
-                     Lean const& lean) const
-    {
-        auto const& branch = model.system.branches[nearest];
-        Vec2 const along = crowd.bearer.direction(place.u);
-        Vec2 const start = turned(along, sign_of(branch.path.side) * radians(lean.angle_deg));
-        Vec2 const from = direction_of(lean.from);
-        Vec2 const unit(start.dot(from), cross(from, start));
-        Similarity way { .from = branch.path.curve.base,
-                         .to = crowd.bearer.at(place.u),
-                         .turn = unit };
-        double size = largest_inside(model, branch, way, place.theta_deg, { 0, kLargestAdded, 1 });
-        if (size < lean.least && lean.smaller == Lean::Smaller::LeftOut)
-            return;
-        size = std::max(size, lean.least);
-        way.turn = size * unit;
-        crowd.branches.push_back(
-            { nearest, name_of_added(crowd, place), place.u, place.theta_deg, way });
-    }
-
-    // After its place around the bearer, so that the one that stands there after a change has the
-    // name: they are arranged anew as a whole.
-    static std::string name_of_added(Crowd const& crowd, Place const& place)
-    {
-        constexpr double kSteps = 12; // Along the bearer, and around it.
-        auto const name = fmt::format("a{}.{}", std::lround(place.u * kSteps),
-                                      std::lround(place.theta_deg / 360 * kSteps) % 12);
-        auto const taken = [&](std::string const& other) {
-            return std::any_of(crowd.branches.begin(), crowd.branches.end(),
-                               [&](Standing const& one) { return one.name == other; });
-        };
-        auto unique = name;
-        for (int n = 2; taken(unique); ++n)
-            unique = fmt::format("{}.{}", name, n);
-        return unique;
-    }
-
-    // The branches of a bearer in the style of its level; null: it bears none.
-    Crowd const* styled_crowd(Bearer const& bearer, std::optional<Crowd>& own)
-    {
-        auto const& system = skeleton_.systems[bearer.system];
-        auto& styled = styled_[options_of(bearer.level)];
-        if (!styled.next_bears())
-            return nullptr;
-        auto& crowd = own.emplace(Crowd { .bearer = bearer.line, .branches = {} });
-        CrownSurface const surface(system.outline, system.trunk);
-        auto const drawn = drawn_places(crowd.bearer, surface, system);
-        auto const id = static_cast<std::uint32_t>(tree_.plant.axes.size());
-        // On the trunk nothing stands below the crown; where the crowns of branches begin, which
-        // nobody drew, the style decides.
-        double const crown_u = crowd.bearer.place_of(system.trunk[system.inside.first]);
-        double const style_u = level_options(bearer.level).style.unbranched;
-        auto const drawn_by_hand = std::count_if(
-            system.branches.begin(), system.branches.end(),
-            [](Branch const& branch) { return branch.origin == Branch::Origin::Drawn; });
-        auto const places = styled.next({ bearer.level == 0 ? crown_u : std::min(crown_u, style_u),
-                                          static_cast<std::size_t>(drawn_by_hand), id });
-        auto const kept = kept_branches(system, drawn, places.size());
-        std::vector<std::optional<std::size_t>> branch_at(places.size());
-        std::vector<double> at;
-        for (auto const i : kept)
-            at.push_back(drawn[i].u);
-        auto const nearest = nearest_in_order(at, places);
-        for (std::size_t k = 0; k < kept.size(); ++k)
-            branch_at[nearest[k]] = kept[k];
-        Model const model { system, surface, drawn };
-        auto const thetas = styled_arrangement(model, bearer.level, branch_at, id);
-        double const extent = std::max(places.back() - places.front(), 1e-9);
-        // First those that have their ends, which the angles of the others make up for.
-        for (auto const has_end : { true, false })
-            for (std::size_t k = 0; k < places.size(); ++k) {
-                double const share = (places[k] - places.front()) / extent;
-                StyledPlace const place { branch_at[k], { places[k], thetas[k].theta_deg }, share };
-                if (has_end == keeps_end(bearer, model, place))
-                    stand_styled(bearer, crowd, model, place);
-            }
-        finish(crowd, system);
-        tell(bearer.level, crowd);
-        return &crowd;
-    }
-
-    // As many of the branches in the plane as there are places, by their places; those that were
-    // drawn before those of bumps, these before copies, and the largest before others.
-    static std::vector<std::size_t> kept_branches(BranchingSystem const& system,
-                                                  std::vector<DrawnPlace> const& drawn,
-                                                  std::size_t most)
-    {
-        constexpr std::array kRanks { 1, 2, 3, 0, 4 }; // Of origins in their order.
-        std::vector<std::tuple<int, double, std::size_t>> ranks;
-        for (std::size_t i = 0; i < drawn.size(); ++i)
-            ranks.emplace_back(kRanks[static_cast<std::size_t>(system.branches[i].origin)],
-                               -std::fabs(signed_area(system.branches[i].crown)), i);
-        std::sort(ranks.begin(), ranks.end());
-        std::vector<std::size_t> kept;
-        for (std::size_t k = 0; k < std::min(most, ranks.size()); ++k)
-            kept.push_back(std::get<2>(ranks[k]));
-        std::sort(kept.begin(), kept.end(), [&](std::size_t a, std::size_t b) {
-            return std::pair(drawn[a].u, a) < std::pair(drawn[b].u, b);
-        });
-        return kept;
-    }
-
-    // Places are taken as if nodes stood at equal distances, so that the pattern counts nodes.
-    std::vector<Place> styled_arrangement(Model const& model, std::uint32_t level,
-                                          std::vector<std::optional<std::size_t>> const& branch_at,
-                                          std::uint32_t id) const
-    {
-        constexpr double kAnywhere_deg = 180;
-        auto const& options = level_options(level);
-        auto const count = branch_at.size();
-        auto const whorl = node_size(options.pattern);
-        double const node = node_distance(options.pattern, count);
-        std::vector<DrawnPlace> free;
-        for (std::size_t k = 0; k < count; ++k) {
-            double const u = (static_cast<double>(k / whorl) + 0.5) * node;
-            auto place = branch_at[k] ? model.drawn[*branch_at[k]]
-                                      : DrawnPlace { 0, k % 2 == 0 ? 0.0 : 180.0, kAnywhere_deg };
-            place.u = std::min(u, 1.0);
-            free.push_back(place);
-        }
-        return arrange(
-                   free,
-                   { .pattern = options.pattern, .count = count, .proposals = options.proposals },
-                   { .seed = options_.seed, .stream = 2, .substream = id })
-            .places;
-    }
-
-    // One of the places that a style gives.
-    struct StyledPlace {
-        std::optional<std::size_t> branch; // In the plane, that takes it; no value: one is added.
-        Place at;
-        double share; // Of the way from the bearer's first place to its last.
-    };
-
-    // A branch that was drawn or ends in a bump goes there from its new place, too, if that makes
-    // it neither far longer nor shorter, nor takes it far from the style's angle. No other end is
-    // the outline's.
-    bool keeps_end(Bearer const& bearer, Model const& model, StyledPlace const& place) const
-    {
-        constexpr double kMostStretched = 1.5;
-        constexpr double kMostTurned_deg = 30;
-        if (!place.branch)
-            return false;
-        double const u = place.at.u;
-        auto const& branch = model.system.branches[*place.branch];
-        if (branch.origin != Branch::Origin::Bump)
-            return branch.origin == Branch::Origin::Drawn;
-        auto const way = way_to_end(branch, bearer.line.at(u));
-        double const size = way.turn.norm();
-        double const angle_deg = angle_between_deg(
-            bearer.line.direction(u), way.vector(way_of(bearer.system, *place.branch)));
-        double const wanted_deg = level_options(bearer.level).style.angle_at_deg(place.share);
-        return size < kMostStretched && 1 < kMostStretched * size
-            && std::fabs(angle_deg - wanted_deg) < kMostTurned_deg;
-    }
-
-    // From a branch as it is to one from another place to the same end.
-    static Similarity way_to_end(Branch const& branch, Vec2 const& from)
-    {
-        auto const& curve = branch.path.curve;
-        Vec2 const before = curve.end - curve.base;
-        Vec2 const after = curve.end - from;
-        Vec2 const turn(before.dot(after), cross(before, after));
-        return { .from = curve.base,
-                 .to = from,
-                 .turn = turn / std::max(before.squaredNorm(), 1e-300) };
-    }
-
-    static double angle_between_deg(Vec2 const& a, Vec2 const& b)
-    {
-        return degrees(std::fabs(std::atan2(cross(a, b), a.dot(b))));
-    }
-
-    void stand_styled(Bearer const& bearer, Crowd& crowd, Model const& model,
-                      StyledPlace const& place)
-    {
-        auto& styled = styled_[options_of(bearer.level)];
-        auto const& branch = place.branch;
-        if (keeps_end(bearer, model, place)) {
-            bool const is_drawn = model.system.branches[*branch].origin == Branch::Origin::Drawn;
-            double const as_inferred = model.drawn[*branch].u;
-            double const moves_to = is_drawn ? as_inferred : place.at.u;
-            stand(crowd, model, *branch, { as_inferred, place.at.theta_deg }, moves_to);
-            auto const& way = crowd.branches.back().way;
-            styled.take_angle(place.share,
-                              angle_between_deg(crowd.bearer.direction(moves_to),
-                                                way.vector(way_of(bearer.system, *branch))));
-            return;
-        }
-        double const angle_deg = styled.next_angle_deg(place.share);
-        auto const copied = branch ? branch : nearest_drawn(model, place.at);
-        if (!copied)
-            return;
-        stand_added(crowd, model, place.at, *copied,
-                    { .from = way_of(bearer.system, *copied),
-                      .angle_deg = angle_deg,
-                      .smaller = Lean::Smaller::Least });
-        if (branch)
-            crowd.branches.back().name = name_of(model.system.branches[*branch]);
-    }
-
-    // Over the share of its axis that angles are of, in its system's plane.
-    Vec2 way_of(std::size_t index, std::size_t i) const
-    {
-        auto const& system = skeleton_.systems[index];
-        auto const& branch = system.branches[i];
-        auto const below = skeleton_.system_of[index][i];
-        auto const& model = branch.model ? system.branches[*branch.model] : branch;
-        Line const line(line_of(model, below));
-        Vec2 const way = line.at(kAngleOver) - line.at(0);
-        return branch.model ? branch.from_model.vector(way) : way;
-    }
-
-    std::vector<Vec2> line_of(Branch const& model, std::size_t below) const
-    {
-        return below == kNoSystem ? model.path.curve.points(9)
-                                  : skeleton_.systems[below].whole_trunk();
-    }
-
-    static std::optional<std::size_t> nearest_drawn(Model const& model, Place const& place)
-    {
-        bool const is_right = std::cos(radians(place.theta_deg)) >= 0;
-        std::optional<std::size_t> best;
-        double least = 1e300;
-        for (std::size_t i = 0; i < model.drawn.size(); ++i) {
-            bool const same = (model.drawn[i].theta_deg < 90) == is_right;
-            double const far = std::fabs(model.drawn[i].u - place.u) + (same ? 0 : 1);
-            if (far < least) {
-                least = far;
-                best = i;
-            }
-        }
-        return best;
-    }
-
-    struct Scales {
-        double low;
-        double high;
-        double surface; // The section is so much larger.
-    };
-
-    // The largest scale at which the branch's crown is inside of the crown's surface.
-    static double largest_inside(Model const& model, Branch const& branch, Similarity way,
-                                 double theta_deg, Scales scales)
-    {
-        auto section = model.surface.section(theta_deg);
-        for (auto& point : section)
-            point.x() *= scales.surface;
-        Vec2 const unit = way.turn.normalized();
-        double const sign = branch.path.side == Side::Left ? -1 : 1;
-        auto const is_in = [&](Vec2 const& point) {
-            Vec2 at = model.surface.to_trunk(way.point(point));
-            at.x() *= sign;
-            return is_inside(section, at);
-        };
-        for (int i = 0; i < 10; ++i) {
-            double const middle = (scales.low + scales.high) / 2;
-            way.turn = middle * unit;
-            // Most of it: a crown that touches the surface in a corner may stand out there.
-            std::size_t outside = 0;
-            std::size_t tried = 0;
-            for (std::size_t c = 0; c < branch.crown.size(); c += 3, ++tried)
-                outside += !is_in(branch.crown[c]);
-            (10 * outside <= tried ? scales.low : scales.high) = middle;
-        }
-        return scales.low;
-    }
-
     Skeleton const& skeleton_;
     TreeOptions const& options_;
     Tree tree_;
     std::map<std::size_t, Crowd> crowds_;
     std::map<std::uint32_t, std::vector<PlacedBranch>> told_;
-    std::vector<StyledPlaces> styled_; // Of each level.
+    CrowdMaker maker_;
+    std::vector<StyledCrowdMaker> styled_; // Of each level.
 };
 
 } // namespace

@@ -1,7 +1,9 @@
 #include "engine/methods/silhouettes/tree.h"
 
+#include "engine/methods/silhouettes/ready_form.h"
 #include "tests/engine/methods/silhouettes/outlines.h"
 
+#include <fmt/format.h>
 #include <set>
 
 namespace tractus::silhouette {
@@ -121,6 +123,18 @@ TEST(SilhouetteTreeCorpus, FillsThePublishedOutlines)
         EXPECT_GE(fit.filled, name == "figure-of-eight" ? 0.86 : 0.9) << name;
         EXPECT_LE(fit.outside, name == "star-5" ? 0.03 : 0.02) << name;
     }
+}
+
+// A branch at the very end of its bearer stands on its last segment, and not on another axis.
+TEST(SilhouetteTreeCorpus, IsAPlantInEveryReadyForm)
+{
+    REQUIRE_CORPUS();
+    for (auto const& [name, drawing, expected] : published_outlines())
+        for (auto const& ready : ready_forms()) {
+            SCOPED_TRACE(fmt::format("{}, {}", name, ready.name));
+            auto const skeleton = skeleton_of(drawing, ready.form.levels);
+            check_plant(make_tree(skeleton, tree_options(ready.form, 8000)).plant);
+        }
 }
 
 } // namespace

@@ -1,0 +1,228 @@
+#include "engine/methods/silhouettes/crowd.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+constexpr double kLargestAdded = 1.5; // Of the branch that it is a copy of.
+constexpr double kMostTurned = 1.41;  // So much longer a branch may become as it turns away.
+constexpr double kOverSurface = 1.02; // And so far beyond the crown's surface it may go.
+
+// How far a branch may turn away from the plane: long ones hardly, so that the outline stays.
+double most_off_deg(double span, double greatest)
+{
+    constexpr double kShort_deg = 45;
+    constexpr double kLong_deg = 20;
+    double const share = greatest > 0 ? std::min(1.0, span / greatest) : 0;
+    return kShort_deg + (kLong_deg - kShort_deg) * share;
+}
+
+struct Scales {
+    double low;
+    double high;
+    double surface; // The section is so much larger.
+};
+
+// The largest scale at which the branch's crown is inside of the crown's surface.
+double largest_inside(CrowdMaker::Model const& model, Branch const& branch, Similarity way,
+                      double theta_deg, Scales scales)
+{
+    auto section = model.surface.section(theta_deg);
+    for (auto& point : section)
+        point.x() *= scales.surface;
+    Vec2 const unit = way.turn.normalized();
+    double const sign = branch.path.side == Side::Left ? -1 : 1;
+    auto const is_in = [&](Vec2 const& point) {
+        Vec2 at = model.surface.to_trunk(way.point(point));
+        at.x() *= sign;
+        return is_inside(section, at);
+    };
+    for (int i = 0; i < 10; ++i) {
+        double const middle = (scales.low + scales.high) / 2;
+        way.turn = middle * unit;
+        // Most of it: a crown that touches the surface in a corner may stand out there.
+        std::size_t outside = 0;
+        std::size_t tried = 0;
+        for (std::size_t c = 0; c < branch.crown.size(); c += 3, ++tried)
+            outside += !is_in(branch.crown[c]);
+        (10 * outside <= tried ? scales.low : scales.high) = middle;
+    }
+    return scales.low;
+}
+
+} // namespace
+
+Crowd CrowdMaker::make(std::size_t index, LevelOptions const& options) const
+{
+    auto const& system = skeleton_.systems[index];
+    Crowd crowd { .bearer = Line(system.whole_trunk()), .branches = {} };
+    CrownSurface const surface(system.outline, system.trunk);
+    auto const drawn = drawn_places(crowd.bearer, surface, system);
+    double first_u = 1;
+    for (auto const& place : drawn)
+        first_u = std::min(first_u, place.u);
+    auto const added
+        = static_cast<std::size_t>(std::lround(options.added * static_cast<double>(drawn.size())));
+    auto const arrangement = arrange(
+        drawn,
+        { .pattern = options.pattern,
+          .count = drawn.size() + added,
+          .first_u = first_u,
+          .proposals = options.proposals },
+        { .seed = options_.seed, .stream = 2, .substream = static_cast<std::uint32_t>(index) });
+    Model const model { system, surface, drawn };
+    for (std::size_t i = 0; i < arrangement.places.size(); ++i) {
+        auto const& place = arrangement.places[i];
+        if (i < drawn.size())
+            stand(crowd, model, i, place, place.u);
+        else
+            stand_added(crowd, model, place);
+    }
+    finish(crowd, system);
+    return crowd;
+}
+
+// The trunk's end last.
+void CrowdMaker::finish(Crowd& crowd, BranchingSystem const& system)
+{
+    if (system.has_apex_branch())
+        crowd.branches.push_back({ system.branches.size() - 1, "apex", 1, 0, {} });
+    std::stable_sort(crowd.branches.begin(), crowd.branches.end(),
+                     [](Standing const& a, Standing const& b) { return a.u < b.u; });
+}
+
+// Of all branches in the plane but the apex.
+std::vector<DrawnPlace> CrowdMaker::drawn_places(Line const& bearer, CrownSurface const& surface,
+                                                 BranchingSystem const& system)
+{
+    std::array<double, 2> greatest {};
+    auto const span = [&](Branch const& branch) {
+        return std::fabs(surface.to_trunk(branch.path.curve.end).x());
+    };
+    auto const flat = system.branches.size() - (system.has_apex_branch() ? 1 : 0);
+    for (std::size_t i = 0; i < flat; ++i) {
+        auto const& branch = system.branches[i];
+        auto& most = greatest[branch.path.side == Side::Left];
+        most = std::max(most, span(branch));
+    }
+    std::vector<DrawnPlace> drawn;
+    for (std::size_t i = 0; i < flat; ++i) {
+        auto const& branch = system.branches[i];
+        bool const is_left = branch.path.side == Side::Left;
+        drawn.push_back({ bearer.place_of(branch.path.curve.base), is_left ? 180.0 : 0.0,
+                          most_off_deg(span(branch), greatest[is_left]) });
+    }
+    return drawn;
+}
+
+// One in the plane, where it was inferred or at the place to which it moves.
+void CrowdMaker::stand(Crowd& crowd, Model const& model, std::size_t i, Place const& place,
+                       double moves_to)
+{
+    auto const& branch = model.system.branches[i];
+    Vec2 const base = branch.path.curve.base;
+    double const off = radians(place.theta_deg - model.drawn[i].theta_deg);
+    double const longer = std::min(kMostTurned, 1 / std::max(0.1, std::cos(off)));
+    Similarity way { .from = base, .to = base, .turn = Vec2(longer, 0) };
+    Vec2 as_it_is = Vec2::UnitX();
+    if (moves_to != place.u) {
+        // Its end stays where the outline wants it.
+        way = way_to_end(branch, crowd.bearer.at(moves_to));
+        as_it_is = way.turn;
+        way.turn *= longer;
+    }
+    if (longer > 1) {
+        double const size = as_it_is.norm();
+        way.turn = largest_inside(model, branch, way, place.theta_deg,
+                                  { size, longer * size, kOverSurface })
+            * direction_of(as_it_is);
+    }
+    crowd.branches.push_back({ i, name_of(branch), moves_to, place.theta_deg, way });
+}
+
+void CrowdMaker::stand_added(Crowd& crowd, Model const& model, Place const& place) const
+{
+    auto const nearest = nearest_drawn(model, place);
+    if (!nearest)
+        return;
+    auto const& branch = model.system.branches[*nearest];
+    stand_added(
+        crowd, model, place, *nearest,
+        { .from = branch.path.curve.base_tangent, .angle_deg = options_.angles.at_deg(place.u) });
+}
+
+void CrowdMaker::stand_added(Crowd& crowd, Model const& model, Place const& place,
+                             std::size_t nearest, Lean const& lean)
+{
+    auto const& branch = model.system.branches[nearest];
+    Vec2 const along = crowd.bearer.direction(place.u);
+    Vec2 const start = turned(along, sign_of(branch.path.side) * radians(lean.angle_deg));
+    Vec2 const from = direction_of(lean.from);
+    Vec2 const unit(start.dot(from), cross(from, start));
+    Similarity way { .from = branch.path.curve.base, .to = crowd.bearer.at(place.u), .turn = unit };
+    double size = largest_inside(model, branch, way, place.theta_deg, { 0, kLargestAdded, 1 });
+    if (size < lean.least && lean.smaller == Lean::Smaller::LeftOut)
+        return;
+    size = std::max(size, lean.least);
+    way.turn = size * unit;
+    crowd.branches.push_back(
+        { nearest, name_of_added(crowd, place), place.u, place.theta_deg, way });
+}
+
+// After its place around the bearer, so that the one that stands there after a change has the
+// name: they are arranged anew as a whole.
+std::string CrowdMaker::name_of_added(Crowd const& crowd, Place const& place)
+{
+    constexpr double kSteps = 12; // Along the bearer, and around it.
+    auto const name = fmt::format("a{}.{}", std::lround(place.u * kSteps),
+                                  std::lround(place.theta_deg / 360 * kSteps) % 12);
+    auto const taken = [&](std::string const& other) {
+        return std::any_of(crowd.branches.begin(), crowd.branches.end(),
+                           [&](Standing const& one) { return one.name == other; });
+    };
+    auto unique = name;
+    for (int n = 2; taken(unique); ++n)
+        unique = fmt::format("{}.{}", name, n);
+    return unique;
+}
+
+std::optional<std::size_t> CrowdMaker::nearest_drawn(Model const& model, Place const& place)
+{
+    bool const is_right = std::cos(radians(place.theta_deg)) >= 0;
+    std::optional<std::size_t> best;
+    double least = 1e300;
+    for (std::size_t i = 0; i < model.drawn.size(); ++i) {
+        bool const same = (model.drawn[i].theta_deg < 90) == is_right;
+        double const far = std::fabs(model.drawn[i].u - place.u) + (same ? 0 : 1);
+        if (far < least) {
+            least = far;
+            best = i;
+        }
+    }
+    return best;
+}
+
+// From a branch as it is to one from another place to the same end.
+Similarity CrowdMaker::way_to_end(Branch const& branch, Vec2 const& from)
+{
+    auto const& curve = branch.path.curve;
+    Vec2 const before = curve.end - curve.base;
+    Vec2 const after = curve.end - from;
+    Vec2 const turn(before.dot(after), cross(before, after));
+    return { .from = curve.base,
+             .to = from,
+             .turn = turn / std::max(before.squaredNorm(), 1e-300) };
+}
+
+std::vector<Vec2> CrowdMaker::line_of(Branch const& model, std::size_t below) const
+{
+    return below == kNoSystem ? model.path.curve.points(9) : skeleton_.systems[below].whole_trunk();
+}
+
+} // namespace tractus::silhouette

@@ -1,0 +1,174 @@
+#include "engine/methods/silhouettes/styled_crowd.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace tractus::silhouette {
+
+static double angle_between_deg(Vec2 const& a, Vec2 const& b)
+{
+    return degrees(std::fabs(std::atan2(cross(a, b), a.dot(b))));
+}
+
+StyledCrowdMaker::StyledCrowdMaker(CrowdMaker const& crowds, Skeleton const& skeleton,
+                                   TreeOptions const& options, std::uint32_t level)
+    : crowds_(crowds)
+    , skeleton_(skeleton)
+    , options_(options)
+    , level_(options.levels[level])
+    , styled_(level_.style, level_.pattern, options.seed, level)
+{
+}
+
+std::optional<Crowd> StyledCrowdMaker::next(Bearer const& bearer)
+{
+    auto const& system = skeleton_.systems[bearer.system];
+    if (!styled_.next_bears())
+        return std::nullopt;
+    Crowd crowd { .bearer = bearer.line, .branches = {} };
+    CrownSurface const surface(system.outline, system.trunk);
+    auto const drawn = CrowdMaker::drawn_places(crowd.bearer, surface, system);
+    // On the trunk nothing stands below the crown; where the crowns of branches begin, which
+    // nobody drew, the style decides.
+    double const crown_u = crowd.bearer.place_of(system.trunk[system.inside.first]);
+    double const style_u = level_.style.unbranched;
+    auto const drawn_by_hand
+        = std::count_if(system.branches.begin(), system.branches.end(), [](Branch const& branch) {
+              return branch.origin == Branch::Origin::Drawn;
+          });
+    auto const places = styled_.next({ bearer.is_trunk ? crown_u : std::min(crown_u, style_u),
+                                       static_cast<std::size_t>(drawn_by_hand), bearer.number });
+    auto const kept = kept_branches(system, drawn, places.size());
+    std::vector<std::optional<std::size_t>> branch_at(places.size());
+    std::vector<double> at;
+    for (auto const i : kept)
+        at.push_back(drawn[i].u);
+    auto const nearest = nearest_in_order(at, places);
+    for (std::size_t k = 0; k < kept.size(); ++k)
+        branch_at[nearest[k]] = kept[k];
+    Model const model { system, surface, drawn };
+    auto const thetas = arrangement(model, branch_at, bearer.number);
+    double const extent = std::max(places.back() - places.front(), 1e-9);
+    // First those that have their ends, which the angles of the others make up for.
+    for (auto const has_end : { true, false })
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            double const share = (places[k] - places.front()) / extent;
+            StyledPlace const place { branch_at[k], { places[k], thetas[k].theta_deg }, share };
+            if (has_end == keeps_end(bearer, model, place))
+                stand(bearer, crowd, model, place);
+        }
+    CrowdMaker::finish(crowd, system);
+    return crowd;
+}
+
+// As many of the branches in the plane as there are places, by their places; those that were
+// drawn before those of bumps, these before copies, and the largest before others.
+std::vector<std::size_t> StyledCrowdMaker::kept_branches(BranchingSystem const& system,
+                                                         std::vector<DrawnPlace> const& drawn,
+                                                         std::size_t most)
+{
+    constexpr std::array kRanks { 1, 2, 3, 0, 4 }; // Of origins in their order.
+    std::vector<std::tuple<int, double, std::size_t>> ranks;
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        ranks.emplace_back(kRanks[static_cast<std::size_t>(system.branches[i].origin)],
+                           -std::fabs(signed_area(system.branches[i].crown)), i);
+    std::sort(ranks.begin(), ranks.end());
+    std::vector<std::size_t> kept;
+    for (std::size_t k = 0; k < std::min(most, ranks.size()); ++k)
+        kept.push_back(std::get<2>(ranks[k]));
+    std::sort(kept.begin(), kept.end(), [&](std::size_t a, std::size_t b) {
+        return std::pair(drawn[a].u, a) < std::pair(drawn[b].u, b);
+    });
+    return kept;
+}
+
+// Places are taken as if nodes stood at equal distances, so that the pattern counts nodes.
+std::vector<Place>
+StyledCrowdMaker::arrangement(Model const& model,
+                              std::vector<std::optional<std::size_t>> const& branch_at,
+                              std::uint32_t id) const
+{
+    constexpr double kAnywhere_deg = 180;
+    auto const count = branch_at.size();
+    auto const whorl = node_size(level_.pattern);
+    double const node = node_distance(level_.pattern, count);
+    std::vector<DrawnPlace> free;
+    for (std::size_t k = 0; k < count; ++k) {
+        double const u = (static_cast<double>(k / whorl) + 0.5) * node;
+        auto place = branch_at[k] ? model.drawn[*branch_at[k]]
+                                  : DrawnPlace { 0, k % 2 == 0 ? 0.0 : 180.0, kAnywhere_deg };
+        place.u = std::min(u, 1.0);
+        free.push_back(place);
+    }
+    return arrange(free,
+                   { .pattern = level_.pattern, .count = count, .proposals = level_.proposals },
+                   { .seed = options_.seed, .stream = 2, .substream = id })
+        .places;
+}
+
+// A branch that was drawn or ends in a bump goes there from its new place, too, if that makes
+// it neither far longer nor shorter, nor takes it far from the style's angle. No other end is
+// the outline's.
+bool StyledCrowdMaker::keeps_end(Bearer const& bearer, Model const& model,
+                                 StyledPlace const& place) const
+{
+    constexpr double kMostStretched = 1.5;
+    constexpr double kMostTurned_deg = 30;
+    if (!place.branch)
+        return false;
+    double const u = place.at.u;
+    auto const& branch = model.system.branches[*place.branch];
+    if (branch.origin != Branch::Origin::Bump)
+        return branch.origin == Branch::Origin::Drawn;
+    auto const way = CrowdMaker::way_to_end(branch, bearer.line.at(u));
+    double const size = way.turn.norm();
+    double const angle_deg = angle_between_deg(bearer.line.direction(u),
+                                               way.vector(way_of(bearer.system, *place.branch)));
+    double const wanted_deg = level_.style.angle_at_deg(place.share);
+    return size < kMostStretched && 1 < kMostStretched * size
+        && std::fabs(angle_deg - wanted_deg) < kMostTurned_deg;
+}
+
+void StyledCrowdMaker::stand(Bearer const& bearer, Crowd& crowd, Model const& model,
+                             StyledPlace const& place)
+{
+    auto const& branch = place.branch;
+    if (keeps_end(bearer, model, place)) {
+        bool const is_drawn = model.system.branches[*branch].origin == Branch::Origin::Drawn;
+        double const as_inferred = model.drawn[*branch].u;
+        double const moves_to = is_drawn ? as_inferred : place.at.u;
+        CrowdMaker::stand(crowd, model, *branch, { as_inferred, place.at.theta_deg }, moves_to);
+        auto const& way = crowd.branches.back().way;
+        styled_.take_angle(place.share,
+                           angle_between_deg(crowd.bearer.direction(moves_to),
+                                             way.vector(way_of(bearer.system, *branch))));
+        return;
+    }
+    double const angle_deg = styled_.next_angle_deg(place.share);
+    auto const copied = branch ? branch : CrowdMaker::nearest_drawn(model, place.at);
+    if (!copied)
+        return;
+    CrowdMaker::stand_added(crowd, model, place.at, *copied,
+                            { .from = way_of(bearer.system, *copied),
+                              .angle_deg = angle_deg,
+                              .smaller = CrowdMaker::Lean::Smaller::Least });
+    if (branch)
+        crowd.branches.back().name = name_of(model.system.branches[*branch]);
+}
+
+// Over the share of its axis that angles are of, in its system's plane.
+Vec2 StyledCrowdMaker::way_of(std::size_t index, std::size_t i) const
+{
+    auto const& system = skeleton_.systems[index];
+    auto const& branch = system.branches[i];
+    auto const below = skeleton_.system_of[index][i];
+    auto const& model = branch.model ? system.branches[*branch.model] : branch;
+    Line const line(crowds_.line_of(model, below));
+    Vec2 const way = line.at(kAngleOver) - line.at(0);
+    return branch.model ? branch.from_model.vector(way) : way;
+}
+
+} // namespace tractus::silhouette
