@@ -109,7 +109,7 @@ void Meanings::add_kind(ToolKind const& kind)
         if (offered != Always && !is_in_hand)
             continue;
         begins_group_ |= i > 0;
-        if (offered == InTurn)
+        if (offered == InTurn || offered == BesideGlyph)
             add_next_word(tool, options[i], i);
         else if (offered == Cards)
             add_cards(options[i]);
@@ -143,6 +143,7 @@ void Meanings::add_next_word(Tool const& tool, ChosenWord const& chosen, std::si
                     option.words[static_cast<std::size_t>(value)].label, option.label),
         next);
     meanings_.back().is_on = false;
+    meanings_.back().is_beside_glyph = option.offered == WordOption::Offered::BesideGlyph;
 }
 
 // With the name of the ready card that is in the hand, whole.

@@ -36,7 +36,8 @@ struct Meaning {
     bool begins_group = false; // Of meanings that exclude each other.
     // It asks for a number, the tool's option of that number among them, and takes none in hand.
     std::optional<std::size_t> number {};
-    bool opens_cards = false; // Of the tool in hand; it takes none in hand.
+    bool opens_cards = false;     // Of the tool in hand; it takes none in hand.
+    bool is_beside_glyph = false; // It is offered as long as the glyph is seen.
 };
 
 // All that tools of its group and method may mean, after the other methods of the group.

@@ -20,8 +20,10 @@ struct WordOption {
     enum class Offered {
         Always, // Its words have buttons as soon as a tool of the group is in hand,
         InHand, // or when the tool itself is; until then its label has one, if no word has.
-        InTurn, // Likewise, but one button for all, "Rule: Opposite", which takes the next one,
-        Cards,  // or which opens them as cards, beside a person's own (tool_cards.h).
+        InTurn, // Likewise, but one button for all, "Surface: in space", which takes the next one,
+        BesideGlyph, // as long as the kind's glyph is seen,
+        Cards,       // or "Rule: Opposite", which opens them as cards, beside a person's own
+                     // (tool_cards.h).
     } offered
         = Offered::Always;
     // What else a person chooses with a card: sets the tool's other options, which logs then name.

@@ -183,7 +183,7 @@ void Controls::show_recording(RecordingView const& recording)
 }
 
 // Its number has a button only where there is no glyph.
-static bool is_on_glyph(Meaning const& meaning)
+static bool is_set_by_glyph(Meaning const& meaning)
 {
     return chosen_numbers(meaning.tool)[*meaning.number].option.offered
         == NumberOption::Offered::WithoutGlyph;
@@ -196,7 +196,8 @@ std::vector<BarButton> Controls::tool_meanings(WindowModel& model, Workbench& be
     auto const& state = model.state();
     for (auto const& meaning :
          meanings_of(state.tools, bench.hand(state), bench.remembered(state))) {
-        if (meaning.number && bench.glyph_is_seen && is_on_glyph(meaning))
+        bool const is_on_glyph = meaning.number && is_set_by_glyph(meaning);
+        if (bench.glyph_is_seen ? is_on_glyph : meaning.is_beside_glyph)
             continue;
         bool const is_asked = meaning.number && meaning.number == bench.asked_number;
         BarButton button {

@@ -15,9 +15,9 @@ constexpr std::array<OptionWord, 2> kLeavesWords { {
     { "bare", "Bare" },
 } };
 constexpr std::array<OptionWord, 3> kSurfaceWords { {
-    { "as_it_moves", "As it moves" },
-    { "space", "In space" },
-    { "paper", "On paper" },
+    { "as_it_moves", "as it moves" },
+    { "space", "in space" },
+    { "paper", "on paper" },
 } };
 constexpr std::array<OptionWord, 5> kPlaceWords { {
     { "ground", "Alone" },
@@ -109,13 +109,15 @@ void visit_sketch_options(OptionVisitor& visitor, SketchTool& tool)
     int surface = tool.surface == StrokeSurface::Decided ? 0
         : tool.surface == StrokeSurface::Space           ? 1
                                                          : 2;
-    visitor.word({ kSurfaceWords }, surface);
+    visitor.word(
+        { .words = kSurfaceWords, .offered = WordOption::Offered::InTurn, .label = "Surface" },
+        surface);
     tool.surface = surface == 0 ? StrokeSurface::Decided
         : surface == 1          ? StrokeSurface::Space
                                 : StrokeSurface::Paper;
     visitor.choice({ kPlaceWords }, tool.place);
     visitor.choice(
-        { .words = kDrawnWords, .offered = WordOption::Offered::InTurn, .label = "What is drawn" },
+        { .words = kDrawnWords, .offered = WordOption::Offered::BesideGlyph, .label = "Drawn" },
         tool.drawn);
     visitor.number({ "width", "", 0.3, 1, 0.05, "Thinning", OnGlyph }, tool.width_ratio);
     visitor.number({ "lateral_width", "", 0.2, 1, 0.05, "Lateral's thickness", OnGlyph },

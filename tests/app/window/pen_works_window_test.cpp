@@ -347,7 +347,7 @@ TEST_F(PenWorksWindow, SetsNumbersOfATool)
 {
     PenScript script;
     script.choose(500, 150, kSketchChoice);
-    script.tap(254, 458); // "Angle 45°": its panel is above the bar.
+    script.tap(186, 458); // "Angle 45°": its panel is above the bar.
     script.tap(316, 140); // "more by 5".
     script.tap(91, 458);  // "Laterals 2", which takes 0 to 8.
     script.tap(676, 247); // 3,
