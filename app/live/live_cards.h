@@ -17,9 +17,9 @@ public:
     {
     }
 
-    // Those of the kind in hand, as the folder has them when it is taken in hand.
+    // Shows the cards of the kind in hand, as the folder has them when that is taken in hand.
     void show(WindowState& state);
-    void show_again(WindowState& state); // As the folder has them now.
+    void show_again(WindowState& state); // Reads the folder anew.
 
     void perform(KeepCard const&, WindowState& state);
     void perform(RenameCard const& command, WindowState& state);

@@ -143,7 +143,7 @@ public:
 private:
     using Key = std::pair<MtgOrganClass, std::string_view>;
 
-    // Those that come when there are many already share the one without a name.
+    // Shapes beyond the most that a plant may have share the one without a name.
     Key key_of(MtgOrgan const& organ) const
     {
         Key const key { organ.kind, organ.shape };

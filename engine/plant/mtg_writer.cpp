@@ -45,7 +45,7 @@ constexpr std::string_view kHeader = "# Lengths, diameters and positions are in 
 
 // Columns of segments behind XX, YY and ZZ; the first is that of organs, too.
 constexpr std::string_view kSegmentColumns = "Length\tTopDiameter\tBottomDiameter";
-// Those of organs alone.
+// Columns that only organs have.
 constexpr auto kOwnColumns = std::span(kMtgOrganColumns).subspan<1>();
 
 // A number of a direction, which is at most 1.

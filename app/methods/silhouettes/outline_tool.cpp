@@ -135,6 +135,7 @@ silhouette::TreeForm form_of(OutlineTool const& tool, silhouette::TreeForm form)
         auto const ready = ready_form(tool);
         form.patterns = ready.patterns;
         form.leaf_width = ready.leaf_width;
+        form.styles = ready.styles;
     }
     return form;
 }

@@ -38,7 +38,7 @@ public:
     {
     }
 
-    // The same for all bearers that have the system.
+    // Spreads a system's branches alike for all bearers that have it.
     Crowd make(std::size_t index, LevelOptions const& level) const;
 
     // A system, with its branches in the plane but the apex.
@@ -49,7 +49,7 @@ public:
     };
     static std::vector<DrawnPlace> drawn_places(Line const& bearer, CrownSurface const& surface,
                                                 BranchingSystem const& system);
-    // Of those in the plane, the one that is like a branch there; no value: there are none.
+    // The branch in the plane that one at this place is a copy of; no value: there is none.
     static std::optional<std::size_t> nearest_drawn(Model const& model, Place const& place);
 
     // Adds one in the plane, where it was inferred or at the place to which it moves.

@@ -16,7 +16,7 @@ public:
     Vec2 at(double u) const;
     Vec2 direction(double u) const;
 
-    // Of the nearest of its points, about.
+    // Returns about where the nearest of its points is.
     double place_of(Vec2 const& point) const;
 
     std::vector<Vec2> const& points() const { return points_; }

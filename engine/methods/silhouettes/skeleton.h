@@ -20,8 +20,8 @@ struct SkeletonOptions {
                              .bumps = {},
                              .fill = { .steps = 12, .most_branches = 16, .enough = 0.85 },
                              .angles = {} };
-    // Of the trunk's branches, then of theirs: where it is set, its angles are in place of those
-    // above, and none is inferred below the first of its branches.
+    // Styles of the trunk's branches, then of theirs. Where one is set, its angles are in place
+    // of those above, and no branch is inferred below its first.
     std::vector<BranchStyle> styles {};
 };
 

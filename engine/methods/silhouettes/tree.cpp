@@ -90,7 +90,7 @@ private:
         plant.organ_shapes.push_back(spray_twig(0));
     }
 
-    // Of the levels that options speak of the last one goes on.
+    // The options of a level; beyond those that are given the last one's go on.
     std::size_t options_of(std::uint32_t level) const
     {
         return std::min<std::size_t>(level, options_.levels.size() - 1);

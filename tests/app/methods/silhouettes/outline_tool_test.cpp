@@ -58,7 +58,14 @@ TEST(OutlineTool, SaysItsNumbersInLogs)
 TEST(OutlineTool, TakesAReadyFormWithItsNumbers)
 {
     auto const tools = all_methods().tools;
-    auto const scene = after(after({}, trunk_at(0)), crown_around(0, 10));
+    auto const outlined = after(after({}, trunk_at(0)), crown_around(0, 10));
+    silhouette::FormTree styled { .plant = outlined.state.active, .form = {} };
+    styled.form.styles[0] = { .children = 12,
+                              .unbranched = 0.2,
+                              .spacing = 0.05,
+                              .first_angle_deg = 50,
+                              .last_angle_deg = 40 };
+    auto const scene = apply_edit(outlined, styled).value(); // A ready form ends the style.
     for (auto const& ready : silhouette::ready_forms()) {
         Tool tool = OutlineTool {};
         auto const words = chosen_words(tool)[0].option.words;
