@@ -6,8 +6,9 @@ namespace tractus {
 
 namespace {
 
-constexpr float kLeastGap = 0.4f;   // Of the usual one.
-constexpr float kFilledEase = 0.5f; // Of buttons in rows that are filled group by group.
+constexpr float kLeastGap = 0.4f; // Of the usual one.
+constexpr float kRoomyEase
+    = 0.5f; // Least ease of rows that several groups share, if it costs no row.
 
 using Buttons = std::span<ButtonWidth const>;
 
@@ -29,8 +30,9 @@ std::size_t end_of_group(Buttons buttons, std::size_t begin)
     return end;
 }
 
-// As many groups as fit, or as many buttons of the first one.
-std::size_t end_of_row(Buttons buttons, std::size_t begin, ButtonGaps const& gaps, float room)
+// As many groups as fit with at least this ease, or as many buttons of the first one.
+std::size_t end_of_row(Buttons buttons, std::size_t begin, ButtonGaps const& gaps, float room,
+                       float least_ease)
 {
     auto const fits = [&](std::size_t end, float ease) {
         return width_of(buttons.subspan(begin, end - begin), gaps, ease) <= room;
@@ -43,9 +45,24 @@ std::size_t end_of_row(Buttons buttons, std::size_t begin, ButtonGaps const& gap
             ++end;
         return end;
     }
-    while (end < buttons.size() && fits(end_of_group(buttons, end), kFilledEase))
+    while (end < buttons.size() && fits(end_of_group(buttons, end), least_ease))
         end = end_of_group(buttons, end);
     return end;
+}
+
+std::vector<ButtonRow> rows_with(Buttons buttons, ButtonGaps const& gaps, float room,
+                                 float least_ease)
+{
+    std::vector<ButtonRow> rows;
+    for (std::size_t begin = 0; begin < buttons.size(); begin = rows.back().end) {
+        auto const end = end_of_row(buttons, begin, gaps, room, least_ease);
+        auto const row = buttons.subspan(begin, end - begin);
+        float const least = width_of(row, gaps, 0);
+        float const usual = width_of(row, gaps, 1);
+        float const ease = usual <= room ? 1 : (room - least) / (usual - least);
+        rows.push_back({ .end = end, .ease = std::clamp(ease, 0.0f, 1.0f) });
+    }
+    return rows;
 }
 
 } // namespace
@@ -59,17 +76,9 @@ float ButtonRow::gap_before(ButtonWidth const& button, ButtonGaps const& gaps) c
 std::vector<ButtonRow> button_rows(std::span<ButtonWidth const> buttons, ButtonGaps const& gaps,
                                    float room)
 {
-    std::vector<ButtonRow> rows;
-    bool const is_one_row = width_of(buttons, gaps, 0) <= room;
-    for (std::size_t begin = 0; begin < buttons.size(); begin = rows.back().end) {
-        auto const end = is_one_row ? buttons.size() : end_of_row(buttons, begin, gaps, room);
-        auto const row = buttons.subspan(begin, end - begin);
-        float const least = width_of(row, gaps, 0);
-        float const usual = width_of(row, gaps, 1);
-        float const ease = usual <= room ? 1 : (room - least) / (usual - least);
-        rows.push_back({ .end = end, .ease = std::clamp(ease, 0.0f, 1.0f) });
-    }
-    return rows;
+    auto narrow = rows_with(buttons, gaps, room, 0);
+    auto roomy = rows_with(buttons, gaps, room, kRoomyEase);
+    return roomy.size() == narrow.size() ? roomy : narrow;
 }
 
 } // namespace tractus

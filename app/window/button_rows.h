@@ -31,9 +31,9 @@ struct ButtonRow {
     float gap_before(ButtonWidth const& button, ButtonGaps const& gaps) const;
 };
 
-// Sets buttons into rows of `room` pixels: one, if they fit into it, else as few as hold whole
-// groups that are not quite as narrow. Only a group that is wider than a row is divided, and only a
-// button that is wider than a row sticks out of it.
+// Sets buttons into as few rows of `room` pixels as hold whole groups, which are not quite as
+// narrow as they can be where that takes no row more. Only a group that is wider than a row is
+// divided, and only a button that is wider than a row sticks out of it.
 std::vector<ButtonRow> button_rows(std::span<ButtonWidth const> buttons, ButtonGaps const& gaps,
                                    float room);
 
