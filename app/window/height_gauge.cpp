@@ -7,13 +7,16 @@
 
 namespace tractus {
 
+static constexpr float kAboveScale_px = 6;
+
 void draw_height_gauge(WindowState const& state, ImVec2 const& corner, ImVec2 const& size)
 {
     auto* const draw = ImGui::GetWindowDrawList();
     double const low_mm = state.volume_mm.min_mm.z();
     double const range_mm = std::max(1.0, state.volume_mm.max_mm.z() - low_mm);
-    float const top = corner.y + size.y * 0.08f;
-    float const length = size.y * 0.84f;
+    // Its number stands above it, below what is above the gauge.
+    float const top = corner.y + std::max(size.y * 0.08f, ImGui::GetFontSize() + kAboveScale_px);
+    float const length = std::max(1.0f, corner.y + size.y * 0.92f - top);
     auto const y_of = [&](double height_mm) {
         return top + length * (1 - static_cast<float>((height_mm - low_mm) / range_mm));
     };
@@ -33,7 +36,7 @@ void draw_height_gauge(WindowState const& state, ImVec2 const& corner, ImVec2 co
     auto const text = fmt::format("{:.0f} mm{}", state.surface_height_mm,
                                   state.is_outside_calibration ? " ?" : "");
     ImVec2 const text_size = ImGui::CalcTextSize(text.c_str());
-    draw->AddText({ corner.x + 6, top - text_size.y - 6 },
+    draw->AddText({ corner.x + 6, top - text_size.y - kAboveScale_px },
                   theme::packed(state.is_outside_calibration ? theme::palette().indicator
                                                              : theme::palette().ink),
                   text.c_str());
