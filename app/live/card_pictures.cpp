@@ -1,6 +1,7 @@
 #include "app/live/card_pictures.h"
 
 #include "app/live/drawing_file.h"
+#include "app/live/picture_files.h"
 #include "app/live/recent_drawings.h"
 #include "app/plants/picture_thread.h"
 #include "app/plants/plant_group.h"
@@ -8,6 +9,7 @@
 #include "app/render/read_picture.h"
 #include "drivers/file.h"
 #include "engine/mesh/make_mesh.h"
+#include "engine/scene/back_picture.h"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -25,14 +27,25 @@ namespace {
 constexpr std::uintmax_t kLargestFile_bytes = 32'000'000;
 constexpr double kLongest_s = 5;
 
-std::optional<Image> read_image(fs::path const& file)
+std::optional<Image> read_image(fs::path const& file, std::size_t most_bytes = 4'000'000)
 {
-    constexpr std::size_t kLargest_bytes = 4'000'000;
-    auto const bytes = read_file(file, kLargest_bytes);
+    auto const bytes = read_file(file, most_bytes);
     if (!bytes)
         return std::nullopt;
     auto image = read_picture(*bytes);
     return image ? std::optional(*std::move(image)) : std::nullopt;
+}
+
+// As large as a card shows it.
+std::optional<Image> small_picture(fs::path const& file)
+{
+    auto const image = read_image(file, kMostPictureBytes);
+    if (!image || image->width() == 0)
+        return std::nullopt;
+    double const scale
+        = std::min(1.0, static_cast<double>(CardPictures::kWidth_px) / image->width());
+    auto const side = [&](int length) { return std::max(1, static_cast<int>(scale * length)); };
+    return resized(*image, side(image->width()), side(image->height()));
 }
 
 // Names of the pictures that were ever kept for a file begin alike; the rest says of which state.
@@ -101,13 +114,14 @@ std::optional<CardPictures::Made> CardPictures::take()
 CardPictures::Made CardPictures::make(fs::path const& file, std::stop_token const& stop)
 {
     Made made { file, nullptr };
-    auto image = is_session_file(file) ? std::nullopt
-                                       : read_image(fs::path(file).replace_extension(".png"));
+    bool const has_none_beside_it = is_session_file(file) || is_picture_file(file);
+    auto image
+        = has_none_beside_it ? std::nullopt : read_image(fs::path(file).replace_extension(".png"));
     auto const name = kept_name(file);
     if (!image && !kept_in_.empty())
         image = read_image(kept_in_ / name.whole);
     if (!image && !stop.stop_requested()) {
-        image = draw(file, stop);
+        image = is_picture_file(file) ? small_picture(file) : draw(file, stop);
         if (image && !kept_in_.empty())
             keep(*image, kept_in_, name);
     }

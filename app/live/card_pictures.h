@@ -14,10 +14,10 @@ namespace tractus {
 
 class PictureThread;
 
-// Pictures of models and sessions, for the cards of the start page: the one that lies beside a
-// model (MODEL.png), else one that was made before and is kept in a folder, else a new one, which
-// is kept there. They are read and made in the background, one after another. Belongs to one
-// thread.
+// Small pictures of models, sessions and pictures, for the cards of a page: the one that lies
+// beside a model (MODEL.png), else one that was made before and is kept in a folder, else a new
+// one, which is kept there. They are read and made in the background, one after another. Belongs to
+// one thread.
 class CardPictures {
 public:
     static constexpr int kWidth_px = 360;

@@ -3,8 +3,6 @@
 #include "app/calibration/save_calibration.h"
 #include "app/document/logged_step.h"
 #include "app/live/live_rig.h"
-#include "app/live/unnamed_session.h"
-#include "app/user_folder.h"
 #include "calib/rig_file.h"
 #include "engine/base/check.h"
 
@@ -45,6 +43,8 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
     window.view().state().may_calibrate = has_sensor && !window.options_.rig_file.empty();
     if (auto const note = size_note(window.devices_, window.station_options_.rig))
         window.view().state().status = *note;
+    if (!window.options_.picture.empty())
+        window.perform(LayPictureFile { window.options_.picture });
     if (lacks_calibration)
         window.perform(OpenCalibration {});
     if (!window.options_.recording.empty())
@@ -106,6 +106,7 @@ void LiveWindow::advance(Duration real_step)
         *options_.counted_time += real_step;
     take_reports();
     follow_start_page();
+    follow_pictures();
     follow_model();
     controller_->show(station_, options_.now());
     if (auto hand = controller_->take_hand())
@@ -127,6 +128,8 @@ void LiveWindow::settle()
         options_.start_page->settle();
         follow_start_page();
     }
+    if (pictures_)
+        pictures_->settle();
     controller_->settle(station_, options_.now());
 }
 
@@ -445,92 +448,6 @@ void LiveWindow::use_rig(Rig const& rig)
                             kept ? "The pen draws by the new calibration" : kept.error().message);
     if (recorder_) // Its header has the old one.
         perform_kind(SetRecording { false });
-}
-
-StartPageModel* LiveWindow::start_page()
-{
-    auto* const page = options_.start_page.get();
-    return page && page->is_open() ? page : nullptr;
-}
-
-void LiveWindow::perform_kind(OpenStartPage const&)
-{
-    if (!options_.start_page || options_.start_page->is_open() || !controller_->may_close(finish()))
-        return;
-    auto left = leave_drawing();
-    options_.start_page->open(std::move(left));
-}
-
-// What becomes of it, for the person. It is finished, and kept as far as it can be.
-std::string LiveWindow::leave_drawing()
-{
-    if (recorder_)
-        perform_kind(SetRecording { false });
-    auto const written = controller_->finish_files();
-    auto const& session = controller_->document().session();
-    auto const file = session.is_in_file() ? session.path() : std::filesystem::path();
-    bool const is_drawn = session.last_step() > 0;
-    auto const unnamed = options_.unnamed ? std::exchange(*options_.unnamed, {}) : file;
-    go_on_with(OpenedDrawing {}); // The file is closed.
-    view().state().title = "tractus";
-    if (!written)
-        return fmt::format("A file was not written: {}", written.error().message);
-    if (!unnamed.empty() && unnamed == file && !is_drawn) {
-        remove_if_nothing_was_drawn(unnamed);
-        return {};
-    }
-    if (file.empty())
-        return {};
-    bool const is_listed = file.parent_path() == user_folder();
-    return fmt::format("The drawing is kept as {}", (is_listed ? file.filename() : file).string());
-}
-
-// In place of the one at hand; what the window knows of the devices stays.
-void LiveWindow::go_on_with(OpenedDrawing drawing)
-{
-    auto const before = state();
-    if (options_.unnamed)
-        *options_.unnamed = drawing.unnamed;
-    controller_.emplace(station_, std::move(drawing.session), std::move(drawing.scene),
-                        options_.folder);
-    model_.reset();
-    if (!drawing.model.empty())
-        follow(drawing.model);
-    auto& state = view().state();
-    state.live_revision += before.live_revision + 1; // What was shown before is shown no more.
-    state.strokes_revision += before.strokes_revision + 1;
-    state.skeleton_revision += before.skeleton_revision + 1;
-    state.plant_revision += before.plant_revision + 1;
-    state.collection_revision += before.collection_revision + 1;
-    state.preview_revision += before.preview_revision + 1;
-    state.devices_revision += before.devices_revision + 1;
-    state.is_live = true;
-    state.playing = false;
-    state.pen = before.pen;
-    state.mouse_draws = before.mouse_draws;
-    state.mouse_moves_surface = before.mouse_moves_surface;
-    state.may_calibrate = before.may_calibrate;
-    state.may_begin_anew = before.may_begin_anew;
-    state.cards = before.cards;
-    state.title = fmt::format("tractus: {}", drawing.name);
-    state.recording.file = before.recording.file;
-    if (!drawing.trouble.empty())
-        state.status = drawing.trouble;
-    else if (auto const& session = controller_->document().session(); session.is_in_file())
-        state.status = fmt::format("What is drawn is kept in {}", session.path().string());
-}
-
-void LiveWindow::follow_start_page()
-{
-    if (!start_page())
-        return;
-    options_.start_page->advance();
-    auto chosen = options_.start_page->take_opened();
-    if (!chosen)
-        return;
-    go_on_with(std::move(chosen->drawing));
-    if (chosen->tool)
-        perform_kind(ChooseTool { *chosen->tool });
 }
 
 } // namespace tractus

@@ -6,6 +6,7 @@
 #include "app/live/calibration_panel_controller.h"
 #include "app/live/live_cards.h"
 #include "app/live/mouse_rig.h"
+#include "app/live/picture_page.h"
 #include "app/live/start_page_controller.h"
 #include "app/live/station_controller.h"
 #include "app/plants/followed_model.h"
@@ -53,7 +54,12 @@ struct LiveWindowOptions {
     // takes that of the last drawing away when the window is closed: this one does so before it
     // opens the next.
     std::shared_ptr<std::filesystem::path> unnamed {};
-    std::filesystem::path cards {}; // The folder of a person's own cards; empty: none are kept.
+    // Folders of pictures that may be laid behind what is drawn; and where small ones of them are
+    // kept; empty: nowhere.
+    std::vector<std::filesystem::path> picture_folders {};
+    std::filesystem::path cache {};
+    std::filesystem::path picture {}; // One to be laid there at first; empty: none.
+    std::filesystem::path cards {};   // The folder of a person's own cards; empty: none are kept.
     // The model whose plant is drawn on: when it is saved, the plant follows. Empty: none.
     std::filesystem::path model {};
 };
@@ -106,6 +112,8 @@ private:
     void perform_kind(OpenCalibration const&);
     void perform_kind(CloseCalibration const&);
     void perform_kind(OpenStartPage const&);
+    void perform_kind(OpenPictures const&);
+    void perform_kind(LayPictureFile const& command);
     template<typename Command> void perform_kind(Command const& command)
     {
         controller_->perform(command, station_);
@@ -115,7 +123,9 @@ private:
     Result<void> finish();
     std::string leave_drawing();
     void go_on_with(OpenedDrawing drawing);
+    bool drawings_are_open() const;
     void follow_start_page();
+    void follow_pictures();
     void follow(std::filesystem::path const& model);
     void follow_model();
     void take_reports();
@@ -138,7 +148,8 @@ private:
     Station station_;
     std::optional<StationController> controller_; // Of the drawing at hand; never without.
     LiveCards cards_;
-    std::optional<FollowedModel> model_; // Its file, where somebody may write it.
+    std::unique_ptr<PicturePage> pictures_; // Null before it is opened.
+    std::optional<FollowedModel> model_;    // Its file, where somebody may write it.
     std::optional<LiveRecorder> recorder_;
     // Number of the recording's first stroke in the document.
     std::size_t recorded_from_stroke_ = 0;

@@ -47,6 +47,8 @@ private:
     void perform_kind(KeepCard const&) { }
     void perform_kind(RenameCard const&) { }
     void perform_kind(RemoveCard const&) { }
+    void perform_kind(OpenPictures const&) { }
+    void perform_kind(LayPictureFile const&) { }
     void perform_kind(SetPressingAreas const&) { } // The hand was elsewhere.
     void perform_kind(PressInstead const&) { }
     void perform_kind(MoveMousePen const&) { }

@@ -1,6 +1,7 @@
 #include "app/live/station_controller.h"
 
 #include "app/dated_path.h"
+#include "app/live/picture_files.h"
 #include "app/plants/glb_size.h"
 #include "app/plants/plant_file.h"
 #include "app/plants/plant_group.h"
@@ -176,6 +177,19 @@ void StationController::perform(TakeOrphansAway const&, Station& station)
         return WantedStep::Change { std::move(edits), "What had lost its branch is gone" };
     };
     document_->make({ without, WantedStep::Of::Scene });
+    show_document(station, now_);
+}
+
+// Read where the document is changed: a large picture takes its time.
+void StationController::perform(LayPictureFile const& command, Station& station)
+{
+    auto const change = [file = command.file, tablet_mm = view_.state().surface_size_mm()](
+                            Scene const&) -> Result<WantedStep::Change> {
+        auto edit = TRY(load_back_picture(file, tablet_mm));
+        auto status = fmt::format("{} lies behind what is drawn", edit.name);
+        return WantedStep::Change { { std::move(edit) }, std::move(status) };
+    };
+    document_->make({ change, WantedStep::Of::Scene });
     show_document(station, now_);
 }
 

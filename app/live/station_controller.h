@@ -69,6 +69,7 @@ public:
     void perform(Undo const&, Station& station);
     void perform(Redo const&, Station& station);
     void perform(TakeOrphansAway const&, Station& station);
+    void perform(LayPictureFile const& command, Station& station);
 
     // What has been drawn with a tool follows other numbers (ToolKind::follow): is only shown so,
     // or does as a step, if anything does.

@@ -9,6 +9,7 @@
 #include "app/methods/indicators/indicate_tool.h"
 #include "app/methods/indicators/indicator_layer.h"
 #include "app/methods/indicators/move_indicator_tool.h"
+#include "app/methods/pictures/picture_tool.h"
 #include "app/methods/plants/choose_plant_tool.h"
 #include "app/methods/plants/copy_plant_tool.h"
 #include "app/methods/plants/graft_plant_tool.h"
@@ -52,6 +53,7 @@ Methods all_methods()
         &LineRoleTool::kKind,    &ChoosePlantTool::kKind,   &MovePlantTool::kKind,
         &CopyPlantTool::kKind,   &HidePlantTool::kKind,     &RemovePlantTool::kKind,
         &GraftPlantTool::kKind,  &TakeOffTool::kKind,       &HideBranchTool::kKind,
+        &PictureTool::kKind,
     };
     static constexpr std::array kLayers { &kOutlineLayer,     &kTrunkLayer,       &kStemLayer,
                                           &kBoundaryLayer,    &kInclinationLayer, &kUnsureLayer,

@@ -17,8 +17,8 @@ bool is_stroke_file(std::filesystem::path const& path)
 
 Result<std::vector<Stroke>> load_strokes(std::filesystem::path const& path)
 {
-    constexpr std::size_t kMaxFileSize = std::size_t { 256 } << 20;
-    auto const text = TRY(read_text_file(path, kMaxFileSize));
+    constexpr std::size_t kMaxStrokeFileSize = std::size_t { 256 } << 20;
+    auto const text = TRY(read_text_file(path, kMaxStrokeFileSize));
     if (path.extension() == ".tilt")
         return read_tilt(path.string(), std::as_bytes(std::span(text)));
     return parse_strokes(path.string(), text);

@@ -36,6 +36,7 @@ struct Renderer::Parts {
     Shader ground;
     Shader ground_shade;
     Shader curve;
+    Shader picture;
     SunShadow shadow;
     gl::VertexArray no_vertices {};
 
@@ -51,6 +52,7 @@ struct Renderer::Parts {
     };
 
     void draw_backdrop(View const& view) const;
+    void draw_picture(View const& view) const;
     void draw_ground(View const& view) const;
     void draw_ground_shade(View const& view) const;
     void draw_meshes(View const& view) const;
@@ -81,6 +83,7 @@ Result<Renderer> Renderer::create()
     auto shade
         = TRY(Shader::build({ "ground shade", { kGroundVertex }, { kGroundShadeFragment } }));
     auto curve = TRY(Shader::build({ "curve", { kCurveVertex }, { kCurveFragment } }));
+    auto picture = TRY(Shader::build({ "picture", { kPictureVertex }, { kPictureFragment } }));
     auto shadow = TRY(SunShadow::create());
     return Renderer(std::make_unique<Parts>(Parts { .bark = std::move(bark),
                                                     .thin = std::move(thin),
@@ -89,6 +92,7 @@ Result<Renderer> Renderer::create()
                                                     .ground = std::move(ground),
                                                     .ground_shade = std::move(shade),
                                                     .curve = std::move(curve),
+                                                    .picture = std::move(picture),
                                                     .shadow = std::move(shadow) }));
 }
 
@@ -118,6 +122,8 @@ void Renderer::draw(Stage const& stage, Camera const& camera, Canvas const& canv
     // Passes from here on say by their alpha how much of a pixel they cover; the picture itself is
     // opaque.
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    if (stage.picture)
+        parts_->draw_picture(view);
     if (stage.backdrop.has_ground) {
         parts_->draw_ground(view);
         parts_->draw_ground_shade(view);
@@ -148,6 +154,27 @@ void Renderer::Parts::draw_backdrop(View const& view) const
     glBindVertexArray(no_vertices.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glEnable(GL_DEPTH_TEST);
+}
+
+void Renderer::Parts::draw_picture(View const& view) const
+{
+    auto const& staged = *view.stage.picture;
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDisable(GL_DEPTH_TEST);
+    picture.use();
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, staged.picture->texture());
+    picture.set("picture", 0);
+    picture.set("T_clip_world", view.T_clip_world);
+    picture.set("corner", staged.corner_mm);
+    picture.set("right", staged.right_mm);
+    picture.set("down", staged.down_mm);
+    picture.set("strength", staged.strength);
+    glBindVertexArray(no_vertices.name());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
 }
 
 void Renderer::Parts::draw_ground(View const& view) const

@@ -31,4 +31,7 @@ extern std::string_view const kCurveVertex;
 extern std::string_view const kCurveFragment;
 extern std::string_view const kCurveShadowFragment;
 
+extern std::string_view const kPictureVertex; // A picture behind all else.
+extern std::string_view const kPictureFragment;
+
 } // namespace tractus::shaders

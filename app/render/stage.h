@@ -2,8 +2,10 @@
 
 #include "app/render/gpu_curves.h"
 #include "app/render/gpu_mesh.h"
+#include "app/render/gpu_picture.h"
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace tractus {
@@ -12,6 +14,15 @@ namespace tractus {
 struct StagedMesh {
     GpuMesh const* mesh = nullptr; // Owned elsewhere; alive while drawn.
     Eigen::Affine3f T_world_plant = Eigen::Affine3f::Identity();
+};
+
+// A picture behind all else, and where it lies: its upper left corner, and its edges from there.
+struct StagedPicture {
+    GpuPicture const* picture = nullptr; // Owned elsewhere; alive while drawn.
+    Vec3f corner_mm = Vec3f::Zero();
+    Vec3f right_mm = Vec3f::UnitX();
+    Vec3f down_mm = -Vec3f::UnitY();
+    float strength = 1; // 0 to 1: how much of it covers the backdrop.
 };
 
 // The sun: light that casts the shadow.
@@ -35,6 +46,7 @@ Backdrop dark_backdrop();
 struct Stage {
     std::vector<StagedMesh> meshes;
     std::vector<GpuCurves const*> curves; // Owned elsewhere; alive while drawn.
+    std::optional<StagedPicture> picture {};
     Sun sun;
     Backdrop backdrop;
     // Colours: each surface in its own colour, without light, shade and gloss, for pictures that

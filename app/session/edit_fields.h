@@ -86,6 +86,7 @@ public:
     void word(char const* name, int& value, std::span<char const* const> words) override;
     void numbers(Stroke& stroke) override { numbers_ = written_tips(stroke); }
     void numbers(std::vector<SkeletonPiece>& lines) override { numbers_ = written_lines(lines); }
+    void bytes(std::string& file) override { numbers_ = file; }
 
     std::string json() const { return json_.dump(); }
     std::string take_numbers() { return std::move(numbers_); }
@@ -111,6 +112,11 @@ public:
     void numbers(std::vector<SkeletonPiece>& lines) override
     {
         take_numbers(read_lines(numbers_, lines));
+    }
+    void bytes(std::string& file) override
+    {
+        file = numbers_;
+        take_numbers(true);
     }
 
     // Fails if anything had another form, or is left over. Call it last.

@@ -17,7 +17,7 @@ struct EditRecord {
     // int64, x, y, z and pressure as float64, and a byte of flags (1 touching, 2 eraser, 4 height
     // extrapolated, 8 outside the calibration, 16 tilted), and behind that, if it is tilted, the
     // tilt towards x and y as float64. Of a skeleton each line: x, y and z of both ends as float64.
-    // Of other edits nothing.
+    // Of a picture its file, as it is. Of other edits nothing.
     std::string numbers;
 };
 

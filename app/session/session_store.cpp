@@ -78,6 +78,7 @@ public:
     void field(char const*, FieldRef) override { }
     void word(char const*, int&, std::span<char const* const>) override { }
     void numbers(std::vector<SkeletonPiece>&) override { }
+    void bytes(std::string&) override { }
     void numbers(Stroke& stroke) override
     {
         if (source_)

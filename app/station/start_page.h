@@ -30,8 +30,10 @@ struct StartCards {
 };
 
 struct StartPageState {
+    std::string title = "What do you want to draw?";
     std::vector<StartCards> groups {}; // None of them without cards.
-    std::string note {};               // A sentence for the person; may be empty.
+    std::string note {};               // A sentence for the person, in place of the title.
+    bool is_beside_drawing = false;    // There is a drawing to go back to: see leave().
     bool is_opening = false;    // A card was chosen: others count for nothing until it opens.
     std::uint64_t revision = 0; // Changes when anything of this does.
 };
@@ -46,6 +48,9 @@ public:
 
     // Opens what the card shows; the page goes when it is open.
     virtual void choose(std::size_t group, std::size_t card) = 0;
+
+    // Goes back to the drawing without a choice; only if there is one.
+    virtual void leave() { }
 };
 
 } // namespace tractus

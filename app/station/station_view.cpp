@@ -1,5 +1,6 @@
 #include "app/station/station_view.h"
 
+#include "app/render/read_picture.h"
 #include "app/station/ink_line.h"
 #include "app/station/orphans.h"
 #include "app/tools/tool.h"
@@ -37,6 +38,7 @@ StationView::StationView(Station const& station, Document const& document)
               auto scene = apply_edits(*wanted.scene, wanted.edits);
               return scene ? std::make_shared<Scene const>(*std::move(scene)) : nullptr;
           }))
+    , reading_(std::make_unique<NewestJob<std::shared_ptr<std::string const>, ReadPicture>>(read))
 {
     state_.volume_mm = station.volume_mm();
     layers_ = station.layers();
@@ -48,14 +50,18 @@ void StationView::show(Station const& station, Document const& document)
 {
     finished_strokes_ = station.counts().strokes;
     show_grown();
+    take_picture();
     take_proposal();
     show_live(station, document);
+    bool const is_drawing = is_drawing_ || !document.waiting().empty();
     auto const snapshot = document.newest(); // After what waits: no stroke is seen in neither.
     state_.unkept_steps = snapshot->unkept;
     if (snapshot->drawn_revision != shown_drawn_revision_)
         show_scene(snapshot);
     else if (snapshot->revision != shown_revision_)
         grow_plant(snapshot);
+    if (!is_drawing && std::exchange(is_outcome_proposed_, false))
+        propose({}); // The stroke has changed nothing.
 }
 
 void StationView::tell(DrawnStroke const& drawn)
@@ -168,6 +174,23 @@ void StationView::show_preview(Station const& station)
                          skeleton_.orders(), finished_strokes_ });
     is_drawing_ = !inks.empty();
     take_preview();
+    if (is_drawing_)
+        propose_outcome(station);
+}
+
+void StationView::propose_outcome(Station const& station)
+{
+    auto const ink = station.inks().front();
+    auto const tool = station.meaning_of(ink);
+    if (!tool.kind().shows_outcome
+        || std::exchange(proposed_live_, state_.live_revision) == state_.live_revision)
+        return;
+    Stroke stroke;
+    stroke.tips = ink;
+    if (auto edits = tool.mean(stroke, *grown_scene_)) {
+        is_outcome_proposed_ = true;
+        propose(*std::move(edits));
+    }
 }
 
 void StationView::take_preview()
@@ -218,6 +241,7 @@ void StationView::show_scene(std::shared_ptr<Snapshot const> const& snapshot)
     show_strokes(snapshot->scene);
     show_layers(snapshot->scene);
     state_.paper = paper_of(snapshot->scene.state);
+    show_picture(snapshot->scene);
     grow_plant(snapshot);
     show_skeleton();
     shown_touched_.reset();
@@ -282,8 +306,10 @@ void StationView::show_skeleton(ShownSkeleton::Touched const& touched)
 void StationView::grow_plant(std::shared_ptr<Snapshot const> const& snapshot)
 {
     is_proposed_ = false;
+    is_outcome_proposed_ = false;
     shown_revision_ = snapshot->revision;
     grown_scene_ = { snapshot, &snapshot->scene };
+    shown_in_place_ = grown_scene_;
     skeleton_.set_scene(grown_scene_);
     preview(grown_scene_->growth);
 }
@@ -321,13 +347,68 @@ void StationView::take_proposal()
         show_in_place(*scene);
 }
 
-// Plant and skeleton, until the next snapshot.
+// Picture, plant and skeleton, until the next snapshot.
 void StationView::show_in_place(std::shared_ptr<Scene const> const& scene)
 {
+    show_picture(*scene);
+    auto const before = std::exchange(shown_in_place_, scene);
+    if (before->plants == scene->plants && before->state.active == scene->state.active)
+        return;
     skeleton_.set_scene(scene);
     show_skeleton();
     grower_->grow({ scene, scene->growth });
     state_.is_growing = true;
+}
+
+static bool is_same_file(std::shared_ptr<BackPicture const> const& one,
+                         std::shared_ptr<BackPicture const> const& other)
+{
+    return one && other && (one->file == other->file || *one->file == *other->file);
+}
+
+// A picture that is another one is read in the background.
+void StationView::show_picture(Scene const& scene)
+{
+    auto const before = std::exchange(picture_, scene.state.picture);
+    if (before == picture_)
+        return;
+    if (!is_same_file(before, picture_)) {
+        state_.picture.reset();
+        if (picture_)
+            reading_->want(picture_->file);
+    }
+    if (state_.picture)
+        state_.picture->place = picture_->place;
+    ++state_.picture_revision;
+}
+
+void StationView::take_picture()
+{
+    auto const read = reading_->take();
+    if (!read || !picture_ || *read->file != *picture_->file)
+        return;
+    if (!read->image)
+        state_.status = fmt::format("The picture {} is not shown: {}", picture_->name, read->why);
+    else
+        state_.picture = ShownPicture { read->image, picture_->place };
+    ++state_.picture_revision;
+}
+
+// Larger pictures than a screen shows are made smaller.
+StationView::ReadPicture StationView::read(std::shared_ptr<std::string const> const& file)
+{
+    constexpr int kLongest_px = 3000;
+    auto image = read_picture(*file);
+    if (!image)
+        return { file, nullptr, image.error().message };
+    int const longest = std::max(image->width(), image->height());
+    if (longest > kLongest_px) {
+        auto const side = [&](int length) {
+            return std::max(1, static_cast<int>(std::int64_t { length } * kLongest_px / longest));
+        };
+        image = resized(*image, side(image->width()), side(image->height()));
+    }
+    return { file, std::make_shared<Image const>(*std::move(image)) };
 }
 
 void StationView::show_growth()
@@ -359,6 +440,8 @@ void StationView::show_variations()
 
 void StationView::settle()
 {
+    reading_->settle();
+    take_picture();
     proposal_->settle();
     take_proposal();
     grower_->settle();

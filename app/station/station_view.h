@@ -87,7 +87,18 @@ private:
         std::vector<Edit> edits;
     };
 
+    // A picture's file, read: null where it cannot be, for a reason.
+    struct ReadPicture {
+        std::shared_ptr<std::string const> file;
+        std::shared_ptr<Image const> image;
+        std::string why {};
+    };
+    static ReadPicture read(std::shared_ptr<std::string const> const& file);
+
     void show_grown();
+    void show_picture(Scene const& scene);
+    void take_picture();
+    void propose_outcome(Station const& station);
     void take_proposal();
     void show_in_place(std::shared_ptr<Scene const> const& scene);
     void show_live(Station const& station, Document const& document);
@@ -129,6 +140,11 @@ private:
     std::uint64_t previewed_live_ = 0;                           // The ink's revision.
     // On the heap, as the grower. It gives null for edits that cannot be made.
     std::unique_ptr<NewestJob<WantedProposal, std::shared_ptr<Scene const>>> proposal_;
+    std::unique_ptr<NewestJob<std::shared_ptr<std::string const>, ReadPicture>> reading_;
+    std::shared_ptr<BackPicture const> picture_;  // That is shown, or being read.
+    std::shared_ptr<Scene const> shown_in_place_; // Scene of plant and skeleton as they are shown.
+    std::uint64_t proposed_live_ = 0;             // As previewed_live_.
+    bool is_outcome_proposed_ = false;            // Of a stroke under way.
     bool is_proposed_ = false; // Edits that are not made yet are shown, or will be.
     bool is_drawing_ = false;
     std::size_t shown_waiting_ = 0; // Strokes as ink.

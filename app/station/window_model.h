@@ -13,12 +13,14 @@
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"
+#include "engine/scene/back_picture.h"
 #include "engine/scene/paper.h"
 #include "engine/scene/season.h"
 
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,6 +59,12 @@ struct RefusedStroke {
 struct ShownLayer {
     Layer const* layer = nullptr; // Never null.
     std::vector<std::vector<Vec3f>> lines_mm;
+};
+
+// The picture behind what is drawn.
+struct ShownPicture {
+    std::shared_ptr<Image const> image; // Never null, and not large. Shared; nobody changes it.
+    PicturePlace place {};
 };
 
 // The pen as the window shows it. World frame.
@@ -126,6 +134,8 @@ struct WindowState {
     Bounds skeleton_box_mm; // Of the whole plant: what the selection view fits. Plant frame.
     // Puts the skeleton into the volume.
     Eigen::Affine3f T_world_plant = Eigen::Affine3f::Identity();
+    std::uint64_t picture_revision = 0;
+    std::optional<ShownPicture> picture {}; // No value: there is none, or it is being read.
     Paper paper {}; // That tools draw on which draw on paper. Changes with the strokes.
 
     std::uint64_t plant_revision = 0;
@@ -281,6 +291,13 @@ struct MoveSurface {
     double by_mm = 0; // Upwards.
 };
 
+// Shows pictures to be laid behind what is drawn as WindowModel::start_page().
+struct OpenPictures { };
+// Lays the picture of a file there, or says in the status why not.
+struct LayPictureFile {
+    std::filesystem::path file;
+};
+
 struct WatchDevices {
     bool watched = true; // Show DevicesView, and keep it new, some ten times a second.
 };
@@ -292,7 +309,8 @@ using WindowCommand
                    Redo, ChangeGrowth, AskForCollection, PickVariation, SetPressingAreas,
                    PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording, WatchDevices,
                    OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage, ChangeSeason,
-                   AdjustTool, TakeLikeDrawn, KeepCard, RenameCard, RemoveCard>;
+                   AdjustTool, TakeLikeDrawn, KeepCard, RenameCard, RemoveCard, OpenPictures,
+                   LayPictureFile>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

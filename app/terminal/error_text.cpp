@@ -16,7 +16,7 @@ namespace tractus {
 
 namespace {
 
-constexpr std::size_t kMaxFileSize = std::size_t { 16 } << 20;
+constexpr std::size_t kMostShownBytes = std::size_t { 16 } << 20;
 constexpr std::size_t kMaxLine = 160; // A longer one shows its part around the column.
 
 constexpr std::string_view kBold = "\033[1m";
@@ -80,7 +80,7 @@ std::optional<std::string> read_line(Place const& place)
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(place.file, ignored))
         return std::nullopt;
-    auto const text = read_file(place.file, kMaxFileSize);
+    auto const text = read_file(place.file, kMostShownBytes);
     if (!text)
         return std::nullopt;
     std::string_view rest = *text;

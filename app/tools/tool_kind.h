@@ -68,6 +68,10 @@ struct ToolKind {
     bool at_once = false;                 // It needs no stroke: its button does it.
     Surface surface = Surface::Space;
     InkStyle ink {};
+    // The document is shown as a stroke under way would leave it if it ended here. Only where what
+    // a stroke means is found and shown within a frame.
+    bool shows_outcome = false;
+    bool lays_pictures = false; // Its buttons begin with one that opens pictures.
     OptionsType options;
     GlyphKind const* glyph = nullptr; // Its options as a drawing; no value: numbers and words do.
 

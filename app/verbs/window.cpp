@@ -3,6 +3,7 @@
 #include "app/devices/live_devices.h"
 #include "app/live/drawing_file.h"
 #include "app/live/live_window.h"
+#include "app/live/picture_files.h"
 #include "app/live/replay_window.h"
 #include "app/live/start_page_controller.h"
 #include "app/live/unnamed_session.h"
@@ -49,6 +50,7 @@ struct WindowArguments {
     bool wants_start_page = false; // Whatever else is said.
     std::string rig;
     std::string height;
+    std::string picture; // To be laid behind what is drawn.
     bool fills_display = false;
     std::string display; // The one to fill; empty: as `fills_display` says.
     bool is_light = false;
@@ -114,7 +116,8 @@ bool begins_with_start_page(WindowArguments const& arguments)
     if (arguments.wants_start_page)
         return true;
     return arguments.model.empty() && arguments.session.empty() && arguments.played.empty()
-        && arguments.recording.empty() && arguments.frames == 0 && arguments.screenshot.empty();
+        && arguments.picture.empty() && arguments.recording.empty() && arguments.frames == 0
+        && arguments.screenshot.empty();
 }
 
 // Opens what was asked for, kept in its session; else in a new one, of which the person is told.
@@ -181,6 +184,9 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
     options.folder = std::filesystem::current_path();
     if (!user_folder().empty())
         options.cards = user_folder() / "cards";
+    options.picture_folders = user_picture_folders();
+    options.cache = user_cache_folder();
+    options.picture = arguments.picture;
     options.recording = arguments.recording;
     options.now = clock.now;
     options.counted_time = clock.counted;
@@ -237,6 +243,8 @@ Result<WindowArguments> sort_out(WindowArguments arguments)
 Result<void> open_window(WindowArguments const& arguments)
 {
     return_large_blocks();
+    if (!arguments.picture.empty()) // Else the person would learn of it in the window.
+        TRY(load_back_picture(arguments.picture, Vec2(1, 1)));
     if (!arguments.screenshot.empty())
         TRY(check_writable(arguments.screenshot));
     if (!arguments.log.empty())
@@ -318,6 +326,9 @@ void add_window_verb(CLI::App& root, Action& action, Methods const& methods)
                    "or --screenshot")
         ->excludes("--plant")
         ->excludes("--session");
+    verb->add_option("--picture", arguments->picture,
+                     "Lay this PNG or JPEG behind what is drawn, to draw after it")
+        ->type_name("FILE");
     add_rig_option(*verb, arguments->rig);
     add_height_option(*verb, arguments->height);
     add_look_options(*verb, *arguments);

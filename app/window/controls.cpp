@@ -13,6 +13,7 @@ namespace tractus {
 
 namespace {
 
+constexpr char const* kOpenPicture = "Open...";
 constexpr char const* kLikeDrawn = "Like the plant"; // Takes its numbers into the hand.
 constexpr float kProgressHeight_px = 10;
 constexpr float kBarAir_px = 8;
@@ -194,6 +195,11 @@ std::vector<BarButton> Controls::tool_meanings(WindowModel& model, Workbench& be
 {
     std::vector<BarButton> buttons;
     auto const& state = model.state();
+    if (state.hand.kind().lays_pictures)
+        buttons.push_back({ .text = kOpenPicture,
+                            .width = button_width(kOpenPicture),
+                            .begins_group = true,
+                            .press = [&model] { model.perform(OpenPictures {}); } });
     for (auto const& meaning :
          meanings_of(state.tools, bench.hand(state), bench.remembered(state))) {
         bool const is_on_glyph = meaning.number && is_set_by_glyph(meaning);

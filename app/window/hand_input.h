@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <imgui.h>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct HandInput {
     std::vector<MouseMoment> mouse;
     std::vector<KeyPress> presses;
     std::string held; // The letters of keys that were down at any time.
+    std::vector<std::filesystem::path> dropped {}; // Files that were dropped on the window.
 
     bool holds(char letter) const { return held.find(letter) != std::string::npos; }
 };

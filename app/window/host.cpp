@@ -172,6 +172,10 @@ void Host::watch_window()
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { stirred(window); });
     glfwSetWindowPosCallback(window_, [](GLFWwindow* window, int, int) { stirred(window); });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { stirred(window); });
+    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, char const** paths) {
+        for (int i = 0; i < count; ++i)
+            stirred(window).dropped_.emplace_back(paths[i]);
+    });
     glfwSetWindowCloseCallback(window_, [](GLFWwindow* window) { stirred(window); });
 }
 
@@ -227,8 +231,8 @@ HandInput Host::begin_frame(std::optional<float> step_s)
     auto mouse = mouse_.take_part();
     if (mouse.change)
         show_imgui_press(*mouse.change);
-    return { std::move(mouse.path), std::exchange(presses_, {}),
-             std::exchange(lately_held_, held_) };
+    return { std::move(mouse.path), std::exchange(presses_, {}), std::exchange(lately_held_, held_),
+             std::exchange(dropped_, {}) };
 }
 
 void Host::end_frame()

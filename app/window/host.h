@@ -8,6 +8,7 @@
 #include "engine/base/result.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <imgui.h>
 #include <optional>
 #include <string>
@@ -76,9 +77,10 @@ private:
     MouseQueue mouse_;
     MouseMoment last_mouse_; // Pushed into it.
     std::vector<KeyPress> presses_;
-    bool has_stirred_ = false; // Since events were last taken.
-    std::string lately_held_;  // Since the last frame.
-    std::string held_;         // The letters of the keys that are down now.
+    std::vector<std::filesystem::path> dropped_; // Since the last frame.
+    bool has_stirred_ = false;                   // Since events were last taken.
+    std::string lately_held_;                    // Since the last frame.
+    std::string held_;                           // The letters of the keys that are down now.
     bool library_ = false;
     GLFWwindow* window_ = nullptr;
     std::string title_; // Set last; empty: as it was opened.

@@ -169,9 +169,21 @@ void Layout::begin_drawing(WindowModel& model)
 void Layout::begin_frame(WindowModel& model, HandInput const& input)
 {
     auto const& state = model.state();
-    bool const starts = model.start_page() != nullptr;
-    if (std::exchange(start_is_shown_, starts) && !starts)
-        begin_drawing(model);
+    auto const* const page = model.start_page();
+    bool const is_beside_drawing = page && page->state().is_beside_drawing;
+    if (std::exchange(start_is_shown_, page != nullptr) && !page) {
+        if (goes_back_to_drawing_)
+            start_.leave();
+        else
+            begin_drawing(model);
+    }
+    goes_back_to_drawing_ = is_beside_drawing;
+    bool const takes_pictures = !model.calibration() && (!page || is_beside_drawing);
+    if (takes_pictures && !input.dropped.empty()) {
+        if (auto* const pictures = model.start_page())
+            pictures->leave();
+        model.perform(LayPictureFile { input.dropped.front() });
+    }
     if (!std::exchange(has_begun_, true) && state.is_live && !state.mouse_draws)
         bench_.shown = Shown::Pad;
     bench_.angle.area_mm = (state.volume_mm.max_mm - state.volume_mm.min_mm).head<2>().cwiseMax(1);

@@ -100,6 +100,7 @@ private:
     bool devices_are_watched_ = false;
     bool has_begun_ = false;
     bool start_is_shown_ = false;
+    bool goes_back_to_drawing_ = false; // The page that is shown is beside a drawing.
 };
 
 } // namespace tractus

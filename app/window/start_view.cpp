@@ -70,7 +70,7 @@ std::pair<std::string, std::string> in_two_lines(std::string const& text, float 
 
 void StartView::show(StartPageModel& page, Workbench& bench, Controls const& controls)
 {
-    show_head(page.state(), bench, controls);
+    show_head(page, bench, controls);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
     ImGui::BeginChild("cards", { 0, 0 }, false, ImGuiWindowFlags_NoSavedSettings);
     show_cards(page);
@@ -78,9 +78,9 @@ void StartView::show(StartPageModel& page, Workbench& bench, Controls const& con
     ImGui::PopStyleColor();
 }
 
-void StartView::show_head(StartPageState const& state, Workbench& bench,
-                          Controls const& controls) const
+void StartView::show_head(StartPageModel& page, Workbench& bench, Controls const& controls) const
 {
+    auto const& state = page.state();
     constexpr std::array kWidths_px { 96.0f, 150.0f, 96.0f };
     float const gap = ImGui::GetStyle().ItemSpacing.x;
     float const room = ImGui::GetContentRegionAvail().x;
@@ -92,10 +92,9 @@ void StartView::show_head(StartPageState const& state, Workbench& bench,
     bool const has_note_below = !state.note.empty() && !fits(ImGui::GetFont(), state.note.c_str());
     bool const has_note = !state.note.empty() && !has_note_below;
     ImGui::PushFont(has_note ? ImGui::GetFont() : title_font_);
-    constexpr auto kTitle = "What do you want to draw?";
-    char const* const title = has_note ? state.note.c_str()
-        : fits(title_font_, kTitle)    ? kTitle
-                                       : "Tractus";
+    char const* const title = has_note           ? state.note.c_str()
+        : fits(title_font_, state.title.c_str()) ? state.title.c_str()
+                                                 : "Tractus";
     ImGui::SetCursorPosY(place.y + (theme::kButtonHeight_px * scale_ - ImGui::GetFontSize()) / 2);
     ImGui::TextUnformatted(title);
     ImGui::PopFont();
@@ -106,11 +105,14 @@ void StartView::show_head(StartPageState const& state, Workbench& bench,
     if (controls.button("Full screen", kWidths_px[1], bench.will_fill_display()))
         bench.turn_full_screen();
     ImGui::SameLine();
-    if (controls.button("Close", kWidths_px[2]))
+    bool const goes_back = state.is_beside_drawing && controls.button("Back", kWidths_px[2]);
+    if (!state.is_beside_drawing && controls.button("Close", kWidths_px[2]))
         bench.wants_to_close = true;
     if (has_note_below)
         ImGui::TextWrapped("%s", state.note.c_str());
     ImGui::Dummy({ 1, 2 * scale_ });
+    if (goes_back)
+        page.leave();
 }
 
 void StartView::show_cards(StartPageModel& page)
@@ -260,21 +262,10 @@ void StartView::draw_fitted(std::string const& text, ImVec2 const& place, float 
 
 GLuint StartView::texture_of(std::shared_ptr<Image const> const& picture)
 {
-    auto const found = textures_.find(picture.get());
-    if (found != textures_.end())
-        return found->second.on_card.name();
-    auto& texture = textures_[picture.get()];
-    texture.picture = picture;
-    glBindTexture(GL_TEXTURE_2D, texture.on_card.name());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture->width(), picture->height(), 0, GL_RGBA,
-                 GL_UNSIGNED_BYTE, picture->pixels().data());
-    glGenerateMipmap(GL_TEXTURE_2D);
-    glBindTexture(GL_TEXTURE_2D, 0);
-    return texture.on_card.name();
+    auto found = textures_.find(picture.get());
+    if (found == textures_.end())
+        found = textures_.emplace(picture.get(), Texture { picture, GpuPicture(*picture) }).first;
+    return found->second.on_card.texture();
 }
 
 void StartView::take_key(KeyPress const& press, StartPageModel& page, Workbench& bench)
@@ -299,6 +290,8 @@ void StartView::take_key(KeyPress const& press, StartPageModel& page, Workbench&
         bench.turn_full_screen();
     else if (press.key == KeyPress::kEscape && bench.will_fill_display())
         bench.turn_full_screen();
+    else if (press.key == KeyPress::kEscape && page.state().is_beside_drawing)
+        page.leave();
     else if (press.key == KeyPress::kEscape || press.key == 'Q')
         bench.wants_to_close = true;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/render/gl_objects.h"
+#include "app/render/gpu_picture.h"
 #include "app/station/start_page.h"
 #include "app/window/card_grid.h"
 #include "app/window/controls.h"
@@ -38,10 +38,10 @@ public:
 private:
     struct Texture {
         std::shared_ptr<Image const> picture; // Shared with the page; nobody changes it.
-        gl::Texture on_card {};
+        GpuPicture on_card;
     };
 
-    void show_head(StartPageState const& state, Workbench& bench, Controls const& controls) const;
+    void show_head(StartPageModel& page, Workbench& bench, Controls const& controls) const;
     void show_cards(StartPageModel& page);
     bool show_card(StartCard const& card, ImVec2 const& size_px, bool has_focus);
     void draw_picture(StartCard const& card, ImVec2 const& corner);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace tractus {
@@ -60,6 +61,22 @@ Camera skeleton_camera(WindowState const& state, SelectionAngle const& angle, Pe
     return camera;
 }
 
+// On the surface.
+StagedPicture staged(ShownPicture const& shown, GpuPicture const& picture, double surface_mm)
+{
+    auto const& place = shown.place;
+    double const turn_rad = place.turn_deg * std::numbers::pi / 180;
+    Vec3 const right = place.width_mm * Vec3(std::cos(turn_rad), std::sin(turn_rad), 0);
+    double const aspect = static_cast<double>(shown.image->height()) / shown.image->width();
+    Vec3 const down = aspect * Vec3(right.y(), -right.x(), 0);
+    Vec3 const middle_mm(place.x_mm, place.y_mm, surface_mm);
+    return { .picture = &picture,
+             .corner_mm = (middle_mm - (right + down) / 2).cast<float>(),
+             .right_mm = right.cast<float>(),
+             .down_mm = down.cast<float>(),
+             .strength = static_cast<float>(place.strength) };
+}
+
 double aspect_of(Canvas const& canvas)
 {
     return static_cast<double>(canvas.width()) / canvas.height();
@@ -101,11 +118,20 @@ void PadView::show(WindowState const& state, Renderer& renderer, PenArea const& 
     changed |= strokes_.follow(state.strokes_revision + turns_,
                                [&] { return pad_stroke_curves(state); });
     changed |= live_.follow(state.live_revision, [&] { return pad_live_curves(state); });
+    changed |= std::exchange(picture_revision_, state.picture_revision) != state.picture_revision;
+    auto const image = state.picture ? state.picture->image : nullptr;
+    if (std::exchange(shown_picture_, image) != image) {
+        picture_.reset();
+        if (image)
+            picture_.emplace(*image);
+    }
     auto const& canvas = canvas_.sized(size_px, changed);
     if (changed) {
         Stage stage;
         stage.curves = { skeleton_.curves(), preview_.curves(), strokes_.curves(), live_.curves() };
         stage.backdrop = plain_backdrop();
+        if (picture_)
+            stage.picture = staged(*state.picture, *picture_, state.surface_height_mm);
         if (!draws_on_paper(state))
             stage.hidden_above_mm = state.surface_height_mm + kAboveSurface_mm;
         stage.fade = pad_fade(state);

@@ -8,6 +8,7 @@
 #include "app/window/workbench.h"
 
 #include <imgui.h>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -67,6 +68,9 @@ private:
     FollowedCurves preview_;
     FollowedCurves strokes_;
     FollowedCurves live_;
+    std::optional<GpuPicture> picture_;
+    std::shared_ptr<Image const> shown_picture_; // That it is made of.
+    std::uint64_t picture_revision_ = 0;
     Eigen::Affine3f T_pad_world_ = Eigen::Affine3f::Identity();
     std::uint64_t turns_ = 0; // Of that.
     double px_per_mm_ = 0;

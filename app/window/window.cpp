@@ -68,10 +68,11 @@ public:
         auto const& state = model.state();
         auto const* const start = model.start_page();
         auto const of_start = start ? 1 + start->state().revision : 0;
-        std::array const revisions { state.live_revision,       state.strokes_revision,
-                                     state.skeleton_revision,   state.plant_revision,
-                                     state.collection_revision, state.preview_revision,
-                                     state.devices_revision,    of_start };
+        std::array const revisions {
+            state.live_revision,    state.strokes_revision,    state.skeleton_revision,
+            state.plant_revision,   state.collection_revision, state.preview_revision,
+            state.devices_revision, state.picture_revision,    of_start
+        };
         bool const same_revisions = std::exchange(revisions_, revisions) == revisions;
         bool const same_status = std::exchange(status_, state.status) == state.status;
         bool const same_trouble = std::exchange(trouble_, state.trouble) == state.trouble;
@@ -82,7 +83,7 @@ public:
     }
 
 private:
-    std::array<std::uint64_t, 8> revisions_ {};
+    std::array<std::uint64_t, 9> revisions_ {};
     std::string status_;
     std::string trouble_;
     std::uint64_t recorded_ = 0;

@@ -5,6 +5,7 @@
 #include "engine/base/shared_vector.h"
 #include "engine/plant/plant_addresses.h"
 #include "engine/scene/anchored.h"
+#include "engine/scene/back_picture.h"
 #include "engine/scene/edit.h"
 #include "engine/scene/plant_source.h"
 #include "engine/scene/season.h"
@@ -74,7 +75,8 @@ struct DocumentState {
     std::optional<double> scale {};
     std::optional<Season> season {}; // No value: plants are as their sources give them.
     LeafSheets leaf_sheets {};       // What seasons need of grown leaves.
-    std::uint64_t last_edit = 0;     // The number of edits so far: of it, ids of items are made.
+    std::shared_ptr<BackPicture const> picture {}; // Null: none lies behind what is drawn.
+    std::uint64_t last_edit = 0; // The number of edits so far: of it, ids of items are made.
 };
 
 // The number of a plant in the document's list; no value where there is none of this id.

@@ -17,6 +17,7 @@ public:
     void word(char const*, int&, std::span<char const* const>) override { }
     void numbers(Stroke&) override { }
     void numbers(std::vector<SkeletonPiece>&) override { }
+    void bytes(std::string&) override { }
     void id(std::uint64_t& id) override
     {
         if (id == 0)

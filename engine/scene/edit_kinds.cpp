@@ -1,3 +1,4 @@
+#include "engine/scene/back_picture.h"
 #include "engine/scene/edit.h"
 #include "engine/scene/make_edit_kind.h"
 
@@ -35,7 +36,7 @@ EditKinds core_edit_kinds()
         &SetGrowth::kKind,  &ActivatePlant::kKind, &MovePlant::kKind,       &CopyPlant::kKind,
         &HidePlant::kKind,  &NamePlant::kKind,     &RemovePlant::kKind,     &SetScale::kKind,
         &GraftPlant::kKind, &TakeOffGraft::kKind,  &HideBranch::kKind,      &KeepLeaves::kKind,
-        &SetSeason::kKind
+        &SetSeason::kKind,  &LayPicture::kKind,    &PlacePicture::kKind,    &RemovePicture::kKind
     };
     return kKinds;
 }

@@ -45,9 +45,10 @@ public:
     // A choice among words; the value is the word's number.
     virtual void word(char const* name, int& value, std::span<char const* const> words) = 0;
 
-    // Bulk numbers, of which a value has at most one: they have no name.
+    // Bulk, of which a value has at most one: it has no name.
     virtual void numbers(Stroke& stroke) = 0;
     virtual void numbers(std::vector<SkeletonPiece>& lines) = 0;
+    virtual void bytes(std::string& file) = 0; // The whole of a foreign file.
 
     // An enumeration as words in the order of its values.
     template<typename Enum, std::size_t N>

@@ -29,7 +29,7 @@ TEST(ToolChoices, AreOneOfEachGroup)
     std::string texts;
     for (auto const& choice : choices)
         texts += fmt::format("{} ", choice.text);
-    EXPECT_EQ(texts, "Draw Select Lean Erase Sketch Plants ");
+    EXPECT_EQ(texts, "Draw Select Lean Erase Sketch Plants Picture ");
     EXPECT_EQ(choices[3].tool, remembered[0]);
 }
 

@@ -21,6 +21,7 @@ public:
     }
     void numbers(Stroke& stroke) override { stroke = random_stroke(); }
     void numbers(std::vector<SkeletonPiece>&) override { }
+    void bytes(std::string& file) override { file = random_bytes(); }
 
 private:
     static void set(bool& value) { value = *rc::gen::arbitrary<bool>(); }

@@ -1,0 +1,135 @@
+#include "app/methods/pictures/picture_tool.h"
+
+#include "app/tools/erase_tool.h"
+#include "app/tools/tool.h"
+#include "engine/scene/back_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace tractus {
+
+namespace {
+
+using Does = PictureTool::Does;
+
+// In the order of Does.
+constexpr std::array<OptionWord, 5> kDoesWords { {
+    { "move", "Move", "Move the picture" },
+    { "size", "Size", "Size the picture" },
+    { "turn", "Turn", "Turn the picture" },
+    { "lock", "Lock", nullptr, true },
+    { "remove", "Remove", nullptr, true },
+} };
+
+void visit(OptionVisitor& visitor, PictureTool& tool)
+{
+    visitor.choice({ kDoesWords }, tool.does);
+    visitor.number({ .name = "strength",
+                     .unit = "%",
+                     .least = 100 * kLeastPictureStrength,
+                     .greatest = 100,
+                     .step = 5,
+                     .label = "Strength" },
+                   tool.strength_percent);
+}
+
+Result<PicturePlace> place_of(Scene const& scene)
+{
+    if (!scene.state.picture)
+        return fail(Fault::User, "no picture lies behind what is drawn: open one first");
+    return scene.state.picture->place;
+}
+
+// Sizing and turning are about the picture's middle.
+Result<PicturePlace> dragged(PicturePlace place, Does does, Vec2 const& from_mm, Vec2 const& to_mm)
+{
+    constexpr double kLeastLever_mm = 3;
+    Vec2 const middle_mm(place.x_mm, place.y_mm);
+    Vec2 const from = from_mm - middle_mm;
+    Vec2 const to = to_mm - middle_mm;
+    if (does == Does::Move) {
+        place.x_mm += to_mm.x() - from_mm.x();
+        place.y_mm += to_mm.y() - from_mm.y();
+        return place;
+    }
+    if (std::min(from.norm(), to.norm()) < kLeastLever_mm)
+        return fail(Fault::User,
+                    "the stroke begins or ends at the picture's middle, about which it is sized "
+                    "and turned: draw it farther out");
+    if (does == Does::Size) {
+        place.width_mm = std::clamp(place.width_mm * to.norm() / from.norm(), kLeastPictureWidth_mm,
+                                    kGreatestPictureWidth_mm);
+        return place;
+    }
+    double const by_rad = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+    place.turn_deg = std::remainder(place.turn_deg + by_rad * 180 / std::numbers::pi, 360);
+    return place;
+}
+
+Result<std::vector<Edit>> mean(Tool const& tool, Stroke const& stroke, Scene const& scene)
+{
+    auto const does = tool.get<PictureTool>()->does;
+    auto place = TRY(place_of(scene));
+    if (does == Does::Remove)
+        return std::vector<Edit> { RemovePicture {} };
+    if (does == Does::Lock) {
+        place.is_locked = !place.is_locked;
+        return std::vector<Edit> { PlacePicture { place } };
+    }
+    if (place.is_locked)
+        return fail(Fault::User, "the picture is locked: press Lock to let it go");
+    return std::vector<Edit> { PlacePicture {
+        TRY(dragged(place, does, stroke.tips.front().position_mm.head<2>(),
+                    stroke.tips.back().position_mm.head<2>())) } };
+}
+
+std::string said(Tool const& tool, Scene const& after)
+{
+    auto const does = tool.get<PictureTool>()->does;
+    if (does == Does::Remove)
+        return "The picture is gone";
+    if (does != Does::Lock)
+        return {};
+    return after.state.picture && after.state.picture->place.is_locked
+        ? "The picture stays where it lies: press Lock once more to let it go"
+        : "The picture can be moved";
+}
+
+// Strength is the picture's own, locked or not.
+std::vector<Edit> follow(Tool const&, Tool const& after, Scene const& scene)
+{
+    if (!scene.state.picture)
+        return {};
+    auto place = scene.state.picture->place;
+    double const strength = after.get<PictureTool>()->strength_percent / 100;
+    if (std::exchange(place.strength, strength) == strength)
+        return {};
+    return { PlacePicture { place } };
+}
+
+} // namespace
+
+constexpr ToolKind PictureTool::kKind {
+    .word = "picture",
+    .label = "Picture",
+    .title = "Place the picture",
+    .done = "The picture lies there now",
+    .help = "moves the picture behind what is drawn along with the stroke, sizes it or turns it "
+            "about its middle; locks it, takes it away",
+    .group = "Picture",
+    .icon = "1282871712 174467 567486",
+    .surface = Surface::Paper,
+    .ink = { InkStyle::Look::Arrow },
+    .shows_outcome = true,
+    .lays_pictures = true,
+    .options = options_type<PictureTool, visit>(),
+    .mean = mean,
+    .follow = follow,
+    .said = said,
+    .other_end = { &EraseTool::kKind },
+};
+
+} // namespace tractus

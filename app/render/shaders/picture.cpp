@@ -1,0 +1,35 @@
+#include "app/render/shaders.h"
+
+namespace tractus::shaders {
+
+std::string_view const kPictureVertex = R"(
+uniform mat4 T_clip_world;
+uniform vec3 corner; // The picture's upper left one; from there its edges go right and down.
+uniform vec3 right;
+uniform vec3 down;
+
+out vec2 place; // In the picture, 0 to 1, rows from top to bottom.
+
+void main()
+{
+    place = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+    gl_Position = T_clip_world * vec4(corner + place.x * right + place.y * down, 1.0);
+}
+)";
+
+// A picture's colours are the screen's: they are neither lit nor toned.
+std::string_view const kPictureFragment = R"(
+uniform sampler2D picture;
+uniform float strength;
+
+in vec2 place;
+out vec4 color;
+
+void main()
+{
+    color = texture(picture, place);
+    color.a *= strength;
+}
+)";
+
+} // namespace tractus::shaders

@@ -1,0 +1,152 @@
+#include "app/live/picture_page.h"
+
+#include "app/live/picture_files.h"
+#include "app/methods/pictures/picture_tool.h"
+#include "app/session/session.h"
+#include "drivers/file.h"
+#include "tests/app/live/live_window_devices.h"
+#include "tests/app/methods/pictures/small_picture.h"
+
+#include <filesystem>
+#include <fmt/core.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of pictures, which goes away with it.
+class Pictures : public testing::Test {
+protected:
+    Pictures() { fs::create_directories(folder_ / "trip"); }
+    ~Pictures() override { fs::remove_all(folder_); }
+
+    fs::path put(fs::path const& name, std::string const& bytes = small_png()) const
+    {
+        std::ofstream(folder_ / name, std::ios::binary) << bytes;
+        return folder_ / name;
+    }
+
+    LiveWindow window(fs::path const& session = {}) const
+    {
+        auto options = live_options();
+        options.folder = folder_;
+        options.picture_folders = { folder_ };
+        if (!session.empty())
+            options.session
+                = Session::open(session, session_by_the_clock(options.methods.edits, {})).value();
+        return LiveWindow::create(drawing_devices(false), std::move(options)).value();
+    }
+
+    fs::path const folder_
+        = fs::temp_directory_path() / fmt::format("tractus_pictures_{}", ::getpid());
+};
+
+TEST_F(Pictures, AreListedTheNewestFirst)
+{
+    auto const old = put("old.png");
+    fs::last_write_time(old, fs::file_time_type::clock::now() - std::chrono::hours(2));
+    auto const newer = put("trip/new.JPG");
+    fs::last_write_time(newer, fs::file_time_type::clock::now() - std::chrono::hours(1));
+    put(".hidden.png");
+    put("notes.txt", "no picture");
+    EXPECT_EQ(pictures_in(folder_, 10), (std::vector { newer, old }));
+    EXPECT_EQ(pictures_in(folder_, 1), std::vector { newer });
+    EXPECT_TRUE(pictures_in(folder_ / "nowhere", 10).empty());
+}
+
+TEST_F(Pictures, LieBehindWhatIsDrawnWhenTheyAreChosen)
+{
+    put("oak.png", small_png(300, 100));
+    auto window = this->window();
+    window.perform(OpenPictures {});
+    window.settle();
+    auto* const page = window.start_page();
+    ASSERT_NE(page, nullptr);
+    ASSERT_EQ(page->state().groups.size(), 1u);
+    ASSERT_EQ(page->state().groups[0].cards.size(), 1u);
+    auto const& card = page->state().groups[0].cards[0];
+    EXPECT_EQ(card.title, "oak");
+    ASSERT_NE(card.picture, nullptr);
+    EXPECT_EQ(card.picture->width(), 300);
+    EXPECT_TRUE(page->state().is_beside_drawing);
+    page->choose(0, 0);
+    EXPECT_EQ(window.start_page(), nullptr);
+    window.advance({});
+    window.settle();
+    auto const& state = window.state();
+    EXPECT_EQ(state.status, "oak.png lies behind what is drawn");
+    ASSERT_TRUE(state.picture);
+    EXPECT_EQ(state.picture->image->width(), 300);
+    EXPECT_LE(state.picture->place.width_mm, state.surface_size_mm().x());
+    EXPECT_EQ(&state.hand.kind(), &PictureTool::kKind) << "the pen places it next";
+}
+
+TEST_F(Pictures, AreLeftAsTheyWereWithoutAChoice)
+{
+    put("oak.png");
+    auto window = this->window();
+    window.perform(OpenPictures {});
+    window.start_page()->leave();
+    window.advance({});
+    window.settle();
+    EXPECT_EQ(window.start_page(), nullptr);
+    EXPECT_FALSE(window.state().picture);
+}
+
+TEST_F(Pictures, WhereThereAreNoneItIsSaidWhereToPutThem)
+{
+    PicturePage page({ folder_ }, {});
+    page.open();
+    EXPECT_TRUE(page.state().groups.empty());
+    EXPECT_NE(page.state().note.find(folder_.string()), std::string::npos);
+}
+
+TEST_F(Pictures, ThatCannotBeReadAreRefusedByName)
+{
+    auto const broken = put("broken.png", small_png().substr(0, 60));
+    auto window = this->window();
+    window.perform(LayPictureFile { broken });
+    window.settle();
+    EXPECT_NE(window.state().status.find("broken.png"), std::string::npos);
+    EXPECT_FALSE(window.state().picture);
+    window.perform(LayPictureFile { folder_ / "nothing.png" });
+    window.settle();
+    EXPECT_NE(window.state().status.find("nothing.png"), std::string::npos);
+}
+
+// The file may go: the session has it.
+TEST_F(Pictures, AreKeptInTheSession)
+{
+    auto const session = folder_ / "drawing.tractus";
+    {
+        auto options = live_options();
+        auto const kinds = session_by_the_clock(options.methods.edits, {});
+        Session::create(session, {}, std::vector<Edit> { small_model() }, kinds).value();
+    }
+    auto const oak = put("oak.png", small_png(50, 70));
+    {
+        auto window = this->window(session);
+        window.perform(LayPictureFile { oak });
+        ASSERT_TRUE(window.close());
+    }
+    fs::remove(oak);
+    auto window = this->window(session);
+    window.settle();
+    ASSERT_TRUE(window.state().picture);
+    EXPECT_EQ(window.state().picture->image->height(), 70);
+    for (int i = 0; i < 3; ++i) // The devices have drawn a stroke in each window.
+        window.perform(Undo {});
+    window.settle();
+    EXPECT_FALSE(window.state().picture);
+    for (int i = 0; i < 3; ++i)
+        window.perform(Redo {});
+    window.settle();
+    EXPECT_TRUE(window.state().picture);
+}
+
+} // namespace
+} // namespace tractus

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/render/image.h"
+
+#include <gtest/gtest.h>
+#include <sstream>
+#include <string>
+
+namespace tractus {
+
+// A PNG of that size.
+inline std::string small_png(int width = 40, int height = 30)
+{
+    std::ostringstream out;
+    EXPECT_TRUE(write_png(out, Image(width, height, { 10, 200, 30, 255 })));
+    return out.str();
+}
+
+} // namespace tractus

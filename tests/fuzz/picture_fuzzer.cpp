@@ -1,0 +1,11 @@
+// A picture of any content, with what its camera says of it.
+
+#include "app/render/read_picture.h"
+#include "tests/fuzz/fuzz_input.h"
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
+{
+    using namespace tractus;
+    is_read(read_picture(FuzzInput(data, size).text()));
+    return 0;
+}
