@@ -49,6 +49,7 @@ private:
     void perform_kind(RemoveCard const&) { }
     void perform_kind(OpenPictures const&) { }
     void perform_kind(LayPictureFile const&) { }
+    void perform_kind(DragDrawnGlyph const&) { }
     void perform_kind(SetPressingAreas const&) { } // The hand was elsewhere.
     void perform_kind(PressInstead const&) { }
     void perform_kind(MoveMousePen const&) { }

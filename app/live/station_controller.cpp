@@ -193,6 +193,26 @@ void StationController::perform(LayPictureFile const& command, Station& station)
     show_document(station, now_);
 }
 
+void StationController::perform(DragDrawnGlyph const& command, Station& station)
+{
+    auto const* const kind = station.tool().kind().drawn_glyph;
+    if (!kind)
+        return;
+    if (command.slider == ChangeGrowth::Slider::Moving) {
+        if (auto edits = kind->drag(*view_.grown_scene(), command.handle, command.to))
+            view_.propose(*std::move(edits));
+        else
+            view_.state().status = edits.error().message;
+        return;
+    }
+    auto const change = [kind, command](Scene const& scene) -> Result<WantedStep::Change> {
+        auto edits = TRY(kind->drag(scene, command.handle, command.to));
+        return WantedStep::Change { std::move(edits), "What was drawn follows" };
+    };
+    document_->make({ change, WantedStep::Of::Scene });
+    show_document(station, now_);
+}
+
 void StationController::begin_again(Station& station, std::string const& status,
                                     Document::Growth growth)
 {

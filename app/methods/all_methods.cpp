@@ -70,7 +70,8 @@ Methods all_methods()
         all.push_back(&silhouette::FormTree::kKind);
         all.insert(all.end(),
                    { &lines::AddLine::kKind, &lines::SetLayerNodes::kKind,
-                     &lines::SetLinePattern::kKind, &lines::SetLineRole::kKind });
+                     &lines::SetLinePattern::kKind, &lines::SetLineRole::kKind,
+                     &lines::RedrawLine::kKind });
         return all;
     }();
     return { .edits = edits, .tools = kTools, .layers = kLayers };

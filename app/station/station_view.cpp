@@ -62,6 +62,7 @@ void StationView::show(Station const& station, Document const& document)
         grow_plant(snapshot);
     if (!is_drawing && std::exchange(is_outcome_proposed_, false))
         propose({}); // The stroke has changed nothing.
+    show_drawn_glyph();
 }
 
 void StationView::tell(DrawnStroke const& drawn)
@@ -356,6 +357,8 @@ void StationView::show_in_place(std::shared_ptr<Scene const> const& scene)
         return;
     skeleton_.set_scene(scene);
     show_skeleton();
+    show_layers(*scene);
+    ++state_.strokes_revision;
     grower_->grow({ scene, scene->growth });
     state_.is_growing = true;
 }
@@ -380,6 +383,16 @@ void StationView::show_picture(Scene const& scene)
     if (state_.picture)
         state_.picture->place = picture_->place;
     ++state_.picture_revision;
+}
+
+void StationView::show_drawn_glyph()
+{
+    auto const* const kind = state_.hand.kind().drawn_glyph;
+    bool const is_same_scene = std::exchange(glyph_scene_, shown_in_place_) == shown_in_place_;
+    if (std::exchange(glyph_kind_, kind) == kind && is_same_scene)
+        return;
+    state_.drawn_glyph = kind ? kind->show(*shown_in_place_) : std::nullopt;
+    ++state_.live_revision;
 }
 
 void StationView::take_picture()
@@ -448,6 +461,7 @@ void StationView::settle()
     show_grown();
     preview_->settle();
     take_preview();
+    show_drawn_glyph();
 }
 
 void StationView::show_grown()

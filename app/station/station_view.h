@@ -97,6 +97,7 @@ private:
 
     void show_grown();
     void show_picture(Scene const& scene);
+    void show_drawn_glyph();
     void take_picture();
     void propose_outcome(Station const& station);
     void take_proposal();
@@ -143,6 +144,8 @@ private:
     std::unique_ptr<NewestJob<std::shared_ptr<std::string const>, ReadPicture>> reading_;
     std::shared_ptr<BackPicture const> picture_;  // That is shown, or being read.
     std::shared_ptr<Scene const> shown_in_place_; // Scene of plant and skeleton as they are shown.
+    std::shared_ptr<Scene const> glyph_scene_;    // That the drawn glyph shows,
+    DrawnGlyphKind const* glyph_kind_ = nullptr;  // and how.
     std::uint64_t proposed_live_ = 0;             // As previewed_live_.
     bool is_outcome_proposed_ = false;            // Of a stroke under way.
     bool is_proposed_ = false; // Edits that are not made yet are shown, or will be.

@@ -5,6 +5,7 @@
 #include "app/diagnosis/finding.h"
 #include "app/render/image.h"
 #include "app/station/start_page.h"
+#include "app/tools/glyph.h"
 #include "app/tools/layer.h"
 #include "app/tools/skeleton_line.h"
 #include "app/tools/tool.h"
@@ -163,8 +164,11 @@ struct WindowState {
     std::uint64_t devices_revision = 0;
     DevicesView devices; // Empty unless WatchDevices asks for it.
 
-    ToolKinds tools {};              // That can be chosen.
-    Tool hand;                       // What the pen means now.
+    ToolKinds tools {}; // That can be chosen.
+    Tool hand;          // What the pen means now.
+    // What has been drawn with the hand's kind, as it shows that (DrawnGlyphKind); no value: it
+    // does not, or nothing has. Changes with live_revision.
+    std::optional<Glyph> drawn_glyph {};
     std::vector<ToolCard> cards {};  // A person's own of the hand's kind.
     std::vector<Tool> remembered {}; // Tools that are chosen with the options that they had last.
     std::string tool;                // What the pen means, for people, for example "Draw".
@@ -252,6 +256,13 @@ struct AdjustTool {
     Tool tool;
     ChangeGrowth::Slider slider = ChangeGrowth::Slider::Released;
 };
+// A handle of WindowState::drawn_glyph is dragged to a place, or pressed. While it moves that is
+// only shown, as with growth.
+struct DragDrawnGlyph {
+    std::size_t handle = 0;
+    Vec2 to = Vec2::Zero();
+    ChangeGrowth::Slider slider = ChangeGrowth::Slider::Released;
+};
 // A person's own cards: the hand's is kept under a name of its own, another one is called otherwise
 // or goes away. The status says so, or why not.
 struct KeepCard { };
@@ -310,7 +321,7 @@ using WindowCommand
                    PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording, WatchDevices,
                    OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage, ChangeSeason,
                    AdjustTool, TakeLikeDrawn, KeepCard, RenameCard, RemoveCard, OpenPictures,
-                   LayPictureFile>;
+                   LayPictureFile, DragDrawnGlyph>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

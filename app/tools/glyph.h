@@ -1,9 +1,13 @@
 #pragma once
 
 #include "app/tools/layer.h"
+#include "engine/base/result.h"
 #include "engine/base/vectors.h"
+#include "engine/scene/edit_kind.h"
+#include "engine/scene/scene.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +30,16 @@ struct Glyph {
         // The number among the options that is asked for when the handle is pressed and not
         // dragged; empty: none.
         char const* number = "";
+        bool is_small = false; // One of many.
+    };
+    struct Label {
+        Vec2 place = Vec2::Zero(); // Of the middle of its upper edge.
+        char const* text = "";
     };
     std::vector<Line> lines;
     std::vector<Handle> handles;
+    std::vector<Label> labels {};       // Left out where there is no room.
+    char const* hint = "Drag a letter"; // Shown as long as nothing is pointed at.
 };
 
 // How a kind of tool shows its options so. Called once a frame, with options of its kind.
@@ -37,6 +48,17 @@ struct GlyphKind {
     Glyph (*show)(void const* options);
     // A person drags a handle to a place, or presses it. Options stay within their ranges.
     void (*drag)(void* options, std::size_t handle, Vec2 const& to);
+};
+
+// How a kind of tool shows a drawing of what has been drawn with it, in the same frame: numbers of
+// the active plant, which are set there.
+struct DrawnGlyphKind {
+    char const* title;
+    // No value where the active plant has none. Called when the plant has changed.
+    std::optional<Glyph> (*show)(Scene const& scene);
+    // What it means that a person drags a handle to a place, or presses it: edits of the scene.
+    // Fails, as the user's fault, where that cannot be.
+    Result<std::vector<Edit>> (*drag)(Scene const& scene, std::size_t handle, Vec2 const& to);
 };
 
 } // namespace tractus

@@ -17,6 +17,7 @@
 namespace tractus {
 
 class Tool;
+struct DrawnGlyphKind;
 struct GlyphKind;
 struct ToolKind;
 
@@ -74,6 +75,7 @@ struct ToolKind {
     bool lays_pictures = false; // Its buttons begin with one that opens pictures.
     OptionsType options;
     GlyphKind const* glyph = nullptr; // Its options as a drawing; no value: numbers and words do.
+    DrawnGlyphKind const* drawn_glyph = nullptr; // The active plant's numbers; no value: none.
 
     // What a finished stroke says, as edits of `scene`, to be applied in order. `stroke` is without
     // tips if the tool does it at once. Fails, as the user's fault, when it says nothing: a stroke

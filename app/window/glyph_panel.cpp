@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace tractus {
 
@@ -15,10 +16,13 @@ constexpr float kShareOfPad = 0.4f;
 constexpr float kTitle_px = 44; // Of the view, above it.
 constexpr float kButtonWidth_px = 76;
 constexpr float kOpacity = 0.75f; // What is drawn below it is seen.
-constexpr float kSmall = 0.8f;    // Letters.
+constexpr float kSmall = 0.8f;    // Letters,
+constexpr float kSmallest = 0.7f; // and those of labels.
 constexpr float kPanelAir_px = 10;
 constexpr float kHandleRadius_px = 13; // Radius of its picture,
-constexpr float kReach_px = 22;        // and of where a pen takes it.
+constexpr float kReach_px = 22;        // and of where a pen takes it;
+constexpr float kSmallRadius_px = 8;   // of one of many.
+constexpr float kSmallReach_px = 14;
 
 using Slider = ChangeGrowth::Slider;
 
@@ -41,13 +45,15 @@ std::optional<WindowPart> GlyphPanel::show(WindowModel& model, Workbench& bench,
                                            Controls const& controls, WindowPart const& pad)
 {
     auto const& state = model.state();
-    auto const* const kind = state.hand.kind().glyph;
+    auto const& kind = state.hand.kind();
+    bool const is_of_drawn = !kind.glyph && kind.drawn_glyph && state.drawn_glyph;
     float const room = kShareOfPad * std::min(pad.width, pad.height);
     bench.glyph_is_seen = false;
-    if (!kind || !bench.draws(state) || room < kLeastSide_px * scale_)
+    if (!(kind.glyph || is_of_drawn) || !bench.draws(state) || room < kLeastSide_px * scale_)
         return std::nullopt;
     float const side = std::min(room, kGreatestSide_px * scale_);
-    bench.glyph_is_seen = bench.glyph_is_shown;
+    auto& is_shown = is_of_drawn ? bench.drawn_glyph_is_shown : bench.glyph_is_shown;
+    bench.glyph_is_seen = kind.glyph && is_shown;
     float const air = kPanelAir_px * scale_;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { air, air });
     ImGui::SetNextWindowBgAlpha(kOpacity);
@@ -58,12 +64,15 @@ std::optional<WindowPart> GlyphPanel::show(WindowModel& model, Workbench& bench,
                      | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PopStyleVar();
     auto const top = ImGui::GetCursorScreenPos();
-    if (controls.button(kind->title, kButtonWidth_px, bench.glyph_is_shown))
-        bench.glyph_is_shown = !bench.glyph_is_shown;
-    if (bench.glyph_is_shown) {
-        auto const glyph = bench.hand(state).glyph();
-        show_glyph(model, bench, glyph, { { top.x + side / 2, top.y + side / 2 }, side / 2 });
-        ImGui::SetCursorScreenPos(top);
+    if (controls.button(is_of_drawn ? kind.drawn_glyph->title : kind.glyph->title, kButtonWidth_px,
+                        is_shown))
+        is_shown = !is_shown;
+    if (is_shown) {
+        auto const glyph = is_of_drawn ? *state.drawn_glyph : bench.hand(state).glyph();
+        // Curves fill the square; a rule leaves the button's corner free.
+        auto const corner = is_of_drawn ? ImGui::GetCursorScreenPos() : top;
+        show_glyph(model, bench, glyph, { { corner.x + side / 2, corner.y + side / 2 }, side / 2 });
+        ImGui::SetCursorScreenPos(corner);
         ImGui::Dummy({ side, side });
         say_what_is_shown(glyph);
     }
@@ -79,7 +88,7 @@ void GlyphPanel::say_what_is_shown(Glyph const& glyph) const
         = std::find_if(glyph.handles.begin(), glyph.handles.end(),
                        [&](Glyph::Handle const& handle) { return handle.id == shown_; });
     ImGui::SetWindowFontScale(kSmall);
-    ImGui::TextUnformatted(shown == glyph.handles.end() ? "Drag a letter" : shown->says.c_str());
+    ImGui::TextUnformatted(shown == glyph.handles.end() ? glyph.hint : shown->says.c_str());
     ImGui::SetWindowFontScale(1);
 }
 
@@ -87,9 +96,24 @@ void GlyphPanel::show_glyph(WindowModel& model, Workbench& bench, Glyph const& g
                             GlyphSquare const& square)
 {
     draw_glyph(glyph, square, scale_);
+    draw_labels(glyph, square);
     for (auto const& handle : glyph.handles) {
         take_hand(model, bench, handle, square);
         draw_handle(handle, square);
+    }
+}
+
+void GlyphPanel::draw_labels(Glyph const& glyph, GlyphSquare const& square) const
+{
+    constexpr float kLeastHalf_px = 100;
+    if (square.half < kLeastHalf_px * scale_)
+        return;
+    float const letter = kSmallest * ImGui::GetFontSize();
+    for (auto const& label : glyph.labels) {
+        auto const size = ImGui::GetFont()->CalcTextSizeA(letter, 1000, 0, label.text);
+        auto const at = square.to_px(label.place);
+        ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), letter, { at.x - size.x / 2, at.y },
+                                            ImGui::GetColorU32(ImGuiCol_TextDisabled), label.text);
     }
 }
 
@@ -98,37 +122,67 @@ void GlyphPanel::take_hand(WindowModel& model, Workbench& bench, Glyph::Handle c
                            GlyphSquare const& square)
 {
     auto const at = square.to_px(handle.place);
-    float const reach = kReach_px * scale_;
+    float const reach = (handle.is_small ? kSmallReach_px : kReach_px) * scale_;
     ImGui::SetCursorScreenPos({ at.x - reach, at.y - reach });
     ImGui::PushID(static_cast<int>(handle.id));
     bool const is_pressed = ImGui::InvisibleButton("handle", { 2 * reach, 2 * reach });
     ImGui::PopID();
     if (ImGui::IsItemHovered() && !held_)
         shown_ = handle.id;
-    auto const& hand = bench.hand(model.state());
     if (handle.is_button) {
         if (is_pressed)
-            bench.adjust(model, hand.dragged(handle.id, handle.place), Slider::Released);
+            press(model, bench, handle);
         return;
     }
     auto const pointer = ImGui::GetIO().MousePos;
     if (ImGui::IsItemActivated()) {
         held_ = shown_ = handle.id;
         off_px_ = { at.x - pointer.x, at.y - pointer.y };
+        moved_to_.reset();
     }
     if (held_ != handle.id)
         return;
     if (ImGui::IsItemDeactivated()) {
         held_.reset();
-        if (bench.adjusted)
-            bench.adjust(model, hand, Slider::Released);
-        else if (auto const number = number_of(hand, handle))
-            bench.asked_number = number;
-        return;
+        return let_go(model, bench, handle);
     }
-    auto const to = square.to_frame({ pointer.x + off_px_.x, pointer.y + off_px_.y });
-    if (auto const dragged = hand.dragged(handle.id, to); dragged != hand)
+    auto const& delta = ImGui::GetIO().MouseDelta;
+    if (delta.x != 0 || delta.y != 0)
+        move(model, bench, handle,
+             square.to_frame({ pointer.x + off_px_.x, pointer.y + off_px_.y }));
+}
+
+void GlyphPanel::press(WindowModel& model, Workbench& bench, Glyph::Handle const& handle) const
+{
+    auto const& hand = bench.hand(model.state());
+    if (hand.kind().glyph)
+        return bench.adjust(model, hand.dragged(handle.id, handle.place), Slider::Released);
+    model.perform(DragDrawnGlyph { handle.id, handle.place });
+}
+
+void GlyphPanel::move(WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
+                      Vec2 const& to)
+{
+    auto const& hand = bench.hand(model.state());
+    moved_to_ = to;
+    if (!hand.kind().glyph)
+        model.perform(DragDrawnGlyph { handle.id, to, Slider::Moving });
+    else if (auto const dragged = hand.dragged(handle.id, to); dragged != hand)
         bench.adjust(model, dragged, Slider::Moving);
+}
+
+void GlyphPanel::let_go(WindowModel& model, Workbench& bench, Glyph::Handle const& handle)
+{
+    auto const& hand = bench.hand(model.state());
+    auto const to = std::exchange(moved_to_, std::nullopt);
+    if (!hand.kind().glyph) {
+        if (to)
+            model.perform(DragDrawnGlyph { handle.id, *to });
+    } else if (bench.adjusted) {
+        bench.adjust(model, hand, Slider::Released);
+    } else if (auto const number = number_of(hand, handle)) {
+        bench.asked_number = number;
+    }
 }
 
 void GlyphPanel::draw_handle(Glyph::Handle const& handle, GlyphSquare const& square) const
@@ -137,7 +191,7 @@ void GlyphPanel::draw_handle(Glyph::Handle const& handle, GlyphSquare const& squ
     auto const at = square.to_px(handle.place);
     bool const is_shown = shown_ == handle.id;
     auto const& palette = theme::palette();
-    float const radius = kHandleRadius_px * scale_;
+    float const radius = (handle.is_small ? kSmallRadius_px : kHandleRadius_px) * scale_;
     draw->AddCircleFilled(at, radius, theme::packed(palette.pad_background, 0.85f));
     draw->AddCircle(at, radius, theme::packed(is_shown ? palette.ink : palette.stroke), 0,
                     (is_shown ? 3.0f : 1.5f) * scale_);

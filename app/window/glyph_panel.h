@@ -9,9 +9,9 @@
 
 namespace tractus {
 
-// The tool in hand as a small drawing in a corner of the pad, whose handles are dragged by pen or
-// mouse (app/tools/glyph.h). What has been drawn with the tool is shown as it will follow, and does
-// when the handle is let go.
+// The tool in hand, or what has been drawn with it, as a small drawing in a corner of the pad,
+// whose handles are dragged by pen or mouse (app/tools/glyph.h). What has been drawn is shown as it
+// will follow, and does when the handle is let go.
 class GlyphPanel {
 public:
     explicit GlyphPanel(float scale)
@@ -30,12 +30,17 @@ private:
                     GlyphSquare const& square);
     void take_hand(WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
                    GlyphSquare const& square);
+    void press(WindowModel& model, Workbench& bench, Glyph::Handle const& handle) const;
+    void move(WindowModel& model, Workbench& bench, Glyph::Handle const& handle, Vec2 const& to);
+    void let_go(WindowModel& model, Workbench& bench, Glyph::Handle const& handle);
+    void draw_labels(Glyph const& glyph, GlyphSquare const& square) const;
     void draw_handle(Glyph::Handle const& handle, GlyphSquare const& square) const;
 
     float scale_ = 1;
     std::optional<std::size_t> held_ {};  // A handle's id.
     std::optional<std::size_t> shown_ {}; // The one that was held or pointed at last.
     ImVec2 off_px_ { 0, 0 };              // From where it was taken to the handle.
+    std::optional<Vec2> moved_to_ {};     // Of the handle that is held, if it has moved.
 };
 
 } // namespace tractus

@@ -61,7 +61,8 @@ struct Workbench {
     bool cards_are_shown = false; // Of the kind in hand.
     // Shows the tool in hand as a drawing, if its kind has one.
     bool glyph_is_shown = true;
-    bool glyph_is_seen = false; // In the last frame: it needs room, too.
+    bool drawn_glyph_is_shown = false; // Likewise for what was drawn with it.
+    bool glyph_is_seen = false;        // In the last frame: it needs room, too.
     // The tool in hand as a slider or a handle that moves will have made it.
     std::optional<Tool> adjusted {};
     bool wants_to_close = false;

@@ -1,5 +1,6 @@
 #include "app/methods/construction_lines/line_tool.h"
 
+#include "app/methods/construction_lines/line_curves.h"
 #include "app/methods/construction_lines/line_previewer.h"
 #include "app/tools/erase_tool.h"
 #include "engine/scene/paper.h"
@@ -91,6 +92,7 @@ constexpr ToolKind LineTool::kKind {
     .key = 'I',
     .surface = Surface::Paper,
     .options = options_type<LineTool, visit>(),
+    .drawn_glyph = &kLineCurves,
     .mean = add_line,
     .said = said_of_sketch,
     .previewer = line_previewer,

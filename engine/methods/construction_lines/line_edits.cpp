@@ -250,6 +250,27 @@ std::string described(SetLineRole const& edit)
                        name_of(edit.role));
 }
 
+void list(Fields& fields, RedrawLine& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.field("line", &edit.line);
+    fields.numbers(edit.stroke);
+}
+
+Result<DocumentState> applied(DocumentState state, RedrawLine const& edit, SceneBuilder&)
+{
+    auto found = TRY(find_sketch(state, edit.plant));
+    found.sketch = TRY(with_other_stroke(std::move(found.sketch), edit.line, edit.stroke));
+    put_sketch(state, std::move(found));
+    return state;
+}
+
+std::string described(RedrawLine const& edit)
+{
+    return fmt::format("draws line {} of plant {} otherwise: {}", name_of(edit.line),
+                       name_of(edit.plant), describe_stroke(edit.stroke));
+}
+
 } // namespace
 
 PenSketch const* pen_sketch(PlantState const& plant)
@@ -279,6 +300,9 @@ constexpr EditKind SetLayerNodes::kKind
 
 constexpr EditKind SetLinePattern::kKind
     = make_edit_kind<SetLinePattern, list, applied, described>("set_line_pattern");
+
+constexpr EditKind RedrawLine::kKind
+    = make_edit_kind<RedrawLine, list, applied, described>("redraw_construction_line");
 
 constexpr EditKind SetLineRole::kKind
     = make_edit_kind<SetLineRole, list, applied, described>("set_line_role");

@@ -50,6 +50,15 @@ struct SetLineRole {
     Role role = Role::Unsure;
 };
 
+// Puts another stroke in the place of a line's, which keeps its role and its nodes (bend_lines.h).
+struct RedrawLine {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    ItemId line = 0;
+    Stroke stroke {}; // World frame.
+};
+
 // The sketch that a plant is drawn with; null for a plant of another kind.
 PenSketch const* pen_sketch(PlantState const& plant);
 

@@ -80,6 +80,16 @@ Result<PenSketch> checked(PenSketch sketch)
     return sketch;
 }
 
+Result<void> check_line(PenSketch const& sketch, ItemId line)
+{
+    if (find_line(sketch, line))
+        return {};
+    return fail(Fault::User,
+                fmt::format("the sketch has no line {}: it was drawn again, or is "
+                            "another plant's",
+                            name_of(line)));
+}
+
 bool same(SketchLine const& one, SketchLine const& other)
 {
     return one.id == other.id && one.stroke.tips.id() == other.stroke.tips.id()
@@ -169,11 +179,7 @@ Result<PenSketch> with_line(PenSketch sketch, SketchLine line)
 
 Result<PenSketch> with_role(PenSketch sketch, ItemId line, Role role)
 {
-    if (!find_line(sketch, line))
-        return fail(Fault::User,
-                    fmt::format("the sketch has no line {}: it was drawn again, or is another "
-                                "plant's",
-                                name_of(line)));
+    TRY(check_line(sketch, line));
     bool const is_one = role == Role::Stem || role == Role::Left || role == Role::Right;
     for (auto& other : sketch.lines) {
         if (is_one && other.role == role)
@@ -181,6 +187,15 @@ Result<PenSketch> with_role(PenSketch sketch, ItemId line, Role role)
         if (other.id == line)
             other.role = role;
     }
+    return checked(std::move(sketch));
+}
+
+Result<PenSketch> with_other_stroke(PenSketch sketch, ItemId line, Stroke stroke)
+{
+    TRY(check_line(sketch, line));
+    auto const found = std::find_if(sketch.lines.begin(), sketch.lines.end(),
+                                    [&](SketchLine const& each) { return each.id == line; });
+    found->stroke = std::move(stroke);
     return checked(std::move(sketch));
 }
 

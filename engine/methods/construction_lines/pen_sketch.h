@@ -67,6 +67,10 @@ Result<PenSketch> with_line(PenSketch sketch, SketchLine line);
 // fault, for a line that is not there, if no stem would be left, and if it gives no plant.
 Result<PenSketch> with_role(PenSketch sketch, ItemId line, Role role);
 
+// The sketch in which a line has another stroke, drawn on the same sheet. Fails, as the user's
+// fault, for a line that is not there, and if it gives no plant.
+Result<PenSketch> with_other_stroke(PenSketch sketch, ItemId line, Stroke stroke);
+
 // The lines that count, as measure_sketch() takes them with Missing::Guessed. In millimetres of the
 // sheet, or so that their plant is as large in the document as they were drawn.
 enum class Unit { Sheet, Plant };

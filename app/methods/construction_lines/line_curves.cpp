@@ -1,0 +1,280 @@
+#include "app/methods/construction_lines/line_curves.h"
+
+#include "app/methods/construction_lines/touched_sketch.h"
+#include "engine/methods/construction_lines/bend_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tractus {
+
+namespace {
+
+using lines::Construction;
+using lines::StemSide;
+
+constexpr double kLow = -0.9; // Of the stem's base in the frame,
+constexpr double kHigh = 0.9; // and of its top.
+constexpr int kSamples = 60;
+constexpr double kLeastRange = 0.6; // Of sizes.
+
+// Columns of the frame on the right side; on the left they are mirrored. Values go outwards.
+struct Column {
+    double from = 0;
+    double to = 1;
+    double range = 1; // Of its values, from 0.
+
+    double place(double value) const { return from + (to - from) * value / range; }
+    double value(double place) const
+    {
+        return std::clamp((place - from) / (to - from), 0.0, 1.0) * range;
+    }
+};
+
+constexpr double kHeadingHalf = 0.13;    // StemSide as wide as the middle column,
+constexpr double kHeadingRange_deg = 90; // and what that stands for.
+constexpr Column kAngles { 0.56, 0.98, 150 };
+constexpr double kSizesFrom = 0.18;
+constexpr double kSizesTo = 0.52;
+
+enum class What { Angle, Size, Fewer, More };
+constexpr std::size_t kWhats = 4;
+
+// A handle's number says what it is.
+struct HandleName {
+    What what = What::Angle;
+    StemSide side = StemSide::Left;
+    std::size_t number = 0; // Of the line, the place, or the layer.
+
+    std::size_t id() const
+    {
+        return (number * kWhats + static_cast<std::size_t>(what)) * 2
+            + (side == StemSide::Right ? 1 : 0);
+    }
+    static HandleName of(std::size_t id)
+    {
+        return { static_cast<What>(id / 2 % kWhats), id % 2 == 1 ? StemSide::Right : StemSide::Left,
+                 id / 2 / kWhats };
+    }
+};
+
+double sign_of(StemSide side)
+{
+    return side == StemSide::Right ? 1 : -1;
+}
+
+double height_of(double x)
+{
+    return kLow + (kHigh - kLow) * x;
+}
+
+double angle_of(lines::FunctionValues const& values, StemSide side)
+{
+    return side == StemSide::Left ? values.left_deg : values.right_deg;
+}
+
+double size_of(lines::FunctionValues const& values, StemSide side)
+{
+    return side == StemSide::Left ? values.left_size : values.right_size;
+}
+
+// A sketch as the curves show it.
+struct Shown {
+    ActiveSketch active;
+    Construction construction;
+    bool has_sizes = false;  // There is a boundary.
+    bool has_angles = false; // There are inclination lines.
+    Column sizes;
+
+    double size_seen(double x, StemSide side) const
+    {
+        return size_of(lines::values_at(construction, x), side);
+    }
+};
+
+// In steps, so that the scale does not move under the pen that drags a size.
+double range_for(double largest)
+{
+    double range = kLeastRange;
+    while (range < 1.2 * largest)
+        range *= 2;
+    return range;
+}
+
+Result<Shown> shown_of(Scene const& scene)
+{
+    auto active = TRY(active_sketch(scene));
+    auto construction = TRY(lines::construction_of(active.sketch));
+    auto const drawn = TRY(lines::line_sketch(active.sketch));
+    double largest = 0;
+    for (auto const& node : construction.nodes)
+        largest = std::max({ largest, node.left_size, node.right_size });
+    bool const has_sizes = lines::has_boundary(drawn);
+    return Shown { .active = std::move(active),
+                   .construction = std::move(construction),
+                   .has_sizes = has_sizes,
+                   .has_angles = has_sizes && drawn.inclinations.size() >= 2,
+                   .sizes = { kSizesFrom, kSizesTo, range_for(largest) } };
+}
+
+Glyph::Line axis_at(double place)
+{
+    return { .points = { { place, kLow }, { place, kHigh } }, .width = 0.006 };
+}
+
+template<typename Value> Glyph::Line curve_of(Value const& value, LayerStyle::Color color)
+{
+    Glyph::Line curve { .points = {}, .width = 0.016, .color = color };
+    for (int i = 0; i <= kSamples; ++i) {
+        double const x = static_cast<double>(i) / kSamples;
+        curve.points.emplace_back(value(x), height_of(x));
+    }
+    return curve;
+}
+
+void add_stem(Glyph& glyph, Shown const& shown)
+{
+    glyph.lines.push_back(axis_at(0));
+    glyph.lines.push_back(curve_of(
+        [&](double x) {
+            double const heading_deg = lines::values_at(shown.construction, x).heading_deg;
+            return std::clamp(-kHeadingHalf * heading_deg / kHeadingRange_deg, -kHeadingHalf,
+                              kHeadingHalf);
+        },
+        LayerStyle::Color::Green));
+    constexpr double kTick = 0.03;
+    for (auto const& node : shown.construction.nodes)
+        glyph.lines.push_back(
+            { .points = { { -kTick, height_of(node.x) }, { kTick, height_of(node.x) } },
+              .width = 0.006 });
+}
+
+void add_curves(Glyph& glyph, Shown const& shown, StemSide side)
+{
+    double const sign = sign_of(side);
+    glyph.lines.push_back(axis_at(sign * kSizesFrom));
+    glyph.lines.push_back(axis_at(sign * kAngles.from));
+    glyph.lines.push_back(
+        curve_of([&](double x) { return sign * shown.sizes.place(shown.size_seen(x, side)); },
+                 LayerStyle::Color::Orange));
+    glyph.lines.push_back(curve_of(
+        [&](double x) {
+            auto const values = lines::values_at(shown.construction, x);
+            return sign * std::min(kAngles.place(angle_of(values, side)), kAngles.to);
+        },
+        LayerStyle::Color::Blue));
+}
+
+char const* name_of(StemSide side)
+{
+    return side == StemSide::Left ? "left" : "right";
+}
+
+void add_handles(Glyph& glyph, Shown const& shown, StemSide side)
+{
+    double const sign = sign_of(side);
+    auto const& of = shown.construction;
+    for (std::size_t i = 0; shown.has_angles && i < of.inclinations.size(); ++i) {
+        auto const& line = of.inclinations[i];
+        double const angle_deg = side == StemSide::Left ? line.left_deg : line.right_deg;
+        glyph.handles.push_back(
+            { .id = HandleName { What::Angle, side, i }.id(),
+              .place = { sign * std::min(kAngles.place(angle_deg), kAngles.to), height_of(line.x) },
+              .says = fmt::format("Line {}, {}: {:.0f}\u00b0", i + 1, name_of(side), angle_deg),
+              .is_small = true });
+    }
+    auto const places = lines::size_places(of);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        double const size = shown.size_seen(places[i], side);
+        glyph.handles.push_back(
+            { .id = HandleName { What::Size, side, i }.id(),
+              .place = { sign * shown.sizes.place(size), height_of(places[i]) },
+              .says = fmt::format("Size {}: {:.0f} % of the stem", name_of(side), 100 * size),
+              .is_small = true });
+    }
+}
+
+// Fewer on the left, more on the right.
+void add_layer(Glyph& glyph, lines::Layer const& layer, std::size_t number)
+{
+    constexpr double kBeside = 0.09;
+    for (auto const side : { StemSide::Left, StemSide::Right })
+        glyph.handles.push_back(
+            { .id
+              = HandleName { side == StemSide::Left ? What::Fewer : What::More, side, number }.id(),
+              .place = { sign_of(side) * kBeside, height_of((layer.from_x + layer.to_x) / 2) },
+              .says = fmt::format("Layer {}: {} nodes", number + 1, layer.nodes),
+              .sign = side == StemSide::Left ? "-" : "+",
+              .is_button = true,
+              .is_small = true });
+}
+
+void add_labels(Glyph& glyph)
+{
+    constexpr double kBelow = kLow - 0.03;
+    constexpr double kSizes = (kSizesFrom + kSizesTo) / 2;
+    constexpr double kInclinations = (kAngles.from + kAngles.to) / 2;
+    glyph.labels = { { { -kInclinations, kBelow }, "Angle" },
+                     { { -kSizes, kBelow }, "Size" },
+                     { { 0, kBelow }, "Stem" },
+                     { { kSizes, kBelow }, "Size" },
+                     { { kInclinations, kBelow }, "Angle" } };
+}
+
+std::optional<Glyph> show(Scene const& scene)
+{
+    auto const shown = shown_of(scene);
+    if (!shown)
+        return std::nullopt;
+    Glyph glyph;
+    glyph.hint = "Drag a curve";
+    add_labels(glyph);
+    add_stem(glyph, *shown);
+    if (!shown->has_sizes)
+        return glyph;
+    for (auto const side : { StemSide::Left, StemSide::Right }) {
+        add_curves(glyph, *shown, side);
+        add_handles(glyph, *shown, side);
+    }
+    if (auto const layers = lines::layers_of(shown->active.sketch))
+        for (std::size_t i = 0; i < layers->size(); ++i)
+            add_layer(glyph, (*layers)[i], i);
+    return glyph;
+}
+
+Result<std::vector<Edit>> with_other_count(ActiveSketch const& active, std::size_t number, int by)
+{
+    auto const layers = TRY(lines::layers_of(active.sketch));
+    if (number >= layers.size())
+        return fail(Fault::User, "the sketch has no such layer any more");
+    auto const& layer = layers[number];
+    int const nodes = std::clamp(layer.nodes + by, 0, lines::kMostNodesInLayer);
+    return std::vector<Edit> { lines::SetLayerNodes { active.plant, layer.line, nodes } };
+}
+
+// Whole degrees, and whole hundredths of the stem.
+Result<std::vector<Edit>> drag(Scene const& scene, std::size_t handle, Vec2 const& to)
+{
+    auto const shown = TRY(shown_of(scene));
+    auto const [what, side, number] = HandleName::of(handle);
+    if (what == What::Fewer || what == What::More)
+        return with_other_count(shown.active, number, what == What::More ? 1 : -1);
+    double const outwards = sign_of(side) * to.x();
+    auto const& sketch = shown.active.sketch;
+    auto const bent
+        = TRY(what == What::Angle
+                  ? lines::with_angle(sketch, number, side,
+                                      std::clamp(std::round(kAngles.value(outwards)),
+                                                 lines::kLeastAngle_deg, lines::kGreatestAngle_deg))
+                  : lines::with_size(sketch, number, side,
+                                     std::clamp(std::round(100 * shown.sizes.value(outwards)) / 100,
+                                                lines::kLeastSize, lines::kGreatestSize)));
+    return std::vector<Edit> { lines::RedrawLine { shown.active.plant, bent.line, bent.stroke } };
+}
+
+} // namespace
+
+constexpr DrawnGlyphKind kLineCurves { .title = "Curves", .show = show, .drag = drag };
+
+} // namespace tractus

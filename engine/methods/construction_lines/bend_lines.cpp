@@ -1,0 +1,293 @@
+#include "engine/methods/construction_lines/bend_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace tractus::lines {
+
+namespace {
+
+constexpr int kMostRounds = 6;     // Each brings the value nearer to what is wanted.
+constexpr double kNearStem = 0.03; // An inclination line passes its crossing so near, by the stem.
+
+double sign_of(StemSide side)
+{
+    return side == StemSide::Left ? 1 : -1;
+}
+
+StemSide other(StemSide side)
+{
+    return side == StemSide::Left ? StemSide::Right : StemSide::Left;
+}
+
+Result<DrawnLine> flat_line(SketchLine const& line)
+{
+    std::vector<Vec2> points;
+    for (auto const& point : TRY(points_on_sheet(line)))
+        points.emplace_back(point.head<2>());
+    return DrawnLine(std::move(points));
+}
+
+// The line's stroke with each tip moved on the sheet.
+Result<Stroke> moved(SketchLine const& line, std::function<Vec2(Vec2 const& sheet_mm)> const& move)
+{
+    auto tips = TRY(line.stroke.tips.in_memory()).vector();
+    for (auto& tip : tips) {
+        Vec2 const to_mm = move(line.sheet.on_sheet(tip.position_mm.head<2>()));
+        tip.position_mm.head<2>() = line.sheet.on_tablet(to_mm);
+    }
+    auto stroke = line.stroke;
+    stroke.tips = SharedVector<TipSample>(std::move(tips));
+    return stroke;
+}
+
+PenSketch with_stroke(PenSketch sketch, ItemId line, Stroke const& stroke)
+{
+    for (auto& each : sketch.lines)
+        if (each.id == line)
+            each.stroke = stroke;
+    return sketch;
+}
+
+Result<void> refuse(char const* what, double value, double least, double greatest)
+{
+    if (value >= least && value <= greatest)
+        return {};
+    return fail(Fault::User,
+                fmt::format("{} of {:g} is out of range: {:g} to {:g} are possible", what, value,
+                            least, greatest));
+}
+
+// Where an inclination line crosses the stem, and the stem's direction there.
+struct OnStem {
+    Vec2 at = Vec2::Zero();
+    double heading_deg = 0;
+
+    bool is_beside(StemSide side, Vec2 const& place) const
+    {
+        return sign_of(side) * cross(direction(heading_deg), place - at) > 0;
+    }
+};
+
+OnStem on_stem(DrawnStem const& stem, double x)
+{
+    double const at_mm = stem.seen_mm(x);
+    return { stem.seen().point(at_mm), stem.seen().heading_deg(at_mm) };
+}
+
+bool is_inclination(SketchLine const& line)
+{
+    return line.role == Role::Inclination || line.role == Role::HalfInclination;
+}
+
+// The stroke that has a half of the inclination line which crosses there: the one that passes
+// nearest, of those that reach out to its side. Null: none does.
+SketchLine const* line_with_half(PenSketch const& sketch, OnStem const& crossing, StemSide side,
+                                 double nearest_mm)
+{
+    SketchLine const* found = nullptr;
+    for (auto const& line : sketch.lines) {
+        if (!is_inclination(line))
+            continue;
+        auto const drawn = flat_line(line);
+        if (!drawn)
+            continue;
+        auto const points = drawn->points();
+        bool const reaches
+            = crossing.is_beside(side, points.front()) || crossing.is_beside(side, points.back());
+        double const away_mm = (drawn->point(drawn->nearest_mm(crossing.at)) - crossing.at).norm();
+        if (reaches && away_mm < nearest_mm) {
+            nearest_mm = away_mm;
+            found = &line;
+        }
+    }
+    return found;
+}
+
+Vec2 turned_about(Vec2 const& middle, Vec2 const& place, double by_deg)
+{
+    return middle + Eigen::Rotation2Dd(by_deg * std::numbers::pi / 180) * (place - middle);
+}
+
+double angle_of(Inclination const& line, StemSide side)
+{
+    return side == StemSide::Left ? line.left_deg : line.right_deg;
+}
+
+double size_at(Construction const& construction, double x, StemSide side)
+{
+    auto const values = values_at(construction, x);
+    return side == StemSide::Left ? values.left_size : values.right_size;
+}
+
+// What grows at a place of the stem, on its way to the boundary.
+struct Ray {
+    Vec2 from = Vec2::Zero();
+    Vec2 way = Vec2::UnitY();
+};
+
+Ray ray_at(Construction const& of, double x, StemSide side)
+{
+    auto const& lines = of.inclinations;
+    auto const above = std::find_if(lines.begin(), lines.end(),
+                                    [&](Inclination const& line) { return line.x >= x; });
+    auto const& high = above == lines.end() ? lines.back() : *above;
+    auto const& low = above == lines.begin() || above == lines.end() ? high : *(above - 1);
+    double const gap = high.x - low.x;
+    double const share = gap > 0 ? (x - low.x) / gap : 0;
+    auto const stem = on_stem(of.stem, x);
+    double const angle_deg = std::lerp(angle_of(low, side), angle_of(high, side), share);
+    return { stem.at, direction(stem.heading_deg + sign_of(side) * angle_deg) };
+}
+
+// How far along a boundary the ray of each place meets it; no value where it misses it.
+std::vector<std::optional<double>> hits(Construction const& of, DrawnLine const& boundary,
+                                        StemSide side)
+{
+    std::vector<std::optional<double>> found;
+    for (auto const x : size_places(of)) {
+        auto const ray = ray_at(of, x, side);
+        auto const far_mm = boundary.nearest_hit_mm(ray.from, ray.way);
+        found.push_back(far_mm ? std::optional(boundary.nearest_mm(ray.from + *far_mm * ray.way))
+                               : std::nullopt);
+    }
+    return found;
+}
+
+// A smooth bump about a place of a line: 1 there, 0 from the next places on.
+struct Bump {
+    double at_mm = 0;
+    double before_mm = 0; // How far it reaches to both sides.
+    double behind_mm = 0;
+
+    double operator()(double place_mm) const
+    {
+        double const off = place_mm - at_mm;
+        double const share = std::min(1.0, std::fabs(off) / (off < 0 ? before_mm : behind_mm));
+        return (1 + std::cos(std::numbers::pi * share)) / 2;
+    }
+};
+
+Bump bump_at(std::vector<std::optional<double>> const& places, std::size_t number,
+             DrawnLine const& boundary)
+{
+    constexpr double kLeastReach = 0.05; // Of the line.
+    double const at = *places[number];
+    double before = at;
+    double behind = boundary.length_mm() - at;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (i == number || !places[i])
+            continue;
+        double const off = *places[i] - at;
+        (off < 0 ? before : behind) = std::min(off < 0 ? before : behind, std::fabs(off));
+    }
+    double const least = kLeastReach * boundary.length_mm();
+    return { at, std::max(before, least), std::max(behind, least) };
+}
+
+SketchLine const* boundary_of(PenSketch const& sketch, StemSide side)
+{
+    auto const role = side == StemSide::Left ? Role::Left : Role::Right;
+    auto const found = std::find_if(sketch.lines.rbegin(), sketch.lines.rend(),
+                                    [&](SketchLine const& line) { return line.role == role; });
+    return found == sketch.lines.rend() ? nullptr : &*found;
+}
+
+} // namespace
+
+Result<Construction> construction_of(PenSketch const& sketch)
+{
+    return measure_sketch(TRY(line_sketch(sketch)), Missing::Guessed);
+}
+
+Result<BentLine> with_angle(PenSketch const& sketch, std::size_t number, StemSide side,
+                            double angle_deg)
+{
+    TRY(refuse("an angle", angle_deg, kLeastAngle_deg, kGreatestAngle_deg));
+    auto const before = TRY(construction_of(sketch));
+    auto const missing = [] {
+        return fail(Fault::User, "no inclination line is drawn there: draw it across the stem");
+    };
+    if (number >= before.inclinations.size())
+        return missing();
+    auto const& inclination = before.inclinations[number];
+    auto const crossing = on_stem(before.stem, inclination.x);
+    double const nearest_mm = kNearStem * before.stem.length_mm();
+    auto const* line = line_with_half(sketch, crossing, side, nearest_mm);
+    if (!line) {
+        side = other(side);
+        line = line_with_half(sketch, crossing, side, nearest_mm);
+    }
+    if (!line)
+        return missing();
+    double by_deg = 0;
+    double measured_deg = angle_of(inclination, side);
+    BentLine bent { line->id, line->stroke };
+    for (int round = 0; round < kMostRounds && std::fabs(angle_deg - measured_deg) > 0.01;
+         ++round) {
+        by_deg += angle_deg - measured_deg;
+        bent.stroke = TRY(moved(*line, [&](Vec2 const& place) {
+            return crossing.is_beside(side, place)
+                ? turned_about(crossing.at, place, sign_of(side) * by_deg)
+                : place;
+        }));
+        auto const after = TRY(construction_of(with_stroke(sketch, line->id, bent.stroke)));
+        if (number >= after.inclinations.size())
+            return missing();
+        measured_deg = angle_of(after.inclinations[number], side);
+    }
+    return bent;
+}
+
+std::vector<double> size_places(Construction const& construction)
+{
+    std::vector<double> places;
+    for (auto const& line : construction.inclinations) {
+        if (!places.empty())
+            places.push_back((places.back() + line.x) / 2);
+        places.push_back(line.x);
+    }
+    return places;
+}
+
+Result<BentLine> with_size(PenSketch const& sketch, std::size_t place, StemSide side, double size)
+{
+    TRY(refuse("a size", size, kLeastSize, kGreatestSize));
+    auto const before = TRY(construction_of(sketch));
+    auto const* boundary = boundary_of(sketch, side);
+    if (!boundary) {
+        side = other(side);
+        boundary = boundary_of(sketch, side);
+    }
+    if (!boundary)
+        return fail(Fault::User, "there is no boundary: draw the line that the organs' tips reach");
+    auto const drawn = TRY(flat_line(*boundary));
+    auto const places = hits(before, drawn, side);
+    if (place >= places.size() || !places[place])
+        return fail(Fault::User,
+                    "what grows there misses the boundary: draw the boundary where it points");
+    auto const ray = ray_at(before, size_places(before)[place], side);
+    double const far_mm = (drawn.point(*places[place]) - ray.from).norm();
+    auto const bump = bump_at(places, place, drawn);
+    double const x = size_places(before)[place];
+    double factor = 1;
+    double measured = size_at(before, x, side);
+    BentLine bent { boundary->id, boundary->stroke };
+    for (int round = 0; round < kMostRounds && std::fabs(size - measured) > 1e-4 && measured > 0;
+         ++round) {
+        factor *= size / measured;
+        bent.stroke = TRY(moved(*boundary, [&](Vec2 const& tip) -> Vec2 {
+            return tip + bump(drawn.nearest_mm(tip)) * (factor - 1) * far_mm * ray.way;
+        }));
+        measured = size_at(TRY(construction_of(with_stroke(sketch, boundary->id, bent.stroke))), x,
+                           side);
+    }
+    return bent;
+}
+
+} // namespace tractus::lines

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/methods/construction_lines/pen_sketch.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace tractus::lines {
+
+// Setting a sketch's functions by their values: its lines follow, as if a hand had drawn them again
+// there and nowhere else.
+
+enum class StemSide { Left, Right };
+
+constexpr double kLeastAngle_deg = 2;
+constexpr double kGreatestAngle_deg = 175;
+constexpr double kLeastSize = 0.01; // Shares of the stem's length.
+constexpr double kGreatestSize = 2;
+
+// A line of a sketch with the tips that it is to have.
+struct BentLine {
+    ItemId line = 0;
+    Stroke stroke {};
+};
+
+// The sketch as measure_sketch() takes it with Missing::Guessed.
+Result<Construction> construction_of(PenSketch const& sketch);
+
+// Turns one half of an inclination line about where it crosses the stem, so that what grows along
+// it leaves the stem at this angle, as it is seen (Inclination). `number` is the line's among the
+// construction's. Where only the other half is drawn, that one is turned. Fails, as the user's
+// fault, where nobody has drawn that line, and where the sketch would give no plant.
+Result<BentLine> with_angle(PenSketch const& sketch, std::size_t number, StemSide side,
+                            double angle_deg);
+
+// Places along the stem at which sizes can be set: at the inclination lines, and in the middle
+// between them. From below.
+std::vector<double> size_places(Construction const& construction);
+
+// Moves the boundary to or from the stem, along the ray of what grows at one of those places, so
+// that its size there is this share of the stem's length; what the boundary is at the next places
+// stays. Where only the other boundary is drawn, that one is moved. Fails like with_angle(), and
+// where the ray misses the boundary.
+Result<BentLine> with_size(PenSketch const& sketch, std::size_t place, StemSide side, double size);
+
+} // namespace tractus::lines

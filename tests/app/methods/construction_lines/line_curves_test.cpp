@@ -1,0 +1,123 @@
+#include "app/methods/construction_lines/line_curves.h"
+
+#include "app/document/document.h"
+#include "app/methods/construction_lines/line_tool.h"
+#include "app/methods/construction_lines/touched_sketch.h"
+#include "app/tools/tool.h"
+#include "engine/methods/construction_lines/bend_lines.h"
+#include "tests/app/small_model.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace tractus {
+namespace {
+
+// A stem of 120 mm, both boundaries, and two lines across.
+Scene frond_scene()
+{
+    Document document(Scene {}, Document::Working::AtOnce);
+    for (auto const& stroke :
+         { stroke_through({ { 0, -60, 50 }, { 0, 60, 50 } }),
+           stroke_through({ { -30, -62, 50 }, { -35, 0, 50 }, { -15, 68, 50 } }),
+           stroke_through({ { 25, -58, 50 }, { 30, 10, 50 }, { 22, 70, 50 } }),
+           stroke_through({ { -50, -30, 50 }, { 0, -45, 50 }, { 40, -20, 50 } }),
+           stroke_through({ { -40, 70, 50 }, { 0, 35, 50 }, { 45, 72, 50 } }) })
+        document.draw({ stroke, LineTool { .nodes = 6 } });
+    EXPECT_EQ(document.take_drawn().size(), 5u);
+    return document.newest()->scene;
+}
+
+lines::Construction measured(Scene const& scene)
+{
+    return lines::construction_of(active_sketch(scene).value().sketch).value();
+}
+
+Glyph::Handle const& handle_that_says(Glyph const& glyph, std::string_view beginning)
+{
+    return *std::find_if(
+        glyph.handles.begin(), glyph.handles.end(),
+        [&](Glyph::Handle const& handle) { return handle.says.starts_with(beginning); });
+}
+
+Scene dragged(Scene const& scene, std::size_t handle, Vec2 const& to)
+{
+    auto const edits = kLineCurves.drag(scene, handle, to);
+    EXPECT_TRUE(edits) << edits.error().message;
+    return edits ? apply_edits(scene, *edits).value() : scene;
+}
+
+TEST(LineCurves, HaveHandlesOnTheCurves)
+{
+    auto const scene = frond_scene();
+    auto const glyph = kLineCurves.show(scene);
+    ASSERT_TRUE(glyph);
+    EXPECT_EQ(glyph->handles.size(), 2u * 2 + 2 * 3 + 2) << "two lines, three places, one layer";
+    std::set<std::size_t> ids;
+    for (auto const& handle : glyph->handles) {
+        EXPECT_TRUE(ids.insert(handle.id).second);
+        EXPECT_LE(handle.place.cwiseAbs().maxCoeff(), 1);
+        EXPECT_FALSE(handle.says.empty());
+    }
+    auto const angles = measured(scene).inclinations;
+    EXPECT_EQ(handle_that_says(*glyph, "Line 1, left").says,
+              fmt::format("Line 1, left: {:.0f}\u00b0", angles[0].left_deg));
+    EXPECT_FALSE(kLineCurves.show(small_scene())) << "of a plant that is drawn otherwise";
+}
+
+TEST(LineCurves, SetAnAngleToAWholeDegree)
+{
+    auto const scene = frond_scene();
+    auto const glyph = kLineCurves.show(scene).value();
+    auto const handle = handle_that_says(glyph, "Line 2, right");
+    auto const before = measured(scene).inclinations[1].right_deg;
+    auto const after
+        = measured(dragged(scene, handle.id, handle.place + Vec2(0.1, 0.3))).inclinations[1];
+    EXPECT_GT(after.right_deg, before + 20);
+    EXPECT_NEAR(after.right_deg, std::round(after.right_deg), 0.05);
+}
+
+TEST(LineCurves, SetASizeToAWholeHundredth)
+{
+    auto const scene = frond_scene();
+    auto const glyph = kLineCurves.show(scene).value();
+    auto const handle = handle_that_says(glyph, "Size left");
+    auto const changed = dragged(scene, handle.id, handle.place + Vec2(-0.05, 0));
+    auto const x = lines::size_places(measured(scene))[0];
+    double const before = lines::values_at(measured(scene), x).left_size;
+    double const after = lines::values_at(measured(changed), x).left_size;
+    EXPECT_GT(after, before + 0.05) << "outwards";
+    EXPECT_NEAR(100 * after, std::round(100 * after), 0.1);
+}
+
+TEST(LineCurves, HaveButtonsForALayersNodes)
+{
+    auto scene = frond_scene();
+    auto const press = [&](char const* sign) {
+        auto const glyph = kLineCurves.show(scene).value();
+        auto const handle = std::find_if(
+            glyph.handles.begin(), glyph.handles.end(),
+            [&](Glyph::Handle const& each) { return std::string_view(each.sign) == sign; });
+        ASSERT_TRUE(handle->is_button);
+        scene = dragged(scene, handle->id, handle->place);
+    };
+    press("+");
+    EXPECT_EQ(measured(scene).nodes_per_layer[0], 7);
+    press("-");
+    press("-");
+    EXPECT_EQ(measured(scene).nodes_per_layer[0], 5);
+    EXPECT_FALSE(kLineCurves.drag(small_scene(), 0, Vec2(0, 0)));
+}
+
+// What is not there any more is refused, whatever its number.
+TEST(LineCurves, RefuseHandlesThatNothingHas)
+{
+    auto const scene = frond_scene();
+    for (std::size_t const handle : { 8u * 50, 8u * 50 + 2, 8u * 50 + 4 })
+        EXPECT_FALSE(kLineCurves.drag(scene, handle, Vec2(0.3, 0)));
+}
+
+} // namespace
+} // namespace tractus
