@@ -25,6 +25,44 @@ GlbColumn open_column(GlbStream& stream, NumberFormat const& format, std::size_t
              stream.open_block(count * static_cast<std::size_t>(format.element_bytes)) };
 }
 
+GlbColumn open_compressed_column(GlbStream& stream, GltfJson& json, NumberFormat const& format,
+                                 std::size_t count, std::size_t compressed_bytes)
+{
+    GlbColumn const column { format, count, stream.open_block(compressed_bytes),
+                             json.fallback_bytes };
+    json.required_extensions.insert("EXT_meshopt_compression");
+    json.fallback_bytes += (count * column.element_bytes() + 3) / 4 * 4;
+    return column;
+}
+
+static Json compression_json(GlbColumn const& column)
+{
+    bool const are_indices = column.format.codec == Codec::Indices;
+    Json compression { { "buffer", 0 },
+                       { "byteOffset", column.block.start },
+                       { "byteLength", column.block.size },
+                       { "byteStride", column.element_bytes() },
+                       { "count", column.count },
+                       { "mode", are_indices ? "INDICES" : "ATTRIBUTES" } };
+    if (column.format.codec == Codec::Octahedral)
+        compression["filter"] = "OCTAHEDRAL";
+    if (column.format.codec == Codec::Exponential)
+        compression["filter"] = "EXPONENTIAL";
+    return { { "EXT_meshopt_compression", std::move(compression) } };
+}
+
+static std::size_t add_view(GltfJson& json, GlbColumn const& column, Json const& more)
+{
+    if (!column.decompressed_start)
+        return add_view(json, column.block, more);
+    Json view { { "buffer", 1 },
+                { "byteOffset", *column.decompressed_start },
+                { "byteLength", column.count * column.element_bytes() } };
+    view.update(more);
+    view["extensions"] = compression_json(column);
+    return json.buffer_views.add(view);
+}
+
 std::size_t add_view(GltfJson& json, GlbStream::Block const& block, Json const& more)
 {
     Json view { { "buffer", 0 }, { "byteOffset", block.start }, { "byteLength", block.size } };
@@ -34,7 +72,7 @@ std::size_t add_view(GltfJson& json, GlbStream::Block const& block, Json const& 
 
 std::size_t add_accessor(GltfJson& json, GlbColumn const& column, int target, Json const& more)
 {
-    auto const& [format, count, block] = column;
+    auto const& format = column.format;
     auto of_view = Json::object();
     // Elements that are padded to four bytes say how far they are apart.
     if (format.components == 3 && format.type != ComponentType::Float)
@@ -42,8 +80,8 @@ std::size_t add_accessor(GltfJson& json, GlbColumn const& column, int target, Js
     if (target != kNoTarget)
         of_view["target"] = target;
     Json accessor;
-    accessor["bufferView"] = add_view(json, block, of_view);
-    accessor.update(accessor_json(format, count));
+    accessor["bufferView"] = add_view(json, column, of_view);
+    accessor.update(accessor_json(format, column.count));
     accessor.update(more);
     return json.accessors.add(accessor);
 }

@@ -5,6 +5,8 @@
 #include "engine/export/piece_encoder.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 
 namespace tractus {
@@ -19,10 +21,19 @@ struct GlbColumn {
     NumberFormat format {};
     std::size_t count = 0;
     GlbStream::Block block {};
+    // Where it lies, decompressed, in the buffer that is not there. No value if it is not
+    // compressed.
+    std::optional<std::uint64_t> decompressed_start {};
+
+    std::uint64_t element_bytes() const { return static_cast<std::uint64_t>(format.element_bytes); }
 };
 
 // Makes room at the end of the binary chunk.
 GlbColumn open_column(GlbStream& stream, NumberFormat const& format, std::size_t count);
+
+// Likewise for elements that take so many bytes, compressed by their format's codec.
+GlbColumn open_compressed_column(GlbStream& stream, GltfJson& json, NumberFormat const& format,
+                                 std::size_t count, std::size_t compressed_bytes);
 
 // Adds a buffer view, with the members of `more`. Returns its index.
 std::size_t add_view(GltfJson& json, GlbStream::Block const& block,

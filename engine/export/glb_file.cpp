@@ -1,5 +1,6 @@
 #include "engine/export/glb_file.h"
 
+#include "engine/export/compressed_piece.h"
 #include "engine/export/gltf_frame.h"
 #include "engine/export/tangents.h"
 
@@ -13,6 +14,16 @@ namespace {
 
 // 65,535 is no index: it restarts strips (section 3.7.2.1).
 constexpr std::size_t kMostShortVertices = 65535;
+// Most vertices of a branch have the same numbers for the wind.
+constexpr std::uint64_t kWindCompression = 8;
+
+auto fail_large(PlacedMesh const& placed)
+{
+    return fail(Fault::User,
+                fmt::format("plant {} would make the glTF file larger than 4 GiB: "
+                            "write fewer plants to a file",
+                            json_text(placed.name)));
+}
 
 auto fail_infinite(char const* what)
 {
@@ -28,10 +39,16 @@ std::uint64_t rounded_up(std::uint64_t bytes)
 std::uint64_t triangle_bytes(MeshExtent const& extent, SurfaceFormat const& format)
 {
     auto const vertex_bytes = format.positions().element_bytes + format.normals().element_bytes
-        + SurfaceFormat::texture_coordinates().element_bytes
+        + format.texture_coordinates().element_bytes
         + (format.tangents ? format.tangent_vectors().element_bytes : 0);
     return extent.vertices * static_cast<std::uint64_t>(vertex_bytes)
         + rounded_up(extent.indices * static_cast<std::uint64_t>(format.indices().element_bytes));
+}
+
+// Bytes that trees and collections of plants have taken, on average.
+std::uint64_t compressed_triangle_bytes(MeshExtent const& extent, SurfaceFormat const& format)
+{
+    return extent.vertices * (format.tangents ? 11 : 9) + extent.indices;
 }
 
 MeshExtent extent_of(TriangleMesh const& mesh)
@@ -60,6 +77,16 @@ std::string level_name(LevelInFile const& level)
     return level.number == 0 ? name : fmt::format("{} level {}", name, level.number);
 }
 
+void encode_prototype(TriangleView const& triangles, SurfaceFormat format, bool compressed,
+                      EncodedPiece& piece)
+{
+    if (compressed)
+        format.short_indices = false; // As the codec takes them.
+    encode_triangles(triangles, format, piece);
+    if (compressed)
+        compress_triangles(format, {}, piece);
+}
+
 // Lists the coverage of all levels.
 Json coverages(PlacedMesh const& placed)
 {
@@ -73,7 +100,8 @@ Json coverages(PlacedMesh const& placed)
 
 SurfaceFormat PlantFormat::of(MeshPieces const& plant, MeshPieces::Surface const& surface) const
 {
-    auto format = with_indices_for(vertices, surface.extent.vertices);
+    auto format
+        = vertices.filtered ? vertices : with_indices_for(vertices, surface.extent.vertices);
     format.tangents = plant.has_tangents(surface.material);
     return format;
 }
@@ -82,24 +110,27 @@ PlantFormat plant_format(MeshPieces const& plant, GlbOptions const& options)
 {
     if (options.vertices == GlbOptions::Vertices::Float)
         return {};
-    return { quantized_format(plant.bounds_mm()), { .quantized = true } };
+    PlantFormat format { quantized_format(plant.bounds_mm()), { .quantized = true } };
+    format.vertices.filtered = options.vertices == GlbOptions::Vertices::Compressed;
+    return format;
 }
 
 std::uint64_t glb_bytes(MeshPieces const& plant, GlbOptions const& options)
 {
-    bool const quantized = options.vertices == GlbOptions::Vertices::Quantized;
+    bool const quantized = options.vertices != GlbOptions::Vertices::Float;
+    bool const compressed = options.vertices == GlbOptions::Vertices::Compressed;
+    auto const bytes_of = compressed ? compressed_triangle_bytes : triangle_bytes;
     std::uint64_t bytes = plant.picture_png().size();
     auto const wind = [&](GlbOptions::Wind channels) {
         std::uint64_t of_one = 0;
         for (auto const& stream : wind_streams(channels))
             of_one += static_cast<std::uint64_t>(stream.format.element_bytes);
-        return plant.has_wind() ? of_one : 0;
+        return plant.has_wind() ? of_one / (compressed ? kWindCompression : 1) : 0;
     };
     for (auto const& surface : plant.surfaces())
         bytes += surface.extent.vertices * wind(options.wind)
-            + triangle_bytes(
-                     surface.extent,
-                     PlantFormat { .vertices = { .quantized = quantized } }.of(plant, surface));
+            + bytes_of(surface.extent,
+                       PlantFormat { .vertices = { .quantized = quantized } }.of(plant, surface));
     InstanceFormat const format { .quantized = quantized };
     auto const instance_bytes = format.translations().element_bytes
         + format.rotations().element_bytes + format.scales().element_bytes;
@@ -108,7 +139,7 @@ std::uint64_t glb_bytes(MeshPieces const& plant, GlbOptions const& options)
     for (auto const& organ : plant.organs()) {
         auto const extent = extent_of(organ.prototype);
         SurfaceFormat const vertices { .tangents = plant.has_tangents(organ.prototype.material) };
-        bytes += triangle_bytes(extent, with_indices_for(vertices, extent.vertices))
+        bytes += bytes_of(extent, with_indices_for(vertices, extent.vertices))
             + organ.instances.size() * organ_bytes;
     }
     return bytes;
@@ -126,17 +157,15 @@ Result<void> GlbFile::begin_level(LevelInFile const& level, MeshPieces const& pl
                                   PlantFormat const& format)
 {
     auto const& placed = *level.placed;
-    if (stream_.file_bytes() + glb_bytes(plant, options_) > kMaxGlbBytes)
-        return fail(Fault::User,
-                    fmt::format("plant {} would make the glTF file larger than 4 GiB: "
-                                "write fewer plants to a file",
-                                json_text(placed.name)));
+    if (!is_compressed() && stream_.file_bytes() + glb_bytes(plant, options_) > kMaxGlbBytes)
+        return fail_large(placed);
     if (!placed.position_mm.allFinite() || !std::isfinite(placed.rotation_rad))
         return fail_infinite("a plant's place");
     level_ = level;
     plant_ = &plant;
     format_ = format;
     primitives_ = Json::array();
+    open_index_.reset();
     children_.clear();
     if (level.number == 0) {
         summary_.triangles += plant.triangle_count();
@@ -147,22 +176,42 @@ Result<void> GlbFile::begin_level(LevelInFile const& level, MeshPieces const& pl
 
 // The binary part.
 
-GlbFile::Columns GlbFile::open_triangles(MeshExtent const& extent, SurfaceFormat const& format)
+GlbColumn GlbFile::open(NumberFormat const& format, std::size_t count, std::size_t stream,
+                        EncodedPiece const& piece)
+{
+    if (!is_compressed())
+        return open_column(stream_, format, count);
+    return open_compressed_column(stream_, json_, format, count, piece.streams[stream].size());
+}
+
+GlbFile::Columns GlbFile::open_triangles(MeshExtent const& extent, SurfaceFormat const& format,
+                                         EncodedPiece const& piece)
 {
     Columns columns;
-    columns[0] = open_column(stream_, format.positions(), extent.vertices);
-    columns[1] = open_column(stream_, format.normals(), extent.vertices);
-    columns[2] = open_column(stream_, SurfaceFormat::texture_coordinates(), extent.vertices);
-    columns[3] = open_column(stream_, format.indices(), extent.indices);
+    columns[0] = open(format.positions(), extent.vertices, 0, piece);
+    columns[1] = open(format.normals(), extent.vertices, 1, piece);
+    columns[2] = open(format.texture_coordinates(), extent.vertices, 2, piece);
+    columns[3] = open(format.indices(), extent.indices, 3, piece);
     if (format.tangents)
-        columns[4] = open_column(stream_, format.tangent_vectors(), extent.vertices);
+        columns[4] = open(format.tangent_vectors(), extent.vertices, 4, piece);
     return columns;
 }
 
-void GlbFile::open_wind(Columns& columns, std::span<WindStream const> streams, std::size_t count)
+GlbFile::Columns GlbFile::open_instances(std::size_t count, EncodedPiece const& piece)
+{
+    Columns columns;
+    columns[0] = open(InstanceFormat::translations(), count, 0, piece);
+    columns[1] = open(format_.instances.rotations(), count, 1, piece);
+    columns[2] = open(InstanceFormat::scales(), count, 2, piece);
+    open_wind(columns, wind_streams(GlbOptions::Wind::Attributes), count, piece);
+    return columns;
+}
+
+void GlbFile::open_wind(Columns& columns, std::span<WindStream const> streams, std::size_t count,
+                        EncodedPiece const& piece)
 {
     for (std::size_t i = 0; plant_->has_wind() && i < streams.size(); ++i)
-        columns[kFirstWindStream + i] = open_column(stream_, streams[i].format, count);
+        columns[kFirstWindStream + i] = open(streams[i].format, count, kFirstWindStream + i, piece);
 }
 
 void GlbFile::add_wind(Json& attributes, Columns const& columns,
@@ -191,26 +240,42 @@ Json GlbFile::add_primitive(Columns const& columns, EncodedPiece const& limits,
     return primitive;
 }
 
+// Compressed pieces are primitives of their own.
 Result<void> GlbFile::add_surface_piece(std::size_t index, bool is_last, EncodedPiece const& piece)
 {
     auto const& surface = plant_->surfaces()[index];
-    if (!open_) {
+    if (!open_index_)
         open_index_ = plant_->picture_png().empty()
             ? materials_.index_of(plant_->material(surface.material))
             : materials_.add_picture(plant_->picture_png());
-        open_ = open_triangles(surface.extent, format_.of(*plant_, surface));
-        open_wind(*open_, wind_streams(options_.wind), surface.extent.vertices);
-        limits_ = {};
-    }
     if (!piece.is_finite)
         return fail_infinite("a coordinate");
+    // Of a mesh with many vertices that it does not use, pieces may have no triangles.
+    bool const has_triangles = !is_compressed() || piece.extent.indices > 0;
+    if (!open_ && has_triangles) {
+        auto const& extent = is_compressed() ? piece.extent : surface.extent;
+        open_ = open_triangles(
+            extent, with_indices_for(format_.of(*plant_, surface), extent.vertices), piece);
+        open_wind(*open_, wind_streams(options_.wind), extent.vertices, piece);
+        limits_ = {};
+    }
     limits_.low = limits_.low.cwiseMin(piece.low);
     limits_.high = limits_.high.cwiseMax(piece.high);
-    write(*open_, piece);
-    if (is_last) {
-        primitives_.push_back(add_primitive(*open_, limits_, open_index_));
+    if (open_)
+        write(*open_, piece);
+    if (open_ && (is_last || is_compressed())) {
+        primitives_.push_back(add_primitive(*open_, limits_, *open_index_));
         open_.reset();
     }
+    if (is_last)
+        open_index_.reset();
+    return check();
+}
+
+Result<void> GlbFile::check() const
+{
+    if (stream_.file_bytes() > kMaxGlbBytes)
+        return fail_large(*level_.placed);
     return stream_.check();
 }
 
@@ -240,10 +305,10 @@ Result<std::size_t> GlbFile::prototype_index(TriangleMesh const& prototype)
         triangles.tangents = tangents;
     }
     EncodedPiece encoded;
-    encode_triangles(triangles, format, encoded);
+    encode_prototype(triangles, format, is_compressed(), encoded);
     if (!encoded.is_finite)
         return fail_infinite("a coordinate of an organ");
-    auto columns = open_triangles(extent_of(prototype), format);
+    auto columns = open_triangles(extent_of(prototype), format, encoded);
     write(columns, encoded);
     auto const index = json_.meshes.add(
         { { "name", material.name },
@@ -252,40 +317,43 @@ Result<std::size_t> GlbFile::prototype_index(TriangleMesh const& prototype)
     return index;
 }
 
+// Compressed pieces are nodes of their own.
 Result<void> GlbFile::add_instances(std::size_t index, bool is_last, EncodedPiece const& piece)
 {
     auto const& organ = plant_->organs()[index];
     if (!piece.is_finite)
         return fail_infinite("an organ's place");
-    if (!open_) {
+    if (!open_index_)
         open_index_ = TRY(prototype_index(organ.prototype));
-        if (options_.organs == GlbOptions::Organs::Nodes) {
-            add_organ_nodes(open_index_, organ.instances, plant_->organ_wind(index));
-            return stream_.check();
+    if (options_.organs == GlbOptions::Organs::Nodes) {
+        add_organ_nodes(*open_index_, organ.instances, plant_->organ_wind(index));
+    } else {
+        if (!open_)
+            open_ = open_instances(is_compressed() ? piece.extent.vertices : organ.instances.size(),
+                                   piece);
+        write(*open_, piece);
+        if (is_last || is_compressed()) {
+            add_instanced_node(*open_);
+            open_.reset();
         }
-        open_ = Columns();
-        auto& columns = *open_;
-        columns[0] = open_column(stream_, InstanceFormat::translations(), organ.instances.size());
-        columns[1] = open_column(stream_, format_.instances.rotations(), organ.instances.size());
-        columns[2] = open_column(stream_, InstanceFormat::scales(), organ.instances.size());
-        open_wind(columns, wind_streams(GlbOptions::Wind::Attributes), organ.instances.size());
     }
-    write(*open_, piece);
-    if (!is_last)
-        return stream_.check();
+    if (is_last)
+        open_index_.reset();
+    return check();
+}
+
+void GlbFile::add_instanced_node(Columns const& columns)
+{
     json_.required_extensions.insert("EXT_mesh_gpu_instancing");
-    auto const& columns = *open_;
     Json attributes;
     attributes["TRANSLATION"] = add_accessor(json_, columns[0], kNoTarget);
     attributes["ROTATION"] = add_accessor(json_, columns[1], kNoTarget);
     attributes["SCALE"] = add_accessor(json_, columns[2], kNoTarget);
     add_wind(attributes, columns, wind_streams(GlbOptions::Wind::Attributes), kNoTarget);
     Json node;
-    node["mesh"] = open_index_;
+    node["mesh"] = *open_index_;
     node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = std::move(attributes);
     add_child(node);
-    open_.reset();
-    return stream_.check();
 }
 
 void GlbFile::add_organ_nodes(std::size_t mesh, std::span<InstanceTransform const> instances,

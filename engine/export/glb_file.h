@@ -27,7 +27,8 @@ struct PlantFormat {
 
 PlantFormat plant_format(MeshPieces const& plant, GlbOptions const& options);
 
-// Bytes that a plant takes in the binary chunk, textures of materials not counted.
+// Bytes that a plant takes in the binary chunk, textures of materials not counted; about as many if
+// it is compressed.
 std::uint64_t glb_bytes(MeshPieces const& plant, GlbOptions const& options);
 
 // A plant as it comes into a file, once for each of its levels of detail.
@@ -64,8 +65,15 @@ public:
 private:
     using Columns = std::array<GlbColumn, kMostStreams>;
 
-    Columns open_triangles(MeshExtent const& extent, SurfaceFormat const& format);
-    void open_wind(Columns& columns, std::span<WindStream const> streams, std::size_t count);
+    bool is_compressed() const { return options_.vertices == GlbOptions::Vertices::Compressed; }
+    // Of a stream of `piece`, which is all of the column if it is compressed.
+    GlbColumn open(NumberFormat const& format, std::size_t count, std::size_t stream,
+                   EncodedPiece const& piece);
+    Columns open_triangles(MeshExtent const& extent, SurfaceFormat const& format,
+                           EncodedPiece const& piece);
+    Columns open_instances(std::size_t count, EncodedPiece const& piece);
+    void open_wind(Columns& columns, std::span<WindStream const> streams, std::size_t count,
+                   EncodedPiece const& piece);
     void add_wind(Json& attributes, Columns const& columns, std::span<WindStream const> streams,
                   int target);
     void write(Columns& columns, EncodedPiece const& piece);
@@ -73,7 +81,9 @@ private:
     Result<std::size_t> prototype_index(TriangleMesh const& prototype);
     void add_organ_nodes(std::size_t mesh, std::span<InstanceTransform const> instances,
                          std::span<WindVertex const> wind);
+    void add_instanced_node(Columns const& columns);
     void add_surfaces(Json& node);
+    Result<void> check() const;
     void add_child(Json const& node);
 
     GlbStream stream_;
@@ -92,10 +102,10 @@ private:
     Json primitives_;
     std::vector<std::size_t> children_;
     Json finest_; // Its plant's node, to which the coarser ones are yet to be added.
-    std::vector<std::size_t> coarser_; // Nodes of the coarser levels.
-    std::optional<Columns> open_;      // The surface or organ whose pieces are coming.
-    EncodedPiece limits_;              // Limits of its positions so far.
-    std::size_t open_index_ = 0;       // Its material, or its prototype.
+    std::vector<std::size_t> coarser_;      // Nodes of the coarser levels.
+    std::optional<Columns> open_;           // The surface or organ whose pieces are coming.
+    EncodedPiece limits_;                   // Limits of its positions so far.
+    std::optional<std::size_t> open_index_; // Its material, or its prototype.
 };
 
 } // namespace tractus

@@ -140,7 +140,7 @@ Result<void> FilmWriter::add_surface(TriangleMesh const& surface)
     std::array<GlbColumn, kTriangleColumns> columns {
         open_column(stream_, kVectors, vertices),
         open_column(stream_, kVectors, vertices),
-        open_column(stream_, SurfaceFormat::texture_coordinates(), vertices),
+        open_column(stream_, format.texture_coordinates(), vertices),
         open_column(stream_, format.indices(), surface.indices.size()),
     };
     if (format.tangents)

@@ -1,12 +1,14 @@
 #include "engine/export/glb_writer.h"
 
 #include "engine/base/parallel.h"
+#include "engine/export/compressed_piece.h"
 #include "engine/export/glb_file.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace tractus {
@@ -23,7 +25,9 @@ std::unique_ptr<MeshPieces const> pieces_for(MeshSource const& source, GlbOption
         options.organs == GlbOptions::Organs::Merged ? MeshPieces::Organs::Merged
                                                      : MeshPieces::Organs::Apart,
         options.textures == GlbOptions::Textures::Embedded ? MeshPieces::Tangents::ForRelief
-                                                           : MeshPieces::Tangents::Never);
+                                                           : MeshPieces::Tangents::Never,
+        options.vertices == GlbOptions::Vertices::Compressed ? MeshPieces::Cut::OwnMeshes
+                                                             : MeshPieces::Cut::OneSurface);
 }
 
 // A level of a plant on its way into the file. The pieces of it that are under way share it: the
@@ -148,12 +152,16 @@ private:
 void encode(Unit& unit, GlbOptions const& options)
 {
     auto const& plant = *unit.plant;
+    bool const compressed = options.vertices == GlbOptions::Vertices::Compressed;
     if (unit.kind == Unit::Kind::Surface) {
         auto const& surface = plant.pieces->surfaces()[unit.index];
-        encode_triangles(plant.pieces->piece(unit.index, unit.piece, unit.buffer),
-                         plant.format.of(*plant.pieces, surface), unit.encoded);
+        auto const format = plant.format.of(*plant.pieces, surface);
+        encode_triangles(plant.pieces->piece(unit.index, unit.piece, unit.buffer), format,
+                         unit.encoded);
         plant.pieces->wind(unit.index, unit.piece, unit.wind);
         encode_wind(unit.wind, options.wind, unit.encoded);
+        if (compressed)
+            compress_triangles(format, wind_streams(options.wind), unit.encoded);
     } else if (unit.kind == Unit::Kind::Organ) {
         std::span<InstanceTransform const> const all = plant.pieces->organs()[unit.index].instances;
         auto const first = all.size() * unit.piece / unit.piece_count;
@@ -162,6 +170,8 @@ void encode(Unit& unit, GlbOptions const& options)
         auto const wind = plant.pieces->organ_wind(unit.index);
         encode_wind(wind.empty() ? wind : wind.subspan(first, end - first),
                     GlbOptions::Wind::Attributes, unit.encoded);
+        if (compressed)
+            compress_instances(plant.format.instances, unit.encoded);
     }
 }
 
@@ -203,16 +213,36 @@ Result<void> write_plants(Units units, GlbOptions const& options, GlbFile& file)
 struct FirstPlant {
     std::unique_ptr<MeshPieces const> pieces {};
     std::uint64_t bytes = 0;
+    std::uint64_t compressed_bytes = 0; // As if it were compressed.
     std::uint64_t json_bytes = 0;
     std::uint64_t shared_json_bytes = 4000; // Materials and prototypes.
 };
 
+// How many primitives surfaces become, and nodes instances: each piece one if it is compressed.
+std::pair<std::size_t, std::size_t> counts_in_json(MeshPieces const& pieces,
+                                                   GlbOptions const& options)
+{
+    if (options.vertices != GlbOptions::Vertices::Compressed)
+        return { pieces.surfaces().size(), pieces.organs().size() };
+    std::size_t primitives = 0;
+    for (auto const& surface : pieces.surfaces())
+        primitives += surface.piece_count;
+    std::size_t nodes = 0;
+    for (auto const& organ : pieces.organs())
+        nodes += 2 + organ.instances.size() / kInstancesAtOnce; // Its prototype, too.
+    return { primitives, nodes };
+}
+
 void measure(MeshPieces const& pieces, GlbOptions const& options, FirstPlant& first)
 {
     first.bytes += glb_bytes(pieces, options);
+    auto compressed = options;
+    compressed.vertices = GlbOptions::Vertices::Compressed;
+    first.compressed_bytes += glb_bytes(pieces, compressed);
     auto const accessors = pieces.has_wind() ? 10u : 5u;
-    first.json_bytes += 600 + 350 * accessors * pieces.surfaces().size()
-        + 250 * accessors * pieces.organs().size();
+    auto const [primitives, nodes] = counts_in_json(pieces, options);
+    auto const more = options.vertices == GlbOptions::Vertices::Compressed ? 200u : 0u;
+    first.json_bytes += 600 + accessors * ((350 + more) * primitives + (250 + more) * nodes);
     if (options.organs == GlbOptions::Organs::Nodes)
         for (auto const& organ : pieces.organs())
             first.json_bytes += (pieces.has_wind() ? 420 : 220) * organ.instances.size();
@@ -255,7 +285,8 @@ Result<void> check_size(std::span<PlacedMesh const> plants, FirstPlant const& fi
     double certain = 0;
     double likely = 0;
     for (auto const& placed : plants)
-        if (std::holds_alternative<Mesh const*>(placed.mesh))
+        if (std::holds_alternative<Mesh const*>(placed.mesh)
+            && options.vertices != GlbOptions::Vertices::Compressed)
             certain += static_cast<double>(glb_bytes(*pieces_for(placed.mesh, options), options));
         else
             likely += static_cast<double>(first.bytes);
@@ -287,8 +318,9 @@ Result<GlbSummary> write_glb(std::ostream& out, std::span<PlacedMesh const> plan
         TRY(check_size(plants, first, options));
         room = guess_json_bytes(plants, first);
         if (options.before_writing)
-            options.before_writing(
-                { first.bytes * plants.size(), first.pieces->triangle_count() * plants.size() });
+            options.before_writing({ .bytes = first.bytes * plants.size(),
+                                     .triangles = first.pieces->triangle_count() * plants.size(),
+                                     .compressed_bytes = first.compressed_bytes * plants.size() });
     }
     while (true) {
         out.seekp(start);

@@ -16,6 +16,9 @@ constexpr std::uint64_t kMaxGlbBytes = 0xFFFFFFFF;
 struct GlbSummary {
     std::uint64_t bytes = 0;     // Size of the whole file.
     std::uint64_t triangles = 0; // As drawn: every instance counted, the finest level only.
+    // About what the file would take with Vertices::Compressed; before_writing() is told, nobody
+    // else.
+    std::uint64_t compressed_bytes = 0;
 };
 
 struct GlbOptions {
@@ -37,6 +40,9 @@ struct GlbOptions {
         Quantized, // KHR_mesh_quantization, which a reader must then know: 20 bytes each. Positions
                    // are rounded to 1/65,532 of the plant's size, normals to 8 bits, and rotations
                    // of organs to 16.
+        Compressed, // Quantized, and compressed by EXT_meshopt_compression, which a reader must
+                    // then know, too: about 13 bytes each with their triangles. Directions are
+                    // rounded to 1.3 degrees, texture coordinates to 1/4096.
     };
 
     // Where vertices keep what the wind needs, of plants that have it; those of merged organs, too.
@@ -63,10 +69,10 @@ struct GlbOptions {
 };
 
 // Writes plants as one binary glTF 2.0 file: metres, +y up, a node and a mesh per plant, which has
-// a primitive for each material, organs as the options say. Materials, prototypes and textures that
-// are equal are there once. Levels of detail are MSFT_lod's: nodes of their own, with the
-// least shares of the screen's area in the plant's extras (MSFT_screencoverage). Same input, same
-// bytes.
+// a primitive for each material (several if it is compressed), organs as the options say.
+// Materials, prototypes and textures that are equal are there once. Levels of detail are
+// MSFT_lod's: nodes of their own, with the least shares of the screen's area in the plant's extras
+// (MSFT_screencoverage). Same input, same bytes.
 //
 // Plants are written one after another, each in pieces: while one piece is written others are made
 // on other threads. A plant given as PlantToMesh is meshed in those pieces, so that memory holds
@@ -76,11 +82,13 @@ struct GlbOptions {
 //
 // Fails if the stream fails (a full disk), if a coordinate is not finite, and if the file would
 // pass glTF's limit of 4 GiB: before anything is written when that is certain from plants that are
-// given, or likely from the first one; otherwise before the plant that would pass it.
+// given, or likely from the first one; otherwise before the plant that would pass it, or in the
+// midst of it if it is compressed.
 Result<GlbSummary> write_glb(std::ostream& out, std::span<PlacedMesh const> plants,
                              GlbOptions const& options = {});
 
-// Bytes that a mesh will take in such a file, JSON and textures not counted.
+// Bytes that a mesh will take in such a file, JSON and textures not counted; about as many if it is
+// compressed.
 std::uint64_t glb_bytes(Mesh const& mesh, GlbOptions const& options = {});
 
 } // namespace tractus

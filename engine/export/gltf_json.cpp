@@ -77,8 +77,15 @@ std::string GltfJson::text(std::uint64_t buffer_bytes) const
     add_array("samplers", samplers);
     add_array("accessors", accessors);
     add_array("bufferViews", buffer_views);
+    auto buffers = Json::array();
     if (buffer_bytes > 0)
-        add("buffers", Json::array({ { { "byteLength", buffer_bytes } } }));
+        buffers.push_back({ { "byteLength", buffer_bytes } });
+    if (fallback_bytes > 0)
+        buffers.push_back(
+            { { "byteLength", fallback_bytes },
+              { "extensions", { { "EXT_meshopt_compression", { { "fallback", true } } } } } });
+    if (!buffers.empty())
+        add("buffers", buffers);
     text += '}';
     return text;
 }

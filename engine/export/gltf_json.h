@@ -53,8 +53,11 @@ struct GltfJson {
     // Extensions that a reader must know, and those that it may pass over.
     std::set<std::string> required_extensions;
     std::set<std::string> optional_extensions;
+    // Bytes of the second buffer, which is not there: compressed views say that they lie in it
+    // decompressed.
+    std::uint64_t fallback_bytes = 0;
 
-    // The document, with a buffer of so many bytes.
+    // The document, with a buffer of so many bytes, and that one if it has any.
     std::string text(std::uint64_t buffer_bytes) const;
 };
 

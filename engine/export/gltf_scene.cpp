@@ -1,5 +1,6 @@
 #include "engine/export/gltf_scene.h"
 
+#include "engine/export/compressed_views.h"
 #include "engine/export/glb_accessor.h"
 
 #include <algorithm>
@@ -90,8 +91,8 @@ Result<void> check_extensions(tinygltf::Model const& model)
 {
     for (auto const& name : model.extensionsRequired) {
         bool const known = name == kInstancing || name == "KHR_mesh_quantization"
-            || name == "KHR_texture_transform" || name == "KHR_lights_punctual"
-            || name.starts_with("KHR_materials_");
+            || name == "EXT_meshopt_compression" || name == "KHR_texture_transform"
+            || name == "KHR_lights_punctual" || name.starts_with("KHR_materials_");
         if (!known)
             return fail_reading(
                 fmt::format("it needs the extension {}, which is not supported", name));
@@ -260,8 +261,10 @@ Result<tinygltf::Model> parse_glb(std::string_view bytes)
 {
     TRY(check_header(bytes));
     tinygltf::Model model;
-    TRY(load_json(bytes, model));
+    auto const compressed = TRY(find_compressed_views(bytes));
+    TRY(load_json(compressed.views.empty() ? bytes : compressed.glb, model));
     TRY(check_extensions(model));
+    TRY(decompress_views(compressed.views, model));
     return model;
 }
 

@@ -11,6 +11,7 @@ namespace tractus {
 namespace {
 
 constexpr std::size_t kPieceVertices = 12 << 10;
+constexpr std::size_t kPiecesOfOwnMesh = 4; // As many as 16-bit indices mostly reach.
 
 // Some of an organ's copies.
 struct Copies {
@@ -95,8 +96,9 @@ TriangleView view_of(TriangleMesh const& mesh, std::uint32_t first_vertex)
              .first_vertex = first_vertex };
 }
 
-MeshPieces::MeshPieces(MeshSource const& source, Organs organs, Tangents tangents)
+MeshPieces::MeshPieces(MeshSource const& source, Organs organs, Tangents tangents, Cut cut)
     : is_merged_(organs == Organs::Merged)
+    , has_own_meshes_(cut == Cut::OwnMeshes)
     , has_tangents_(tangents == Tangents::ForRelief)
 {
     auto const* const to_mesh = std::get_if<PlantToMesh>(&source);
@@ -135,7 +137,7 @@ void MeshPieces::use_mesh(Mesh const& mesh)
     mesh_ = &mesh;
     for (auto const& surface : mesh.surfaces)
         add_surface(surface.material, { surface.positions_mm.size(), surface.indices.size() },
-                    (surface.positions_mm.size() + kPieceVertices - 1) / kPieceVertices);
+                    (surface.positions_mm.size() + piece_vertices() - 1) / piece_vertices());
 }
 
 void MeshPieces::use_plant(Plant const& plant, PlantToMesh const& source)
@@ -149,7 +151,20 @@ void MeshPieces::use_plant(Plant const& plant, PlantToMesh const& source)
         for (auto const& organ : plant.organs)
             organ_wind_[organ.shape].push_back(wind_at(plant, organ.segment, *wind_));
     for (auto const& surface : plan_->surfaces())
-        add_surface(surface.material, surface.extent, surface.piece_count());
+        add_surface(surface.material, surface.extent,
+                    has_own_meshes_
+                        ? (surface.piece_count() + kPiecesOfOwnMesh - 1) / kPiecesOfOwnMesh
+                        : surface.piece_count());
+}
+
+std::size_t MeshPieces::piece_vertices() const
+{
+    return has_own_meshes_ ? kPiecesOfOwnMesh * kPieceVertices : kPieceVertices;
+}
+
+std::size_t MeshPieces::planned_piece(std::size_t piece, std::size_t planned_pieces) const
+{
+    return std::min(has_own_meshes_ ? kPiecesOfOwnMesh * piece : piece, planned_pieces);
 }
 
 void MeshPieces::add_surface(MaterialId material, MeshExtent const& extent, std::size_t piece_count)
@@ -178,8 +193,8 @@ void MeshPieces::merge_organs()
         auto& [material, extent, piece_count] = surfaces_[at];
         MeshExtent const added { prototype.positions_mm.size() * instances.size(),
                                  prototype.indices.size() * instances.size() };
-        auto const pieces
-            = std::min((added.vertices + kPieceVertices - 1) / kPieceVertices, instances.size());
+        auto const pieces = std::min((added.vertices + piece_vertices() - 1) / piece_vertices(),
+                                     instances.size());
         runs_[at].push_back({ Run::Of::Organ, i, piece_count, pieces, extent });
         extent.vertices += added.vertices;
         extent.indices += added.indices;
@@ -248,8 +263,14 @@ void MeshPieces::wind(std::size_t surface, std::size_t piece, std::vector<WindVe
     if (run.of == Run::Of::Organ)
         return organ_piece_wind(run, piece - run.first_piece, buffer);
     auto const& planned = plan_->surfaces()[run.index];
-    buffer.resize(planned.extent_of(piece).vertices);
-    plan_->make_wind(planned, piece, *wind_, buffer);
+    auto const first = planned_piece(piece, planned.piece_count());
+    auto const end = planned_piece(piece + 1, planned.piece_count());
+    auto const start = planned.start_of(first).vertices;
+    buffer.resize(planned.start_of(end).vertices - start);
+    for (auto i = first; i < end; ++i)
+        plan_->make_wind(planned, i, *wind_,
+                         std::span(buffer).subspan(planned.start_of(i).vertices - start,
+                                                   planned.extent_of(i).vertices));
 }
 
 void MeshPieces::organ_piece_wind(Run const& run, std::size_t piece,
@@ -272,7 +293,7 @@ std::span<WindVertex const> MeshPieces::organ_wind(std::size_t organ) const
 TriangleView MeshPieces::piece(std::size_t surface, std::size_t piece, Buffer& buffer) const
 {
     auto const& run = run_of(surface, piece);
-    auto triangles = triangles_of(run, piece - run.first_piece, buffer.triangles);
+    auto triangles = triangles_of(run, piece - run.first_piece, buffer);
     if (triangles.tangents.empty() && has_tangents(surfaces_[surface].material)) {
         find_tangents(triangles, buffer.tangents);
         triangles.tangents = buffer.tangents;
@@ -280,11 +301,13 @@ TriangleView MeshPieces::piece(std::size_t surface, std::size_t piece, Buffer& b
     return triangles;
 }
 
-TriangleView MeshPieces::triangles_of(Run const& run, std::size_t piece, TriangleMesh& buffer) const
+TriangleView MeshPieces::triangles_of(Run const& run, std::size_t piece, Buffer& buffer) const
 {
     if (run.of == Run::Of::Organ)
-        return organ_piece(run, piece, buffer);
-    return mesh_ ? mesh_piece(run, piece) : plan_piece(run, piece, buffer);
+        return organ_piece(run, piece, buffer.triangles);
+    if (!mesh_)
+        return plan_piece(run, piece, buffer.triangles);
+    return has_own_meshes_ ? own_mesh_piece(run, piece, buffer) : mesh_piece(run, piece);
 }
 
 TriangleView MeshPieces::mesh_piece(Run const& run, std::size_t piece) const
@@ -311,14 +334,51 @@ static void resize(TriangleMesh& mesh, MeshExtent const& extent)
     mesh.indices.resize(extent.indices);
 }
 
+// Some of the surface's triangles, with those of its vertices that they have, in their order.
+TriangleView MeshPieces::own_mesh_piece(Run const& run, std::size_t piece, Buffer& buffer) const
+{
+    auto const whole = view_of(mesh_->surfaces[run.index]);
+    auto const tangents = tangents_of_mesh(run.index);
+    auto const triangles = copies_in(whole.indices.size() / 3, piece, run.piece_count);
+    auto const indices
+        = whole.indices.subspan(3 * triangles.first, 3 * (triangles.end - triangles.first));
+    std::vector<std::uint32_t> used(indices.begin(), indices.end());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    auto& mesh = buffer.triangles;
+    resize(mesh, { used.size(), indices.size() });
+    buffer.tangents.resize(tangents.empty() ? 0 : used.size());
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        mesh.positions_mm[i] = whole.positions_mm[used[i]];
+        mesh.normals[i] = whole.normals[used[i]];
+        mesh.texture_coordinates[i] = whole.texture_coordinates[used[i]];
+        if (!tangents.empty())
+            buffer.tangents[i] = tangents[used[i]];
+    }
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        mesh.indices[i] = static_cast<std::uint32_t>(
+            std::lower_bound(used.begin(), used.end(), indices[i]) - used.begin());
+    auto view = view_of(mesh);
+    view.tangents = buffer.tangents;
+    return view;
+}
+
 TriangleView MeshPieces::plan_piece(Run const& run, std::size_t piece, TriangleMesh& buffer) const
 {
     auto const& planned = plan_->surfaces()[run.index];
-    resize(buffer, planned.extent_of(piece));
-    auto place = place_in(buffer, {});
-    place.vertex = static_cast<std::uint32_t>(planned.start_of(piece).vertices);
-    plan_->make_piece(planned, piece, place);
-    return view_of(buffer, place.vertex);
+    auto const first = planned_piece(piece, planned.piece_count());
+    auto const end = planned_piece(piece + 1, planned.piece_count());
+    auto const start = planned.start_of(first);
+    auto const until = planned.start_of(end);
+    resize(buffer, { until.vertices - start.vertices, until.indices - start.indices });
+    auto const first_vertex = has_own_meshes_ ? 0 : static_cast<std::uint32_t>(start.vertices);
+    for (auto i = first; i < end; ++i) {
+        auto const at = planned.start_of(i);
+        auto place = place_in(buffer, { at.vertices - start.vertices, at.indices - start.indices });
+        place.vertex += first_vertex;
+        plan_->make_piece(planned, i, place);
+    }
+    return view_of(buffer, first_vertex);
 }
 
 TriangleView MeshPieces::organ_piece(Run const& run, std::size_t piece, TriangleMesh& buffer) const
@@ -329,8 +389,9 @@ TriangleView MeshPieces::organ_piece(Run const& run, std::size_t piece, Triangle
     auto const count = copies.end - copies.first;
     resize(buffer, { vertices * count, prototype.indices.size() * count });
     auto place = place_in(buffer, {});
-    auto const first_vertex
-        = static_cast<std::uint32_t>(run.start.vertices + copies.first * vertices);
+    auto const first_vertex = has_own_meshes_
+        ? 0
+        : static_cast<std::uint32_t>(run.start.vertices + copies.first * vertices);
     place.vertex = first_vertex;
     for (auto i = copies.first; i < copies.end; ++i)
         append_copy(prototype, instances[i], place);

@@ -25,7 +25,7 @@ struct TriangleView {
 
 TriangleView view_of(TriangleMesh const& mesh, std::uint32_t first_vertex = 0);
 
-// The triangles of one plant in pieces of at most about a megabyte, whether they are in memory or
+// The triangles of one plant in pieces of about a megabyte, whether they are in memory or
 // are made as they are asked for. Pieces may be asked for on any threads.
 class MeshPieces {
 public:
@@ -34,9 +34,14 @@ public:
     enum class Organs { Merged, Apart };
     // Whether surfaces with a normal map have tangents.
     enum class Tangents { Never, ForRelief };
+    // Whether the indices of a surface go through all of its pieces, and a piece may lack vertices
+    // of its triangles; or each piece has its own, from 0 on, and is a mesh by itself. Those are
+    // four times as large: a program draws each at once.
+    enum class Cut { OneSurface, OwnMeshes };
 
     // Grows, meshes or draws what `source` gives as a function; `source` must outlive this.
-    MeshPieces(MeshSource const& source, Organs organs, Tangents tangents = Tangents::Never);
+    MeshPieces(MeshSource const& source, Organs organs, Tangents tangents = Tangents::Never,
+               Cut cut = Cut::OneSurface);
     MeshPieces(MeshPieces const&) = delete;
     MeshPieces& operator=(MeshPieces const&) = delete;
 
@@ -70,7 +75,8 @@ public:
         BulkVector<Eigen::Vector4f> tangents {};
     };
 
-    // One piece; pieces follow each other without a gap.
+    // One piece; pieces of one surface follow each other without a gap. The extents of meshes of
+    // their own may be more than their surface's, as they do not share vertices.
     TriangleView piece(std::size_t surface, std::size_t piece, Buffer& buffer) const;
 
 private:
@@ -90,8 +96,12 @@ private:
     std::span<Eigen::Vector4f const> tangents_of_mesh(std::size_t surface) const;
     std::span<InstancedMesh const> all_organs() const { return mesh_ ? mesh_->organs : organs_; }
     Run const& run_of(std::size_t surface, std::size_t piece) const;
-    TriangleView triangles_of(Run const& run, std::size_t piece, TriangleMesh& buffer) const;
+    TriangleView triangles_of(Run const& run, std::size_t piece, Buffer& buffer) const;
+    // The first of a plan's pieces that are one piece here; and the end of the last.
+    std::size_t planned_piece(std::size_t piece, std::size_t planned_pieces) const;
+    std::size_t piece_vertices() const;
     TriangleView mesh_piece(Run const& run, std::size_t piece) const;
+    TriangleView own_mesh_piece(Run const& run, std::size_t piece, Buffer& buffer) const;
     TriangleView plan_piece(Run const& run, std::size_t piece, TriangleMesh& buffer) const;
     TriangleView organ_piece(Run const& run, std::size_t piece, TriangleMesh& buffer) const;
     void organ_piece_wind(Run const& run, std::size_t piece, std::vector<WindVertex>& buffer) const;
@@ -111,6 +121,7 @@ private:
     // Per surface of mesh_; empty for most.
     mutable std::vector<BulkVector<Eigen::Vector4f>> mesh_tangents_;
     bool is_merged_ = false;
+    bool has_own_meshes_ = false;
     bool has_tangents_ = false;
 };
 

@@ -1,11 +1,11 @@
 #include "engine/export/piece_encoder.h"
 
-#include "engine/base/four.h"
+#include "engine/export/codec_filters.h"
 #include "engine/export/gltf_frame.h"
+#include "engine/export/turned_vectors.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -63,54 +63,6 @@ std::int32_t rounded(float value)
     return static_cast<std::int32_t>(value + std::copysign(0.5f, value));
 }
 
-// Four vectors in glTF's frame.
-struct TurnedVectors {
-    FourFloats x, y, z;
-};
-
-TurnedVectors turned_vectors(Vec3f const* four)
-{
-    auto const a = load_four(four->data());     // x0 y0 z0 x1
-    auto const b = load_four(four->data() + 4); // y1 z1 x2 y2
-    auto const c = load_four(four->data() + 8); // z2 x3 y3 z3
-    auto const x23 = __builtin_shufflevector(b, c, 2, 2, 5, 5);
-    auto const y01 = __builtin_shufflevector(a, b, 1, 1, 4, 4);
-    auto const y23 = __builtin_shufflevector(b, c, 3, 3, 6, 6);
-    auto const z01 = __builtin_shufflevector(a, b, 2, 2, 5, 5);
-    return { __builtin_shufflevector(a, x23, 0, 3, 4, 6),
-             __builtin_shufflevector(z01, c, 0, 2, 4, 7),
-             -__builtin_shufflevector(y01, y23, 0, 2, 4, 6) };
-}
-
-// Calls use(vectors, first, count) for the vectors, four at a time; the last ones are repeated
-// where fewer than four are left.
-template<typename Use> void for_each_four(std::span<Vec3f const> vectors, Use const& use)
-{
-    std::size_t i = 0;
-    for (; i + 4 <= vectors.size(); i += 4)
-        use(turned_vectors(&vectors[i]), i, 4);
-    if (i == vectors.size())
-        return;
-    std::array<Vec3f, 4> last;
-    for (std::size_t k = 0; k < last.size(); ++k)
-        last[k] = vectors[std::min(i + k, vectors.size() - 1)];
-    use(turned_vectors(last.data()), i, vectors.size() - i);
-}
-
-// Within -most to most, and so for what is no number.
-FourFloats bounded(FourFloats const& values, float most)
-{
-    auto const below = values < most ? values : FourFloats {} + most;
-    return below > -most ? below : FourFloats {} - most;
-}
-
-// Numbers below 2^15 in size rounded to whole ones, those half way to even ones, in the low bits:
-// so large a number has no bits left for what comes after the point.
-FourInts whole_bits(FourFloats const& values)
-{
-    return std::bit_cast<FourInts>(values + 0x1.8p23f);
-}
-
 // One component of positions on its way to 16 bits.
 class ShortComponent {
 public:
@@ -157,14 +109,14 @@ void encode_short_positions(std::span<Vec3f const> positions_mm, SurfaceFormat c
     ShortComponent x(origin_mm.x(), per_mm);
     ShortComponent y(origin_mm.y(), per_mm);
     ShortComponent z(origin_mm.z(), per_mm);
-    for_each_four(
-        positions_mm, [&](TurnedVectors const& position_mm, std::size_t first, std::size_t count) {
-            FourInts const xy = x.encode(position_mm.x) | y.encode(position_mm.y) << 16;
-            FourInts const z0 = z.encode(position_mm.z);
-            std::array<FourInts, 2> const four { __builtin_shufflevector(xy, z0, 0, 4, 1, 5),
-                                                 __builtin_shufflevector(xy, z0, 2, 6, 3, 7) };
-            std::memcpy(to + 4 * first, &four, 8 * count);
-        });
+    for_each_four(positions_mm, [&](Vec3f const* from, std::size_t first, std::size_t count) {
+        auto const position_mm = turned_vectors(from);
+        FourInts const xy = x.encode(position_mm.x) | y.encode(position_mm.y) << 16;
+        FourInts const z0 = z.encode(position_mm.z);
+        std::array<FourInts, 2> const four { __builtin_shufflevector(xy, z0, 0, 4, 1, 5),
+                                             __builtin_shufflevector(xy, z0, 2, 6, 3, 7) };
+        std::memcpy(to + 4 * first, &four, 8 * count);
+    });
     piece.low = { x.low(), y.low(), z.low() };
     piece.high = { x.high(), y.high(), z.high() };
     piece.is_finite = x.is_finite() && y.is_finite() && z.is_finite();
@@ -176,7 +128,8 @@ void encode_byte_normals(std::span<Vec3f const> normals, EncodedPiece& piece)
     auto const encode = [](FourFloats const& components) -> FourInts {
         return whole_bits(bounded(components * kMostByte, kMostByte)) & 0xFF;
     };
-    for_each_four(normals, [&](TurnedVectors const& n, std::size_t first, std::size_t count) {
+    for_each_four(normals, [&](Vec3f const* from, std::size_t first, std::size_t count) {
+        auto const n = turned_vectors(from);
         FourInts const four = encode(n.x) | encode(n.y) << 8 | encode(n.z) << 16;
         std::memcpy(to + 4 * first, &four, 4 * count);
     });
@@ -203,6 +156,25 @@ void encode_tangents(std::span<Eigen::Vector4f const> tangents, SurfaceFormat co
                [](float value) { return value; });
 }
 
+Codec filtered_by(SurfaceFormat const& format, Codec codec)
+{
+    return format.filtered ? codec : Codec::Attributes;
+}
+
+// Indices stay as they are: the codec takes all 32 bits of them.
+void encode_filtered(TriangleView const& triangles, SurfaceFormat const& format,
+                     EncodedPiece& piece)
+{
+    auto const& pairs = triangles.texture_coordinates;
+    encode_octahedral(triangles.normals,
+                      room_for<std::int8_t>(piece, 1, 4 * triangles.normals.size()));
+    encode_exponential({ pairs.empty() ? nullptr : pairs.front().data(), 2 * pairs.size() },
+                       room_for<std::uint32_t>(piece, 2, 2 * pairs.size()));
+    if (format.tangents)
+        encode_octahedral(triangles.tangents,
+                          room_for<std::int8_t>(piece, 4, 4 * triangles.tangents.size()));
+}
+
 } // namespace
 
 NumberFormat SurfaceFormat::positions() const
@@ -212,24 +184,28 @@ NumberFormat SurfaceFormat::positions() const
 
 NumberFormat SurfaceFormat::normals() const
 {
-    return quantized ? NumberFormat { ComponentType::Byte, 3, true, 4 } : NumberFormat {};
+    return quantized
+        ? NumberFormat { ComponentType::Byte, 3, true, 4, filtered_by(*this, Codec::Octahedral) }
+        : NumberFormat {};
 }
 
 NumberFormat SurfaceFormat::tangent_vectors() const
 {
-    return quantized ? NumberFormat { ComponentType::Byte, 4, true, 4 }
-                     : NumberFormat { ComponentType::Float, 4, false, 16 };
+    return quantized
+        ? NumberFormat { ComponentType::Byte, 4, true, 4, filtered_by(*this, Codec::Octahedral) }
+        : NumberFormat { ComponentType::Float, 4, false, 16 };
 }
 
-NumberFormat SurfaceFormat::texture_coordinates()
+NumberFormat SurfaceFormat::texture_coordinates() const
 {
-    return { ComponentType::Float, 2, false, 8 };
+    return { ComponentType::Float, 2, false, 8, filtered_by(*this, Codec::Exponential) };
 }
 
 NumberFormat SurfaceFormat::indices() const
 {
-    return short_indices ? NumberFormat { ComponentType::UnsignedShort, 1, false, 2 }
-                         : NumberFormat { ComponentType::UnsignedInt, 1, false, 4 };
+    return short_indices
+        ? NumberFormat { ComponentType::UnsignedShort, 1, false, 2, Codec::Indices }
+        : NumberFormat { ComponentType::UnsignedInt, 1, false, 4, Codec::Indices };
 }
 
 SurfaceFormat quantized_format(Bounds const& bounds_mm)
@@ -250,9 +226,11 @@ void encode_triangles(TriangleView const& triangles, SurfaceFormat const& format
 {
     piece.low = Vec3f::Constant(std::numeric_limits<float>::infinity());
     piece.high = -piece.low;
+    piece.extent = { triangles.positions_mm.size(), triangles.indices.size() };
     if (format.quantized) {
         encode_short_positions(triangles.positions_mm, format, piece);
-        encode_byte_normals(triangles.normals, piece);
+        if (!format.filtered)
+            encode_byte_normals(triangles.normals, piece);
     } else {
         encode_positions(triangles.positions_mm, piece);
         encode_normals(triangles.normals, piece);
@@ -260,6 +238,8 @@ void encode_triangles(TriangleView const& triangles, SurfaceFormat const& format
     piece.streams[2] = std::as_bytes(triangles.texture_coordinates);
     piece.streams[3] = std::as_bytes(triangles.indices);
     piece.streams[4] = {};
+    if (format.filtered)
+        return encode_filtered(triangles, format, piece);
     if (format.tangents)
         encode_tangents(triangles.tangents, format, piece);
     if (!format.short_indices)
@@ -295,6 +275,7 @@ void encode_instances(std::span<InstanceTransform const> instances, InstanceForm
     auto* scale = room_for<float>(piece, 2, 3 * instances.size());
     piece.streams[3] = {};
     piece.streams[4] = {};
+    piece.extent = { instances.size(), 0 };
     piece.is_finite = true;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         auto const placed = to_gltf(instances[i]);

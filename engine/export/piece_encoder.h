@@ -21,18 +21,26 @@ enum class ComponentType {
     Float = 5126
 };
 
+// How EXT_meshopt_compression compresses numbers, where it does: by its mode ATTRIBUTES, without a
+// filter or with one, or by its mode INDICES.
+enum class Codec { Attributes, Octahedral, Exponential, Indices };
+
 // Format of an accessor's numbers.
 struct NumberFormat {
     ComponentType type = ComponentType::Float;
     int components = 3;
     bool normalized = false;
     int element_bytes = 12; // A multiple of four but for indices.
+    Codec codec = Codec::Attributes;
 };
 
 // How the vertices of a surface are written.
 struct SurfaceFormat {
     // 16-bit positions and 8-bit normals, as KHR_mesh_quantization allows.
     bool quantized = false;
+    // Normals, tangents and texture coordinates are what filters of EXT_meshopt_compression undo;
+    // quantised ones only.
+    bool filtered = false;
     // Metres, glTF's frame: a quantised position is origin_m + step_m * the number, the same for
     // all three components, so that normals stay what they are.
     Vec3 origin_m = Vec3::Zero();
@@ -43,7 +51,7 @@ struct SurfaceFormat {
     NumberFormat positions() const;
     NumberFormat normals() const;
     NumberFormat tangent_vectors() const;
-    static NumberFormat texture_coordinates();
+    NumberFormat texture_coordinates() const;
     NumberFormat indices() const;
 };
 
@@ -56,12 +64,15 @@ constexpr std::size_t kMostStreams = 10;
 struct EncodedPiece {
     std::array<std::span<std::byte const>, kMostStreams> streams {};
     bool is_finite = true;
+    // Vertices and indices of triangles; instances are vertices.
+    MeshExtent extent {};
     // Limits of the positions, as they are written; low above high if there are none.
     Vec3f low = Vec3f::Constant(std::numeric_limits<float>::infinity());
     Vec3f high = -low;
 
     // Memory that the streams lie in, if it is not the mesh itself.
     std::array<BulkVector<std::byte>, kMostStreams> storage {};
+    std::array<BulkVector<std::byte>, kMostStreams> compressed {};
 };
 
 // Streams: positions, normals, texture coordinates, indices, tangents. `triangles` must outlive

@@ -1,5 +1,7 @@
 // Imports .glb files as other programs do, and compares plants and triangles with what their writer
 // said: FOLDER/counts.txt has "FILE PLANTS TRIANGLES".
+// Compressed ones are also compared with those that are only quantised: positions are the same, and
+// normals nearly.
 // Run: node import_glb.mjs three|gltf-transform NODE_MODULES FOLDER
 // Exit code: 0 where all agree, 1 where not, 77 where the module is not installed.
 import { readFileSync } from 'node:fs';
@@ -17,12 +19,19 @@ async function module_at(path) {
     }
 }
 
+async function meshopt_decoder() {
+    const { MeshoptDecoder } = await module_at('three/examples/jsm/libs/meshopt_decoder.module.js');
+    await MeshoptDecoder.ready;
+    return MeshoptDecoder;
+}
+
 // Pictures stay undecoded: node has nothing that shows them.
 async function three() {
     globalThis.self = globalThis;
     const { GLTFLoader } = await module_at('three/examples/jsm/loaders/GLTFLoader.js');
-    const { Texture } = await module_at('three/build/three.module.js');
+    const { Matrix4, Texture, Vector3 } = await module_at('three/build/three.module.js');
     const loader = new GLTFLoader();
+    loader.setMeshoptDecoder(await meshopt_decoder());
     loader.register((parser) => {
         parser.textureLoader = { load: (url, done) => done(new Texture()) };
         return { name: 'undecoded' };
@@ -31,19 +40,36 @@ async function three() {
         const bytes = readFileSync(file);
         const start = bytes.byteOffset;
         const gltf = await loader.parseAsync(bytes.buffer.slice(start, start + bytes.byteLength), '');
+        gltf.scene.updateMatrixWorld();
         let triangles = 0;
+        const corners = [];
+        const place = new Matrix4();
         gltf.scene.traverse((thing) => {
-            if (thing.isMesh)
-                triangles += thing.geometry.index.count / 3 * (thing.isInstancedMesh ? thing.count : 1);
+            if (!thing.isMesh)
+                return;
+            const { index, attributes } = thing.geometry;
+            const places = thing.isInstancedMesh ? thing.count : 1;
+            triangles += index.count / 3 * places;
+            for (let i = 0; i < places; ++i) {
+                place.copy(thing.matrixWorld);
+                if (thing.isInstancedMesh)
+                    place.multiply(new Matrix4().fromArray(thing.instanceMatrix.array, 16 * i));
+                for (const vertex of index.array)
+                    corners.push({
+                        position: new Vector3().fromBufferAttribute(attributes.position, vertex).applyMatrix4(place),
+                        normal: new Vector3().fromBufferAttribute(attributes.normal, vertex).normalize(),
+                    });
+            }
         });
-        return { plants: gltf.scene.children.length, triangles };
+        return { plants: gltf.scene.children.length, triangles, corners };
     };
 }
 
 async function gltf_transform() {
     const { NodeIO } = await module_at('@gltf-transform/core/dist/index.modern.js');
     const { ALL_EXTENSIONS } = await module_at('@gltf-transform/extensions/dist/index.modern.js');
-    const io = new NodeIO().registerExtensions(ALL_EXTENSIONS);
+    const io = new NodeIO().registerExtensions(ALL_EXTENSIONS)
+        .registerDependencies({ 'meshopt.decoder': await meshopt_decoder() });
     return async (file) => {
         const scene = (await io.read(file)).getRoot().listScenes()[0];
         let triangles = 0;
@@ -56,14 +82,32 @@ async function gltf_transform() {
     };
 }
 
+const quantized_twins = {
+    'compressed.glb': 'quantized.glb',
+    'instanced_compressed.glb': 'instanced_quantized.glb',
+    'details_compressed.glb': 'details_quantized.glb',
+    'wind_compressed.glb': 'wind.glb',
+};
+
+// Whether the corners of all triangles are where they are in another file, and look the same way: within 2.5
+// degrees, as both files round.
+function is_same_shape(corners, others) {
+    return corners.length === others.length && corners.every(({ position, normal }, i) =>
+        position.distanceTo(others[i].position) < 1e-6 && normal.dot(others[i].normal) > 0.999);
+}
+
 const read = program === 'three' ? await three() : await gltf_transform();
 const lines = readFileSync(join(folder, 'counts.txt'), 'utf8').trim().split('\n');
 let failed = lines.length === 0;
 for (const line of lines) {
     const [file, plants, triangles] = line.split(' ');
     const found = await read(join(folder, file));
-    const agree = found.plants === Number(plants) && found.triangles === Number(triangles);
+    let agree = found.plants === Number(plants) && found.triangles === Number(triangles);
     console.log(`${file}: ${found.plants} of ${plants} plants, ${found.triangles} of ${triangles} triangles`);
+    if (agree && found.corners && file in quantized_twins) {
+        agree = is_same_shape(found.corners, (await read(join(folder, quantized_twins[file]))).corners);
+        console.log(`${file}: ${agree ? 'the same shape as' : 'another shape than'} ${quantized_twins[file]}`);
+    }
     failed ||= !agree;
 }
 process.exit(failed ? 1 : 0);

@@ -137,6 +137,13 @@ Result<void> write_samples(std::filesystem::path const& folder)
     TRY(write("instanced.glb", collection, { .organs = Options::Organs::Instanced }));
     TRY(write("instanced_quantized.glb", collection,
               { .organs = Options::Organs::Instanced, .vertices = Options::Vertices::Quantized }));
+    TRY(write("compressed.glb", collection, { .vertices = Options::Vertices::Compressed }));
+    TRY(write("instanced_compressed.glb", collection,
+              { .organs = Options::Organs::Instanced, .vertices = Options::Vertices::Compressed }));
+    TRY(write("nodes_compressed.glb", collection,
+              { .organs = Options::Organs::Nodes, .vertices = Options::Vertices::Compressed }));
+    TRY(write("fine_compressed.glb", std::span(&fine, 1),
+              { .vertices = Options::Vertices::Compressed }));
     TRY(write("nodes.glb", collection,
               { .organs = Options::Organs::Nodes, .textures = Options::Textures::None }));
     TRY(write("fine.glb", std::span(&fine, 1), {}));
@@ -144,10 +151,17 @@ Result<void> write_samples(std::filesystem::path const& folder)
     std::vector<PlacedMesh> const far { with_details(tree), with_details(odd) };
     TRY(write("details.glb", far, {}));
     TRY(write("details_quantized.glb", far, { .vertices = Options::Vertices::Quantized }));
+    TRY(write("details_compressed.glb", far, { .vertices = Options::Vertices::Compressed }));
     for (auto& plant : collection)
         if (auto* const meshed = std::get_if<PlantToMesh>(&plant.mesh))
             meshed->wind = WindKey {};
     TRY(write("wind.glb", collection, { .vertices = Options::Vertices::Quantized }));
+    TRY(write("wind_compressed.glb", collection, { .vertices = Options::Vertices::Compressed }));
+    TRY(write("wind_instanced_compressed.glb", collection,
+              { .organs = Options::Organs::Instanced, .vertices = Options::Vertices::Compressed }));
+    Options compressed_uv { .vertices = Options::Vertices::Compressed };
+    compressed_uv.wind = Options::Wind::TextureCoordinates;
+    TRY(write("wind_uv_compressed.glb", collection, compressed_uv));
     TRY(write("wind_instanced.glb", collection, { .organs = Options::Organs::Instanced }));
     TRY(write("wind_uv.glb", collection, { .wind = Options::Wind::TextureCoordinates }));
     TRY(write("wind_colour.glb", collection, { .wind = Options::Wind::Colours }));

@@ -1,0 +1,223 @@
+#include "engine/export/attribute_codec.h"
+
+#include "engine/base/check.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+// EXT_meshopt_compression, appendix A, mode 0: blocks of elements; in a block all first bytes, then
+// all second ones, and so on; of each the difference from the element before, in groups of 16 that
+// have 0, 2, 4 or 8 bits for each.
+
+namespace tractus {
+namespace {
+
+constexpr std::byte kVersion { 0xa0 };
+constexpr std::size_t kGroup = 16;
+constexpr std::size_t kBlockBytes = 8192;
+constexpr std::size_t kMostInBlock = 256;
+constexpr std::size_t kLeastTail = 32;
+constexpr std::size_t kMostElementBytes = 256;
+
+using Sixteen = std::uint8_t __attribute__((vector_size(kGroup)));
+using TwoWords = std::array<std::uint64_t, 2>;
+
+Sixteen load_sixteen(std::uint8_t const* from)
+{
+    Sixteen bytes;
+    std::memcpy(&bytes, from, sizeof bytes);
+    return bytes;
+}
+
+// Small for small differences of either sign: 0, -1, 1, -2, 2, ...
+Sixteen zigzag(Sixteen const& differences)
+{
+    Sixteen const negative = differences > 127 ? Sixteen {} + 255 : Sixteen {};
+    return (differences + differences) ^ negative;
+}
+
+// How many are at least `least`.
+std::size_t count_from(Sixteen const& values, int least)
+{
+    auto const ones = std::bit_cast<TwoWords>(
+        values >= static_cast<std::uint8_t>(least) ? Sixteen {} + 1 : Sixteen {});
+    return (ones[0] + ones[1]) * 0x0101010101010101 >> 56;
+}
+
+Sixteen at_most(Sixteen const& values, int most)
+{
+    auto const limit = Sixteen {} + static_cast<std::uint8_t>(most);
+    return values < limit ? values : limit;
+}
+
+// Two bits for each, the first of four in the highest.
+std::uint8_t* pack_two_bits(Sixteen const& values, std::uint8_t* to)
+{
+    for (auto const word : std::bit_cast<std::array<std::uint32_t, 4>>(values))
+        *to++ = static_cast<std::uint8_t>(word * 0x40100401 >> 24);
+    return to;
+}
+
+// Four bits for each, the first of two in the higher ones.
+std::uint8_t* pack_four_bits(Sixteen const& values, std::uint8_t* to)
+{
+    for (auto const word : std::bit_cast<TwoWords>(values)) {
+        auto pairs = (word << 4 | word >> 8) & 0x00FF00FF00FF00FF;
+        pairs = (pairs | pairs >> 8) & 0x0000FFFF0000FFFF;
+        auto const packed = static_cast<std::uint32_t>(pairs | pairs >> 16);
+        std::memcpy(to, &packed, sizeof packed);
+        to += sizeof packed;
+    }
+    return to;
+}
+
+// Those that did not fit in their bits follow in full.
+std::uint8_t* append_from(Sixteen const& values, int least, std::uint8_t* to)
+{
+    std::array<std::uint8_t, kGroup> all;
+    std::memcpy(all.data(), &values, sizeof all);
+    for (auto const value : all) {
+        *to = value;
+        to += value >= least ? 1 : 0;
+    }
+    return to;
+}
+
+// Appends a group in the smallest way, whose number is put into `way`. Up to 15 bytes beyond the
+// end are overwritten.
+std::uint8_t* append_group(Sixteen const& values, unsigned& way, std::uint8_t* to)
+{
+    auto const words = std::bit_cast<TwoWords>(values);
+    way = 0;
+    if ((words[0] | words[1]) == 0)
+        return to;
+    auto const beyond_two = count_from(values, 3);
+    auto const beyond_four = count_from(values, 15);
+    if (4 + beyond_two <= 8 + beyond_four && 4 + beyond_two < kGroup) {
+        way = 1;
+        to = pack_two_bits(at_most(values, 3), to);
+        return beyond_two > 0 ? append_from(values, 3, to) : to;
+    }
+    if (8 + beyond_four < kGroup) {
+        way = 2;
+        to = pack_four_bits(at_most(values, 15), to);
+        return beyond_four > 0 ? append_from(values, 15, to) : to;
+    }
+    way = 3;
+    std::memcpy(to, &values, kGroup);
+    return to + kGroup;
+}
+
+// One byte of each of a block's elements, after that of the element before. The last one is
+// repeated up to a whole group.
+struct Column {
+    std::array<std::uint8_t, 1 + kMostInBlock> bytes;
+};
+
+Sixteen first_halves(Sixteen const& a, Sixteen const& b)
+{
+    return __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+}
+
+Sixteen second_halves(Sixteen const& a, Sixteen const& b)
+{
+    return __builtin_shufflevector(a, b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15,
+                                   31);
+}
+
+// From 16 words of four bytes to all their first bytes, all second ones, and so on: shuffled as a
+// pack of 64 cards, whose halves are put into each other four times.
+void transpose(std::array<Sixteen, 4>& words)
+{
+    for (int i = 0; i < 4; ++i) {
+        auto const [a, b, c, d] = words;
+        words
+            = { first_halves(a, c), second_halves(a, c), first_halves(b, d), second_halves(b, d) };
+    }
+}
+
+// A block's elements: `count` of them from `first` on, `element_bytes` apart.
+struct Block {
+    std::uint8_t const* first = nullptr;
+    std::size_t count = 0;
+    std::size_t element_bytes = 0;
+
+    std::size_t groups() const { return (count + kGroup - 1) / kGroup; }
+};
+
+// Fills four columns with the bytes from `k` on, but for those of the element before.
+void fill_columns(Block const& block, std::size_t k, std::array<Column, 4>& columns)
+{
+    for (std::size_t group = 0; group < block.groups(); ++group) {
+        std::array<std::uint32_t, kGroup> gathered;
+        for (std::size_t i = 0; i < kGroup; ++i) {
+            auto const element = std::min(group * kGroup + i, block.count - 1);
+            std::memcpy(&gathered[i], block.first + element * block.element_bytes + k,
+                        sizeof gathered[i]);
+        }
+        auto words = std::bit_cast<std::array<Sixteen, 4>>(gathered);
+        transpose(words);
+        for (std::size_t i = 0; i < 4; ++i)
+            std::memcpy(columns[i].bytes.data() + 1 + group * kGroup, &words[i], kGroup);
+    }
+}
+
+std::uint8_t* append_column(Column const& column, std::size_t groups, std::uint8_t* to)
+{
+    auto* const heads = to;
+    auto const head_bytes = (groups + 3) / 4;
+    std::fill_n(heads, head_bytes, std::uint8_t { 0 });
+    to += head_bytes;
+    for (std::size_t i = 0; i < groups; ++i) {
+        auto const* const from = column.bytes.data() + i * kGroup;
+        unsigned way = 0;
+        to = append_group(zigzag(load_sixteen(from + 1) - load_sixteen(from)), way, to);
+        heads[i / 4] = static_cast<std::uint8_t>(heads[i / 4] | way << (i % 4 * 2));
+    }
+    return to;
+}
+
+// Bytes of a block at most, and what append_group() may overwrite.
+std::size_t most_bytes(std::size_t count, std::size_t element_bytes, std::size_t block)
+{
+    auto const blocks = (count + block - 1) / block;
+    auto const column = block + kGroup + block / (4 * kGroup) + 1;
+    return 1 + blocks * element_bytes * column + std::max(element_bytes, kLeastTail) + kGroup;
+}
+
+} // namespace
+
+void compress_attributes(std::span<std::byte const> elements, std::size_t element_bytes,
+                         BulkVector<std::byte>& to)
+{
+    CHECK(element_bytes > 0 && element_bytes % 4 == 0 && element_bytes <= kMostElementBytes);
+    auto const count = elements.size() / element_bytes;
+    CHECK(count > 0);
+    auto const most = std::min(kBlockBytes / element_bytes / kGroup * kGroup, kMostInBlock);
+    to.resize(most_bytes(count, element_bytes, most));
+    to[0] = kVersion;
+    auto* end = reinterpret_cast<std::uint8_t*>(to.data()) + 1;
+    auto const* const from = reinterpret_cast<std::uint8_t const*>(elements.data());
+    std::array<Column, 4> columns {};
+    for (std::size_t first = 0; first < count; first += most) {
+        Block const block { from + first * element_bytes, std::min(most, count - first),
+                            element_bytes };
+        auto const* const before = first > 0 ? block.first - element_bytes : from;
+        for (std::size_t k = 0; k < element_bytes; ++k) {
+            if (k % 4 == 0)
+                fill_columns(block, k, columns);
+            columns[k % 4].bytes[0] = before[k];
+            end = append_column(columns[k % 4], block.groups(), end);
+        }
+    }
+    // The tail: the first element, from which the first differs by nothing.
+    auto const padding = element_bytes < kLeastTail ? kLeastTail - element_bytes : 0;
+    end = std::fill_n(end, padding, std::uint8_t { 0 });
+    end = std::copy_n(from, element_bytes, end);
+    to.resize(static_cast<std::size_t>(end - reinterpret_cast<std::uint8_t*>(to.data())));
+}
+
+} // namespace tractus

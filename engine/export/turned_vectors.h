@@ -1,0 +1,65 @@
+#pragma once
+
+#include "engine/base/four.h"
+#include "engine/base/vectors.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <span>
+
+namespace tractus {
+
+// Shared parts of the functions that take vectors to glTF's frame and to integers, four at a time.
+
+// Four vectors in glTF's frame.
+struct TurnedVectors {
+    FourFloats x, y, z;
+};
+
+inline TurnedVectors turned_vectors(Vec3f const* four)
+{
+    auto const a = load_four(four->data());     // x0 y0 z0 x1
+    auto const b = load_four(four->data() + 4); // y1 z1 x2 y2
+    auto const c = load_four(four->data() + 8); // z2 x3 y3 z3
+    auto const x23 = __builtin_shufflevector(b, c, 2, 2, 5, 5);
+    auto const y01 = __builtin_shufflevector(a, b, 1, 1, 4, 4);
+    auto const y23 = __builtin_shufflevector(b, c, 3, 3, 6, 6);
+    auto const z01 = __builtin_shufflevector(a, b, 2, 2, 5, 5);
+    return { __builtin_shufflevector(a, x23, 0, 3, 4, 6),
+             __builtin_shufflevector(z01, c, 0, 2, 4, 7),
+             -__builtin_shufflevector(y01, y23, 0, 2, 4, 6) };
+}
+
+// Calls use(four vectors, first, count) for all, four at a time; the last ones are repeated where
+// fewer than four are left.
+template<typename Vector, typename Use>
+void for_each_four(std::span<Vector const> vectors, Use const& use)
+{
+    std::size_t i = 0;
+    for (; i + 4 <= vectors.size(); i += 4)
+        use(&vectors[i], i, std::size_t { 4 });
+    if (i == vectors.size())
+        return;
+    std::array<Vector, 4> last;
+    for (std::size_t k = 0; k < last.size(); ++k)
+        last[k] = vectors[std::min(i + k, vectors.size() - 1)];
+    use(last.data(), i, vectors.size() - i);
+}
+
+// Within -most to most, and so for what is no number.
+inline FourFloats bounded(FourFloats const& values, float most)
+{
+    auto const below = values < most ? values : FourFloats {} + most;
+    return below > -most ? below : FourFloats {} - most;
+}
+
+// Numbers below 2^15 in size rounded to whole ones, those half way to even ones, in the low bits:
+// so large a number has no bits left for what comes after the point.
+inline FourInts whole_bits(FourFloats const& values)
+{
+    return std::bit_cast<FourInts>(values + 0x1.8p23f);
+}
+
+} // namespace tractus
