@@ -18,15 +18,20 @@ std::optional<std::string> large_glb_note(GlbSummary const& expected, GlbOptions
     auto const size = large_glb_size(expected);
     if (!size)
         return std::nullopt;
-    auto const* const quantized = options.vertices == GlbOptions::Vertices::Quantized
+    auto const compressed = options.vertices == GlbOptions::Vertices::Compressed
+        ? std::string()
+        : fmt::format("--compressed makes about {:.0f} MB for programs that know "
+                      "EXT_meshopt_compression; ",
+                      static_cast<double>(expected.compressed_bytes) / 1e6);
+    auto const* const quantized = options.vertices != GlbOptions::Vertices::Float
         ? ""
         : "--quantized is smaller for programs that know KHR_mesh_quantization; ";
     auto const* const instanced = options.organs == GlbOptions::Organs::Instanced
         ? ""
         : "--organs instanced is smaller for programs that know EXT_mesh_gpu_instancing; ";
-    return fmt::format("the .glb will have {}: {}{}\"tractus vary\" has --sides and --lods, and "
+    return fmt::format("the .glb will have {}: {}{}{}\"tractus vary\" has --sides and --lods, and "
                        "writes a file for each plant into a folder",
-                       *size, quantized, instanced);
+                       *size, compressed, quantized, instanced);
 }
 
 } // namespace tractus

@@ -9,6 +9,7 @@
 #include "app/verbs/shared_options.h"
 #include "drivers/file.h"
 
+#include <algorithm>
 #include <fmt/core.h>
 #include <memory>
 
@@ -51,7 +52,7 @@ void add_demo_verb(CLI::App& root, Action& action, Methods const& methods)
                              .subdivision = 2,
                              .ends = MeshOptions::Ends::Open,
                              .sections = MeshOptions::Sections::SameArea };
-                job.glb.vertices = GlbOptions::Vertices::Quantized;
+                job.glb.vertices = std::max(job.glb.vertices, GlbOptions::Vertices::Quantized);
             }
             job.drawing.log
                 = TRY(find_resource(fmt::format("demo/{}.tractus-log", arguments->plant)));

@@ -4,6 +4,7 @@
 #include "app/terminal/error_text.h"
 #include "app/verbs/checks.h"
 
+#include <algorithm>
 #include <string>
 
 namespace tractus {
@@ -23,8 +24,15 @@ CLI::Option* add_glb_options(CLI::App& verb, GlbOptions& options)
                                              : Organs::Merged;
     };
     verb.add_flag_callback(
-        "--quantized", [&options] { options.vertices = GlbOptions::Vertices::Quantized; },
+        "--quantized",
+        [&options] {
+            options.vertices = std::max(options.vertices, GlbOptions::Vertices::Quantized);
+        },
         "Write smaller vertices into a .glb, for readers that know KHR_mesh_quantization");
+    verb.add_flag_callback(
+        "--compressed", [&options] { options.vertices = GlbOptions::Vertices::Compressed; },
+        "Write a .glb a third as large as with --quantized, which it implies, for readers that "
+        "know EXT_meshopt_compression, too: three.js and Babylon.js, not Blender");
     return verb
         .add_option_function<std::string>(
             "--organs", choose,

@@ -6,8 +6,8 @@
 
 namespace tractus {
 
-// "--quantized", and "--organs HOW": how .glb files hold vertices, and leaves and other organs.
-// Before a large file is written a warning says so. Returns the latter option.
+// "--quantized", "--compressed", and "--organs HOW": how .glb files hold vertices, and leaves and
+// other organs. Before a large file is written a warning says so. Returns the latter option.
 CLI::Option* add_glb_options(CLI::App& verb, GlbOptions& options);
 
 } // namespace tractus

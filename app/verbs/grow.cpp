@@ -238,7 +238,8 @@ void add_animation_options(CLI::App& verb, GrowArguments& arguments)
               ->type_name("N")
               ->check(whole_number(2, 10'000))
               ->excludes("--organs") // Morph targets blend one mesh, of floats.
-              ->excludes("--quantized");
+              ->excludes("--quantized")
+              ->excludes("--compressed");
     verb.add_option("--seconds", arguments.seconds, "How long the animation takes")
         ->type_name("S")
         ->check(number(0.01, 1e6))

@@ -66,6 +66,21 @@ TEST_F(Organs, AreOfSmallerVerticesWhereThatIsAskedFor)
     EXPECT_EQ(run("tractus grow leaf --quantized --animation 3 -o moving.glb").exit_code, 2);
 }
 
+TEST_F(Organs, AreCompressedWhereThatIsAskedFor)
+{
+    EXPECT_EQ(run("tractus grow broadleaf -n 9 --quantized -o small.glb").exit_code, 0);
+    EXPECT_EQ(run("tractus grow broadleaf -n 9 --compressed -o smaller.glb").exit_code, 0);
+    EXPECT_EQ(run("tractus grow broadleaf -n 9 --compressed --quantized -o same.glb").exit_code, 0);
+    EXPECT_EQ(json_of("smaller.glb")["extensionsRequired"],
+              nlohmann::json({ "EXT_meshopt_compression", "KHR_mesh_quantization" }));
+    EXPECT_LT(read("smaller.glb").size(), read("small.glb").size());
+    EXPECT_EQ(json_of("same.glb")["extensionsRequired"],
+              json_of("smaller.glb")["extensionsRequired"]);
+    auto const again = run("tractus render smaller.glb -o smaller.png");
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(run("tractus grow leaf --compressed --animation 3 -o moving.glb").exit_code, 2);
+}
+
 TEST_F(Organs, OldSpellingMeansTheSame)
 {
     EXPECT_EQ(run("tractus vary leaf --count 1 --nodes -o old.glb").exit_code, 0);
