@@ -56,6 +56,7 @@ Outline make_outline(Grammar const& grammar, Leaf::Options const& options)
     Random random({ .seed = options.seed, .stream = kOutlineStream });
     Outline::Variation const usual;
     return { grammar.outline,
+             grammar.left_outline(),
              { .width = options.variation * usual.width, .point = options.variation * usual.point },
              random };
 }
@@ -76,6 +77,7 @@ Leaf::Leaf(Grammar const& grammar, Options const& options)
     values_[NameTable::kStep] = 0;
     values_[NameTable::kFinalStep] = options.final_step;
     values_[NameTable::kAge] = options.age;
+    values_[NameTable::kVariation] = options.variation;
 }
 
 tl::unexpected<Error> Leaf::fail_at(TextPlace const& place, std::string const& what) const
@@ -334,7 +336,7 @@ void Leaf::run(std::vector<Statement> const& block)
 Result<bool> Leaf::apply(Rule const& rule, FaceId face)
 {
     auto const& attributes = faces_[static_cast<std::size_t>(face)].attributes;
-    for (std::size_t name = NameTable::kBlade + 1; name < values_.size(); ++name)
+    for (std::size_t name = NameTable::kVariation + 1; name < values_.size(); ++name)
         if (!grammar_->variables.contains(name))
             values_[name] = std::nan("");
     for (std::size_t i = 0; i < rule.formal.size(); ++i)

@@ -37,6 +37,7 @@ public:
         double age = 1;     // Value that it reads as `age`, 0 to 1.
         std::uint64_t seed = 1;
         // How far the outline differs from the grammar's: 1 as leaves of a tree do, 0 not at all.
+        // The grammar reads it as `variation`.
         double variation = 1;
         Pose pose {};
     };

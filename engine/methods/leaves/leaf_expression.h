@@ -18,14 +18,15 @@ public:
     static constexpr std::size_t kStep = 0;
     static constexpr std::size_t kFinalStep = 1;
     static constexpr std::size_t kAge = 2;
-    static constexpr std::size_t kBlade = 3; // How large outlines are from here on.
+    static constexpr std::size_t kBlade = 3;     // How large outlines are from here on.
+    static constexpr std::size_t kVariation = 4; // How far leaves differ: Leaf::Options.
 
     std::size_t number_of(std::string_view name);
     std::string const& name(std::size_t number) const { return names_[number]; }
     std::size_t count() const { return names_.size(); }
 
 private:
-    std::vector<std::string> names_ { "step", "finalstep", "age", "blade" };
+    std::vector<std::string> names_ { "step", "finalstep", "age", "blade", "variation" };
 };
 
 enum class Function : std::uint8_t {

@@ -108,12 +108,24 @@ struct Grammar {
     std::set<char> reaching;
     // The margin between vein tips, in the frame of the stalk's end: #outline and #margin.
     HalfOutline outline;
+    // The left half where it differs from the right one, its x to the left: #left. None: it mirrors
+    // the right half.
+    std::vector<HalfOutline::Point> left;
     // Properties of the adult leaf: #steps, #size. 0: the text says nothing.
     int steps = 0;
     double size_mm = 0; // The blade's length.
     // sRGB, 0 to 1: #young and #old.
     Vec3 young { 0.36, 0.54, 0.22 };
     Vec3 old { 0.72, 0.50, 0.16 };
+
+    // The left half with the margin that both halves have.
+    HalfOutline left_outline() const
+    {
+        auto half = outline;
+        if (!left.empty())
+            half.points = left;
+        return half;
+    }
 };
 
 // Fails, as the user's fault, with file, line and column and one sentence. Any text is safe to

@@ -122,13 +122,14 @@ HalfOutline varied(HalfOutline half, Outline::Variation const& variation, double
 
 } // namespace
 
-Outline::Outline(HalfOutline const& half, Variation const& variation, Random& random)
+Outline::Outline(HalfOutline const& right_half, HalfOutline const& left_half,
+                 Variation const& variation, Random& random)
 {
-    if (half.points.size() < 2)
+    if (right_half.points.size() < 2)
         return;
     double const width = std::clamp(1 + variation.width * random.normal(), 0.7, 1.3);
-    auto const right = varied(half, variation, width, random);
-    auto const left = varied(half, variation, width, random);
+    auto const right = varied(right_half, variation, width, random);
+    auto const left = varied(left_half, variation, width, random);
     line_ = with_margin(curve_through(right.points), right);
     auto other = with_margin(curve_through(left.points), left);
     for (std::size_t i = other.size() - 1; i-- > 1;)

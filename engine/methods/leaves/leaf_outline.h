@@ -14,6 +14,8 @@ struct HalfOutline {
     struct Point {
         Vec2 at = Vec2::Zero();
         bool is_corner = false;
+
+        bool operator==(Point const&) const = default;
     };
     std::vector<Point> points {}; // None: the grammar has no outline.
 
@@ -34,7 +36,14 @@ public:
     };
 
     // No points: an outline that nothing reaches. The halves vary each by itself.
-    Outline(HalfOutline const& half, Variation const& variation, Random& random);
+    Outline(HalfOutline const& half, Variation const& variation, Random& random)
+        : Outline(half, half, variation, random)
+    {
+    }
+
+    // Halves that differ end at one tip; the left one's x is to the left.
+    Outline(HalfOutline const& right_half, HalfOutline const& left_half, Variation const& variation,
+            Random& random);
 
     bool empty() const { return line_.empty(); }
     std::vector<Vec2> const& line() const { return line_; }

@@ -64,6 +64,7 @@ public:
         }
         if (!has_axiom_)
             return text_.fail_here("there is no axiom: \"#axiom : A\" names the first face");
+        TRY(check_left_half());
         for (auto const& [face, place] : named_faces_)
             if (!grammar_.faces.contains(face))
                 return text_.fail_at(place,
@@ -120,8 +121,8 @@ private:
             return faces(grammar_.bare);
         if (word == "reach")
             return faces(grammar_.reaching);
-        if (word == "outline")
-            return outline();
+        if (word == "outline" || word == "left")
+            return outline(word == "left" ? grammar_.left : grammar_.outline.points);
         if (word == "young" || word == "old")
             return color(word == "young" ? grammar_.young : grammar_.old);
         if (word == "steps" || word == "size")
@@ -131,7 +132,7 @@ private:
         return text_.fail_at(
             place,
             fmt::format("#{} is none of define, axiom, base, bare, margin, outline, "
-                        "reach, steps, size, young, old",
+                        "left, reach, steps, size, young, old",
                         word));
     }
 
@@ -226,6 +227,15 @@ private:
         return made;
     }
 
+    Result<void> check_left_half()
+    {
+        auto const& right = grammar_.outline.points;
+        auto const& left = grammar_.left;
+        if (left.empty() || (!right.empty() && left.back().at == right.back().at))
+            return {};
+        return text_.fail_at(left_place_, "#left ends at the tip at which #outline ends");
+    }
+
     // A margin shapes the outline; where there is none it changes nothing.
     Result<void> margin()
     {
@@ -248,12 +258,11 @@ private:
     }
 
     // "(0.1,0.2) (0.3,0.5,1)": from the stalk's end, which is (0,0), to the tip; 1 is a corner.
-    Result<void> outline()
+    Result<void> outline(std::vector<HalfOutline::Point>& points)
     {
         constexpr std::size_t kMostPoints = 500;
         auto const place = text_.place();
         TRY(text_.expect(":"));
-        auto& points = grammar_.outline.points;
         points = { { .is_corner = true } };
         while (text_.next_is("(")) {
             auto const values = TRY(numbers(2, 3, "a point is (x,y), or (x,y,1) at a corner"));
@@ -267,6 +276,8 @@ private:
             return text_.fail_at(place,
                                  "an outline has two points and more; the last is the tip, whose x "
                                  "is 0 and whose y is above 0");
+        if (&points == &grammar_.left)
+            left_place_ = place;
         return {};
     }
 
@@ -508,8 +519,8 @@ private:
     Result<void> check_names(Rule const& rule) const
     {
         std::vector<bool> has_value(grammar_.names.count());
-        for (auto const name :
-             { NameTable::kStep, NameTable::kFinalStep, NameTable::kAge, NameTable::kBlade })
+        for (auto const name : { NameTable::kStep, NameTable::kFinalStep, NameTable::kAge,
+                                 NameTable::kBlade, NameTable::kVariation })
             has_value[name] = true;
         for (auto const& [name, value] : grammar_.variables)
             has_value[name] = true;
@@ -550,6 +561,7 @@ private:
     GrammarText text_;
     Grammar grammar_;
     bool has_axiom_ = false;
+    TextPlace left_place_;
     std::vector<std::pair<char, TextPlace>> named_faces_;
     std::vector<EdgeUse> named_edges_;
 };

@@ -183,6 +183,7 @@ TEST(LeafOutline, IsRefusedWithItsPlace)
     for (auto const& [text, message] :
          { Case { "#outline : (0.5,0.5)", "my.leaf:1:10: an outline has two points" },
            Case { "#outline : (0.5,0.5) (0.2,1)", "whose x is 0" },
+           Case { "#left : (0.2,0.5) (0,1)", "my.leaf:1:7: #left ends at the tip" },
            Case { "#outline : (0.5) (0,1)", "my.leaf:1:12: a point is (x,y)" },
            Case { "#young(1,2,300)", "my.leaf:1:7: a colour is (red,green,blue)" },
            Case { "#steps(0)", "my.leaf:1:7: #steps has one number above 0" },
