@@ -144,7 +144,11 @@ private:
     bool glue_one(Gluing const& gluing);
     Result<void> spend(std::size_t work);
     Result<void> fill_way(std::vector<Dart> const& way);
-    void add_limb_face(std::span<Dart const> way);
+    enum class Margin { Outline, Straight };
+    void add_limb_face(std::span<Dart const> way, Margin margin);
+    bool is_along_outline(std::span<Dart const> way) const;
+    void add_margin(std::span<Dart const> way, std::vector<Vertex>& corners,
+                    std::vector<EdgeLabel>& labels);
     void remove_limb();
     void begin_blade(FaceId stalk);
     std::size_t blade_on(std::optional<Dart> edge) const;
@@ -152,8 +156,6 @@ private:
     Result<double> reach(Stand const& start, std::size_t blade);
     std::optional<Vein> vein_of(Face const& face) const;
     int order_on(std::optional<Dart> edge) const;
-    void add_margin(std::span<Dart const> way, std::vector<Vertex>& corners,
-                    std::vector<EdgeLabel>& labels);
 
     Grammar const* grammar_;
     LeafMap map_;

@@ -77,9 +77,20 @@ Result<void> Leaf::fill_way(std::vector<Dart> const& way)
             pending.push_back(part.first(worst));
             continue;
         }
-        add_limb_face(part);
+        // Where tips have crossed, as they do beside a heart-shaped base, the outline from one to
+        // the other is all of it, and a part of the way would follow it somewhere else.
+        bool const follows = part.size() == way.size() || is_along_outline(way);
+        add_limb_face(part, follows ? Margin::Outline : Margin::Straight);
     }
     return {};
+}
+
+bool Leaf::is_along_outline(std::span<Dart const> way) const
+{
+    auto const first = way.front();
+    auto const& blade = blades_[blade_on(first)];
+    return outline_.goes_forward(blade.to_outline(map_.flat_of(first)),
+                                 blade.to_outline(map_.flat_of(LeafMap::a0(way.back()))));
 }
 
 // Follows the outline from one end of the way to the other. In space the outline keeps its place
@@ -115,11 +126,12 @@ void Leaf::add_margin(std::span<Dart const> way, std::vector<Vertex>& corners,
     }
 }
 
-void Leaf::add_limb_face(std::span<Dart const> way)
+void Leaf::add_limb_face(std::span<Dart const> way, Margin margin)
 {
     std::vector<Vertex> corners { map_.vertex(way.front()) };
     std::vector<EdgeLabel> labels { EdgeLabel::LimbEnd };
-    add_margin(way, corners, labels);
+    if (margin == Margin::Outline)
+        add_margin(way, corners, labels);
     corners.push_back(map_.vertex(LeafMap::a0(way.back())));
     if (corners.size() + way.size() < 4) // Nothing lies between a single edge and its chord.
         return;

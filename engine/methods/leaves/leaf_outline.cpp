@@ -199,6 +199,24 @@ Outline::Place Outline::nearest(Vec2 const& point) const
     return best;
 }
 
+double Outline::span(Place const& from, Place const& to) const
+{
+    return to.along > from.along ? to.along - from.along
+                                 : to.along - from.along + static_cast<double>(line_.size());
+}
+
+// Most of the line is rather a step back.
+bool Outline::is_forward(Place const& from, Place const& to) const
+{
+    constexpr double kMost = 0.7;
+    return span(from, to) <= kMost * static_cast<double>(line_.size());
+}
+
+bool Outline::goes_forward(Vec2 const& from, Vec2 const& to) const
+{
+    return !empty() && is_forward(nearest(from), nearest(to));
+}
+
 std::vector<Vec2> Outline::between(Vec2 const& from, Vec2 const& to, double tolerance) const
 {
     std::vector<Vec2> made;
@@ -206,11 +224,9 @@ std::vector<Vec2> Outline::between(Vec2 const& from, Vec2 const& to, double tole
         return made;
     auto const a = nearest(from);
     auto const b = nearest(to);
-    auto const count = double(line_.size());
-    double const span = b.along > a.along ? b.along - a.along : b.along - a.along + count;
-    if (a.distance > tolerance || b.distance > tolerance || span > 0.7 * count)
+    if (a.distance > tolerance || b.distance > tolerance || !is_forward(a, b))
         return made;
-    for (double i = std::floor(a.along) + 1; i < a.along + span; ++i)
+    for (double i = std::floor(a.along) + 1; i < a.along + span(a, b); ++i)
         made.push_back(line_[static_cast<std::size_t>(i) % line_.size()]);
     double const least = 1e-6; // Points on the ends themselves would make edges without length.
     std::erase_if(made, [&](Vec2 const& point) {

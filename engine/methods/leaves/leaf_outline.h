@@ -55,6 +55,10 @@ public:
     // where one of them is farther than `tolerance` from the line or the way is most of it.
     std::vector<Vec2> between(Vec2 const& from, Vec2 const& to, double tolerance) const;
 
+    // Whether the way along the line from beside `from` to beside `to`, counter-clockwise, is not
+    // most of it.
+    bool goes_forward(Vec2 const& from, Vec2 const& to) const;
+
 private:
     struct Place {
         double along = 0; // Place in points of the line.
@@ -70,6 +74,8 @@ private:
     void find_parts();
     void look_at(Part const& part, Vec2 const& point, Place& best) const;
     Place nearest(Vec2 const& point) const;
+    double span(Place const& from, Place const& to) const;
+    bool is_forward(Place const& from, Place const& to) const;
 
     std::vector<Vec2> line_;
     std::vector<Part> parts_;

@@ -169,12 +169,12 @@ TEST(DrawnLeaf, ComesBackFromTwoHundredDrawings)
         all.far_off += figures.far_off;
         all.well += figures.well;
         EXPECT_LE(figures.angle_sum, 1.0 * figures.angles) << species;
-        EXPECT_GE(figures.overlap_sum, 0.95 * figures.leaves) << species;
+        EXPECT_GE(figures.overlap_sum, 0.97 * figures.leaves) << species;
     }
     EXPECT_GE(all.exact, 0.95 * all.leaves);
     EXPECT_LE(all.far_off, 0.01 * all.angles);
-    // A willow of 60 mm is narrower than 10 mm: the tremor is a tenth of it. In one lime the limb
-    // lies doubly.
+    // A willow of 60 mm is narrower than 10 mm: the tremor is a tenth of it. In one lime two veins'
+    // tips cross, and what is between them stays empty.
     EXPECT_GE(all.well, 0.96 * all.leaves);
 }
 
