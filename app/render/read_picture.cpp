@@ -1,20 +1,13 @@
 #include "app/render/read_picture.h"
 
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
 #include <fmt/core.h>
 #include <libexif/exif-data.h>
 #include <limits>
 #include <memory>
+#include <png.h>
+#include <turbojpeg.h>
 #include <utility>
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_JPEG
-#define STBI_ONLY_PNG
-#define STBI_NO_STDIO
-#include <stb_image.h>
 
 namespace tractus {
 
@@ -58,33 +51,76 @@ Image upright(Image picture, int orientation)
     return turned;
 }
 
+static_assert(sizeof(Color) == 4); // As both libraries write it.
+
+Result<void> check_size(std::int64_t width, std::int64_t height)
+{
+    constexpr std::int64_t kMostPixels = 100'000'000;
+    if (width < 1 || height < 1)
+        return fail(Fault::User, "the picture has no pixels");
+    if (height <= kMostPixels / width)
+        return {};
+    return fail(Fault::User,
+                fmt::format("the picture has {} x {} pixels, more than 100 million: "
+                            "make it smaller",
+                            width, height));
+}
+
+auto fail_damaged(char const* why)
+{
+    return fail(Fault::User, fmt::format("the picture is damaged: {}", why));
+}
+
+Result<Image> read_png(std::string_view bytes)
+{
+    png_image png {};
+    png.version = PNG_IMAGE_VERSION;
+    std::unique_ptr<png_image, void (*)(png_image*)> const freed(&png, png_image_free);
+    if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0)
+        return fail_damaged(png.message);
+    TRY(check_size(png.width, png.height));
+    png.format = PNG_FORMAT_RGBA;
+    Image image(static_cast<int>(png.width), static_cast<int>(png.height));
+    if (png_image_finish_read(&png, nullptr, image.pixels().data(), 0, nullptr) == 0)
+        return fail_damaged(png.message);
+    return image;
+}
+
+// What the library only warns of, as of bytes between segments, many cameras and programs write.
+Result<Image> read_jpeg(std::string_view bytes)
+{
+    std::unique_ptr<void, int (*)(void*)> const decoder(tjInitDecompress(), tjDestroy);
+    auto const* const data = reinterpret_cast<unsigned char const*>(bytes.data());
+    int width = 0;
+    int height = 0;
+    int subsampling = 0;
+    int colors = 0;
+    if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling,
+                            &colors)
+        != 0)
+        return fail_damaged(tjGetErrorStr2(decoder.get()));
+    TRY(check_size(width, height));
+    Image image(width, height);
+    auto* const pixels = reinterpret_cast<unsigned char*>(image.pixels().data());
+    if (tjDecompress2(decoder.get(), data, bytes.size(), pixels, width, 0, height, TJPF_RGBA,
+                      TJFLAG_LIMITSCANS)
+            != 0
+        && tjGetErrorCode(decoder.get()) != TJERR_WARNING)
+        return fail_damaged(tjGetErrorStr2(decoder.get()));
+    return image;
+}
+
 } // namespace
 
 Result<Image> read_picture(std::string_view bytes)
 {
-    constexpr std::int64_t kMostPixels = 100'000'000;
     if (bytes.size() > std::numeric_limits<int>::max())
         return fail(Fault::User, "the picture is larger than 2 GiB");
-    auto const* const data = reinterpret_cast<stbi_uc const*>(bytes.data());
-    auto const size = static_cast<int>(bytes.size());
-    int width = 0;
-    int height = 0;
-    int channels = 0;
-    if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0)
+    if (bytes.starts_with("\x89PNG"))
+        return read_png(bytes);
+    if (!bytes.starts_with("\xff\xd8"))
         return fail(Fault::User, "it is neither a PNG nor a JPEG picture");
-    if (std::int64_t { width } * height > kMostPixels)
-        return fail(Fault::User,
-                    fmt::format("the picture has {} x {} pixels, more than 100 million: make it "
-                                "smaller",
-                                width, height));
-    std::unique_ptr<stbi_uc, void (*)(void*)> const pixels(
-        stbi_load_from_memory(data, size, &width, &height, &channels, STBI_rgb_alpha), std::free);
-    if (!pixels)
-        return fail(Fault::User, fmt::format("the picture is damaged: {}", stbi_failure_reason()));
-    Image image(width, height);
-    static_assert(sizeof(Color) == STBI_rgb_alpha);
-    std::memcpy(image.pixels().data(), pixels.get(), image.pixels().size() * sizeof(Color));
-    return upright(std::move(image), orientation_of(bytes));
+    return upright(TRY(read_jpeg(bytes)), orientation_of(bytes));
 }
 
 } // namespace tractus
