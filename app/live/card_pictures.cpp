@@ -3,6 +3,7 @@
 #include "app/live/drawing_file.h"
 #include "app/live/picture_files.h"
 #include "app/live/recent_drawings.h"
+#include "app/methods/all_leaves.h"
 #include "app/plants/picture_thread.h"
 #include "app/plants/plant_group.h"
 #include "app/plants/session_plant.h"
@@ -46,6 +47,23 @@ std::optional<Image> small_picture(fs::path const& file)
         = std::min(1.0, static_cast<double>(CardPictures::kWidth_px) / image->width());
     auto const side = [&](int length) { return std::max(1, static_cast<int>(scale * length)); };
     return resized(*image, side(image->width()), side(image->height()));
+}
+
+// On white, in the middle.
+std::optional<Image> card_of_grammar(fs::path const& file)
+{
+    constexpr Color kPaper { 250, 250, 248, 255 };
+    auto const leaf = picture_of_grammar(file, CardPictures::kHeight_px, kPaper);
+    if (!leaf)
+        return std::nullopt;
+    Image card(CardPictures::kWidth_px, CardPictures::kHeight_px, kPaper);
+    paste(card, *leaf, (card.width() - leaf->width()) / 2, 0);
+    return card;
+}
+
+bool is_grammar(fs::path const& file)
+{
+    return file.extension() == ".leaf";
 }
 
 // Names of the pictures that were ever kept for a file begin alike; the rest says of which state.
@@ -114,14 +132,17 @@ std::optional<CardPictures::Made> CardPictures::take()
 CardPictures::Made CardPictures::make(fs::path const& file, std::stop_token const& stop)
 {
     Made made { file, nullptr };
-    bool const has_none_beside_it = is_session_file(file) || is_picture_file(file);
+    bool const has_none_beside_it
+        = is_session_file(file) || is_picture_file(file) || is_grammar(file);
     auto image
         = has_none_beside_it ? std::nullopt : read_image(fs::path(file).replace_extension(".png"));
     auto const name = kept_name(file);
     if (!image && !kept_in_.empty())
         image = read_image(kept_in_ / name.whole);
     if (!image && !stop.stop_requested()) {
-        image = is_picture_file(file) ? small_picture(file) : draw(file, stop);
+        image = is_picture_file(file) ? small_picture(file)
+            : is_grammar(file)        ? card_of_grammar(file)
+                                      : draw(file, stop);
         if (image && !kept_in_.empty())
             keep(*image, kept_in_, name);
     }

@@ -43,12 +43,12 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
     window.view().state().may_calibrate = has_sensor && !window.options_.rig_file.empty();
     if (auto const note = size_note(window.devices_, window.station_options_.rig))
         window.view().state().status = *note;
-    if (!window.options_.picture.empty())
-        window.perform(LayPictureFile { window.options_.picture });
     if (lacks_calibration)
         window.perform(OpenCalibration {});
     if (!window.options_.recording.empty())
         TRY(window.start_recording(window.options_.recording));
+    if (!window.options_.picture.empty()) // A step of the recording, too.
+        window.perform(LayPictureFile { window.options_.picture });
     return window;
 }
 
@@ -106,7 +106,7 @@ void LiveWindow::advance(Duration real_step)
         *options_.counted_time += real_step;
     take_reports();
     follow_start_page();
-    follow_pictures();
+    follow_choices();
     follow_model();
     controller_->show(station_, options_.now());
     if (auto hand = controller_->take_hand())
@@ -128,8 +128,8 @@ void LiveWindow::settle()
         options_.start_page->settle();
         follow_start_page();
     }
-    if (pictures_)
-        pictures_->settle();
+    if (choices_)
+        choices_->settle();
     controller_->settle(station_, options_.now());
 }
 

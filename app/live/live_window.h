@@ -4,9 +4,9 @@
 #include "app/devices/live_diagnosis.h"
 #include "app/devices/live_recorder.h"
 #include "app/live/calibration_panel_controller.h"
+#include "app/live/choice_page.h"
 #include "app/live/live_cards.h"
 #include "app/live/mouse_rig.h"
-#include "app/live/picture_page.h"
 #include "app/live/start_page_controller.h"
 #include "app/live/station_controller.h"
 #include "app/plants/followed_model.h"
@@ -59,6 +59,7 @@ struct LiveWindowOptions {
     std::vector<std::filesystem::path> picture_folders {};
     std::filesystem::path cache {};
     std::filesystem::path picture {}; // One to be laid there at first; empty: none.
+    std::filesystem::path leaves {};  // The folder of a person's own leaf grammars.
     std::filesystem::path cards {};   // The folder of a person's own cards; empty: none are kept.
     // The model whose plant is drawn on: when it is saved, the plant follows. Empty: none.
     std::filesystem::path model {};
@@ -91,6 +92,8 @@ public:
     Scene const& scene() const { return *controller_->view().grown_scene(); }
 
 private:
+    enum class ChoiceOf { Picture, Leaves };
+
     LiveWindow(LiveDevices devices, LiveWindowOptions options, StationOptions station_options,
                Station station);
 
@@ -113,6 +116,7 @@ private:
     void perform_kind(CloseCalibration const&);
     void perform_kind(OpenStartPage const&);
     void perform_kind(OpenPictures const&);
+    void perform_kind(OpenLeaves const&);
     void perform_kind(LayPictureFile const& command);
     template<typename Command> void perform_kind(Command const& command)
     {
@@ -125,7 +129,8 @@ private:
     void go_on_with(OpenedDrawing drawing);
     bool drawings_are_open() const;
     void follow_start_page();
-    void follow_pictures();
+    void open_choices(ChoiceOf what, Choices choices);
+    void follow_choices();
     void follow(std::filesystem::path const& model);
     void follow_model();
     void take_reports();
@@ -148,8 +153,9 @@ private:
     Station station_;
     std::optional<StationController> controller_; // Of the drawing at hand; never without.
     LiveCards cards_;
-    std::unique_ptr<PicturePage> pictures_; // Null before it is opened.
-    std::optional<FollowedModel> model_;    // Its file, where somebody may write it.
+    std::unique_ptr<ChoicePage> choices_;    // Null before it is opened,
+    ChoiceOf choice_of_ = ChoiceOf::Picture; // and of what it is.
+    std::optional<FollowedModel> model_;     // Its file, where somebody may write it.
     std::optional<LiveRecorder> recorder_;
     // Number of the recording's first stroke in the document.
     std::size_t recorded_from_stroke_ = 0;

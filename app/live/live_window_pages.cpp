@@ -12,8 +12,8 @@ namespace tractus {
 
 StartPageModel* LiveWindow::start_page()
 {
-    if (pictures_ && pictures_->is_open())
-        return pictures_.get();
+    if (choices_ && choices_->is_open())
+        return choices_.get();
     return drawings_are_open() ? options_.start_page.get() : nullptr;
 }
 
@@ -105,18 +105,34 @@ void LiveWindow::follow_start_page()
 
 void LiveWindow::perform_kind(OpenPictures const&)
 {
-    if (!pictures_)
-        pictures_ = std::make_unique<PicturePage>(options_.picture_folders, options_.cache);
-    pictures_->open();
+    open_choices(ChoiceOf::Picture, picture_choices(options_.picture_folders));
 }
 
-void LiveWindow::follow_pictures()
+void LiveWindow::perform_kind(OpenLeaves const&)
 {
-    if (!pictures_)
+    open_choices(ChoiceOf::Leaves, leaf_choices(options_.leaves));
+}
+
+void LiveWindow::open_choices(ChoiceOf what, Choices choices)
+{
+    if (!choices_)
+        choices_ = std::make_unique<ChoicePage>(options_.cache);
+    choice_of_ = what;
+    choices_->open(std::move(choices));
+}
+
+void LiveWindow::follow_choices()
+{
+    if (!choices_)
         return;
-    pictures_->advance();
-    if (auto const file = pictures_->take_chosen())
+    choices_->advance();
+    auto const file = choices_->take_chosen();
+    if (!file)
+        return;
+    if (choice_of_ == ChoiceOf::Picture)
         perform_kind(LayPictureFile { *file });
+    else
+        perform_kind(DressActivePlant { *file });
 }
 
 // The pen places it next.

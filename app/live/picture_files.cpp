@@ -54,7 +54,7 @@ std::vector<fs::path> pictures_in(fs::path const& folder, std::size_t most)
 
 Result<LayPicture> load_back_picture(fs::path const& file, Vec2 const& tablet_mm)
 {
-    constexpr double kShare = 0.9; // Of the tablet.
+    constexpr double kShare = 0.9; // Share of the tablet.
     auto bytes = TRY(read_file(file, kMostPictureBytes));
     auto const image = read_picture(bytes);
     if (!image)

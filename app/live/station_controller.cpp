@@ -2,6 +2,7 @@
 
 #include "app/dated_path.h"
 #include "app/live/picture_files.h"
+#include "app/methods/all_leaves.h"
 #include "app/plants/glb_size.h"
 #include "app/plants/plant_file.h"
 #include "app/plants/plant_group.h"
@@ -208,6 +209,28 @@ void StationController::perform(DragDrawnGlyph const& command, Station& station)
     auto const change = [kind, command](Scene const& scene) -> Result<WantedStep::Change> {
         auto edits = TRY(kind->drag(scene, command.handle, command.to));
         return WantedStep::Change { std::move(edits), "What was drawn follows" };
+    };
+    document_->make({ change, WantedStep::Of::Scene });
+    show_document(station, now_);
+}
+
+void StationController::perform(DressActivePlant const& command, Station& station)
+{
+    auto const change = [leaves = leaves_of_grammar(command.grammar)](
+                            Scene const& scene) -> Result<WantedStep::Change> {
+        if (!active_plant(scene.state))
+            return fail(Fault::User, "There is no plant yet: draw one first");
+        auto edits = TRY(dressing_edits(scene, scene.state.active, leaves));
+        auto status = leaves.empty() ? std::string("The plant has its own leaves")
+                                     : fmt::format("The plant has leaves of {}",
+                                                   std::filesystem::path(leaves).stem().string());
+        // In a season they have its age.
+        if (scene.state.season) {
+            auto const dressed = TRY(apply_edits(scene, edits));
+            for (auto& edit : TRY(season_edits(dressed, scene.state.season)))
+                edits.push_back(std::move(edit));
+        }
+        return WantedStep::Change { std::move(edits), std::move(status) };
     };
     document_->make({ change, WantedStep::Of::Scene });
     show_document(station, now_);

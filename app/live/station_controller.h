@@ -71,6 +71,7 @@ public:
     void perform(TakeOrphansAway const&, Station& station);
     void perform(LayPictureFile const& command, Station& station);
     void perform(DragDrawnGlyph const& command, Station& station);
+    void perform(DressActivePlant const& command, Station& station);
 
     // What has been drawn with a tool follows other numbers (ToolKind::follow): is only shown so,
     // or does as a step, if anything does.

@@ -1,6 +1,7 @@
 #include "app/plants/drawing.h"
 
 #include "app/document/document.h"
+#include "app/methods/all_leaves.h"
 #include "app/plants/model_file.h"
 #include "app/plants/plant_season.h"
 #include "app/plants/session_plant.h"
@@ -203,6 +204,11 @@ Result<std::vector<Edit>> growing_plant_edits(PlantChoice const& plant, GrowthOp
     if (!own || growth.preset)
         own = TRY(growth_preset(growth.preset.value_or(kUsual)));
     edits.push_back(SetGrowth { *own, seed, growth.variability });
+    if (!growth.leaves.empty()) {
+        auto const scene = TRY(scene_after({}, edits));
+        for (auto& edit : TRY(dressing_edits(scene, scene.state.active, growth.leaves)))
+            edits.push_back(std::move(edit));
+    }
     if (growth.season) {
         auto const scene = TRY(scene_after({}, edits));
         for (auto& edit : TRY(season_edits(scene, growth.season)))
@@ -242,6 +248,20 @@ Result<Drawing> read_drawing(DrawingOptions const& options, Document& document, 
     auto drawing = TRY(reader.read());
     reader.note_drawing(drawing);
     return drawing;
+}
+
+Result<std::vector<Stroke>> drawn_strokes(DrawingOptions const& options)
+{
+    if (is_stroke_file(options.log))
+        return load_strokes(options.log);
+    Progress progress;
+    DrawingReport report;
+    auto const drawing = TRY(read_drawing(options, Scene {}, progress, report));
+    progress.finish();
+    std::vector<Stroke> strokes;
+    for (auto const& drawn : drawing.strokes)
+        strokes.push_back(drawn.stroke);
+    return strokes;
 }
 
 } // namespace tractus

@@ -22,6 +22,7 @@ struct GrowthOptions {
     // "usual".
     std::optional<std::string> preset {};
     double variability = 1;          // See at_variability().
+    std::string leaves {};           // See dressing_edits(); empty: as a session or a model says.
     std::optional<Season> season {}; // No value: as a session says, and else without one.
 };
 
@@ -87,5 +88,9 @@ Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene, Progres
 // cannot keep something.
 Result<Drawing> read_drawing(DrawingOptions const& options, Document& document, Progress& progress,
                              DrawingReport& report);
+
+// The finished strokes of a recording, or of a file of strokes (is_stroke_file()). Fails like
+// read_drawing() and load_strokes().
+Result<std::vector<Stroke>> drawn_strokes(DrawingOptions const& options);
 
 } // namespace tractus

@@ -1,6 +1,6 @@
 #include "app/plants/plant_season.h"
 
-#include "app/methods/all_inputs.h"
+#include "app/methods/all_leaves.h"
 
 #include <fmt/core.h>
 #include <set>
@@ -15,15 +15,14 @@ Result<std::vector<Edit>> season_edits(Scene const& scene, std::optional<Season>
     std::set<std::string> missing;
     if (season)
         for (auto const& plant : scene.plants)
-            missing.merge(missing_leaves(*plant->base, *season, scene.state.leaf_sheets));
+            missing.merge(missing_leaves(*plant->dressed, *season, scene.state.leaf_sheets));
     for (auto const& name : missing) {
-        auto sheet = make_input({}, name);
+        auto sheet = sheet_for(scene, name);
         if (!sheet)
             return fail(
                 sheet.error().fault,
                 fmt::format("the plants cannot change with the season: {}", sheet.error().message));
-        if (*sheet)
-            edits.emplace_back(KeepLeaves { name, **std::move(sheet) });
+        edits.emplace_back(KeepLeaves { name, *std::move(sheet) });
     }
     edits.emplace_back(season ? SetSeason { season->month, season->fallen } : SetSeason {});
     return edits;

@@ -142,7 +142,7 @@ private:
     // On the heap, as the grower. It gives null for edits that cannot be made.
     std::unique_ptr<NewestJob<WantedProposal, std::shared_ptr<Scene const>>> proposal_;
     std::unique_ptr<NewestJob<std::shared_ptr<std::string const>, ReadPicture>> reading_;
-    std::shared_ptr<BackPicture const> picture_;  // That is shown, or being read.
+    std::shared_ptr<BackPicture const> picture_;  // Picture that is shown, or being read.
     std::shared_ptr<Scene const> shown_in_place_; // Scene of plant and skeleton as they are shown.
     std::shared_ptr<Scene const> glyph_scene_;    // That the drawn glyph shows,
     DrawnGlyphKind const* glyph_kind_ = nullptr;  // and how.

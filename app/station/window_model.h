@@ -309,6 +309,13 @@ struct LayPictureFile {
     std::filesystem::path file;
 };
 
+// Shows leaves that the active plant may have as WindowModel::start_page().
+struct OpenLeaves { };
+// Gives it the leaves of the grammar in a file; empty: its own.
+struct DressActivePlant {
+    std::filesystem::path grammar;
+};
+
 struct WatchDevices {
     bool watched = true; // Show DevicesView, and keep it new, some ten times a second.
 };
@@ -321,7 +328,7 @@ using WindowCommand
                    PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording, WatchDevices,
                    OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage, ChangeSeason,
                    AdjustTool, TakeLikeDrawn, KeepCard, RenameCard, RemoveCard, OpenPictures,
-                   LayPictureFile, DragDrawnGlyph>;
+                   LayPictureFile, DragDrawnGlyph, OpenLeaves, DressActivePlant>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

@@ -33,7 +33,7 @@ struct Glyph {
         bool is_small = false; // One of many.
     };
     struct Label {
-        Vec2 place = Vec2::Zero(); // Of the middle of its upper edge.
+        Vec2 place = Vec2::Zero(); // Middle of its upper edge.
         char const* text = "";
     };
     std::vector<Line> lines;

@@ -1,5 +1,6 @@
 #include "app/verbs/grow.h"
 
+#include "app/methods/all_leaves.h"
 #include "app/plants/model_file.h"
 #include "app/plants/pictures.h"
 #include "app/plants/plant_file.h"
@@ -192,7 +193,12 @@ Result<Scene> with_growth(GrowthOptions const& options, Scene scene)
     growth.parameters = TRY(options.preset ? growth_preset(*options.preset)
                                            : at_variability(growth.parameters, growth.variability));
     growth.variability = options.variability;
-    return with_season(TRY(apply_edit(std::move(scene), growth)), options.season);
+    scene = TRY(apply_edit(std::move(scene), growth));
+    if (!options.leaves.empty()) {
+        auto const edits = TRY(dressing_edits(scene, scene.state.active, options.leaves));
+        scene = TRY(apply_edits(std::move(scene), edits));
+    }
+    return with_season(std::move(scene), options.season);
 }
 
 Result<Scene> add_drawing(DrawingOptions const& options, Scene scene, std::string const& name)

@@ -1,5 +1,6 @@
 #include "app/verbs/growth_options.h"
 
+#include "app/methods/all_leaves.h"
 #include "app/verbs/checks.h"
 #include "engine/variation/growth_preset.h"
 
@@ -33,6 +34,13 @@ void add_growth_options(CLI::App& verb, GrowthOptions& growth, std::string const
         ->type_name("X")
         ->check(number(0, 4))
         ->capture_default_str();
+    names.clear();
+    for (auto const& kind : leaf_kinds())
+        names.push_back(kind.name);
+    verb.add_option("--leaves", growth.leaves,
+                    fmt::format("Grown leaves in the place of the plant's own: {}, or a .leaf file",
+                                fmt::join(names, ", ")))
+        ->type_name("NAME");
     add_season_options(verb, growth.season);
 }
 

@@ -8,8 +8,9 @@
 
 namespace tractus {
 
-// "--growth NAME", "--variability X" and the season's options: how a verb's plants grow. `without`
-// ends a sentence: how they grow without a name. `growth` must live as long as the verb.
+// "--growth NAME", "--variability X", "--leaves NAME" and the season's options: how a verb's plants
+// grow. `without` ends a sentence: how they grow without a name. `growth` must live as long as the
+// verb.
 void add_growth_options(CLI::App& verb, GrowthOptions& growth, std::string const& without);
 
 // "--season WHEN" and "--fallen X": the time of the year. `season` must live as long as the verb.

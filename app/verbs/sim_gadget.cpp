@@ -52,7 +52,7 @@ struct Functions {
     }
 };
 
-std::vector<std::size_t> find_pens(Log const& log)
+std::vector<std::size_t> pens_in(Log const& log)
 {
     std::vector<std::size_t> pens;
     for (std::size_t i = 0; i < log.devices.size(); ++i) {
@@ -101,7 +101,7 @@ Result<void> add_pens(Functions& functions, UsbGadget& gadget, Log const& log,
 Result<void> play_gadget(SimGadgetArguments const& arguments)
 {
     auto const log = TRY(load_sim_play(arguments.play));
-    auto const pens = arguments.what == "sensor" ? std::vector<std::size_t>() : find_pens(log);
+    auto const pens = arguments.what == "sensor" ? std::vector<std::size_t>() : pens_in(log);
     if (arguments.what != "sensor" && pens.empty())
         return fail(Fault::User, fmt::format("there is no pen to play in {}", log.name));
     auto const gadget = TRY(UsbGadget::create(identity_of(log, pens, arguments.name)));

@@ -182,8 +182,10 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
     // Last, since it may begin a file.
     auto const drawing = TRY(open_first_drawing(arguments, options));
     options.folder = std::filesystem::current_path();
-    if (!user_folder().empty())
-        options.cards = user_folder() / "cards";
+    if (auto const folder = user_folder(); !folder.empty()) {
+        options.cards = folder / "cards";
+        options.leaves = folder / "leaves";
+    }
     options.picture_folders = user_picture_folders();
     options.cache = user_cache_folder();
     options.picture = arguments.picture;

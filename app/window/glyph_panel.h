@@ -40,7 +40,7 @@ private:
     std::optional<std::size_t> held_ {};  // A handle's id.
     std::optional<std::size_t> shown_ {}; // The one that was held or pointed at last.
     ImVec2 off_px_ { 0, 0 };              // From where it was taken to the handle.
-    std::optional<Vec2> moved_to_ {};     // Of the handle that is held, if it has moved.
+    std::optional<Vec2> moved_to_ {};     // Place of the handle that is held, if it has moved.
 };
 
 } // namespace tractus

@@ -182,8 +182,14 @@ void Menu::show_window(WindowState const& state, Workbench& bench, Controls cons
 
 void Menu::show_plant(WindowModel& model, Controls const& controls)
 {
-    if (controls.button("Another one", item_px()))
+    bool const takes_leaves = model.state().is_live;
+    if (controls.button("Another one", item_px(takes_leaves ? 2 : 1)))
         model.perform(NextVariation {});
+    if (takes_leaves) {
+        ImGui::SameLine();
+        if (controls.button("Leaves...", item_px(2)))
+            model.perform(OpenLeaves {});
+    }
     ChangeGrowth change { .growth = model.state().growth };
     auto& growth = change.growth;
     bool is_released = false;

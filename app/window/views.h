@@ -69,7 +69,7 @@ private:
     FollowedCurves strokes_;
     FollowedCurves live_;
     std::optional<GpuPicture> picture_;
-    std::shared_ptr<Image const> shown_picture_; // That it is made of.
+    std::shared_ptr<Image const> shown_picture_; // Picture that it is made of.
     std::uint64_t picture_revision_ = 0;
     Eigen::Affine3f T_pad_world_ = Eigen::Affine3f::Identity();
     std::uint64_t turns_ = 0; // Of that.

@@ -74,7 +74,7 @@ std::uint8_t* pack_four_bits(Sixteen const& values, std::uint8_t* to)
     return to;
 }
 
-// Those that did not fit in their bits follow in full.
+// Values that did not fit in their bits follow in full.
 std::uint8_t* append_from(Sixteen const& values, int least, std::uint8_t* to)
 {
     std::array<std::uint8_t, kGroup> all;

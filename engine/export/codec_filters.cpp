@@ -107,6 +107,8 @@ void encode_exponential(std::span<float const> values, std::uint32_t* to)
         auto const four = encode(load_four(&values[i]));
         std::memcpy(to + i, &four, sizeof four);
     }
+    if (i == values.size())
+        return;
     FourFloats last {};
     std::copy(values.begin() + static_cast<std::ptrdiff_t>(i), values.end(),
               reinterpret_cast<float*>(&last));

@@ -79,6 +79,7 @@ DocumentState with_source(DocumentState state, NewSource added)
         if (added.drawn == Drawn::Forget) {
             plant.grafts.clear();
             plant.hidden_branches.clear();
+            plant.leaves.clear();
             plant.strokes.clear();
             plant.indicators.clear();
         }

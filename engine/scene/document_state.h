@@ -51,6 +51,7 @@ struct PlantState {
     // Where its base is on the paper that it was drawn on (paper.h); no value: on none.
     std::optional<Vec2> paper_mm {};
     bool is_hidden = false;       // Neither shown nor exported.
+    std::string leaves {};        // The name of their sheet; empty: the source's own.
     std::vector<Graft> grafts {}; // In the order in which they were put on it.
     // Segments that are not shown, with all that they bear. What was drawn on them waits.
     std::vector<SegmentAddress> hidden_branches {};
@@ -74,7 +75,9 @@ struct DocumentState {
     // plant fits the drawing volume.
     std::optional<double> scale {};
     std::optional<Season> season {}; // No value: plants are as their sources give them.
-    LeafSheets leaf_sheets {};       // What seasons need of grown leaves.
+    LeafSheets leaf_sheets {};       // Grown leaves that plants and seasons need.
+    // The texts of the user's own grammars, by their names. Shared with earlier states.
+    std::map<std::string, std::shared_ptr<std::string const>, std::less<>> leaf_grammars {};
     std::shared_ptr<BackPicture const> picture {}; // Null: none lies behind what is drawn.
     std::uint64_t last_edit = 0; // The number of edits so far: of it, ids of items are made.
 };

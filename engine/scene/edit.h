@@ -283,14 +283,30 @@ struct SetScale {
     double scale = 0.1; // World millimetres per plant millimetre; above 0.
 };
 
-// The seasons. Their kinds are in season_edits.cpp.
+// Leaves and seasons. Their kinds are in leaf_edits.cpp and season_edits.cpp.
 
-// Keeps grown leaves for the seasons that need them: a session has them as they were.
+// Keeps grown leaves for the plants and seasons that need them: a session has them as they were.
 struct KeepLeaves {
     static EditKind const kKind;
 
     std::string name {};  // Of the sheet, which says what they are (leaf_sheet.h).
     std::string sheet {}; // Its text.
+};
+
+// Keeps a leaf grammar that does not come with the program, for leaves of other ages.
+struct KeepGrammar {
+    static EditKind const kKind;
+
+    std::string name {}; // As sheets of its leaves name it.
+    std::string text {};
+};
+
+// Gives a plant other leaves (dressed_plant.h).
+struct DressPlant {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    std::string leaves {}; // The name of a sheet that the document keeps; empty: the plant's own.
 };
 
 // Shows all plants of the document at a time of the year (season.h).

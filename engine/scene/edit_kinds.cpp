@@ -36,7 +36,8 @@ EditKinds core_edit_kinds()
         &SetGrowth::kKind,  &ActivatePlant::kKind, &MovePlant::kKind,       &CopyPlant::kKind,
         &HidePlant::kKind,  &NamePlant::kKind,     &RemovePlant::kKind,     &SetScale::kKind,
         &GraftPlant::kKind, &TakeOffGraft::kKind,  &HideBranch::kKind,      &KeepLeaves::kKind,
-        &SetSeason::kKind,  &LayPicture::kKind,    &PlacePicture::kKind,    &RemovePicture::kKind
+        &SetSeason::kKind,  &LayPicture::kKind,    &PlacePicture::kKind,    &RemovePicture::kKind,
+        &DressPlant::kKind, &KeepGrammar::kKind
     };
     return kKinds;
 }

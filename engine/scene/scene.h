@@ -30,7 +30,9 @@ struct BuiltPlant {
     // by nobody, between scenes that follow each other, the views and the workers that grow it.
     std::shared_ptr<Plant const> base = std::make_shared<Plant const>();
     std::shared_ptr<RestShape const> rest = std::make_shared<RestShape const>(); // Of `base`.
-    // `base` in the document's season: with other organs on the same segments. What grows.
+    // `base` with the leaves that the plant is to have; and so in the document's season: with other
+    // organs on the same segments. The latter grows.
+    std::shared_ptr<Plant const> dressed = base;
     std::shared_ptr<Plant const> in_season = base;
 
     DeskPlacement placement; // Where it is shown in the drawing volume,

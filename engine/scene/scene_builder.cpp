@@ -1,6 +1,7 @@
 #include "engine/scene/scene_builder.h"
 
 #include "engine/scene/compose_base.h"
+#include "engine/scene/dressed_plant.h"
 
 #include <algorithm>
 #include <utility>
@@ -179,13 +180,18 @@ BuiltPlant SceneBuilder::build(std::shared_ptr<PlantState const> const& drawn,
 void SceneBuilder::set_season(BuiltPlant& plant, BuiltPlant const* before,
                               DocumentState const& state) const
 {
-    if (before && before->base == plant.base)
+    if (before && before->base == plant.base && before->drawn->leaves == plant.drawn->leaves) {
+        plant.dressed = before->dressed;
         plant.in_season = before->in_season;
-    else if (state.season)
-        plant.in_season = std::make_shared<Plant const>(
-            in_season(*plant.base, *state.season, state.leaf_sheets));
-    else
-        plant.in_season = plant.base;
+        return;
+    }
+    auto const sheet = state.leaf_sheets.find(plant.drawn->leaves);
+    plant.dressed = sheet == state.leaf_sheets.end()
+        ? plant.base
+        : std::make_shared<Plant const>(dressed(*plant.base, *sheet->second));
+    plant.in_season = state.season
+        ? std::make_shared<Plant const>(in_season(*plant.dressed, *state.season, state.leaf_sheets))
+        : plant.dressed;
 }
 
 void SceneBuilder::find_strokes(BuiltPlant& plant, BuiltPlant const* before)

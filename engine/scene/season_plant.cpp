@@ -1,4 +1,5 @@
 #include "engine/base/random.h"
+#include "engine/scene/dressed_plant.h"
 #include "engine/scene/season.h"
 
 #include <algorithm>
@@ -24,13 +25,6 @@ double eased(double share)
 {
     double const s = std::clamp(share, 0.0, 1.0);
     return s * s * (3 - 2 * s);
-}
-
-bool is_leaf(Plant const& plant, OrganShape const& shape)
-{
-    return plant.materials[shape.material].kind == Material::Kind::Leaf
-        && shape.kind != OrganShape::Kind::Needle && shape.kind != OrganShape::Kind::Ball
-        && shape.kind != OrganShape::Kind::Disc;
 }
 
 OrganCalendar calendar_of(Plant const& plant, OrganShape const& shape)

@@ -14,7 +14,7 @@ namespace {
 using lines::Construction;
 using lines::StemSide;
 
-constexpr double kLow = -0.9; // Of the stem's base in the frame,
+constexpr double kLow = -0.9; // Height of the stem's base in the frame,
 constexpr double kHigh = 0.9; // and of its top.
 constexpr int kSamples = 60;
 constexpr double kLeastRange = 0.6; // Of sizes.
@@ -23,7 +23,7 @@ constexpr double kLeastRange = 0.6; // Of sizes.
 struct Column {
     double from = 0;
     double to = 1;
-    double range = 1; // Of its values, from 0.
+    double range = 1; // Greatest value; the least is 0.
 
     double place(double value) const { return from + (to - from) * value / range; }
     double value(double place) const
@@ -45,7 +45,7 @@ constexpr std::size_t kWhats = 4;
 struct HandleName {
     What what = What::Angle;
     StemSide side = StemSide::Left;
-    std::size_t number = 0; // Of the line, the place, or the layer.
+    std::size_t number = 0; // Number of the line, the place, or the layer.
 
     std::size_t id() const
     {

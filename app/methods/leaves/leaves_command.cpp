@@ -4,6 +4,7 @@
 #include "app/methods/leaves/leaf_library.h"
 #include "app/methods/leaves/leaf_mesh.h"
 #include "app/methods/leaves/paint_command.h"
+#include "app/methods/leaves/sketched_leaf.h"
 #include "app/plants/plant_file.h"
 #include "app/terminal/console.h"
 #include "app/verbs/checks.h"
@@ -209,7 +210,7 @@ void add_growth_options(CLI::App& verb, LeavesArguments& arguments)
 
 } // namespace
 
-void add_leaves_command(CLI::App& root, Action& action, Methods const&)
+void add_leaves_command(CLI::App& root, Action& action, Methods const& methods)
 {
     auto* const verb
         = root.add_subcommand("leaves", "Derive leaves from grammars, and make pages of them");
@@ -251,6 +252,7 @@ void add_leaves_command(CLI::App& root, Action& action, Methods const&)
         ->type_name("PIXELS")
         ->check(whole_number(16, 4096));
     draw->callback([drawn, &action] { action = [drawn] { return draw_leaf(*drawn); }; });
+    add_sketch_leaf_command(*verb, action, methods);
     add_paint_commands(*verb, action);
 }
 

@@ -113,7 +113,7 @@ std::vector<Edit> follow(Tool const&, Tool const& after, Scene const& scene)
 } // namespace
 
 constexpr ToolKind PictureTool::kKind {
-    .word = "picture",
+    .word = "back_picture",
     .label = "Picture",
     .title = "Place the picture",
     .done = "The picture lies there now",

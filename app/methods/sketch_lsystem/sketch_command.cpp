@@ -47,26 +47,12 @@ struct SketchArguments {
     bool session = false;
 };
 
-Result<std::vector<Stroke>> read_strokes(SketchArguments const& arguments)
+Result<Stroke> choose_stroke(SketchArguments const& arguments)
 {
-    if (is_stroke_file(arguments.stroke))
-        return load_strokes(arguments.stroke);
     DrawingOptions options { .log = arguments.stroke, .methods = arguments.methods };
     if (!arguments.height.empty())
         options.height = arguments.height;
-    Progress progress;
-    DrawingReport report;
-    auto const drawing = TRY(read_drawing(options, Scene {}, progress, report));
-    progress.finish();
-    std::vector<Stroke> strokes;
-    for (auto const& drawn : drawing.strokes)
-        strokes.push_back(drawn.stroke);
-    return strokes;
-}
-
-Result<Stroke> choose_stroke(SketchArguments const& arguments)
-{
-    auto const strokes = TRY(read_strokes(arguments));
+    auto const strokes = TRY(drawn_strokes(options));
     if (arguments.number <= strokes.size())
         return strokes[arguments.number - 1];
     return fail(Fault::User,

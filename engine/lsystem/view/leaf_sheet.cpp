@@ -175,6 +175,27 @@ MaterialTextures leaf_textures(LeafSheet const& sheet)
              .color = MaterialTextures::Color::Replaced };
 }
 
+// A grown leaf in the place of another has the blade of that one.
+static double blade_length_mm(OrganShape const& organ)
+{
+    double const tip = organ.cut ? box_of(*organ.cut).max().y() : 1;
+    return std::max((organ.length_mm - organ.petiole_mm) / std::max(tip, 1e-6), 1e-6);
+}
+
+OrganShape leaf_shape(OrganShape const& organ, std::shared_ptr<CutLeaf const> leaf)
+{
+    double const blade_mm = blade_length_mm(organ);
+    auto const box = box_of(*leaf);
+    OrganShape shape = organ;
+    shape.kind = OrganShape::Kind::Leaf;
+    shape.length_mm = blade_mm * box.max().y();
+    shape.width_mm = blade_mm * box.sizes().x();
+    shape.petiole_mm = 0;
+    shape.patches.clear();
+    shape.cut = std::move(leaf);
+    return shape;
+}
+
 std::string leaf_sheet_name(LeafOrder const& order)
 {
     auto name = fmt::format("{} {} {}", order.grammar, order.variants, order.age);

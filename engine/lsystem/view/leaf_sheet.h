@@ -4,6 +4,7 @@
 #include "engine/base/vectors.h"
 #include "engine/plant/cut_leaf.h"
 #include "engine/plant/material.h"
+#include "engine/plant/organ_shape.h"
 
 #include <memory>
 #include <optional>
@@ -48,6 +49,9 @@ TextureSlot leaf_page(std::string png);
 
 // What the material of a sheet's leaves shows.
 MaterialTextures leaf_textures(LeafSheet const& sheet);
+
+// An organ's shape with a leaf of a sheet in its place, whose blade is as long as its own.
+OrganShape leaf_shape(OrganShape const& organ, std::shared_ptr<CutLeaf const> leaf);
 
 // The sheet as a text, pictures in base 64, and back. Parsing fails, as the user's fault, with
 // "FILE:LINE: …"; what a sheet says of its sizes is not believed. A leaf has at most 64 corners.

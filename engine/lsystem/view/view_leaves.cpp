@@ -32,20 +32,6 @@ static Result<void> read_leaf_field(ViewReader const& reader, LeafOrder& order,
     return {};
 }
 
-// The organ's shape with one leaf of the sheet in it.
-static OrganShape leaf_shape(OrganShape const& organ, std::shared_ptr<CutLeaf const> leaf)
-{
-    double const blade = std::max(organ.length_mm - organ.petiole_mm, 1e-6);
-    auto const box = box_of(*leaf);
-    OrganShape shape = organ;
-    shape.kind = OrganShape::Kind::Leaf;
-    shape.length_mm = blade * box.max().y();
-    shape.width_mm = blade * box.sizes().x();
-    shape.petiole_mm = 0;
-    shape.cut = std::move(leaf);
-    return shape;
-}
-
 Result<void> read_leaf(ViewReader& reader, std::string_view value)
 {
     auto const parts = words(value);

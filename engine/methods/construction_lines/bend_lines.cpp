@@ -176,7 +176,7 @@ struct Bump {
 Bump bump_at(std::vector<std::optional<double>> const& places, std::size_t number,
              DrawnLine const& boundary)
 {
-    constexpr double kLeastReach = 0.05; // Of the line.
+    constexpr double kLeastReach = 0.05; // Share of the line.
     double const at = *places[number];
     double before = at;
     double behind = boundary.length_mm() - at;

@@ -46,10 +46,10 @@ struct DrawnLeaf {
     // negative: away from it.
     double side_curve_deg = 0;
     double side_curve_at_tip_deg = 0;
-    double bend_deg = 0;     // Of the midrib, downwards, all in all.
+    double bend_deg = 0;     // Bend of the midrib, downwards, all in all.
     double droop_deg = 0;    // Twice what its upper half bends more than its lower one.
     double rise_deg = 0;     // How far the blade rises on both sides of the midrib.
-    double width = 0.014;    // Of the midrib at its begin; others follow.
+    double width = 0.014;    // Width of the midrib at its begin; others follow.
     double spread_deg = 2.5; // Standard deviation of veins' angles from leaf to leaf.
 
     bool operator==(DrawnLeaf const&) const = default;

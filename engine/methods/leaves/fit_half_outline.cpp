@@ -54,7 +54,7 @@ public:
     std::vector<Vec2> const& points() const { return points_; }
     // Mean distance of a span's samples from the curve, as a root of squares.
     double error(std::size_t span) const { return std::sqrt(square_error_[span]); }
-    // The same over the two spans that meet in a point.
+    // Mean of both spans that meet in a point.
     double error_beside(std::size_t point) const
     {
         return std::sqrt(0.5 * (square_error_[point - 1] + square_error_[point]));

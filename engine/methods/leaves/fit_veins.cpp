@@ -22,7 +22,7 @@ constexpr double kTremorLength_mm = 4; // A hand's deviations this far apart are
 struct LineFit {
     Vec2 begin = Vec2::Zero();
     Vec2 straight = Vec2::UnitY(); // Direction of the straight line.
-    double turn_deg = 0;           // Of the parabola, to the right.
+    double turn_deg = 0;           // Turn of the parabola, to the right.
     double length = 0;
     double square_error = 0; // Sum over the points, across the parabola.
     double freedom = 0;      // How many independent errors there are in it.
@@ -95,7 +95,7 @@ struct SideLine {
     std::size_t bearer = 0;
     bool is_right = true;
     double at = 0;
-    double angle_deg = 0; // Of its straight line, from its bearer's direction, above 0.
+    double angle_deg = 0; // Angle of its straight line, from its bearer's direction, above 0.
     double noise_deg = 0; // What the tremor does to that.
     double turn_deg = 0;  // Towards the bearer's end.
     double length = 0;

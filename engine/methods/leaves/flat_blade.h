@@ -22,7 +22,7 @@ struct FlatBlade {
     std::vector<FlatLine> sides {};
     double bend_low_deg = 0;  // Downwards, over the midrib's lower half,
     double bend_high_deg = 0; // and over its upper one.
-    double rise_deg = 0;      // Of the blade on both sides of the midrib.
+    double rise_deg = 0;      // Rise of the blade on both sides of the midrib.
     double sweep_deg = 0;     // The midrib's turn sideways.
 };
 

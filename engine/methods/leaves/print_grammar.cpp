@@ -48,9 +48,9 @@ public:
     {
         text_ = fmt::format("@ {} @\n", without_signs(title));
         print_adult();
-        print_half("outline", leaf_.right);
+        print_half("#outline", leaf_.right);
         if (!leaf_.left.empty())
-            print_half("left", leaf_.left);
+            print_half("#left", leaf_.left);
         print_margin();
         print_fastening();
         print_shape();
@@ -84,10 +84,10 @@ private:
         text_ += "#young(92,138,56)\n#old(184,128,41)\n";
     }
 
-    void print_half(std::string_view name, DrawnLeaf::Half const& half)
+    void print_half(std::string_view statement, DrawnLeaf::Half const& half)
     {
         constexpr std::size_t kInLine = 6;
-        text_ += fmt::format("#{} :", name);
+        text_ += fmt::format("{} :", statement);
         for (std::size_t i = 1; i < half.size(); ++i) {
             auto const& [at, is_corner] = half[i];
             text_ += i > 1 && i % kInLine == 1 ? "\n   " : " ";

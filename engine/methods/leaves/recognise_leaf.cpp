@@ -17,7 +17,7 @@ std::string_view name_of(StrokeRole role)
 {
     switch (role) {
     case StrokeRole::Outline:
-        return "outline";
+        return "margin";
     case StrokeRole::Midrib:
         return "midrib";
     case StrokeRole::MainVein:

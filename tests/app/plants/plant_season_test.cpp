@@ -89,7 +89,7 @@ TEST(PlantSeason, SaysWhichLeavesCannotBeGrown)
                                    .material = static_cast<MaterialId>(plant.materials.size() - 1),
                                    .cut = cut });
     auto built = std::make_shared<BuiltPlant>(*scene.plants[0]);
-    built->base = std::make_shared<Plant const>(plant);
+    built->base = built->dressed = std::make_shared<Plant const>(plant);
     scene.plants[0] = built;
     auto const edits = season_edits(scene, Season {});
     ASSERT_FALSE(edits);

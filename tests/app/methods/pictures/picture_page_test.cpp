@@ -1,9 +1,11 @@
-#include "app/live/picture_page.h"
+#include "app/live/choice_page.h"
 
+#include "app/document/logged_step.h"
 #include "app/live/picture_files.h"
 #include "app/methods/pictures/picture_tool.h"
 #include "app/session/session.h"
 #include "drivers/file.h"
+#include "drivers/log.h"
 #include "tests/app/live/live_window_devices.h"
 #include "tests/app/methods/pictures/small_picture.h"
 
@@ -99,8 +101,8 @@ TEST_F(Pictures, AreLeftAsTheyWereWithoutAChoice)
 
 TEST_F(Pictures, WhereThereAreNoneItIsSaidWhereToPutThem)
 {
-    PicturePage page({ folder_ }, {});
-    page.open();
+    ChoicePage page({});
+    page.open(picture_choices({ folder_ }));
     EXPECT_TRUE(page.state().groups.empty());
     EXPECT_NE(page.state().note.find(folder_.string()), std::string::npos);
 }
@@ -146,6 +148,35 @@ TEST_F(Pictures, AreKeptInTheSession)
         window.perform(Redo {});
     window.settle();
     EXPECT_TRUE(window.state().picture);
+}
+
+// So that an evening replays with what it was drawn after.
+TEST_F(Pictures, AreStepsOfARecording)
+{
+    auto const png = small_png(50, 70);
+    auto const log = folder_ / "evening.tractus-log";
+    {
+        auto options = live_options();
+        options.folder = folder_;
+        options.recording = log;
+        options.picture = put("oak.png", png);
+        auto window = LiveWindow::create(drawing_devices(false), std::move(options)).value();
+        window.settle();
+        ASSERT_TRUE(window.close());
+    }
+    auto const recorded = read_log(log).value();
+    std::size_t laid = 0;
+    for (auto const& line : recorded.tools) {
+        auto const step = parse_step(line.tool, line.arguments, all_methods().edits);
+        if (!step || !*step)
+            continue;
+        for (auto const& edit : (**step).edits)
+            if (auto const* const picture = edit.get<LayPicture>()) {
+                ++laid;
+                EXPECT_EQ(picture->file, png);
+            }
+    }
+    EXPECT_EQ(laid, 1u);
 }
 
 } // namespace

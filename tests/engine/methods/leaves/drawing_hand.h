@@ -16,7 +16,7 @@ struct Manner {
     double size_mm = 100; // Length of the blade.
     double tremor_mm
         = 0.3; // Standard deviation along x and along y, at 4 to 12 Hz; a third in height.
-    double bend_deg = 0;   // Of the blade, downwards.
+    double bend_deg = 0;   // Bend of the blade, downwards.
     double turned_deg = 0; // About the upright.
     Vec3 place_mm = Vec3::Zero();
     Outline outline = Outline::Closed;

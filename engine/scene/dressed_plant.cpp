@@ -1,0 +1,92 @@
+#include "engine/scene/dressed_plant.h"
+
+#include "engine/base/random.h"
+
+#include <limits>
+#include <map>
+#include <optional>
+
+namespace tractus {
+
+namespace {
+
+constexpr std::uint32_t kLeafStream = 0x1eaf;
+
+class Dresser {
+public:
+    Dresser(Plant const& plant, LeafSheet const& sheet)
+        : sheet_(sheet)
+        , plant_(plant)
+    {
+    }
+
+    Plant run()
+    {
+        // Shapes are added, but for plants of more kinds of leaves than shapes have numbers.
+        auto const own = plant_.organ_shapes.size();
+        std::vector<std::optional<OrganShapeId>> first(own);
+        for (std::size_t i = 0; i < own; ++i)
+            if (is_leaf(plant_, plant_.organ_shapes[i]) && has_room())
+                first[i] = add_leaves(plant_.organ_shapes[i]);
+        for (std::size_t i = 0; i < plant_.organs.size(); ++i) {
+            auto& organ = plant_.organs[i];
+            if (!first[organ.shape])
+                continue;
+            Random random({ 0, kLeafStream, static_cast<std::uint32_t>(i) });
+            auto const number = random.uniform() * static_cast<double>(sheet_.leaves.size());
+            organ.shape = static_cast<OrganShapeId>(*first[organ.shape] + static_cast<int>(number));
+        }
+        return std::move(plant_);
+    }
+
+private:
+    bool has_room() const
+    {
+        return plant_.organ_shapes.size() + sheet_.leaves.size()
+            <= std::numeric_limits<OrganShapeId>::max();
+    }
+
+    // Returns the first of them.
+    OrganShapeId add_leaves(OrganShape const& of)
+    {
+        auto organ = of; // The original moves with the list.
+        organ.material = material_of(of.material);
+        auto const first = static_cast<OrganShapeId>(plant_.organ_shapes.size());
+        for (auto const& leaf : sheet_.leaves)
+            plant_.organ_shapes.push_back(leaf_shape(organ, leaf));
+        return first;
+    }
+
+    MaterialId material_of(MaterialId own)
+    {
+        auto const [known, is_new] = materials_.try_emplace(own, MaterialId { 0 });
+        if (is_new) {
+            auto material = plant_.materials[own];
+            material.base_color = sheet_.mean_color;
+            material.textures = leaf_textures(sheet_);
+            plant_.materials.push_back(std::move(material));
+            known->second = static_cast<MaterialId>(plant_.materials.size() - 1);
+        }
+        return known->second;
+    }
+
+    LeafSheet const& sheet_;
+    Plant plant_;
+    std::map<MaterialId, MaterialId> materials_;
+};
+
+} // namespace
+
+bool is_leaf(Plant const& plant, OrganShape const& shape)
+{
+    return plant.materials[shape.material].kind == Material::Kind::Leaf
+        && shape.kind != OrganShape::Kind::Needle && shape.kind != OrganShape::Kind::Ball
+        && shape.kind != OrganShape::Kind::Disc;
+}
+
+Plant dressed(Plant const& plant, LeafSheet const& sheet)
+{
+    return sheet.leaves.empty() ? plant : Dresser(plant, sheet).run();
+}
+
+} // namespace tractus

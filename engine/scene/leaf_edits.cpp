@@ -1,0 +1,60 @@
+#include "engine/scene/make_edit_kind.h"
+
+#include <fmt/core.h>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+void list(Fields& fields, DressPlant& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.field("leaves", &edit.leaves);
+}
+
+Result<DocumentState> applied(DocumentState state, DressPlant const& edit, SceneBuilder&)
+{
+    auto const number = TRY(plant_number(state, edit.plant));
+    if (!edit.leaves.empty() && !state.leaf_sheets.contains(edit.leaves))
+        return fail(Fault::User,
+                    fmt::format("the drawing keeps no leaves called \"{}\"", edit.leaves));
+    change_plant(state, number, [&](PlantState& plant) { plant.leaves = edit.leaves; });
+    return state;
+}
+
+std::string described(DressPlant const& edit)
+{
+    auto const order = parse_leaf_sheet_name(edit.leaves);
+    return order ? fmt::format("gives plant {} leaves of {}", name_of(edit.plant), order->grammar)
+                 : fmt::format("gives plant {} its own leaves", name_of(edit.plant));
+}
+
+void list(Fields& fields, KeepGrammar& edit)
+{
+    fields.field("name", &edit.name);
+    fields.field("text", &edit.text);
+}
+
+Result<DocumentState> applied(DocumentState state, KeepGrammar const& edit, SceneBuilder&)
+{
+    if (edit.name.empty())
+        return fail(Fault::User, "a leaf grammar is kept without a name");
+    state.leaf_grammars[edit.name] = std::make_shared<std::string const>(edit.text);
+    return state;
+}
+
+std::string described(KeepGrammar const& edit)
+{
+    return fmt::format("keeps the leaf grammar {}, {} bytes", edit.name, edit.text.size());
+}
+
+} // namespace
+
+constexpr EditKind DressPlant::kKind
+    = make_edit_kind<DressPlant, list, applied, described>("dress_plant");
+
+constexpr EditKind KeepGrammar::kKind
+    = make_edit_kind<KeepGrammar, list, applied, described>("keep_grammar");
+
+} // namespace tractus

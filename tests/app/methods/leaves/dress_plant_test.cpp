@@ -1,0 +1,115 @@
+#include "app/methods/all_leaves.h"
+
+#include "app/methods/leaves/leaf_library.h"
+#include "app/plants/plant_season.h"
+#include "tests/app/our_plant.h"
+#include "tests/app/verbs/outcome.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/core.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+
+// How many organs are leaves of that grammar.
+std::size_t leaves_of(Plant const& plant, std::string_view grammar)
+{
+    return static_cast<std::size_t>(
+        std::count_if(plant.organs.begin(), plant.organs.end(), [&](Organ const& organ) {
+            auto const& shape = plant.organ_shapes[organ.shape];
+            auto const order = shape.cut ? parse_leaf_sheet_name(shape.cut->sheet) : std::nullopt;
+            return order && order->grammar.starts_with(grammar);
+        }));
+}
+
+Scene dressed_in(Scene const& scene, std::string const& leaves)
+{
+    auto const edits = dressing_edits(scene, scene.state.active, leaves);
+    EXPECT_TRUE(edits) << edits.error().message;
+    return edits ? apply_edits(scene, *edits).value() : scene;
+}
+
+TEST(DressPlant, GivesAModelAnotherSpeciesLeaves)
+{
+    auto const own = our_plant("broadleaf");
+    auto const scene = dressed_in(own, "maple");
+    EXPECT_EQ(scene.in_season->organs.size(), own.base->organs.size());
+    EXPECT_GT(leaves_of(*scene.in_season, "maple"), 100u);
+    EXPECT_EQ(leaves_of(*own.in_season, "maple"), 0u);
+    EXPECT_EQ(leaves_of(*dressed_in(scene, "").in_season, "maple"), 0u) << "its own again";
+    auto const autumn = with_season(scene, Season { .month = 10.5 }).value();
+    EXPECT_GT(leaves_of(*autumn.in_season, "maple"), 10u) << "older ones";
+    auto const& texture = autumn.in_season->materials.back().textures.base_color;
+    EXPECT_NE(texture, scene.in_season->materials.back().textures.base_color);
+}
+
+// A grammar of one's own goes into the document with its text, so that seasons find it.
+TEST(DressPlant, KeepsAGrammarOfOnesOwn)
+{
+    auto const file = fs::temp_directory_path() / fmt::format("my own {}.leaf", ::getpid());
+    fs::copy_file(own_leaf_path("oak").value(), file, fs::copy_options::overwrite_existing);
+    auto const scene = dressed_in(our_plant("broadleaf"), file.string());
+    EXPECT_GT(leaves_of(*scene.in_season, "my-own-"), 100u);
+    ASSERT_EQ(scene.state.leaf_grammars.size(), 1u);
+    fs::remove(file);
+    auto const autumn = with_season(scene, Season { .month = 10.5 });
+    ASSERT_TRUE(autumn) << autumn.error().message;
+    EXPECT_GT(leaves_of(*autumn->in_season, "my-own-"), 10u);
+}
+
+TEST(DressPlant, SaysWhichLeavesThereAre)
+{
+    auto const scene = our_plant("broadleaf");
+    auto const none = dressing_edits(scene, scene.state.active, "mapel");
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().message.find("maple"), std::string::npos) << none.error().message;
+    EXPECT_FALSE(dressing_edits(scene, scene.state.active, "/nowhere/my.leaf"));
+}
+
+// From a drawing over its grammar to a tree that has the leaf.
+TEST(SketchLeaf, MakesAGrammarThatPlantsWear)
+{
+    auto const folder = fs::temp_directory_path() / fmt::format("tractus_sketch_{}", ::getpid());
+    fs::create_directories(folder);
+    auto const drawing = folder / "mine.txt";
+    {
+        std::ofstream out(drawing);
+        for (int i = 0; i <= 60; ++i)
+            out << fmt::format("{:.2f} {:.2f} 0\n", 22 * std::sin(3.14159 * i / 60), 1.4 * i);
+        for (int i = 60; i >= 0; --i)
+            out << fmt::format("{:.2f} {:.2f} 0\n", -22 * std::sin(3.14159 * i / 60), 1.4 * i);
+        out << "\n";
+        for (int i = -10; i <= 60; ++i)
+            out << fmt::format("0 {:.2f} 0\n", 1.4 * i);
+        for (int k = 1; k <= 4; ++k)
+            for (int side = -1; side <= 1; side += 2) {
+                out << "\n";
+                for (int i = 0; i <= 10; ++i)
+                    out << fmt::format("{:.2f} {:.2f} 0\n", side * 1.4 * i, 16.0 * k + 1.2 * i);
+            }
+    }
+    auto const grammar = folder / "mine.leaf";
+    auto const made
+        = run({ "leaves", "fit", drawing.string(), "-o", grammar.string(), "--report" });
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    EXPECT_NE(made.out.find("\"midrib\""), std::string::npos) << made.out;
+    auto const checked = run({ "leaves", "check", grammar.string() });
+    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+    EXPECT_GT(leaves_of(*dressed_in(our_plant("broadleaf"), grammar.string()).in_season, "mine-"),
+              100u);
+    auto const wrong
+        = run({ "leaves", "fit", (folder / "none.json").string(), "-o", grammar.string() });
+    EXPECT_NE(wrong.exit_code, 0);
+    EXPECT_NE(wrong.err.find("none.json"), std::string::npos) << wrong.err;
+    fs::remove_all(folder);
+}
+
+} // namespace
+} // namespace tractus

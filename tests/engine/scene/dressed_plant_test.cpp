@@ -1,0 +1,103 @@
+#include "engine/scene/dressed_plant.h"
+
+#include "engine/scene/scene.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace tractus {
+namespace {
+
+// A stem with a leaf of 50 mm, 10 of them stalk, a needle and a disc of a leaf's material.
+Plant small_plant()
+{
+    Plant plant;
+    plant.axes = { {} };
+    plant.axes[0].segment_count = 1;
+    plant.node_position_mm = { Vec3::Zero(), Vec3(0, 0, 100) };
+    plant.node_radius_mm = { 1, 1 };
+    plant.segment_material = { 0 };
+    plant.materials
+        = { Material { .kind = Material::Kind::Bark }, Material { .kind = Material::Kind::Leaf } };
+    using enum OrganShape::Kind;
+    plant.organ_shapes = { OrganShape { .kind = Blade, .material = 1, .petiole_mm = 10 },
+                           OrganShape { .kind = Needle, .material = 1 },
+                           OrganShape { .kind = Disc, .material = 1 } };
+    for (int i = 0; i < 60; ++i)
+        plant.organs.push_back({ .shape = static_cast<OrganShapeId>(i % 3), .segment = 0 });
+    return plant;
+}
+
+LeafSheet small_sheet()
+{
+    LeafSheet sheet;
+    for (int i = 0; i < 4; ++i)
+        sheet.leaves.push_back(std::make_shared<CutLeaf const>(
+            CutLeaf { .corners = { { 0, -0.2 }, { 0.3, 0.5 }, { 0, 1 }, { -0.3, 0.5 } },
+                      .triangles = { { 0, 1, 2 }, { 0, 2, 3 } },
+                      .sheet = "ours 4 0.5.leaf-sheet",
+                      .number = i }));
+    sheet.mean_color = { 0.1f, 0.9f, 0.2f };
+    sheet.color = leaf_page("\x89PNG\r\n\x1a\ncolor");
+    sheet.normal = leaf_page("\x89PNG\r\n\x1a\nnormal");
+    return sheet;
+}
+
+TEST(Dressed, HasGrownLeavesInThePlaceOfItsOwn)
+{
+    auto const plant = small_plant();
+    auto const other = dressed(plant, small_sheet());
+    ASSERT_EQ(other.organs.size(), plant.organs.size());
+    std::set<int> numbers;
+    for (std::size_t i = 0; i < plant.organs.size(); ++i) {
+        auto const& shape = other.organ_shapes[other.organs[i].shape];
+        if (i % 3 != 0) {
+            EXPECT_EQ(other.organs[i].shape, plant.organs[i].shape) << "needles and discs stay";
+            continue;
+        }
+        ASSERT_EQ(shape.kind, OrganShape::Kind::Leaf);
+        numbers.insert(shape.cut->number);
+        EXPECT_DOUBLE_EQ(shape.length_mm, 40) << "the blade's length";
+        EXPECT_DOUBLE_EQ(shape.width_mm, 24);
+        EXPECT_EQ(other.materials[shape.material].base_color, small_sheet().mean_color);
+    }
+    EXPECT_EQ(numbers.size(), 4u) << "all of the sheet's leaves";
+    EXPECT_EQ(other.materials[1].base_color, plant.materials[1].base_color) << "of the needles";
+}
+
+// Grown leaves that are replaced keep their blades' length.
+TEST(Dressed, CanBeDressedAgain)
+{
+    auto const once = dressed(small_plant(), small_sheet());
+    auto const twice = dressed(once, small_sheet());
+    auto const& shape = twice.organ_shapes[twice.organs[0].shape];
+    EXPECT_DOUBLE_EQ(shape.length_mm, 40);
+    EXPECT_EQ(dressed(small_plant(), {}).organ_shapes.size(), 3u) << "by no leaves";
+}
+
+TEST(DressPlant, IsAnEditOfOnePlantThatAnotherModelEnds)
+{
+    auto scene = apply_edit({},
+                            LoadModel { .source = { .name = "one.l",
+                                                    .text = "Lsystem: 1\n"
+                                                            "derivation length: 1\n"
+                                                            "Axiom: F(10)\nendlsystem\n" } })
+                     .value();
+    auto const plant = scene.state.active;
+    EXPECT_FALSE(apply_edit(scene, DressPlant { plant, "ours 4 0.5.leaf-sheet" }))
+        << "the document keeps none";
+    EXPECT_FALSE(apply_edit(scene, DressPlant { 77, "" }));
+    auto const sheet = print_leaf_sheet(small_sheet());
+    auto const edits = std::vector<Edit> { KeepLeaves { "ours 4 0.5.leaf-sheet", sheet },
+                                           DressPlant { plant, "ours 4 0.5.leaf-sheet" } };
+    auto const after = apply_edits(scene, edits).value();
+    EXPECT_EQ(after.drawn->leaves, "ours 4 0.5.leaf-sheet");
+    EXPECT_NE(after.dressed, after.base);
+    EXPECT_EQ(after.in_season, after.dressed);
+    auto const own = apply_edit(after, DressPlant { plant, "" }).value();
+    EXPECT_EQ(own.in_season, own.base);
+    EXPECT_FALSE(apply_edit(scene, KeepGrammar { "", "text" }));
+}
+
+} // namespace
+} // namespace tractus
