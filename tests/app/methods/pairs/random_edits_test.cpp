@@ -5,6 +5,7 @@
 #include "engine/base/random.h"
 #include "engine/scene/paper.h"
 #include "tests/app/methods/pairs/document_of_all_methods.h"
+#include "tests/app/methods/pictures/small_picture.h"
 #include "tests/app/session/small_session.h"
 
 #include <algorithm>
@@ -130,6 +131,8 @@ void draw_at_random(Document& document, RandomHand& hand, std::size_t steps)
             document.redo();
         else if (hand.happens(0.05))
             document.make({ [&](Scene const& scene) -> Result<WantedStep::Change> {
+                if (!scene.state.picture)
+                    return WantedStep::Change { { LayPicture { "small.png", small_png() } }, "" };
                 return WantedStep::Change { { hand.growth(scene.growth) }, "" };
             } });
         else
