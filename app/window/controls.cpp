@@ -20,6 +20,7 @@ constexpr float kBarAir_px = 8;
 constexpr float kGroupGap_px = 28;
 constexpr float kGreatestPart = 0.6f; // Of the window's height, as far as main buttons let it.
 constexpr std::size_t kMostMainRows = 2;
+constexpr float kLowWindow_px = 640;
 constexpr float kLeastAir_px = 7;   // On each side of a button's letters.
 constexpr float kToolWidth_px = 96; // At least,
 constexpr float kLessAir_px = 12;   // and else so much narrower than what a tool means.
@@ -50,8 +51,11 @@ WindowPart Controls::show(WindowModel& model, Workbench& bench, float left_px, f
                            "");
     show_status(state);
     auto main = main_buttons(model, bench, Views::Each);
-    if (rows_of(main).size() > kMostMainRows)
-        main = main_buttons(model, bench, Views::Next);
+    auto const rows = rows_of(main).size();
+    auto shorter = main_buttons(model, bench, Views::Next);
+    bool const is_low = display.y < kLowWindow_px * scale_; // There a row is worth more.
+    if (rows > kMostMainRows || (is_low && rows_of(shorter).size() < rows))
+        main = std::move(shorter);
     if (state.is_live)
         show_meanings(bench.turns_views ? view_meanings(bench) : tool_meanings(model, bench),
                       height_of(main));

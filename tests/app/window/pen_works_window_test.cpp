@@ -346,7 +346,7 @@ TEST_F(PenWorksWindow, PressesAButtonForLongWithoutCapturing)
 TEST_F(PenWorksWindow, SetsNumbersOfATool)
 {
     PenScript script;
-    script.choose(500, 150, kSketchChoice);
+    script.choose(500, 195, kSketchChoice);
     script.tap(186, 458); // "Angle 45°": its panel is above the bar.
     script.tap(316, 140); // "more by 5".
     script.tap(91, 458);  // "Laterals 2", which takes 0 to 8.
