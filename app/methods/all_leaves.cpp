@@ -4,8 +4,8 @@
 #include "app/methods/leaves/leaf_library.h"
 #include "app/methods/leaves/leaf_picture.h"
 #include "app/methods/leaves/plant_leaves.h"
+#include "engine/base/fnv.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <fmt/format.h>
 #include <utility>
@@ -15,15 +15,6 @@ namespace tractus {
 namespace {
 
 namespace fs = std::filesystem;
-
-// FNV-1a, so that grammars of one name and different texts have different leaves.
-std::uint32_t text_hash(std::string const& text)
-{
-    std::uint32_t hash = 2166136261;
-    for (char const letter : text)
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619;
-    return hash;
-}
 
 // A word without what separates the parts of a sheet's name.
 std::string word_of(std::string name)
@@ -69,7 +60,7 @@ Result<std::vector<Edit>> dressing_edits(Scene const& scene, ItemId plant,
         auto const text = TRY(read_leaf_text(leaves));
         TRY(leaf::parse_grammar(text, leaves)); // With its line in the file, where it is wrong.
         order.grammar
-            = fmt::format("{}-{:08x}.leaf", word_of(short_leaf_name(leaves)), text_hash(text));
+            = fmt::format("{}-{:08x}.leaf", word_of(short_leaf_name(leaves)), fnv1a_32(text));
         edits.emplace_back(KeepGrammar { order.grammar, text });
         edits.emplace_back(KeepLeaves { leaf_sheet_name(order), TRY(sheet_of(text, order)) });
     } else if (!scene.state.leaf_sheets.contains(leaf_sheet_name(order))) {

@@ -1,6 +1,7 @@
 #include "engine/plant/branch_address.h"
 
 #include "engine/base/check.h"
+#include "engine/base/fnv.h"
 
 #include <algorithm>
 #include <numeric>
@@ -16,9 +17,7 @@ static bool is_keyed(SegmentAddress const& address)
 
 std::uint32_t axis_key(std::string_view name)
 {
-    std::uint32_t hash = 2166136261u; // FNV-1a.
-    for (char const letter : name)
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619u;
+    auto const hash = fnv1a_32(name);
     return hash == 0 ? 1 : hash;
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/resources.h"
 #include "drivers/file.h"
+#include "engine/base/fnv.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +20,6 @@ namespace {
 
 constexpr double kGrownUp = 0.35; // Ages.
 constexpr double kDecays = 0.65;
-
-std::uint64_t hash_of(std::string const& name)
-{
-    std::uint64_t hash = 0xCBF29CE484222325u; // FNV-1a.
-    for (char const letter : name)
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001B3u;
-    return hash;
-}
 
 double ease(double x)
 {
@@ -129,7 +122,7 @@ leaf::PaintOptions paint_options(leaf::Grammar const& grammar, LeafLife const& l
     return { .age = color_age(life.age),
              .young = grammar.young,
              .old = grammar.old,
-             .seed = life.seed ^ hash_of(short_leaf_name(grammar.name)) };
+             .seed = life.seed ^ fnv1a_64(short_leaf_name(grammar.name)) };
 }
 
 std::string short_leaf_name(std::string const& name)

@@ -12,6 +12,7 @@
 #include "tests/engine/variation/plans.h"
 
 #include <fmt/core.h>
+#include <functional>
 #include <vector>
 
 namespace tractus {
@@ -102,6 +103,32 @@ Result<void> write_growth(std::filesystem::path const& path, std::string& counts
     });
 }
 
+using Write = std::function<Result<void>(char const* name, std::span<PlacedMesh const> plants,
+                                         GlbOptions const& options)>;
+
+Result<void> write_compressed(Write const& write, std::vector<PlacedMesh> const& plants)
+{
+    using Options = GlbOptions;
+    Options options { .vertices = Options::Vertices::Compressed };
+    TRY(write("compressed.glb", plants, options));
+    options.organs = Options::Organs::Instanced;
+    TRY(write("instanced_compressed.glb", plants, options));
+    options.organs = Options::Organs::Nodes;
+    return write("nodes_compressed.glb", plants, options);
+}
+
+Result<void> write_compressed_wind(Write const& write, std::vector<PlacedMesh> const& plants)
+{
+    using Options = GlbOptions;
+    Options options { .vertices = Options::Vertices::Compressed };
+    TRY(write("wind_compressed.glb", plants, options));
+    options.wind = Options::Wind::TextureCoordinates;
+    TRY(write("wind_uv_compressed.glb", plants, options));
+    options.wind = Options::Wind::Attributes;
+    options.organs = Options::Organs::Instanced;
+    return write("wind_instanced_compressed.glb", plants, options);
+}
+
 Result<void> write_samples(std::filesystem::path const& folder)
 {
     std::filesystem::create_directories(folder);
@@ -137,11 +164,7 @@ Result<void> write_samples(std::filesystem::path const& folder)
     TRY(write("instanced.glb", collection, { .organs = Options::Organs::Instanced }));
     TRY(write("instanced_quantized.glb", collection,
               { .organs = Options::Organs::Instanced, .vertices = Options::Vertices::Quantized }));
-    TRY(write("compressed.glb", collection, { .vertices = Options::Vertices::Compressed }));
-    TRY(write("instanced_compressed.glb", collection,
-              { .organs = Options::Organs::Instanced, .vertices = Options::Vertices::Compressed }));
-    TRY(write("nodes_compressed.glb", collection,
-              { .organs = Options::Organs::Nodes, .vertices = Options::Vertices::Compressed }));
+    TRY(write_compressed(write, collection));
     TRY(write("fine_compressed.glb", std::span(&fine, 1),
               { .vertices = Options::Vertices::Compressed }));
     TRY(write("nodes.glb", collection,
@@ -156,12 +179,7 @@ Result<void> write_samples(std::filesystem::path const& folder)
         if (auto* const meshed = std::get_if<PlantToMesh>(&plant.mesh))
             meshed->wind = WindKey {};
     TRY(write("wind.glb", collection, { .vertices = Options::Vertices::Quantized }));
-    TRY(write("wind_compressed.glb", collection, { .vertices = Options::Vertices::Compressed }));
-    TRY(write("wind_instanced_compressed.glb", collection,
-              { .organs = Options::Organs::Instanced, .vertices = Options::Vertices::Compressed }));
-    Options compressed_uv { .vertices = Options::Vertices::Compressed };
-    compressed_uv.wind = Options::Wind::TextureCoordinates;
-    TRY(write("wind_uv_compressed.glb", collection, compressed_uv));
+    TRY(write_compressed_wind(write, collection));
     TRY(write("wind_instanced.glb", collection, { .organs = Options::Organs::Instanced }));
     TRY(write("wind_uv.glb", collection, { .wind = Options::Wind::TextureCoordinates }));
     TRY(write("wind_colour.glb", collection, { .wind = Options::Wind::Colours }));

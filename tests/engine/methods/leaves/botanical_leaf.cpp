@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 
 namespace tractus::leaf {
 
@@ -64,120 +65,118 @@ struct Species {
     int sides_of_mains = 0; // On both sides of the first main vein.
 };
 
+Line const kLimeHalf { { 0.05, -0.12 }, { 0.2, -0.1 },  { 0.42, -0.07 }, { 0.48, 0.2 },
+                       { 0.52, 0.5 },   { 0.26, 0.75 }, { 0.08, 0.88 },  { 0, 1 } };
+
+Line const kIvyHalf { { 0.05, -0.14 }, { 0.24, -0.17 }, { 0.38, -0.18 }, { 0.48, -0.14 },
+                      { 0.42, -0.03 }, { 0.42, 0.08 },  { 0.52, 0.22 },  { 0.7, 0.36 },
+                      { 0.5, 0.36 },   { 0.3, 0.48 },   { 0.24, 0.6 },   { 0.21, 0.7 },
+                      { 0.15, 0.84 },  { 0, 1 } };
+
+Line const kMapleHalf { { 0.08, -0.12 }, { 0.22, -0.12 }, { 0.3, -0.12 }, { 0.38, -0.17 },
+                        { 0.36, -0.06 }, { 0.4, -0.02 },  { 0.46, 0.03 }, { 0.52, 0.03 },
+                        { 0.45, 0.08 },  { 0.48, 0.12 },  { 0.53, 0.17 }, { 0.6, 0.19 },
+                        { 0.56, 0.24 },  { 0.6, 0.3 },    { 0.66, 0.38 }, { 0.74, 0.43 },
+                        { 0.62, 0.44 },  { 0.6, 0.47 },   { 0.6, 0.53 },  { 0.58, 0.59 },
+                        { 0.48, 0.54 },  { 0.45, 0.53 },  { 0.42, 0.57 }, { 0.4, 0.61 },
+                        { 0.28, 0.54 },  { 0.2, 0.49 },   { 0.19, 0.56 }, { 0.22, 0.62 },
+                        { 0.28, 0.68 },  { 0.35, 0.71 },  { 0.26, 0.73 }, { 0.24, 0.77 },
+                        { 0.25, 0.82 },  { 0.24, 0.86 },  { 0.14, 0.86 }, { 0.1, 0.9 },
+                        { 0.05, 0.97 },  { 0, 1 } };
+
+std::vector<Species> with_a_midrib_alone()
+{
+    return { { .name = "beech",
+               .half = half_of(Profile { 0.32, 0.95, 0.9, 8, 0.03 }),
+               .stalk = 0.12,
+               .pairs = 8,
+               .first = 0.07,
+               .last = 0.84,
+               .angle = 49,
+               .angle_at_tip = 38,
+               .alternate = 0.4 },
+             { .name = "birch",
+               .half = half_of(Profile { 0.38, 0.55, 1.05 }),
+               .stalk = 0.4,
+               .pairs = 6,
+               .first = 0.08,
+               .last = 0.72,
+               .angle = 50,
+               .angle_at_tip = 40,
+               .alternate = 0.15 },
+             { .name = "magnolia",
+               .half = half_of(Profile { 0.26, 1.45, 0.85 }),
+               .stalk = 0.15,
+               .pairs = 9,
+               .first = 0.08,
+               .last = 0.85,
+               .angle = 58,
+               .angle_at_tip = 52,
+               .turn = 20,
+               .alternate = 0.5 },
+             { .name = "willow",
+               .half = half_of(Profile { 0.085, 0.85, 0.8 }),
+               .stalk = 0.07,
+               .pairs = 8,
+               .first = 0.1,
+               .last = 0.72,
+               .angle = 42,
+               .angle_at_tip = 38,
+               .alternate = 0.3 },
+             { .name = "oak",
+               .half = half_of(Profile { 0.36, 1.3, 0.8, 5, 0.42 }),
+               .stalk = 0.05,
+               .pairs = 5,
+               .first = 0.1,
+               .last = 0.72,
+               .angle = 50,
+               .angle_at_tip = 40,
+               .alternate = 0.1 } };
+}
+
+std::vector<Species> with_several_main_veins()
+{
+    return { { .name = "lime",
+               .half = half_of(kLimeHalf),
+               .stalk = 0.5,
+               .mains = { 58, 111 },
+               .pairs = 4,
+               .first = 0.25,
+               .last = 0.75,
+               .angle = 46,
+               .angle_at_tip = 42,
+               .alternate = 0.2,
+               .sides_of_mains = 2 },
+             { .name = "ivy",
+               .half = half_of(kIvyHalf),
+               .stalk = 0.6,
+               .mains = { 62.8, 106 },
+               .pairs = 2,
+               .first = 0.5,
+               .last = 0.7,
+               .angle = 42,
+               .angle_at_tip = 40,
+               .sides_of_mains = 1 },
+             { .name = "maple",
+               .half = half_of(kMapleHalf),
+               .stalk = 0.7,
+               .mains = { 60, 114 },
+               .pairs = 2,
+               .first = 0.45,
+               .last = 0.62,
+               .angle = 40,
+               .angle_at_tip = 38,
+               .sides_of_mains = 1 } };
+}
+
 Species species_of(std::string const& name)
 {
-    if (name == "beech")
-        return { .name = name,
-                 .half = half_of(Profile { 0.32, 0.95, 0.9, 8, 0.03 }),
-                 .stalk = 0.12,
-                 .pairs = 8,
-                 .first = 0.07,
-                 .last = 0.84,
-                 .angle = 49,
-                 .angle_at_tip = 38,
-                 .alternate = 0.4 };
-    if (name == "birch")
-        return { .name = name,
-                 .half = half_of(Profile { 0.38, 0.55, 1.05 }),
-                 .stalk = 0.4,
-                 .pairs = 6,
-                 .first = 0.08,
-                 .last = 0.72,
-                 .angle = 50,
-                 .angle_at_tip = 40,
-                 .alternate = 0.15 };
-    if (name == "magnolia")
-        return { .name = name,
-                 .half = half_of(Profile { 0.26, 1.45, 0.85 }),
-                 .stalk = 0.15,
-                 .pairs = 9,
-                 .first = 0.08,
-                 .last = 0.85,
-                 .angle = 58,
-                 .angle_at_tip = 52,
-                 .turn = 20,
-                 .alternate = 0.5 };
-    if (name == "willow")
-        return { .name = name,
-                 .half = half_of(Profile { 0.085, 0.85, 0.8 }),
-                 .stalk = 0.07,
-                 .pairs = 8,
-                 .first = 0.1,
-                 .last = 0.72,
-                 .angle = 42,
-                 .angle_at_tip = 38,
-                 .alternate = 0.3 };
-    if (name == "oak")
-        return { .name = name,
-                 .half = half_of(Profile { 0.36, 1.3, 0.8, 5, 0.42 }),
-                 .stalk = 0.05,
-                 .pairs = 5,
-                 .first = 0.1,
-                 .last = 0.72,
-                 .angle = 50,
-                 .angle_at_tip = 40,
-                 .alternate = 0.1 };
-    if (name == "lime")
-        return { .name = name,
-                 .half = half_of(Line { { 0.05, -0.12 },
-                                        { 0.2, -0.1 },
-                                        { 0.42, -0.07 },
-                                        { 0.48, 0.2 },
-                                        { 0.52, 0.5 },
-                                        { 0.26, 0.75 },
-                                        { 0.08, 0.88 },
-                                        { 0, 1 } }),
-                 .stalk = 0.5,
-                 .mains = { 58, 111 },
-                 .pairs = 4,
-                 .first = 0.25,
-                 .last = 0.75,
-                 .angle = 46,
-                 .angle_at_tip = 42,
-                 .alternate = 0.2,
-                 .sides_of_mains = 2 };
-    if (name == "ivy")
-        return { .name = name,
-                 .half = half_of(Line { { 0.05, -0.14 },
-                                        { 0.24, -0.17 },
-                                        { 0.38, -0.18 },
-                                        { 0.48, -0.14 },
-                                        { 0.42, -0.03 },
-                                        { 0.42, 0.08 },
-                                        { 0.52, 0.22 },
-                                        { 0.7, 0.36 },
-                                        { 0.5, 0.36 },
-                                        { 0.3, 0.48 },
-                                        { 0.24, 0.6 },
-                                        { 0.21, 0.7 },
-                                        { 0.15, 0.84 },
-                                        { 0, 1 } }),
-                 .stalk = 0.6,
-                 .mains = { 62.8, 106 },
-                 .pairs = 2,
-                 .first = 0.5,
-                 .last = 0.7,
-                 .angle = 42,
-                 .angle_at_tip = 40,
-                 .sides_of_mains = 1 };
-    return { .name = "maple",
-             .half = half_of(Line {
-                 { 0.08, -0.12 }, { 0.22, -0.12 }, { 0.3, -0.12 }, { 0.38, -0.17 }, { 0.36, -0.06 },
-                 { 0.4, -0.02 },  { 0.46, 0.03 },  { 0.52, 0.03 }, { 0.45, 0.08 },  { 0.48, 0.12 },
-                 { 0.53, 0.17 },  { 0.6, 0.19 },   { 0.56, 0.24 }, { 0.6, 0.3 },    { 0.66, 0.38 },
-                 { 0.74, 0.43 },  { 0.62, 0.44 },  { 0.6, 0.47 },  { 0.6, 0.53 },   { 0.58, 0.59 },
-                 { 0.48, 0.54 },  { 0.45, 0.53 },  { 0.42, 0.57 }, { 0.4, 0.61 },   { 0.28, 0.54 },
-                 { 0.2, 0.49 },   { 0.19, 0.56 },  { 0.22, 0.62 }, { 0.28, 0.68 },  { 0.35, 0.71 },
-                 { 0.26, 0.73 },  { 0.24, 0.77 },  { 0.25, 0.82 }, { 0.24, 0.86 },  { 0.14, 0.86 },
-                 { 0.1, 0.9 },    { 0.05, 0.97 },  { 0, 1 } }),
-             .stalk = 0.7,
-             .mains = { 60, 114 },
-             .pairs = 2,
-             .first = 0.45,
-             .last = 0.62,
-             .angle = 40,
-             .angle_at_tip = 38,
-             .sides_of_mains = 1 };
+    for (auto const& list : { with_a_midrib_alone(), with_several_main_veins() })
+        for (auto const& species : list)
+            if (species.name == name)
+                return species;
+    ADD_FAILURE() << "there is no species " << name;
+    return {};
 }
 
 bool has_inside(Line const& ring, Vec2 const& at)
