@@ -21,7 +21,7 @@ set(engine/export    engine/base engine/stroke engine/plant engine/lsystem engin
                      engine/scene)
 set(engine/methods/construction_lines engine/base engine/stroke engine/plant engine/lsystem
                                       engine/scene)
-set(engine/methods/leaves engine/base engine/stroke)
+set(engine/methods/leaves engine/base engine/stroke engine/plant engine/scene)
 set(engine/methods/silhouettes engine/base engine/stroke engine/plant engine/scene)
 set(engine/methods/sketch_lsystem engine/base engine/stroke engine/plant engine/lsystem engine/scene)
 set(drivers          engine/base)

@@ -30,9 +30,10 @@ struct Choices {
 // The pictures of folders, to be laid behind what is drawn: the newest of each.
 Choices picture_choices(std::vector<std::filesystem::path> const& folders);
 
-// Leaves that a plant may have: its own, those of our species, and those of the grammars in the
-// user's folder.
-Choices leaf_choices(std::filesystem::path const& folder);
+// Leaves that a plant may have: its own, those of our species, those of the grammars in the user's
+// folder, and those that are drawn in the document, by their files.
+Choices leaf_choices(std::filesystem::path const& folder,
+                     std::vector<std::filesystem::path> const& drawn = {});
 
 // A page on which one of them is chosen, with their pictures. Belongs to one thread.
 class ChoicePage final : public StartPageModel {

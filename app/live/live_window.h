@@ -130,6 +130,7 @@ private:
     bool drawings_are_open() const;
     void follow_start_page();
     void open_choices(ChoiceOf what, Choices choices);
+    std::optional<std::filesystem::path> kept_leaf(std::filesystem::path const& chosen);
     void follow_choices();
     void follow(std::filesystem::path const& model);
     void follow_model();
@@ -153,9 +154,10 @@ private:
     Station station_;
     std::optional<StationController> controller_; // Of the drawing at hand; never without.
     LiveCards cards_;
-    std::unique_ptr<ChoicePage> choices_;    // Null before it is opened,
-    ChoiceOf choice_of_ = ChoiceOf::Picture; // and of what it is.
-    std::optional<FollowedModel> model_;     // Its file, where somebody may write it.
+    std::unique_ptr<ChoicePage> choices_;                // Null before it is opened,
+    ChoiceOf choice_of_ = ChoiceOf::Picture;             // and of what it is.
+    std::vector<std::filesystem::path> drawn_leaves_ {}; // The document's, among the choices.
+    std::optional<FollowedModel> model_;                 // Its file, where somebody may write it.
     std::optional<LiveRecorder> recorder_;
     // Number of the recording's first stroke in the document.
     std::size_t recorded_from_stroke_ = 0;

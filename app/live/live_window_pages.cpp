@@ -1,6 +1,8 @@
 #include "app/live/live_window.h"
 
+#include "app/live/drawn_leaf_files.h"
 #include "app/live/unnamed_session.h"
+#include "app/methods/all_leaves.h"
 #include "app/user_folder.h"
 
 #include <algorithm>
@@ -110,7 +112,29 @@ void LiveWindow::perform_kind(OpenPictures const&)
 
 void LiveWindow::perform_kind(OpenLeaves const&)
 {
-    open_choices(ChoiceOf::Leaves, leaf_choices(options_.leaves));
+    std::error_code error;
+    auto const cache
+        = options_.cache.empty() ? std::filesystem::temp_directory_path(error) : options_.cache;
+    drawn_leaves_ = write_drawn_leaves(scene().state, cache);
+    open_choices(ChoiceOf::Leaves, leaf_choices(options_.leaves, drawn_leaves_));
+}
+
+// A leaf that is drawn in the document is kept among the person's own. No value: it is only kept.
+std::optional<std::filesystem::path> LiveWindow::kept_leaf(std::filesystem::path const& chosen)
+{
+    if (std::ranges::find(drawn_leaves_, chosen) == drawn_leaves_.end() || options_.leaves.empty())
+        return chosen;
+    auto const kept = keep_leaf(chosen, options_.leaves);
+    auto const drawn = drawn_leaves(scene().state);
+    bool const is_active = std::ranges::any_of(
+        drawn, [&](DrawnLeafGrammar const& leaf) { return leaf.plant == scene().state.active; });
+    if (!kept || !is_active)
+        return kept ? *kept : chosen;
+    view().state().status
+        = fmt::format("The leaf is kept as {}: choose the plant that shall have it, and "
+                      "then the leaf here again",
+                      kept->filename().string());
+    return std::nullopt;
 }
 
 void LiveWindow::open_choices(ChoiceOf what, Choices choices)
@@ -131,8 +155,8 @@ void LiveWindow::follow_choices()
         return;
     if (choice_of_ == ChoiceOf::Picture)
         perform_kind(LayPictureFile { *file });
-    else
-        perform_kind(DressActivePlant { *file });
+    else if (auto const leaf = kept_leaf(*file))
+        perform_kind(DressActivePlant { *leaf });
 }
 
 // The pen places it next.

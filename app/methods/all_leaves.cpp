@@ -5,6 +5,7 @@
 #include "app/methods/leaves/leaf_picture.h"
 #include "app/methods/leaves/plant_leaves.h"
 #include "engine/base/fnv.h"
+#include "engine/methods/leaves/leaf_sketch_edits.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -49,9 +50,28 @@ std::string leaves_of_grammar(fs::path const& grammar)
     return ours && *ours == grammar ? name : grammar.string();
 }
 
+std::vector<DrawnLeafGrammar> drawn_leaves(DocumentState const& state)
+{
+    std::vector<DrawnLeafGrammar> leaves;
+    for (auto const& plant : state.plants)
+        if (auto const* const sketch = leaf::leaf_sketch(*plant))
+            if (auto text = leaf::grammar_text(*sketch, "Drawn by pen"))
+                leaves.push_back({ plant->id, *std::move(text) });
+    return leaves;
+}
+
+Result<std::string> read_leaf_grammar(fs::path const& path)
+{
+    return read_leaf_text(path);
+}
+
 Result<std::vector<Edit>> dressing_edits(Scene const& scene, ItemId plant,
                                          std::string const& leaves)
 {
+    auto const number = TRY(plant_number(scene.state, plant));
+    if (leaf::leaf_sketch(*scene.state.plants[number]))
+        return fail(Fault::User,
+                    "a drawn leaf wears no leaves itself: choose the plant that shall have them");
     if (leaves.empty())
         return std::vector<Edit> { DressPlant { plant, {} } };
     std::vector<Edit> edits;

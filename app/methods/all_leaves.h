@@ -23,9 +23,21 @@ std::vector<LeafKind> leaf_kinds(); // Ours, in alphabetical order.
 // What a grammar is called as leaves to wear: by its species' name if it is one of ours.
 std::string leaves_of_grammar(std::filesystem::path const& grammar);
 
+// The leaves that are drawn in a document, each a plant of it, and their grammars. One whose lines
+// are no leaf yet is none.
+struct DrawnLeafGrammar {
+    ItemId plant = 0;
+    std::string text;
+};
+std::vector<DrawnLeafGrammar> drawn_leaves(DocumentState const& state);
+
+// The text of a grammar's file. Fails, as the user's fault, for one that is too long.
+Result<std::string> read_leaf_grammar(std::filesystem::path const& path);
+
 // The edits that give a plant of the scene other leaves, which are grown here: those of one of our
 // species by its name alone, or of the grammar in a .leaf file; empty: the plant's own. Fails, as
-// the user's fault, for a grammar that there is not or that gives no leaf.
+// the user's fault, for a grammar that there is not or that gives no leaf, and for a plant that is
+// a drawn leaf itself.
 Result<std::vector<Edit>> dressing_edits(Scene const& scene, ItemId plant,
                                          std::string const& leaves);
 

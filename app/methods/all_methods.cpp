@@ -9,6 +9,9 @@
 #include "app/methods/indicators/indicate_tool.h"
 #include "app/methods/indicators/indicator_layer.h"
 #include "app/methods/indicators/move_indicator_tool.h"
+#include "app/methods/leaves/erase_leaf_tool.h"
+#include "app/methods/leaves/leaf_layers.h"
+#include "app/methods/leaves/leaf_line_tool.h"
 #include "app/methods/pictures/picture_tool.h"
 #include "app/methods/plants/choose_plant_tool.h"
 #include "app/methods/plants/copy_plant_tool.h"
@@ -32,6 +35,7 @@
 #include "app/tools/oversketch_tool.h"
 #include "app/tools/select_tool.h"
 #include "app/tools/smooth_tool.h"
+#include "engine/methods/leaves/leaf_sketch_edits.h"
 #include "engine/methods/sketch_lsystem/change_edits.h"
 #include "engine/scene/edit.h"
 
@@ -50,14 +54,15 @@ Methods all_methods()
         &EraseTool::kKind,       &SketchTool::kKind,        &ShortenSketchTool::kKind,
         &OutlineTool::kKind,     &ArrangeTool::kKind,       &EraseOutlineTool::kKind,
         &LineTool::kKind,        &LinePatternTool::kKind,   &LayerNodesTool::kKind,
-        &LineRoleTool::kKind,    &ChoosePlantTool::kKind,   &MovePlantTool::kKind,
-        &CopyPlantTool::kKind,   &HidePlantTool::kKind,     &RemovePlantTool::kKind,
-        &GraftPlantTool::kKind,  &TakeOffTool::kKind,       &HideBranchTool::kKind,
-        &PictureTool::kKind,
+        &LineRoleTool::kKind,    &LeafLineTool::kKind,      &EraseLeafTool::kKind,
+        &ChoosePlantTool::kKind, &MovePlantTool::kKind,     &CopyPlantTool::kKind,
+        &HidePlantTool::kKind,   &RemovePlantTool::kKind,   &GraftPlantTool::kKind,
+        &TakeOffTool::kKind,     &HideBranchTool::kKind,    &PictureTool::kKind,
     };
     static constexpr std::array kLayers { &kOutlineLayer,     &kTrunkLayer,       &kStemLayer,
                                           &kBoundaryLayer,    &kInclinationLayer, &kUnsureLayer,
-                                          &kLinesToDrawLayer, &kIndicatorLayer };
+                                          &kLinesToDrawLayer, &kLeafOutlineLayer, &kLeafVeinLayer,
+                                          &kLeafOtherLayer,   &kIndicatorLayer };
     static auto const edits = [] {
         auto const core = core_edit_kinds();
         std::vector<EditKind const*> all(core.begin(), core.end());
@@ -72,6 +77,9 @@ Methods all_methods()
                    { &lines::AddLine::kKind, &lines::SetLayerNodes::kKind,
                      &lines::SetLinePattern::kKind, &lines::SetLineRole::kKind,
                      &lines::RedrawLine::kKind });
+        all.insert(
+            all.end(),
+            { &leaf::AddLeafLine::kKind, &leaf::EraseLeafLine::kKind, &leaf::FormLeaf::kKind });
         return all;
     }();
     return { .edits = edits, .tools = kTools, .layers = kLayers };

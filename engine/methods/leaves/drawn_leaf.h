@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/methods/leaves/flat_blade.h"
 #include "engine/methods/leaves/flat_line.h"
 #include "engine/methods/leaves/leaf_drawing.h"
 #include "engine/methods/leaves/leaf_outline.h"
@@ -75,6 +76,7 @@ struct LeafFit {
     double asymmetry = 0; // Area that one half lacks of the other, as a share of both together.
     double tremor_mm = 0; // What the fit took out of the veins, as a standard deviation.
     double sweep_deg = 0; // How far the midrib turns sideways: the grammar's is straight.
+    BladePlace place {};
 };
 
 // Finds the numbers of a recognised leaf. Fails, as the user's fault, where the outline does not

@@ -163,6 +163,7 @@ Result<LeafFit> fit_leaf(RecognisedLeaf const& drawn)
     double const tremor = tremor_of(blade);
     fit.tremor_mm = tremor * blade.size_mm;
     fit.sweep_deg = blade.sweep_deg;
+    fit.place = blade.place;
     auto& leaf = fit.leaf;
     leaf.size_mm = rounded_to(blade.size_mm, 10);
     leaf.stalk

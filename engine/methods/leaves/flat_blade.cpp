@@ -186,7 +186,7 @@ public:
         TRY(find_halves());
         find_frame();
         find_shape();
-        FlatBlade blade { .size_mm = size_ };
+        FlatBlade blade { .size_mm = size_, .place = { base_, tip_, normal_ } };
         for (auto const& at : right_)
             blade.right.push_back(flat(at));
         for (auto const& at : left_)

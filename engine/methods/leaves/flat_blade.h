@@ -9,6 +9,13 @@
 
 namespace tractus::leaf {
 
+// Where a blade is in its drawing, in the drawing's millimetres.
+struct BladePlace {
+    Vec3 base_mm = Vec3::Zero(); // At the stalk.
+    Vec3 tip_mm = Vec3::UnitY();
+    Vec3 normal = Vec3::UnitZ(); // Out of its upper side, across the line from base to tip.
+};
+
 // A drawn leaf laid out flat: its midrib straight, without bend or rise.
 //
 // The blade's begin at the stalk is the origin; x is to the right, y along the midrib, the tip at
@@ -24,6 +31,7 @@ struct FlatBlade {
     double bend_high_deg = 0; // and over its upper one.
     double rise_deg = 0;      // Rise of the blade on both sides of the midrib.
     double sweep_deg = 0;     // The midrib's turn sideways.
+    BladePlace place {};
 };
 
 // Fails, as the user's fault, where the outline does not lie round the midrib.

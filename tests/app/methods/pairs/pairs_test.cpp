@@ -2,6 +2,7 @@
 #include "app/tools/bent_plant.h"
 #include "app/tools/branch_place.h"
 #include "engine/methods/construction_lines/line_edits.h"
+#include "engine/methods/leaves/leaf_sketch_edits.h"
 #include "engine/methods/silhouettes/tree_edits.h"
 #include "engine/methods/sketch_lsystem/change_edits.h"
 #include "engine/plant/join_axes.h"
@@ -122,17 +123,36 @@ Edit change_pattern(ItemId plant)
     return lines::SetLinePattern { plant, { .kind = lines::Pattern::Kind::Decussate } };
 }
 
+void draw_leaf(Steps& steps, double x_mm)
+{
+    std::vector<Vec2> outline;
+    for (int i = 0; i <= 24; ++i) {
+        double const angle = i * kPi / 12;
+        outline.emplace_back(x_mm + 20 * std::sin(angle), -40 * std::cos(angle));
+    }
+    steps.add(
+        leaf::AddLeafLine { .stroke = paper_stroke(outline), .stands_at_mm = { x_mm, 0, 0 } });
+    steps.add(leaf::AddLeafLine { .plant = steps.active(),
+                                  .stroke = paper_stroke({ { x_mm, -60 }, { x_mm, 39 } }) });
+}
+
+Edit change_leaf(ItemId plant)
+{
+    return leaf::FormLeaf { plant, { .bend_deg = 40 } };
+}
+
 struct MethodOfPair {
     char const* name;
     void (*make)(Steps& steps, double x_mm);
     Edit (*change)(ItemId plant);
 };
 
-constexpr std::array<MethodOfPair, 4> kMethods { {
+constexpr std::array<MethodOfPair, 5> kMethods { {
     { "a model", load_model, change_model },
     { "a rule along a stroke", grow_along_stroke, change_rule },
     { "an outline", draw_tree, change_form },
     { "construction lines", draw_lines, change_pattern },
+    { "a leaf", draw_leaf, change_leaf },
 } };
 
 std::vector<Edit> made(MethodOfPair const& method, Scene const& before, double x_mm)

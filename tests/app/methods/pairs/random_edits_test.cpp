@@ -58,7 +58,7 @@ private:
         constexpr std::size_t kMany = 5;
         auto const tools = all_methods().tools;
         auto const* kind = tools[below(tools.size())];
-        for (std::size_t tries = 0; tries < 3 && times_done(*kind) > 0; ++tries)
+        for (std::size_t tries = 0; tries < 4 && times_done(*kind) > 0; ++tries)
             kind = tools[below(tools.size())];
         if (scene.plants.size() > kMany && happens(0.3))
             kind = find_tool_kind(tools, "remove_plant");

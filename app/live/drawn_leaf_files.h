@@ -1,0 +1,22 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/scene/document_state.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace tractus {
+
+// Writes the grammars of the leaves that are drawn in a document below a folder, for pages that
+// show files: one for each leaf, in the order of the plants. One that cannot be written is left
+// out.
+std::vector<std::filesystem::path> write_drawn_leaves(DocumentState const& state,
+                                                      std::filesystem::path const& folder);
+
+// Keeps a grammar among a person's own, in a folder that is made if it is not there. Returns its
+// file: one that has this text already, else a new one, called like it or with a number behind.
+Result<std::filesystem::path> keep_leaf(std::filesystem::path const& grammar,
+                                        std::filesystem::path const& folder);
+
+} // namespace tractus

@@ -1,0 +1,63 @@
+#include "app/methods/leaves/erase_leaf_tool.h"
+
+#include "engine/methods/leaves/flat_line.h"
+#include "engine/methods/leaves/leaf_sketch_edits.h"
+
+#include <algorithm>
+
+namespace tractus {
+
+namespace {
+
+bool runs_over(Stroke const& eraser, leaf::FlatLine const& line)
+{
+    return std::any_of(eraser.tips.begin(), eraser.tips.end(), [&](TipSample const& tip) {
+        return leaf::nearest_on(line, tip.position_mm.head<2>()).distance
+            <= EraseLeafTool::kRadius_mm;
+    });
+}
+
+leaf::FlatLine flat(std::vector<Vec3> const& line)
+{
+    leaf::FlatLine made;
+    for (auto const& point : line)
+        made.emplace_back(point.head<2>());
+    return made;
+}
+
+// All of them but one: the leaf itself goes with RemovePlant.
+Result<std::vector<Edit>> erase(Tool const&, Stroke const& stroke, Scene const& scene)
+{
+    auto const* const sketch = leaf::active_leaf_sketch(scene.state);
+    if (!sketch)
+        return fail(Fault::User,
+                    "the plant that takes what is drawn is no drawn leaf: choose one, or draw one");
+    auto const drawing = TRY(leaf::drawing_of(*sketch));
+    std::vector<Edit> edits;
+    for (std::size_t i = 0; i < drawing.strokes.size(); ++i)
+        if (runs_over(stroke, flat(drawing.strokes[i])))
+            edits.push_back(leaf::EraseLeafLine { scene.state.active, sketch->lines[i].id });
+    if (edits.empty())
+        return fail(Fault::User,
+                    "the eraser touched nothing of the leaf: move it over a line of its drawing");
+    return edits;
+}
+
+} // namespace
+
+constexpr ToolKind EraseLeafTool::kKind {
+    .word = "erase_leaf",
+    .label = "Erase",
+    .title = "Erase lines of the leaf's drawing",
+    .done = "The line is erased",
+    .help = "takes away the lines of a drawn leaf that the stroke runs over on paper",
+    .group = "Sketch",
+    .method = "A leaf",
+    .surface = Surface::Paper,
+    .ink = { InkStyle::Look::Eraser, 2 * EraseLeafTool::kRadius_mm },
+    .options = options_type<EraseLeafTool>(),
+    .mean = erase,
+    .other_end = { &EraseLeafTool::kKind },
+};
+
+} // namespace tractus

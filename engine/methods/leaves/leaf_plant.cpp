@@ -1,0 +1,183 @@
+#include "engine/methods/leaves/leaf.h"
+#include "engine/methods/leaves/leaf_sketch.h"
+#include "engine/methods/leaves/leaf_triangles.h"
+#include "engine/methods/leaves/print_grammar.h"
+#include "engine/plant/branch_address.h"
+#include "engine/scene/document_state.h"
+#include "engine/stroke/polyline.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+// A sketch's plant: polygons on a stalk, or stems along lines that are no leaf yet.
+namespace tractus::leaf {
+
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+constexpr MaterialId kStalk = 0;
+constexpr MaterialId kVeins = 1;
+constexpr MaterialId kLimb = 2;
+
+// From the paper, (x, y, depth), to the plant's frame.
+class PaperToPlant {
+public:
+    PaperToPlant(Vec2 const& foot_mm, double scale)
+        : foot_mm_(foot_mm)
+        , scale_(scale)
+    {
+    }
+
+    Vec3 operator()(Vec3 const& place) const
+    {
+        return Vec3(place.x() - foot_mm_.x(), -place.z(), place.y() - foot_mm_.y()) / scale_;
+    }
+
+private:
+    Vec2 foot_mm_;
+    double scale_;
+};
+
+void add_axis(BuiltSource& built, std::span<Vec3 const> nodes, double radius, std::string_view name)
+{
+    auto& plant = built.plant;
+    plant.axes.push_back({ .first_node = static_cast<NodeId>(plant.node_position_mm.size()),
+                           .first_segment = static_cast<SegmentId>(plant.segment_count()),
+                           .segment_count = static_cast<std::uint32_t>(nodes.size() - 1) });
+    plant.node_position_mm.insert(plant.node_position_mm.end(), nodes.begin(), nodes.end());
+    plant.node_radius_mm.resize(plant.node_position_mm.size(), static_cast<float>(radius));
+    plant.segment_material.resize(plant.segment_count() + nodes.size() - 1, kStalk);
+    built.axis_keys.push_back(axis_key(name));
+}
+
+std::vector<Material> materials()
+{
+    return { { .name = "stalk",
+               .kind = Material::Kind::Stem,
+               .base_color = { 0.5f, 0.58f, 0.3f },
+               .roughness = 0.6f },
+             { .name = "veins",
+               .kind = Material::Kind::Petal,
+               .base_color = { 0.66f, 0.74f, 0.42f },
+               .roughness = 0.6f,
+               .translucency = 0.2f },
+             { .name = "limb",
+               .kind = Material::Kind::Petal,
+               .base_color = { 0.28f, 0.47f, 0.17f },
+               .roughness = 0.55f,
+               .translucency = 0.4f } };
+}
+
+Result<LeafTriangles> grown_triangles(LeafSketch const& sketch, DrawnLeaf const& drawn)
+{
+    auto const grammar = TRY(parse_grammar(print_grammar(drawn, "drawn"), "the drawn leaf"));
+    auto leaf = TRY(Leaf::begin(grammar,
+                                { .final_step = grammar.steps,
+                                  .seed = sketch.seed.value_or(1),
+                                  .variation = sketch.seed ? sketch.spread : 0 }));
+    while (leaf.step() < grammar.steps)
+        TRY(leaf.derive());
+    TRY(leaf.fill());
+    return triangles_of(leaf);
+}
+
+// The vertex that is nearest to a place of the flat leaf.
+Vec3 vertex_at(LeafTriangles const& leaf, Vec2 const& flat)
+{
+    auto const nearest = std::ranges::min_element(
+        leaf.flat, {}, [&](Vec2 const& each) { return (each - flat).squaredNorm(); });
+    return leaf.positions[static_cast<std::size_t>(nearest - leaf.flat.begin())];
+}
+
+// Axes along, and across out of the upper side.
+Eigen::Matrix3d frame_of(Vec3 const& along, Vec3 const& up)
+{
+    Vec3 const y = along.normalized();
+    Vec3 const z = (up - up.dot(y) * y).normalized();
+    Eigen::Matrix3d frame;
+    frame << y.cross(z), y, z;
+    return frame;
+}
+
+void add_triangles(Plant& plant, std::span<Triangle const> triangles,
+                   std::span<Vec3 const> positions_mm, MaterialId material)
+{
+    for (auto const& [a, b, c] : triangles) {
+        Vec3 const area
+            = (positions_mm[b] - positions_mm[a]).cross(positions_mm[c] - positions_mm[a]);
+        if (!(area.norm() > 0))
+            continue;
+        plant.polygons.push_back(
+            { .first_vertex = static_cast<std::uint32_t>(plant.polygon_vertices_mm.size()),
+              .vertex_count = 3,
+              .segment = 0,
+              .material = material });
+        for (auto const corner : { a, b, c })
+            plant.polygon_vertices_mm.push_back(positions_mm[corner]);
+    }
+}
+
+// The grown leaf lies in its drawing: its blade reaches from base to tip there.
+Result<BuiltSource> leaf_plant(LeafSketch const& sketch, DrawnLeaf const& drawn)
+{
+    auto const leaf = TRY(grown_triangles(sketch, drawn));
+    auto const& place = sketch.seen->fit.place;
+    Vec3 const base = vertex_at(leaf, { 0, drawn.stalk });
+    Vec3 const tip = vertex_at(leaf, { 0, drawn.stalk + 1 });
+    Eigen::Matrix3d const turn = frame_of(place.tip_mm - place.base_mm, place.normal)
+        * frame_of(tip - base, Vec3::UnitZ()).transpose();
+    PaperToPlant const to_plant(TRY(foot_of(sketch)), sketch.scale);
+    auto const placed = [&](Vec3 const& at) {
+        return to_plant(place.base_mm + drawn.size_mm * (turn * (at - base)));
+    };
+    BuiltSource built;
+    built.plant.materials = materials();
+    double const radius_mm = 0.5 * drawn.width * drawn.size_mm / sketch.scale;
+    std::array const stalk { placed(vertex_at(leaf, Vec2::Zero())), placed(base) };
+    add_axis(built, stalk, radius_mm, "stalk");
+    std::vector<Vec3> positions_mm;
+    for (auto const& at : leaf.positions)
+        positions_mm.push_back(placed(at));
+    add_triangles(built.plant, leaf.veins, positions_mm, kVeins);
+    add_triangles(built.plant, leaf.limb, positions_mm, kLimb);
+    return built;
+}
+
+Result<BuiltSource> stems_along(LeafSketch const& sketch)
+{
+    constexpr double kRadius_mm = 0.4; // On the paper.
+    constexpr std::size_t kMostNodes = 65;
+    auto const drawing = TRY(drawing_of(sketch));
+    PaperToPlant const to_plant(TRY(foot_of(sketch)), sketch.scale);
+    BuiltSource built;
+    built.plant.materials = { materials()[kStalk] };
+    for (std::size_t i = 0; i < sketch.lines.size(); ++i) {
+        auto const& line = drawing.strokes[i];
+        std::size_t const nodes = std::min(line.size(), kMostNodes);
+        std::vector<Vec3> points;
+        for (std::size_t n = 0; n < nodes; ++n)
+            points.push_back(to_plant(line[n * (line.size() - 1) / (nodes - 1)]));
+        add_axis(built, points, kRadius_mm / sketch.scale, tractus::name_of(sketch.lines[i].id));
+    }
+    return built;
+}
+
+} // namespace
+
+Result<BuiltSource> build_leaf(LeafSketch const& sketch, LoadOptions const&)
+{
+    TRY(check_form(sketch.form));
+    if (!(sketch.scale > 0 && std::isfinite(sketch.scale)))
+        return fail(Fault::User,
+                    fmt::format("a leaf cannot be shown {} times as large as it is", sketch.scale));
+    if (auto const drawn = formed_leaf(sketch))
+        return leaf_plant(sketch, *drawn);
+    return stems_along(sketch);
+}
+
+} // namespace tractus::leaf

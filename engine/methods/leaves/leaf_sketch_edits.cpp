@@ -1,0 +1,184 @@
+#include "engine/methods/leaves/leaf_sketch_edits.h"
+
+#include "engine/scene/edit_words.h"
+#include "engine/scene/make_edit_kind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+namespace tractus::leaf {
+
+namespace {
+
+void list(tractus::Fields& fields, LeafForm& form)
+{
+    fields.field("bend_deg", &form.bend_deg);
+    fields.field("rise_deg", &form.rise_deg);
+    fields.field("vein_curve_deg", &form.vein_curve_deg);
+    fields.field("vein_width", &form.vein_width);
+    fields.field("teeth", &form.teeth);
+    fields.field("tooth_depth", &form.tooth_depth);
+    fields.field("variation", &form.variation);
+}
+
+void list(tractus::Fields& fields, AddLeafLine& edit)
+{
+    fields.sparse_field("plant", &edit.plant);
+    list(fields, edit.form);
+    fields.field("scale", &edit.scale);
+    fields.field("stands_at_mm", &edit.stands_at_mm);
+    fields.id(edit.id);
+    fields.numbers(edit.stroke);
+}
+
+Result<LeafSketch> find_leaf(DocumentState const& state, ItemId plant)
+{
+    auto const number = TRY(plant_number(state, plant));
+    auto const* const sketch = leaf_sketch(*state.plants[number]);
+    if (!sketch)
+        return fail(Fault::User,
+                    fmt::format("plant {} is no drawn leaf: begin another leaf with its outline",
+                                tractus::name_of(plant)));
+    return *sketch;
+}
+
+// The plant stays under its ink: where its foot has moved on the paper, it moves. A form with which
+// there is no leaf is refused here.
+Result<DocumentState> with_leaf(DocumentState state, ItemId plant, LeafSketch sketch)
+{
+    TRY(build_leaf(sketch));
+    auto const foot_mm = TRY(foot_of(sketch));
+    change_plant(state, TRY(plant_number(state, plant)), [&](PlantState& changed) {
+        changed.source = PlantSource(LeafSketch::kKind, std::move(sketch));
+        changed.source_edit = state.last_edit;
+        changed.selection.clear();
+        if (changed.paper_mm)
+            changed.stands_at_mm.x() += foot_mm.x() - changed.paper_mm->x();
+        changed.paper_mm = foot_mm;
+    });
+    return state;
+}
+
+Result<DocumentState> begun(DocumentState state, AddLeafLine const& edit)
+{
+    if (!edit.stands_at_mm.allFinite())
+        return fail(Fault::User, "the place for the leaf is not a number: draw it again");
+    auto const id = take_id(state, edit.id);
+    auto sketch = TRY(
+        with_line({ .form = edit.form, .scale = edit.scale }, { .id = id, .stroke = edit.stroke }));
+    TRY(build_leaf(sketch));
+    auto const foot_mm = TRY(foot_of(sketch));
+    if (!state.scale)
+        state.scale = edit.scale;
+    return with_source(std::move(state),
+                       { .name = "leaf",
+                         .source = PlantSource(LeafSketch::kKind, std::move(sketch)),
+                         .drawn = Drawn::Beside,
+                         .stands_at_mm = edit.stands_at_mm,
+                         .paper_mm = foot_mm,
+                         .id = id });
+}
+
+Result<DocumentState> applied(DocumentState state, AddLeafLine const& edit, SceneBuilder&)
+{
+    if (edit.plant == 0)
+        return begun(std::move(state), edit);
+    auto sketch = TRY(find_leaf(state, edit.plant));
+    sketch = TRY(
+        with_line(std::move(sketch), { .id = take_id(state, edit.id), .stroke = edit.stroke }));
+    return with_leaf(std::move(state), edit.plant, std::move(sketch));
+}
+
+std::string described(AddLeafLine const& edit)
+{
+    if (edit.plant == 0)
+        return fmt::format("begins a leaf: {}", describe_stroke(edit.stroke));
+    return fmt::format("adds a line to leaf {}: {}", tractus::name_of(edit.plant),
+                       describe_stroke(edit.stroke));
+}
+
+void list(tractus::Fields& fields, EraseLeafLine& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.field("line", &edit.line);
+}
+
+Result<DocumentState> applied(DocumentState state, EraseLeafLine const& edit, SceneBuilder&)
+{
+    auto sketch = TRY(find_leaf(state, edit.plant));
+    sketch = TRY(without_line(std::move(sketch), edit.line));
+    return with_leaf(std::move(state), edit.plant, std::move(sketch));
+}
+
+std::string described(EraseLeafLine const& edit)
+{
+    return fmt::format("takes line {} of leaf {} away", tractus::name_of(edit.line),
+                       tractus::name_of(edit.plant));
+}
+
+void list(tractus::Fields& fields, FormLeaf& edit)
+{
+    fields.field("plant", &edit.plant);
+    list(fields, edit.form);
+}
+
+Result<DocumentState> applied(DocumentState state, FormLeaf const& edit, SceneBuilder&)
+{
+    auto sketch = TRY(find_leaf(state, edit.plant));
+    sketch.form = edit.form;
+    return with_leaf(std::move(state), edit.plant, std::move(sketch));
+}
+
+std::string described(FormLeaf const& edit)
+{
+    return fmt::format("gives leaf {} other numbers: bend {:g} and rise {:g} degrees, {}",
+                       tractus::name_of(edit.plant), edit.form.bend_deg, edit.form.rise_deg,
+                       edit.form.teeth > 0 ? fmt::format("{} teeth", edit.form.teeth)
+                                           : "its margin as drawn");
+}
+
+} // namespace
+
+LeafSketch const* leaf_sketch(PlantState const& plant)
+{
+    return plant.source.get<LeafSketch>(LeafSketch::kKind);
+}
+
+LeafSketch const* active_leaf_sketch(DocumentState const& state)
+{
+    auto const* const plant = active_plant(state);
+    return plant ? leaf_sketch(*plant) : nullptr;
+}
+
+std::string said_of(LeafSketch const& sketch)
+{
+    if (!sketch.seen) {
+        auto const seen = see_leaf(sketch);
+        return seen ? "" : fmt::format("No leaf yet: {}", seen.error().message);
+    }
+    if (!sketch.seen->left_out.empty())
+        return fmt::format("A line is left out: {}", sketch.seen->left_out);
+    auto const& fit = sketch.seen->fit;
+    auto const lengths = fmt::format("A leaf of {:.0f} mm", fit.leaf.size_mm);
+    if (sketch.seen->is_midrib_guessed)
+        return lengths + ": draw its midrib, from the stalk to the tip, and its veins";
+    auto const main = fit.leaf.mains.size() - 1;
+    auto const side = static_cast<std::size_t>(std::ranges::count_if(
+        fit.veins, [](LeafFit::Vein const& vein) { return vein.bearer != vein.stroke; }));
+    return fmt::format("{} with {}{}", lengths,
+                       main > 0 ? counted(main, "main vein") + " beside the midrib and " : "",
+                       counted(side, "side vein"));
+}
+
+constexpr EditKind AddLeafLine::kKind
+    = make_edit_kind<AddLeafLine, list, applied, described>("add_leaf_line", true);
+
+constexpr EditKind EraseLeafLine::kKind
+    = make_edit_kind<EraseLeafLine, list, applied, described>("erase_leaf_line");
+
+constexpr EditKind FormLeaf::kKind
+    = make_edit_kind<FormLeaf, list, applied, described>("form_leaf");
+
+} // namespace tractus::leaf
