@@ -25,6 +25,21 @@ constexpr std::array kNumbers {
     NumberKey { "limit", &Rule::most_internodes },
 };
 
+struct LateralKey {
+    char const* letter;
+    double LateralRule::*value;
+};
+
+constexpr std::array kLateralNumbers {
+    LateralKey { "r", &LateralRule::length_ratio },
+    LateralKey { "q", &LateralRule::width_ratio },
+    LateralKey { "a", &LateralRule::angle_deg },
+    LateralKey { "s", &LateralRule::lateral_length },
+    LateralKey { "v", &LateralRule::lateral_width },
+    LateralKey { "T", &LateralRule::twist_deg },
+    LateralKey { "l_min", &LateralRule::shortest_mm },
+};
+
 Result<int> read_count(TomlTable& table, char const* key, int fallback)
 {
     if (!table.has(key))
@@ -48,6 +63,18 @@ void set_defaults(TomlTable& table, Rule& rule)
         rule.lateral_twist_deg = twist_deg;
 }
 
+Result<LateralRule> read_lateral_rule(TomlTable& table)
+{
+    LateralRule rule;
+    for (auto const& [letter, value] : kLateralNumbers)
+        rule.*value = TRY(table.number_or(letter, rule.*value));
+    rule.laterals = TRY(read_count(table, "k", rule.laterals));
+    if (!table.has("T"))
+        rule.twist_deg = rule.laterals > 0 ? 180.0 / rule.laterals : 0;
+    TRY(table.refuse_unknown_keys());
+    return rule;
+}
+
 } // namespace
 
 Result<Rule> parse_rule(std::string_view text, std::string const& name)
@@ -59,6 +86,9 @@ Result<Rule> parse_rule(std::string_view text, std::string const& name)
     rule.laterals = TRY(read_count(table, "k", rule.laterals));
     rule.most_segments = TRY(read_count(table, "n_max", rule.most_segments));
     set_defaults(table, rule);
+    if (table.has("laterals"))
+        for (auto& lateral : TRY(table.tables("laterals")))
+            rule.lateral_rules.push_back(TRY(read_lateral_rule(lateral)));
     TRY(table.refuse_unknown_keys());
     if (auto const checked = check_rule(rule); !checked)
         return fail(checked.error().fault, fmt::format("{}: {}", name, checked.error().message));

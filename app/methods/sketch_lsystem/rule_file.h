@@ -18,6 +18,13 @@ namespace tractus::sketch {
 //     l = 30      # mm
 //     a = 52      # degrees
 //
+// Tables [[laterals]] give laterals rules of their own, first those of the drawn axis's, with the
+// letters of sketch::LateralRule and the same defaults:
+//
+//     [[laterals]]
+//     k = 2
+//     r = 0.9
+//
 // Fails, as the user's fault, with file and line: text that is no TOML, a key that does not exist,
 // a value out of its range.
 Result<Rule> parse_rule(std::string_view text, std::string const& name);

@@ -39,6 +39,17 @@ constexpr std::array<OptionWord, 6> kCardWords { {
     { "fern", "Fern" },
 } };
 
+// In the order of SketchTool::Laterals: the paper's, then the cards.
+constexpr std::array<OptionWord, 7> kLateralsWords { {
+    { "fork", "fork" },
+    { "by_opposite", "as opposite" },
+    { "by_whorls", "as whorls" },
+    { "by_crown", "as a crown" },
+    { "by_vase", "as a vase" },
+    { "by_spire", "as a spire" },
+    { "by_fern", "as a fern" },
+} };
+
 // What a ready rule is made of, in the order of the words.
 struct RuleCard {
     double laterals;
@@ -81,11 +92,43 @@ void take_numbers_of_card(void* options)
     tool.shortest_mm = plain.shortest_mm;
 }
 
+double twist_of(RuleCard const& card, double laterals)
+{
+    return card.twist_deg.value_or(laterals > 0 ? 180 / laterals : 0);
+}
+
 // From node to node, where the tool's own twists are 0.
 double twist_of_card(SketchTool const& tool)
 {
-    double const laterals = std::round(tool.laterals);
-    return ready_rule_of(tool).twist_deg.value_or(laterals > 0 ? 180 / laterals : 0);
+    return twist_of(ready_rule_of(tool), std::round(tool.laterals));
+}
+
+// The rule by which laterals go on, where they do: the card's, its internodes as small as the first
+// one lets them be.
+std::vector<sketch::LateralRule> lateral_rules_of(SketchTool const& tool)
+{
+    constexpr double kShortest = 0.1; // Of the first internode.
+    if (tool.go_on_by == SketchTool::Laterals::Fork)
+        return {};
+    auto const& card = kCards[static_cast<std::size_t>(tool.go_on_by) - 1];
+    return { { .length_ratio = card.length_ratio,
+               .laterals = static_cast<int>(card.laterals),
+               .angle_deg = card.angle_deg,
+               .lateral_length = card.lateral_length,
+               .twist_deg = twist_of(card, card.laterals),
+               .shortest_mm = kShortest * tool.first_length_mm } };
+}
+
+// Which of the tool's words says these rules; no value: none.
+std::optional<SketchTool::Laterals> said_laterals(SketchTool tool, sketch::Rule const& rule)
+{
+    for (std::size_t i = 0; i < kLateralsWords.size(); ++i) {
+        tool.go_on_by = static_cast<SketchTool::Laterals>(i);
+        tool.first_length_mm = rule.first_length_mm;
+        if (lateral_rules_of(tool) == rule.lateral_rules)
+            return tool.go_on_by;
+    }
+    return std::nullopt;
 }
 
 } // namespace
@@ -103,6 +146,9 @@ void visit_sketch_options(OptionVisitor& visitor, SketchTool& tool)
     visitor.number({ "first", "mm", 5, 100, 5, "Internode" }, tool.first_length_mm);
     visitor.number({ "ratio", "", 0.5, 1.2, 0.05, "Lengthening", WithoutGlyph }, tool.length_ratio);
     visitor.number({ "lateral", "", 0.2, 1, 0.02, "Lateral", WithoutGlyph }, tool.lateral_length);
+    visitor.choice(
+        { .words = kLateralsWords, .offered = WordOption::Offered::InTurn, .label = "Laterals" },
+        tool.go_on_by);
     int leaves = tool.leaves == sketch::Leaves::Leafy ? 0 : 1;
     visitor.word({ kLeavesWords }, leaves);
     tool.leaves = leaves == 0 ? sketch::Leaves::Leafy : sketch::Leaves::Bare;
@@ -146,6 +192,7 @@ sketch::Rule rule_of(SketchTool const& tool)
     double const twist_deg = twist_of_card(tool);
     rule.axis_twist_deg = as_twist_deg(twist_deg + tool.axis_twist_deg);
     rule.lateral_twist_deg = as_twist_deg(twist_deg + tool.lateral_twist_deg);
+    rule.lateral_rules = lateral_rules_of(tool);
     return rule;
 }
 
@@ -155,6 +202,9 @@ sketch::Rule with_options(sketch::Rule rule, SketchTool const& tool)
     double const slender = rule.first_width_mm / rule.first_length_mm;
     if (slender < kSlender)
         wanted.first_width_mm = slender * wanted.first_length_mm;
+    // Those of a file, which no word says, stay as long as the tool says none.
+    if (wanted.lateral_rules.empty() && !said_laterals(tool, rule))
+        wanted.lateral_rules = rule.lateral_rules;
     wanted.most_segments = rule.most_segments;
     wanted.most_internodes = rule.most_internodes;
     return wanted;
@@ -173,7 +223,8 @@ bool says_rule(SketchTool const& tool, sketch::Rule const& rule)
         && is_same(said.lateral_width, rule.lateral_width)
         && is_same(as_twist_deg(said.axis_twist_deg - rule.axis_twist_deg), 0)
         && is_same(as_twist_deg(said.lateral_twist_deg - rule.lateral_twist_deg), 0)
-        && is_same(said.shortest_mm, rule.shortest_mm);
+        && is_same(said.shortest_mm, rule.shortest_mm)
+        && (said.lateral_rules == rule.lateral_rules || !said_laterals(tool, rule));
 }
 
 SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule)
@@ -185,6 +236,7 @@ SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule)
     tool.width_ratio = rule.width_ratio;
     tool.lateral_length = rule.lateral_length;
     tool.lateral_width = rule.lateral_width;
+    tool.go_on_by = said_laterals(tool, rule).value_or(SketchTool::Laterals::Fork);
     double const twist_deg = twist_of_card(tool);
     tool.axis_twist_deg = as_twist_deg(rule.axis_twist_deg - twist_deg);
     tool.lateral_twist_deg = as_twist_deg(rule.lateral_twist_deg - twist_deg);

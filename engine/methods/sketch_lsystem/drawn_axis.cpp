@@ -97,13 +97,48 @@ static std::string array_of(std::vector<Turn> const& turns, double Turn::*angle_
     return fmt::format("{{{}}}", text);
 }
 
+// What the text calls the numbers of a ring, and its apices. Level 0 is the drawn axis, the next
+// ones are laterals that go on.
+struct Ring {
+    int laterals = 0;
+    std::string ending {}; // Of the definitions' names.
+    std::string apex {};   // With the arguments before its length.
+};
+
+static std::string letter_of(std::size_t level)
+{
+    return std::string(1, static_cast<char>('A' + level - 1));
+}
+
+static Ring ring_at(Rule const& rule, std::size_t level)
+{
+    auto const levels = rule.lateral_rules.size();
+    Ring ring { .laterals = rule.laterals, .apex = "L(" };
+    if (level > 0) {
+        ring.laterals = rule.lateral_rules[level - 1].laterals;
+        ring.ending = "_" + letter_of(level);
+    }
+    if (level < levels)
+        ring.apex = letter_of(level + 1) + "(0, ";
+    return ring;
+}
+
+// Those of the paper's laterals, which fork.
+static Ring fork_of(Rule const& rule)
+{
+    auto ring = ring_at(rule, rule.lateral_rules.size());
+    ring.apex = "L(";
+    return ring;
+}
+
 // A node's laterals: `twist` is how far their ring has turned, an expression.
-static std::string ring_of(Rule const& rule, std::string_view twist, std::string_view depth)
+static std::string text_of(Ring const& ring, std::string_view twist, std::string_view depth)
 {
     std::string text;
-    for (int i = 0; i < rule.laterals; ++i)
-        text += fmt::format("\n        [/({} + {:g})+(ANGLE)L(l * LATERAL, w * LATERAL_WIDTH, {})]",
-                            twist, 360.0 * i / rule.laterals, depth);
+    for (int i = 0; i < ring.laterals; ++i)
+        text += fmt::format("\n        [/({0} + {1:g})+(ANGLE{2}){3}l * LATERAL{2}, "
+                            "w * LATERAL_WIDTH{2}, {4})]",
+                            twist, 360.0 * i / ring.laterals, ring.ending, ring.apex, depth);
     return text;
 }
 
@@ -128,6 +163,27 @@ static std::string definitions(Rule const& rule, DrawnAxis const& axis)
         rule.axis_twist_deg, rule.lateral_twist_deg, rule.shortest_mm, axis.depth);
 }
 
+// The numbers of laterals that go on.
+static std::string lateral_definitions(Rule const& rule)
+{
+    std::string text;
+    for (std::size_t level = 1; level <= rule.lateral_rules.size(); ++level) {
+        auto const& lateral = rule.lateral_rules[level - 1];
+        text += fmt::format("/* Laterals {0}, each an axis of its own. */\n"
+                            "#define TOP_{0}           {1:g}\n"
+                            "#define TOP_WIDTH_{0}     {2:g}\n"
+                            "#define ANGLE_{0}         {3:g}\n"
+                            "#define LATERAL_{0}       {4:g}\n"
+                            "#define LATERAL_WIDTH_{0} {5:g}\n"
+                            "#define TWIST_{0}         {6:g}\n"
+                            "#define SHORTEST_{0}      {7:g}\n",
+                            letter_of(level), lateral.length_ratio, lateral.width_ratio,
+                            lateral.angle_deg, lateral.lateral_length, lateral.lateral_width,
+                            lateral.twist_deg, lateral.shortest_mm);
+    }
+    return text;
+}
+
 // cpfg allows no array without values.
 static std::string arrays_of(DrawnAxis const& axis)
 {
@@ -139,29 +195,54 @@ static std::string arrays_of(DrawnAxis const& axis)
                        array_of(axis.turns, &Turn::bend_deg));
 }
 
+// A lateral that goes on: an internode, a ring, and its next apex.
+static std::string lateral_rule_of(Rule const& rule, std::size_t level)
+{
+    auto const letter = letter_of(level);
+    return fmt::format(
+        "/* The apex of laterals {0}. */\n"
+        "{0}(i, l, w, d) : l >= SHORTEST_{0} && d > 0\n"
+        "    --> !(w)F(l){1}\n"
+        "        {0}(i + 1, l * TOP_{0}, w * TOP_WIDTH_{0}, d - 1)\n"
+        "{0}(i, l, w, d) : * --> {0}(i, l, w, d)\n"
+        "\n",
+        letter, text_of(ring_at(rule, level), fmt::format("TWIST_{} * (i + 1)", letter), "d - 1"));
+}
+
 static std::string rules_of(Rule const& rule)
 {
-    return fmt::format(
+    auto const fork = fork_of(rule);
+    auto text = fmt::format(
         "/* The top apex: segment i of the stroke, its laterals, and the next top apex. */\n"
         "T(i, l, w) : i < SEGMENTS\n"
         "    --> /(plane[i])+(bend[i])\\(plane[i])!(w)F(l){}\n"
         "        T(i + 1, l * TOP, w * TOP_WIDTH)\n"
         "T(i, l, w) : * --> T(i, l, w)\n"
-        "\n"
-        "/* A lateral apex: an internode and laterals of its own. */\n"
-        "L(l, w, d) : l >= SHORTEST && d > 0\n"
-        "    --> !(w)F(l){}\n"
-        "L(l, w, d) : * --> L(l, w, d)\n",
-        ring_of(rule, "TWIST * (i + 1)", "DEPTH"), ring_of(rule, "LATERAL_TWIST", "d - 1"));
+        "\n",
+        text_of(ring_at(rule, 0), "TWIST * (i + 1)", "DEPTH"));
+    for (std::size_t level = 1; level <= rule.lateral_rules.size(); ++level)
+        text += lateral_rule_of(rule, level);
+    return text
+        + fmt::format("/* A lateral apex: an internode and laterals of its own. */\n"
+                      "L(l, w, d) : l >= SHORTEST{} && d > 0\n"
+                      "    --> !(w)F(l){}\n"
+                      "L(l, w, d) : * --> L(l, w, d)\n",
+                      fork.ending,
+                      text_of(fork, fork.ending.empty() ? "LATERAL_TWIST" : "TWIST" + fork.ending,
+                              "d - 1"));
 }
 
 // Leaves of a plant are about alike, wherever they grow.
 static std::string leaves_of(Rule const& rule)
 {
-    return fmt::format("\nhomomorphism\n"
-                       "L(l, w, d) --> ~l({0:g})\n"
-                       "T(i, l, w) --> ~l({0:g})\n",
-                       as_written(std::clamp(rule.first_length_mm / 5, 2.0, 12.0)));
+    double const length = as_written(std::clamp(rule.first_length_mm / 5, 2.0, 12.0));
+    auto text = fmt::format("\nhomomorphism\n"
+                            "L(l, w, d) --> ~l({0:g})\n"
+                            "T(i, l, w) --> ~l({0:g})\n",
+                            length);
+    for (std::size_t level = 1; level <= rule.lateral_rules.size(); ++level)
+        text += fmt::format("{}(i, l, w, d) --> ~l({:g})\n", letter_of(level), length);
+    return text;
 }
 
 static constexpr std::string_view kView
@@ -178,7 +259,7 @@ ModelSource write_model(Rule const& rule, DrawnAxis const& axis, Leaves leaves,
 {
     auto const text
         = fmt::format("/* A plant that grew along a stroke: the axis is as it was drawn. */\n"
-                      "{}\n"
+                      "{}{}\n"
                       "Lsystem: 1\n"
                       "derivation length: SEGMENTS\n"
                       "{}"
@@ -187,8 +268,8 @@ ModelSource write_model(Rule const& rule, DrawnAxis const& axis, Leaves leaves,
                       "{}"
                       "{}"
                       "endlsystem\n",
-                      definitions(rule, axis), arrays_of(axis), rules_of(rule),
-                      leaves == Leaves::Leafy ? leaves_of(rule) : "");
+                      definitions(rule, axis), lateral_definitions(rule), arrays_of(axis),
+                      rules_of(rule), leaves == Leaves::Leafy ? leaves_of(rule) : "");
     return {
         .name = name + ".l", .text = text, .view_name = name + ".v", .view_text = std::string(kView)
     };

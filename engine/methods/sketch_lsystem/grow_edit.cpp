@@ -43,6 +43,12 @@ GrowAlongStroke varied(GrowAlongStroke edit, SourceVariation const& variation)
     rule.lateral_width = std::clamp(rule.lateral_width * (1 + spread(kShare)), 0.2, 1.0);
     rule.axis_twist_deg = std::remainder(rule.axis_twist_deg + spread(kTwist_deg), 360);
     rule.lateral_twist_deg = std::remainder(rule.lateral_twist_deg + spread(kTwist_deg), 360);
+    for (auto& lateral : rule.lateral_rules) {
+        lateral.angle_deg = std::clamp(lateral.angle_deg + spread(kAngle_deg), 0.0, 150.0);
+        lateral.lateral_length
+            = std::clamp(lateral.lateral_length * (1 + spread(kShare)), 0.2, 1.0);
+        lateral.twist_deg = std::remainder(lateral.twist_deg + spread(kTwist_deg), 360);
+    }
     return edit;
 }
 
@@ -82,6 +88,8 @@ Rule at_scale(Rule rule, double scale)
     rule.first_length_mm *= kModelScale / scale;
     rule.first_width_mm *= kModelScale / scale;
     rule.shortest_mm *= kModelScale / scale;
+    for (auto& lateral : rule.lateral_rules)
+        lateral.shortest_mm *= kModelScale / scale;
     return rule;
 }
 
@@ -108,6 +116,46 @@ std::string described(GrowAlongStroke const& edit)
 
 } // namespace
 
+// Names of the fields of laterals' rules; files without any have none of them.
+struct LateralNames {
+    char const* r;
+    char const* q;
+    char const* k;
+    char const* a;
+    char const* s;
+    char const* v;
+    char const* T;
+    char const* l_min;
+};
+static constexpr std::array<LateralNames, kMostLateralRules> kLateralNames { {
+    { "A_r", "A_q", "A_k", "A_a", "A_s", "A_v", "A_T", "A_l_min" },
+    { "B_r", "B_q", "B_k", "B_a", "B_s", "B_v", "B_T", "B_l_min" },
+    { "C_r", "C_q", "C_k", "C_a", "C_s", "C_v", "C_T", "C_l_min" },
+} };
+
+// Only who changes them touches them: edits are shared between threads.
+static void list_lateral_rules(Fields& fields, std::vector<LateralRule>& rules)
+{
+    constexpr LateralRule kNone { 0, 0, 0, 0, 0, 0, 0, 0 };
+    auto all = rules;
+    all.resize(kMostLateralRules, kNone);
+    for (std::size_t level = 0; level < all.size(); ++level) {
+        auto const& names = kLateralNames[level];
+        auto& rule = all[level];
+        fields.sparse_field(names.r, &rule.length_ratio);
+        fields.sparse_field(names.q, &rule.width_ratio);
+        fields.sparse_field(names.k, &rule.laterals);
+        fields.sparse_field(names.a, &rule.angle_deg);
+        fields.sparse_field(names.s, &rule.lateral_length);
+        fields.sparse_field(names.v, &rule.lateral_width);
+        fields.sparse_field(names.T, &rule.twist_deg);
+        fields.sparse_field(names.l_min, &rule.shortest_mm);
+    }
+    std::erase(all, kNone);
+    if (all != rules)
+        rules = std::move(all);
+}
+
 void list_rule(Fields& fields, Rule& rule)
 {
     fields.field("l", &rule.first_length_mm);
@@ -123,6 +171,7 @@ void list_rule(Fields& fields, Rule& rule)
     fields.field("l_min", &rule.shortest_mm);
     fields.field("n_max", &rule.most_segments);
     fields.field("limit", &rule.most_internodes);
+    list_lateral_rules(fields, rule.lateral_rules);
 }
 
 Result<std::vector<Vec3>> drawn_nodes_mm(GrowAlongStroke const& edit)

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <limits>
+#include <utility>
 
 namespace tractus::sketch {
 
@@ -15,6 +17,22 @@ static Result<void> check_range(char const* letter, char const* meaning, double 
     return fail(
         Fault::User,
         fmt::format("{}, {}, is {:g}: give {:g} to {:g}", letter, meaning, value, least, most));
+}
+
+static Result<void> check_lateral_rule(LateralRule const& rule)
+{
+    TRY(check_range("laterals.r", "each internode's length by the one before it", rule.length_ratio,
+                    0.5, 1.2));
+    TRY(check_range("laterals.q", "each internode's width by the one before it", rule.width_ratio,
+                    0.3, 1));
+    TRY(check_range("laterals.k", "the number of laterals at a node", rule.laterals, 0, 8));
+    TRY(check_range("laterals.a", "the laterals' angle in degrees", rule.angle_deg, 0, 150));
+    TRY(check_range("laterals.s", "a lateral's length by its parent's", rule.lateral_length, 0.2,
+                    1));
+    TRY(check_range("laterals.v", "a lateral's width by its parent's", rule.lateral_width, 0.2, 1));
+    TRY(check_range("laterals.T", "the twist along them in degrees", rule.twist_deg, -180, 180));
+    return check_range("laterals.l_min", "the shortest internode in mm", rule.shortest_mm, 1e-3,
+                       1e4);
 }
 
 Result<void> check_rule(Rule const& rule)
@@ -35,6 +53,12 @@ Result<void> check_rule(Rule const& rule)
     TRY(check_range("l_min", "the shortest internode in mm", rule.shortest_mm, 1e-3,
                     rule.first_length_mm));
     TRY(check_range("n_max", "the most segments of a stroke", rule.most_segments, 1, 10'000));
+    if (rule.lateral_rules.size() > kMostLateralRules)
+        return fail(Fault::User,
+                    fmt::format("laterals have {} rules: give at most {}",
+                                rule.lateral_rules.size(), kMostLateralRules));
+    for (auto const& lateral : rule.lateral_rules)
+        TRY(check_lateral_rule(lateral));
     return check_range("limit", "the most internodes of a plant", rule.most_internodes,
                        rule.most_segments, 1e7);
 }
@@ -52,37 +76,84 @@ Rule as_written(Rule const& rule)
            &result.first_width_mm, &result.angle_deg, &result.lateral_length, &result.lateral_width,
            &result.axis_twist_deg, &result.lateral_twist_deg, &result.shortest_mm })
         *value = as_written(*value);
+    for (auto& lateral : result.lateral_rules)
+        for (auto* const value : { &lateral.length_ratio, &lateral.width_ratio, &lateral.angle_deg,
+                                   &lateral.lateral_length, &lateral.lateral_width,
+                                   &lateral.twist_deg, &lateral.shortest_mm })
+            *value = as_written(*value);
     result.most_internodes = std::floor(rule.most_internodes);
     return result;
 }
 
-// How often the laterals of a node may fork in so many steps. Multiplied as the model does it, so
-// that both stop at the same one.
-static int count_forks(Rule const& rule, double parent_length_mm, int steps, int depth)
-{
-    int forks = 0;
-    double length_mm = parent_length_mm * rule.lateral_length;
-    while (forks < std::min(steps, depth) && length_mm >= rule.shortest_mm) {
-        ++forks;
-        length_mm *= rule.lateral_length;
+namespace {
+
+// Counts internodes as the model makes them: lengths are multiplied as it does that, so that both
+// stop at the same one. Of laterals that go on, one of a ring is followed for all: where that takes
+// more steps than the rule allows internodes, there are more of them.
+class InternodeCounter {
+public:
+    explicit InternodeCounter(Rule const& rule)
+        : rule_(rule)
+    {
     }
-    return forks;
-}
+
+    double count(int segments, int depth)
+    {
+        count_ = segments;
+        double length_mm = rule_.first_length_mm;
+        for (int node = 0; node < segments && !is_too_much(); ++node) {
+            add_ring(rule_.laterals, length_mm * rule_.lateral_length, segments - 1 - node, depth,
+                     0);
+            length_mm *= rule_.length_ratio;
+        }
+        return is_too_much() ? std::numeric_limits<double>::infinity() : count_;
+    }
+
+private:
+    bool is_too_much() const { return followed_ > rule_.most_internodes; }
+
+    // So many alike, of which each takes the rule of that level.
+    void add_ring(int laterals, double length_mm, int steps, int depth, std::size_t level)
+    {
+        if (level == rule_.lateral_rules.size())
+            return add_forks(laterals, length_mm, steps, depth);
+        double const before = std::exchange(count_, 0);
+        auto const& rule = rule_.lateral_rules[level];
+        for (int left = std::min(steps, depth);
+             left > 0 && laterals > 0 && length_mm >= rule.shortest_mm && !is_too_much(); --left) {
+            ++count_;
+            ++followed_;
+            add_ring(rule.laterals, length_mm * rule.lateral_length, left - 1, left - 1, level + 1);
+            length_mm *= rule.length_ratio;
+        }
+        count_ = before + laterals * count_;
+    }
+
+    // The paper's, each with as many of its own.
+    void add_forks(int laterals, double length_mm, int steps, int depth)
+    {
+        auto const& last = rule_.lateral_rules;
+        int const of_each = last.empty() ? rule_.laterals : last.back().laterals;
+        double const ratio = last.empty() ? rule_.lateral_length : last.back().lateral_length;
+        double const shortest_mm = last.empty() ? rule_.shortest_mm : last.back().shortest_mm;
+        double generation = laterals;
+        for (int left = std::min(steps, depth); left > 0 && length_mm >= shortest_mm; --left) {
+            count_ += generation;
+            generation *= of_each;
+            length_mm *= ratio;
+        }
+    }
+
+    Rule const& rule_;
+    double count_ = 0;
+    double followed_ = 0;
+};
+
+} // namespace
 
 double count_internodes(Rule const& rule, int segments, int depth)
 {
-    double count = segments;
-    double length_mm = rule.first_length_mm;
-    for (int node = 0; node < segments; ++node) {
-        int const forks = count_forks(rule, length_mm, segments - 1 - node, depth);
-        double generation = 1;
-        for (int i = 0; i < forks; ++i) {
-            generation *= rule.laterals;
-            count += generation;
-        }
-        length_mm *= rule.length_ratio;
-    }
-    return count;
+    return InternodeCounter(rule).count(segments, depth);
 }
 
 int depth_within_limit(Rule const& rule, int segments)

@@ -2,6 +2,9 @@
 
 #include "engine/base/result.h"
 
+#include <cstddef>
+#include <vector>
+
 namespace tractus::sketch {
 
 // The rule of a Sketch L-system (Ijiri, Owada, Igarashi, "The Sketch L-System: Global Control of
@@ -12,6 +15,23 @@ namespace tractus::sketch {
 //
 // Lengths and diameters are in millimetres on the desk, angles in degrees. The letters are those
 // that rule files use.
+//
+// Past the paper, laterals may have a rule of their own: then each is an axis that goes on,
+// straight, with rings of laterals along it.
+struct LateralRule {
+    double length_ratio = 0.85;  // r: an internode, by the one before it on the lateral.
+    double width_ratio = 0.85;   // q: the same for diameters.
+    int laterals = 2;            // k: at each of its nodes.
+    double angle_deg = 45;       // a: between its laterals and it.
+    double lateral_length = 0.5; // s: a lateral's length, by its parent's.
+    double lateral_width = 0.55; // v: the same for diameters.
+    double twist_deg = 90;       // T: of the rings, from node to node.
+    double shortest_mm = 3;      // l_min: no internode of it is shorter.
+
+    bool operator==(LateralRule const&) const = default;
+};
+constexpr std::size_t kMostLateralRules = 3;
+
 struct Rule {
     double first_length_mm = 30; // l, 5 to 100: the drawn axis's first internode.
     double length_ratio = 0.9;   // r, 0.5 to 1.2: an internode of the axis, by the one before it.
@@ -30,6 +50,11 @@ struct Rule {
     int most_segments = 64;           // n_max, 1 to 10,000: of the drawn axis.
     double most_internodes = 200'000; // limit, n_max to 10 million: of the whole plant.
 
+    // Of the drawn axis's laterals, of theirs, and so on, at most kMostLateralRules, in the ranges
+    // above. Laterals of the last one's fork as the paper's do, by its numbers. None: all do, by
+    // the numbers above.
+    std::vector<LateralRule> lateral_rules {};
+
     bool operator==(Rule const&) const = default;
 };
 
@@ -44,7 +69,7 @@ double as_written(double value);
 // says all of it.
 Rule as_written(Rule const& rule);
 
-// How often laterals may fork where nothing has to be cut.
+// How often laterals may fork where nothing has to be cut; one that goes on does so as often.
 constexpr int kUncutDepth = 64;
 
 // How many internodes a plant of `segments` segments has if laterals fork at most `depth` times;

@@ -38,6 +38,17 @@ TEST(RuleFile, ReadsEveryLetter)
                       .most_internodes = 500 }));
 }
 
+TEST(RuleFile, GivesLateralsRulesOfTheirOwn)
+{
+    auto const rule
+        = parse_rule("k = 3\n[[laterals]]\nk = 4\nr = 0.9\n[[laterals]]\nk = 0\n", "my.toml");
+    ASSERT_TRUE(rule) << rule.error().message;
+    ASSERT_EQ(rule->lateral_rules.size(), 2u);
+    EXPECT_EQ(rule->lateral_rules[0],
+              (LateralRule { .length_ratio = 0.9, .laterals = 4, .twist_deg = 45 }));
+    EXPECT_EQ(rule->lateral_rules[1], (LateralRule { .laterals = 0, .twist_deg = 0 }));
+}
+
 TEST(RuleFile, HasNoTwistWithoutLaterals)
 {
     auto const rule = parse_rule("k = 0", "bare.toml");
@@ -59,6 +70,8 @@ TEST(RuleFile, RefusesWhatIsNoRuleInASentence)
     EXPECT_EQ(refusal("k = -1"), "my.toml:1: k is -1, which is no count");
     EXPECT_EQ(refusal("a = nan"), "my.toml:1: a is nan, expected a number");
     EXPECT_NE(refusal("angle = 3").find("my.toml:1: angle"), std::string::npos);
+    EXPECT_NE(refusal("[[laterals]]\nl = 3").find("my.toml:2: laterals[1].l"), std::string::npos)
+        << refusal("[[laterals]]\nl = 3");
     EXPECT_NE(refusal("k = ").find("my.toml"), std::string::npos);
 }
 

@@ -240,6 +240,35 @@ TEST(SketchTool, ChangesWhatHasGrownAtOnce)
     EXPECT_FALSE(changes.mean({}, small_scene())) << "that one has not grown along a stroke";
 }
 
+TEST(SketchTool, LetsLateralsGoOnByARuleOfTheirOwn)
+{
+    SketchTool options { .leaves = sketch::Leaves::Bare };
+    options.go_on_by = SketchTool::Laterals::Fern;
+    Tool const tool = options;
+    auto const words = words_for(tool);
+    EXPECT_EQ(words.name + " " + words.arguments, "sketch by_fern bare");
+    EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), tool);
+    auto const forks = apply_edits(
+        {}, Tool(SketchTool { .leaves = sketch::Leaves::Bare }).mean(rising_stroke(), {}).value());
+    auto const goes_on = apply_edits({}, tool.mean(rising_stroke(), {}).value()).value();
+    // The drawn axis is the same; its laterals have several internodes.
+    auto const& axes = goes_on.base->axes;
+    EXPECT_EQ(axes[0].segment_count, forks->base->axes[0].segment_count);
+    auto const longest = std::max_element(axes.begin() + 1, axes.end(), [](auto& a, auto& b) {
+        return a.segment_count < b.segment_count;
+    });
+    EXPECT_EQ(longest->segment_count, axes[0].segment_count - 1);
+    // Other numbers keep it, and taking it into the hand says it.
+    auto faster = options;
+    faster.angle_deg = 60;
+    auto const followed
+        = apply_edits(goes_on, SketchTool::kKind.follow(tool, Tool(faster), goes_on)).value();
+    auto const taken = SketchTool::kKind.like_drawn(Tool(SketchTool {}), followed);
+    ASSERT_TRUE(taken);
+    EXPECT_EQ(taken->get<SketchTool>()->go_on_by, SketchTool::Laterals::Fern);
+    EXPECT_EQ(taken->get<SketchTool>()->angle_deg, 60);
+}
+
 TEST(ShortenSketchTool, TakesTheEndAwayWhereItRunsOverTheAxis)
 {
     Tool const draws = SketchTool { .leaves = sketch::Leaves::Bare };

@@ -35,6 +35,16 @@ Rule random_rule()
     rule.shortest_mm = between(0.5, 8);
     rule.most_segments = *rc::gen::inRange(1, 20);
     rule.most_internodes = *rc::gen::inRange(20, 3'000);
+    int const lateral_rules = *rc::gen::inRange(-2, 1 + static_cast<int>(kMostLateralRules));
+    for (int i = 0; i < lateral_rules; ++i)
+        rule.lateral_rules.push_back({ .length_ratio = between(0.5, 1.2),
+                                       .width_ratio = between(0.3, 1),
+                                       .laterals = *rc::gen::inRange(0, 5),
+                                       .angle_deg = between(0, 150),
+                                       .lateral_length = between(0.2, 1),
+                                       .lateral_width = between(0.2, 1),
+                                       .twist_deg = between(-180, 180),
+                                       .shortest_mm = between(0.5, 8) });
     return as_written(rule);
 }
 
@@ -122,6 +132,8 @@ RC_GTEST_PROP(SketchLaws, ScalingStrokeAndRuleScalesThePlant, ())
     rule.first_length_mm *= 2;
     rule.first_width_mm *= 2;
     rule.shortest_mm *= 2;
+    for (auto& lateral : rule.lateral_rules)
+        lateral.shortest_mm *= 2;
     auto const doubled = draw_axis(rule, resample_stroke(rule, tips));
     RC_ASSERT(doubled.segments() == axis.segments());
     RC_ASSERT(doubled.depth == axis.depth);

@@ -42,6 +42,33 @@ TEST(SketchRule, CountsInternodesAsTheClosedFormsDo)
     EXPECT_EQ(counts(3), (std::vector<double> { 1, 5, 18, 58, 179, 543 }));
 }
 
+// Laterals that go on without laterals of their own: node j's have n - 1 - j internodes each. With
+// k' of their own that fork without an end, each of those begins a tree of L_m internodes.
+TEST(SketchRule, CountsLateralsThatGoOn)
+{
+    Rule rule { .laterals = 3, .shortest_mm = 1e-3 };
+    rule.lateral_rules = { { .length_ratio = 1, .laterals = 0, .shortest_mm = 1e-3 } };
+    for (int n = 1; n <= 9; ++n)
+        EXPECT_EQ(count_internodes(rule, n, kUncutDepth), n + 3 * n * (n - 1) / 2);
+    rule.lateral_rules = { { .length_ratio = 1, .laterals = 2, .shortest_mm = 1e-3 } };
+    // n = 4: three laterals each of 3, 2, 1 and 0 internodes; of one with m, node i bears two that
+    // are complete trees of m - 1 - i generations: 2 (2^g - 1)/(2 - 1) internodes for both.
+    auto const of_lateral = [](int m) {
+        double sum = m;
+        for (int i = 0; i < m; ++i)
+            sum += 2 * ((1 << (m - 1 - i)) - 1);
+        return sum;
+    };
+    EXPECT_EQ(count_internodes(rule, 4, kUncutDepth),
+              4 + 3 * (of_lateral(3) + of_lateral(2) + of_lateral(1)));
+    EXPECT_EQ(count_internodes(rule, 4, 1), 4 + 3 * 3) << "at depth 1 none goes on";
+    rule.lateral_rules.assign(4, {});
+    EXPECT_FALSE(check_rule(rule));
+    rule.lateral_rules = { { .angle_deg = 151 } };
+    EXPECT_EQ(check_rule(rule).error().message,
+              "laterals.a, the laterals' angle in degrees, is 151: give 0 to 150");
+}
+
 TEST(SketchRule, CutsTheDepthToStayWithinItsLimit)
 {
     Rule const rule { .laterals = 3, .shortest_mm = 0.01, .most_internodes = 20'000 };
