@@ -21,7 +21,8 @@ bool runs_over(Stroke const& eraser, std::vector<Vec2> const& line)
     });
 }
 
-// Branches before what bears them: where lines meet, the smaller one is meant.
+// Branches before what bears them, and their outlines before the crown's: where lines meet, the
+// smaller one is meant.
 Result<std::vector<Edit>> erase(Tool const&, Stroke const& stroke, Scene const& scene)
 {
     auto const* const tree = silhouette::outlined_tree(*scene.drawn);
@@ -35,6 +36,10 @@ Result<std::vector<Edit>> erase(Tool const&, Stroke const& stroke, Scene const& 
     for (std::size_t i = 0; i < drawing.branches.size(); ++i)
         if (runs_over(stroke, drawing.branches[i]))
             edits.push_back(EraseTreePart { plant, DrawTree::Part::Branch, tree->branches[i].id });
+    for (std::size_t i = 0; i < drawing.own_outlines.size() && edits.empty(); ++i)
+        if (runs_over(stroke, drawing.own_outlines[i].outline))
+            edits.push_back(
+                EraseTreePart { plant, DrawTree::Part::OwnOutline, tree->own_outlines[i].id });
     if (!edits.empty())
         return edits;
     if (runs_over(stroke, drawing.trunk))
@@ -55,7 +60,7 @@ constexpr ToolKind EraseOutlineTool::kKind {
     .title = "Erase lines of the tree's drawing",
     .done = "The line is erased",
     .help = "takes away what was drawn of a tree where the stroke runs over it on paper: a branch, "
-            "else its trunk or the outline of its crown",
+            "else a branch's own outline, else its trunk or the outline of its crown",
     .group = "Sketch",
     .method = "From an outline",
     .surface = Surface::Paper,

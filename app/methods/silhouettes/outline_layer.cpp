@@ -31,8 +31,10 @@ Lines outline_of(BuiltPlant const& plant)
     Lines lines;
     if (auto const* const tree = silhouette::outlined_tree(*plant.drawn)) {
         add(tree->outline, plant, lines);
-        if (!lines.empty())
-            lines.front().push_back(lines.front().front());
+        for (auto const& own : tree->own_outlines)
+            add(own.stroke, plant, lines);
+        for (auto& line : lines)
+            line.push_back(Vec3f(line.front()));
     }
     return lines;
 }

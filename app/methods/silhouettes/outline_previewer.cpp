@@ -3,12 +3,15 @@
 #include "app/methods/silhouettes/outline_tool.h"
 #include "engine/scene/paper.h"
 
+#include <cmath>
 #include <span>
 #include <utility>
 
 namespace tractus {
 
 namespace {
+
+using silhouette::DrawTree;
 
 // The stroke drawn back to its beginning, so that a half-drawn crown is one.
 Stroke closed(std::span<TipSample const> ink)
@@ -41,21 +44,42 @@ public:
         auto const edit = drawn_tree(*stroke.tool.get<OutlineTool>(), ink, scene);
         if (!edit)
             return {};
-        auto tree = tree_with(*edit, scene);
-        if (tree.outline.tips.empty())
+        if (may_become_a_branchs(*edit, scene))
             return {};
-        tree.form.levels = 1;
-        auto const skeleton = silhouette::skeleton_of(tree);
+        auto tree = tree_with(*edit, scene);
+        if (!tree || tree->outline.tips.empty())
+            return {};
+        tree->form.levels = 1;
+        auto const skeleton = silhouette::skeleton_of(*tree);
         if (!skeleton)
             return {};
-        auto const& system = skeleton->systems[0];
-        std::vector<SkeletonLine> lines { line_of(system.whole_trunk(), scene) };
-        for (auto const& branch : system.branches)
-            lines.push_back(line_of(branch.path.curve.points(9), scene));
+        // Branches with outlines of their own have those in them, too.
+        std::vector<SkeletonLine> lines { line_of(skeleton->systems[0].whole_trunk(), scene) };
+        for (auto const& system : skeleton->systems)
+            for (auto const& branch : system.branches)
+                lines.push_back(line_of(branch.path.curve.points(9), scene));
         return lines;
     }
 
 private:
+    // An outline that is small so far, over a crown that is there: the outline of a branch begins
+    // so, and the crown's, too.
+    static bool may_become_a_branchs(DrawTree const& edit, Scene const& scene)
+    {
+        auto const* const tree = silhouette::outlined_tree(*scene.drawn);
+        if (!tree || edit.plant == 0 || edit.part != DrawTree::Part::Outline)
+            return false;
+        return 2 * area_of(edit.stroke) < area_of(tree->outline);
+    }
+
+    static double area_of(Stroke const& stroke)
+    {
+        std::vector<Vec2> points;
+        for (auto const& tip : stroke.tips)
+            points.emplace_back(tip.position_mm.head<2>());
+        return std::fabs(silhouette::signed_area(points));
+    }
+
     static SkeletonLine line_of(std::vector<Vec2> const& points, Scene const& scene)
     {
         auto const paper = paper_of(scene.state);

@@ -118,11 +118,14 @@ std::optional<Part> part_on(silhouette::Drawing const& tree, Vec2 const& foot,
     return std::nullopt;
 }
 
-Result<std::optional<Part>> part_of_tree(OutlinedTree const& tree, std::vector<Vec2> const& points)
+Result<std::optional<Part>> part_of_tree(OutlinedTree const& tree, Stroke const& stroke)
 {
+    auto const points = points_of(stroke);
     auto const drawing = TRY(silhouette::drawing_of(tree));
     if (!comes_back(points))
         return part_on(drawing, TRY(silhouette::foot_of(tree)), points);
+    if (TRY(silhouette::branch_outlined_by(tree, stroke)))
+        return Part::OwnOutline;
     return is_around(points, drawing) ? std::optional(Part::Outline) : std::nullopt;
 }
 
@@ -155,6 +158,32 @@ Result<std::vector<Edit>> form_active(OutlineTool const& tool, Scene const& scen
     return std::vector<Edit> { silhouette::FormTree { scene.drawn->id, form } };
 }
 
+std::string counted_branches(std::size_t count)
+{
+    return fmt::format("{} {}", count, count == 1 ? "branch" : "branches");
+}
+
+// Of the branch whose outline was drawn last; empty: another line was.
+std::string said_of_own_outline(OutlinedTree const& tree, std::uint64_t last_edit)
+{
+    auto const drawn = std::find_if(
+        tree.own_outlines.begin(), tree.own_outlines.end(),
+        [&](silhouette::DrawnOutline const& own) { return edit_of_item(own.id) == last_edit; });
+    if (drawn == tree.own_outlines.end())
+        return {};
+    auto on_trunk = tree;
+    on_trunk.form.levels = 1;
+    auto const skeleton = silhouette::skeleton_of(on_trunk);
+    if (!skeleton)
+        return {};
+    auto const& branches = skeleton->systems[0].branches;
+    for (std::size_t i = 0; i < branches.size(); ++i)
+        if (silhouette::name_of(branches[i]) == drawn->branch)
+            return fmt::format("The branch has its own outline: {} in it",
+                               counted_branches(skeleton->branches_on(i)));
+    return {};
+}
+
 // What the tree has now, and what it still wants.
 std::string said_of_tree(Tool const&, Scene const& after)
 {
@@ -163,6 +192,8 @@ std::string said_of_tree(Tool const&, Scene const& after)
         return {};
     if (tree->outline.tips.empty())
         return "A trunk stands: draw the outline of its crown around it, back to where you began";
+    if (auto said = said_of_own_outline(*tree, after.state.last_edit); !said.empty())
+        return said;
     auto const& axes = after.base->axes;
     auto const on_trunk
         = std::count_if(axes.begin(), axes.end(), [](Axis const& axis) { return axis.order == 1; });
@@ -189,7 +220,7 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke, Scene
     DrawTree edit { .stroke = stroke };
     auto const* const tree = silhouette::outlined_tree(*scene.drawn);
     if (tree && tool.what != What::New)
-        if (auto const part = TRY(part_of_tree(*tree, points))) {
+        if (auto const part = TRY(part_of_tree(*tree, stroke))) {
             edit.part = *part;
             edit.plant = scene.drawn->id;
             return edit;
@@ -198,13 +229,14 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke, Scene
     edit.form = form_of(tool, {});
     if (!scene.plants.empty())
         edit.scale = scene.placement.scale;
-    auto const foot_mm = TRY(silhouette::foot_of(tree_with(edit, scene)));
+    auto const tree_drawn = TRY(tree_with(edit, scene));
+    auto const foot_mm = TRY(silhouette::foot_of(tree_drawn));
     edit.stands_at_mm = paper_of(scene.state).world_of_sheet(foot_mm);
     edit.stands_at_mm.z() = 0;
     return edit;
 }
 
-OutlinedTree tree_with(DrawTree const& edit, Scene const& scene)
+Result<OutlinedTree> tree_with(DrawTree const& edit, Scene const& scene)
 {
     if (edit.plant != 0)
         return silhouette::with_part(*silhouette::outlined_tree(*scene.drawn), edit);
@@ -217,8 +249,8 @@ constexpr ToolKind OutlineTool::kKind {
     .title = "A trunk, and the outline of its crown",
     .done = "The tree has what was drawn",
     .help = "draws a tree on paper that stands upright: a line is a trunk, one that comes back to "
-            "its beginning the outline of a crown, a line from a trunk inside it a branch; in a "
-            "ready form, or with so many "
+            "its beginning the outline of a crown, a smaller one around a branch that branch's "
+            "own outline, a line from a trunk inside it a branch; in a ready form, or with so many "
             "levels of branches, so many times as many as usual that nobody draws, so many leaves "
             "on a twig; a new tree at each line, or at once these numbers, or other chance, for "
             "the tree that is there",

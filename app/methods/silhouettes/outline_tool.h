@@ -27,11 +27,12 @@ struct OutlineTool {
 };
 
 // What a stroke with the tool means: the tips drawn so far, in a document as it is built. One that
-// comes back to its beginning is an outline, any other a trunk or a branch.
+// comes back to its beginning is an outline, of the crown or of the branch that it lies around
+// (own_outline.h), any other a trunk or a branch.
 Result<silhouette::DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
                                         Scene const& scene);
 
 // The tree that the edit would make, with all its lines.
-silhouette::OutlinedTree tree_with(silhouette::DrawTree const& edit, Scene const& scene);
+Result<silhouette::OutlinedTree> tree_with(silhouette::DrawTree const& edit, Scene const& scene);
 
 } // namespace tractus

@@ -12,6 +12,7 @@
 #include "app/verbs/glb_options.h"
 #include "drivers/file.h"
 #include "engine/methods/silhouettes/measured_style.h"
+#include "engine/methods/silhouettes/own_outline.h"
 #include "engine/methods/silhouettes/ready_form.h"
 #include "engine/methods/silhouettes/tree_edits.h"
 #include "engine/scene/scene.h"
@@ -143,20 +144,22 @@ Stroke stroke_along(std::vector<Vec2> const& points)
 
 // What a pen does that draws the tree.
 Result<std::vector<Edit>> edits_of(SilhouetteArguments const& arguments,
-                                   silhouette::Drawing const& drawing,
+                                   silhouette::SilhouetteFile const& file,
                                    silhouette::Skeleton const& skeleton)
 {
     using silhouette::DrawTree;
+    auto const& drawing = file.drawing;
     if (drawing.outline.size() != 1)
         return fail(Fault::User,
                     fmt::format("the outline has {} strokes: draw it in one for a session",
                                 drawing.outline.size()));
     double const scale = silhouette::drawn_height(skeleton) / (1000 * arguments.height_m);
-    DrawTree edit { .form = form_of(arguments), .scale = scale, .id = item_id(1, 0) };
+    DrawTree edit { .form = form_of(arguments), .scale = scale };
     std::vector<Edit> edits;
     auto const draw = [&](DrawTree::Part part, std::vector<Vec2> const& points) {
         edit.part = part;
         edit.stroke = stroke_along(points);
+        edit.id = item_id(edits.size() + 1, 0);
         edits.push_back(edit);
         edit.plant = item_id(1, 0);
     };
@@ -165,11 +168,13 @@ Result<std::vector<Edit>> edits_of(SilhouetteArguments const& arguments,
     draw(DrawTree::Part::Outline, drawing.outline[0]);
     for (auto const& branch : drawing.branches)
         draw(DrawTree::Part::Branch, branch);
+    for (auto const& part : file.parts)
+        draw(DrawTree::Part::OwnOutline, part);
     return edits;
 }
 
 Result<std::string> write_session(SilhouetteArguments const& arguments, fs::path const& file,
-                                  silhouette::Drawing const& drawing,
+                                  silhouette::SilhouetteFile const& drawing,
                                   silhouette::Skeleton const& skeleton)
 {
     auto edits = edits_of(arguments, drawing, skeleton);
@@ -181,16 +186,27 @@ Result<std::string> write_session(SilhouetteArguments const& arguments, fs::path
     return path.filename().string();
 }
 
+// Each of the file's parts goes to the branch that it lies around, as by a pen.
+Result<silhouette::Skeleton> inferred(silhouette::SilhouetteFile& file,
+                                      silhouette::SkeletonOptions const& options)
+{
+    for (std::size_t i = 0; i < file.parts.size(); ++i)
+        if (auto const added = silhouette::add_own_outline(file.drawing, file.parts[i], options);
+            !added)
+            return fail(added.error().fault,
+                        fmt::format("part {}: {}", i + 1, added.error().message));
+    return silhouette::infer_skeleton(file.drawing, options);
+}
+
 Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& drawing,
                           std::optional<silhouette::MeasuredStyle> const& style)
 {
-    auto const file = TRY(silhouette::load_silhouette(drawing));
+    auto file = TRY(silhouette::load_silhouette(drawing));
     for (auto const& key : file.unknown_keys)
         print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so", drawing.string(),
                                   key.substr(0, 40)));
     auto const form = form_of(arguments);
-    auto const skeleton
-        = silhouette::infer_skeleton(file.drawing, silhouette::skeleton_options(form));
+    auto const skeleton = inferred(file, silhouette::skeleton_options(form));
     if (!skeleton)
         return about_drawing(drawing, skeleton.error());
     for (auto const& note : skeleton->systems[0].notes)
@@ -201,7 +217,7 @@ Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& 
     if (!arguments.output.empty())
         written = TRY(write_tree(arguments, drawing, tree.plant));
     if (arguments.session)
-        written += ", " + TRY(write_session(arguments, drawing, file.drawing, *skeleton));
+        written += ", " + TRY(write_session(arguments, drawing, file, *skeleton));
     if (arguments.report)
         return print_out(silhouette::print_report(*skeleton, tree, style));
     return print_out(fmt::format("{}: {} branches, {} leaves, {:.0f} % of the outline covered\n",
@@ -340,7 +356,8 @@ void add_silhouette_command(CLI::App& root, Action& action, Methods const& metho
         "right\n"
         "and up, around the crown, or a list of such strokes; and \"trunk\": points, base first, "
         "which\n"
-        "may be missing.");
+        "may be missing. \"parts\", strokes around parts of the crown, are outlines of single "
+        "branches.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return make_trees(*arguments); }; });
 }

@@ -20,8 +20,8 @@ constexpr std::string_view kExample = "write [[x, y], [x, y], …] in millimetre
 // Those that say nothing of the drawing are for other readers.
 bool is_known(std::string const& key)
 {
-    constexpr std::array kKeys { "outline", "trunk",    "branches",  "what", "unit",
-                                 "closed",  "expected", "tolerance", "name" };
+    constexpr std::array kKeys { "outline", "trunk",  "branches", "parts",     "what",
+                                 "unit",    "closed", "expected", "tolerance", "name" };
     return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
 }
 
@@ -48,9 +48,26 @@ bool holds_strokes(json const& list)
         && list[0][0].is_array();
 }
 
+constexpr std::size_t kMostStrokes = 100;
+
+// The strokes of a list, if the file has it.
+Result<std::vector<std::vector<Vec2>>> read_strokes(json const& file, char const* key,
+                                                    char const* one)
+{
+    std::vector<std::vector<Vec2>> strokes;
+    if (!file.contains(key))
+        return strokes;
+    for (auto const& stroke : file[key]) {
+        if (strokes.size() == kMostStrokes)
+            return fail(Fault::User,
+                        fmt::format("there are more than {} {}: give fewer", kMostStrokes, key));
+        strokes.push_back(TRY(read_stroke(stroke, fmt::format("{} {}", one, strokes.size() + 1))));
+    }
+    return strokes;
+}
+
 Result<SilhouetteFile> read_drawing(json const& file)
 {
-    constexpr std::size_t kMostStrokes = 100;
     if (!file.is_object() || !file.contains("outline"))
         return fail(Fault::User,
                     "it is no drawing: write {\"outline\": [[x, y], …], \"trunk\": [[x, y], …]}");
@@ -67,16 +84,8 @@ Result<SilhouetteFile> read_drawing(json const& file)
     } else {
         result.drawing.outline.push_back(TRY(read_stroke(outline, "outline")));
     }
-    if (file.contains("branches"))
-        for (auto const& stroke : file["branches"]) {
-            auto& branches = result.drawing.branches;
-            if (branches.size() == kMostStrokes)
-                return fail(
-                    Fault::User,
-                    fmt::format("there are more than {} branches: give fewer", kMostStrokes));
-            branches.push_back(
-                TRY(read_stroke(stroke, fmt::format("branch {}", branches.size() + 1))));
-        }
+    result.drawing.branches = TRY(read_strokes(file, "branches", "branch"));
+    result.parts = TRY(read_strokes(file, "parts", "part"));
     if (file.contains("trunk") && !file["trunk"].is_null())
         result.drawing.trunk = TRY(read_stroke(file["trunk"], "trunk"));
     for (auto const& [key, value] : file.items())
@@ -102,7 +111,7 @@ double straightness(std::vector<Vec2> const& line)
 
 Result<SilhouetteFile> read_svg(std::string_view text)
 {
-    auto lines = TRY(lines::read_svg_lines(text, { "trunk", "outline", "branch" }));
+    auto lines = TRY(lines::read_svg_lines(text, { "trunk", "outline", "branch", "part" }));
     SilhouetteFile result;
     bool const said = std::any_of(lines.begin(), lines.end(),
                                   [](auto const& line) { return !line.role.empty(); });
@@ -123,6 +132,8 @@ Result<SilhouetteFile> read_svg(std::string_view text)
             result.drawing.outline.push_back(std::move(line.points_mm));
         else if (line.role == "branch")
             result.drawing.branches.push_back(std::move(line.points_mm));
+        else if (line.role == "part")
+            result.parts.push_back(std::move(line.points_mm));
     }
     return result;
 }

@@ -13,7 +13,8 @@ namespace tractus::silhouette {
 // A drawing as a file holds it.
 struct SilhouetteFile {
     Drawing drawing;
-    std::vector<std::string> unknown_keys; // What else the file says.
+    std::vector<std::vector<Vec2>> parts {}; // Outlines of branches, around which they lie.
+    std::vector<std::string> unknown_keys;   // What else the file says.
 };
 
 // Reads a drawing from JSON, millimetres, x to the right and y up:
@@ -21,14 +22,15 @@ struct SilhouetteFile {
 //   outline   [[x, y], …]: around the crown, or [[[x, y], …], …]: in several strokes
 //   trunk     [[x, y], …]: base first; may be missing
 //   branches  [[[x, y], …], …]: from the trunk on; may be missing
+//   parts     [[[x, y], …], …]: each once around a branch's own crown; may be missing
 //
 // Fails, as the user's fault, with file, place and what to write.
 Result<SilhouetteFile> parse_silhouette(std::string_view text, std::string const& name);
 
 // The same from a file of at most 2 MiB, which may also be an SVG drawing (.svg): lines whose id,
-// class or label, or that of a group around them, begins with "trunk", "outline" or "branch". Where
-// none does, the straightest is the trunk, if its ends are farther apart than half of its length,
-// and the others are the outline.
+// class or label, or that of a group around them, begins with "trunk", "outline", "branch" or
+// "part". Where none does, the straightest is the trunk, if its ends are farther apart than half of
+// its length, and the others are the outline.
 Result<SilhouetteFile> load_silhouette(std::filesystem::path const& path);
 
 } // namespace tractus::silhouette

@@ -33,20 +33,26 @@ static Report bump_json(Bump const& bump)
              { "role", word_of(bump.role) } };
 }
 
-static Report branch_json(Branch const& branch)
+static Report branch_json(Skeleton const& skeleton, std::size_t i)
 {
+    auto const& branch = skeleton.systems[0].branches[i];
     auto const& curve = branch.path.curve;
-    return { { "name", name_of(branch) },
-             { "t", branch.path.t },
-             { "side", branch.path.side == Side::Left ? "left" : "right" },
-             { "base", point_json(curve.base) },
-             { "end", point_json(curve.end) },
-             { "curve",
-               { point_json(curve.base), point_json(curve.base + curve.base_tangent / 3),
-                 point_json(curve.end - curve.end_tangent / 3), point_json(curve.end) } },
-             { "length", branch.path.length },
-             { "tangent_share", branch.path.tangent_share },
-             { "cone_deg", branch.cone_deg } };
+    Report report { { "name", name_of(branch) },
+                    { "t", branch.path.t },
+                    { "side", branch.path.side == Side::Left ? "left" : "right" },
+                    { "base", point_json(curve.base) },
+                    { "end", point_json(curve.end) },
+                    { "curve",
+                      { point_json(curve.base), point_json(curve.base + curve.base_tangent / 3),
+                        point_json(curve.end - curve.end_tangent / 3), point_json(curve.end) } },
+                    { "length", branch.path.length },
+                    { "tangent_share", branch.path.tangent_share },
+                    { "cone_deg", branch.cone_deg } };
+    if (branch.is_outlined()) {
+        report["outlined"] = true;
+        report["bears"] = skeleton.branches_on(i);
+    }
+    return report;
 }
 
 static Report place_json(Place const& place)
@@ -104,9 +110,9 @@ std::string print_report(Skeleton const& skeleton, Tree const& tree,
     for (auto const& bump : system.bumps)
         bumps.push_back(bump_json(bump));
     Report branches = Report::array();
-    for (auto const& branch : system.branches)
-        if (branch.origin != silhouette::Branch::Origin::Apex)
-            branches.push_back(branch_json(branch));
+    for (std::size_t i = 0; i < system.branches.size(); ++i)
+        if (system.branches[i].origin != Branch::Origin::Apex || system.branches[i].is_outlined())
+            branches.push_back(branch_json(skeleton, i));
     Report report {
         { "samples", system.outline.size() },
         { "triangles", counts.terminal + counts.sleeve + counts.junction },

@@ -18,8 +18,9 @@ namespace tractus::silhouette {
 //   trunk_samples_inside   [first, last] of 64
 //   trunk_continues_to     [x, y] or null
 //   branch        of each {"name", "t", "side", "base": [x, y], "end": [x, y], "curve": the four
-//                 control points of its Bézier curve, "length", "tangent_share", "cone_deg"}; those
-//                 of bumps first, then those added
+//                 control points of its Bézier curve, "length", "tangent_share", "cone_deg"}; of
+//                 one with an outline of its own also "outlined": true and how many branches that
+//                 "bears"; those of bumps first, then those added
 //   coverage      {"before", "after"}: shares of the outline's inside that crowns cover
 //   arrangement   a list for each level of [{"name", "theta", "u"}, …]: degrees around the bearer,
 //                 0 to the right and 180 to the left, and the share of its length; those of the

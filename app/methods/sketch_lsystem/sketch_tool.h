@@ -21,7 +21,15 @@ struct SketchTool {
     double length_ratio = 0.9;
     double lateral_length = 0.62;
     // Laterals fork as the rule's do, or each goes on by a ready rule of its own.
-    enum class Laterals { Fork, Opposite, Whorls, Crown, Vase, Spire, Fern } go_on_by
+    enum class Laterals {
+        Fork,
+        Opposite,
+        Whorls,
+        Crown,
+        Vase,
+        Spire,
+        Fern
+    } go_on_by
         = Laterals::Fork;
     sketch::Leaves leaves = sketch::Leaves::Leafy;
     StrokeSurface surface = StrokeSurface::Decided;

@@ -34,6 +34,7 @@ struct BranchingSystem {
     double coverage_before = 0; // Shares of the outline's inside that crowns cover, with the
     double coverage_after = 0;  // branches of bumps alone, and with all.
     std::vector<std::string> notes;
+    bool is_of_own_outline = false; // Its outline is one that was drawn for a branch.
 
     // The trunk with what it is extended by, in equal steps or nearly so. Without what a branch of
     // its own continues it by: its apex.

@@ -13,6 +13,7 @@ namespace {
 constexpr double kLargestAdded = 1.5; // Of the branch that it is a copy of.
 constexpr double kMostTurned = 1.41;  // So much longer a branch may become as it turns away.
 constexpr double kOverSurface = 1.02; // And so far beyond the crown's surface it may go.
+constexpr double kOutlined_deg = 10;  // One whose outline was drawn is seen in that.
 
 // How far a branch may turn away from the plane: long ones hardly, so that the outline stays.
 double most_off_deg(double span, double greatest)
@@ -116,7 +117,8 @@ std::vector<DrawnPlace> CrowdMaker::drawn_places(Line const& bearer, CrownSurfac
         auto const& branch = system.branches[i];
         bool const is_left = branch.path.side == Side::Left;
         drawn.push_back({ bearer.place_of(branch.path.curve.base), is_left ? 180.0 : 0.0,
-                          most_off_deg(span(branch), greatest[is_left]) });
+                          branch.is_outlined() ? kOutlined_deg
+                                               : most_off_deg(span(branch), greatest[is_left]) });
     }
     return drawn;
 }

@@ -32,6 +32,10 @@ struct Branch {
     // Of a copy: of which of the system's branches, and the way from there; no value: of none.
     std::optional<std::size_t> model {};
     Similarity from_model {};
+    // The outline of its crown as somebody drew it (own_outline.h); none: nobody did.
+    std::vector<Vec2> own_outline {};
+
+    bool is_outlined() const { return !own_outline.empty(); }
 };
 
 struct FillOptions {

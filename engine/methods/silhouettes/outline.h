@@ -8,12 +8,20 @@
 
 namespace tractus::silhouette {
 
+// The outline of one branch's crown, as it was drawn.
+struct OwnOutline {
+    std::string branch; // What the branch is called that has it (name_of(), skeleton.h).
+    std::vector<Vec2> outline;
+};
+
 // What is drawn for one branching system (Wither, Boudon, Cani, Godin, "Structure from
 // silhouettes", 2009), millimetres in the plane that it was drawn in (plane.h).
 struct Drawing {
     std::vector<std::vector<Vec2>> outline;     // Of the crown: one stroke or more, in any order.
     std::vector<Vec2> trunk;                    // Base first; empty: not drawn.
     std::vector<std::vector<Vec2>> branches {}; // On the trunk, which they begin near.
+    // Of the crowns of branches of the trunk, one for each (own_outline.h).
+    std::vector<OwnOutline> own_outlines {};
 };
 
 constexpr std::size_t kMostDrawnPoints = 20'000; // Of all strokes of a drawing.

@@ -2,6 +2,7 @@
 
 #include "engine/base/random.h"
 #include "engine/methods/silhouettes/match.h"
+#include "engine/methods/silhouettes/own_outline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,12 @@ bool same(OutlinedTree const& one, OutlinedTree const& other)
                       [](DrawnBranch const& a, DrawnBranch const& b) {
                           return a.id == b.id && same_ink(a.stroke, b.stroke);
                       })
-        && one.names == other.names && one.form == other.form && one.scale == other.scale;
+        && one.names == other.names && one.form == other.form && one.scale == other.scale
+        && std::equal(one.own_outlines.begin(), one.own_outlines.end(), other.own_outlines.begin(),
+                      other.own_outlines.end(), [](DrawnOutline const& a, DrawnOutline const& b) {
+                          return a.id == b.id && a.branch == b.branch
+                              && same_ink(a.stroke, b.stroke);
+                      });
 }
 
 Result<std::vector<Vec2>> points_of(Stroke const& stroke)
@@ -54,6 +60,14 @@ Result<void> check_scale(double scale)
         return fail(Fault::User,
                     fmt::format("a tree cannot be shown {} times as large as it is", scale));
     return {};
+}
+
+SkeletonOptions options_of(OutlinedTree const& tree)
+{
+    auto options = skeleton_options(tree.form);
+    if (!tree.names.empty())
+        options.names = tree.names[0];
+    return options;
 }
 
 // A stem along the trunk's line alone.
@@ -104,24 +118,82 @@ BranchingSystem laid_on(BranchingSystem system, BranchingSystem const& later)
     return system;
 }
 
-// Names the branches of a later system after those of an earlier one, and those below them.
-void name_system(Redrawn const& redrawn, std::size_t earlier, std::size_t later,
-                 std::vector<std::vector<std::string>>& names)
+using Partners = std::vector<std::optional<std::size_t>>;
+
+// What branches of a later system are called whose partners in an earlier one are known.
+std::vector<std::string> names_after(BranchingSystem const& before, BranchingSystem const& after,
+                                     Partners const& partners, std::string const& fresh)
 {
-    auto const& before = redrawn.earlier.systems[earlier];
-    auto const& after = redrawn.later.systems[later];
-    bool const is_tree = later == 0; // Its trunk is drawn where it is.
-    auto const partners = match_branches(is_tree ? before : laid_on(before, after), after);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < partners.size(); ++i)
+        names.push_back(partners[i] ? name_of(before.branches[*partners[i]])
+                                    : fresh + name_of(after.branches[i]));
+    return names;
+}
+
+// Names what stands on the branches of a later system that have partners in an earlier one.
+void name_below(Redrawn const& redrawn, std::size_t earlier, std::size_t later,
+                Partners const& partners, std::vector<std::vector<std::string>>& names)
+{
     for (std::size_t i = 0; i < partners.size(); ++i) {
-        names[later].push_back(partners[i] ? name_of(before.branches[*partners[i]])
-                                           : redrawn.fresh + name_of(after.branches[i]));
         if (!partners[i])
             continue;
         auto const below_before = redrawn.earlier.system_of[earlier][*partners[i]];
         auto const below_after = redrawn.later.system_of[later][i];
-        if (below_before != kNoSystem && below_after != kNoSystem && names[below_after].empty())
-            name_system(redrawn, below_before, below_after, names);
+        if (below_before == kNoSystem || below_after == kNoSystem || !names[below_after].empty())
+            continue;
+        auto const& before = redrawn.earlier.systems[below_before];
+        auto const& after = redrawn.later.systems[below_after];
+        auto const below = match_branches(laid_on(before, after), after);
+        names[below_after] = names_after(before, after, below, redrawn.fresh);
+        name_below(redrawn, below_before, below_after, below, names);
     }
+}
+
+// The trunk's branches alone, without outlines of their own: whose these are does not depend on
+// them.
+Result<BranchingSystem> inferred_on_trunk(OutlinedTree tree)
+{
+    tree.own_outlines.clear();
+    tree.form.levels = 1;
+    return std::move(TRY(skeleton_of(tree)).systems[0]);
+}
+
+// Without such outlines they are those of the tree's skeleton, which is there already.
+Result<BranchingSystem> inferred_on_trunk(OutlinedTree const& tree, Skeleton const& skeleton)
+{
+    return tree.own_outlines.empty() ? skeleton.systems[0] : inferred_on_trunk(tree);
+}
+
+bool is_outlined(OutlinedTree const& tree, std::string const& branch)
+{
+    return std::any_of(tree.own_outlines.begin(), tree.own_outlines.end(),
+                       [&](DrawnOutline const& own) { return own.branch == branch; });
+}
+
+// Outlines whose branches are gone go to the ones that they lie around.
+Result<void> settle_outlines(OutlinedTree& tree, BranchingSystem const& inferred)
+{
+    auto const& branches = inferred.branches;
+    for (auto& own : tree.own_outlines) {
+        if (std::any_of(branches.begin(), branches.end(),
+                        [&](Branch const& branch) { return name_of(branch) == own.branch; }))
+            continue;
+        auto const around = branch_in(inferred, TRY(line_of(own.stroke)));
+        if (around && !is_outlined(tree, name_of(branches[*around])))
+            own.branch = name_of(branches[*around]);
+    }
+    return {};
+}
+
+// For a tree that had no crown for a while: its branches say nothing of those before.
+Result<void> find_branches_again(OutlinedTree& tree)
+{
+    if (tree.own_outlines.empty())
+        return {};
+    for (auto& own : tree.own_outlines)
+        own.branch.clear();
+    return settle_outlines(tree, TRY(inferred_on_trunk(tree)));
 }
 
 tl::unexpected<Error> refuse(char const* what, double given, double least, double most)
@@ -229,6 +301,8 @@ Result<Drawing> drawing_of(OutlinedTree const& tree)
     drawing.trunk = TRY(line_of(tree.trunk));
     for (auto const& branch : tree.branches)
         drawing.branches.push_back(TRY(line_of(branch.stroke)));
+    for (auto const& own : tree.own_outlines)
+        drawing.own_outlines.push_back({ own.branch, TRY(line_of(own.stroke)) });
     return drawing;
 }
 
@@ -244,23 +318,56 @@ Result<Vec2> foot_of(OutlinedTree const& tree)
 Result<Skeleton> skeleton_of(OutlinedTree const& tree)
 {
     auto const drawing = TRY(drawing_of(tree));
-    auto skeleton = TRY(infer_skeleton(drawing, skeleton_options(tree.form)));
-    for (std::size_t s = 0; s < std::min(tree.names.size(), skeleton.systems.size()); ++s)
+    auto skeleton = TRY(infer_skeleton(drawing, options_of(tree)));
+    for (std::size_t s = 1; s < std::min(tree.names.size(), skeleton.systems.size()); ++s)
         for (std::size_t i = 0;
              i < std::min(tree.names[s].size(), skeleton.systems[s].branches.size()); ++i)
             skeleton.systems[s].branches[i].name = tree.names[s][i];
     return skeleton;
 }
 
+Result<std::optional<std::string>> branch_outlined_by(OutlinedTree const& tree,
+                                                      Stroke const& stroke)
+{
+    if (tree.outline.tips.empty())
+        return std::nullopt;
+    auto const drawing = TRY(drawing_of(tree));
+    auto const line = TRY(line_of(stroke));
+    return branch_outlined_by(drawing, line, options_of(tree));
+}
+
+Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke, ItemId id)
+{
+    auto drawing = TRY(drawing_of(tree));
+    auto line = TRY(line_of(stroke));
+    TRY(add_own_outline(drawing, std::move(line), options_of(tree)));
+    auto const& branch = drawing.own_outlines.back().branch;
+    std::erase_if(tree.own_outlines, [&](DrawnOutline const& own) { return own.branch == branch; });
+    tree.own_outlines.push_back({ id, stroke, branch });
+    return tree;
+}
+
 Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::string const& fresh)
 {
-    if (before.outline.tips.empty() || after.outline.tips.empty())
+    if (after.outline.tips.empty())
         return {};
+    if (before.outline.tips.empty())
+        return find_branches_again(after);
     after.names.clear();
     auto const earlier = TRY(skeleton_of(before));
-    auto const later = TRY(skeleton_of(after));
+    auto const had = TRY(inferred_on_trunk(before, earlier));
+    auto later = TRY(skeleton_of(after));
+    auto has = TRY(inferred_on_trunk(after, later));
+    auto const partners = match_branches(had, has);
+    after.names.push_back(names_after(had, has, partners, fresh));
+    if (!after.own_outlines.empty()) {
+        for (std::size_t i = 0; i < partners.size(); ++i)
+            has.branches[i].name = after.names[0][i];
+        TRY(settle_outlines(after, has));
+        later = TRY(skeleton_of(after));
+    }
     after.names.resize(later.systems.size());
-    name_system({ earlier, later, fresh }, 0, 0, after.names);
+    name_below({ earlier, later, fresh }, 0, 0, partners, after.names);
     return {};
 }
 

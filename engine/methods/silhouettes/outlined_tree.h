@@ -46,6 +46,14 @@ struct DrawnBranch {
     Stroke stroke {};
 };
 
+// The outline of a branch's own crown, by the edit that brought it. What the branch is called is
+// decided when it is drawn (own_outline.h); where the tree has no such branch any more, it waits.
+struct DrawnOutline {
+    ItemId id = 0;
+    Stroke stroke {};
+    std::string branch {};
+};
+
 // A tree as it is drawn on paper: strokes whose x and y are tablet-centred millimetres; how high
 // the surface was counts for nothing. The source of a plant (plant_source.h).
 struct OutlinedTree {
@@ -58,7 +66,8 @@ struct OutlinedTree {
     // lines; none: see name_of().
     std::vector<std::vector<std::string>> names {};
     TreeForm form {};
-    double scale = 0.1; // World millimetres per plant millimetre.
+    double scale = 0.1;                        // World millimetres per plant millimetre.
+    std::vector<DrawnOutline> own_outlines {}; // Of branches of the trunk, one for each.
 };
 
 Result<Drawing> drawing_of(OutlinedTree const& tree);
@@ -70,8 +79,19 @@ Result<Vec2> foot_of(OutlinedTree const& tree);
 // outline, and like infer_skeleton().
 Result<Skeleton> skeleton_of(OutlinedTree const& tree);
 
+// What the branch of the trunk is called that a stroke is the own outline of (own_outline.h); no
+// value: it is of none, or the tree has no outline. Fails like skeleton_of().
+Result<std::optional<std::string>> branch_outlined_by(OutlinedTree const& tree,
+                                                      Stroke const& stroke);
+
+// The tree with the outline as a branch's own, in place of the one that it had. Fails, as the
+// user's fault, where it lies around no branch, and like clean_drawing().
+Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke, ItemId id);
+
 // Gives the branches of a tree whose lines have changed the names that they had in the one before
-// (match.h); those that are new get names that begin with `fresh`. Neither without an outline.
+// (match.h); those that are new get names that begin with `fresh`. Outlines of branches go with the
+// names; one whose branch is gone goes to the branch that it lies around, if that has none. Nothing
+// of this without an outline.
 Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::string const& fresh);
 
 // The plant: as large as drawn when it is shown at its scale, its foot at the origin. Without an

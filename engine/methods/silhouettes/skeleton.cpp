@@ -1,6 +1,7 @@
 #include "engine/methods/silhouettes/skeleton.h"
 
 #include "engine/base/parallel.h"
+#include "engine/methods/silhouettes/own_outline.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -18,21 +19,40 @@ struct Wanted {
     std::size_t branch = 0;
 };
 
+enum class Which { All, Outlined };
+
+// How the crowns of one level are looked into.
+struct LevelInference {
+    InferenceOptions usual;
+    InferenceOptions outlined;
+    Which which = Which::All;
+};
+
+Result<BranchingSystem> system_below(Branch const& branch, LevelInference const& options)
+{
+    auto trunk = branch.path.curve.points(17);
+    if (!branch.is_outlined())
+        return infer_system({ { branch.crown }, std::move(trunk), {} }, options.usual);
+    auto system = TRY(infer_system({ { branch.own_outline }, std::move(trunk) }, options.outlined));
+    system.is_of_own_outline = true;
+    return system;
+}
+
 // Gives the branches from `first_system` on systems of their own. What cannot be inferred bears
 // nothing.
-void infer_level(Skeleton& skeleton, std::size_t first_system, InferenceOptions const& options)
+void infer_level(Skeleton& skeleton, std::size_t first_system, LevelInference const& options)
 {
     std::vector<Wanted> wanted;
     for (auto s = first_system; s < skeleton.systems.size(); ++s)
         for (std::size_t b = 0; b < skeleton.systems[s].branches.size(); ++b)
-            if (!skeleton.systems[s].branches[b].model)
+            if (auto const& branch = skeleton.systems[s].branches[b];
+                !branch.model && (options.which == Which::All || branch.is_outlined()))
                 wanted.push_back({ s, b });
     std::vector<std::optional<BranchingSystem>> made(wanted.size());
     parallel_for(wanted.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (auto i = begin; i < end; ++i) {
             auto const& branch = skeleton.systems[wanted[i].system].branches[wanted[i].branch];
-            Drawing const crown { { branch.crown }, branch.path.curve.points(17), {} };
-            if (auto system = infer_system(crown, options))
+            if (auto system = system_below(branch, options))
                 made[i] = *std::move(system);
         }
     });
@@ -76,17 +96,32 @@ std::size_t Skeleton::branch_count() const
     return systems.empty() ? 0 : count_in(0);
 }
 
+std::size_t Skeleton::branches_on(std::size_t branch) const
+{
+    auto const below = system_of[0][branch];
+    return below == kNoSystem ? 0 : systems[below].branches.size();
+}
+
 Result<Skeleton> infer_skeleton(Drawing const& drawing, SkeletonOptions const& options)
 {
     Skeleton skeleton;
     skeleton.systems.push_back(TRY(infer_system(drawing, styled(options.tree, options.styles, 0))));
-    skeleton.system_of.emplace_back(skeleton.systems[0].branches.size(), kNoSystem);
+    auto& tree = skeleton.systems[0];
+    for (std::size_t i = 0; i < std::min(options.names.size(), tree.branches.size()); ++i)
+        tree.branches[i].name = options.names[i];
+    take_own_outlines(tree, drawing.own_outlines);
+    skeleton.system_of.emplace_back(tree.branches.size(), kNoSystem);
     auto below = options.below;
+    auto outlined = options.outlined;
     below.outline.least_area_mm2 = 0;
+    outlined.outline.least_area_mm2 = 0;
     std::size_t first = 0;
-    for (int level = 1; level < options.levels; ++level) {
+    for (int level = 1; level < std::max(options.levels, 2); ++level) {
         auto const next = skeleton.systems.size();
-        infer_level(skeleton, first, styled(below, options.styles, level));
+        infer_level(skeleton, first,
+                    { .usual = styled(below, options.styles, level),
+                      .outlined = styled(outlined, options.styles, level),
+                      .which = level < options.levels ? Which::All : Which::Outlined });
         first = next;
     }
     return skeleton;

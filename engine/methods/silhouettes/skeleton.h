@@ -20,6 +20,13 @@ struct SkeletonOptions {
                              .bumps = {},
                              .fill = { .steps = 12, .most_branches = 16, .enough = 0.85 },
                              .angles = {} };
+    // For crowns of branches that somebody drew.
+    InferenceOptions outlined { .outline = { .samples = 160 },
+                                .bumps = {},
+                                .fill = { .steps = 16, .most_branches = 32, .enough = 0.92 },
+                                .angles = {} };
+    // What the trunk's branches are called, in their order; the rest as name_of() says.
+    std::vector<std::string> names {};
     // Styles of the trunk's branches, then of theirs. Where one is set, its angles are in place
     // of those above, and no branch is inferred below its first.
     std::vector<BranchStyle> styles {};
@@ -34,9 +41,13 @@ struct Skeleton {
 
     // Of all levels, those of copies too.
     std::size_t branch_count() const;
+
+    // How many branches the outline of one of the trunk's branches holds; 0: it bears none.
+    std::size_t branches_on(std::size_t branch) const;
 };
 
-// Infers the whole tree of a drawing. Fails like infer_system().
+// Infers the whole tree of a drawing. Branches with outlines of their own bear branches even where
+// no others do. Fails like infer_system().
 Result<Skeleton> infer_skeleton(Drawing const& drawing, SkeletonOptions const& options = {});
 
 // What a branch is called: "b4", ends in bump 4; "L7" and "R7", copies at the seventh place on the

@@ -37,7 +37,7 @@ std::optional<Crowd> StyledCrowdMaker::next(Bearer const& bearer)
     double const style_u = level_.style.unbranched;
     auto const drawn_by_hand
         = std::count_if(system.branches.begin(), system.branches.end(), [](Branch const& branch) {
-              return branch.origin == Branch::Origin::Drawn;
+              return branch.origin != Branch::Origin::Apex && is_drawn(branch);
           });
     auto const places = styled_.next({ bearer.is_trunk ? crown_u : std::min(crown_u, style_u),
                                        static_cast<std::size_t>(drawn_by_hand), bearer.number });
@@ -73,7 +73,9 @@ std::vector<std::size_t> StyledCrowdMaker::kept_branches(BranchingSystem const& 
     constexpr std::array kRanks { 1, 2, 3, 0, 4 }; // Of origins in their order.
     std::vector<std::tuple<int, double, std::size_t>> ranks;
     for (std::size_t i = 0; i < drawn.size(); ++i)
-        ranks.emplace_back(kRanks[static_cast<std::size_t>(system.branches[i].origin)],
+        ranks.emplace_back(is_drawn(system.branches[i])
+                               ? 0
+                               : kRanks[static_cast<std::size_t>(system.branches[i].origin)],
                            -std::fabs(signed_area(system.branches[i].crown)), i);
     std::sort(ranks.begin(), ranks.end());
     std::vector<std::size_t> kept;
@@ -121,8 +123,8 @@ bool StyledCrowdMaker::keeps_end(Bearer const& bearer, Model const& model,
         return false;
     double const u = place.at.u;
     auto const& branch = model.system.branches[*place.branch];
-    if (branch.origin != Branch::Origin::Bump)
-        return branch.origin == Branch::Origin::Drawn;
+    if (is_drawn(branch) || branch.origin != Branch::Origin::Bump)
+        return is_drawn(branch);
     auto const way = CrowdMaker::way_to_end(branch, bearer.line.at(u));
     double const size = way.turn.norm();
     double const angle_deg = angle_between_deg(bearer.line.direction(u),
@@ -137,9 +139,8 @@ void StyledCrowdMaker::stand(Bearer const& bearer, Crowd& crowd, Model const& mo
 {
     auto const& branch = place.branch;
     if (keeps_end(bearer, model, place)) {
-        bool const is_drawn = model.system.branches[*branch].origin == Branch::Origin::Drawn;
         double const as_inferred = model.drawn[*branch].u;
-        double const moves_to = is_drawn ? as_inferred : place.at.u;
+        double const moves_to = is_drawn(model.system.branches[*branch]) ? as_inferred : place.at.u;
         CrowdMaker::stand(crowd, model, *branch, { as_inferred, place.at.theta_deg }, moves_to);
         auto const& way = crowd.branches.back().way;
         styled_.take_angle(place.share,

@@ -106,7 +106,9 @@ private:
     {
         std::optional<Crowd> own;
         Crowd const* crowd = nullptr;
-        if (bearer.system != kNoSystem && level_options(bearer.level).style.is_set())
+        // What was drawn of a branch says more than a style does.
+        if (bearer.system != kNoSystem && level_options(bearer.level).style.is_set()
+            && !skeleton_.systems[bearer.system].is_of_own_outline)
             crowd = styled_crowd(bearer, own);
         else if (bearer.system != kNoSystem)
             crowd = &crowd_of(bearer.system, bearer.level);
@@ -301,7 +303,11 @@ private:
         if (found != crowds_.end())
             return found->second;
         auto& crowd = crowds_[system];
-        crowd = maker_.make(system, level_options(level));
+        auto options = level_options(level);
+        // Somebody looked at it as closely as at a tree.
+        if (skeleton_.systems[system].is_of_own_outline)
+            options.added = std::max(options.added, level_options(0).added);
+        crowd = maker_.make(system, options);
         tell(level, crowd);
         return crowd;
     }

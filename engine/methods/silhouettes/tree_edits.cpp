@@ -13,7 +13,7 @@ namespace tractus::silhouette {
 namespace {
 
 // In the order of the enumerations' values.
-constexpr std::array kParts { "trunk", "outline", "branch" };
+constexpr std::array kParts { "trunk", "outline", "branch", "own_outline" };
 constexpr std::array kPatterns {
     "even", "spiral", "decussate", "whorls", "two-rows", "horizontal"
 };
@@ -153,11 +153,12 @@ Result<DocumentState> applied(DocumentState state, DrawTree const& edit, SceneBu
     if (edit.plant != 0) {
         auto const before = TRY(tree_of(state, edit.plant));
         auto const id = take_id(state, edit.id);
-        return with_lines(std::move(state), edit.plant, before, with_part(before, edit, id), id);
+        auto after = TRY(with_part(before, edit, id));
+        return with_lines(std::move(state), edit.plant, before, std::move(after), id);
     }
-    if (edit.part == DrawTree::Part::Branch)
+    if (edit.part == DrawTree::Part::Branch || edit.part == DrawTree::Part::OwnOutline)
         return fail(Fault::User, "there is no tree for the branch: draw a trunk or a crown first");
-    auto tree = with_part({ .form = edit.form, .scale = edit.scale }, edit);
+    auto tree = TRY(with_part({ .form = edit.form, .scale = edit.scale }, edit));
     TRY(check_tree(tree));
     if (!edit.stands_at_mm.allFinite())
         return fail(Fault::User, "the place for the tree is not a number: draw it again");
@@ -191,6 +192,11 @@ Result<DocumentState> applied(DocumentState state, EraseTreePart const& edit, Sc
                             [&](DrawnBranch const& branch) { return branch.id == edit.branch; })
             > 0;
         break;
+    case DrawTree::Part::OwnOutline:
+        is_there = std::erase_if(after.own_outlines,
+                                 [&](DrawnOutline const& own) { return own.id == edit.branch; })
+            > 0;
+        break;
     }
     if (!is_there)
         return fail(Fault::User, "the tree has no such part any more");
@@ -203,14 +209,20 @@ Result<DocumentState> applied(DocumentState state, EraseTreePart const& edit, Sc
 
 Result<DocumentState> applied(DocumentState state, FormTree const& edit, SceneBuilder&)
 {
-    auto tree = TRY(tree_of(state, edit.plant));
+    auto const before = TRY(tree_of(state, edit.plant));
+    auto tree = before;
     tree.form = edit.form;
-    return with_tree(std::move(state), edit.plant, std::move(tree));
+    if (tree.own_outlines.empty())
+        return with_tree(std::move(state), edit.plant, std::move(tree));
+    // Their branches have to be found again.
+    auto const id = item_id(state.last_edit, 0);
+    return with_lines(std::move(state), edit.plant, before, std::move(tree), id);
 }
 
 std::string described(DrawTree const& edit)
 {
-    constexpr std::array kWhat { "a trunk", "the outline of a crown", "a branch" };
+    constexpr std::array kWhat { "a trunk", "the outline of a crown", "a branch",
+                                 "a branch's own outline" };
     auto const* const what = kWhat[static_cast<std::size_t>(edit.part)];
     auto const whose = edit.plant == 0 ? std::string("a new tree")
                                        : fmt::format("plant {}", tractus::name_of(edit.plant));
@@ -219,7 +231,8 @@ std::string described(DrawTree const& edit)
 
 std::string described(EraseTreePart const& edit)
 {
-    constexpr std::array kWhat { "the trunk", "the outline of the crown", "a drawn branch" };
+    constexpr std::array kWhat { "the trunk", "the outline of the crown", "a drawn branch",
+                                 "a branch's own outline" };
     return fmt::format("takes {} of plant {} away", kWhat[static_cast<std::size_t>(edit.part)],
                        tractus::name_of(edit.plant));
 }
@@ -236,7 +249,7 @@ std::string described(FormTree const& edit)
 
 } // namespace
 
-OutlinedTree with_part(OutlinedTree tree, DrawTree const& edit, ItemId id)
+Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, ItemId id)
 {
     switch (edit.part) {
     case DrawTree::Part::Trunk:
@@ -248,6 +261,8 @@ OutlinedTree with_part(OutlinedTree tree, DrawTree const& edit, ItemId id)
     case DrawTree::Part::Branch:
         tree.branches.push_back({ id, edit.stroke });
         break;
+    case DrawTree::Part::OwnOutline:
+        return with_own_outline(std::move(tree), edit.stroke, id);
     }
     return tree;
 }

@@ -14,6 +14,8 @@ struct DrawTree {
         Trunk,   // In place of the tree's trunk, if it has one.
         Outline, // Of the crown, likewise.
         Branch,  // One more.
+        // Of the crown of the branch that it lies around, likewise (own_outline.h).
+        OwnOutline,
     } part
         = Part::Outline;
     Stroke stroke {};
@@ -37,7 +39,7 @@ struct EraseTreePart {
 
     ItemId plant = 0;
     DrawTree::Part part = DrawTree::Part::Branch;
-    ItemId branch = 0; // Which one it is, of a branch.
+    ItemId branch = 0; // Which one it is, of a branch or a branch's own outline.
 };
 
 // Sets another form for a tree. What was drawn on branches stays where their names stay.
@@ -48,8 +50,9 @@ struct FormTree {
     TreeForm form {};
 };
 
-// The tree with the edit's part; `id` becomes a branch's.
-OutlinedTree with_part(OutlinedTree tree, DrawTree const& edit, ItemId id = 0);
+// The tree with the edit's part; `id` becomes a branch's or its outline's. Fails like
+// with_own_outline().
+Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, ItemId id = 0);
 
 // Null for a plant that was not outlined.
 OutlinedTree const* outlined_tree(PlantState const& plant);

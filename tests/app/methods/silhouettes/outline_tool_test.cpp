@@ -34,6 +34,18 @@ Stroke trunk_at(double x)
     return stroke_through({ { x, -60, 150 }, { x + 2, -20, 150 }, { x, 20, 150 } });
 }
 
+// Once around the lobe at the right above.
+Stroke lobe_of_crown(double size = 1)
+{
+    std::vector<Vec3> places;
+    for (int i = 0; i <= 40; ++i) {
+        double const angle = i * 2 * kPi / 40;
+        double const r = size * (11 + 2 * std::cos(5 * angle));
+        places.emplace_back(19 + r * std::cos(angle), 29 + r * std::sin(angle), 150);
+    }
+    return stroke_through(places);
+}
+
 DrawTree meant(Stroke const& stroke, Scene const& scene, OutlineTool const& tool = {})
 {
     auto const edit = drawn_tree(tool, stroke, scene);
@@ -113,6 +125,57 @@ TEST(OutlineTool, TellsTrunkOutlineAndBranchByHowTheyLie)
     EXPECT_EQ(again.plant, tree.state.active) << "it begins at the foot";
     EXPECT_EQ(meant(crown_around(12, 8), tree).plant, tree.state.active)
         << "a crown over the old one is drawn anew";
+}
+
+TEST(OutlineTool, TellsABranchsOwnOutlineByWhatItLiesAround)
+{
+    auto const stem = after({}, trunk_at(0));
+    EXPECT_EQ(meant(lobe_of_crown(), stem).part, DrawTree::Part::Outline) << "there is no crown";
+    auto const tree = after(stem, crown_around(0, 10));
+    for (double const size : { 0.9, 1.0, 1.2 }) {
+        auto const own = meant(lobe_of_crown(size), tree);
+        EXPECT_EQ(own.part, DrawTree::Part::OwnOutline) << size;
+        EXPECT_EQ(own.plant, tree.state.active);
+    }
+    auto const refined = after(tree, lobe_of_crown());
+    EXPECT_EQ(meant(lobe_of_crown(1.1), refined).part, DrawTree::Part::OwnOutline);
+    for (auto const& scene : { tree, refined })
+        EXPECT_EQ(meant(crown_around(1, 8), scene).part, DrawTree::Part::Outline);
+    OutlineTool const another { .what = OutlineTool::What::New };
+    EXPECT_EQ(meant(lobe_of_crown(), tree, another).part, DrawTree::Part::Outline);
+}
+
+TEST(OutlineTool, RefinesABranchStepByStep)
+{
+    Document document({}, Document::Working::AtOnce);
+    for (auto const& stroke : { trunk_at(0), crown_around(0, 10) })
+        document.draw({ stroke, OutlineTool {} });
+    auto const before = document.newest()->scene.base->node_position_mm;
+    auto const outlines = [&] {
+        return silhouette::outlined_tree(*document.newest()->scene.drawn)->own_outlines.size();
+    };
+    document.draw({ lobe_of_crown(), OutlineTool {} });
+    ASSERT_EQ(outlines(), 1u);
+    auto const said = OutlineTool::kKind.said(OutlineTool {}, document.newest()->scene);
+    EXPECT_NE(said.find("The branch has its own outline: "), std::string::npos) << said;
+    auto const refined = document.newest()->scene.base->node_position_mm;
+    EXPECT_NE(refined, before);
+    document.draw({ lobe_of_crown(1.2), OutlineTool {} });
+    EXPECT_EQ(outlines(), 1u) << "it takes the other one's place";
+    document.undo();
+    EXPECT_EQ(document.newest()->scene.base->node_position_mm, refined);
+    document.draw({ crown_around(0, 10.5), OutlineTool {} });
+    EXPECT_EQ(outlines(), 1u) << "it stays with its branch";
+    EXPECT_NE(OutlineTool::kKind.said(OutlineTool {}, document.newest()->scene)
+                  .find("branches on its trunk"),
+              std::string::npos);
+    document.undo();
+    document.draw({ stroke_through({ { 31, 24, 0 }, { 31, 34, 0 } }), EraseOutlineTool {} });
+    EXPECT_EQ(outlines(), 0u);
+    EXPECT_EQ(document.newest()->scene.base->node_position_mm, before);
+    document.undo();
+    document.undo();
+    EXPECT_EQ(document.newest()->scene.base->node_position_mm, before);
 }
 
 TEST(OutlineTool, SaysWhatTheTreeStillWants)
@@ -212,6 +275,30 @@ TEST(OutlineTool, ShowsBranchesBeforeTheCrownIsClosed)
     EXPECT_EQ(lines(0.3), 0u);
     EXPECT_GE(lines(0.8), 4u);
     EXPECT_GE(lines(1), 4u);
+}
+
+// What it shows of a small line over the crown is a branch's part of it, as soon as there is one.
+TEST(OutlineTool, ShowsBranchesInABranchsOwnOutline)
+{
+    auto const tree
+        = std::make_shared<Scene const>(after(after({}, trunk_at(0)), crown_around(0, 10)));
+    Tool const tool = OutlineTool {};
+    auto const lines = [&](Stroke const& stroke) {
+        return outline_previewer()->show({ tree, tool, stroke.tips.vector(), 99 }).size();
+    };
+    auto const crown = lines(crown_around(0, 10));
+    EXPECT_GE(lines(lobe_of_crown()), crown + 3);
+    EXPECT_EQ(lines(lobe_of_crown(0.2)), 0u) << "that may become one";
+}
+
+TEST(OutlineLayer, ShowsOutlinesOfBranchesToo)
+{
+    auto const crown = after(after({}, trunk_at(0)), crown_around(0, 10));
+    auto const outlines = kOutlineLayer.lines(after(crown, lobe_of_crown()));
+    ASSERT_EQ(outlines.size(), 2u);
+    EXPECT_EQ(outlines[1].front(), outlines[1].back()) << "closed";
+    for (auto const& point_mm : outlines[1])
+        EXPECT_NEAR((Vec2f(point_mm.x() - 19, point_mm.z() - 89)).norm(), 11, 2.5);
 }
 
 TEST(OutlineLayer, ShowsTheLinesWhereTheTreeStands)

@@ -45,6 +45,18 @@ protected:
         return drawing;
     }
 
+    // Once around its lobe at the right above.
+    static json part()
+    {
+        json stroke;
+        for (int i = 0; i < 80; ++i) {
+            double const angle = i * 2 * 3.14159265358979 / 80;
+            double const r = 24 + 4 * std::cos(5 * angle);
+            stroke.push_back({ 57 + r * std::cos(angle), 19 + r * std::sin(angle) });
+        }
+        return stroke;
+    }
+
     std::string refusal(std::vector<std::string> const& arguments)
     {
         auto const outcome = run(arguments);
@@ -225,7 +237,8 @@ TEST_F(SilhouetteCommand, PatternsAreOfLevels)
 TEST_F(SilhouetteCommand, WritesASessionOfItsLines)
 {
     auto drawing = crown();
-    drawing["branches"] = { { { 0, -20 }, { 20, -15 }, { 40, -12 } } };
+    drawing["branches"] = json::array({ { { 0, -20 }, { -20, -15 }, { -40, -12 } } });
+    drawing["parts"] = json::array({ part() });
     std::ofstream(folder_ / "oak.json") << drawing;
     auto const outcome
         = run({ "silhouette", path("oak.json"), "-o", path("out"), "--session", "--arrangement",
@@ -239,8 +252,35 @@ TEST_F(SilhouetteCommand, WritesASessionOfItsLines)
     EXPECT_NE(flat.err.find("a session needs a folder"), std::string::npos);
 }
 
+TEST_F(SilhouetteCommand, ReportsBranchesWithOutlinesOfTheirOwn)
+{
+    auto drawing = crown();
+    drawing["parts"] = json::array({ part() });
+    std::ofstream(folder_ / "part.json") << drawing;
+    auto const outcome = run({ "silhouette", path("part.json"), "--report" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    int outlined = 0;
+    auto const report = json::parse(outcome.out);
+    for (auto const& branch : report["branch"]) {
+        outlined += branch.contains("outlined");
+        if (branch.contains("outlined")) {
+            EXPECT_EQ(branch["outlined"], true);
+            EXPECT_GE(branch["bears"], 5);
+            EXPECT_GT(branch["end"][0], 30) << "it is the one at the right";
+        }
+    }
+    EXPECT_EQ(outlined, 1);
+}
+
 TEST_F(SilhouetteCommand, SaysWhatIsWrong)
 {
+    auto large = crown();
+    large["parts"] = { part(), large["outline"] };
+    std::ofstream(folder_ / "large.json") << large;
+    EXPECT_NE(refusal({ "silhouette", path("large.json"), "--report" })
+                  .find("large.json: part 2: the outline lies around none of the tree's branches"),
+              std::string::npos);
     std::ofstream(folder_ / "open.json")
         << R"({"outline":[[0,0],[10,0],[20,0],[30,2],[40,9],[44,20],[40,30],[30,38],[20,40]]})";
     EXPECT_NE(refusal({ "silhouette", path("open.json"), "--report" })

@@ -43,8 +43,20 @@ TEST(SilhouetteFile, ReadsSeveralStrokesAndTellsWhatItDoesNotKnow)
     EXPECT_EQ(file.unknown_keys, std::vector<std::string> { "colour" });
 }
 
+TEST(SilhouetteFile, ReadsPartsOfTheCrown)
+{
+    auto const file
+        = read_from(R"({"outline":[[0,0],[9,0]],"parts":[[[1,1],[2,1]],[[3,1],[4,2],[5,6]]]})");
+    ASSERT_EQ(file.parts.size(), 2U);
+    EXPECT_EQ(file.parts[1], (std::vector<Vec2> { Vec2(3, 1), Vec2(4, 2), Vec2(5, 6) }));
+    EXPECT_TRUE(file.unknown_keys.empty());
+}
+
 TEST(SilhouetteFile, SaysWhatIsWrong)
 {
+    EXPECT_EQ(complaint(R"({"outline":[[0,0]],"parts":[[[1,1]],[[1]]]})"),
+              "tree.json: point 1 of part 2 is no point: write [[x, y], [x, y], …] in "
+              "millimetres");
     EXPECT_EQ(complaint("[1,"),
               "tree.json: this is no JSON: a bracket, comma or quotation mark is missing or too "
               "many");
@@ -82,7 +94,10 @@ protected:
 TEST_F(SilhouetteSvg, LinesAreWhatTheySay)
 {
     auto const file = read(R"(<path id="outline-1" d="M10 20L30 20 30 40"/>
-        <path id="Trunk" d="M20 90V50"/><path id="frame" d="M0 0H100"/>)");
+        <path id="Trunk" d="M20 90V50"/><path id="frame" d="M0 0H100"/>
+        <path id="part-1" d="M25 20L30 20 30 25"/>)");
+    ASSERT_EQ(file.parts.size(), 1U);
+    EXPECT_EQ(file.parts[0].front(), Vec2(25, -20));
     ASSERT_EQ(file.drawing.outline.size(), 1U);
     EXPECT_EQ(file.drawing.outline[0].front(), Vec2(10, -20));
     EXPECT_EQ(file.drawing.trunk, (std::vector<Vec2> { Vec2(20, -90), Vec2(20, -50) }));

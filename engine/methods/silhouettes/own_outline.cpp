@@ -1,0 +1,183 @@
+#include "engine/methods/silhouettes/own_outline.h"
+
+#include "engine/methods/silhouettes/coverage_grid.h"
+#include "engine/methods/silhouettes/loops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace tractus::silhouette {
+
+namespace {
+
+constexpr double kMostOfCrown = 0.5;
+constexpr double kMostOfTrunk = 0.5;
+constexpr double kLeastOfBranch = 1.0 / 3;
+constexpr double kLeastShared = 0.2;
+constexpr std::size_t kMostToCross = 512; // Of a stroke in which crossings are looked for.
+
+// What a stroke encloses.
+std::vector<Vec2> enclosed(std::span<Vec2 const> stroke)
+{
+    std::vector<Vec2> closed(stroke.begin(), stroke.end());
+    if (closed.size() < 3)
+        return {};
+    if (closed.size() > kMostToCross)
+        closed = resampled_outline(closed, kMostToCross);
+    return largest_loop(closed).outline;
+}
+
+double share_inside(std::vector<Vec2> const& loop, BranchingSystem const& system)
+{
+    auto const& run = system.inside;
+    std::size_t count = 0;
+    for (auto i = run.first; i <= run.last; ++i)
+        count += is_inside(loop, system.trunk[i]);
+    return static_cast<double>(count) / static_cast<double>(run.last - run.first + 1);
+}
+
+std::optional<std::size_t> number_of(BranchingSystem const& system, std::string const& name)
+{
+    for (std::size_t i = 0; i < system.branches.size(); ++i)
+        if (name_of(system.branches[i]) == name)
+            return i;
+    return std::nullopt;
+}
+
+// The outline of a branch's crown as it was drawn, made ready; empty: it cannot be one.
+std::vector<Vec2> crown_in(std::vector<Vec2> const& drawn, Branch const& branch)
+{
+    constexpr std::size_t kPoints = 96;
+    OutlineOptions const options { .least_area_mm2 = 0 };
+    Drawing const drawing { { drawn }, branch.path.curve.points(17) };
+    auto const clean = clean_drawing(drawing, options);
+    if (!clean || !inside_run(clean->outline, clean->trunk))
+        return {};
+    return resampled_outline(clean->to_sheet.points(clean->outline), kPoints);
+}
+
+// Makes a copy one of its model's new crown: no larger than the copy was, and in the outline.
+void follow_model(BranchingSystem const& system, Branch& copy, double area_before)
+{
+    constexpr double kMostOver = 0.01; // Of the outline's diagonal.
+    constexpr double kSmallest = 0.3;  // Of what its area allows.
+    auto const& model = system.branches[*copy.model];
+    double const limit = kMostOver * box_of(system.outline).diagonal();
+    double const area = std::max(std::fabs(signed_area(model.crown)), 1e-300);
+    double const largest = std::min(1.0, std::sqrt(area_before / area));
+    auto const as_large = [&](double size) {
+        auto way = copy.from_model;
+        way.turn *= size;
+        return way;
+    };
+    double low = kSmallest * largest;
+    double high = largest;
+    for (int i = 0; i < 12; ++i) {
+        double const size = i == 0 ? high : (low + high) / 2;
+        auto const crown = as_large(size).points(model.crown);
+        (excursion(system.outline, crown) <= limit ? low : high) = size;
+    }
+    copy.from_model = as_large(low);
+    copy.crown = copy.from_model.points(model.crown);
+    copy.path.curve = copy.from_model.cubic(model.path.curve);
+    copy.path.length = length_of(copy.path.curve.points(17));
+}
+
+double coverage_of(BranchingSystem const& system)
+{
+    CoverageGrid grid(system.outline);
+    for (auto const& branch : system.branches)
+        grid.cover(grid.cells_of(branch.crown));
+    return grid.coverage();
+}
+
+} // namespace
+
+std::optional<std::size_t> branch_in(BranchingSystem const& system, std::span<Vec2 const> stroke)
+{
+    auto const loop = enclosed(stroke);
+    if (loop.size() < 3 || std::fabs(signed_area(loop)) > kMostOfCrown * signed_area(system.outline)
+        || share_inside(loop, system) > kMostOfTrunk)
+        return std::nullopt;
+    auto both = system.outline;
+    both.insert(both.end(), loop.begin(), loop.end());
+    CoverageGrid grid(both);
+    auto const own = grid.cells_of(loop);
+    grid.cover(own);
+    std::optional<std::size_t> best;
+    double most = kLeastShared;
+    for (std::size_t i = 0; i < system.branches.size(); ++i) {
+        auto const& branch = system.branches[i];
+        if (!is_inside(loop, branch.path.curve.end))
+            continue;
+        auto const crown = grid.cells_of(branch.crown);
+        auto const shared = static_cast<double>(grid.count_covered(crown));
+        auto const all = static_cast<double>(crown.count + own.count) - shared;
+        if (shared < kLeastOfBranch * static_cast<double>(crown.count) || shared < most * all)
+            continue;
+        most = shared / all;
+        best = i;
+    }
+    return best;
+}
+
+void take_own_outlines(BranchingSystem& system, std::span<OwnOutline const> outlines)
+{
+    std::vector<std::pair<std::size_t, double>> taken; // Branches, and their areas before.
+    for (auto const& own : outlines) {
+        auto const i = number_of(system, own.branch);
+        if (!i || system.branches[*i].is_outlined())
+            continue;
+        auto& branch = system.branches[*i];
+        auto crown = crown_in(own.outline, branch);
+        if (crown.empty())
+            continue;
+        taken.emplace_back(*i, std::fabs(signed_area(branch.crown)));
+        branch.crown = std::move(crown);
+        branch.own_outline = own.outline;
+        branch.model.reset();
+        branch.from_model = {};
+    }
+    for (auto const& [i, area_before] : taken)
+        for (auto& copy : system.branches)
+            if (copy.model == i)
+                follow_model(system, copy, area_before);
+    if (!taken.empty())
+        system.coverage_after = coverage_of(system);
+}
+
+Result<std::optional<std::string>>
+branch_outlined_by(Drawing const& drawing, std::span<Vec2 const> stroke, SkeletonOptions options)
+{
+    options.levels = 1;
+    auto inferred = drawing;
+    inferred.own_outlines.clear();
+    // As it was inferred, and then as it was drawn: that need not lie in the same place.
+    for (auto const* const lines : { &std::as_const(inferred), &drawing }) {
+        auto const system = std::move(TRY(infer_skeleton(*lines, options)).systems[0]);
+        if (auto const branch = branch_in(system, stroke))
+            return name_of(system.branches[*branch]);
+        if (drawing.own_outlines.empty())
+            break;
+    }
+    return std::nullopt;
+}
+
+Result<void> add_own_outline(Drawing& drawing, std::vector<Vec2> stroke, SkeletonOptions options)
+{
+    auto const branch = TRY(branch_outlined_by(drawing, stroke, std::move(options)));
+    if (!branch)
+        return fail(Fault::User,
+                    "the outline lies around none of the tree's branches: draw it around one, "
+                    "smaller than the crown");
+    OutlineOptions const any_size { .least_area_mm2 = 0 };
+    TRY(clean_drawing({ { stroke }, {} }, any_size));
+    std::erase_if(drawing.own_outlines,
+                  [&](OwnOutline const& own) { return own.branch == *branch; });
+    drawing.own_outlines.push_back({ *branch, std::move(stroke) });
+    return {};
+}
+
+} // namespace tractus::silhouette

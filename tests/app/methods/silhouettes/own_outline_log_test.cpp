@@ -1,0 +1,106 @@
+#include "app/methods/all_methods.h"
+#include "engine/methods/silhouettes/tree_edits.h"
+#include "tests/app/replayed.h"
+#include "tests/app/simulated_drawing.h"
+#include "tests/app/verbs/outcome.h"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+using nlohmann::json;
+
+// A line around a place with so many lobes, as the simulated hand draws it.
+std::string gesture_around(Vec2 const& middle_mm, double radius_mm, int lobes)
+{
+    std::string points;
+    for (int i = 0; i <= 72; ++i) {
+        double const angle = i * kPi / 36 - kPi / 2;
+        double const r = radius_mm * (1 + 0.2 * std::fabs(std::sin(0.5 * lobes * angle)));
+        points += fmt::format("{}[{:.3f}, {:.3f}, 50]", i > 0 ? ", " : "",
+                              middle_mm.x() + r * std::cos(angle),
+                              middle_mm.y() + r * std::sin(angle));
+    }
+    return fmt::format("[[gesture]]\ntool = \"draw\"\npropagation = \"both\"\npath = "
+                       "\"polyline\"\npoints_mm = [{}]\n",
+                       points);
+}
+
+// A recording of a trunk, a crown of four lobes, and the outline of the one at the right above.
+Log recorded_tree()
+{
+    std::string hand = "version = 1\nseed = 8\n[[gesture]]\ntool = \"draw\"\npropagation = "
+                       "\"both\"\npath = \"line\"\nfrom_mm = [0, -60, 50]\nto_mm = [0, 20, 50]\n";
+    hand += gesture_around({ 0, 10 }, 30, 4) + gesture_around({ 19, 29 }, 11, 5);
+    auto log = recorded_log(hand);
+    for (auto& tool : log.tools) {
+        tool.tool = "outline";
+        tool.arguments = "";
+    }
+    return log;
+}
+
+json points_of(Stroke const& stroke)
+{
+    json points;
+    for (auto const& tip : stroke.tips)
+        points.push_back({ tip.position_mm.x(), tip.position_mm.y() });
+    return points;
+}
+
+// What the command infers from a file of the strokes.
+json reported(std::vector<DrawnStroke> const& strokes)
+{
+    auto const file = std::filesystem::temp_directory_path()
+        / fmt::format("tractus_own_outline_{}.json", ::getpid());
+    std::ofstream(file) << json { { "trunk", points_of(strokes[0].stroke) },
+                                  { "outline", points_of(strokes[1].stroke) },
+                                  { "parts", { points_of(strokes[2].stroke) } } };
+    auto const outcome = run({ "silhouette", file.string(), "--report" });
+    std::filesystem::remove(file);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out);
+}
+
+// Recorded, replayed and typed, lines are one tree.
+TEST(OwnOutlineLog, GivesTheTreeOfItsLines)
+{
+    auto const log = recorded_tree();
+    auto const replay = replayed(log, {}, Scene {});
+    ASSERT_EQ(replay.strokes.size(), 3U);
+    for (auto const& drawn : replay.strokes)
+        EXPECT_EQ(drawn.refusal, "");
+    auto const* const tree = silhouette::outlined_tree(*replay.scene.drawn);
+    ASSERT_TRUE(tree);
+    ASSERT_EQ(tree->own_outlines.size(), 1U);
+    auto const skeleton = silhouette::skeleton_of(*tree).value();
+    auto const& branches = skeleton.systems[0].branches;
+    auto const report = reported(replay.strokes);
+    int outlined = 0;
+    for (std::size_t i = 0; i < report["branch"].size(); ++i) {
+        auto const& given = report["branch"][i];
+        EXPECT_NEAR(given["end"][0].get<double>(), branches[i].path.curve.end.x(), 1e-6);
+        EXPECT_NEAR(given["end"][1].get<double>(), branches[i].path.curve.end.y(), 1e-6);
+        EXPECT_EQ(given.contains("outlined"), branches[i].is_outlined());
+        if (!branches[i].is_outlined())
+            continue;
+        ++outlined;
+        EXPECT_EQ(given["bears"], skeleton.branches_on(i));
+        EXPECT_GE(skeleton.branches_on(i), 5U);
+    }
+    EXPECT_EQ(outlined, 1);
+    EXPECT_EQ(replayed(log, {}, Scene {}).scene.base->node_position_mm,
+              replay.scene.base->node_position_mm);
+}
+
+} // namespace
+} // namespace tractus
