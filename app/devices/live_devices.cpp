@@ -7,6 +7,7 @@
 #include "drivers/log.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <utility>
 
@@ -149,6 +150,8 @@ void LiveDevices::take(std::vector<LiveReport>& reports)
                 break;
             if (report) {
                 reports.push_back({ i, **report });
+                auto& received = reports.back().report.received;
+                received = std::chrono::floor<std::chrono::microseconds>(received);
                 continue;
             }
             if (threaded)

@@ -75,7 +75,8 @@ public:
     static Result<LiveDevices> play_log(std::string const& name,
                                         std::function<Timestamp()> const& now);
 
-    // Puts what has come since the last call, in the order of its times, into `reports`.
+    // Puts what has come since the last call, in the order of its times, into `reports`. Times are
+    // cut to microseconds, as logs have them: what is drawn live is what its recording draws.
     void take(std::vector<LiveReport>& reports);
 
     // Reports that came faster than they were taken, or are longer than a RawReport holds.
