@@ -78,18 +78,23 @@ Result<void> check_tools(GestureScript const& script, ToolKinds tools)
 
 } // namespace
 
+Result<Hand> simulated_hand(GestureScript const& script, Scene const& scene)
+{
+    auto const geometry = SimulatedRigOptions().geometry;
+    auto const tracer
+        = [&](std::size_t rank) { return shown_axis(*scene.base, geometry.tablet_size_mm, rank); };
+    HandOptions options;
+    options.seed = script.seed;
+    return Hand(TRY(strokes_of(script, geometry, tracer)), options);
+}
+
 Result<void> write_simulated_recording(std::ostream& out, GestureScript const& script,
                                        Scene const& scene, ToolKinds tools)
 {
     TRY(check_tools(script, tools));
     SimulatedRigOptions options;
     options.seed = script.seed;
-    auto const tracer = [&](std::size_t rank) {
-        return shown_axis(*scene.base, options.geometry.tablet_size_mm, rank);
-    };
-    HandOptions hand_options;
-    hand_options.seed = script.seed;
-    Hand const hand(TRY(strokes_of(script, options.geometry, tracer)), hand_options);
+    auto const hand = TRY(simulated_hand(script, scene));
     auto const run = simulate_rig(hand, options);
 
     LogHeader header;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/live/drawing_file.h"
 #include "drivers/log.h"
 #include "engine/base/result.h"
 
@@ -54,25 +55,47 @@ struct StreamExpectation {
 Result<void> check_stream(std::string const& log_name, StreamExpectation const& expected);
 
 struct TruthOptions {
-    std::string script; // The script of the simulated hand, one stroke to a gesture.
-    std::string sent;   // The log that the simulated rig sent.
-    std::string got;    // The recording of it, with the rig's calibration.
-    std::string model;  // A plant, for the station to work on.
+    std::string script;      // The script of the simulated hand, one stroke to a gesture.
+    std::string sent;        // The log that the simulated rig sent.
+    std::string got;         // The recording of it, with the rig's calibration.
+    std::string model;       // The plant that the script was recorded with.
+    std::size_t strokes = 0; // How many there must be; 0: as the hand draws.
+    bool is_torn = false;    // The recording may end before what was sent does.
+    double limit_rms_mm = 1; // Root mean square of the distances,
+    double limit_max_mm = 3; // and the largest one.
 };
 
 // How far the strokes that the station makes of a recording lie from where the hand was. Fails
-// above 1 mm root mean square or 3 mm anywhere, or if there is not one stroke for each gesture.
+// above the limits, or if there are not so many strokes.
 Result<void> compare_strokes(TruthOptions const& options);
+
+// Replays recordings, one after the other, into the session of a drawing, as the station's window
+// does: a new one, or one that is gone on with.
+Result<void> go_on_with_recordings(WantedDrawing const& drawing,
+                                   std::vector<std::string> const& logs);
+
+// Whether two sessions have the same edits, but for the clock of each stroke.
+Result<void> compare_drawings(std::string const& session, std::string const& other);
 
 // Whether the station made strokes of a recording in which a device was away from time to time,
 // each of them without such a gap, and at least so many.
 Result<void> check_interrupted_strokes(std::string const& log_name, std::string const& model,
                                        std::size_t least);
 
+struct WatchedWindow {
+    std::string model;        // A plant to draw on.
+    std::string rig_file;     // The calibration of the devices.
+    std::string session {};   // Keeps what is drawn, and is gone on with; empty: none.
+    std::string recording {}; // The new log of all that comes; empty: none.
+    // A log whose tool lines are chosen one after the other, one for each stroke. Empty: the first
+    // tool stays in the hand.
+    std::string tools {};
+};
+
 // The station's live window but for its pixels, on all devices that are found, until a signal asks
 // to stop. Says on standard output, a line each, when the pen begins and ends to touch, a stroke is
 // finished, and what is wrong with the devices.
-Result<void> watch_live_window(std::string const& model, std::string const& rig_file);
+Result<void> watch_live_window(WatchedWindow const& watched);
 
 // Reads a device on a thread of its own, with nobody taking what was read for `seconds`; then what
 // came must begin with what was sent, and be all of it.

@@ -1,10 +1,12 @@
 #include "app/devices/live_devices.h"
+#include "app/live/drawing_file.h"
 #include "app/live/live_window.h"
 #include "app/methods/all_methods.h"
-#include "app/plants/model_file.h"
 #include "app/verbs/device_sources.h"
 #include "calib/rig_file.h"
+#include "drivers/clock.h"
 #include "drivers/file.h"
+#include "drivers/log.h"
 #include "tests/vm/checks.h"
 
 #include <chrono>
@@ -19,17 +21,52 @@ namespace {
 
 constexpr auto kFrame = std::chrono::milliseconds(16);
 
-Result<LiveWindow> open_window(std::string const& model, std::string const& rig_file)
+Result<LiveWindow> open_window(WatchedWindow const& watched)
 {
-    auto const rig_text = TRY(read_file(rig_file));
-    auto const edit = TRY(load_model_edit(model));
+    auto const rig_text = TRY(read_file(watched.rig_file));
     LiveWindowOptions options { .methods = all_methods() };
-    options.rig = TRY(parse_rig(rig_text, rig_file));
-    options.scene = TRY(apply_edit({}, edit));
-    options.now = [] { return Timestamp(std::chrono::steady_clock::now().time_since_epoch()); };
+    options.rig = TRY(parse_rig(rig_text, watched.rig_file));
+    if (watched.session.empty()) {
+        options.scene = TRY(scene_of_plant(watched.model, options.methods.edits));
+    } else {
+        std::string trouble;
+        options.session = TRY(
+            open_or_begin({ watched.model, watched.session }, options.methods.edits, trouble));
+        if (!trouble.empty())
+            return fail(Fault::Station, trouble);
+    }
+    options.recording = watched.recording;
+    options.now = monotonic_now;
     auto devices = TRY(open_found(find_pens_and_height_sensors()));
     return LiveWindow::create(std::move(devices), std::move(options));
 }
+
+// The other hand, which chooses the tools of a recording, one for each stroke.
+class Chooser {
+public:
+    static Result<Chooser> create(std::string const& log_name)
+    {
+        Chooser chooser;
+        if (log_name.empty())
+            return chooser;
+        auto const log = TRY(read_log(log_name));
+        for (auto const& line : log.tools)
+            chooser.tools_.push_back(
+                TRY(parse_tool(all_methods().tools, line.tool, line.arguments)));
+        return chooser;
+    }
+
+    // Chooses what the next stroke is for as soon as the one before it is finished.
+    void look_at(LiveWindow& window)
+    {
+        if (next_ < tools_.size() && window.station().counts().strokes >= next_)
+            window.perform(ChooseTool { tools_[next_++] });
+    }
+
+private:
+    std::vector<Tool> tools_;
+    std::size_t next_ = 0;
+};
 
 // Says what the window shows that it did not show before.
 class Teller {
@@ -61,17 +98,19 @@ private:
 
 } // namespace
 
-Result<void> watch_live_window(std::string const& model, std::string const& rig_file)
+Result<void> watch_live_window(WatchedWindow const& watched)
 {
     auto const& stop = stop_on_signals();
-    auto window = TRY(open_window(model, rig_file));
+    auto chooser = TRY(Chooser::create(watched.tools));
+    auto window = TRY(open_window(watched));
     Teller teller;
     while (!stop) {
         window.advance(kFrame);
+        chooser.look_at(window);
         teller.look_at(window);
         std::this_thread::sleep_for(kFrame);
     }
-    return {};
+    return window.close();
 }
 
 } // namespace tractus

@@ -22,7 +22,9 @@ struct Arguments {
     StreamExpectation stream;
     std::size_t least_strokes = 1;
     std::string node;
-    std::string rig_file;
+    WatchedWindow window;
+    std::string other;
+    std::vector<std::string> logs;
     double seconds = 1;
 };
 
@@ -57,6 +59,10 @@ void add_checks(CLI::App& root, Arguments& arguments, Check& check)
     strokes->add_option("SENT", truth.sent)->required();
     strokes->add_option("GOT", truth.got)->required();
     strokes->add_option("MODEL", truth.model)->required();
+    strokes->add_option("--strokes", truth.strokes, "How many; without it, all of SCRIPT");
+    strokes->add_flag("--torn", truth.is_torn, "GOT may end before SENT");
+    strokes->add_option("--rms-mm", truth.limit_rms_mm, "At most");
+    strokes->add_option("--max-mm", truth.limit_max_mm, "At most");
     strokes->callback([&] { check = [&] { return compare_strokes(truth); }; });
 
     auto* const interrupted
@@ -70,18 +76,41 @@ void add_checks(CLI::App& root, Arguments& arguments, Check& check)
         };
     });
 
-    auto* const window = root.add_subcommand("live-window", "What does the station's window show?");
-    window->add_option("MODEL", truth.model)->required();
-    window->add_option("RIG", arguments.rig_file)->required();
-    window->callback(
-        [&] { check = [&] { return watch_live_window(truth.model, arguments.rig_file); }; });
-
     auto* const late = root.add_subcommand("read-late", "Is all there if nobody takes it at once?");
     late->add_option("NODE", arguments.node)->required();
     late->add_option("SENT", truth.sent)->required();
     late->add_option("--seconds", arguments.seconds);
     late->callback(
         [&] { check = [&] { return read_late(arguments.node, truth.sent, arguments.seconds); }; });
+}
+
+void add_drawing_checks(CLI::App& root, Arguments& arguments, Check& check)
+{
+    auto& watched = arguments.window;
+    auto* const window = root.add_subcommand("live-window", "What does the station's window show?");
+    window->add_option("MODEL", watched.model)->required();
+    window->add_option("RIG", watched.rig_file)->required();
+    window->add_option("--session", watched.session, "Keeps what is drawn");
+    window->add_option("--record", watched.recording, "A new log of all that comes");
+    window->add_option("--tools", watched.tools, "A log whose tools are chosen, one a stroke");
+    window->callback([&] { check = [&] { return watch_live_window(watched); }; });
+
+    auto* const replay
+        = root.add_subcommand("replay-session", "What do recordings draw, one after the other?");
+    replay->add_option("MODEL", watched.model)->required();
+    replay->add_option("SESSION", watched.session)->required();
+    replay->add_option("LOGS", arguments.logs)->required();
+    replay->callback([&] {
+        check = [&] {
+            return go_on_with_recordings({ watched.model, watched.session }, arguments.logs);
+        };
+    });
+
+    auto* const same = root.add_subcommand("same-drawing", "Do two sessions have the same edits?");
+    same->add_option("SESSION", watched.session)->required();
+    same->add_option("OTHER", arguments.other)->required();
+    same->callback(
+        [&] { check = [&] { return compare_drawings(watched.session, arguments.other); }; });
 }
 
 void add_height_checks(CLI::App& root, Arguments& arguments, Check& check)
@@ -116,6 +145,7 @@ int run(int argc, char const* const* argv)
     Arguments arguments;
     Check check;
     add_checks(root, arguments, check);
+    add_drawing_checks(root, arguments, check);
     add_height_checks(root, arguments, check);
     root.require_subcommand(1);
     CLI11_PARSE(root, argc, argv);

@@ -69,6 +69,23 @@ TEST(LiveWindow, RecordsWhatReplaysToTheSame)
     fs::remove(path);
 }
 
+// Else what is drawn live would not be, bit for bit, what its recording replays to.
+TEST(LiveDevices, CutTimesToMicrosecondsAsLogsHaveThem)
+{
+    auto report = arrived(0, pen_report(50, 50, true));
+    report.received = Timestamp(std::chrono::nanoseconds(1'234'567));
+    std::vector<std::unique_ptr<ReportSource>> sources;
+    sources.push_back(std::make_unique<ScriptedSource>(simple_pen(), std::vector { report }));
+    auto devices = LiveDevices::start(std::move(sources)).value();
+    std::vector<LiveReport> reports;
+    while (devices.any_left() && reports.empty()) {
+        devices.take(reports);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    ASSERT_EQ(reports.size(), 1u);
+    EXPECT_EQ(reports[0].report.received, Timestamp(std::chrono::microseconds(1'234)));
+}
+
 // Undo, growth and all else that no stroke does.
 TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
 {
