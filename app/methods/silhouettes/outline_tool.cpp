@@ -163,7 +163,7 @@ std::string counted_branches(std::size_t count)
     return fmt::format("{} {}", count, count == 1 ? "branch" : "branches");
 }
 
-// Of the branch whose outline was drawn last; empty: another line was.
+// What is said of the branch whose outline was drawn last; empty: another line was.
 std::string said_of_own_outline(OutlinedTree const& tree, std::uint64_t last_edit)
 {
     auto const drawn = std::find_if(

@@ -202,7 +202,7 @@ sketch::Rule with_options(sketch::Rule rule, SketchTool const& tool)
     double const slender = rule.first_width_mm / rule.first_length_mm;
     if (slender < kSlender)
         wanted.first_width_mm = slender * wanted.first_length_mm;
-    // Those of a file, which no word says, stay as long as the tool says none.
+    // A file may bring rules that no word says: they stay as long as the tool says none.
     if (wanted.lateral_rules.empty() && !said_laterals(tool, rule))
         wanted.lateral_rules = rule.lateral_rules;
     wanted.most_segments = rule.most_segments;

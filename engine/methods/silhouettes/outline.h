@@ -20,7 +20,7 @@ struct Drawing {
     std::vector<std::vector<Vec2>> outline;     // Of the crown: one stroke or more, in any order.
     std::vector<Vec2> trunk;                    // Base first; empty: not drawn.
     std::vector<std::vector<Vec2>> branches {}; // On the trunk, which they begin near.
-    // Of the crowns of branches of the trunk, one for each (own_outline.h).
+    // The crowns of branches of the trunk, one for each (own_outline.h).
     std::vector<OwnOutline> own_outlines {};
 };
 

@@ -11,11 +11,10 @@ struct DrawTree {
     static EditKind const kKind;
 
     enum class Part {
-        Trunk,   // In place of the tree's trunk, if it has one.
-        Outline, // Of the crown, likewise.
-        Branch,  // One more.
-        // Of the crown of the branch that it lies around, likewise (own_outline.h).
-        OwnOutline,
+        Trunk,      // In place of the tree's trunk, if it has one.
+        Outline,    // Of the crown, likewise.
+        Branch,     // One more.
+        OwnOutline, // A branch's: of the one that it lies around (own_outline.h).
     } part
         = Part::Outline;
     Stroke stroke {};

@@ -123,7 +123,7 @@ static Ring ring_at(Rule const& rule, std::size_t level)
     return ring;
 }
 
-// Those of the paper's laterals, which fork.
+// The ring of the paper's laterals, which fork.
 static Ring fork_of(Rule const& rule)
 {
     auto ring = ring_at(rule, rule.lateral_rules.size());

@@ -50,9 +50,9 @@ struct Rule {
     int most_segments = 64;           // n_max, 1 to 10,000: of the drawn axis.
     double most_internodes = 200'000; // limit, n_max to 10 million: of the whole plant.
 
-    // Of the drawn axis's laterals, of theirs, and so on, at most kMostLateralRules, in the ranges
-    // above. Laterals of the last one's fork as the paper's do, by its numbers. None: all do, by
-    // the numbers above.
+    // Rules of the drawn axis's laterals, of theirs, and so on, at most kMostLateralRules, in the
+    // ranges above. Laterals of the last one's fork as the paper's do, by its numbers. None: all
+    // do, by the numbers above.
     std::vector<LateralRule> lateral_rules {};
 
     bool operator==(Rule const&) const = default;
