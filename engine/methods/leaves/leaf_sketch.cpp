@@ -199,13 +199,25 @@ Result<void> check_form(LeafForm const& form)
     return check_number(form.variation, 0, 4, "variation");
 }
 
+// A pen gives far more places than a line has bends: a drawing has its limit.
+static Points thinned(Points points)
+{
+    constexpr std::size_t kMostPoints = 2000;
+    if (points.size() <= kMostPoints)
+        return points;
+    Points fewer;
+    for (std::size_t i = 0; i < kMostPoints; ++i)
+        fewer.push_back(points[i * (points.size() - 1) / (kMostPoints - 1)]);
+    return fewer;
+}
+
 Result<LeafDrawing> drawing_of(LeafSketch const& sketch)
 {
     LeafDrawing drawing;
     double begins_mm = 0;
     for (auto const& line : sketch.lines) {
         auto const tips = TRY(line.stroke.tips.in_memory());
-        auto points = TRY(stroke_points({ tips }));
+        auto points = thinned(TRY(stroke_points({ tips })));
         if (drawing.strokes.empty())
             begins_mm = points.front().z();
         for (auto& point : points)
