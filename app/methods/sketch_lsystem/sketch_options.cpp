@@ -196,7 +196,7 @@ sketch::Rule rule_of(SketchTool const& tool)
     return rule;
 }
 
-sketch::Rule with_options(sketch::Rule rule, SketchTool const& tool)
+sketch::Rule with_options(sketch::Rule const& rule, SketchTool const& tool)
 {
     auto wanted = rule_of(tool);
     double const slender = rule.first_width_mm / rule.first_length_mm;

@@ -13,7 +13,7 @@ sketch::Rule rule_of(SketchTool const& tool);
 
 // The rule with what the tool says of another one. What no option says, how many internodes there
 // may be, stays; so does a stem that is thinner than the tool's, by the length of its internodes.
-sketch::Rule with_options(sketch::Rule rule, SketchTool const& tool);
+sketch::Rule with_options(sketch::Rule const& rule, SketchTool const& tool);
 
 // Whether all that the tool says of a rule is so in this one, but for how thick it is.
 bool says_rule(SketchTool const& tool, sketch::Rule const& rule);
