@@ -116,21 +116,13 @@ std::string described(GrowAlongStroke const& edit)
 
 } // namespace
 
-// Names of the fields of laterals' rules; files without any have none of them.
-struct LateralNames {
-    char const* r;
-    char const* q;
-    char const* k;
-    char const* a;
-    char const* s;
-    char const* v;
-    char const* T;
-    char const* l_min;
-};
+// Names of the fields of laterals' rules, by the letters of rule files in this order; files without
+// any have none of them.
+using LateralNames = std::array<char const*, 8>; // r, q, k, a, s, v, T and l_min.
 static constexpr std::array<LateralNames, kMostLateralRules> kLateralNames { {
-    { "A_r", "A_q", "A_k", "A_a", "A_s", "A_v", "A_T", "A_l_min" },
-    { "B_r", "B_q", "B_k", "B_a", "B_s", "B_v", "B_T", "B_l_min" },
-    { "C_r", "C_q", "C_k", "C_a", "C_s", "C_v", "C_T", "C_l_min" },
+    { { "A_r", "A_q", "A_k", "A_a", "A_s", "A_v", "A_T", "A_l_min" } },
+    { { "B_r", "B_q", "B_k", "B_a", "B_s", "B_v", "B_T", "B_l_min" } },
+    { { "C_r", "C_q", "C_k", "C_a", "C_s", "C_v", "C_T", "C_l_min" } },
 } };
 
 // Only who changes them touches them: edits are shared between threads.
@@ -142,14 +134,14 @@ static void list_lateral_rules(Fields& fields, std::vector<LateralRule>& rules)
     for (std::size_t level = 0; level < all.size(); ++level) {
         auto const& names = kLateralNames[level];
         auto& rule = all[level];
-        fields.sparse_field(names.r, &rule.length_ratio);
-        fields.sparse_field(names.q, &rule.width_ratio);
-        fields.sparse_field(names.k, &rule.laterals);
-        fields.sparse_field(names.a, &rule.angle_deg);
-        fields.sparse_field(names.s, &rule.lateral_length);
-        fields.sparse_field(names.v, &rule.lateral_width);
-        fields.sparse_field(names.T, &rule.twist_deg);
-        fields.sparse_field(names.l_min, &rule.shortest_mm);
+        fields.sparse_field(names[0], &rule.length_ratio);
+        fields.sparse_field(names[1], &rule.width_ratio);
+        fields.sparse_field(names[2], &rule.laterals);
+        fields.sparse_field(names[3], &rule.angle_deg);
+        fields.sparse_field(names[4], &rule.lateral_length);
+        fields.sparse_field(names[5], &rule.lateral_width);
+        fields.sparse_field(names[6], &rule.twist_deg);
+        fields.sparse_field(names[7], &rule.shortest_mm);
     }
     std::erase(all, kNone);
     if (all != rules)
