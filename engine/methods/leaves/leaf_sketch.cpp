@@ -54,13 +54,18 @@ double mean_distance(Points const& from, Points const& to)
     return sum / static_cast<double>(from.size());
 }
 
-// Depths from where the line began: it is drawn again at another height, too.
-Points from_its_begin(Points line)
+// The line with depths from where it began, since it is drawn again at another height, too, and
+// with no more places than it has bends: a pen gives far more.
+Points from_its_begin(Points const& line)
 {
-    double const begins_mm = line.front().z();
-    for (auto& point : line)
-        point.z() -= begins_mm;
-    return line;
+    constexpr std::size_t kMostPoints = 500;
+    std::size_t const count = std::min(line.size(), kMostPoints);
+    Points made;
+    for (std::size_t i = 0; i < count; ++i) {
+        made.push_back(line[i * (line.size() - 1) / (count - 1)]);
+        made.back().z() -= line.front().z();
+    }
+    return made;
 }
 
 // Whether the middle of one closed line lies in the other.
@@ -199,25 +204,13 @@ Result<void> check_form(LeafForm const& form)
     return check_number(form.variation, 0, 4, "variation");
 }
 
-// A pen gives far more places than a line has bends: a drawing has its limit.
-static Points thinned(Points points)
-{
-    constexpr std::size_t kMostPoints = 2000;
-    if (points.size() <= kMostPoints)
-        return points;
-    Points fewer;
-    for (std::size_t i = 0; i < kMostPoints; ++i)
-        fewer.push_back(points[i * (points.size() - 1) / (kMostPoints - 1)]);
-    return fewer;
-}
-
 Result<LeafDrawing> drawing_of(LeafSketch const& sketch)
 {
     LeafDrawing drawing;
     double begins_mm = 0;
     for (auto const& line : sketch.lines) {
         auto const tips = TRY(line.stroke.tips.in_memory());
-        auto points = thinned(TRY(stroke_points({ tips })));
+        auto points = TRY(stroke_points({ tips }));
         if (drawing.strokes.empty())
             begins_mm = points.front().z();
         for (auto& point : points)

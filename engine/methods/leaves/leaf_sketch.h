@@ -61,7 +61,7 @@ struct LeafSketch {
     double spread = 1;
 };
 
-// The sketch's lines in millimetres of the paper, (x, y, depth), each at most 2,000 places.
+// The sketch's lines in millimetres of the paper: (x, y, depth).
 Result<LeafDrawing> drawing_of(LeafSketch const& sketch);
 
 // Where the plant stands on the paper: below its lowest place. Fails where tips cannot be read.
