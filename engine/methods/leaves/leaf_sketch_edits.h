@@ -43,7 +43,7 @@ LeafSketch const* leaf_sketch(PlantState const& plant);
 // The active plant's; null where there is none, or it was not drawn so.
 LeafSketch const* active_leaf_sketch(DocumentState const& state);
 
-// What there is of a leaf, and what it still wants, for the person who draws it.
+// Says what there is of a leaf, and what it still lacks, to the person who draws it.
 std::string said_of(LeafSketch const& sketch);
 
 } // namespace tractus::leaf

@@ -129,6 +129,14 @@ Result<void> write_compressed_wind(Write const& write, std::vector<PlacedMesh> c
     return write("wind_instanced_compressed.glb", plants, options);
 }
 
+Result<void> write_details(Write const& write, std::vector<PlacedMesh> const& plants)
+{
+    using Vertices = GlbOptions::Vertices;
+    TRY(write("details.glb", plants, {}));
+    TRY(write("details_quantized.glb", plants, { .vertices = Vertices::Quantized }));
+    return write("details_compressed.glb", plants, { .vertices = Vertices::Compressed });
+}
+
 Result<void> write_samples(std::filesystem::path const& folder)
 {
     std::filesystem::create_directories(folder);
@@ -171,10 +179,7 @@ Result<void> write_samples(std::filesystem::path const& folder)
               { .organs = Options::Organs::Nodes, .textures = Options::Textures::None }));
     TRY(write("fine.glb", std::span(&fine, 1), {}));
     auto const tree = sample_tree(5);
-    std::vector<PlacedMesh> const far { with_details(tree), with_details(odd) };
-    TRY(write("details.glb", far, {}));
-    TRY(write("details_quantized.glb", far, { .vertices = Options::Vertices::Quantized }));
-    TRY(write("details_compressed.glb", far, { .vertices = Options::Vertices::Compressed }));
+    TRY(write_details(write, { with_details(tree), with_details(odd) }));
     for (auto& plant : collection)
         if (auto* const meshed = std::get_if<PlantToMesh>(&plant.mesh))
             meshed->wind = WindKey {};
