@@ -2,6 +2,8 @@
 
 #include "engine/scene/desk_placement.h"
 
+#include <utility>
+
 namespace tractus {
 
 Paper paper_of(DocumentState const& state)
@@ -17,6 +19,19 @@ Paper paper_of(DocumentState const& state)
     else
         paper.base_mm.x() = plant->stands_at_mm.x();
     return paper;
+}
+
+void redraw_on_paper(DocumentState& state, std::size_t number, PlantSource source,
+                     Vec2 const& base_mm)
+{
+    change_plant(state, number, [&](PlantState& plant) {
+        plant.source = std::move(source);
+        plant.source_edit = state.last_edit;
+        plant.selection.clear();
+        if (plant.paper_mm)
+            plant.stands_at_mm.x() += base_mm.x() - plant.paper_mm->x();
+        plant.paper_mm = base_mm;
+    });
 }
 
 } // namespace tractus

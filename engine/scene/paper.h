@@ -31,4 +31,9 @@ struct Paper {
 // The paper on which the active plant was drawn, or would be.
 Paper paper_of(DocumentState const& state);
 
+// Puts another source in the place of a plant's that was drawn on paper, with its base there now:
+// the plant stays under its ink.
+void redraw_on_paper(DocumentState& state, std::size_t number, PlantSource source,
+                     Vec2 const& base_mm);
+
 } // namespace tractus

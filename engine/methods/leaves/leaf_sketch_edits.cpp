@@ -2,6 +2,7 @@
 
 #include "engine/scene/edit_words.h"
 #include "engine/scene/make_edit_kind.h"
+#include "engine/scene/paper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,14 +51,8 @@ Result<DocumentState> with_leaf(DocumentState state, ItemId plant, LeafSketch sk
 {
     TRY(build_leaf(sketch));
     auto const foot_mm = TRY(foot_of(sketch));
-    change_plant(state, TRY(plant_number(state, plant)), [&](PlantState& changed) {
-        changed.source = PlantSource(LeafSketch::kKind, std::move(sketch));
-        changed.source_edit = state.last_edit;
-        changed.selection.clear();
-        if (changed.paper_mm)
-            changed.stands_at_mm.x() += foot_mm.x() - changed.paper_mm->x();
-        changed.paper_mm = foot_mm;
-    });
+    redraw_on_paper(state, TRY(plant_number(state, plant)),
+                    PlantSource(LeafSketch::kKind, std::move(sketch)), foot_mm);
     return state;
 }
 

@@ -3,6 +3,7 @@
 #include "engine/methods/silhouettes/bumps.h"
 #include "engine/scene/edit_words.h"
 #include "engine/scene/make_edit_kind.h"
+#include "engine/scene/paper.h"
 
 #include <array>
 #include <fmt/format.h>
@@ -128,14 +129,8 @@ Result<DocumentState> with_tree(DocumentState state, ItemId plant, OutlinedTree 
 {
     TRY(check_tree(tree));
     auto const foot_mm = TRY(foot_of(tree));
-    change_plant(state, TRY(plant_number(state, plant)), [&](PlantState& changed) {
-        changed.source = PlantSource(OutlinedTree::kKind, std::move(tree));
-        changed.source_edit = state.last_edit;
-        changed.selection.clear();
-        if (changed.paper_mm)
-            changed.stands_at_mm.x() += foot_mm.x() - changed.paper_mm->x();
-        changed.paper_mm = foot_mm;
-    });
+    redraw_on_paper(state, TRY(plant_number(state, plant)),
+                    PlantSource(OutlinedTree::kKind, std::move(tree)), foot_mm);
     return state;
 }
 
