@@ -168,7 +168,7 @@ void expect_style_again(Drawing const& drawing, int levels, std::string const& n
     usual.levels = levels;
     auto const wanted = style_of(tree_of(drawing, usual));
     ASSERT_EQ(wanted.levels.size(), static_cast<std::size_t>(levels)) << name;
-    for (std::uint64_t const seed : { 2, 3, 4 }) {
+    for (std::uint64_t const seed : { 2U, 3U, 4U }) {
         auto form = form_of(wanted);
         EXPECT_EQ(form.levels, levels);
         EXPECT_EQ(form.leaves, usual.leaves);
@@ -237,7 +237,7 @@ TEST(SilhouetteStyle, GoesFromModelsToAnOutline)
     for (auto const* const name : { "poplar", "conifer", "broadleaf", "shrub", "palm" }) {
         auto const wanted = style_of(grown(name));
         auto form = form_of(wanted);
-        for (std::uint64_t const seed : { 1, 2, 3 }) {
+        for (std::uint64_t const seed : { 1U, 2U, 3U }) {
             form.seed = seed;
             auto const given = style_of(tree_of(drawing, form));
             expect_near(given.levels[0], wanted.levels[0],
