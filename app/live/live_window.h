@@ -88,6 +88,7 @@ public:
     CalibrationModel* calibration() override { return calibration_ ? &*calibration_ : nullptr; }
 
     Station const& station() const { return station_; }
+    Document const& document() const { return controller_->document(); }
     // The scene that is shown.
     Scene const& scene() const { return *controller_->view().grown_scene(); }
 

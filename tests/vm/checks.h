@@ -62,7 +62,9 @@ struct TruthOptions {
     std::size_t strokes = 0; // How many there must be; 0: as the hand draws.
     bool is_torn = false;    // The recording may end before what was sent does.
     double limit_rms_mm = 1; // Root mean square of the distances,
-    double limit_max_mm = 3; // and the largest one.
+    double limit_max_mm = 3; // and the largest one,
+    // and the largest one from where the hand was within 20 ms: how late reports come is left out.
+    double limit_path_mm = 3;
 };
 
 // How far the strokes that the station makes of a recording lie from where the hand was. Fails

@@ -80,11 +80,20 @@ public:
         bool const touches = state.pen.in_range && state.pen.touching;
         if (std::exchange(touches_, touches) != touches)
             tell(touches ? "the pen touches" : "the pen does not touch");
+        auto const kept = kept_strokes(window.document());
+        if (std::exchange(kept_, kept) != kept)
+            tell(fmt::format("kept {}", kept));
         if (std::exchange(trouble_, state.trouble) != state.trouble)
             tell(state.trouble.empty() ? "nothing is wrong" : state.trouble);
     }
 
 private:
+    // How many strokes are on the disk, when nothing is being done; else how many were.
+    std::size_t kept_strokes(Document const& document) const
+    {
+        return document.is_settled() ? document.stroke_count() : kept_;
+    }
+
     static void tell(std::string const& what)
     {
         fmt::print("{}\n", what);
@@ -92,6 +101,7 @@ private:
     }
 
     std::size_t strokes_ = 0;
+    std::size_t kept_ = 0;
     bool touches_ = false;
     std::string trouble_;
 };

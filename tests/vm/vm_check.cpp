@@ -63,6 +63,7 @@ void add_checks(CLI::App& root, Arguments& arguments, Check& check)
     strokes->add_flag("--torn", truth.is_torn, "GOT may end before SENT");
     strokes->add_option("--rms-mm", truth.limit_rms_mm, "At most");
     strokes->add_option("--max-mm", truth.limit_max_mm, "At most");
+    strokes->add_option("--path-mm", truth.limit_path_mm, "At most");
     strokes->callback([&] { check = [&] { return compare_strokes(truth); }; });
 
     auto* const interrupted
