@@ -246,11 +246,12 @@ private:
         organ.position_mm.y() += aside_mm * random.normal();
         organ.position_mm.z() = above_mm * random.uniform(0.3, 1);
         bool const is_face_down = random.uniform() < 0.5;
-        organ.orientation
-            = Eigen::AngleAxisd(random.uniform(0, 2 * std::numbers::pi), Vec3::UnitZ())
-            * Eigen::AngleAxisd(0.2 * random.normal(), Vec3::UnitX())
-            * Eigen::AngleAxisd((is_face_down ? std::numbers::pi : 0) + 0.2 * random.normal(),
-                                Vec3::UnitY());
+        // One by one: compilers differ in the order of operands.
+        double const about_y = (is_face_down ? std::numbers::pi : 0) + 0.2 * random.normal();
+        double const about_x = 0.2 * random.normal();
+        double const about_z = random.uniform(0, 2 * std::numbers::pi);
+        organ.orientation = Eigen::AngleAxisd(about_z, Vec3::UnitZ())
+            * Eigen::AngleAxisd(about_x, Vec3::UnitX()) * Eigen::AngleAxisd(about_y, Vec3::UnitY());
     }
 
     // The turtle's own leaves have no calendar: they are deciduous, and as old as their calendar

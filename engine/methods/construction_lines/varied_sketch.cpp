@@ -31,7 +31,9 @@ public:
             wave.number
                 = 2 * kPi * random.uniform(kLeast, kMost) * Vec2(std::cos(along), std::sin(along));
             wave.phase = random.uniform(0, 2 * kPi);
-            wave.moves_mm = each * Vec2(random.normal(), random.normal()).cwiseMin(2).cwiseMax(-2);
+            double const y
+                = random.normal(); // By itself: compilers differ in the order of arguments.
+            wave.moves_mm = each * Vec2(random.normal(), y).cwiseMin(2).cwiseMax(-2);
         }
     }
 

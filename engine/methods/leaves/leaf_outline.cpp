@@ -113,8 +113,11 @@ HalfOutline varied(HalfOutline half, Outline::Variation const& variation, double
         auto& at = half.points[i].at;
         at.x() *= width;
         double const spread = variation.point * size;
-        if (i + 1 < half.points.size()) // The halves meet at both ends.
-            at += spread * Vec2(random.normal(), random.normal());
+        if (i + 1 < half.points.size()) { // The halves meet at both ends.
+            double const y
+                = random.normal(); // By itself: compilers differ in the order of arguments.
+            at += spread * Vec2(random.normal(), y);
+        }
         at.x() = std::max(0.0, at.x());
     }
     return half;

@@ -147,23 +147,30 @@ HandDrawing draw_by_hand(BotanicalLeaf const& leaf, Manner const& manner, Random
     };
     bool const one_half = manner.outline == Manner::Outline::OneHalf;
     HandDrawing::Meant const outline { StrokeRole::Outline, nullptr };
+    auto const add_half = [&](Line const& line) {
+        double const behind_mm = drawer.miss_mm(kMiss_mm);
+        add(line, drawer.miss_mm(kMiss_mm), behind_mm, outline);
+    };
     if (manner.outline == Manner::Outline::Closed) {
-        add(turned_round(leaf.margin(), random), 0, drawer.miss_mm(2), outline);
+        double const behind_mm = drawer.miss_mm(2);
+        add(turned_round(leaf.margin(), random), 0, behind_mm, outline);
     } else {
-        add(leaf.right, drawer.miss_mm(kMiss_mm), drawer.miss_mm(kMiss_mm), outline);
+        add_half(leaf.right);
         if (!one_half)
-            add(leaf.left, drawer.miss_mm(kMiss_mm), drawer.miss_mm(kMiss_mm), outline);
+            add_half(leaf.left);
     }
     add({ { 0, manner.has_stalk ? -leaf.stalk : 0 }, { 0, 1 } }, 0, -random.uniform(0, 2),
         { StrokeRole::Midrib, nullptr });
     auto const add_veins = [&](std::vector<BotanicalLeaf::Vein> const& veins, StrokeRole role) {
-        for (auto const& vein : veins)
-            if (!one_half
-                || (vein.bearer >= 0 ? leaf.mains[std::size_t(vein.bearer)] : vein).angle_deg > 0)
-                add(vein.line, drawer.miss_mm(kMiss_mm),
-                    -random.uniform(0, 0.1) * manner.size_mm
-                        * (vein.line.back() - vein.line.front()).norm(),
-                    { role, &vein });
+        for (auto const& vein : veins) {
+            auto const& main = vein.bearer >= 0 ? leaf.mains[std::size_t(vein.bearer)] : vein;
+            if (one_half && main.angle_deg <= 0)
+                continue;
+            double const short_by = random.uniform(0, 0.1);
+            add(vein.line, drawer.miss_mm(kMiss_mm),
+                -short_by * manner.size_mm * (vein.line.back() - vein.line.front()).norm(),
+                { role, &vein });
+        }
     };
     add_veins(leaf.mains, StrokeRole::MainVein);
     add_veins(leaf.sides, StrokeRole::SideVein);

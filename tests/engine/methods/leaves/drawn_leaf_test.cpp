@@ -33,14 +33,16 @@ Drawn drawn_leaf(std::string const& species, std::uint32_t number)
     Drawn drawn;
     drawn.truth = botanical_leaf(species, random);
     double const way = random.uniform();
-    drawn.manner = { .size_mm = random.uniform(60, 150),
-                     .bend_deg = random.uniform(0, 30),
-                     .turned_deg = random.uniform(0, 360),
-                     .place_mm = Vec3(random.uniform(-80, 80), random.uniform(-80, 80), 60),
-                     .outline = way < 0.6 ? Manner::Outline::Closed
-                         : way < 0.88     ? Manner::Outline::Halves
-                                          : Manner::Outline::OneHalf,
-                     .has_stalk = random.uniform() < 0.7 };
+    // Number by number: in which order a call's arguments are made is the compiler's choice.
+    drawn.manner.size_mm = random.uniform(60, 150);
+    drawn.manner.bend_deg = random.uniform(0, 30);
+    drawn.manner.turned_deg = random.uniform(0, 360);
+    double const y_mm = random.uniform(-80, 80);
+    drawn.manner.place_mm = Vec3(random.uniform(-80, 80), y_mm, 60);
+    drawn.manner.outline = way < 0.6 ? Manner::Outline::Closed
+        : way < 0.88                 ? Manner::Outline::Halves
+                                     : Manner::Outline::OneHalf;
+    drawn.manner.has_stalk = random.uniform() < 0.7;
     if (drawn.manner.outline == Manner::Outline::OneHalf) // Its mirror image is meant.
         for (std::size_t i = 0; i < drawn.truth.left.size(); ++i)
             drawn.truth.left[i] = { -drawn.truth.right[i].x(), drawn.truth.right[i].y() };
