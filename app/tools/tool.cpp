@@ -107,6 +107,21 @@ private:
     void (*goes_with_)(void* options) = nullptr;
 };
 
+// Sets each option that is a word to the first of its words.
+class FirstWords final : public OptionVisitor {
+public:
+    void word(WordOption const&, int& value) override { value = 0; }
+    void number(NumberOption const&, double&) override { }
+};
+
+// The tool that a log means without arguments. A person may begin with another one, where a kind
+// has got options that older logs do not know.
+Tool without_arguments(ToolKind const& kind)
+{
+    FirstWords first;
+    return Tool(kind).changed_by(first);
+}
+
 // Finds the option that a word of a log is about, and sets it.
 class ArgumentReader final : public OptionVisitor {
 public:
@@ -386,7 +401,7 @@ Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view
         return fail(Fault::User,
                     fmt::format("there is no tool \"{}\": there are {}", name, list_words(words)));
     }
-    Tool tool(*kind);
+    auto tool = without_arguments(*kind);
     bool is_now = false;
     while (!arguments.empty()) {
         auto const word = arguments.substr(0, arguments.find(' '));
@@ -402,7 +417,7 @@ Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view
 
 ToolWords words_for(Tool const& tool)
 {
-    ArgumentWriter writer(values_of(Tool(tool.kind())));
+    ArgumentWriter writer(values_of(without_arguments(tool.kind())));
     tool.show(writer);
     if (tool.kind().surface == Surface::Skeleton) {
         auto angle = tool.angle();

@@ -11,12 +11,11 @@ namespace {
 // What each option may be: the words but for that which none means, or a name and a range.
 class OptionLister final : public OptionVisitor {
 public:
-    void word(WordOption const& option, int& value) override
+    void word(WordOption const& option, int&) override
     {
         auto& words = options.emplace_back();
-        for (std::size_t i = 0; i < option.words.size(); ++i)
-            if (static_cast<int>(i) != value)
-                words.emplace_back(option.words[i].word);
+        for (std::size_t i = 1; i < option.words.size(); ++i)
+            words.emplace_back(option.words[i].word);
     }
 
     void number(NumberOption const& option, double&) override
