@@ -33,6 +33,12 @@ Result<std::vector<Edit>> erase(Tool const&, Stroke const& stroke, Scene const& 
     auto const drawing = TRY(silhouette::drawing_of(*tree));
     auto const plant = scene.drawn->id;
     std::vector<Edit> edits;
+    for (std::size_t i = 0; i < drawing.own_branches.size(); ++i)
+        if (runs_over(stroke, drawing.own_branches[i].line))
+            edits.push_back(
+                EraseTreePart { plant, DrawTree::Part::OwnBranch, tree->own_branches[i].id });
+    if (!edits.empty())
+        return edits;
     for (std::size_t i = 0; i < drawing.branches.size(); ++i)
         if (runs_over(stroke, drawing.branches[i]))
             edits.push_back(EraseTreePart { plant, DrawTree::Part::Branch, tree->branches[i].id });
@@ -59,8 +65,10 @@ constexpr ToolKind EraseOutlineTool::kKind {
     .label = "Erase",
     .title = "Erase lines of the tree's drawing",
     .done = "The line is erased",
-    .help = "takes away what was drawn of a tree where the stroke runs over it on paper: a branch, "
-            "else a branch's own outline, else its trunk or the outline of its crown",
+    .help
+    = "takes away what was drawn of a tree where the stroke runs over it on paper: a branch "
+      "on a branch, else a branch, else a branch's own outline, else its trunk or the outline of "
+      "its crown",
     .group = "Sketch",
     .method = "From an outline",
     .surface = Surface::Paper,

@@ -46,6 +46,8 @@ Lines trunk_of(BuiltPlant const& plant)
         add(tree->trunk, plant, lines);
         for (auto const& branch : tree->branches)
             add(branch.stroke, plant, lines);
+        for (auto const& own : tree->own_branches)
+            add(own.stroke, plant, lines);
     }
     return lines;
 }

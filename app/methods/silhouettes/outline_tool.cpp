@@ -38,6 +38,18 @@ constexpr std::array<OptionWord, 6> kFormWords { {
     { "fir", "Fir" },
 } };
 
+// In the order of OutlineTool::Branches.
+constexpr std::array<OptionWord, 2> kBranchesWords { {
+    { "of_trunk", "of the trunk" },
+    { "of_nearest", "of what they begin on" },
+} };
+
+// In the order of silhouette::StyleTo.
+constexpr std::array<OptionWord, 2> kStyleWords { {
+    { "none", "of one branch" },
+    { "siblings", "to its siblings" },
+} };
+
 silhouette::TreeForm ready_form(OutlineTool const& tool)
 {
     if (tool.form == OutlineTool::Form::Usual)
@@ -65,6 +77,12 @@ void visit(OptionVisitor& visitor, OutlineTool& tool)
     visitor.number({ "density", "", 0, 10, 0.25, "Density" }, tool.density);
     visitor.number({ "leaves", "", 1, 500, 4, "Leaves" }, tool.leaves);
     visitor.choice({ kWords }, tool.what);
+    visitor.choice(
+        { .words = kBranchesWords, .offered = WordOption::Offered::InTurn, .label = "Lines" },
+        tool.branches);
+    visitor.choice(
+        { .words = kStyleWords, .offered = WordOption::Offered::InTurn, .label = "Style" },
+        tool.style);
 }
 
 std::vector<Vec2> points_of(Stroke const& stroke)
@@ -73,13 +91,6 @@ std::vector<Vec2> points_of(Stroke const& stroke)
     for (auto const& tip : stroke.tips)
         points.emplace_back(tip.position_mm.head<2>());
     return points;
-}
-
-bool comes_back(std::vector<Vec2> const& points)
-{
-    constexpr double kWidestGap = 0.25; // Of the stroke's length, as clean_drawing() has it.
-    return points.size() > 2
-        && (points.back() - points.front()).norm() <= kWidestGap * silhouette::length_of(points);
 }
 
 bool has_any_inside(std::vector<Vec2> const& outline, std::vector<Vec2> const& points)
@@ -118,12 +129,19 @@ std::optional<Part> part_on(silhouette::Drawing const& tree, Vec2 const& foot,
     return std::nullopt;
 }
 
-Result<std::optional<Part>> part_of_tree(OutlinedTree const& tree, Stroke const& stroke)
+Result<std::optional<Part>> part_of_tree(OutlinedTree const& tree, Stroke const& stroke,
+                                         OutlineTool::Branches branches)
 {
     auto const points = points_of(stroke);
     auto const drawing = TRY(silhouette::drawing_of(tree));
-    if (!comes_back(points))
-        return part_on(drawing, TRY(silhouette::foot_of(tree)), points);
+    if (!silhouette::comes_back(points)) {
+        auto const part = part_on(drawing, TRY(silhouette::foot_of(tree)), points);
+        bool const may_be_borne
+            = branches == OutlineTool::Branches::OfNearest && part != Part::Trunk;
+        if (may_be_borne && TRY(silhouette::branch_borne_by(tree, stroke)))
+            return Part::OwnBranch;
+        return part;
+    }
     if (TRY(silhouette::branch_outlined_by(tree, stroke)))
         return Part::OwnOutline;
     return is_around(points, drawing) ? std::optional(Part::Outline) : std::nullopt;
@@ -163,25 +181,57 @@ std::string counted_branches(std::size_t count)
     return fmt::format("{} {}", count, count == 1 ? "branch" : "branches");
 }
 
-// What is said of the branch whose outline was drawn last; empty: another line was.
-std::string said_of_own_outline(OutlinedTree const& tree, std::uint64_t last_edit)
+silhouette::DrawnOnBranch const* drawn_by(std::vector<silhouette::DrawnOnBranch> const& drawn,
+                                          std::uint64_t edit)
 {
-    auto const drawn = std::find_if(
-        tree.own_outlines.begin(), tree.own_outlines.end(),
-        [&](silhouette::DrawnOutline const& own) { return edit_of_item(own.id) == last_edit; });
-    if (drawn == tree.own_outlines.end())
-        return {};
-    auto on_trunk = tree;
+    auto const found
+        = std::find_if(drawn.begin(), drawn.end(), [&](silhouette::DrawnOnBranch const& one) {
+              return edit_of_item(one.id) == edit;
+          });
+    return found == drawn.end() ? nullptr : &*found;
+}
+
+// How many branches the branch of this name bears; no value: there is none.
+std::optional<std::size_t> count_on(OutlinedTree on_trunk, std::string const& name)
+{
     on_trunk.form.levels = 1;
     auto const skeleton = silhouette::skeleton_of(on_trunk);
     if (!skeleton)
+        return std::nullopt;
+    auto const bearer = silhouette::number_of(skeleton->systems[0], name);
+    return bearer ? std::optional(skeleton->branches_on(*bearer)) : std::nullopt;
+}
+
+// What is said of the branch that was drawn on last; empty: another line was drawn.
+std::string said_of_branch(OutlinedTree const& tree, std::uint64_t last_edit)
+{
+    auto const* const own = drawn_by(tree.own_outlines, last_edit);
+    auto const* const drawn = own ? own : drawn_by(tree.own_branches, last_edit);
+    if (!drawn)
         return {};
-    auto const& branches = skeleton->systems[0].branches;
-    for (std::size_t i = 0; i < branches.size(); ++i)
-        if (silhouette::name_of(branches[i]) == drawn->branch)
-            return fmt::format("The branch has its own outline: {} in it",
-                               counted_branches(skeleton->branches_on(i)));
-    return {};
+    auto const* const follow
+        = drawn->style_to == silhouette::StyleTo::Siblings ? "; its siblings follow" : "";
+    if (!own)
+        return fmt::format("The branch bears {} that you drew{}",
+                           counted_branches(static_cast<std::size_t>(std::count_if(
+                               tree.own_branches.begin(), tree.own_branches.end(),
+                               [&](auto const& other) { return other.branch == drawn->branch; }))),
+                           follow);
+    auto const count = count_on(tree, own->branch);
+    return count ? fmt::format("The branch has its own outline: {} in it{}",
+                               counted_branches(*count), follow)
+                 : std::string();
+}
+
+// What was drawn on branches that the tree has lost.
+std::string said_of_waiting(OutlinedTree const& tree)
+{
+    auto const waiting = silhouette::count_waiting(tree);
+    if (!waiting || *waiting == 0)
+        return {};
+    return *waiting == 1
+        ? "; a line that was drawn on a branch waits for it"
+        : fmt::format("; {} lines that were drawn on branches wait for them", *waiting);
 }
 
 // What the tree has now, and what it still wants.
@@ -192,13 +242,13 @@ std::string said_of_tree(Tool const&, Scene const& after)
         return {};
     if (tree->outline.tips.empty())
         return "A trunk stands: draw the outline of its crown around it, back to where you began";
-    if (auto said = said_of_own_outline(*tree, after.state.last_edit); !said.empty())
+    if (auto said = said_of_branch(*tree, after.state.last_edit); !said.empty())
         return said;
     auto const& axes = after.base->axes;
     auto const on_trunk
         = std::count_if(axes.begin(), axes.end(), [](Axis const& axis) { return axis.order == 1; });
-    return fmt::format("The tree has {} branches on its trunk, {} in all", on_trunk,
-                       axes.size() - 1);
+    return fmt::format("The tree has {} branches on its trunk, {} in all{}", on_trunk,
+                       axes.size() - 1, said_of_waiting(*tree));
 }
 
 Result<std::vector<Edit>> draw(Tool const& tool, Stroke const& stroke, Scene const& scene)
@@ -220,12 +270,14 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke, Scene
     DrawTree edit { .stroke = stroke };
     auto const* const tree = silhouette::outlined_tree(*scene.drawn);
     if (tree && tool.what != What::New)
-        if (auto const part = TRY(part_of_tree(*tree, stroke))) {
+        if (auto const part = TRY(part_of_tree(*tree, stroke, tool.branches))) {
             edit.part = *part;
+            if (*part == Part::OwnOutline || *part == Part::OwnBranch)
+                edit.style_to = tool.style;
             edit.plant = scene.drawn->id;
             return edit;
         }
-    edit.part = comes_back(points) ? Part::Outline : Part::Trunk;
+    edit.part = silhouette::comes_back(points) ? Part::Outline : Part::Trunk;
     edit.form = form_of(tool, {});
     if (!scene.plants.empty())
         edit.scale = scene.placement.scale;
@@ -250,10 +302,11 @@ constexpr ToolKind OutlineTool::kKind {
     .done = "The tree has what was drawn",
     .help = "draws a tree on paper that stands upright: a line is a trunk, one that comes back to "
             "its beginning the outline of a crown, a smaller one around a branch that branch's "
-            "own outline, a line from a trunk inside it a branch; in a ready form, or with so many "
-            "levels of branches, so many times as many as usual that nobody draws, so many leaves "
-            "on a twig; a new tree at each line, or at once these numbers, or other chance, for "
-            "the tree that is there",
+            "own outline, a line from a trunk inside it a branch, and one from a branch a branch "
+            "of that if lines are of what they begin on; what is drawn on a branch may be a style "
+            "for its siblings; in a ready form, or with so many levels of branches, so many times "
+            "as many as usual that nobody draws, so many leaves on a twig; a new tree at each "
+            "line, or at once these numbers, or other chance, for the tree that is there",
     .group = "Sketch",
     .method = "From an outline",
     .icon = "5954 371624416184866737",

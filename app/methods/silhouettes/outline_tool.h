@@ -24,11 +24,18 @@ struct OutlineTool {
         Reseed, // At once: what the active tree's drawing leaves open is decided anew.
     } what
         = What::GoOn;
+
+    // What a line is that begins on one of the trunk's branches, and whom the style of a branch
+    // goes to that is drawn on from now on. A person begins with these; without their words, as
+    // logs from before there were any, lines are the trunk's, and no style goes anywhere.
+    enum class Branches { OfTrunk, OfNearest } branches = Branches::OfNearest;
+    silhouette::StyleTo style = silhouette::StyleTo::Siblings;
 };
 
 // What a stroke with the tool means: the tips drawn so far, in a document as it is built. One that
 // comes back to its beginning is an outline, of the crown or of the branch that it lies around
-// (own_outline.h), any other a trunk or a branch.
+// (own_outline.h), any other a trunk or a branch, of the trunk or of the branch that it begins on
+// (own_branch.h).
 Result<silhouette::DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
                                         Scene const& scene);
 

@@ -12,6 +12,7 @@
 #include "app/verbs/glb_options.h"
 #include "drivers/file.h"
 #include "engine/methods/silhouettes/measured_style.h"
+#include "engine/methods/silhouettes/own_branch.h"
 #include "engine/methods/silhouettes/own_outline.h"
 #include "engine/methods/silhouettes/ready_form.h"
 #include "engine/methods/silhouettes/tree_edits.h"
@@ -44,7 +45,8 @@ struct SilhouetteArguments {
     std::string style;                 // A plant, on which it is measured.
     CLI::App const* verb = nullptr;    // Which knows what else was given.
     double height_m = 8;
-    std::optional<std::size_t> count; // Of an arrangement alone.
+    std::optional<std::size_t> count;                         // Of an arrangement alone.
+    silhouette::StyleTo style_to = silhouette::StyleTo::None; // Of branches with parts.
     bool report = false;
     bool session = false;
     Methods methods;
@@ -168,8 +170,10 @@ Result<std::vector<Edit>> edits_of(SilhouetteArguments const& arguments,
     draw(DrawTree::Part::Outline, drawing.outline[0]);
     for (auto const& branch : drawing.branches)
         draw(DrawTree::Part::Branch, branch);
+    edit.style_to = arguments.style_to;
     for (auto const& part : file.parts)
-        draw(DrawTree::Part::OwnOutline, part);
+        draw(silhouette::comes_back(part) ? DrawTree::Part::OwnOutline : DrawTree::Part::OwnBranch,
+             part);
     return edits;
 }
 
@@ -186,15 +190,20 @@ Result<std::string> write_session(SilhouetteArguments const& arguments, fs::path
     return path.filename().string();
 }
 
-// Each of the file's parts goes to the branch that it lies around, as by a pen.
+// Each of the file's parts goes to the branch that it lies around or begins on, as by a pen.
 Result<silhouette::Skeleton> inferred(silhouette::SilhouetteFile& file,
-                                      silhouette::SkeletonOptions const& options)
+                                      silhouette::SkeletonOptions const& options,
+                                      silhouette::StyleTo style_to)
 {
-    for (std::size_t i = 0; i < file.parts.size(); ++i)
-        if (auto const added = silhouette::add_own_outline(file.drawing, file.parts[i], options);
-            !added)
+    for (std::size_t i = 0; i < file.parts.size(); ++i) {
+        auto const& part = file.parts[i];
+        auto const added = silhouette::comes_back(part)
+            ? silhouette::add_own_outline(file.drawing, part, options, style_to)
+            : silhouette::add_own_branch(file.drawing, part, style_to, options);
+        if (!added)
             return fail(added.error().fault,
                         fmt::format("part {}: {}", i + 1, added.error().message));
+    }
     return silhouette::infer_skeleton(file.drawing, options);
 }
 
@@ -206,7 +215,7 @@ Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& 
         print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so", drawing.string(),
                                   key.substr(0, 40)));
     auto const form = form_of(arguments);
-    auto const skeleton = inferred(file, silhouette::skeleton_options(form));
+    auto const skeleton = inferred(file, silhouette::skeleton_options(form), arguments.style_to);
     if (!skeleton)
         return about_drawing(drawing, skeleton.error());
     for (auto const& note : skeleton->systems[0].notes)
@@ -283,6 +292,17 @@ void add_form_options(CLI::App& verb, SilhouetteArguments& arguments)
                     "of our models, or the file of a model, a session or a measured tree")
         ->type_name("PLANT")
         ->excludes(verb.get_option("--form"));
+    verb.add_option_function<std::string>(
+            "--style-to",
+            [&style_to = arguments.style_to](std::string const& word) {
+                style_to = word == "siblings" ? silhouette::StyleTo::Siblings
+                                              : silhouette::StyleTo::None;
+            },
+            "Whom the style of a branch with parts of the drawing goes to: siblings, the trunk's "
+            "other branches, or none")
+        ->type_name("WHOM")
+        ->default_str("none")
+        ->check(one_of({ "siblings", "none" }));
     verb.add_option("--levels", arguments.form.levels,
                     "How often branches branch before twigs come")
         ->type_name("N")
@@ -357,7 +377,8 @@ void add_silhouette_command(CLI::App& root, Action& action, Methods const& metho
         "and up, around the crown, or a list of such strokes; and \"trunk\": points, base first, "
         "which\n"
         "may be missing. \"parts\", strokes around parts of the crown, are outlines of single "
-        "branches.");
+        "branches,\n"
+        "or, from a branch on, branches of that branch.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return make_trees(*arguments); }; });
 }

@@ -13,8 +13,9 @@ namespace tractus::silhouette {
 // A drawing as a file holds it.
 struct SilhouetteFile {
     Drawing drawing;
-    std::vector<std::vector<Vec2>> parts {}; // Outlines of branches, around which they lie.
-    std::vector<std::string> unknown_keys;   // What else the file says.
+    // Outlines of branches, around which they lie, and branches on branches, on which they begin.
+    std::vector<std::vector<Vec2>> parts {};
+    std::vector<std::string> unknown_keys; // What else the file says.
 };
 
 // Reads a drawing from JSON, millimetres, x to the right and y up:
@@ -22,7 +23,9 @@ struct SilhouetteFile {
 //   outline   [[x, y], …]: around the crown, or [[[x, y], …], …]: in several strokes
 //   trunk     [[x, y], …]: base first; may be missing
 //   branches  [[[x, y], …], …]: from the trunk on; may be missing
-//   parts     [[[x, y], …], …]: each once around a branch's own crown; may be missing
+//   parts     [[[x, y], …], …]: each once around a branch's own crown, or from a branch on, of
+//   which
+//             it is a branch; may be missing
 //
 // Fails, as the user's fault, with file, place and what to write.
 Result<SilhouetteFile> parse_silhouette(std::string_view text, std::string const& name);

@@ -1,5 +1,7 @@
 #include "app/methods/silhouettes/silhouette_report.h"
 
+#include "engine/methods/silhouettes/sibling_style.h"
+
 #include <nlohmann/json.hpp>
 
 namespace tractus::silhouette {
@@ -33,6 +35,29 @@ static Report bump_json(Bump const& bump)
              { "role", word_of(bump.role) } };
 }
 
+// What a branch bears that somebody drew on, or that has the style of one.
+static Report bearing_json(Branch const& bearer, BranchingSystem const& system)
+{
+    auto const style = bearer_style(bearer, system);
+    Report bearing { { "children", style.children.size() } };
+    if (!style.children.empty())
+        bearing.update(
+            { { "unbranched", style.unbranched() },
+              { "last", style.last() },
+              { "spacing", { { "mean", style.spacing }, { "deviation", style.deviation } } },
+              { "angle_deg", style.mean_angle_deg() } });
+    Report drawn = Report::array();
+    for (auto const& child : style.children)
+        if (child.branch.is_stroke())
+            drawn.push_back({ { "name", name_of(child.branch) },
+                              { "u", child.u },
+                              { "base", point_json(child.branch.path.curve.base) },
+                              { "end", point_json(child.branch.path.curve.end) } });
+    if (!drawn.empty())
+        bearing["drawn"] = std::move(drawn);
+    return bearing;
+}
+
 static Report branch_json(Skeleton const& skeleton, std::size_t i)
 {
     auto const& branch = skeleton.systems[0].branches[i];
@@ -52,6 +77,14 @@ static Report branch_json(Skeleton const& skeleton, std::size_t i)
         report["outlined"] = true;
         report["bears"] = skeleton.branches_on(i);
     }
+    auto const below = skeleton.system_of[0][i];
+    if (below == kNoSystem)
+        return report;
+    auto const& system = skeleton.systems[below];
+    if (branch.is_refined() || system.is_in_siblings_style)
+        report["bearing"] = bearing_json(branch, system);
+    if (!branch.is_refined() && system.is_in_siblings_style)
+        report["follows"] = true;
     return report;
 }
 
@@ -111,7 +144,7 @@ std::string print_report(Skeleton const& skeleton, Tree const& tree,
         bumps.push_back(bump_json(bump));
     Report branches = Report::array();
     for (std::size_t i = 0; i < system.branches.size(); ++i)
-        if (system.branches[i].origin != Branch::Origin::Apex || system.branches[i].is_outlined())
+        if (system.branches[i].origin != Branch::Origin::Apex || system.branches[i].is_refined())
             branches.push_back(branch_json(skeleton, i));
     Report report {
         { "samples", system.outline.size() },

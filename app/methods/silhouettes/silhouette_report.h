@@ -20,7 +20,11 @@ namespace tractus::silhouette {
 //   branch        of each {"name", "t", "side", "base": [x, y], "end": [x, y], "curve": the four
 //                 control points of its Bézier curve, "length", "tangent_share", "cone_deg"}; of
 //                 one with an outline of its own also "outlined": true and how many branches that
-//                 "bears"; those of bumps first, then those added
+//                 "bears"; of one that was drawn on, or "follows" such a sibling: true, also
+//                 "bearing": {"children": how many, "unbranched", "last": shares of its length,
+//                 "spacing": {"mean", "deviation"}: millimetres along it, "angle_deg": their mean,
+//                 "drawn": [{"name", "u", "base", "end"}, …]}; those of bumps first, then those
+//                 added
 //   coverage      {"before", "after"}: shares of the outline's inside that crowns cover
 //   arrangement   a list for each level of [{"name", "theta", "u"}, …]: degrees around the bearer,
 //                 0 to the right and 180 to the left, and the share of its length; those of the

@@ -79,16 +79,14 @@ struct DrawnBranches {
     std::vector<std::optional<Branch>> of_bump;
     std::vector<Branch> elsewhere {};
 };
-DrawnBranches take_drawn(BranchingSystem const& system,
+DrawnBranches take_drawn(BranchingSystem const& system, Run const& bases,
                          std::vector<std::vector<Vec2>> const& strokes, BranchingAngles& angles)
 {
     DrawnBranches drawn { .of_bump = std::vector<std::optional<Branch>>(system.bumps.size()) };
     for (std::size_t number = 0; number < strokes.size(); ++number) {
-        auto path = drawn_branch({ .trunk = system.trunk,
-                                   .bases = system.inside,
-                                   .outline = system.outline,
-                                   .angles = angles },
-                                 strokes[number]);
+        auto path = drawn_branch(
+            { .trunk = system.trunk, .bases = bases, .outline = system.outline, .angles = angles },
+            strokes[number]);
         angles.learn({ path.t, angle_at_base_deg(system, path, angles.over()) });
         auto const bump = bump_at(system.bumps, path.curve.end, drawn.of_bump);
         Branch branch;
@@ -119,10 +117,9 @@ Run bases_of(BranchingSystem const& system, double unbranched)
     return bases;
 }
 
-void infer_branches(BranchingSystem& system, Run const& bases,
-                    std::vector<std::vector<Vec2>> const& strokes, BranchingAngles& angles)
+void infer_branches(BranchingSystem& system, Run const& bases, DrawnBranches drawn,
+                    BranchingAngles const& angles)
 {
-    auto drawn = take_drawn(system, strokes, angles);
     BranchSearch const search {
         .trunk = system.trunk, .bases = bases, .outline = system.outline, .angles = angles
     };
@@ -227,6 +224,14 @@ void move_to_sheet(BranchingSystem& system, Similarity const& way)
 
 } // namespace
 
+double coverage_of(BranchingSystem const& system)
+{
+    CoverageGrid grid(system.outline);
+    for (auto const& branch : system.branches)
+        grid.cover(grid.cells_of(branch.crown));
+    return grid.coverage();
+}
+
 std::vector<Vec2> BranchingSystem::whole_trunk() const
 {
     auto whole = trunk;
@@ -259,7 +264,10 @@ Result<BranchingSystem> infer_system(Drawing const& drawing, InferenceOptions co
     system.trunk_goes_on_to = apex_ahead(system);
     auto angles = options.angles;
     auto const bases = bases_of(system, options.unbranched);
-    infer_branches(system, bases, clean.branches, angles);
+    bool const anywhere = options.drawn_bases == InferenceOptions::DrawnBases::Anywhere;
+    auto const drawn_bases = anywhere ? Run { 0, system.trunk.size() - 1 } : system.inside;
+    auto drawn = take_drawn(system, drawn_bases, clean.branches, angles);
+    infer_branches(system, bases, std::move(drawn), angles);
     add_branches(system, bases, goes_on, angles, options.fill);
     add_apex(system);
     move_to_sheet(system, clean.to_sheet);

@@ -16,6 +16,8 @@ struct InferenceOptions {
     FillOptions fill {};
     BranchingAngles angles {};
     double unbranched = 0; // A share of the trunk: below it none is inferred.
+    // Where branches that are drawn stand.
+    enum class DrawnBases { InOutline, Anywhere } drawn_bases = DrawnBases::InOutline;
 };
 
 // A trunk, a silhouette around it, and the branches that follow from them, millimetres in the plane
@@ -34,7 +36,10 @@ struct BranchingSystem {
     double coverage_before = 0; // Shares of the outline's inside that crowns cover, with the
     double coverage_after = 0;  // branches of bumps alone, and with all.
     std::vector<std::string> notes;
-    bool is_of_own_outline = false; // Its outline is one that was drawn for a branch.
+    // Its outline is one that was drawn for a branch, or it follows such a system's style.
+    bool is_of_own_outline = false;
+    // It has a sibling's style, or siblings have its: no other style is for it (sibling_style.h).
+    bool is_in_siblings_style = false;
 
     // The trunk with what it is extended by, in equal steps or nearly so. Without what a branch of
     // its own continues it by: its apex.
@@ -44,6 +49,9 @@ struct BranchingSystem {
         return !branches.empty() && branches.back().origin == Branch::Origin::Apex;
     }
 };
+
+// The share of the outline's inside that the branches' crowns cover.
+double coverage_of(BranchingSystem const& system);
 
 // Infers the branches of a drawing. Fails like clean_drawing(), and, as the user's fault, where the
 // trunk is wholly outside of the outline.

@@ -116,9 +116,13 @@ std::vector<DrawnPlace> CrowdMaker::drawn_places(Line const& bearer, CrownSurfac
     for (std::size_t i = 0; i < flat; ++i) {
         auto const& branch = system.branches[i];
         bool const is_left = branch.path.side == Side::Left;
-        drawn.push_back({ bearer.place_of(branch.path.curve.base), is_left ? 180.0 : 0.0,
-                          branch.is_outlined() ? kOutlined_deg
-                                               : most_off_deg(span(branch), greatest[is_left]) });
+        double off_deg = most_off_deg(span(branch), greatest[is_left]);
+        if (branch.is_stroke() || !branch.own_branches.empty())
+            off_deg = 0; // Strokes stay in the plane that they were drawn in.
+        else if (branch.is_outlined())
+            off_deg = kOutlined_deg;
+        drawn.push_back(
+            { bearer.place_of(branch.path.curve.base), is_left ? 180.0 : 0.0, off_deg });
     }
     return drawn;
 }
@@ -224,7 +228,7 @@ Similarity CrowdMaker::way_to_end(Branch const& branch, Vec2 const& from)
 
 std::vector<Vec2> CrowdMaker::line_of(Branch const& model, std::size_t below) const
 {
-    return below == kNoSystem ? model.path.curve.points(9) : skeleton_.systems[below].whole_trunk();
+    return below == kNoSystem ? model.line(9) : skeleton_.systems[below].whole_trunk();
 }
 
 } // namespace tractus::silhouette

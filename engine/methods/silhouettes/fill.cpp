@@ -16,17 +16,6 @@ constexpr double kSmallestCopy = 0.15;
 constexpr double kSliver = 0.05; // A single bump with a radius below this share of the diagonal.
 constexpr std::array kSizes { 1.0, 0.7, 0.5, 0.35 };
 
-Vec2 conjugate(Vec2 const& v)
-{
-    return { v.x(), -v.y() };
-}
-
-// As complex numbers: turns by the angle of one and stretches by its length.
-Vec2 times(Vec2 const& a, Vec2 const& b)
-{
-    return { a.x() * b.x() - a.y() * b.y(), a.x() * b.y() + a.y() * b.x() };
-}
-
 class Filler {
 public:
     Filler(CrownToFill const& crown, FillOptions const& options)
@@ -143,7 +132,7 @@ private:
         Vec2 const from = direction_of(over > 0 ? way_over(curve, over)
                                                 : Vec2(curve.at(1.0 / 16) - curve.base));
         bool const mirrors = model.path.side != side;
-        Vec2 const unit = times(start, mirrors ? from : conjugate(from));
+        Vec2 const unit = turn_between(from, start, mirrors);
         Similarity way { .from = curve.base, .to = base, .turn = unit, .mirrors = mirrors };
         double low = 0;
         double high = kLargestCopy;
@@ -215,11 +204,10 @@ private:
         Vec2 const to = branch.path.curve.end - branch.path.curve.base;
         bool const mirrors = first.side != branch.path.side;
         branch.model = crown_.branches.size() + *first_lens_;
-        branch.from_model
-            = { .from = first.curve.base,
-                .to = branch.path.curve.base,
-                .turn = times(to, mirrors ? from : conjugate(from)) / from.squaredNorm(),
-                .mirrors = mirrors };
+        branch.from_model = { .from = first.curve.base,
+                              .to = branch.path.curve.base,
+                              .turn = turn_between(from, to, mirrors) / from.squaredNorm(),
+                              .mirrors = mirrors };
     }
 
     void fill_gaps()
@@ -312,6 +300,15 @@ private:
 };
 
 } // namespace
+
+std::vector<Vec2> Branch::line(std::size_t count) const
+{
+    if (stroke.empty())
+        return path.curve.points(count);
+    std::vector<Vec2> points { path.curve.base };
+    points.insert(points.end(), stroke.begin(), stroke.end());
+    return points;
+}
 
 FilledCrown fill_crown(CrownToFill const& crown, FillOptions const& options)
 {

@@ -2,6 +2,7 @@
 
 #include "engine/methods/silhouettes/branch.h"
 #include "engine/methods/silhouettes/coverage_grid.h"
+#include "engine/methods/silhouettes/outline.h"
 
 #include <cstddef>
 #include <optional>
@@ -34,8 +35,19 @@ struct Branch {
     Similarity from_model {};
     // The outline of its crown as somebody drew it (own_outline.h); none: nobody did.
     std::vector<Vec2> own_outline {};
+    // The branches that somebody drew on it (own_branch.h), and whom what it bears is a style for.
+    std::vector<std::vector<Vec2>> own_branches {};
+    StyleTo style_to = StyleTo::None;
+    // The stroke that it is on another branch; none: it runs along its curve.
+    std::vector<Vec2> stroke {};
 
     bool is_outlined() const { return !own_outline.empty(); }
+    bool is_refined() const { return is_outlined() || !own_branches.empty(); }
+    // Whether it runs as somebody drew it on another branch.
+    bool is_stroke() const { return origin == Origin::Drawn && !stroke.empty(); }
+
+    // The way that it runs, base first: its stroke, or so many points of its curve.
+    std::vector<Vec2> line(std::size_t count) const;
 };
 
 struct FillOptions {

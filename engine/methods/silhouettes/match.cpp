@@ -51,6 +51,7 @@ std::vector<std::optional<std::size_t>> match_branches(BranchingSystem const& ea
                                                        BranchingSystem const& later)
 {
     constexpr double kLeast = 0.5;
+    constexpr double kSameStroke = -2; // Before all others, of which none shares more than its all.
     auto both = earlier.outline;
     both.insert(both.end(), later.outline.begin(), later.outline.end());
     CoverageGrid const grid(both);
@@ -64,6 +65,12 @@ std::vector<std::optional<std::size_t>> match_branches(BranchingSystem const& ea
                 if (share >= kLeast)
                     pairs.emplace_back(-share, j, i);
             }
+    // A stroke is the same branch wherever its bearer has gone.
+    for (std::size_t j = 0; j < after.size(); ++j)
+        for (std::size_t i = 0; i < before.size(); ++i)
+            if (earlier.branches[i].is_stroke() && later.branches[j].is_stroke()
+                && earlier.branches[i].stroke == later.branches[j].stroke)
+                pairs.emplace_back(kSameStroke, j, i);
     std::sort(pairs.begin(), pairs.end());
     std::vector<std::optional<std::size_t>> partners(after.size());
     std::vector<bool> taken(before.size(), false);

@@ -242,6 +242,12 @@ Similarity inverse(Similarity const& frame)
 
 } // namespace
 
+bool comes_back(std::span<Vec2 const> stroke)
+{
+    return stroke.size() > 2
+        && (stroke.back() - stroke.front()).norm() <= kWidestGap * length_of(stroke);
+}
+
 Result<CleanDrawing> clean_drawing(Drawing const& drawing, OutlineOptions const& options)
 {
     TRY(check_points(drawing));

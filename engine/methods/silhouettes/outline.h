@@ -3,15 +3,30 @@
 #include "engine/base/result.h"
 #include "engine/methods/silhouettes/plane.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
 namespace tractus::silhouette {
 
+// Whom the style of a branch that somebody drew on goes to (sibling_style.h).
+enum class StyleTo {
+    None,
+    Siblings, // The trunk's branches that nobody drew on.
+};
+
 // The outline of one branch's crown, as it was drawn.
 struct OwnOutline {
     std::string branch; // What the branch is called that has it (name_of(), skeleton.h).
     std::vector<Vec2> outline;
+    StyleTo style_to = StyleTo::None; // Of the branch.
+};
+
+// A branch that was drawn on one of the trunk's branches (own_branch.h).
+struct OwnBranch {
+    std::string branch; // What its bearer is called.
+    std::vector<Vec2> line;
+    StyleTo style_to = StyleTo::None; // Of its bearer.
 };
 
 // What is drawn for one branching system (Wither, Boudon, Cani, Godin, "Structure from
@@ -22,7 +37,12 @@ struct Drawing {
     std::vector<std::vector<Vec2>> branches {}; // On the trunk, which they begin near.
     // The crowns of branches of the trunk, one for each (own_outline.h).
     std::vector<OwnOutline> own_outlines {};
+    std::vector<OwnBranch> own_branches {}; // On branches of the trunk.
 };
+
+// Whether a stroke ends near its beginning, by a quarter of its length: it is an outline then, and
+// else a branch.
+bool comes_back(std::span<Vec2 const> stroke);
 
 constexpr std::size_t kMostDrawnPoints = 20'000; // Of all strokes of a drawing.
 

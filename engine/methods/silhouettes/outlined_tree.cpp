@@ -2,6 +2,7 @@
 
 #include "engine/base/random.h"
 #include "engine/methods/silhouettes/match.h"
+#include "engine/methods/silhouettes/own_branch.h"
 #include "engine/methods/silhouettes/own_outline.h"
 
 #include <algorithm>
@@ -20,6 +21,16 @@ bool same_ink(Stroke const& one, Stroke const& other)
     return one.tips.id() == other.tips.id();
 }
 
+bool same_on_branches(std::vector<DrawnOnBranch> const& one,
+                      std::vector<DrawnOnBranch> const& other)
+{
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                      [](DrawnOnBranch const& a, DrawnOnBranch const& b) {
+                          return a.id == b.id && a.branch == b.branch && a.style_to == b.style_to
+                              && same_ink(a.stroke, b.stroke);
+                      });
+}
+
 bool same(OutlinedTree const& one, OutlinedTree const& other)
 {
     return same_ink(one.trunk, other.trunk) && same_ink(one.outline, other.outline)
@@ -29,11 +40,8 @@ bool same(OutlinedTree const& one, OutlinedTree const& other)
                           return a.id == b.id && same_ink(a.stroke, b.stroke);
                       })
         && one.names == other.names && one.form == other.form && one.scale == other.scale
-        && std::equal(one.own_outlines.begin(), one.own_outlines.end(), other.own_outlines.begin(),
-                      other.own_outlines.end(), [](DrawnOutline const& a, DrawnOutline const& b) {
-                          return a.id == b.id && a.branch == b.branch
-                              && same_ink(a.stroke, b.stroke);
-                      });
+        && same_on_branches(one.own_outlines, other.own_outlines)
+        && same_on_branches(one.own_branches, other.own_branches);
 }
 
 Result<std::vector<Vec2>> points_of(Stroke const& stroke)
@@ -150,25 +158,24 @@ void name_below(Redrawn const& redrawn, std::size_t earlier, std::size_t later,
     }
 }
 
-// The trunk's branches alone, without outlines of their own: whose these are does not depend on
-// them.
+// The trunk's branches alone, without what was drawn on them: whose that is does not depend on it.
 Result<BranchingSystem> inferred_on_trunk(OutlinedTree tree)
 {
     tree.own_outlines.clear();
-    tree.form.levels = 1;
-    return std::move(TRY(skeleton_of(tree)).systems[0]);
+    tree.own_branches.clear();
+    return infer_on_trunk(TRY(drawing_of(tree)), options_of(tree));
 }
 
-// Without such outlines they are those of the tree's skeleton, which is there already.
+// Where nothing was drawn on them they are those of the tree's skeleton, which is there already.
 Result<BranchingSystem> inferred_on_trunk(OutlinedTree const& tree, Skeleton const& skeleton)
 {
-    return tree.own_outlines.empty() ? skeleton.systems[0] : inferred_on_trunk(tree);
+    return tree.is_refined() ? inferred_on_trunk(tree) : skeleton.systems[0];
 }
 
 bool is_outlined(OutlinedTree const& tree, std::string const& branch)
 {
     return std::any_of(tree.own_outlines.begin(), tree.own_outlines.end(),
-                       [&](DrawnOutline const& own) { return own.branch == branch; });
+                       [&](DrawnOnBranch const& own) { return own.branch == branch; });
 }
 
 // Outlines whose branches are gone go to the ones that they lie around.
@@ -176,8 +183,7 @@ Result<void> settle_outlines(OutlinedTree& tree, BranchingSystem const& inferred
 {
     auto const& branches = inferred.branches;
     for (auto& own : tree.own_outlines) {
-        if (std::any_of(branches.begin(), branches.end(),
-                        [&](Branch const& branch) { return name_of(branch) == own.branch; }))
+        if (number_of(inferred, own.branch))
             continue;
         auto const around = branch_in(inferred, TRY(line_of(own.stroke)));
         if (around && !is_outlined(tree, name_of(branches[*around])))
@@ -186,14 +192,31 @@ Result<void> settle_outlines(OutlinedTree& tree, BranchingSystem const& inferred
     return {};
 }
 
+// Branches whose bearers are gone go to the new ones that they begin on.
+Result<void> settle_branches(OutlinedTree& tree, BranchingSystem const& inferred,
+                             Partners const& partners)
+{
+    for (auto& own : tree.own_branches) {
+        if (number_of(inferred, own.branch))
+            continue;
+        auto const bearer = bearer_of(inferred, TRY(line_of(own.stroke)));
+        if (bearer && !partners[*bearer])
+            own.branch = name_of(inferred.branches[*bearer]);
+    }
+    return {};
+}
+
 // For a tree that had no crown for a while: its branches say nothing of those before.
 Result<void> find_branches_again(OutlinedTree& tree)
 {
-    if (tree.own_outlines.empty())
+    if (!tree.is_refined())
         return {};
-    for (auto& own : tree.own_outlines)
-        own.branch.clear();
-    return settle_outlines(tree, TRY(inferred_on_trunk(tree)));
+    for (auto* const drawn : { &tree.own_outlines, &tree.own_branches })
+        for (auto& own : *drawn)
+            own.branch.clear();
+    auto const inferred = TRY(inferred_on_trunk(tree));
+    TRY(settle_outlines(tree, inferred));
+    return settle_branches(tree, inferred, Partners(inferred.branches.size()));
 }
 
 tl::unexpected<Error> refuse(char const* what, double given, double least, double most)
@@ -274,6 +297,7 @@ SkeletonOptions skeleton_options(TreeForm const& form)
     SkeletonOptions options;
     options.levels = form.levels;
     options.styles.assign(form.styles.begin(), form.styles.end());
+    options.seed = form.seed;
     return options;
 }
 
@@ -302,7 +326,9 @@ Result<Drawing> drawing_of(OutlinedTree const& tree)
     for (auto const& branch : tree.branches)
         drawing.branches.push_back(TRY(line_of(branch.stroke)));
     for (auto const& own : tree.own_outlines)
-        drawing.own_outlines.push_back({ own.branch, TRY(line_of(own.stroke)) });
+        drawing.own_outlines.push_back({ own.branch, TRY(line_of(own.stroke)), own.style_to });
+    for (auto const& own : tree.own_branches)
+        drawing.own_branches.push_back({ own.branch, TRY(line_of(own.stroke)), own.style_to });
     return drawing;
 }
 
@@ -336,15 +362,48 @@ Result<std::optional<std::string>> branch_outlined_by(OutlinedTree const& tree,
     return branch_outlined_by(drawing, line, options_of(tree));
 }
 
-Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke, ItemId id)
+Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke, ItemId id,
+                                      StyleTo style_to)
 {
     auto drawing = TRY(drawing_of(tree));
     auto line = TRY(line_of(stroke));
     TRY(add_own_outline(drawing, std::move(line), options_of(tree)));
     auto const& branch = drawing.own_outlines.back().branch;
-    std::erase_if(tree.own_outlines, [&](DrawnOutline const& own) { return own.branch == branch; });
-    tree.own_outlines.push_back({ id, stroke, branch });
+    std::erase_if(tree.own_outlines,
+                  [&](DrawnOnBranch const& own) { return own.branch == branch; });
+    tree.own_outlines.push_back({ id, stroke, branch, style_to });
     return tree;
+}
+
+Result<std::optional<std::string>> branch_borne_by(OutlinedTree const& tree, Stroke const& stroke)
+{
+    if (tree.outline.tips.empty())
+        return std::nullopt;
+    auto const drawing = TRY(drawing_of(tree));
+    auto const line = TRY(line_of(stroke));
+    return branch_borne_by(drawing, line, options_of(tree));
+}
+
+Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke, ItemId id,
+                                     StyleTo style_to)
+{
+    auto drawing = TRY(drawing_of(tree));
+    auto line = TRY(line_of(stroke));
+    TRY(add_own_branch(drawing, std::move(line), style_to, options_of(tree)));
+    tree.own_branches.push_back({ id, stroke, drawing.own_branches.back().branch, style_to });
+    return tree;
+}
+
+Result<std::size_t> count_waiting(OutlinedTree const& tree)
+{
+    if (!tree.is_refined() || tree.outline.tips.empty())
+        return tree.own_outlines.size() + tree.own_branches.size();
+    auto const inferred = TRY(inferred_on_trunk(tree));
+    std::size_t count = 0;
+    for (auto const* const drawn : { &tree.own_outlines, &tree.own_branches })
+        for (auto const& own : *drawn)
+            count += !number_of(inferred, own.branch);
+    return count;
 }
 
 Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::string const& fresh)
@@ -360,10 +419,11 @@ Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::st
     auto has = TRY(inferred_on_trunk(after, later));
     auto const partners = match_branches(had, has);
     after.names.push_back(names_after(had, has, partners, fresh));
-    if (!after.own_outlines.empty()) {
+    if (after.is_refined()) {
         for (std::size_t i = 0; i < partners.size(); ++i)
             has.branches[i].name = after.names[0][i];
         TRY(settle_outlines(after, has));
+        TRY(settle_branches(after, has, partners));
         later = TRY(skeleton_of(after));
     }
     after.names.resize(later.systems.size());

@@ -46,12 +46,14 @@ struct DrawnBranch {
     Stroke stroke {};
 };
 
-// The outline of a branch's own crown, by the edit that brought it. What the branch is called is
-// decided when it is drawn (own_outline.h); where the tree has no such branch any more, it waits.
-struct DrawnOutline {
+// What was drawn on one of the trunk's branches, the outline of its own crown or a branch that it
+// bears, by the edit that brought it. What the branch is called is decided when it is drawn
+// (own_outline.h, own_branch.h); where the tree has no such branch any more, it waits.
+struct DrawnOnBranch {
     ItemId id = 0;
     Stroke stroke {};
     std::string branch {};
+    StyleTo style_to = StyleTo::None;
 };
 
 // A tree as it is drawn on paper: strokes whose x and y are tablet-centred millimetres; how high
@@ -66,8 +68,11 @@ struct OutlinedTree {
     // lines; none: see name_of().
     std::vector<std::vector<std::string>> names {};
     TreeForm form {};
-    double scale = 0.1;                        // World millimetres per plant millimetre.
-    std::vector<DrawnOutline> own_outlines {}; // Of branches of the trunk, one for each.
+    double scale = 0.1;                         // World millimetres per plant millimetre.
+    std::vector<DrawnOnBranch> own_outlines {}; // Of branches of the trunk, one for each.
+    std::vector<DrawnOnBranch> own_branches {}; // On them, as many as were drawn.
+
+    bool is_refined() const { return !own_outlines.empty() || !own_branches.empty(); }
 };
 
 Result<Drawing> drawing_of(OutlinedTree const& tree);
@@ -86,12 +91,22 @@ Result<std::optional<std::string>> branch_outlined_by(OutlinedTree const& tree,
 
 // The tree with the outline as a branch's own, in place of the one that it had. Fails, as the
 // user's fault, where it lies around no branch, and like clean_drawing().
-Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke, ItemId id);
+Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke, ItemId id,
+                                      StyleTo style_to = StyleTo::None);
+
+// The same for a stroke that is a branch of one of the trunk's branches (own_branch.h).
+Result<std::optional<std::string>> branch_borne_by(OutlinedTree const& tree, Stroke const& stroke);
+Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke, ItemId id,
+                                     StyleTo style_to = StyleTo::None);
+
+// How many lines that were drawn on branches wait for theirs. Fails like infer_system().
+Result<std::size_t> count_waiting(OutlinedTree const& tree);
 
 // Gives the branches of a tree whose lines have changed the names that they had in the one before
-// (match.h); those that are new get names that begin with `fresh`. Outlines of branches go with the
-// names; one whose branch is gone goes to the branch that it lies around, if that has none. Nothing
-// of this without an outline.
+// (match.h); those that are new get names that begin with `fresh`. What was drawn on branches goes
+// with the names. An outline whose branch is gone goes to the branch that it lies around, if that
+// has none, and a branch whose bearer is gone to a new one that it begins on. Nothing of this
+// without an outline.
 Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::string const& fresh);
 
 // The plant: as large as drawn when it is shown at its scale, its foot at the origin. Without an

@@ -38,14 +38,6 @@ double share_inside(std::vector<Vec2> const& loop, BranchingSystem const& system
     return static_cast<double>(count) / static_cast<double>(run.last - run.first + 1);
 }
 
-std::optional<std::size_t> number_of(BranchingSystem const& system, std::string const& name)
-{
-    for (std::size_t i = 0; i < system.branches.size(); ++i)
-        if (name_of(system.branches[i]) == name)
-            return i;
-    return std::nullopt;
-}
-
 // The outline of a branch's crown as it was drawn, made ready; empty: it cannot be one.
 std::vector<Vec2> crown_in(std::vector<Vec2> const& drawn, Branch const& branch)
 {
@@ -83,14 +75,6 @@ void follow_model(BranchingSystem const& system, Branch& copy, double area_befor
     copy.crown = copy.from_model.points(model.crown);
     copy.path.curve = copy.from_model.cubic(model.path.curve);
     copy.path.length = length_of(copy.path.curve.points(17));
-}
-
-double coverage_of(BranchingSystem const& system)
-{
-    CoverageGrid grid(system.outline);
-    for (auto const& branch : system.branches)
-        grid.cover(grid.cells_of(branch.crown));
-    return grid.coverage();
 }
 
 } // namespace
@@ -137,6 +121,7 @@ void take_own_outlines(BranchingSystem& system, std::span<OwnOutline const> outl
         taken.emplace_back(*i, std::fabs(signed_area(branch.crown)));
         branch.crown = std::move(crown);
         branch.own_outline = own.outline;
+        branch.style_to = own.style_to;
         branch.model.reset();
         branch.from_model = {};
     }
@@ -148,15 +133,15 @@ void take_own_outlines(BranchingSystem& system, std::span<OwnOutline const> outl
         system.coverage_after = coverage_of(system);
 }
 
-Result<std::optional<std::string>>
-branch_outlined_by(Drawing const& drawing, std::span<Vec2 const> stroke, SkeletonOptions options)
+Result<std::optional<std::string>> branch_outlined_by(Drawing const& drawing,
+                                                      std::span<Vec2 const> stroke,
+                                                      SkeletonOptions const& options)
 {
-    options.levels = 1;
     auto inferred = drawing;
     inferred.own_outlines.clear();
     // As it was inferred, and then as it was drawn: that need not lie in the same place.
     for (auto const* const lines : { &std::as_const(inferred), &drawing }) {
-        auto const system = std::move(TRY(infer_skeleton(*lines, options)).systems[0]);
+        auto const system = TRY(infer_on_trunk(*lines, options));
         if (auto const branch = branch_in(system, stroke))
             return name_of(system.branches[*branch]);
         if (drawing.own_outlines.empty())
@@ -165,9 +150,10 @@ branch_outlined_by(Drawing const& drawing, std::span<Vec2 const> stroke, Skeleto
     return std::nullopt;
 }
 
-Result<void> add_own_outline(Drawing& drawing, std::vector<Vec2> stroke, SkeletonOptions options)
+Result<void> add_own_outline(Drawing& drawing, std::vector<Vec2> stroke,
+                             SkeletonOptions const& options, StyleTo style_to)
 {
-    auto const branch = TRY(branch_outlined_by(drawing, stroke, std::move(options)));
+    auto const branch = TRY(branch_outlined_by(drawing, stroke, options));
     if (!branch)
         return fail(Fault::User,
                     "the outline lies around none of the tree's branches: draw it around one, "
@@ -176,7 +162,7 @@ Result<void> add_own_outline(Drawing& drawing, std::vector<Vec2> stroke, Skeleto
     TRY(clean_drawing({ { stroke }, {} }, any_size));
     std::erase_if(drawing.own_outlines,
                   [&](OwnOutline const& own) { return own.branch == *branch; });
-    drawing.own_outlines.push_back({ *branch, std::move(stroke) });
+    drawing.own_outlines.push_back({ *branch, std::move(stroke), style_to });
     return {};
 }
 

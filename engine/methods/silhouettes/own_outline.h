@@ -31,11 +31,11 @@ void take_own_outlines(BranchingSystem& system, std::span<OwnOutline const> outl
 // of the one that this has. Fails, as the user's fault, where it lies around none, and like
 // infer_system() and clean_drawing().
 Result<void> add_own_outline(Drawing& drawing, std::vector<Vec2> stroke,
-                             SkeletonOptions options = {});
+                             SkeletonOptions const& options = {}, StyleTo style_to = StyleTo::None);
 
 // What the branch is called that add_own_outline() would give the stroke to; no value: none.
 Result<std::optional<std::string>> branch_outlined_by(Drawing const& drawing,
                                                       std::span<Vec2 const> stroke,
-                                                      SkeletonOptions options = {});
+                                                      SkeletonOptions const& options = {});
 
 } // namespace tractus::silhouette

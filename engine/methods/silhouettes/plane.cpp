@@ -168,4 +168,10 @@ Cubic Similarity::cubic(Cubic const& curve) const
              vector(curve.end_tangent) };
 }
 
+Vec2 turn_between(Vec2 const& from, Vec2 const& to, bool mirrors)
+{
+    double const y = mirrors ? from.y() : -from.y();
+    return { to.x() * from.x() - to.y() * y, to.x() * y + to.y() * from.x() };
+}
+
 } // namespace tractus::silhouette

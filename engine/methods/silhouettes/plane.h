@@ -82,4 +82,8 @@ struct Similarity {
     Cubic cubic(Cubic const& curve) const;
 };
 
+// The turn of a similarity that takes `from` to `to`, as long as both are: for one that mirrors,
+// and for one that does not.
+Vec2 turn_between(Vec2 const& from, Vec2 const& to, bool mirrors);
+
 } // namespace tractus::silhouette

@@ -4,6 +4,7 @@
 #include "engine/methods/silhouettes/branching_system.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct SkeletonOptions {
     // Styles of the trunk's branches, then of theirs. Where one is set, its angles are in place
     // of those above, and no branch is inferred below its first.
     std::vector<BranchStyle> styles {};
+    std::uint64_t seed = 1; // Of the distances of branches in a sibling's style.
 };
 
 // A tree of branching systems: the crown of each branch is the silhouette of the next one. Copies
@@ -46,12 +48,19 @@ struct Skeleton {
     std::size_t branches_on(std::size_t branch) const;
 };
 
+// Infers the branches of the trunk alone, with what was drawn on them. Fails like infer_system().
+Result<BranchingSystem> infer_on_trunk(Drawing const& drawing, SkeletonOptions const& options = {});
+
 // Infers the whole tree of a drawing. Branches with outlines of their own bear branches even where
-// no others do. Fails like infer_system().
+// no others do; those that were drawn on bear what was drawn, and where their style goes to their
+// siblings these bear branches, too. Fails like infer_system().
 Result<Skeleton> infer_skeleton(Drawing const& drawing, SkeletonOptions const& options = {});
 
 // What a branch is called: "b4", ends in bump 4; "L7" and "R7", copies at the seventh place on the
 // left and right; "g2", fills gap 2; "d1", was drawn; "apex"; or as an earlier drawing has it.
 std::string name_of(Branch const& branch);
+
+// Which of a system's branches is called so; no value: none.
+std::optional<std::size_t> number_of(BranchingSystem const& system, std::string const& name);
 
 } // namespace tractus::silhouette

@@ -74,6 +74,7 @@ private:
         SegmentId parent_segment = kNone;
         AxisId parent_axis = kNone;
         std::uint32_t level = 0;
+        bool is_stroke = false; // Somebody drew its line.
     };
 
     void add_looks()
@@ -108,7 +109,8 @@ private:
         Crowd const* crowd = nullptr;
         // What was drawn of a branch says more than a style does.
         if (bearer.system != kNoSystem && level_options(bearer.level).style.is_set()
-            && !skeleton_.systems[bearer.system].is_of_own_outline)
+            && !skeleton_.systems[bearer.system].is_of_own_outline
+            && !skeleton_.systems[bearer.system].is_in_siblings_style)
             crowd = styled_crowd(bearer, own);
         else if (bearer.system != kNoSystem)
             crowd = &crowd_of(bearer.system, bearer.level);
@@ -153,7 +155,8 @@ private:
                .parent_segment
                = tree_.plant.axes[axis].first_segment + static_cast<SegmentId>(segment),
                .parent_axis = axis,
-               .level = bearer.level + 1 });
+               .level = bearer.level + 1,
+               .is_stroke = !model.stroke.empty() });
     }
 
     // Shares of the bearer's length where it has nodes: its own, and where branches stand.
@@ -164,6 +167,8 @@ private:
         int own = kSegments[std::min<std::size_t>(bearer.level, kSegments.size() - 1)];
         if (bearer.level > 0 && level_options(bearer.level - 1).style.is_set())
             own = std::max(own, kStyled);
+        if (bearer.is_stroke)
+            own = kSegments[0];
         std::vector<double> places;
         for (int i = 0; i <= own; ++i)
             places.push_back(static_cast<double>(i) / own);

@@ -14,7 +14,7 @@ namespace tractus::silhouette {
 namespace {
 
 // In the order of the enumerations' values.
-constexpr std::array kParts { "trunk", "outline", "branch", "own_outline" };
+constexpr std::array kParts { "trunk", "outline", "branch", "own_outline", "own_branch" };
 constexpr std::array kPatterns {
     "even", "spiral", "decussate", "whorls", "two-rows", "horizontal"
 };
@@ -75,6 +75,9 @@ void list(Fields& fields, TreeForm& form)
 void list(Fields& fields, DrawTree& edit)
 {
     fields.word("part", edit.part, kParts);
+    bool to_siblings = edit.style_to == StyleTo::Siblings;
+    fields.sparse_field("style_to_siblings", &to_siblings);
+    edit.style_to = to_siblings ? StyleTo::Siblings : StyleTo::None;
     fields.sparse_field("plant", &edit.plant);
     fields.field("stands_at_mm", &edit.stands_at_mm);
     list(fields, edit.form);
@@ -151,7 +154,8 @@ Result<DocumentState> applied(DocumentState state, DrawTree const& edit, SceneBu
         auto after = TRY(with_part(before, edit, id));
         return with_lines(std::move(state), edit.plant, before, std::move(after), id);
     }
-    if (edit.part == DrawTree::Part::Branch || edit.part == DrawTree::Part::OwnOutline)
+    using Part = DrawTree::Part;
+    if (edit.part != Part::Trunk && edit.part != Part::Outline)
         return fail(Fault::User, "there is no tree for the branch: draw a trunk or a crown first");
     auto tree = TRY(with_part({ .form = edit.form, .scale = edit.scale }, edit));
     TRY(check_tree(tree));
@@ -169,6 +173,12 @@ Result<DocumentState> applied(DocumentState state, DrawTree const& edit, SceneBu
                          .id = edit.id });
 }
 
+// Whether there was one of that id.
+template<typename Drawn> bool take_out(std::vector<Drawn>& drawn, ItemId id)
+{
+    return std::erase_if(drawn, [&](Drawn const& one) { return one.id == id; }) > 0;
+}
+
 Result<DocumentState> applied(DocumentState state, EraseTreePart const& edit, SceneBuilder&)
 {
     auto const before = TRY(tree_of(state, edit.plant));
@@ -182,15 +192,13 @@ Result<DocumentState> applied(DocumentState state, EraseTreePart const& edit, Sc
         is_there = !std::exchange(after.outline, {}).tips.empty();
         break;
     case DrawTree::Part::Branch:
-        is_there
-            = std::erase_if(after.branches,
-                            [&](DrawnBranch const& branch) { return branch.id == edit.branch; })
-            > 0;
+        is_there = take_out(after.branches, edit.branch);
         break;
     case DrawTree::Part::OwnOutline:
-        is_there = std::erase_if(after.own_outlines,
-                                 [&](DrawnOutline const& own) { return own.id == edit.branch; })
-            > 0;
+        is_there = take_out(after.own_outlines, edit.branch);
+        break;
+    case DrawTree::Part::OwnBranch:
+        is_there = take_out(after.own_branches, edit.branch);
         break;
     }
     if (!is_there)
@@ -207,7 +215,7 @@ Result<DocumentState> applied(DocumentState state, FormTree const& edit, SceneBu
     auto const before = TRY(tree_of(state, edit.plant));
     auto tree = before;
     tree.form = edit.form;
-    if (tree.own_outlines.empty())
+    if (!tree.is_refined())
         return with_tree(std::move(state), edit.plant, std::move(tree));
     // Their branches have to be found again.
     auto const id = item_id(state.last_edit, 0);
@@ -217,17 +225,19 @@ Result<DocumentState> applied(DocumentState state, FormTree const& edit, SceneBu
 std::string described(DrawTree const& edit)
 {
     constexpr std::array kWhat { "a trunk", "the outline of a crown", "a branch",
-                                 "a branch's own outline" };
+                                 "a branch's own outline", "a branch on a branch" };
     auto const* const what = kWhat[static_cast<std::size_t>(edit.part)];
     auto const whose = edit.plant == 0 ? std::string("a new tree")
                                        : fmt::format("plant {}", tractus::name_of(edit.plant));
-    return fmt::format("draws {} for {}: {}", what, whose, describe_stroke(edit.stroke));
+    auto const* const style
+        = edit.style_to == StyleTo::Siblings ? ", in whose style its siblings are" : "";
+    return fmt::format("draws {} for {}{}: {}", what, whose, style, describe_stroke(edit.stroke));
 }
 
 std::string described(EraseTreePart const& edit)
 {
     constexpr std::array kWhat { "the trunk", "the outline of the crown", "a drawn branch",
-                                 "a branch's own outline" };
+                                 "a branch's own outline", "a branch on a branch" };
     return fmt::format("takes {} of plant {} away", kWhat[static_cast<std::size_t>(edit.part)],
                        tractus::name_of(edit.plant));
 }
@@ -257,7 +267,9 @@ Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, ItemId i
         tree.branches.push_back({ id, edit.stroke });
         break;
     case DrawTree::Part::OwnOutline:
-        return with_own_outline(std::move(tree), edit.stroke, id);
+        return with_own_outline(std::move(tree), edit.stroke, id, edit.style_to);
+    case DrawTree::Part::OwnBranch:
+        return with_own_branch(std::move(tree), edit.stroke, id, edit.style_to);
     }
     return tree;
 }

@@ -15,9 +15,11 @@ struct DrawTree {
         Outline,    // Of the crown, likewise.
         Branch,     // One more.
         OwnOutline, // A branch's: of the one that it lies around (own_outline.h).
+        OwnBranch,  // On a branch, on which it begins (own_branch.h).
     } part
         = Part::Outline;
     Stroke stroke {};
+    StyleTo style_to = StyleTo::None; // Of the branch that is drawn on (sibling_style.h).
     // A tree that there is; 0: a new plant, which becomes the active one. What follows is a new
     // one's.
     ItemId plant = 0;
@@ -38,7 +40,7 @@ struct EraseTreePart {
 
     ItemId plant = 0;
     DrawTree::Part part = DrawTree::Part::Branch;
-    ItemId branch = 0; // Which one it is, of a branch or a branch's own outline.
+    ItemId branch = 0; // Which one it is, of a branch or what was drawn on one.
 };
 
 // Sets another form for a tree. What was drawn on branches stays where their names stay.
@@ -50,7 +52,7 @@ struct FormTree {
 };
 
 // The tree with the edit's part; `id` becomes a branch's or its outline's. Fails like
-// with_own_outline().
+// with_own_outline() and with_own_branch().
 Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, ItemId id = 0);
 
 // Null for a plant that was not outlined.

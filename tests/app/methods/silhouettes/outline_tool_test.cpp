@@ -9,6 +9,7 @@
 #include "engine/methods/silhouettes/ready_form.h"
 #include "tests/app/small_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -62,8 +63,26 @@ TEST(OutlineTool, SaysItsNumbersInLogs)
 {
     OutlineTool const tool { .levels = 1, .leaves = 8, .what = OutlineTool::What::New };
     auto const words = words_for(tool);
-    EXPECT_EQ(words.name + " " + words.arguments, "outline levels=1 leaves=8 new");
+    EXPECT_EQ(words.name + " " + words.arguments,
+              "outline levels=1 leaves=8 new of_nearest siblings");
     EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), Tool(tool));
+}
+
+// The tool as logs have it from before lines could be branches of branches.
+OutlineTool tool_of_old_logs()
+{
+    return { .branches = OutlineTool::Branches::OfTrunk, .style = silhouette::StyleTo::None };
+}
+
+TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
+{
+    auto const tools = all_methods().tools;
+    EXPECT_EQ(parse_tool(tools, "outline", "").value(), Tool(tool_of_old_logs()));
+    EXPECT_EQ(words_for(tool_of_old_logs()).arguments, "");
+    // No other kind begins with more than what its logs mean without arguments.
+    for (auto const* const kind : tools)
+        if (kind != &OutlineTool::kKind)
+            EXPECT_EQ(parse_tool(tools, kind->word, "").value(), Tool(*kind)) << kind->word;
 }
 
 // The words of the tool are the names of the forms.
@@ -143,6 +162,86 @@ TEST(OutlineTool, TellsABranchsOwnOutlineByWhatItLiesAround)
         EXPECT_EQ(meant(crown_around(1, 8), scene).part, DrawTree::Part::Outline);
     OutlineTool const another { .what = OutlineTool::What::New };
     EXPECT_EQ(meant(lobe_of_crown(), tree, another).part, DrawTree::Part::Outline);
+}
+
+// From the middle of the branch that ends in the lobe at the right above.
+Stroke line_from_branch(silhouette::OutlinedTree const& tree)
+{
+    auto const skeleton = silhouette::skeleton_of(tree).value();
+    auto const& branches = skeleton.systems[0].branches;
+    auto const lobe = std::min_element(branches.begin(), branches.end(), [](auto& a, auto& b) {
+        Vec2 const middle(19, 29);
+        return (a.path.curve.end - middle).norm() < (b.path.curve.end - middle).norm();
+    });
+    Vec2 const from = lobe->path.curve.at(0.6);
+    std::vector<Vec3> places;
+    for (int i = 0; i <= 8; ++i)
+        places.emplace_back(from.x() + 0.5 * i, from.y() + 1.2 * i, 150);
+    return stroke_through(places);
+}
+
+Scene crowned()
+{
+    return after(after({}, trunk_at(0)), crown_around(0, 10));
+}
+
+TEST(OutlineTool, TellsABranchOnABranchByWhereItBegins)
+{
+    auto const tree = crowned();
+    auto const line = line_from_branch(*silhouette::outlined_tree(*tree.drawn));
+    auto const own = meant(line, tree);
+    EXPECT_EQ(own.part, DrawTree::Part::OwnBranch);
+    EXPECT_EQ(own.style_to, silhouette::StyleTo::Siblings);
+    auto const old = meant(line, tree, tool_of_old_logs());
+    EXPECT_EQ(old.part, DrawTree::Part::Branch) << "as logs have it";
+    EXPECT_EQ(old.style_to, silhouette::StyleTo::None);
+    auto const on_trunk = stroke_through({ { 1, -10, 0 }, { 12, 0, 0 }, { 26, 4, 0 } });
+    EXPECT_EQ(meant(on_trunk, tree).part, DrawTree::Part::Branch);
+    EXPECT_EQ(meant(lobe_of_crown(), tree).style_to, silhouette::StyleTo::Siblings);
+}
+
+// Drawn, undone, drawn again, erased: the same plants at each step.
+TEST(OutlineTool, DrawsABranchOnABranch)
+{
+    Document document({}, Document::Working::AtOnce);
+    for (auto const& stroke : { trunk_at(0), crown_around(0, 10) })
+        document.draw({ stroke, OutlineTool {} });
+    auto const tree = [&] { return *silhouette::outlined_tree(*document.newest()->scene.drawn); };
+    auto const nodes = [&] { return document.newest()->scene.base->node_position_mm; };
+    auto const before = nodes();
+    auto const line = line_from_branch(tree());
+    document.draw({ line, OutlineTool {} });
+    ASSERT_EQ(tree().own_branches.size(), 1u);
+    auto const said = OutlineTool::kKind.said(OutlineTool {}, document.newest()->scene);
+    EXPECT_EQ(said, "The branch bears 1 branch that you drew; its siblings follow");
+    auto const drawn = nodes();
+    EXPECT_NE(drawn, before);
+    EXPECT_EQ(kTrunkLayer.lines(document.newest()->scene).size(), 2u);
+    document.undo();
+    EXPECT_EQ(nodes(), before);
+    document.redo();
+    EXPECT_EQ(nodes(), drawn);
+    auto const& end = line.tips.vector().back().position_mm;
+    document.draw(
+        { stroke_through({ { end.x() - 3, end.y() - 1, 0 }, { end.x() + 3, end.y(), 0 } }),
+          EraseOutlineTool {} });
+    EXPECT_TRUE(tree().own_branches.empty());
+    EXPECT_EQ(nodes(), before);
+}
+
+TEST(OutlineTool, SaysWhatWaitsForItsBranch)
+{
+    auto tree = crowned();
+    tree = after(tree, line_from_branch(*silhouette::outlined_tree(*tree.drawn)));
+    std::vector<Vec3> narrow;
+    for (int i = 0; i <= 60; ++i)
+        narrow.emplace_back(7 * std::sin(i * kPi / 30), 10 - 38 * std::cos(i * kPi / 30), 150);
+    auto const without = after(tree, stroke_through(narrow));
+    ASSERT_EQ(silhouette::outlined_tree(*without.drawn)->own_branches.size(), 1u);
+    EXPECT_NE(OutlineTool::kKind.said(OutlineTool {}, without).find("waits for it"),
+              std::string::npos);
+    auto const again = after(without, crown_around(0, 10));
+    EXPECT_EQ(silhouette::count_waiting(*silhouette::outlined_tree(*again.drawn)).value(), 0u);
 }
 
 TEST(OutlineTool, RefinesABranchStepByStep)

@@ -6,6 +6,7 @@
 #include "tests/app/verbs/outcome.h"
 #include "tests/corpus.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -271,6 +272,48 @@ TEST_F(SilhouetteCommand, ReportsBranchesWithOutlinesOfTheirOwn)
         }
     }
     EXPECT_EQ(outlined, 1);
+}
+
+// A part that does not come back is a branch on a branch; the style of its bearer goes to siblings.
+TEST_F(SilhouetteCommand, DrawsBranchesOnBranches)
+{
+    std::ofstream(folder_ / "plain.json") << crown();
+    auto const plain = json::parse(run({ "silhouette", path("plain.json"), "--report" }).out);
+    auto const& bearer = plain["branch"][0];
+    auto const number = [&](char const* of, std::size_t i) { return bearer[of][i].get<double>(); };
+    double const from_x = 0.4 * number("base", 0) + 0.6 * number("end", 0);
+    double const from_y = 0.4 * number("base", 1) + 0.6 * number("end", 1);
+    auto drawing = crown();
+    json const line = { { from_x, from_y }, { from_x, from_y + 7 }, { from_x + 2, from_y + 14 } };
+    drawing["parts"] = json::array({ line });
+    std::ofstream(folder_ / "twig.json") << drawing;
+    auto const reported = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), { "silhouette", path("twig.json"), "--report" });
+        auto const outcome = run(more);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return json::parse(outcome.out);
+    };
+    auto const count = [](json const& report, char const* key) {
+        return std::count_if(report["branch"].begin(), report["branch"].end(),
+                             [&](json const& branch) { return branch.contains(key); });
+    };
+    auto const none = reported({});
+    EXPECT_EQ(count(none, "bearing"), 1);
+    EXPECT_EQ(count(none, "follows"), 0);
+    for (auto const& branch : none["branch"]) {
+        if (!branch.contains("bearing"))
+            continue;
+        ASSERT_EQ(branch["bearing"]["drawn"].size(), 1u);
+        EXPECT_NEAR(branch["bearing"]["drawn"][0]["end"][0].get<double>(), from_x + 2, 1e-9);
+    }
+    EXPECT_EQ(reported({ "--style-to", "none" }), none);
+    EXPECT_GE(count(reported({ "--style-to", "siblings" }), "follows"), 5);
+    auto const written = run({ "silhouette", path("twig.json"), "-o", path("out"), "--session",
+                               "--style-to", "siblings" });
+    ASSERT_EQ(written.exit_code, 0) << written.err;
+    auto const scene = load_session_scene(path("out/twig.tractus"), all_methods().edits).value();
+    ASSERT_TRUE(write_plant_file(*scene.base, "twig", path("again.glb")));
+    EXPECT_TRUE(bytes(path("out/twig.glb")) == bytes(path("again.glb"))) << "as by a pen";
 }
 
 TEST_F(SilhouetteCommand, SaysWhatIsWrong)

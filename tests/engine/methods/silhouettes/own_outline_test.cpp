@@ -43,15 +43,6 @@ Drawing with_part(Drawing drawing, std::vector<Vec2> const& part)
     return drawing;
 }
 
-std::size_t number_of(BranchingSystem const& system, std::string const& name)
-{
-    std::size_t i = 0;
-    while (i < system.branches.size() && name_of(system.branches[i]) != name)
-        ++i;
-    EXPECT_LT(i, system.branches.size()) << name;
-    return i;
-}
-
 std::string refusal_of(Drawing drawing, std::vector<Vec2> const& part)
 {
     auto const added = add_own_outline(drawing, part);
@@ -97,7 +88,7 @@ TEST(OwnOutline, TakesTheInferredOnesPlace)
     auto const drawing = lobed_crown(5);
     auto const before = grown(drawing);
     auto const name = std::string("b1");
-    auto const i = number_of(before.systems[0], name);
+    auto const i = number_of(before.systems[0], name).value();
     auto const lobe = lobe_around(before.systems[0].branches[i], 5);
     auto const after = grown(with_part(drawing, lobe));
     auto const& branch = after.systems[0].branches[i];
@@ -127,13 +118,13 @@ TEST(OwnOutline, AnotherOneReplacesIt)
 {
     auto const drawing = lobed_crown(5);
     auto const system = grown(drawing).systems[0];
-    auto const& branch = system.branches[number_of(system, "b2")];
+    auto const& branch = system.branches[number_of(system, "b2").value()];
     auto const first = with_part(drawing, lobe_around(branch, 3, 1.2));
     auto const second = with_part(first, lobe_around(branch, 5, 0.9));
     ASSERT_EQ(second.own_outlines.size(), 1U);
     EXPECT_EQ(second.own_outlines[0].branch, "b2");
     EXPECT_EQ(second.own_outlines[0].outline, lobe_around(branch, 5, 0.9));
-    auto const other = system.branches[number_of(system, "b1")];
+    auto const other = system.branches[number_of(system, "b1").value()];
     EXPECT_EQ(with_part(second, lobe_around(other, 3)).own_outlines.size(), 2U);
 }
 
@@ -170,7 +161,7 @@ TEST(OwnOutline, IsFilledWithLeaves)
     auto const drawing = lobed_crown(7);
     auto const before = grown(drawing);
     for (auto const* const name : { "b1", "b2" }) {
-        auto const& branch = before.systems[0].branches[number_of(before.systems[0], name)];
+        auto const& branch = before.systems[0].branches[number_of(before.systems[0], name).value()];
         auto const lobe = lobe_around(branch, 5, 1.1);
         double const inferred = filled(before, name, lobe);
         double const drawn = filled(grown(with_part(drawing, lobe)), name, lobe);
@@ -231,7 +222,7 @@ TEST(OwnOutline, BearsBranchesWhereNoOthersDo)
 {
     auto const drawing = lobed_crown(5);
     auto const system = grown(drawing, { .levels = 1 }).systems[0];
-    auto const i = number_of(system, "b1");
+    auto const i = number_of(system, "b1").value();
     auto const part = with_part(drawing, lobe_around(system.branches[i], 5));
     auto const skeleton = grown(part, { .levels = 1 });
     EXPECT_EQ(skeleton.systems.size(), 2U);
@@ -243,7 +234,7 @@ TEST(OwnOutline, AMovedAndTurnedDrawingHasTheMovedOne)
 {
     auto const drawing = lobed_crown(7);
     auto const plain = grown(drawing).systems[0];
-    auto const lobe = lobe_around(plain.branches[number_of(plain, "b1")], 5);
+    auto const lobe = lobe_around(plain.branches[number_of(plain, "b1").value()], 5);
     Similarity const way { .to = Vec2(12, -345), .turn = Vec2(0.3, -1.7) };
     auto const skeleton = grown(with_part(drawing, lobe));
     auto const other = grown(with_part(moved(drawing, way), way.points(lobe)));
@@ -266,7 +257,7 @@ double most_lost(BranchingSystem const& before, std::vector<OwnOutline> const& o
 {
     double lost = 0;
     for (auto const& own : outlines) {
-        auto const i = number_of(before, own.branch);
+        auto const i = number_of(before, own.branch).value();
         for (std::size_t k = 0; k < before.branches.size(); ++k) {
             auto const& branch = before.branches[k];
             double const area = std::fabs(signed_area(branch.crown));

@@ -1,0 +1,77 @@
+#include "engine/methods/silhouettes/own_branch.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+constexpr double kNear = 0.025;    // Of the outline's diagonal, to a branch.
+constexpr double kOffTrunk = 0.02; // And at least so far from the trunk.
+constexpr double kShortest = 0.02; // Of the bearer's length.
+
+} // namespace
+
+std::optional<std::size_t> bearer_of(BranchingSystem const& system, std::span<Vec2 const> stroke)
+{
+    if (stroke.size() < 2 || comes_back(stroke))
+        return std::nullopt;
+    double const diagonal = box_of(system.outline).diagonal();
+    double const to_trunk = distance_to_line(stroke.front(), system.whole_trunk());
+    if (to_trunk < kOffTrunk * diagonal)
+        return std::nullopt;
+    std::optional<std::size_t> bearer;
+    double least = std::min(to_trunk, kNear * diagonal);
+    for (std::size_t i = 0; i < system.branches.size(); ++i) {
+        auto const& branch = system.branches[i];
+        if (branch.origin == Branch::Origin::Apex)
+            continue;
+        double const far = distance_to_line(stroke.front(), branch.path.curve.points(17));
+        if (far >= least)
+            continue;
+        least = far;
+        bearer = i;
+    }
+    if (bearer && length_of(stroke) < kShortest * system.branches[*bearer].path.length)
+        return std::nullopt;
+    return bearer;
+}
+
+void take_own_branches(BranchingSystem& system, std::span<OwnBranch const> branches)
+{
+    for (auto const& own : branches) {
+        auto const bearer = number_of(system, own.branch);
+        if (!bearer)
+            continue;
+        auto& branch = system.branches[*bearer];
+        branch.own_branches.push_back(own.line);
+        branch.model.reset();
+        branch.from_model = {};
+        if (own.style_to != StyleTo::None)
+            branch.style_to = own.style_to;
+    }
+}
+
+Result<std::optional<std::string>> branch_borne_by(Drawing const& drawing,
+                                                   std::span<Vec2 const> stroke,
+                                                   SkeletonOptions const& options)
+{
+    auto const system = TRY(infer_on_trunk(drawing, options));
+    auto const bearer = bearer_of(system, stroke);
+    return bearer ? std::optional(name_of(system.branches[*bearer])) : std::nullopt;
+}
+
+Result<void> add_own_branch(Drawing& drawing, std::vector<Vec2> stroke, StyleTo style_to,
+                            SkeletonOptions const& options)
+{
+    auto const bearer = TRY(branch_borne_by(drawing, stroke, options));
+    if (!bearer)
+        return fail(Fault::User,
+                    "the line begins on none of the tree's branches: draw it from one on, not "
+                    "from the trunk");
+    drawing.own_branches.push_back({ *bearer, std::move(stroke), style_to });
+    return {};
+}
+
+} // namespace tractus::silhouette

@@ -1,0 +1,282 @@
+#include "engine/methods/silhouettes/sibling_style.h"
+
+#include "engine/methods/silhouettes/line.h"
+#include "engine/methods/silhouettes/styled_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+constexpr double kMostOfSibling = 60; // Branches on one.
+
+Side other(Side side)
+{
+    return side == Side::Left ? Side::Right : Side::Left;
+}
+
+double angle_deg(Vec2 const& a, Vec2 const& b)
+{
+    return degrees(std::fabs(std::atan2(cross(a, b), a.dot(b))));
+}
+
+// The way that an angle is of.
+Vec2 start_of(Branch const& branch)
+{
+    Line const line(branch.line(17));
+    return line.at(kAngleOver) - line.at(0);
+}
+
+// A number that says nothing but which branch it is, whatever others there are (FNV-1a).
+std::uint32_t number_for(std::string_view name)
+{
+    std::uint32_t hash = 2166136261u;
+    for (auto const letter : name)
+        hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619u;
+    return hash;
+}
+
+BranchingAngles angles_of(BearerStyle const& style)
+{
+    std::vector<BranchingAngles::Sample> samples;
+    for (auto const& child : style.children)
+        samples.push_back({ child.u, child.angle_deg });
+    return BranchingAngles(std::move(samples), kAngleOver);
+}
+
+// Two sources between which a sibling stands.
+class Mixed {
+public:
+    Mixed(std::span<BearerStyle const> sources, double t)
+        : below_(&sources.front())
+        , above_(&sources.back())
+    {
+        for (auto const& source : sources)
+            if (source.t <= t)
+                below_ = &source;
+        for (auto source = sources.rbegin(); source != sources.rend(); ++source)
+            if (source->t >= t)
+                above_ = &*source;
+        double const apart = above_->t - below_->t;
+        share_ = apart > 0 ? std::clamp((t - below_->t) / apart, 0.0, 1.0) : 0;
+        angles_.emplace(angles_of(*below_), angles_of(*above_));
+    }
+
+    // Of both, by how near they are.
+    template<typename Number> double mean(Number const& number) const
+    {
+        double const low = number(*below_);
+        return low + share_ * (number(*above_) - low);
+    }
+    double angle_deg(double u) const
+    {
+        double const low = angles_->first.at_deg(u);
+        return low + share_ * (angles_->second.at_deg(u) - low);
+    }
+    BearerStyle const& nearest() const { return share_ < 0.5 ? *below_ : *above_; }
+
+private:
+    BearerStyle const* below_;
+    BearerStyle const* above_;
+    double share_ = 0;
+    std::optional<std::pair<BranchingAngles, BranchingAngles>> angles_;
+};
+
+std::vector<double> places_on(double length, Mixed const& style, std::uint64_t seed,
+                              std::uint32_t number)
+{
+    double const first = style.mean([](BearerStyle const& one) { return one.unbranched(); });
+    double const last = style.mean([](BearerStyle const& one) { return one.last(); });
+    double const spacing = style.mean([](BearerStyle const& one) { return one.spacing; });
+    double const deviation = style.mean([](BearerStyle const& one) { return one.deviation; });
+    if (!(spacing > 0) || !(last > first))
+        return { first };
+    double const steps
+        = std::clamp(std::round((last - first) * length / spacing), 1.0, kMostOfSibling - 1);
+    BranchStyle const places { .children = steps + 1,
+                               .unbranched = first,
+                               .spacing = (last - first) / steps,
+                               .unevenness = std::min(deviation / spacing, kMostUneven) };
+    return StyledPlaces(places, Pattern::Even, seed, 1).next({ .number = number });
+}
+
+// On which sides so many branches stand: as many of them on the left, from the base on, as there
+// are in the source.
+std::vector<Side> sides_for(std::size_t count, BearerStyle const& source)
+{
+    auto const n = source.children.size();
+    std::vector<double> left_of_first { 0 };
+    for (auto const& child : source.children)
+        left_of_first.push_back(left_of_first.back() + (child.branch.path.side == Side::Left));
+    std::vector<Side> sides;
+    double left = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        double const so_far = static_cast<double>((k + 1) * n) / static_cast<double>(count);
+        auto const whole = std::min(static_cast<std::size_t>(so_far), n - 1);
+        double const wanted = left_of_first[whole]
+            + (so_far - static_cast<double>(whole))
+                * (left_of_first[whole + 1] - left_of_first[whole]);
+        double const share = static_cast<double>(count) / static_cast<double>(n);
+        bool const is_left = left + 0.5 <= wanted * share + 1e-9;
+        left += is_left;
+        sides.push_back(is_left ? Side::Left : Side::Right);
+    }
+    return sides;
+}
+
+// The nearest by its place, on that side if there is one.
+std::size_t nearest_child(BearerStyle const& source, double u, Side side)
+{
+    std::size_t best = 0;
+    std::pair least(true, 1e300);
+    for (std::size_t i = 0; i < source.children.size(); ++i) {
+        auto const& child = source.children[i];
+        std::pair const rank(child.branch.path.side != side, std::fabs(child.u - u));
+        if (rank < least) {
+            least = rank;
+            best = i;
+        }
+    }
+    return best;
+}
+
+// As large as stays in the outline but for a tenth of its crown.
+Similarity fitted(Similarity way, Branch const& child, std::vector<Vec2> const& outline,
+                  double usual)
+{
+    constexpr double kLargest = 1.5;
+    constexpr double kLeast = 1.0 / 3;
+    Vec2 const unit = way.turn;
+    double low = kLeast * usual;
+    double high = kLargest * usual;
+    for (int i = 0; i < 8; ++i) {
+        double const middle = (low + high) / 2;
+        way.turn = middle * unit;
+        std::size_t outside = 0;
+        std::size_t tried = 0;
+        for (std::size_t c = 0; c < child.crown.size(); c += 2, ++tried)
+            outside += !is_inside(outline, way.point(child.crown[c]));
+        (10 * outside <= tried ? low : high) = middle;
+    }
+    way.turn = low * unit;
+    return way;
+}
+
+// A source's child where a sibling bears it.
+Branch copied(Branch const& child, Similarity const& way, Side side, double u)
+{
+    Branch copy { .origin = Branch::Origin::Copy, .path = child.path };
+    copy.path.curve = way.cubic(child.path.curve);
+    copy.path.side = side;
+    copy.path.t = u;
+    copy.path.trunk_sample = static_cast<std::size_t>(
+        std::lround(std::clamp(u, 0.0, 1.0) * static_cast<double>(kTrunkSamples - 1)));
+    copy.path.length *= way.turn.norm();
+    copy.crown = way.points(child.crown);
+    copy.stroke = way.points(child.stroke);
+    copy.cone_deg = child.cone_deg;
+    return copy;
+}
+
+// From an earlier copy of the same child to a later one.
+Similarity between(Branch const& one, Branch const& another)
+{
+    Vec2 const from = one.path.curve.end - one.path.curve.base;
+    Vec2 const to = another.path.curve.end - another.path.curve.base;
+    bool const mirrors = one.path.side != another.path.side;
+    return { .from = one.path.curve.base,
+             .to = another.path.curve.base,
+             .turn = turn_between(from, to, mirrors) / std::max(from.squaredNorm(), 1e-300),
+             .mirrors = mirrors };
+}
+
+} // namespace
+
+double BearerStyle::mean_angle_deg() const
+{
+    double sum = 0;
+    for (auto const& child : children)
+        sum += child.angle_deg;
+    return sum / static_cast<double>(std::max<std::size_t>(children.size(), 1));
+}
+
+BearerStyle bearer_style(Branch const& bearer, BranchingSystem const& system)
+{
+    Line const line(system.whole_trunk());
+    BearerStyle style { .t = bearer.path.t,
+                        .side = bearer.path.side,
+                        .length = line.length(),
+                        .is_of_own_outline = system.is_of_own_outline };
+    for (auto const& branch : system.branches) {
+        if (branch.origin == Branch::Origin::Apex)
+            continue;
+        auto const& own = branch.model ? system.branches[*branch.model] : branch;
+        Vec2 const start = branch.model ? branch.from_model.vector(start_of(own)) : start_of(own);
+        double const u = line.place_of(branch.path.curve.base);
+        auto child = branch;
+        if (branch.model) // Which it cannot have elsewhere.
+            child.stroke = branch.from_model.points(own.stroke);
+        child.model.reset();
+        style.children.push_back({ u, angle_deg(line.direction(u), start), std::move(child) });
+    }
+    std::stable_sort(style.children.begin(), style.children.end(),
+                     [](auto const& a, auto const& b) { return a.u < b.u; });
+    auto const n = style.children.size();
+    if (n < 2)
+        return style;
+    style.spacing = (style.last() - style.unbranched()) * style.length / static_cast<double>(n - 1);
+    double squares = 0;
+    for (std::size_t i = 1; i < n; ++i)
+        squares += std::pow(
+            (style.children[i].u - style.children[i - 1].u) * style.length - style.spacing, 2);
+    style.deviation = std::sqrt(squares / static_cast<double>(n - 1));
+    return style;
+}
+
+void take_style(BranchingSystem& system, Branch const& bearer, std::span<BearerStyle const> sources,
+                std::uint64_t seed)
+{
+    Mixed const style(sources, bearer.path.t);
+    auto const& source = style.nearest();
+    Line const line(system.whole_trunk());
+    auto const places = places_on(line.length(), style, seed, number_for(name_of(bearer)));
+    auto const sides = sides_for(places.size(), source);
+    double const usual = line.length() / source.length;
+    bool const is_mirrored = bearer.path.side != source.side;
+    std::vector<Branch> branches;
+    std::map<std::size_t, std::size_t> first_of; // Of each child, the first copy.
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        double const u = places[k];
+        auto const number = nearest_child(source, u, sides[k]);
+        auto const& child = source.children[number].branch;
+        auto const side = is_mirrored ? other(sides[k]) : sides[k];
+        bool const mirrors = child.path.side != side;
+        Vec2 const start = turned(line.direction(u), sign_of(side) * radians(style.angle_deg(u)));
+        Similarity const way { .from = child.path.curve.base,
+                               .to = line.at(u),
+                               .turn = turn_between(direction_of(start_of(child)), start, mirrors),
+                               .mirrors = mirrors };
+        auto copy = copied(child, fitted(way, child, system.outline, usual), side, u);
+        copy.number = 2 * k + (side == Side::Right ? 1 : 0);
+        auto const [first, is_new] = first_of.emplace(number, k);
+        if (!is_new) {
+            copy.model = first->second;
+            copy.from_model = between(branches[first->second], copy);
+        }
+        branches.push_back(std::move(copy));
+    }
+    if (system.has_apex_branch())
+        branches.push_back(system.branches.back());
+    system.branches = std::move(branches);
+    system.coverage_after = coverage_of(system);
+    system.is_of_own_outline = source.is_of_own_outline;
+    system.is_in_siblings_style = true;
+}
+
+} // namespace tractus::silhouette

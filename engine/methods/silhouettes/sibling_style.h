@@ -1,0 +1,49 @@
+#pragma once
+
+#include "engine/methods/silhouettes/skeleton.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tractus::silhouette {
+
+// How a branch bears its own branches (Wither 2009, section 4.2): those in the plane, without what
+// goes on from its tip.
+struct BearerStyle {
+    // One that it bears: what a sibling's is a copy of.
+    struct Child {
+        double u = 0; // Its place, a share of the bearer's length.
+        double angle_deg = 0;
+        Branch branch; // With its side of the bearer.
+    };
+
+    double t = 0; // The bearer's place on the trunk,
+    Side side = Side::Left;
+    double length = 0;              // and its own length, in the unit of its system.
+    std::vector<Child> children {}; // From the bearer's base on; at least one.
+    double spacing = 0;             // From one to the next on average, in that unit; 0 for one.
+    double deviation = 0;           // Of that.
+    bool is_of_own_outline = false;
+
+    // Shares of the bearer's length below which, and above which it bears none.
+    double unbranched() const { return children.front().u; }
+    double last() const { return children.back().u; }
+    double mean_angle_deg() const;
+};
+
+// What a branch bears; without children: nothing.
+BearerStyle bearer_style(Branch const& bearer, BranchingSystem const& system);
+
+// Replaces what a branch's system bears by branches in the style of siblings that somebody drew on:
+// of the two next to it on the trunk, or of the one that there is. Where they begin and end are the
+// sources' shares of its length. Distances have the sources' mean and deviation as lengths, angles
+// follow theirs from place to place, sides change as theirs do, seen from the trunk. Each is a copy
+// of the child whose place is nearest on its side, as large as stays in the crown: from a third of
+// to one and a half times of what the bearers' lengths make it.
+//
+// `sources` are at least one, in order of t.
+void take_style(BranchingSystem& system, Branch const& bearer, std::span<BearerStyle const> sources,
+                std::uint64_t seed);
+
+} // namespace tractus::silhouette

@@ -1,0 +1,153 @@
+#include "engine/methods/silhouettes/own_branch.h"
+#include "engine/methods/silhouettes/tree_edits.h"
+#include "engine/scene/scene.h"
+#include "tests/engine/methods/silhouettes/outlines.h"
+
+#include <cmath>
+
+namespace tractus::silhouette {
+namespace {
+
+class OwnBranchEdits : public ::testing::Test {
+protected:
+    using Part = DrawTree::Part;
+
+    static Stroke ink(std::vector<Vec2> const& points)
+    {
+        Stroke stroke;
+        std::int64_t time_ns = 0;
+        for (auto const& point : points)
+            stroke.tips.push_back({ .time = timestamp_ns(time_ns += 5'000'000),
+                                    .position_mm = { point.x(), point.y(), 140 },
+                                    .touching = true });
+        return stroke;
+    }
+
+    static Scene draw(Scene const& before, Part part, std::vector<Vec2> const& points,
+                      StyleTo style_to = StyleTo::None)
+    {
+        auto after = apply_edit(before,
+                                DrawTree { .part = part,
+                                           .stroke = ink(points),
+                                           .style_to = style_to,
+                                           .plant = before.state.active });
+        EXPECT_TRUE(after) << after.error().message;
+        return after.value_or(Scene {});
+    }
+
+    static Scene tree(Drawing const& lines)
+    {
+        return draw(draw({}, Part::Trunk, lines.trunk), Part::Outline, lines.outline[0]);
+    }
+
+    static OutlinedTree const& drawing(Scene const& scene) { return *outlined_tree(*scene.drawn); }
+
+    static BranchingSystem on_trunk(Scene const& scene)
+    {
+        return skeleton_of(drawing(scene)).value().systems[0];
+    }
+
+    static std::vector<Vec2> twig_on(Branch const& branch)
+    {
+        auto const& curve = branch.path.curve;
+        Vec2 const from = curve.at(0.6);
+        Vec2 const way = 0.3 * branch.path.length * direction_of(curve.at(0.65) - from);
+        return { from, from + 0.5 * turned(way, 0.6), from + turned(way, 0.9) };
+    }
+
+    // Of the branches that end in bumps, the one whose end is nearest.
+    static std::size_t nearest_bump(BranchingSystem const& system, Vec2 const& end)
+    {
+        std::size_t nearest = 0;
+        double least = 1e300;
+        for (std::size_t i = 0; i < system.branches.size(); ++i) {
+            auto const& branch = system.branches[i];
+            double const far = (branch.path.curve.end - end).norm();
+            if (branch.origin != Branch::Origin::Bump || far >= least)
+                continue;
+            least = far;
+            nearest = i;
+        }
+        return nearest;
+    }
+
+    // With a line on each branch that ends in a bump.
+    static Scene twigs_on(Scene scene)
+    {
+        auto const system = on_trunk(scene);
+        for (auto const& branch : system.branches)
+            if (branch.origin == Branch::Origin::Bump)
+                scene = draw(scene, Part::OwnBranch, twig_on(branch));
+        return scene;
+    }
+};
+
+TEST_F(OwnBranchEdits, MakeTheTreeOfTheirLines)
+{
+    auto const before = tree(lobed_crown(5));
+    auto const line = twig_on(on_trunk(before).branches[1]);
+    auto const scene = draw(before, Part::OwnBranch, line, StyleTo::Siblings);
+    auto lines = lobed_crown(5);
+    ASSERT_TRUE(add_own_branch(lines, line, StyleTo::Siblings));
+    auto const skeleton = infer_skeleton(lines).value();
+    auto const made = make_tree(skeleton, tree_options({}, drawn_height(skeleton) / 0.1));
+    EXPECT_EQ(scene.base->node_position_mm, made.plant.node_position_mm);
+    EXPECT_NE(scene.base->node_position_mm, before.base->node_position_mm);
+    ASSERT_EQ(drawing(scene).own_branches.size(), 1U);
+    EraseTreePart const erase { scene.state.active, Part::OwnBranch,
+                                drawing(scene).own_branches[0].id };
+    EXPECT_EQ(apply_edit(scene, erase)->base->node_position_mm, before.base->node_position_mm);
+    EXPECT_FALSE(apply_edit(before, erase)) << "there is none";
+}
+
+// Of a crown that is drawn anew, by so little: whose they are is told by where those end.
+TEST_F(OwnBranchEdits, StayWithTheirBearers)
+{
+    std::size_t drawn = 0;
+    std::size_t kept = 0;
+    for (int const lobes : { 4, 5, 6, 7, 9 }) {
+        auto const lines = lobed_crown(lobes);
+        auto const before = twigs_on(tree(lines));
+        auto const had = on_trunk(before);
+        for (double const size : { 0.97, 0.985, 1.015, 1.03 }) {
+            Similarity const way { .turn = size * Vec2(std::cos(0.01), std::sin(0.01)) };
+            auto const after = draw(before, Part::Outline, way.points(lines.outline[0]));
+            auto const has = on_trunk(after);
+            for (std::size_t i = 0; i < drawing(before).own_branches.size(); ++i) {
+                ++drawn;
+                auto const& own = drawing(after).own_branches[i];
+                auto const bearer = number_of(has, own.branch);
+                if (!bearer)
+                    continue;
+                ++kept;
+                auto const was = number_of(had, drawing(before).own_branches[i].branch).value();
+                Vec2 const end = way.point(had.branches[was].path.curve.end);
+                EXPECT_EQ(name_of(has.branches[nearest_bump(has, end)]), own.branch)
+                    << "it has moved to another one";
+            }
+        }
+    }
+    EXPECT_GE(drawn, 100U);
+    EXPECT_GE(static_cast<double>(kept), 0.95 * static_cast<double>(drawn));
+}
+
+// A crown without the bearer leaves it waiting; one that has it again gives it back.
+TEST_F(OwnBranchEdits, WaitForTheirBearers)
+{
+    auto const before = twigs_on(tree(lobed_crown(5)));
+    EXPECT_EQ(count_waiting(drawing(before)).value(), 0U);
+    auto const count = drawing(before).own_branches.size();
+    auto const narrow = draw(before, Part::Outline, ellipse(16, 60).outline[0]);
+    EXPECT_EQ(drawing(narrow).own_branches.size(), count);
+    EXPECT_GE(count_waiting(drawing(narrow)).value(), count / 2);
+    auto const again = draw(narrow, Part::Outline, lobed_crown(5).outline[0]);
+    EXPECT_EQ(count_waiting(drawing(again)).value(), 0U);
+    auto form = drawing(before).form;
+    form.patterns[0] = Pattern::Spiral;
+    auto const formed = apply_edit(before, FormTree { before.state.active, form }).value();
+    for (std::size_t i = 0; i < count; ++i)
+        EXPECT_EQ(drawing(formed).own_branches[i].branch, drawing(before).own_branches[i].branch);
+}
+
+} // namespace
+} // namespace tractus::silhouette

@@ -1,0 +1,210 @@
+#include "engine/methods/silhouettes/own_branch.h"
+
+#include "engine/methods/silhouettes/tree.h"
+#include "tests/engine/methods/silhouettes/outlines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tractus::silhouette {
+namespace {
+
+Skeleton refined(Drawing const& drawing, SkeletonOptions const& options = {})
+{
+    auto result = infer_skeleton(drawing, options);
+    EXPECT_TRUE(result) << result.error().message;
+    return result ? *std::move(result) : Skeleton();
+}
+
+// A curved line from a place on a branch to its left, of a share of the branch's length.
+std::vector<Vec2> twig_on(Branch const& branch, double place, double share = 0.35)
+{
+    auto const& curve = branch.path.curve;
+    Vec2 const from = curve.at(place);
+    Vec2 const along = direction_of(curve.at(place + 0.05) - from);
+    std::vector<Vec2> line;
+    for (int i = 0; i <= 20; ++i) {
+        double const far = share * branch.path.length * i / 20;
+        double const bend = 0.3 * std::sin(kPi * i / 20);
+        line.emplace_back(from + far * turned(along, radians(50) + bend));
+    }
+    return line;
+}
+
+Drawing with_twig(Drawing drawing, std::vector<Vec2> const& line, StyleTo style_to = StyleTo::None)
+{
+    auto const added = add_own_branch(drawing, line, style_to);
+    EXPECT_TRUE(added) << added.error().message;
+    return drawing;
+}
+
+Branch const& drawn_on(Skeleton const& skeleton, std::size_t bearer)
+{
+    static Branch const none;
+    auto const below = skeleton.system_of[0][bearer];
+    if (below != kNoSystem)
+        for (auto const& branch : skeleton.systems[below].branches)
+            if (branch.is_stroke())
+                return branch;
+    ADD_FAILURE() << "nothing was drawn on branch " << bearer;
+    return none;
+}
+
+TEST(OwnBranch, IsOfTheBranchThatItBeginsOn)
+{
+    auto const drawing = lobed_crown(5);
+    auto const system = refined(drawing).systems[0];
+    int found = 0;
+    for (std::size_t i = 0; i < system.branches.size(); ++i) {
+        auto const& branch = system.branches[i];
+        if (branch.origin != Branch::Origin::Bump)
+            continue;
+        ++found;
+        EXPECT_EQ(bearer_of(system, twig_on(branch, 0.7)), i) << name_of(branch);
+    }
+    EXPECT_GE(found, 4);
+    EXPECT_FALSE(bearer_of(system, std::vector<Vec2> { { 0, 0 }, { 20, 10 } })) << "on the trunk";
+    EXPECT_FALSE(bearer_of(system, std::vector<Vec2> { { 200, 0 }, { 220, 10 } })) << "beside it";
+    EXPECT_FALSE(bearer_of(system, system.branches[0].crown)) << "it comes back";
+    auto refused = drawing;
+    auto const answer = add_own_branch(refused, { { 0, 0 }, { 20, 10 } }, StyleTo::None);
+    ASSERT_FALSE(answer);
+    EXPECT_NE(answer.error().message.find("begins on none"), std::string::npos);
+}
+
+// In the skeleton and in the plant every node of it lies on the stroke, in the drawing's plane.
+TEST(OwnBranch, RunsAsItWasDrawn)
+{
+    auto const drawing = lobed_crown(5);
+    auto const before = refined(drawing);
+    auto const bearer = *number_of(before.systems[0], "b1");
+    auto const line = twig_on(before.systems[0].branches[bearer], 0.6);
+    auto const skeleton = refined(with_twig(drawing, line));
+    auto const& branch = drawn_on(skeleton, bearer);
+    EXPECT_EQ(branch.stroke, line);
+    EXPECT_LT((branch.path.curve.base - line.front()).norm(),
+              before.systems[0].branches[bearer].path.length / 63);
+    EXPECT_LT((branch.path.curve.end - line.back()).norm(), 1e-9);
+    auto const tree = make_tree(skeleton);
+    check_plant(tree.plant);
+    Vec2 const foot = skeleton.systems[0].trunk.front();
+    double const unit = drawn_height(skeleton) / 8000;
+    int found = 0;
+    for (std::size_t a = 0; a < tree.axis_names.size(); ++a) {
+        if (tree.axis_names[a] != "b1/" + name_of(branch))
+            continue;
+        ++found;
+        auto const nodes = tree.plant.positions(tree.plant.axes[a]);
+        EXPECT_GE(nodes.size(), 17U);
+        for (auto const& node : nodes) {
+            EXPECT_LT(std::fabs(node.y()), 1e-9);
+            Vec2 const seen = foot + unit * Vec2(node.x(), node.z());
+            EXPECT_LT(distance_to_line(seen, branch.line(2)), 1e-9);
+        }
+        Vec2 const end = foot + unit * Vec2(nodes.back().x(), nodes.back().z());
+        EXPECT_LT((end - line.back()).norm(), 1e-9);
+    }
+    EXPECT_EQ(found, 1);
+}
+
+// All others of the tree stay; of the bearer's, one that ended in the same bump gives way.
+TEST(OwnBranch, TakesThePlaceOfTheOneThatEndsThere)
+{
+    auto const drawing = lobed_crown(5);
+    auto const before = refined(drawing);
+    std::size_t bearer = 0;
+    auto const bump_on = [&](std::size_t i) -> Branch const* {
+        auto const below = before.system_of[0][i];
+        if (below != kNoSystem && before.systems[0].branches[i].origin == Branch::Origin::Bump)
+            for (auto const& branch : before.systems[below].branches)
+                if (branch.origin == Branch::Origin::Bump)
+                    return &branch;
+        return nullptr;
+    };
+    while (bearer + 1 < before.systems[0].branches.size() && !bump_on(bearer))
+        ++bearer;
+    auto const* const bump = bump_on(bearer);
+    ASSERT_TRUE(bump);
+    auto const& had = before.systems[before.system_of[0][bearer]];
+    auto const& curve = before.systems[0].branches[bearer].path.curve;
+    std::vector<Vec2> const line { curve.at(0.55), bump->path.curve.end };
+    auto const after = refined(with_twig(drawing, line));
+    auto const& has = after.systems[after.system_of[0][bearer]];
+    auto const count = [](BranchingSystem const& system, Branch::Origin origin) {
+        return std::count_if(system.branches.begin(), system.branches.end(),
+                             [&](Branch const& branch) { return branch.origin == origin; });
+    };
+    EXPECT_EQ(count(has, Branch::Origin::Drawn), 1);
+    EXPECT_EQ(count(has, Branch::Origin::Bump), count(had, Branch::Origin::Bump) - 1);
+    ASSERT_EQ(after.systems[0].branches.size(), before.systems[0].branches.size());
+    for (std::size_t i = 0; i < before.systems[0].branches.size(); ++i)
+        EXPECT_EQ(after.systems[0].branches[i].crown, before.systems[0].branches[i].crown);
+}
+
+// Where branches bear no others, a bearer has what was drawn on it, and no more.
+TEST(OwnBranch, StandsWhereNoOthersDo)
+{
+    auto const drawing = lobed_crown(5);
+    auto const system = refined(drawing, { .levels = 1 }).systems[0];
+    auto const bearer = *number_of(system, "b2");
+    auto const one = with_twig(drawing, twig_on(system.branches[bearer], 0.5));
+    auto const two = with_twig(one, twig_on(system.branches[bearer], 0.7));
+    EXPECT_EQ(refined(one, { .levels = 1 }).branches_on(bearer), 1U);
+    EXPECT_EQ(refined(two, { .levels = 1 }).branches_on(bearer), 2U);
+    EXPECT_GT(refined(two).branches_on(bearer), 2U) << "others stand beside them";
+    auto waiting = drawing;
+    waiting.own_branches.push_back({ "b99", twig_on(system.branches[bearer], 0.5) });
+    EXPECT_EQ(refined(waiting).branch_count(), refined(drawing).branch_count());
+}
+
+// Mirrored, or moved and turned, a drawing has the mirrored or the moved one.
+TEST(OwnBranch, GoesWithItsDrawing)
+{
+    auto const drawing = lobed_crown(7);
+    auto const system = refined(drawing).systems[0];
+    auto const line = twig_on(system.branches[*number_of(system, "b1")], 0.6);
+    auto const plain = with_twig(drawing, line);
+    auto const has = refined(plain);
+    auto const bearer = *number_of(has.systems[0], plain.own_branches[0].branch);
+    Similarity const turn { .to = Vec2(12, -345), .turn = Vec2(0.3, -1.7) };
+    Similarity const mirror { .turn = Vec2(-1, 0), .mirrors = true };
+    for (auto const& way : { turn, mirror }) {
+        auto const other = with_twig(moved(drawing, way), way.points(line));
+        auto const skeleton = refined(other);
+        auto const number = *number_of(skeleton.systems[0], other.own_branches[0].branch);
+        double const close = 0.005 * box_of(skeleton.systems[0].outline).diagonal();
+        auto const& one = has.systems[0].branches[bearer].path.curve;
+        auto const& same = skeleton.systems[0].branches[number].path.curve;
+        EXPECT_LT((way.point(one.end) - same.end).norm(), close);
+        EXPECT_EQ(drawn_on(skeleton, number).stroke, way.points(line));
+        EXPECT_LT((way.point(drawn_on(has, bearer).path.curve.base)
+                   - drawn_on(skeleton, number).path.curve.base)
+                      .norm(),
+                  close);
+    }
+}
+
+TEST(OwnBranch, RandomOnesMakePlants)
+{
+    int taken = 0;
+    for (std::uint32_t number = 0; number < 40; ++number) {
+        Random random({ 43, 3, number });
+        auto drawing = lobed_crown(3 + static_cast<int>(number % 8));
+        auto const system = refined(drawing).systems[0];
+        for (int part = 0; part < 4; ++part) {
+            auto const& branch = system.branches[random.next_u32() % system.branches.size()];
+            auto line = twig_on(branch, random.uniform(0.1, 0.95), random.uniform(0.01, 1.5));
+            for (auto& point : line)
+                point += random.uniform(0, 3) * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+            taken
+                += add_own_branch(drawing, line, part % 2 == 0 ? StyleTo::None : StyleTo::Siblings)
+                       .has_value();
+        }
+        for (int const levels : { 1, 2 })
+            check_plant(make_tree(refined(drawing, { .levels = levels })).plant);
+    }
+    EXPECT_GE(taken, 60);
+}
+
+} // namespace
+} // namespace tractus::silhouette
