@@ -1,5 +1,6 @@
 #include "engine/methods/silhouettes/own_branch.h"
 
+#include "engine/methods/silhouettes/own_outline.h"
 #include "engine/methods/silhouettes/tree.h"
 #include "tests/engine/methods/silhouettes/outlines.h"
 
@@ -110,22 +111,21 @@ TEST(OwnBranch, RunsAsItWasDrawn)
 // All others of the tree stay; of the bearer's, one that ended in the same bump gives way.
 TEST(OwnBranch, TakesThePlaceOfTheOneThatEndsThere)
 {
-    auto const drawing = lobed_crown(5);
+    auto drawing = lobed_crown(7);
+    std::vector<Vec2> limb; // With bumps of its own.
+    for (int i = 0; i < 160; ++i) {
+        double const angle = i * kPi / 80;
+        double const r = 30 * (1 + 0.25 * std::fabs(std::sin(3.5 * angle)));
+        limb.emplace_back(52 + r * std::cos(angle), -18 + 0.8 * r * std::sin(angle));
+    }
+    ASSERT_TRUE(add_own_outline(drawing, limb));
     auto const before = refined(drawing);
-    std::size_t bearer = 0;
-    auto const bump_on = [&](std::size_t i) -> Branch const* {
-        auto const below = before.system_of[0][i];
-        if (below != kNoSystem && before.systems[0].branches[i].origin == Branch::Origin::Bump)
-            for (auto const& branch : before.systems[below].branches)
-                if (branch.origin == Branch::Origin::Bump)
-                    return &branch;
-        return nullptr;
-    };
-    while (bearer + 1 < before.systems[0].branches.size() && !bump_on(bearer))
-        ++bearer;
-    auto const* const bump = bump_on(bearer);
-    ASSERT_TRUE(bump);
+    auto const bearer = *number_of(before.systems[0], drawing.own_outlines[0].branch);
     auto const& had = before.systems[before.system_of[0][bearer]];
+    auto const bump
+        = std::find_if(had.branches.begin(), had.branches.end(),
+                       [](Branch const& branch) { return branch.origin == Branch::Origin::Bump; });
+    ASSERT_NE(bump, had.branches.end());
     auto const& curve = before.systems[0].branches[bearer].path.curve;
     std::vector<Vec2> const line { curve.at(0.55), bump->path.curve.end };
     auto const after = refined(with_twig(drawing, line));
