@@ -1,0 +1,107 @@
+#include "engine/methods/silhouettes/tree_form.h"
+
+#include <fmt/format.h>
+
+namespace tractus::silhouette {
+
+namespace {
+
+tl::unexpected<Error> refuse(char const* what, double given, double least, double most)
+{
+    return fail(Fault::User,
+                fmt::format("{} cannot be {:g}: give {:g} to {:g}", what, given, least, most));
+}
+
+Result<void> check_style(BranchStyle const& style)
+{
+    struct Range {
+        char const* what;
+        double given;
+        double least;
+        double most;
+    };
+    std::array const ranges {
+        Range { "the branches of a bearer", style.children, 1, kMostChildren },
+        Range { "their deviation", style.children_deviation, 0, kMostChildren },
+        Range { "the share of bearers without branches", style.bare, 0, kMostBare },
+        Range { "the unbranched share of a bearer", style.unbranched, 0, 1 },
+        Range { "the distance of branches", style.spacing, 0, 1 },
+        Range { "the unevenness of distances", style.unevenness, 0, kMostUneven },
+        Range { "the angle of the first branch", style.first_angle_deg, kLeastAngle_deg,
+                kMostAngle_deg },
+        Range { "the angle of the last branch", style.last_angle_deg, kLeastAngle_deg,
+                kMostAngle_deg },
+        Range { "the deviation of angles", style.angle_deviation_deg, 0, kMostAngle_deg },
+    };
+    for (auto const& range : ranges)
+        if (!(range.given >= range.least && range.given <= range.most))
+            return refuse(range.what, range.given, range.least, range.most);
+    return {};
+}
+
+Result<void> check_styles(TreeForm const& form)
+{
+    for (auto const& style : form.styles)
+        if (!(style == BranchStyle {}))
+            TRY(check_style(style));
+    double const branches = styled_branches(form);
+    if (branches > kMostStyled)
+        return fail(Fault::User,
+                    fmt::format("the style would give the tree {:.0f} branches: {:g} are the "
+                                "most; take fewer levels",
+                                branches, kMostStyled));
+    return {};
+}
+
+} // namespace
+
+double styled_branches(TreeForm const& form)
+{
+    double branches = 1;
+    for (int level = 0; level < form.levels; ++level) {
+        auto const& style = form.styles[static_cast<std::size_t>(level)];
+        if (style.is_set())
+            branches *= style.children * (1 - style.bare);
+    }
+    return branches;
+}
+
+Result<void> check_form(TreeForm const& form)
+{
+    if (form.levels < 1 || form.levels > 3)
+        return refuse("the levels of a tree", form.levels, 1, 3);
+    if (!(form.density >= 0 && form.density <= 10))
+        return refuse("the density of branches", form.density, 0, 10);
+    if (form.leaves < 1 || form.leaves > 500)
+        return refuse("the leaves on a twig", form.leaves, 1, 500);
+    if (!(form.leaf_width >= 0.01 && form.leaf_width <= 2))
+        return refuse("the width of a leaf", form.leaf_width, 0.01, 2);
+    return check_styles(form);
+}
+
+SkeletonOptions skeleton_options(TreeForm const& form)
+{
+    SkeletonOptions options;
+    options.levels = form.levels;
+    options.styles.assign(form.styles.begin(), form.styles.end());
+    options.seed = form.seed;
+    return options;
+}
+
+TreeOptions tree_options(TreeForm const& form, double height_mm)
+{
+    TreeOptions options;
+    options.height_mm = height_mm;
+    options.seed = form.seed;
+    options.leaf.per_spray = form.leaves;
+    options.leaf.width = form.leaf_width;
+    options.levels.resize(form.patterns.size(), options.levels.back());
+    for (std::size_t level = 0; level < form.patterns.size(); ++level) {
+        options.levels[level].pattern = form.patterns[level];
+        options.levels[level].added *= form.density;
+        options.levels[level].style = form.styles[level];
+    }
+    return options;
+}
+
+} // namespace tractus::silhouette
