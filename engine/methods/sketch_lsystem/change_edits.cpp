@@ -58,6 +58,7 @@ void list(Fields& fields, ChangeSketch& edit)
     fields.sparse_field("part", &edit.part);
     list_rule(fields, edit.rule);
     fields.word("leaves", edit.leaves, kLeavesWords);
+    list_model(fields, edit.model);
 }
 
 Result<DocumentState> applied(DocumentState state, ChangeSketch const& edit, SceneBuilder&)
@@ -65,12 +66,16 @@ Result<DocumentState> applied(DocumentState state, ChangeSketch const& edit, Sce
     return changed(std::move(state), edit, [&](GrowAlongStroke& sketch) {
         sketch.rule = edit.rule;
         sketch.leaves = edit.leaves;
+        sketch.model = edit.model;
         return Result<void> {};
     });
 }
 
 std::string described(ChangeSketch const& edit)
 {
+    if (edit.model.is_set())
+        return fmt::format("lets another model grow along the stroke of {}",
+                           name_of(edit.part == 0 ? edit.plant : edit.part));
     return fmt::format("changes the rule of {} to {} at {:g} degrees",
                        name_of(edit.part == 0 ? edit.plant : edit.part),
                        counted(static_cast<std::size_t>(edit.rule.laterals), "lateral"),
@@ -156,7 +161,7 @@ std::optional<GrownPart> newest_grown(PlantState const& plant)
 Result<std::optional<std::size_t>> count_tips(GrowAlongStroke const& sketch, std::size_t segments)
 {
     auto const tips = TRY(sketch.stroke.tips.in_memory());
-    StrokeResampler resampler(sketch.rule);
+    StrokeResampler resampler(TRY(lengths_of(sketch)));
     std::size_t count = 0;
     for (auto const& tip_mm : plant_tips(tips.vector(), sketch.surface)) {
         ++count;

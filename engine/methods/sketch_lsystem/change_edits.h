@@ -15,7 +15,7 @@ namespace tractus::sketch {
 // stay. They name a plant, and, where it is a part that was put on that plant, the part; 0: it is
 // the plant itself.
 
-// Lets another rule grow along the same stroke.
+// Lets another rule, or another model, grow along the same stroke.
 struct ChangeSketch {
     static EditKind const kKind;
 
@@ -23,6 +23,7 @@ struct ChangeSketch {
     ItemId part = 0;
     Rule rule {};
     Leaves leaves = Leaves::Leafy;
+    ModelRule model {}; // As of GrowAlongStroke.
 };
 
 // Takes the end of the stroke away, and what the rule has grown along it.

@@ -36,6 +36,8 @@ public:
         rotate(left_, down_, -turn.plane_deg);
     }
 
+    Vec3 const& position_mm() const { return position_mm_; }
+
     Vec3 const& go(double length_mm)
     {
         position_mm_ += length_mm * heading_;
@@ -76,20 +78,44 @@ DrawnAxis draw_axis(Rule const& rule, std::span<Vec3 const> nodes_mm)
     return axis;
 }
 
-std::vector<Vec3> nodes_of(DrawnAxis const& axis, Rule const& rule)
+DrawnAxis aim_axis(SegmentLengths const& lengths, std::span<Vec3 const> nodes_mm)
+{
+    DrawnAxis axis;
+    if (nodes_mm.empty())
+        return axis;
+    axis.base_mm = nodes_mm.front();
+    AxisTurtle turtle(axis.base_mm);
+    double length_mm = lengths.first_mm.front();
+    for (std::size_t i = 1; i < nodes_mm.size(); ++i) {
+        auto const exact = turtle.turn_towards(nodes_mm[i] - turtle.position_mm());
+        Turn const turn { as_written(exact.plane_deg), as_written(exact.bend_deg) };
+        turtle.turn(turn);
+        turtle.go(length_mm);
+        axis.turns.push_back(turn);
+        length_mm = length_after(lengths, i - 1, length_mm);
+    }
+    return axis;
+}
+
+std::vector<Vec3> nodes_of(DrawnAxis const& axis, SegmentLengths const& lengths)
 {
     std::vector<Vec3> nodes_mm { axis.base_mm };
     AxisTurtle turtle(axis.base_mm);
-    double length_mm = rule.first_length_mm;
-    for (auto const& turn : axis.turns) {
-        turtle.turn(turn);
+    double length_mm = lengths.first_mm.front();
+    for (std::size_t i = 0; i < axis.turns.size(); ++i) {
+        turtle.turn(axis.turns[i]);
         nodes_mm.push_back(turtle.go(length_mm));
-        length_mm *= rule.length_ratio;
+        length_mm = length_after(lengths, i, length_mm);
     }
     return nodes_mm;
 }
 
-static std::string array_of(std::vector<Turn> const& turns, double Turn::*angle_deg)
+std::vector<Vec3> nodes_of(DrawnAxis const& axis, Rule const& rule)
+{
+    return nodes_of(axis, lengths_of(rule));
+}
+
+std::string array_of(std::vector<Turn> const& turns, double Turn::*angle_deg)
 {
     std::string text;
     for (auto const& turn : turns)

@@ -3,6 +3,7 @@
 #include "engine/base/vectors.h"
 #include "engine/lsystem/language/model.h"
 #include "engine/methods/sketch_lsystem/rule.h"
+#include "engine/methods/sketch_lsystem/segment_lengths.h"
 
 #include <span>
 #include <string>
@@ -35,9 +36,18 @@ struct DrawnAxis {
 // rule's limit allows. z is up, and the turtle starts upwards, its left at -x.
 DrawnAxis draw_axis(Rule const& rule, std::span<Vec3 const> nodes_mm);
 
+// The axis through the nodes of a stroke that was resampled by those lengths, which are as the text
+// has them, too: each segment aims at its node from where rounding has left the one before it, so
+// that no error adds up.
+DrawnAxis aim_axis(SegmentLengths const& lengths, std::span<Vec3 const> nodes_mm);
+
 // Where the turtle has the axis's nodes, its base first: the stroke's nodes, but for what rounding
 // to six digits costs.
+std::vector<Vec3> nodes_of(DrawnAxis const& axis, SegmentLengths const& lengths);
 std::vector<Vec3> nodes_of(DrawnAxis const& axis, Rule const& rule);
+
+// The turns' planes, or bends, as the values of an array in a model's text: "{0, 12.5}".
+std::string array_of(std::vector<Turn> const& turns, double Turn::*angle_deg);
 
 // Whether leaves stand at the live lateral apices and at the top.
 enum class Leaves { Bare, Leafy };

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/core.h>
 #include <memory>
 #include <optional>
@@ -23,7 +24,8 @@ constexpr double kModelScale = 0.1;
 bool same(GrowAlongStroke const& one, GrowAlongStroke const& other)
 {
     return one.rule == other.rule && one.stroke.tips.id() == other.stroke.tips.id()
-        && one.surface == other.surface && one.leaves == other.leaves && one.scale == other.scale;
+        && one.surface == other.surface && one.leaves == other.leaves && one.scale == other.scale
+        && one.model == other.model;
 }
 
 // The rule's laterals differ; the axis stays as it was drawn.
@@ -34,6 +36,10 @@ GrowAlongStroke varied(GrowAlongStroke edit, SourceVariation const& variation)
     constexpr double kShare = 0.06;
     constexpr double kTwist_deg = 10;
     Random random({ variation.seed, kStream + variation.stream, variation.plant });
+    if (edit.model.is_set()) {
+        edit.model.seed = random.next_u64();
+        return edit;
+    }
     auto const spread = [&](double deviation) {
         return variation.spread * deviation * std::clamp(random.normal(), -2.0, 2.0);
     };
@@ -64,7 +70,8 @@ constexpr SourceKind kSketch {
                         *static_cast<GrowAlongStroke const*>(other));
         },
     .model = [](void const* drawn) -> Result<SourceModel> {
-        return SourceModel { TRY(model_of(*static_cast<GrowAlongStroke const*>(drawn))) };
+        auto const& edit = *static_cast<GrowAlongStroke const*>(drawn);
+        return SourceModel { TRY(model_of(edit)), edit.model.includes };
     },
     .vary = [](void const* drawn, SourceVariation const& variation) -> std::shared_ptr<void const> {
         return std::make_shared<GrowAlongStroke const>(
@@ -79,6 +86,7 @@ void list(Fields& fields, GrowAlongStroke& edit)
     fields.word("leaves", edit.leaves, kLeavesWords);
     fields.field("scale", &edit.scale);
     fields.id(edit.id);
+    list_model(fields, edit.model);
     fields.numbers(edit.stroke);
 }
 
@@ -109,6 +117,10 @@ Result<DocumentState> applied(DocumentState state, GrowAlongStroke const& edit, 
 
 std::string described(GrowAlongStroke const& edit)
 {
+    if (edit.model.is_set())
+        return fmt::format("grows the model {} along a stroke: {}",
+                           std::filesystem::path(edit.model.source.name).filename().string(),
+                           describe_stroke(edit.stroke));
     return fmt::format("grows a rule of {} at {:g} degrees along a stroke: {}",
                        counted(static_cast<std::size_t>(edit.rule.laterals), "lateral"),
                        edit.rule.angle_deg, describe_stroke(edit.stroke));
@@ -166,23 +178,50 @@ void list_rule(Fields& fields, Rule& rule)
     list_lateral_rules(fields, rule.lateral_rules);
 }
 
-Result<std::vector<Vec3>> drawn_nodes_mm(GrowAlongStroke const& edit)
+void list_model(Fields& fields, ModelRule& model)
 {
-    TRY(check_rule(edit.rule));
-    if (edit.surface == StrokeSurface::Decided)
-        return fail(Fault::User, "the stroke is neither in space nor on paper: say which");
+    fields.sparse_field("model", &model.source.text);
+    if (!model.is_set())
+        return;
+    fields.field("model_name", &model.source.name);
+    fields.field("view_name", &model.source.view_name);
+    fields.field("view", &model.source.view_text);
+    fields.field("includes", &model.includes);
+    fields.field("seed", &model.seed);
+}
+
+Result<SegmentLengths> lengths_of(GrowAlongStroke const& edit)
+{
     if (!(edit.scale > 0 && std::isfinite(edit.scale)))
         return fail(Fault::User,
                     fmt::format("a plant cannot be shown {} times as large as it is", edit.scale));
+    if (edit.model.is_set())
+        return lengths_on_desk(TRY(contract_of(edit.model.source.name, edit.model.source.text)),
+                               edit.scale);
+    TRY(check_rule(edit.rule));
+    return lengths_of(edit.rule);
+}
+
+Result<std::vector<Vec3>> drawn_nodes_mm(GrowAlongStroke const& edit)
+{
+    auto const lengths = TRY(lengths_of(edit));
+    if (edit.surface == StrokeSurface::Decided)
+        return fail(Fault::User, "the stroke is neither in space nor on paper: say which");
     auto const tips = TRY(edit.stroke.tips.in_memory());
-    auto nodes_mm = resample_stroke(edit.rule, plant_tips(tips, edit.surface));
-    if (nodes_mm.size() < 2)
+    auto nodes_mm = resample_stroke(lengths, plant_tips(tips, edit.surface));
+    if (nodes_mm.size() >= 2)
+        return nodes_mm;
+    auto const away = fmt::format("the stroke never gets {:g} mm away from where it begins, so ",
+                                  lengths.first_mm.front());
+    if (edit.model.is_set())
         return fail(Fault::User,
-                    fmt::format("the stroke never gets {:g} mm away from where it begins, so the "
-                                "rule is not applied once: draw a longer one, or give a rule with "
-                                "a shorter first internode, l",
-                                edit.rule.first_length_mm));
-    return nodes_mm;
+                    away
+                        + "the model's axis has no segment: draw a longer one, or give the plants "
+                          "a smaller scale");
+    return fail(Fault::User,
+                away
+                    + "the rule is not applied once: draw a longer one, or give a rule with a "
+                      "shorter first internode, l");
 }
 
 PlantSource source_of(GrowAlongStroke const& edit)
@@ -217,12 +256,42 @@ std::optional<Vec2> stands_on_paper_mm(GrowAlongStroke const& edit)
 Result<ModelSource> model_of(GrowAlongStroke const& edit)
 {
     auto const nodes_mm = TRY(drawn_nodes_mm(edit));
+    if (edit.model.is_set())
+        return model_along(edit.model, nodes_mm, edit.scale);
     return write_model(at_scale(edit.rule, edit.scale), draw_axis(edit.rule, nodes_mm), edit.leaves,
                        "sketch");
 }
 
+// Where the plant has them: its origin is where the pen came down.
+static std::vector<Vec3> nodes_in_plant(std::vector<Vec3> nodes_mm, double scale)
+{
+    Vec3 const base_mm = nodes_mm.front();
+    for (auto& node_mm : nodes_mm)
+        node_mm = (node_mm - base_mm) / scale;
+    return nodes_mm;
+}
+
+static Result<BuiltSource> build_model(GrowAlongStroke const& edit, LoadOptions const& options)
+{
+    auto const nodes_mm = TRY(drawn_nodes_mm(edit));
+    auto source = TRY(model_of(edit));
+    auto built = TRY(build_lsystem(
+        { .source = std::move(source), .includes = edit.model.includes, .seed = edit.model.seed },
+        options));
+    auto const& name = edit.model.source.name;
+    if (static_cast<double>(built.plant.segment_count()) > edit.rule.most_internodes)
+        return fail(Fault::User,
+                    fmt::format("{}: along this stroke it has {} internodes, and {:g} are allowed: "
+                                "draw a shorter stroke, or give the plants a larger scale",
+                                name, built.plant.segment_count(), edit.rule.most_internodes));
+    TRY(check_follows(name, built.plant, nodes_in_plant(nodes_mm, edit.scale)));
+    return built;
+}
+
 Result<BuiltSource> build_sketch(GrowAlongStroke const& edit, LoadOptions const& options)
 {
+    if (edit.model.is_set())
+        return build_model(edit, options);
     return build_lsystem({ .source = TRY(model_of(edit)) }, options);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/methods/sketch_lsystem/drawn_axis.h"
+#include "engine/methods/sketch_lsystem/model_rule.h"
 #include "engine/methods/sketch_lsystem/rule.h"
 #include "engine/scene/edit.h"
 #include "engine/scene/plant_source.h"
@@ -26,14 +27,22 @@ struct GrowAlongStroke {
     // A document whose scale nobody has set keeps this one.
     double scale = 0.1;
     ItemId id = 0; // The plant's; 0: it has none yet.
+    // Grows in the rule's place if it is set: of the rule only its limit counts then, and leaves
+    // are as the model has them.
+    ModelRule model {};
 };
 
-// The edit's plant as a model in cpfg's language. Fails, as the user's fault, for a rule that is
-// out of its ranges and for a stroke along which it is not applied once.
+// How long the segments of the drawn axis are, on the desk. Fails, as the user's fault, for a rule
+// that is out of its ranges and a model that does not keep its contract.
+Result<SegmentLengths> lengths_of(GrowAlongStroke const& edit);
+
+// The edit's plant as a model in cpfg's language. Fails like lengths_of(), and, as the user's
+// fault, for a stroke along which the rule is not applied once.
 Result<ModelSource> model_of(GrowAlongStroke const& edit);
 
 // Grows that model: a plant frame whose origin is where the pen came down. Fails like model_of(),
-// and where the model takes more than the options allow.
+// where the model takes more than the options allow, and where its plant has more internodes than
+// the limit or another axis than was drawn.
 Result<BuiltSource> build_sketch(GrowAlongStroke const& edit, LoadOptions const& options);
 
 // The nodes of the drawn axis, plant frame in millimetres on the desk. Fails like model_of().
@@ -46,6 +55,9 @@ GrowAlongStroke const* sketch_of(PlantSource const& source);
 
 // Lists the fields of a rule by the letters of rule files.
 void list_rule(Fields& fields, Rule& rule);
+
+// Lists the fields of a model; none but its text where there is none.
+void list_model(Fields& fields, ModelRule& model);
 
 // The words for Leaves, and for surfaces, in their order. A surface that is not decided is in no
 // edit.

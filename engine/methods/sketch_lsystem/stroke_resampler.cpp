@@ -2,21 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tractus::sketch {
 
-StrokeResampler::StrokeResampler(Rule const& rule)
-    : next_length_mm_(rule.first_length_mm)
-    , length_ratio_(rule.length_ratio)
-    , shortest_mm_(rule.shortest_mm)
-    , most_nodes_(static_cast<std::size_t>(rule.most_segments) + 1)
+StrokeResampler::StrokeResampler(SegmentLengths lengths)
+    : lengths_(std::move(lengths))
+    , next_length_mm_(lengths_.first_mm.front())
+    , most_nodes_(static_cast<std::size_t>(lengths_.most) + 1)
 {
     nodes_mm_.reserve(most_nodes_);
 }
 
 bool StrokeResampler::is_full() const
 {
-    return nodes_mm_.size() == most_nodes_ || next_length_mm_ < shortest_mm_;
+    return nodes_mm_.size() == most_nodes_ || next_length_mm_ < lengths_.shortest_mm;
 }
 
 // Where the way from `inside_mm`, a point in the ball, to `tip_mm`, one outside, leaves it.
@@ -48,19 +48,24 @@ int StrokeResampler::push(Vec3 const& tip_mm)
     while (!is_full() && (tip_mm - nodes_mm_.back()).norm() >= next_length_mm_ * kOnSphere) {
         inside_mm = leave_ball(nodes_mm_.back(), next_length_mm_, inside_mm, tip_mm);
         nodes_mm_.push_back(inside_mm);
-        next_length_mm_ *= length_ratio_;
+        next_length_mm_ = length_after(lengths_, nodes_mm_.size() - 2, next_length_mm_);
         ++made;
     }
     last_tip_mm_ = tip_mm;
     return made;
 }
 
-std::vector<Vec3> resample_stroke(Rule const& rule, std::span<Vec3 const> tips_mm)
+std::vector<Vec3> resample_stroke(SegmentLengths const& lengths, std::span<Vec3 const> tips_mm)
 {
-    StrokeResampler resampler(rule);
+    StrokeResampler resampler(lengths);
     for (auto const& tip_mm : tips_mm)
         resampler.push(tip_mm);
     return { resampler.nodes_mm().begin(), resampler.nodes_mm().end() };
+}
+
+std::vector<Vec3> resample_stroke(Rule const& rule, std::span<Vec3 const> tips_mm)
+{
+    return resample_stroke(lengths_of(rule), tips_mm);
 }
 
 } // namespace tractus::sketch
