@@ -1,5 +1,6 @@
 #include "app/verbs/lsystem.h"
 
+#include "app/methods/all_checks.h"
 #include "app/plants/model_file.h"
 #include "app/resources.h"
 #include "app/terminal/console.h"
@@ -77,7 +78,7 @@ Result<void> check(LsystemArguments const& arguments)
     auto const string = TRY(derive(model, options));
     TRY(std::move(printed));
     auto const drawing = TRY(drawing_text(model, string, run));
-    return print_out(drawing);
+    return print_out(drawing + describe_uses(path, load_options(arguments.cost)));
 }
 
 // A plant of a few lines, each of which says what it does.

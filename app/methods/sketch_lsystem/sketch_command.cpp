@@ -1,6 +1,7 @@
 #include "app/methods/sketch_lsystem/sketch_command.h"
 
 #include "app/document/model_cost.h"
+#include "app/methods/sketch_lsystem/model_rule_file.h"
 #include "app/methods/sketch_lsystem/rule_file.h"
 #include "app/methods/sketch_lsystem/sketch_options.h"
 #include "app/methods/sketch_lsystem/sketch_report.h"
@@ -15,6 +16,7 @@
 #include "app/verbs/checks.h"
 #include "app/verbs/shared_options.h"
 #include "drivers/file.h"
+#include "engine/lsystem/view/leaf_sheet.h"
 #include "engine/methods/sketch_lsystem/drawn_axis.h"
 #include "engine/methods/sketch_lsystem/grow_edit.h"
 #include "engine/methods/sketch_lsystem/stroke_resampler.h"
@@ -22,8 +24,10 @@
 #include "engine/stroke/upright_sheet.h"
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fmt/format.h>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,6 +46,7 @@ struct SketchArguments {
     std::size_t number = 1; // Number of the stroke in its file.
     std::string surface;    // Empty: as surface_for() has it.
     std::string height;     // Height for a log without a height sensor.
+    std::uint64_t seed = 1; // Of a model's chance.
     bool bare = false;
     bool report = false;
     bool session = false;
@@ -130,9 +135,27 @@ Result<sketch::GrowAlongStroke> drawn_edit(SketchArguments const& arguments,
     };
 }
 
-Result<void> sketch_plant(SketchArguments const& arguments)
+// The plant's pictures and session, once its model is written.
+Result<void> write_plant(SketchArguments const& arguments, Edit const& load, fs::path const& base,
+                         Result<sketch::GrowAlongStroke> const& drawn, int segments)
 {
-    TRY(check_writable(arguments.folder / "model.l"));
+    auto const scene = TRY(apply_edit({}, load, make_load_options()));
+    auto const name = arguments.stroke.stem().string();
+    for (auto const* const ending : { ".png", ".glb" })
+        TRY(write_plant_file(*scene.base, name, fs::path(base).concat(ending)));
+    if (arguments.session) {
+        auto const edit = TRY(Result<sketch::GrowAlongStroke>(drawn));
+        TRY(begin_session(fs::path(base).concat(".tractus"), { edit }, arguments.methods.edits));
+    }
+    return print_out(
+        fmt::format("{0}.l, .v, .png, .glb{1}: {2} segments drawn, {3} internodes, {4} "
+                    "leaves\n",
+                    base.string(), arguments.session ? ", .tractus" : "", segments,
+                    scene.base->segment_count(), scene.base->organs.size()));
+}
+
+Result<void> sketch_rule(SketchArguments const& arguments)
+{
     auto const rule = TRY(read_rule(arguments));
     auto const axis = TRY(draw_axis(arguments, rule));
     auto const name = arguments.stroke.stem().string();
@@ -142,23 +165,51 @@ Result<void> sketch_plant(SketchArguments const& arguments)
     TRY(write_model_files(base, source));
     if (arguments.report) {
         auto const model = TRY(compile_model(source));
-        auto const report = TRY(sketch::print_report(rule, axis, model));
+        auto const report
+            = TRY(sketch::print_report({ axis, sketch::nodes_of(axis, rule), axis.depth }, model));
         return print_out(report);
     }
     warn_of_cut(rule, axis);
-    LoadModel const load { .source = source };
-    auto const scene = TRY(apply_edit({}, load, make_load_options()));
-    for (auto const* const ending : { ".png", ".glb" })
-        TRY(write_plant_file(*scene.base, name, fs::path(base).concat(ending)));
-    if (arguments.session) {
-        auto const drawn = TRY(drawn_edit(arguments, rule));
-        TRY(begin_session(fs::path(base).concat(".tractus"), { drawn }, arguments.methods.edits));
-    }
-    return print_out(
-        fmt::format("{0}.l, .v, .png, .glb{1}: {2} segments drawn, {3} internodes, {4} "
-                    "leaves\n",
-                    base.string(), arguments.session ? ", .tractus" : "", axis.segments(),
-                    scene.base->segment_count(), scene.base->organs.size()));
+    return write_plant(arguments, LoadModel { .source = source }, base, drawn_edit(arguments, rule),
+                       axis.segments());
+}
+
+// What the model includes lies beside it, but for leaves, which are grown again.
+Result<void> write_includes(fs::path const& folder, sketch::ModelRule const& model)
+{
+    for (auto const& [name, text] : model.includes)
+        if (!parse_leaf_sheet_name(name))
+            TRY(write_file(folder / name, text));
+    return {};
+}
+
+// A model in a rule's place.
+Result<void> sketch_model(SketchArguments const& arguments)
+{
+    auto drawn = TRY(drawn_edit(arguments, {}));
+    drawn.model = TRY(load_model_rule(arguments.rule));
+    drawn.model.seed = arguments.seed;
+    auto const nodes_mm = TRY(sketch::drawn_nodes_mm(drawn));
+    auto const base = arguments.folder / arguments.stroke.stem();
+    auto const source = TRY(sketch::model_of(drawn));
+    TRY(write_model_files(base, source));
+    TRY(write_includes(arguments.folder, drawn.model));
+    auto axis = TRY(sketch::axis_along(drawn.model, nodes_mm, drawn.scale));
+    if (!arguments.report)
+        return write_plant(arguments, drawn, base, drawn, axis.axis.segments());
+    auto const include = [&](std::string const& name) -> Result<std::string> {
+        return drawn.model.includes.at(name);
+    };
+    auto const model = TRY(compile_model(source, include));
+    auto const report
+        = TRY(sketch::print_report({ axis.axis, axis.nodes_mm, {} }, model, drawn.model.seed));
+    return print_out(report);
+}
+
+Result<void> sketch_plant(SketchArguments const& arguments)
+{
+    TRY(check_writable(arguments.folder / "model.l"));
+    return names_model(arguments.rule) ? sketch_model(arguments) : sketch_rule(arguments);
 }
 
 void add_options(CLI::App& verb, SketchArguments& arguments)
@@ -168,8 +219,8 @@ void add_options(CLI::App& verb, SketchArguments& arguments)
         ->type_name("STROKE")
         ->required();
     verb.add_option("--rule", arguments.rule,
-                    "The rule, a small TOML file or a card (.card) from the window; without it the "
-                    "usual one")
+                    "The rule, a small TOML file or a card (.card) from the window, or a model, an "
+                    "L-system file (.l) or one of ours; without it the usual rule")
         ->type_name("RULE");
     verb.add_option("-o,--output", arguments.folder,
                     "The folder for the plant's files; made if it is not there")
@@ -186,7 +237,12 @@ void add_options(CLI::App& verb, SketchArguments& arguments)
         ->type_name("SURFACE")
         ->check(one_of({ "space", "paper" }));
     add_height_option(verb, arguments.height);
-    verb.add_flag("--bare", arguments.bare, "Without leaves");
+    verb.add_option("--seed", arguments.seed,
+                    "Of a model's chance: another seed, other laterals along the same axis")
+        ->type_name("N")
+        ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()))
+        ->capture_default_str();
+    verb.add_flag("--bare", arguments.bare, "Without leaves; a model has its own");
     verb.add_flag("--session", arguments.session, "Also begin a session with the plant");
     verb.add_flag(
         "--report", arguments.report,
@@ -216,7 +272,11 @@ void add_sketch_command(CLI::App& root, Action& action, Methods const& methods)
         "the\n"
         "shortest internode (1), n_max the most segments of the stroke (64), limit the most "
         "internodes\n"
-        "of the plant (200000).");
+        "of the plant (200000).\n"
+        "A model can be grown so whose text has the places for a stroke: birch, broadleaf, "
+        "conifer,\n"
+        "frond, palm, poplar and vine have them, and \"tractus lsystem check\" says what another "
+        "lacks.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return sketch_plant(*arguments); }; });
 }

@@ -8,19 +8,21 @@
 
 namespace tractus::sketch {
 
-Result<std::string> print_report(Rule const& rule, DrawnAxis const& axis, Model const& model)
+Result<std::string> print_report(ReportedAxis const& drawn, Model const& model, std::uint64_t seed)
 {
-    auto report = nlohmann::json { { "segments", axis.segments() }, { "depth", axis.depth } };
-    for (auto const& node_mm : nodes_of(axis, rule))
+    auto report = nlohmann::json { { "segments", drawn.axis.segments() } };
+    if (drawn.depth)
+        report["depth"] = *drawn.depth;
+    for (auto const& node_mm : drawn.nodes_mm)
         report["nodes"].push_back({ node_mm.x(), node_mm.y(), node_mm.z() });
     for (auto const* const key : { "plane", "bend", "counts" })
         report[key] = nlohmann::json::array();
-    for (auto const& turn : axis.turns) {
+    for (auto const& turn : drawn.axis.turns) {
         report["plane"].push_back(turn.plane_deg);
         report["bend"].push_back(turn.bend_deg);
     }
     auto const run = load_options();
-    DeriveOptions options { .limits = run.limits, .print = run.print };
+    DeriveOptions options { .seed = seed, .limits = run.limits, .print = run.print };
     options.on_step = [&](int step, ModuleString const& string) {
         if (step > 0)
             report["counts"].push_back(count_symbols(model, string));

@@ -1,8 +1,15 @@
+#include "app/methods/all_methods.h"
+#include "app/resources.h"
+#include "app/session/session_file.h"
+#include "engine/methods/sketch_lsystem/grow_edit.h"
+#include "engine/scene/scene.h"
 #include "tests/app/verbs/outcome.h"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <unistd.h>
@@ -71,6 +78,103 @@ TEST_F(SketchCommand, SaysWhatIsWrongWithAStroke)
         = run({ "sketch", path("straight.txt"), "--stroke", "2", "-o", path("out") });
     EXPECT_NE(missing.err.find("it has no stroke 2, its last is 1"), std::string::npos)
         << missing.err;
+}
+
+class SketchedModel : public SketchCommand {
+protected:
+    SketchedModel()
+    {
+        std::ofstream bow(folder_ / "bow.txt");
+        for (int i = 0; i < 150; ++i)
+            bow << 60 * std::sin(i / 50.0) << ' ' << 12 * std::sin(i / 25.0) << ' ' << 1.3 * i
+                << '\n';
+        std::ofstream(folder_ / "lacking.l")
+            << "#define N 0\nLsystem: 1\nderivation length: 1\nAxiom: F(1)\nendlsystem\n";
+    }
+
+    // The first block without a language of the manual's page, the model that it shows.
+    static std::string model_of_manual()
+    {
+        std::ifstream page(find_resource("manual/models.md").value());
+        std::string const text { std::istreambuf_iterator<char>(page), {} };
+        auto const begin = text.find("#define SEGMENTS 0");
+        return text.substr(begin, text.find("```", begin) - begin);
+    }
+};
+
+TEST_F(SketchedModel, ReportsItsAxisAndNoDepth)
+{
+    auto const outcome
+        = run({ "sketch", path("bow.txt"), "--rule", "vine", "-o", path("out"), "--report" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const report = nlohmann::json::parse(outcome.out);
+    std::size_t const segments = report["segments"];
+    EXPECT_GT(segments, 40u);
+    EXPECT_EQ(report["nodes"].size(), segments + 1);
+    EXPECT_EQ(report["plane"].size(), segments);
+    EXPECT_EQ(report["bend"].size(), segments);
+    EXPECT_FALSE(report.contains("depth"));
+    ASSERT_EQ(report["counts"].size(), segments);
+    EXPECT_EQ(report["counts"].back()["Z"], segments);
+}
+
+// What is written derives to the plant, and keeps the contract for another stroke.
+TEST_F(SketchedModel, IsWrittenAsAModel)
+{
+    ASSERT_EQ(run({ "sketch", path("bow.txt"), "--rule", "palm", "-o", path("out") }).exit_code, 0);
+    for (auto const* const file : { "out/bow.l", "out/bow.v", "out/bow.png", "out/bow.glb" })
+        EXPECT_TRUE(fs::exists(path(file))) << file;
+    auto const checked = run({ "lsystem", "check", path("out/bow.l") });
+    EXPECT_NE(checked.out.find("\nCan be grown along a stroke\n"), std::string::npos)
+        << checked.out << checked.err;
+    auto const again = run({ "sketch", path("straight.txt"), "--rule", path("out/bow.l"), "-o",
+                             path("again"), "--report" });
+    EXPECT_EQ(nlohmann::json::parse(again.out)["segments"], 15) << "100 mm by 6.5";
+}
+
+TEST_F(SketchedModel, BeginsASessionThatHoldsItsText)
+{
+    auto const text = model_of_manual();
+    std::ofstream(folder_ / "whip.l") << text;
+    auto const outcome = run({ "sketch", path("bow.txt"), "--rule", path("whip.l"), "--seed", "7",
+                               "--session", "-o", path("out") });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const session = read_session(path("out/bow.tractus"), all_methods().edits).value();
+    ASSERT_EQ(session.edits.size(), 1u);
+    auto const* const edit = session.edits.front().edit.get<sketch::GrowAlongStroke>();
+    ASSERT_NE(edit, nullptr);
+    EXPECT_EQ(edit->model.source.text, text);
+    EXPECT_EQ(edit->model.seed, 7u);
+    auto const scene = apply_edit(Scene {}, *edit).value();
+    EXPECT_EQ(scene.base->organs.size(), sketch::drawn_nodes_mm(*edit).value().size() - 1);
+}
+
+TEST_F(SketchedModel, SaysWhatAModelLacks)
+{
+    auto const checked = run({ "lsystem", "check", path("lacking.l") });
+    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+    auto const begins = checked.out.find("\nCannot be grown along a stroke\n  ");
+    ASSERT_NE(begins, std::string::npos) << checked.out;
+    EXPECT_NE(checked.out.find("lacking.l: it has no array plane", begins), std::string::npos);
+    auto const refused
+        = run({ "sketch", path("bow.txt"), "--rule", path("lacking.l"), "-o", path("out") });
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_NE(refused.err.find("so it cannot grow along a stroke; \"tractus lsystem check\" says "
+                               "all that it lacks"),
+              std::string::npos)
+        << refused.err;
+    EXPECT_FALSE(fs::exists(path("out/bow.l")));
+}
+
+TEST_F(SketchedModel, CanBeEachOfOursThatTheHelpNames)
+{
+    for (auto const* const name :
+         { "birch", "broadleaf", "conifer", "frond", "palm", "poplar", "vine" }) {
+        auto const checked = run({ "lsystem", "check", name });
+        EXPECT_NE(checked.out.find("\nCan be grown along a stroke\n"), std::string::npos) << name;
+    }
+    auto const shrub = run({ "lsystem", "check", "shrub" });
+    EXPECT_NE(shrub.out.find("\nCannot be grown along a stroke\n"), std::string::npos);
 }
 
 } // namespace
