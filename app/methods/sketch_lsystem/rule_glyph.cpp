@@ -1,5 +1,6 @@
 #include "app/methods/sketch_lsystem/rule_glyph.h"
 
+#include "app/methods/sketch_lsystem/model_glyph.h"
 #include "app/methods/sketch_lsystem/sketch_options.h"
 #include "engine/base/vectors.h"
 
@@ -134,7 +135,10 @@ void add_handles(Glyph& glyph, sketch::Rule const& rule)
 
 Glyph show_rule(void const* options)
 {
-    auto const rule = rule_of(*static_cast<SketchTool const*>(options));
+    auto const& tool = *static_cast<SketchTool const*>(options);
+    if (auto const model = model_of(tool); model.is_set())
+        return show_model(model);
+    auto const rule = rule_of(tool);
     Glyph glyph;
     add_parts(glyph, rule);
     add_handles(glyph, rule);

@@ -26,18 +26,20 @@ double distance_mm(Vec2 const& point_mm, Vec2 const& from_mm, Vec2 const& to_mm)
     return (from_mm + share * (to_mm - from_mm) - point_mm).norm();
 }
 
-// The segments of the drawn axis, in the plant as it is built.
-std::vector<SegmentId> drawn_axis(Scene const& scene, ItemId part)
+// The segments of the drawn axis, in the plant as it is built. The branch may go on beyond them.
+Result<std::vector<SegmentId>> drawn_axis(Scene const& scene, sketch::GrownPart const& grown)
 {
     std::vector<SegmentId> axis;
-    auto const prefix = part == 0 ? PartPrefix {} : part_prefix(part);
-    for (std::uint32_t i = 0;; ++i) {
+    auto const count = TRY(sketch::drawn_nodes_mm(*grown.sketch)).size() - 1;
+    auto const prefix = grown.part == 0 ? PartPrefix {} : part_prefix(grown.part);
+    for (std::uint32_t i = 0; i < count; ++i) {
         auto const segment
             = scene.rest->addresses.find_segment(*scene.base, in_part(prefix, { 0, i }));
         if (!segment)
-            return axis;
+            break;
         axis.push_back(*segment);
     }
+    return axis;
 }
 
 // How many segments lie before the first that the eraser touches; no value: it touches none.
@@ -67,7 +69,7 @@ Result<std::vector<Edit>> shorten(Tool const&, Stroke const& stroke, Scene const
                     "the plant that takes what is drawn has not grown along a stroke: choose one "
                     "that has");
     auto const left
-        = untouched(stroke, drawn_axis(scene, grown->part), grown->sketch->surface, scene);
+        = untouched(stroke, TRY(drawn_axis(scene, *grown)), grown->sketch->surface, scene);
     if (!left)
         return fail(Fault::User,
                     "the eraser touched nothing of the axis that was drawn: move it over the axis");

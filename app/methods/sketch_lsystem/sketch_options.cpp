@@ -1,5 +1,7 @@
 #include "app/methods/sketch_lsystem/sketch_options.h"
 
+#include "app/methods/sketch_lsystem/ready_models.h"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -30,13 +32,22 @@ constexpr std::array<OptionWord, 2> kDrawnWords { {
     { "follow", "follows" },
     { "stay", "stays" },
 } };
-constexpr std::array<OptionWord, 6> kCardWords { {
+constexpr char const* kModelTitle = "The model grows along the stroke";
+constexpr std::array<OptionWord, 13> kCardWords { {
     { "opposite", "Opposite" },
     { "whorls", "Whorls" },
     { "crown", "Crown" },
     { "vase", "Vase" },
     { "spire", "Spire" },
     { "fern", "Fern" },
+    // Models, by their names (ready_models.h).
+    { "birch", "Birch", kModelTitle },
+    { "broadleaf", "Broadleaf", kModelTitle },
+    { "conifer", "Conifer", kModelTitle },
+    { "frond", "Frond", kModelTitle },
+    { "palm", "Palm", kModelTitle },
+    { "poplar", "Poplar", kModelTitle },
+    { "vine", "Vine", kModelTitle },
 } };
 
 // In the order of SketchTool::Laterals: the paper's, then the cards.
@@ -70,9 +81,15 @@ constexpr std::array<RuleCard, 6> kCards { {
 } };
 constexpr double kSlender = 0.15; // The first internode's diameter, by its length.
 
+bool is_of_model(SketchTool const& tool)
+{
+    return static_cast<std::size_t>(tool.card) >= kCards.size();
+}
+
+// Of a model: the usual one.
 RuleCard const& ready_rule_of(SketchTool const& tool)
 {
-    return kCards[static_cast<std::size_t>(tool.card)];
+    return is_of_model(tool) ? kCards.front() : kCards[static_cast<std::size_t>(tool.card)];
 }
 
 void take_numbers_of_card(void* options)
@@ -177,9 +194,18 @@ void visit_sketch_options(OptionVisitor& visitor, SketchTool& tool)
                    tool.shortest_mm);
 }
 
+sketch::ModelRule model_of(SketchTool const& tool)
+{
+    if (!is_of_model(tool))
+        return {};
+    return ready_model(kCardWords[static_cast<std::size_t>(tool.card)].word);
+}
+
 sketch::Rule rule_of(SketchTool const& tool)
 {
     sketch::Rule rule;
+    if (is_of_model(tool))
+        return rule;
     rule.laterals = static_cast<int>(std::round(tool.laterals));
     rule.angle_deg = tool.angle_deg;
     rule.first_length_mm = tool.first_length_mm;
@@ -225,6 +251,29 @@ bool says_rule(SketchTool const& tool, sketch::Rule const& rule)
         && is_same(as_twist_deg(said.lateral_twist_deg - rule.lateral_twist_deg), 0)
         && is_same(said.shortest_mm, rule.shortest_mm)
         && (said.lateral_rules == rule.lateral_rules || !said_laterals(tool, rule));
+}
+
+bool says_grown(SketchTool const& tool, sketch::GrowAlongStroke const& grown)
+{
+    if (is_of_model(tool) || grown.model.is_set())
+        return grown.model.source == model_of(tool).source;
+    return says_rule(tool, grown.rule);
+}
+
+std::optional<SketchTool> saying_grown(SketchTool const& tool, sketch::GrowAlongStroke const& grown)
+{
+    auto said = tool;
+    if (!grown.model.is_set()) {
+        if (is_of_model(said))
+            said.card = SketchTool::Card::Opposite;
+        return saying_rule(said, grown.rule);
+    }
+    for (auto card = kCards.size(); card < kCardWords.size(); ++card) {
+        said.card = static_cast<SketchTool::Card>(card);
+        if (says_grown(said, grown))
+            return said;
+    }
+    return std::nullopt;
 }
 
 SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule)

@@ -10,6 +10,7 @@ namespace tractus {
 namespace {
 
 constexpr double kMostInternodes = 4000;
+constexpr std::size_t kMostModules = 200'000; // Of a model that is grown again for each frame.
 
 SkeletonLine line_of(Plant const& plant, Axis const& axis, DeskPlacement const& from,
                      DeskPlacement const& to)
@@ -21,6 +22,22 @@ SkeletonLine line_of(Plant const& plant, Axis const& axis, DeskPlacement const& 
     for (auto const& node_mm : plant.positions(axis))
         line.points_mm.push_back(to.plant_of_world(from.world_of_plant(node_mm)).cast<float>());
     return line;
+}
+
+// The axis alone, of a model that is too large for a preview.
+Result<BuiltSource> drawn_axis_of(sketch::GrowAlongStroke const& edit)
+{
+    constexpr float kRadius_mm = 8; // In the plant.
+    auto const nodes_mm = TRY(sketch::drawn_nodes_mm(edit));
+    Plant plant;
+    for (auto const& node_mm : nodes_mm) {
+        plant.node_position_mm.push_back((node_mm - nodes_mm.front()) / edit.scale);
+        plant.node_radius_mm.push_back(kRadius_mm);
+    }
+    Axis axis;
+    axis.segment_count = static_cast<std::uint32_t>(nodes_mm.size() - 1);
+    plant.axes.push_back(axis);
+    return BuiltSource { std::move(plant) };
 }
 
 class SketchPreviewer final : public StrokePreviewer {
@@ -36,12 +53,20 @@ public:
             return {};
         auto edit = *again;
         edit.leaves = sketch::Leaves::Bare;
-        edit.rule.most_internodes = std::max<double>(edit.rule.most_segments, kMostInternodes);
+        LoadOptions options;
+        if (edit.model.is_set())
+            options.limits.max_modules = kMostModules;
+        else
+            edit.rule.most_internodes = std::max<double>(edit.rule.most_segments, kMostInternodes);
         auto const& place = find_place(tool, edit, stroke.scene);
         if (place && *place)
             fit_to_branch(edit, **place);
-        auto const built = sketch::build_sketch(edit, {});
-        if (!built || !place)
+        if (!place)
+            return {};
+        auto built = sketch::build_sketch(edit, options);
+        if (!built && edit.model.is_set())
+            built = drawn_axis_of(edit);
+        if (!built)
             return {};
         auto const& branch = *place;
         DeskPlacement const placement { .scale = edit.scale,

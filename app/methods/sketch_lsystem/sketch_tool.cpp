@@ -29,9 +29,20 @@ Result<sketch::GrownPart> grown_last(Scene const& scene)
     return *grown;
 }
 
+// The tool's model for what has grown, with the chance that this has.
+sketch::ModelRule model_for(SketchTool const& tool, sketch::GrowAlongStroke const& grown)
+{
+    auto model = model_of(tool);
+    model.seed = grown.model.seed;
+    return model;
+}
+
 Result<std::vector<Edit>> change(SketchTool const& tool, Scene const& scene)
 {
     auto const grown = TRY(grown_last(scene));
+    if (auto model = model_for(tool, *grown.sketch); model.is_set())
+        return std::vector<Edit> { sketch::ChangeSketch {
+            scene.drawn->id, grown.part, grown.sketch->rule, tool.leaves, std::move(model) } };
     auto const& before = grown.sketch->rule;
     auto rule = with_options(before, tool);
     // What nobody has set stays. Recordings rely on it, and on the thickness.
@@ -66,9 +77,10 @@ std::vector<Edit> follow(Tool const& before, Tool const& after, Scene const& sce
         return edits;
     for (auto const& plant : scene.state.plants)
         for (auto const& [part, grown] : sketch::all_grown(*plant))
-            if (says_rule(old, grown->rule) && !says_rule(options, grown->rule))
-                edits.push_back(sketch::ChangeSketch {
-                    plant->id, part, with_options(grown->rule, options), grown->leaves });
+            if (says_grown(old, *grown) && !says_grown(options, *grown))
+                edits.push_back(sketch::ChangeSketch { plant->id, part,
+                                                       with_options(grown->rule, options),
+                                                       grown->leaves, model_for(options, *grown) });
     return edits;
 }
 
@@ -77,9 +89,11 @@ std::optional<Tool> like_drawn(Tool const& tool, Scene const& scene)
     auto const grown = sketch::newest_grown(*scene.drawn);
     if (!grown)
         return std::nullopt;
-    auto options = saying_rule(*tool.get<SketchTool>(), grown->sketch->rule);
-    options.leaves = grown->sketch->leaves;
-    return Tool(options);
+    auto options = saying_grown(*tool.get<SketchTool>(), *grown->sketch);
+    if (!options)
+        return std::nullopt;
+    options->leaves = grown->sketch->leaves;
+    return Tool(*options);
 }
 
 Result<std::vector<Edit>> grow(Tool const& tool, Stroke const& stroke, Scene const& scene)
@@ -107,6 +121,8 @@ sketch::GrowAlongStroke grown_along(SketchTool const& tool, Stroke const& stroke
 {
     sketch::GrowAlongStroke edit;
     edit.rule = rule_of(tool);
+    edit.model = model_of(tool);
+    edit.model.seed = 1 + scene.plants.size(); // No two plants of a drawing are alike.
     edit.stroke = stroke;
     // What begins on a branch begins where the pad shows that: in space, however the surface moves.
     edit.surface = is_on_branch(tool) && tool.surface == StrokeSurface::Decided
@@ -163,7 +179,8 @@ constexpr ToolKind SketchTool::kKind {
       "fork or go on by a ready rule of their own; with leaves or bare; as drawn in space, on "
       "paper that stands upright, or whichever the "
       "surface's way shows; alone, on the branch where the stroke begins, or in its place; "
-      "or another stroke, or at once these numbers, for what has grown along a stroke last",
+      "or another stroke, or at once these numbers, for what has grown along a stroke last; "
+      "in the rule's place one of our models, whose trunk or stem the stroke becomes",
     .group = "Sketch",
     .method = "Along a stroke",
     .icon = "5950 5674 5422 5362",

@@ -13,8 +13,24 @@ struct SketchTool {
     static ToolKind const kKind;
 
     // A ready rule. A person who chooses one chooses its numbers, too, which logs name; its twist
-    // and its shortest internode are the card's as long as no option says others.
-    enum class Card { Opposite, Whorls, Crown, Vase, Spire, Fern } card = Card::Opposite;
+    // and its shortest internode are the card's as long as no option says others. Or, from Birch
+    // on, one of our models in a rule's place: numbers and leaves say nothing of it.
+    enum class Card {
+        Opposite,
+        Whorls,
+        Crown,
+        Vase,
+        Spire,
+        Fern,
+        Birch,
+        Broadleaf,
+        Conifer,
+        Frond,
+        Palm,
+        Poplar,
+        Vine,
+    } card
+        = Card::Opposite;
     double laterals = 2;
     double angle_deg = 45;
     double first_length_mm = 30;

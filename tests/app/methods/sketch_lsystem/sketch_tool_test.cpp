@@ -7,8 +7,11 @@
 #include "app/methods/sketch_lsystem/shorten_sketch_tool.h"
 #include "app/methods/sketch_lsystem/sketch_previewer.h"
 #include "app/tools/bent_plant.h"
+#include "engine/methods/sketch_lsystem/change_edits.h"
 #include "engine/scene/scene_shaper.h"
 #include "engine/variation/place_nodes.h"
+#include "tests/app/replayed.h"
+#include "tests/app/simulated_drawing.h"
 #include "tests/app/small_model.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +40,8 @@ TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
     std::vector<Tool> chosen;
     for (auto const& card : ready_cards(Tool(SketchTool {})))
         chosen.push_back(card.tool);
-    ASSERT_EQ(chosen.size(), 6u);
+    ASSERT_EQ(chosen.size(), 13u);
+    chosen.resize(6); // The others are models.
     EXPECT_EQ(words_for(chosen[1]).arguments, "whorls laterals=4 angle=75 first=28 ratio=0.88");
     EXPECT_EQ(words_for(chosen[5]).arguments, "fern angle=55 first=13 ratio=0.96 lateral=0.7");
     for (auto const& tool : chosen) {
@@ -49,6 +53,88 @@ TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
         plants += apply_edits(Scene {}, edits).value().plants.size();
     }
     EXPECT_EQ(plants, 6u);
+}
+
+// What a card of a model stands for.
+sketch::GrowAlongStroke drawn_with(SketchTool::Card card, Scene const& scene = {})
+{
+    auto const edits = Tool(SketchTool { .card = card }).mean(rising_stroke(), scene).value();
+    return *edits.front().get<sketch::GrowAlongStroke>();
+}
+
+TEST(SketchTool, GrowsAModelInARulesPlace)
+{
+    auto const tools = all_methods().tools;
+    for (int card = 6; card < 13; ++card) {
+        Tool const tool = SketchTool { .card = static_cast<SketchTool::Card>(card) };
+        auto const words = words_for(tool);
+        EXPECT_EQ(parse_tool(tools, words.name, words.arguments).value(), tool);
+        auto const grown = drawn_with(static_cast<SketchTool::Card>(card));
+        EXPECT_EQ(grown.model.source.name, words.arguments + ".l");
+        auto const scene = apply_edit(Scene {}, grown).value();
+        auto const nodes_mm = sketch::drawn_nodes_mm(grown).value();
+        auto const axis_mm = scene.base->positions(scene.base->axes.front());
+        ASSERT_GE(axis_mm.size(), nodes_mm.size()) << words.arguments;
+        for (std::size_t i = 0; i < nodes_mm.size(); ++i)
+            EXPECT_NEAR((scene.placement.world_of_plant(axis_mm[i]) - nodes_mm[i]).norm(), 0, 0.01);
+        EXPECT_FALSE(tool.glyph().lines.empty());
+        EXPECT_TRUE(tool.glyph().handles.empty());
+    }
+    auto const one = apply_edit(Scene {}, drawn_with(SketchTool::Card::Vine)).value();
+    EXPECT_EQ(drawn_with(SketchTool::Card::Vine, one).model.seed, 2u) << "another one";
+}
+
+TEST(SketchTool, ShowsAModelUnderThePen)
+{
+    Tool const tool = SketchTool { .card = SketchTool::Card::Palm };
+    auto const scene = std::make_shared<Scene const>(small_scene());
+    auto const stroke = rising_stroke();
+    auto const lines = sketch_previewer()->show({ scene, tool, stroke.tips.vector(), 99 });
+    auto const after = apply_edits(*scene, tool.mean(stroke, *scene).value()).value();
+    EXPECT_EQ(lines.size(), after.base->axes.size());
+}
+
+// Choosing another card lets what has grown follow, from rules to models and back.
+TEST(SketchTool, ChangesRulesIntoModels)
+{
+    SketchTool const rule;
+    SketchTool const vine { .card = SketchTool::Card::Vine };
+    auto const grown = apply_edits(Scene {}, Tool(rule).mean(rising_stroke(), {}).value()).value();
+    auto const to_vine = SketchTool::kKind.follow(Tool(rule), Tool(vine), grown);
+    ASSERT_EQ(to_vine.size(), 1u);
+    auto const changed = apply_edits(grown, to_vine).value();
+    EXPECT_EQ(sketch::newest_grown(*changed.drawn)->sketch->model.source.name, "vine.l");
+    EXPECT_EQ(SketchTool::kKind.like_drawn(Tool(rule), changed)->get<SketchTool>()->card,
+              SketchTool::Card::Vine);
+    auto const to_rule = SketchTool::kKind.follow(Tool(vine), Tool(rule), changed);
+    auto const back = apply_edits(changed, to_rule).value();
+    EXPECT_EQ(back.base->node_position_mm, grown.base->node_position_mm);
+    EXPECT_TRUE(SketchTool::kKind.follow(Tool(rule), Tool(rule), grown).empty());
+}
+
+// A log names a model, and holds no text.
+TEST(SketchTool, GrowsTheSameModelFromALog)
+{
+    constexpr std::string_view kVine = R"(
+version = 1
+seed = 3
+[[gesture]]
+tool = "sketch"
+words = "vine space"
+path = "s_curve"
+from_mm = [16, 20, 34]
+to_mm = [70, 0, 95]
+swing_mm = 12
+speed_mm_s = 120
+)";
+    auto const log = recorded_log(kVine);
+    auto const one = replayed(log).scene;
+    auto const two = replayed(log).scene;
+    ASSERT_EQ(one.plants.size(), 2u);
+    auto const* const grown = sketch::newest_grown(*one.drawn)->sketch;
+    EXPECT_EQ(grown->model.source.name, "vine.l");
+    EXPECT_EQ(grown->model.seed, 2u);
+    EXPECT_EQ(one.base->node_position_mm, two.base->node_position_mm);
 }
 
 // A number that is the tool's own again is no less the person's.

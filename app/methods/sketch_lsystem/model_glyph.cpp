@@ -1,0 +1,93 @@
+#include "app/methods/sketch_lsystem/model_glyph.h"
+
+#include "engine/methods/sketch_lsystem/grow_edit.h"
+#include "engine/plant/join_axes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace tractus {
+
+namespace {
+
+// A stroke that bows a little.
+Stroke short_stroke()
+{
+    constexpr int kTips = 60;
+    constexpr double kLength_mm = 150;
+    constexpr double kBow_mm = 14;
+    Stroke stroke;
+    for (int i = 0; i <= kTips; ++i) {
+        double const share = static_cast<double>(i) / kTips;
+        stroke.tips.push_back(
+            { .position_mm = { kBow_mm * std::sin(kPi * share), 0, kLength_mm * share },
+              .touching = true });
+    }
+    return stroke;
+}
+
+// From the front, in the glyph's frame.
+class FrontView {
+public:
+    explicit FrontView(Plant const& plant)
+    {
+        constexpr double kFits = 1.8; // Of the frame's two.
+        auto const box = bounds(plant);
+        Vec3 const size_mm = box.max_mm - box.min_mm;
+        scale_ = kFits / std::max({ size_mm.x(), size_mm.z(), 1.0 });
+        middle_mm_ = (box.min_mm + box.max_mm) / 2;
+    }
+
+    Vec2 seen(Vec3 const& point_mm) const
+    {
+        Vec3 const from_middle = scale_ * (point_mm - middle_mm_);
+        return { from_middle.x(), from_middle.z() };
+    }
+
+private:
+    double scale_ = 1;
+    Vec3 middle_mm_ = Vec3::Zero();
+};
+
+Glyph draw_model(sketch::ModelRule const& model)
+{
+    constexpr std::size_t kMostLines = 200;
+    Glyph glyph;
+    glyph.hint = "A plant of this model";
+    auto const built = sketch::build_sketch({ .stroke = short_stroke(), .model = model }, {});
+    if (!built)
+        return glyph;
+    auto const& plant = built->plant;
+    FrontView const view(plant);
+    auto order = axes_in_drawing_order(plant);
+    order.resize(std::min(order.size(), kMostLines));
+    std::reverse(order.begin(), order.end()); // The trunk over all others.
+    for (auto const id : order) {
+        Glyph::Line line;
+        for (auto const& node_mm : plant.positions(plant.axes[id]))
+            line.points.push_back(view.seen(node_mm));
+        bool const is_drawn = id == 0;
+        line.width = is_drawn ? 0.04 : 0.012;
+        line.color = is_drawn ? LayerStyle::Color::Grey : LayerStyle::Color::Green;
+        glyph.lines.push_back(std::move(line));
+    }
+    return glyph;
+}
+
+} // namespace
+
+Glyph show_model(sketch::ModelRule const& model)
+{
+    static std::mutex mutex;
+    static std::map<std::string, Glyph> drawn;
+    std::lock_guard const lock(mutex);
+    auto const found = drawn.find(model.source.name);
+    if (found != drawn.end())
+        return found->second;
+    return drawn.emplace(model.source.name, draw_model(model)).first->second;
+}
+
+} // namespace tractus
