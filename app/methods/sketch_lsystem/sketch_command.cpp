@@ -7,6 +7,7 @@
 #include "app/methods/sketch_lsystem/sketch_report.h"
 #include "app/methods/sketch_lsystem/sketch_tool.h"
 #include "app/plants/drawing.h"
+#include "app/plants/model_file.h"
 #include "app/plants/plant_file.h"
 #include "app/plants/session_plant.h"
 #include "app/plants/stroke_file.h"
@@ -31,6 +32,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace tractus {
 
@@ -89,21 +91,43 @@ Result<sketch::DrawnAxis> draw_axis(SketchArguments const& arguments, sketch::Ru
     return sketch::draw_axis(rule, nodes_mm);
 }
 
-// A rule file, or a card that was kept in the window.
-Result<sketch::Rule> read_rule(SketchArguments const& arguments)
+bool names_card(SketchArguments const& arguments)
+{
+    return arguments.rule.extension() == ".card";
+}
+
+// A card that was kept in the window.
+Result<SketchTool> read_card(SketchArguments const& arguments)
 {
     constexpr std::size_t kMostBytes = 4096;
-    if (arguments.rule.empty())
-        return sketch::parse_rule("", "the usual rule");
-    if (arguments.rule.extension() != ".card")
-        return sketch::load_rule(arguments.rule);
     auto const text = TRY(read_text_file(arguments.rule, kMostBytes));
     auto const card = TRY(parse_card(arguments.methods.tools, text, arguments.rule.string()));
     if (auto const* const tool = card.get<SketchTool>())
-        return rule_of(*tool);
+        return *tool;
     return fail(
         Fault::User,
         fmt::format("{}: it is a card of another tool, and no rule", arguments.rule.string()));
+}
+
+Result<sketch::Rule> read_rule(SketchArguments const& arguments)
+{
+    if (arguments.rule.empty())
+        return sketch::parse_rule("", "the usual rule");
+    if (names_card(arguments))
+        return rule_of(TRY(read_card(arguments)));
+    return sketch::load_rule(arguments.rule);
+}
+
+// The model that grows in a rule's place; not set where a rule does.
+Result<sketch::ModelRule> read_model(SketchArguments const& arguments)
+{
+    sketch::ModelRule model;
+    if (names_model(arguments.rule))
+        model = TRY(load_model_rule(arguments.rule));
+    else if (names_card(arguments))
+        model = model_of(TRY(read_card(arguments)));
+    model.seed = arguments.seed;
+    return model;
 }
 
 Result<void> write_model_files(fs::path const& base, ModelSource const& model)
@@ -183,12 +207,10 @@ Result<void> write_includes(fs::path const& folder, sketch::ModelRule const& mod
     return {};
 }
 
-// A model in a rule's place.
-Result<void> sketch_model(SketchArguments const& arguments)
+Result<void> sketch_model(SketchArguments const& arguments, sketch::ModelRule model)
 {
     auto drawn = TRY(drawn_edit(arguments, {}));
-    drawn.model = TRY(load_model_rule(arguments.rule));
-    drawn.model.seed = arguments.seed;
+    drawn.model = std::move(model);
     auto const nodes_mm = TRY(sketch::drawn_nodes_mm(drawn));
     auto const base = arguments.folder / arguments.stroke.stem();
     auto const source = TRY(sketch::model_of(drawn));
@@ -197,19 +219,17 @@ Result<void> sketch_model(SketchArguments const& arguments)
     auto axis = TRY(sketch::axis_along(drawn.model, nodes_mm, drawn.scale));
     if (!arguments.report)
         return write_plant(arguments, drawn, base, drawn, axis.axis.segments());
-    auto const include = [&](std::string const& name) -> Result<std::string> {
-        return drawn.model.includes.at(name);
-    };
-    auto const model = TRY(compile_model(source, include));
+    auto const compiled = TRY(compile_model(source, model_includes(base)));
     auto const report
-        = TRY(sketch::print_report({ axis.axis, axis.nodes_mm, {} }, model, drawn.model.seed));
+        = TRY(sketch::print_report({ axis.axis, axis.nodes_mm, {} }, compiled, drawn.model.seed));
     return print_out(report);
 }
 
 Result<void> sketch_plant(SketchArguments const& arguments)
 {
     TRY(check_writable(arguments.folder / "model.l"));
-    return names_model(arguments.rule) ? sketch_model(arguments) : sketch_rule(arguments);
+    auto model = TRY(read_model(arguments));
+    return model.is_set() ? sketch_model(arguments, std::move(model)) : sketch_rule(arguments);
 }
 
 void add_options(CLI::App& verb, SketchArguments& arguments)

@@ -97,36 +97,36 @@ Result<void> check_follows(std::string const& name, Plant const& plant,
     return {};
 }
 
+// A stroke of a few segments that bends ever more, the desk's millimetres.
+static std::vector<Vec3> short_nodes_mm(SegmentLengths const& lengths)
+{
+    constexpr std::size_t kSegments = 6;
+    std::vector<Vec3> nodes_mm { Vec3::Zero() };
+    Vec3 way(0.2, 0.1, 1);
+    for (std::size_t i = 0; i < std::min(kSegments, lengths.first_mm.size()); ++i) {
+        nodes_mm.push_back(nodes_mm.back() + lengths.first_mm[i] * way.normalized());
+        way += Vec3(0.3, -0.15 * static_cast<double>(i), 0);
+    }
+    return nodes_mm;
+}
+
 std::vector<std::string> lacks_for_stroke(ModelRule const& model, LoadOptions const& options)
 {
     auto const reading = read_contract(model.source.name, model.source.text);
     if (!reading.lacks.empty())
         return reading.lacks;
-    constexpr double kScale = 0.1;
-    constexpr std::size_t kSegments = 6;
-    auto lengths = lengths_on_desk(reading.contract, kScale);
-    std::vector<Vec3> nodes_mm { Vec3::Zero() };
-    Vec3 way(0.2, 0.1, 1);
-    double length_mm = lengths.first_mm.front();
-    for (std::size_t i = 0; i < std::min(kSegments, lengths.first_mm.size()); ++i) {
-        nodes_mm.push_back(nodes_mm.back() + length_mm * way.normalized());
-        length_mm = length_after(lengths, i, length_mm);
-        way += Vec3(0.3, -0.15 * static_cast<double>(i), 0);
-    }
+    constexpr double kScale = 1; // The plant is where its stroke is.
+    auto const nodes_mm = short_nodes_mm(lengths_on_desk(reading.contract, kScale));
+    auto const source = model_along(model, nodes_mm, kScale);
+    if (!source)
+        return { source.error().message };
     for (std::uint64_t const seed : { 1u, 2u }) {
-        auto const along = model_along(model, nodes_mm, kScale);
-        if (!along)
-            return { along.error().message };
         auto const built = build_lsystem(
-            { .source = *along, .includes = model.includes, .seed = seed }, options);
+            { .source = *source, .includes = model.includes, .seed = seed }, options);
         if (!built)
             return { built.error().message };
-        for (auto& node_mm : nodes_mm)
-            node_mm /= kScale;
         if (auto const follows = check_follows(model.source.name, built->plant, nodes_mm); !follows)
             return { follows.error().message };
-        for (auto& node_mm : nodes_mm)
-            node_mm *= kScale;
     }
     return {};
 }

@@ -149,6 +149,15 @@ TEST_F(SketchedModel, BeginsASessionThatHoldsItsText)
     EXPECT_EQ(scene.base->organs.size(), sketch::drawn_nodes_mm(*edit).value().size() - 1);
 }
 
+TEST_F(SketchedModel, MayBeThatOfACard)
+{
+    std::ofstream(folder_ / "mine.card") << "# A card.\nsketch vine\n";
+    auto const report = [&](std::string const& rule) {
+        return run({ "sketch", path("bow.txt"), "--rule", rule, "-o", path("out"), "--report" });
+    };
+    EXPECT_EQ(report(path("mine.card")).out, report("vine").out);
+}
+
 TEST_F(SketchedModel, SaysWhatAModelLacks)
 {
     auto const checked = run({ "lsystem", "check", path("lacking.l") });
