@@ -6,6 +6,7 @@
 #include "app/methods/all_methods.h"
 #include "app/methods/sketch_lsystem/shorten_sketch_tool.h"
 #include "app/methods/sketch_lsystem/sketch_previewer.h"
+#include "app/session/edit_record.h"
 #include "app/tools/bent_plant.h"
 #include "engine/methods/sketch_lsystem/change_edits.h"
 #include "engine/scene/scene_shaper.h"
@@ -110,6 +111,19 @@ TEST(SketchTool, ChangesRulesIntoModels)
     auto const back = apply_edits(changed, to_rule).value();
     EXPECT_EQ(back.base->node_position_mm, grown.base->node_position_mm);
     EXPECT_TRUE(SketchTool::kKind.follow(Tool(rule), Tool(rule), grown).empty());
+}
+
+// Sessions of rules stay as they were, byte for byte.
+TEST(SketchTool, KeepsNothingOfModelsWithRules)
+{
+    auto const fields_of = [](Edit const& edit) { return record_of(edit).fields; };
+    for (auto const& fields :
+         { fields_of(sketch::GrowAlongStroke {}), fields_of(sketch::ChangeSketch {}) })
+        for (auto const* const name : { "model", "view", "includes", "seed" })
+            EXPECT_EQ(fields.find(name), std::string::npos) << fields;
+    auto const grown = drawn_with(SketchTool::Card::Vine);
+    auto const read = edit_of(record_of(grown), all_methods().edits).value();
+    EXPECT_EQ(read.get<sketch::GrowAlongStroke>()->model, grown.model);
 }
 
 // A log names a model, and holds no text.

@@ -3,6 +3,7 @@
 #include "engine/methods/sketch_lsystem/model_rule.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 #include <string>
 #include <vector>
 
@@ -116,6 +117,30 @@ TEST(AxisContract, IsTriedWithAStroke)
     EXPECT_EQ(leaves_at(replaced(kKept, "[+(40", "+(nran(0, 3))[+(40")).find(says(2)), 0u);
     EXPECT_EQ(leaves_at(replaced(kKept, "length: 9", "length: 4")).find(says(5)), 0u);
     EXPECT_NE(leaves_at(replaced(kKept, "F(2)", "F(2")).find("m.l:8:"), std::string::npos);
+}
+
+// Whatever becomes of a text, what is found in it can be replaced, and is found again.
+TEST(AxisContract, IsFoundAgainInAnyTextThatKeepsIt)
+{
+    rc::check([] {
+        auto text = kKept;
+        auto const changes = *rc::gen::inRange(0, 4);
+        for (int i = 0; i < changes; ++i) {
+            auto const at = *rc::gen::inRange<std::size_t>(0, text.size());
+            auto const by = *rc::gen::element<std::string>(
+                "", " ", "\n", "/*", "*/", "//", "{", "]", "\"", "\\\n", "#define N 3\n", "\r\n");
+            text.replace(at, *rc::gen::inRange<std::size_t>(0, 3), by);
+        }
+        auto const contract = contract_of("m.l", text);
+        RC_CLASSIFY(contract.has_value());
+        if (!contract)
+            return;
+        auto const along = with_values(text, *contract, { 2, "{7, 6}", "{90, 0}", "{30, 0}" });
+        auto const again = contract_of("m.l", along);
+        RC_ASSERT(again.has_value());
+        RC_ASSERT(again->lengths == (std::vector<double> { 7, 6 }));
+        RC_ASSERT(along.substr(again->count.begin, again->count.size) == "2");
+    });
 }
 
 TEST(AxisContract, RefusesAModelThatDoesNotKeepIt)
