@@ -1,6 +1,8 @@
+#include "engine/lsystem/view/leaf_word.h"
 #include "engine/scene/make_edit_kind.h"
 
 #include <fmt/core.h>
+#include <map>
 #include <utility>
 
 namespace tractus {
@@ -36,10 +38,18 @@ void list(Fields& fields, KeepGrammar& edit)
     fields.field("text", &edit.text);
 }
 
+// Leaves that an earlier text of that name has given are forgotten: the drawing of a leaf that is
+// worn changes under one name (app/methods/all_leaves.h).
 Result<DocumentState> applied(DocumentState state, KeepGrammar const& edit, SceneBuilder&)
 {
     if (edit.name.empty())
         return fail(Fault::User, "a leaf grammar is kept without a name");
+    auto const before = state.leaf_grammars.find(edit.name);
+    if (before != state.leaf_grammars.end() && *before->second != edit.text)
+        std::erase_if(state.leaf_sheets, [&](auto const& sheet) {
+            auto const order = parse_leaf_sheet_name(sheet.first);
+            return order && parse_leaf_word(order->grammar).grammar == edit.name;
+        });
     state.leaf_grammars[edit.name] = std::make_shared<std::string const>(edit.text);
     return state;
 }

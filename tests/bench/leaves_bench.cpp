@@ -4,6 +4,7 @@
 // faults"), and how much memory was in use at most.
 #include "app/methods/leaves/leaf_library.h"
 #include "app/methods/leaves/leaf_maps.h"
+#include "app/methods/leaves/leaf_study.h"
 #include "engine/base/parallel.h"
 #include "tests/bench/report.h"
 
@@ -110,6 +111,21 @@ void leaf_with_maps(benchmark::State& state)
     report(state, { .item = "leaves" });
 }
 BENCHMARK(leaf_with_maps)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+// Measures what the window's page of leaves shows while somebody drags a slider: a leaf with four
+// maps, and six others.
+void leaf_study(benchmark::State& state)
+{
+    auto const grammar = load_leaf_grammar("maple").value();
+    double age = 0;
+    for (auto _ : state) {
+        age = age < 0.99 ? age + 0.01 : 0;
+        benchmark::DoNotOptimize(study_leaf(
+            grammar, { .age = age, .damage = { .spots = 0.3, .larvae = 2 } }, { 250, 250, 248 }));
+    }
+    report(state, { .item = "pages" });
+}
+BENCHMARK(leaf_study)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void leaf_meshes(benchmark::State& state)
 {

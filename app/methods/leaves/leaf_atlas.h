@@ -14,7 +14,7 @@ namespace tractus {
 
 // Damage to each leaf of an atlas, as tractus leaves paint has it: numbers of larvae and mines,
 // shares of 0 to 1 for the rest.
-struct LeafDamage {
+struct AtlasDamage {
     int larvae = 0;
     double spots = 0;
     double mildew = 0;
@@ -34,7 +34,7 @@ struct AtlasOptions {
     std::uint64_t seed = 1;
     double variation = 1;
     std::optional<int> steps {};
-    LeafDamage damage {};
+    AtlasDamage damage {};
     AtlasChannels channels {}; // One of atlas_channels().
     // Whether smaller pictures of each map are written, too, each half as wide.
     enum class Mips { None, Files } mips = Mips::None;

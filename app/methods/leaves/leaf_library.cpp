@@ -125,6 +125,29 @@ leaf::PaintOptions paint_options(leaf::Grammar const& grammar, LeafLife const& l
              .seed = life.seed ^ fnv1a_64(short_leaf_name(grammar.name)) };
 }
 
+LeafDamage damage_of_leaf(LeafDamage const& average, int number)
+{
+    // Multiples of this fill the range evenly, and follow none of the leaves' ages (leaf_age()),
+    // which are multiples of the golden ratio: it is the next such number, the plastic one's.
+    constexpr double kPlastic = 0.7548776662466927;
+    double const turned = (number + 0.5) * kPlastic;
+    double const times = 2 * (turned - std::floor(turned));
+    return { .spots = std::min(1.0, times * average.spots),
+             .mildew = std::min(1.0, times * average.mildew),
+             .mines = times * average.mines,
+             .larvae = times * average.larvae,
+             .withered = average.withered };
+}
+
+void paint_damage(leaf::PaintOptions& options, LeafDamage const& damage)
+{
+    options.spots = damage.spots;
+    options.mildew = damage.mildew;
+    options.mines = static_cast<int>(std::lround(damage.mines));
+    options.larvae.count = static_cast<int>(std::lround(damage.larvae));
+    options.dead_age = damage.withered;
+}
+
 std::string short_leaf_name(std::string const& name)
 {
     return fs::path(name).stem().string();

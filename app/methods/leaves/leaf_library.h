@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/lsystem/view/leaf_word.h"
 #include "engine/methods/leaves/leaf.h"
 #include "engine/methods/leaves/leaf_grammar.h"
 #include "engine/methods/leaves/leaf_paint.h"
@@ -57,6 +58,12 @@ double color_age(double age);
 // How a leaf of that life is painted: its grammar's colours, nothing eaten. Leaves of different
 // kinds that have one seed do not have their spots in the same places.
 leaf::PaintOptions paint_options(leaf::Grammar const& grammar, LeafLife const& life);
+
+// Damage of one of many leaves that have so much on the average: from none of it to twice as much.
+LeafDamage damage_of_leaf(LeafDamage const& average, int number);
+
+// Paints it on the leaf.
+void paint_damage(leaf::PaintOptions& options, LeafDamage const& damage);
 
 // Returns what a user called a leaf: its file's name without folders and ending.
 std::string short_leaf_name(std::string const& name);

@@ -202,6 +202,7 @@ Result<LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar, LeafOrder const&
     int const columns = columns_for(order.variants);
     auto color = empty_page(maps[0], columns);
     auto normal = empty_page(maps[1], columns);
+    auto const damage = parse_leaf_word(order.grammar).damage;
     LeafSheet sheet;
     leaf::LeafPainter painter;
     for (int i = 0; i < order.variants; ++i) {
@@ -209,6 +210,7 @@ Result<LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar, LeafOrder const&
                               .seed = static_cast<std::uint64_t>(i) + 1 };
         auto const grown = TRY(grow_leaf(grammar, life));
         auto paint = paint_options(grammar, life);
+        paint_damage(paint, damage_of_leaf(damage, i));
         paint.side = kCell;
         paint.stand
             = { .margin = double(kGutter) / kCell, .middle = leaf::PictureStand::Middle::Stem };
@@ -242,8 +244,9 @@ Result<std::optional<std::string>> make_ordered_leaves(std::filesystem::path con
     auto const order = parse_leaf_sheet_name(name);
     if (!order)
         return std::nullopt;
-    bool const is_file = std::filesystem::path(order->grammar).extension() == ".leaf";
-    auto const path = TRY(is_file ? folder / order->grammar : own_leaf_path(order->grammar));
+    auto const wanted = parse_leaf_word(order->grammar).grammar;
+    bool const is_file = std::filesystem::path(wanted).extension() == ".leaf";
+    auto const path = TRY(is_file ? folder / wanted : own_leaf_path(wanted));
     auto const text = TRY(read_leaf_text(path));
     static GrownSheets grown;
     auto const key = fmt::format("{}\n{}\n{}", name, path.string(), text);
