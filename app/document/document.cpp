@@ -9,15 +9,16 @@
 
 namespace tractus {
 
-Document::Document(Scene scene, Working working)
+Document::Document(Scene scene, Working working, Follow follow)
     : Document(Session::in_memory(std::move(scene),
                                   session_by_the_clock({}, [] { return load_options(); })),
-               working)
+               working, std::move(follow))
 {
 }
 
-Document::Document(Session session, Working working)
-    : session_(std::move(session))
+Document::Document(Session session, Working working, Follow follow)
+    : follow_(std::move(follow))
+    , session_(std::move(session))
     , scene_(session_.scene())
 {
     begin_working(working);
@@ -294,6 +295,9 @@ Result<Document::Step> Document::compute(std::vector<Edit> edits)
     Step step { .edits = std::move(edits) };
     if (step.edits.empty())
         return step;
+    if (follow_)
+        for (auto& edit : follow_(scene_, step.edits))
+            step.edits.push_back(std::move(edit));
     if (unkept_.empty()) {
         step.prepared = TRY(session_.prepare(step.edits));
         scene_ = step.prepared->scene;

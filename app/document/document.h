@@ -73,9 +73,14 @@ public:
     // own. AtOnce: it is done when they return.
     enum class Working { OnItsThread, AtOnce };
 
+    // What a step brings with it, given the scene before it and the step's own edits: edits that
+    // become part of it. Called by whoever works. Empty: nothing.
+    using Follow
+        = std::function<std::vector<Edit>(Scene const& scene, std::vector<Edit> const& step)>;
+
     // Without a session, what is drawn stays in memory.
-    Document(Scene scene, Working working);
-    Document(Session session, Working working);
+    Document(Scene scene, Working working, Follow follow = {});
+    Document(Session session, Working working, Follow follow = {});
     Document(Document const&) = delete;
     Document& operator=(Document const&) = delete;
 
@@ -152,6 +157,7 @@ private:
     void tell(DoneStep done);
 
     // The thread's that works.
+    Follow follow_;
     Session session_;
     Scene scene_;
     std::uint64_t revision_ = 0;

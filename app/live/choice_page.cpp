@@ -53,16 +53,19 @@ Choices picture_choices(std::vector<fs::path> const& folders)
     return choices;
 }
 
-Choices leaf_choices(fs::path const& folder, std::vector<fs::path> const& drawn)
+Choices leaf_choices(fs::path const& folder, LeavesInDocument const& document)
 {
+    auto const& drawn = document.drawn;
     Choices choices { .question = "Which leaves shall the plant have?" };
     auto& here = choices.groups.emplace_back();
-    here.title = "Drawn here";
+    here.title = "In this drawing";
     for (auto const& file : drawn)
         here.choices.push_back({ drawn.size() == 1
                                      ? std::string("Your leaf")
                                      : fmt::format("Leaf {}", here.choices.size() + 1),
-                                 "Choosing it keeps it among yours", file });
+                                 document.of_drawn, file });
+    if (!document.kept.empty())
+        here.choices.push_back({ "What it wears", "Kept in the drawing", document.kept });
     auto& own = choices.groups.emplace_back();
     own = { "The plant's own, and yours", { { "Its own", "As it was drawn or modelled", {} } } };
     std::error_code error;

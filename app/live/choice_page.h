@@ -31,9 +31,14 @@ struct Choices {
 Choices picture_choices(std::vector<std::filesystem::path> const& folders);
 
 // Leaves that a plant may have: its own, those of our species, those of the grammars in the user's
-// folder, and those that are drawn in the document, by their files.
-Choices leaf_choices(std::filesystem::path const& folder,
-                     std::vector<std::filesystem::path> const& drawn = {});
+// folder, those that are drawn in the document, and what it wears that is none of them, by their
+// files.
+struct LeavesInDocument {
+    std::vector<std::filesystem::path> drawn {};
+    std::string of_drawn {};       // What choosing one of these does.
+    std::filesystem::path kept {}; // Empty: nothing else is worn.
+};
+Choices leaf_choices(std::filesystem::path const& folder, LeavesInDocument const& document = {});
 
 // A page on which one of them is chosen, with their pictures. Belongs to one thread.
 class ChoicePage final : public StartPageModel {

@@ -12,16 +12,25 @@ namespace tractus {
 namespace fs = std::filesystem;
 
 // A folder of its own for each text: small pictures are kept by the file's path.
-std::vector<fs::path> write_drawn_leaves(DocumentState const& state, fs::path const& folder)
+Result<fs::path> write_shown_leaf(std::string const& name, std::string const& grammar,
+                                  fs::path const& folder)
 {
-    std::vector<fs::path> files;
-    for (auto const& [plant, grammar] : drawn_leaves(state)) {
-        auto const own = folder / "drawn-leaves" / fmt::format("{:016x}", fnv1a_64(grammar));
-        auto const file = own / "drawn-leaf.leaf";
-        std::error_code error;
-        if (fs::exists(file, error) || (make_folder(own) && write_file(file, grammar)))
-            files.push_back(file);
+    auto const own = folder / "drawn-leaves" / fmt::format("{:016x}", fnv1a_64(grammar));
+    auto file = own / (name + ".leaf");
+    std::error_code error;
+    if (!fs::exists(file, error)) {
+        TRY(make_folder(own));
+        TRY(write_file(file, grammar));
     }
+    return file;
+}
+
+std::vector<DrawnLeafFile> write_drawn_leaves(DocumentState const& state, fs::path const& folder)
+{
+    std::vector<DrawnLeafFile> files;
+    for (auto const& [plant, grammar] : drawn_leaves(state))
+        if (auto file = write_shown_leaf("drawn-leaf", grammar, folder))
+            files.push_back({ plant, *std::move(file) });
     return files;
 }
 

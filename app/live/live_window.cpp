@@ -107,6 +107,7 @@ void LiveWindow::advance(Duration real_step)
     take_reports();
     follow_start_page();
     follow_choices();
+    follow_leaf_page();
     follow_model();
     controller_->show(station_, options_.now());
     if (auto hand = controller_->take_hand())
@@ -130,6 +131,8 @@ void LiveWindow::settle()
     }
     if (choices_)
         choices_->settle();
+    if (leaf_page_)
+        leaf_page_->settle();
     controller_->settle(station_, options_.now());
 }
 

@@ -5,6 +5,8 @@
 #include "app/devices/live_recorder.h"
 #include "app/live/calibration_panel_controller.h"
 #include "app/live/choice_page.h"
+#include "app/live/drawn_leaf_files.h"
+#include "app/live/leaf_page.h"
 #include "app/live/live_cards.h"
 #include "app/live/mouse_rig.h"
 #include "app/live/start_page_controller.h"
@@ -131,8 +133,11 @@ private:
     bool drawings_are_open() const;
     void follow_start_page();
     void open_choices(ChoiceOf what, Choices choices);
-    std::optional<std::filesystem::path> kept_leaf(std::filesystem::path const& chosen);
+    LeavesInDocument leaves_in_document();
+    void keep_drawn_leaf(std::filesystem::path const& file);
+    void open_leaf_page(std::filesystem::path const& file);
     void follow_choices();
+    void follow_leaf_page();
     void follow(std::filesystem::path const& model);
     void follow_model();
     void take_reports();
@@ -155,10 +160,12 @@ private:
     Station station_;
     std::optional<StationController> controller_; // Of the drawing at hand; never without.
     LiveCards cards_;
-    std::unique_ptr<ChoicePage> choices_;                // Null before it is opened,
-    ChoiceOf choice_of_ = ChoiceOf::Picture;             // and of what it is.
-    std::vector<std::filesystem::path> drawn_leaves_ {}; // The document's, among the choices.
-    std::optional<FollowedModel> model_;                 // Its file, where somebody may write it.
+    std::unique_ptr<ChoicePage> choices_;        // Null before it is opened,
+    ChoiceOf choice_of_ = ChoiceOf::Picture;     // and of what it is.
+    std::vector<DrawnLeafFile> drawn_leaves_ {}; // The document's, among the choices,
+    std::filesystem::path kept_leaf_ {};         // as this one that it wears; may be empty.
+    std::unique_ptr<LeafPage> leaf_page_;        // Null before it is opened.
+    std::optional<FollowedModel> model_;         // Its file, where somebody may write it.
     std::optional<LiveRecorder> recorder_;
     // Number of the recording's first stroke in the document.
     std::size_t recorded_from_stroke_ = 0;

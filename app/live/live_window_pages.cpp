@@ -14,6 +14,8 @@ namespace tractus {
 
 StartPageModel* LiveWindow::start_page()
 {
+    if (leaf_page_ && leaf_page_->is_open())
+        return leaf_page_.get();
     if (choices_ && choices_->is_open())
         return choices_.get();
     return drawings_are_open() ? options_.start_page.get() : nullptr;
@@ -112,29 +114,88 @@ void LiveWindow::perform_kind(OpenPictures const&)
 
 void LiveWindow::perform_kind(OpenLeaves const&)
 {
+    open_choices(ChoiceOf::Leaves, leaf_choices(options_.leaves, leaves_in_document()));
+}
+
+static bool is_drawn_leaf(Scene const& scene, ItemId plant)
+{
+    return std::ranges::any_of(drawn_leaves(scene.state),
+                               [&](DrawnLeafGrammar const& leaf) { return leaf.plant == plant; });
+}
+
+// Their files, for the page.
+LeavesInDocument LiveWindow::leaves_in_document()
+{
     std::error_code error;
     auto const cache
         = options_.cache.empty() ? std::filesystem::temp_directory_path(error) : options_.cache;
-    drawn_leaves_ = write_drawn_leaves(scene().state, cache);
-    open_choices(ChoiceOf::Leaves, leaf_choices(options_.leaves, drawn_leaves_));
+    auto const& state = scene().state;
+    drawn_leaves_ = write_drawn_leaves(state, cache);
+    LeavesInDocument leaves { .of_drawn = is_drawn_leaf(scene(), state.active)
+                                  ? "Choosing it keeps it among yours"
+                                  : "The plant follows its drawing" };
+    for (auto const& drawn : drawn_leaves_)
+        leaves.drawn.push_back(drawn.file);
+    kept_leaf_.clear();
+    if (auto const worn = worn_leaves(state, state.active))
+        if (auto const kept = state.leaf_grammars.find(worn->leaves);
+            kept != state.leaf_grammars.end())
+            if (auto const file = write_shown_leaf("worn-leaf", *kept->second, cache))
+                kept_leaf_ = *file;
+    leaves.kept = kept_leaf_;
+    return leaves;
 }
 
-// A leaf that is drawn in the document is kept among the person's own. No value: it is only kept.
-std::optional<std::filesystem::path> LiveWindow::kept_leaf(std::filesystem::path const& chosen)
+// Among the person's own, while no plant is chosen that could have it.
+void LiveWindow::keep_drawn_leaf(std::filesystem::path const& file)
 {
-    if (std::ranges::find(drawn_leaves_, chosen) == drawn_leaves_.end() || options_.leaves.empty())
-        return chosen;
-    auto const kept = keep_leaf(chosen, options_.leaves);
-    auto const drawn = drawn_leaves(scene().state);
-    bool const is_active = std::ranges::any_of(
-        drawn, [&](DrawnLeafGrammar const& leaf) { return leaf.plant == scene().state.active; });
-    if (!kept || !is_active)
-        return kept ? *kept : chosen;
-    view().state().status
-        = fmt::format("The leaf is kept as {}: choose the plant that shall have it, and "
+    Result<std::filesystem::path> kept = fail(Fault::User, "There is no folder for leaves");
+    if (!options_.leaves.empty())
+        kept = keep_leaf(file, options_.leaves);
+    view().state().status = kept
+        ? fmt::format("The leaf is kept as {}: choose the plant that shall have it, and "
                       "then the leaf here again",
-                      kept->filename().string());
-    return std::nullopt;
+                      kept->filename().string())
+        : kept.error().message;
+}
+
+// With what the plant wears, if that is of the grammar; else with grown-up leaves without damage.
+void LiveWindow::open_leaf_page(std::filesystem::path const& file)
+{
+    auto const& state = scene().state;
+    Dressing wanted { .leaves = leaves_of_grammar(file.string()) };
+    auto const drawn = std::ranges::find(drawn_leaves_, file, &DrawnLeafFile::file);
+    auto const worn = worn_leaves(state, state.active);
+    if (drawn != drawn_leaves_.end())
+        wanted = { .drawn = drawn->leaf };
+    else if (file == kept_leaf_ && worn)
+        wanted.leaves = worn->leaves;
+    if (worn && worn->leaves == wanted.leaves && worn->drawn == wanted.drawn)
+        wanted = *worn;
+    auto grammar = grammar_of(state, wanted);
+    if (!grammar) {
+        view().state().status = grammar.error().message;
+        return;
+    }
+    auto const name = file.stem().string();
+    if (!leaf_page_)
+        leaf_page_ = std::make_unique<LeafPage>();
+    leaf_page_->open(
+        { .title = wanted.drawn != 0 ? std::string("Your leaf") : fmt::format("Leaves: {}", name),
+          .grammar = *std::move(grammar),
+          .wanted = std::move(wanted),
+          .season = state.season });
+}
+
+void LiveWindow::follow_leaf_page()
+{
+    if (!leaf_page_)
+        return;
+    leaf_page_->advance();
+    if (auto const accepted = leaf_page_->take_accepted())
+        perform_kind(*accepted);
+    else if (leaf_page_->take_left())
+        perform_kind(OpenLeaves {});
 }
 
 void LiveWindow::open_choices(ChoiceOf what, Choices choices)
@@ -153,10 +214,16 @@ void LiveWindow::follow_choices()
     auto const file = choices_->take_chosen();
     if (!file)
         return;
+    bool const is_drawn
+        = std::ranges::find(drawn_leaves_, *file, &DrawnLeafFile::file) != drawn_leaves_.end();
     if (choice_of_ == ChoiceOf::Picture)
         perform_kind(LayPictureFile { *file });
-    else if (auto const leaf = kept_leaf(*file))
-        perform_kind(DressActivePlant { *leaf });
+    else if (file->empty())
+        perform_kind(DressActivePlant {});
+    else if (is_drawn && is_drawn_leaf(scene(), scene().state.active))
+        keep_drawn_leaf(*file);
+    else
+        open_leaf_page(*file);
 }
 
 // The pen places it next.

@@ -20,8 +20,8 @@ static std::unique_ptr<Document> document_of(std::optional<Session> session, Sce
 {
     constexpr auto kWorking = Document::Working::OnItsThread;
     if (session)
-        return std::make_unique<Document>(*std::move(session), kWorking);
-    return std::make_unique<Document>(std::move(scene), kWorking);
+        return std::make_unique<Document>(*std::move(session), kWorking, following_edits);
+    return std::make_unique<Document>(std::move(scene), kWorking, following_edits);
 }
 
 StationController::StationController(Station const& station, std::optional<Session> session,
@@ -214,23 +214,35 @@ void StationController::perform(DragDrawnGlyph const& command, Station& station)
     show_document(station, now_);
 }
 
+// What a person calls the leaves that they have chosen.
+static std::string leaves_in_words(Dressing const& wanted)
+{
+    if (wanted.drawn != 0)
+        return "leaves like the one that is drawn, and follows it";
+    return wanted.leaves.empty()
+        ? std::string("its own leaves")
+        : fmt::format("leaves of {}", std::filesystem::path(wanted.leaves).stem().string());
+}
+
 void StationController::perform(DressActivePlant const& command, Station& station)
 {
-    auto const change = [leaves = leaves_of_grammar(command.grammar)](
-                            Scene const& scene) -> Result<WantedStep::Change> {
+    Dressing const wanted { .leaves = leaves_of_grammar(command.leaves),
+                            .drawn = command.drawn,
+                            .age = command.age,
+                            .damage = command.damage };
+    auto const change
+        = [wanted, season = command.season](Scene const& scene) -> Result<WantedStep::Change> {
         if (!active_plant(scene.state))
             return fail(Fault::User, "There is no plant yet: draw one first");
-        auto edits = TRY(dressing_edits(scene, scene.state.active, leaves));
-        auto status = leaves.empty() ? std::string("The plant has its own leaves")
-                                     : fmt::format("The plant has leaves of {}",
-                                                   std::filesystem::path(leaves).stem().string());
+        auto edits = TRY(dressing_edits(scene, scene.state.active, wanted));
         // In a season they have its age.
-        if (scene.state.season) {
+        if (auto const then = season.value_or(scene.state.season); then || season) {
             auto const dressed = TRY(apply_edits(scene, edits));
-            for (auto& edit : TRY(season_edits(dressed, scene.state.season)))
+            for (auto& edit : TRY(season_edits(dressed, then)))
                 edits.push_back(std::move(edit));
         }
-        return WantedStep::Change { std::move(edits), std::move(status) };
+        return WantedStep::Change { std::move(edits),
+                                    fmt::format("The plant has {}", leaves_in_words(wanted)) };
     };
     document_->make({ change, WantedStep::Of::Scene });
     show_document(station, now_);

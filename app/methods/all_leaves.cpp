@@ -6,9 +6,14 @@
 #include "app/methods/leaves/plant_leaves.h"
 #include "engine/base/fnv.h"
 #include "engine/methods/leaves/leaf_sketch_edits.h"
+#include "engine/scene/scene_builder.h"
 
+#include <charconv>
 #include <filesystem>
 #include <fmt/format.h>
+#include <map>
+#include <set>
+#include <string_view>
 #include <utility>
 
 namespace tractus {
@@ -26,10 +31,86 @@ std::string word_of(std::string name)
     return name;
 }
 
+// A leaf that is drawn has one grammar, whatever becomes of its drawing: what wears it finds it by
+// this name.
+std::string drawn_name(ItemId leaf)
+{
+    return fmt::format("drawn-{:x}.leaf", leaf);
+}
+
+// The drawn leaf whose grammar has that name; no value: the name is none of these.
+std::optional<ItemId> drawn_leaf_of(std::string_view grammar)
+{
+    constexpr std::string_view kBegin = "drawn-";
+    if (!grammar.starts_with(kBegin) || fs::path(grammar).extension() != ".leaf")
+        return std::nullopt;
+    ItemId leaf = 0;
+    auto const end = grammar.data() + grammar.size() - std::string_view(".leaf").size();
+    auto const read = std::from_chars(grammar.data() + kBegin.size(), end, leaf, 16);
+    if (read.ec != std::errc() || read.ptr != end || drawn_name(leaf) != grammar)
+        return std::nullopt;
+    return leaf;
+}
+
+// The leaf's grammar from its drawing. Fails where that is none, or no leaf.
+Result<std::string> text_of_drawn(DocumentState const& state, ItemId leaf)
+{
+    auto const& plant = *state.plants[TRY(plant_number(state, leaf))];
+    auto const* const sketch = leaf::leaf_sketch(plant);
+    if (!sketch)
+        return fail(Fault::User, "the plant whose leaf is wanted is no drawn leaf");
+    return leaf::grammar_text(*sketch, "Drawn by pen");
+}
+
 Result<std::string> sheet_of(std::string const& grammar_text, LeafOrder const& order)
 {
-    auto const grammar = TRY(leaf::parse_grammar(grammar_text, order.grammar));
+    auto const name = parse_leaf_word(order.grammar).grammar;
+    auto const grammar = TRY(leaf::parse_grammar(grammar_text, name));
     return print_leaf_sheet(TRY(grow_leaf_sheet(grammar, order)));
+}
+
+// The edits that keep a grammar and those of its leaves that have these names, as far as the
+// document lacks them.
+Result<std::vector<Edit>> keeping_edits(DocumentState const& state, std::string const& grammar,
+                                        std::string const& text, std::set<std::string> const& names)
+{
+    std::vector<Edit> edits;
+    auto const known = state.leaf_grammars.find(grammar);
+    bool const is_known = known != state.leaf_grammars.end() && *known->second == text;
+    if (!is_known)
+        edits.emplace_back(KeepGrammar { grammar, text });
+    for (auto const& name : names)
+        if (!is_known || !state.leaf_sheets.contains(name))
+            edits.emplace_back(
+                KeepLeaves { name, TRY(sheet_of(text, *parse_leaf_sheet_name(name))) });
+    return edits;
+}
+
+// What becomes of the state by these edits; no value: they fail.
+std::optional<DocumentState> state_after(Scene const& scene, std::vector<Edit> const& edits)
+{
+    SceneBuilder builder(scene, {});
+    auto state = scene.state;
+    for (auto const& edit : edits) {
+        auto next = apply_edit(std::move(state), edit, builder);
+        if (!next)
+            return std::nullopt;
+        state = *std::move(next);
+    }
+    return state;
+}
+
+// The orders of leaves that plants wear which are drawn, by the drawn leaf.
+std::map<ItemId, std::set<std::string>> drawn_and_worn(DocumentState const& state)
+{
+    std::map<ItemId, std::set<std::string>> worn;
+    for (auto const& plant : state.plants) {
+        auto const order = parse_leaf_sheet_name(plant->leaves);
+        auto const grammar = order ? parse_leaf_word(order->grammar).grammar : std::string();
+        if (auto const leaf = drawn_leaf_of(grammar); leaf && find_plant(state, *leaf))
+            worn[*leaf].insert(plant->leaves);
+    }
+    return worn;
 }
 
 } // namespace
@@ -65,30 +146,90 @@ Result<std::string> read_leaf_grammar(fs::path const& path)
     return read_leaf_text(path);
 }
 
-Result<std::vector<Edit>> dressing_edits(Scene const& scene, ItemId plant,
-                                         std::string const& leaves)
+Dressing dressing_of_word(std::string const& word)
+{
+    auto [grammar, damage] = parse_leaf_word(word);
+    return { .leaves = std::move(grammar), .damage = damage };
+}
+
+Result<GrammarOfLeaves> grammar_of(DocumentState const& state, Dressing const& dressing)
+{
+    auto const& leaves = dressing.leaves;
+    if (dressing.drawn != 0)
+        return GrammarOfLeaves { drawn_name(dressing.drawn),
+                                 TRY(text_of_drawn(state, dressing.drawn)) };
+    if (auto const kept = state.leaf_grammars.find(leaves); kept != state.leaf_grammars.end())
+        return GrammarOfLeaves { leaves, *kept->second };
+    if (fs::path(leaves).extension() != ".leaf") {
+        auto const file = TRY(own_leaf_path(leaves)); // Lists ours, where it is none.
+        return GrammarOfLeaves { leaves, TRY(read_leaf_text(file)) };
+    }
+    auto text = TRY(read_leaf_text(leaves));
+    TRY(leaf::parse_grammar(text, leaves)); // With its line in the file, where it is wrong.
+    auto name = fmt::format("{}-{:08x}.leaf", word_of(short_leaf_name(leaves)), fnv1a_32(text));
+    return GrammarOfLeaves { std::move(name), std::move(text) };
+}
+
+Result<std::vector<Edit>> dressing_edits(Scene const& scene, ItemId plant, Dressing const& dressing)
 {
     auto const number = TRY(plant_number(scene.state, plant));
     if (leaf::leaf_sketch(*scene.state.plants[number]))
         return fail(Fault::User,
                     "a drawn leaf wears no leaves itself: choose the plant that shall have them");
-    if (leaves.empty())
+    if (dressing.leaves.empty() && dressing.drawn == 0)
         return std::vector<Edit> { DressPlant { plant, {} } };
+    auto const [name, text] = TRY(grammar_of(scene.state, dressing));
+    LeafOrder const order { .grammar = leaf_word({ name, dressing.damage }), .age = dressing.age };
+    auto const sheet = leaf_sheet_name(order);
     std::vector<Edit> edits;
-    LeafOrder order { .grammar = leaves };
-    if (fs::path(leaves).extension() == ".leaf") {
-        auto const text = TRY(read_leaf_text(leaves));
-        TRY(leaf::parse_grammar(text, leaves)); // With its line in the file, where it is wrong.
-        order.grammar
-            = fmt::format("{}-{:08x}.leaf", word_of(short_leaf_name(leaves)), fnv1a_32(text));
-        edits.emplace_back(KeepGrammar { order.grammar, text });
-        edits.emplace_back(KeepLeaves { leaf_sheet_name(order), TRY(sheet_of(text, order)) });
-    } else if (!scene.state.leaf_sheets.contains(leaf_sheet_name(order))) {
-        TRY(load_own_leaf_grammar(leaves)); // Lists ours, where it is none.
-        edits.emplace_back(
-            KeepLeaves { leaf_sheet_name(order), TRY(sheet_for(scene, leaf_sheet_name(order))) });
+    if (fs::path(name).extension() == ".leaf") {
+        std::set<std::string> names { sheet };
+        if (dressing.drawn != 0)
+            names.merge(drawn_and_worn(scene.state)[dressing.drawn]);
+        edits = TRY(keeping_edits(scene.state, name, text, names));
+    } else if (!scene.state.leaf_sheets.contains(sheet)) {
+        edits.emplace_back(KeepLeaves { sheet, TRY(sheet_for(scene, sheet)) });
     }
-    edits.emplace_back(DressPlant { plant, leaf_sheet_name(order) });
+    edits.emplace_back(DressPlant { plant, sheet });
+    return edits;
+}
+
+std::optional<Dressing> worn_leaves(DocumentState const& state, ItemId plant)
+{
+    auto const number = find_plant(state, plant);
+    auto const order = number ? parse_leaf_sheet_name(state.plants[*number]->leaves) : std::nullopt;
+    if (!order)
+        return std::nullopt;
+    auto [grammar, damage] = parse_leaf_word(order->grammar);
+    Dressing worn { .age = order->age, .damage = damage };
+    auto const drawn = drawn_leaf_of(grammar);
+    if (drawn && text_of_drawn(state, *drawn))
+        worn.drawn = *drawn;
+    else
+        worn.leaves = std::move(grammar);
+    return worn;
+}
+
+std::vector<Edit> edits_that_follow(Scene const& scene, std::vector<Edit> const& step)
+{
+    std::vector<Edit> edits;
+    if (drawn_and_worn(scene.state).empty())
+        return edits;
+    auto const after = state_after(scene, step);
+    if (!after)
+        return edits; // Whoever makes the step says why.
+    for (auto const& [leaf, names] : drawn_and_worn(*after)) {
+        auto const before = find_plant(scene.state, leaf);
+        auto const now = *find_plant(*after, leaf);
+        if (before && scene.state.plants[*before] == after->plants[now])
+            continue; // Nothing was drawn.
+        auto const text = text_of_drawn(*after, leaf);
+        if (!text)
+            continue;
+        // Fails where nothing of it can be worn.
+        if (auto const kept = keeping_edits(*after, drawn_name(leaf), *text, names))
+            edits.insert(edits.end(), kept->begin(), kept->end());
+    }
     return edits;
 }
 
@@ -96,12 +237,19 @@ Result<std::string> sheet_for(Scene const& scene, std::string const& name)
 {
     auto const order = parse_leaf_sheet_name(name);
     auto const& grammars = scene.state.leaf_grammars;
-    auto const own = order ? grammars.find(order->grammar) : grammars.end();
+    auto const own
+        = order ? grammars.find(parse_leaf_word(order->grammar).grammar) : grammars.end();
     if (own != grammars.end())
         return sheet_of(*own->second, *order);
     if (auto made = TRY(make_input({}, name)))
         return *std::move(made);
     return fail(Fault::User, fmt::format("{} orders no leaves", name));
+}
+
+Result<LeafStudy> study_of_grammar(std::string const& text, std::string const& name,
+                                   LeafLook const& look, Color const& paper)
+{
+    return study_leaf(TRY(leaf::parse_grammar(text, name)), look, paper);
 }
 
 Result<Image> picture_of_grammar(fs::path const& grammar, int side, Color const& paper)

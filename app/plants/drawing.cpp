@@ -206,7 +206,8 @@ Result<std::vector<Edit>> growing_plant_edits(PlantChoice const& plant, GrowthOp
     edits.push_back(SetGrowth { *own, seed, growth.variability });
     if (!growth.leaves.empty()) {
         auto const scene = TRY(scene_after({}, edits));
-        for (auto& edit : TRY(dressing_edits(scene, scene.state.active, growth.leaves)))
+        for (auto& edit :
+             TRY(dressing_edits(scene, scene.state.active, dressing_of_word(growth.leaves))))
             edits.push_back(std::move(edit));
     }
     if (growth.season) {
@@ -237,7 +238,7 @@ Result<Scene> load_growing_plant(PlantChoice const& plant, GrowthOptions const& 
 Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene, Progress& progress,
                              DrawingReport& report)
 {
-    Document document(std::move(scene), Document::Working::AtOnce);
+    Document document(std::move(scene), Document::Working::AtOnce, following_edits);
     return read_drawing(options, document, progress, report);
 }
 

@@ -158,7 +158,8 @@ Result<Drawing> Job::read_drawing(Scene scene)
 {
     if (!session_)
         return tractus::read_drawing(options_.drawing, std::move(scene), progress_, report_);
-    Document document(*std::exchange(session_, std::nullopt), Document::Working::AtOnce);
+    Document document(*std::exchange(session_, std::nullopt), Document::Working::AtOnce,
+                      following_edits);
     return tractus::read_drawing(options_.drawing, document, progress_, report_);
 }
 

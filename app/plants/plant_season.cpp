@@ -28,6 +28,24 @@ Result<std::vector<Edit>> season_edits(Scene const& scene, std::optional<Season>
     return edits;
 }
 
+std::vector<Edit> following_edits(Scene const& scene, std::vector<Edit> const& step)
+{
+    auto edits = edits_that_follow(scene, step);
+    if (edits.empty() || !scene.state.season)
+        return edits;
+    auto all = step;
+    all.insert(all.end(), edits.begin(), edits.end());
+    auto const after = apply_edits(scene, all);
+    if (!after || !after->state.season)
+        return edits;
+    // Leaves that cannot be grown for the season keep their colour alone.
+    if (auto const grown = season_edits(*after, after->state.season))
+        for (auto const& edit : *grown)
+            if (edit.get<KeepLeaves>())
+                edits.push_back(edit);
+    return edits;
+}
+
 Result<Scene> with_season(Scene scene, std::optional<Season> const& season)
 {
     if (!season)

@@ -14,6 +14,10 @@ namespace tractus {
 // as the user's fault, where a leaf cannot be grown.
 Result<std::vector<Edit>> season_edits(Scene const& scene, std::optional<Season> const& season);
 
+// The edits that a step brings with it: what wears a drawn leaf follows its drawing, as
+// edits_that_follow() says, in the document's season, too.
+std::vector<Edit> following_edits(Scene const& scene, std::vector<Edit> const& step);
+
 // The scene in that season; as it is without one.
 Result<Scene> with_season(Scene scene, std::optional<Season> const& season);
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,30 @@ struct StartCards {
     std::string title_of_others {};
 };
 
+// One thing in place of the cards, shown large, with what can be changed about it.
+struct StartStudy {
+    struct Picture {
+        std::string title {};                    // A word or two.
+        std::shared_ptr<Image const> picture {}; // A square, as of StartCard; null: not there yet.
+    };
+    struct Slider {
+        std::string text {}; // What it says at its value.
+        double most = 1;     // The values are from 0 to this.
+        double value = 0;
+    };
+    Picture large {};
+    std::vector<Picture> details {}; // Beside it: four.
+    std::vector<Picture> others {};  // Below: six.
+    std::vector<Slider> sliders {};
+    std::string accept {}; // The button that is pressed when it is as it shall be.
+};
+
 struct StartPageState {
     std::string title = "What do you want to draw?";
-    std::vector<StartCards> groups {}; // None of them without cards.
-    std::string note {};               // A sentence for the person, in place of the title.
-    bool is_beside_drawing = false;    // There is a drawing to go back to: see leave().
+    std::vector<StartCards> groups {};  // None of them without cards.
+    std::string note {};                // A sentence for the person, in place of the title.
+    std::optional<StartStudy> study {}; // In place of the groups.
+    bool is_beside_drawing = false;     // There is a drawing to go back to: see leave().
     bool is_opening = false;    // A card was chosen: others count for nothing until it opens.
     std::uint64_t revision = 0; // Changes when anything of this does.
 };
@@ -48,6 +68,12 @@ public:
 
     // Opens what the card shows; the page goes when it is open.
     virtual void choose(std::size_t group, std::size_t card) = 0;
+
+    // Sets what a slider of the study changes; called whenever it moves.
+    virtual void slide(std::size_t /*slider*/, double /*value*/) { }
+
+    // Takes what the study shows as it is.
+    virtual void accept() { }
 
     // Goes back to the drawing without a choice; only if there is one.
     virtual void leave() { }

@@ -12,6 +12,7 @@
 #include "app/tools/tool_cards.h"
 #include "engine/base/time.h"
 #include "engine/export/glb_writer.h"
+#include "engine/lsystem/view/leaf_word.h"
 #include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"
 #include "engine/scene/back_picture.h"
@@ -311,9 +312,14 @@ struct LayPictureFile {
 
 // Shows leaves that the active plant may have as WindowModel::start_page().
 struct OpenLeaves { };
-// Gives it the leaves of the grammar in a file; empty: its own.
+// Gives it leaves: as of Dressing in app/methods/all_leaves.h.
 struct DressActivePlant {
-    std::filesystem::path grammar;
+    std::string leaves {}; // Their grammar's file, or its name in the document; empty: its own.
+    ItemId drawn = 0;      // In place of it a drawn leaf, which they follow.
+    double age = 0.5;
+    LeafDamage damage {};
+    // The season of the document from then on; no value: as it is.
+    std::optional<std::optional<Season>> season {};
 };
 
 struct WatchDevices {

@@ -195,7 +195,8 @@ Result<Scene> with_growth(GrowthOptions const& options, Scene scene)
     growth.variability = options.variability;
     scene = TRY(apply_edit(std::move(scene), growth));
     if (!options.leaves.empty()) {
-        auto const edits = TRY(dressing_edits(scene, scene.state.active, options.leaves));
+        auto const edits
+            = TRY(dressing_edits(scene, scene.state.active, dressing_of_word(options.leaves)));
         scene = TRY(apply_edits(std::move(scene), edits));
     }
     return with_season(std::move(scene), options.season);

@@ -38,7 +38,8 @@ void add_growth_options(CLI::App& verb, GrowthOptions& growth, std::string const
     for (auto const& kind : leaf_kinds())
         names.push_back(kind.name);
     verb.add_option("--leaves", growth.leaves,
-                    fmt::format("Grown leaves in the place of the plant's own: {}, or a .leaf file",
+                    fmt::format("Grown leaves in the place of the plant's own: {}, or a .leaf "
+                                "file; \"oak+spots=0.3\" with damage",
                                 fmt::join(names, ", ")))
         ->type_name("NAME");
     add_season_options(verb, growth.season);

@@ -72,8 +72,13 @@ void StartView::show(StartPageModel& page, Workbench& bench, Controls const& con
 {
     show_head(page, bench, controls);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
-    ImGui::BeginChild("cards", { 0, 0 }, false, ImGuiWindowFlags_NoSavedSettings);
-    show_cards(page);
+    bool const has_study = page.state().study.has_value();
+    ImGui::BeginChild(has_study ? "study" : "cards", { 0, 0 }, false,
+                      ImGuiWindowFlags_NoSavedSettings);
+    if (has_study)
+        study_.show(page, controls);
+    else
+        show_cards(page);
     ImGui::EndChild();
     ImGui::PopStyleColor();
 }
@@ -270,9 +275,13 @@ GLuint StartView::texture_of(std::shared_ptr<Image const> const& picture)
 
 void StartView::take_key(KeyPress const& press, StartPageModel& page, Workbench& bench)
 {
-    auto const& groups = page.state().groups;
+    static std::vector<StartCards> const no_cards;
+    bool const has_study = page.state().study.has_value();
+    auto const& groups = has_study ? no_cards : page.state().groups;
+    if (has_study && press.key == KeyPress::kEnter)
+        return page.accept();
     if (auto const direction = direction_of(press.key)) {
-        if (!grid_.places.empty())
+        if (!grid_.places.empty() && !has_study)
             focus_ = focus_ ? neighbour(grid_, *focus_, *direction) : 0;
         focus_has_moved_ = true;
         return;
@@ -299,6 +308,7 @@ void StartView::take_key(KeyPress const& press, StartPageModel& page, Workbench&
 void StartView::leave()
 {
     textures_.clear();
+    study_.leave();
     focus_.reset();
 }
 

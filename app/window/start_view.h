@@ -5,6 +5,7 @@
 #include "app/window/card_grid.h"
 #include "app/window/controls.h"
 #include "app/window/hand_input.h"
+#include "app/window/study_view.h"
 #include "app/window/workbench.h"
 
 #include <imgui.h>
@@ -23,6 +24,7 @@ public:
     StartView(ImFont* title_font, float scale)
         : title_font_(title_font)
         , scale_(scale)
+        , study_(scale)
     {
     }
 
@@ -55,6 +57,7 @@ private:
 
     ImFont* title_font_ = nullptr;
     float scale_ = 1;
+    StudyView study_;
     CardGrid grid_;                    // As last shown.
     std::optional<std::size_t> focus_; // A place in it, by the keys.
     bool focus_has_moved_ = false;     // Since the last frame.

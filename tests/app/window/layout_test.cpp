@@ -40,9 +40,24 @@ public:
 
     StartPageState const& state() const override { return state_; }
     void choose(std::size_t group, std::size_t card) override { chosen.emplace_back(group, card); }
+    void show_study()
+    {
+        auto const picture = std::make_shared<Image const>(64, 64, Color { 90, 120, 60 });
+        StartStudy::Picture const shown { "light through", picture };
+        state_.study
+            = StartStudy { .large = shown,
+                           .details = std::vector<StartStudy::Picture>(4, shown),
+                           .others = std::vector<StartStudy::Picture>(6, shown),
+                           .sliders = std::vector<StartStudy::Slider>(7, { "spots 100 %", 1, 0.2 }),
+                           .accept = "Put on the plant" };
+    }
+    void slide(std::size_t slider, double value) override { slid.emplace_back(slider, value); }
+    void accept() override { ++accepted; }
     void say(std::string note) { state_.note = std::move(note); }
 
     std::vector<std::pair<std::size_t, std::size_t>> chosen {};
+    std::vector<std::pair<std::size_t, double>> slid {};
+    int accepted = 0;
 
 private:
     StartPageState state_;
@@ -306,7 +321,8 @@ std::vector<Size> sizes()
 bool scrolls(Box const& box)
 {
     return box.panel.find("meanings") != std::string::npos || box.panel == "menu"
-        || box.panel.find("cards") != std::string::npos;
+        || box.panel.find("cards") != std::string::npos
+        || box.panel.find("study") != std::string::npos;
 }
 
 void check_buttons(DrawnFrame const& drawn, ImVec2 const& size_px)
@@ -396,6 +412,57 @@ TEST_F(LayoutTest, ShowsEveryCardOfTheStartPageWhole)
                     EXPECT_GE(whole, 3u) << "the empty sheets are seen at once";
                 });
         }
+}
+
+TEST_F(LayoutTest, ShowsAStudyWhole)
+{
+    for (auto const& size : sizes()) {
+        SCOPED_TRACE(text_of(size));
+        show(
+            { size.width, size.height }, size.scale,
+            [&](Layout&, DrawingModel& model) {
+                model.start.emplace(0);
+                model.start->show_study();
+            },
+            [&](DrawnFrame const& drawn, ImVec2 const& size_px) {
+                ASSERT_GE(drawn.buttons.size(), 4u) << "of the head, and the study's own";
+                ASSERT_EQ(drawn.pictures.size(), 11u);
+                for (std::size_t i = 0; i < drawn.pictures.size(); ++i) {
+                    auto const& picture = drawn.pictures[i];
+                    EXPECT_GE(picture.left, 0) << text_of(picture);
+                    EXPECT_LE(picture.right, size_px.x) << text_of(picture);
+                    EXPECT_NEAR(picture.width(), picture.height(), 1) << "it is not cut";
+                    EXPECT_GE(picture.width(), (i == 0 ? 140 : 32) * size.scale);
+                    for (std::size_t j = 0; j < i; ++j)
+                        EXPECT_FALSE(overlap(picture, drawn.pictures[j]));
+                }
+                auto const& accept = drawn.buttons.back();
+                EXPECT_LE(accept.whole.right, size_px.x);
+                if (size.height >= 450 && size.width >= 640) {
+                    EXPECT_GE(accept.visible.height(), accept.whole.height() - 1.5f);
+                }
+            });
+    }
+}
+
+TEST_F(LayoutTest, MovesASliderOfAStudyAndAcceptsIt)
+{
+    DrawingModel model;
+    model.start.emplace(0);
+    model.start->show_study();
+    ImVec2 const slider { 650, 100 };
+    work({ 800, 600 },
+         { { slider },
+           { slider, true },
+           { { slider.x + 40, slider.y }, true },
+           { { slider.x + 40, slider.y } },
+           { slider, false, { {}, { { KeyPress::kEnter } }, {} } } },
+         model);
+    ASSERT_FALSE(model.start->slid.empty());
+    EXPECT_EQ(model.start->slid.back().first, 0u);
+    EXPECT_GT(model.start->slid.back().second, 0.4);
+    EXPECT_EQ(model.start->accepted, 1);
+    EXPECT_TRUE(model.start->chosen.empty());
 }
 
 static ImVec2 const kFirstCard { 110, 200 };

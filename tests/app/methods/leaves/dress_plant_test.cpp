@@ -31,7 +31,7 @@ std::size_t leaves_of(Plant const& plant, std::string_view grammar)
 
 Scene dressed_in(Scene const& scene, std::string const& leaves)
 {
-    auto const edits = dressing_edits(scene, scene.state.active, leaves);
+    auto const edits = dressing_edits(scene, scene.state.active, { .leaves = leaves });
     EXPECT_TRUE(edits) << edits.error().message;
     return edits ? apply_edits(scene, *edits).value() : scene;
 }
@@ -67,10 +67,10 @@ TEST(DressPlant, KeepsAGrammarOfOnesOwn)
 TEST(DressPlant, SaysWhichLeavesThereAre)
 {
     auto const scene = our_plant("broadleaf");
-    auto const none = dressing_edits(scene, scene.state.active, "mapel");
+    auto const none = dressing_edits(scene, scene.state.active, { .leaves = "mapel" });
     ASSERT_FALSE(none);
     EXPECT_NE(none.error().message.find("maple"), std::string::npos) << none.error().message;
-    EXPECT_FALSE(dressing_edits(scene, scene.state.active, "/nowhere/my.leaf"));
+    EXPECT_FALSE(dressing_edits(scene, scene.state.active, { .leaves = "/nowhere/my.leaf" }));
 }
 
 // From a drawing over its grammar to a tree that has the leaf.

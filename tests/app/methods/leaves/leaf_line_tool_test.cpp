@@ -128,14 +128,15 @@ TEST(DrawnLeaves, AreKeptAndWorn)
     auto const files = write_drawn_leaves(scene.state, folder / "cache");
     ASSERT_EQ(files.size(), 1u);
     EXPECT_EQ(write_drawn_leaves(scene.state, folder / "cache"), files);
-    auto const kept = keep_leaf(files[0], folder / "own");
+    auto const kept = keep_leaf(files[0].file, folder / "own");
     ASSERT_TRUE(kept) << kept.error().message;
-    EXPECT_EQ(keep_leaf(files[0], folder / "own").value(), *kept) << "the text is there already";
+    EXPECT_EQ(keep_leaf(files[0].file, folder / "own").value(), *kept)
+        << "the text is there already";
     auto const other = drawn_leaf({ .teeth = 12 });
     auto const others = write_drawn_leaves(other.state, folder / "cache");
-    EXPECT_NE(keep_leaf(others.at(0), folder / "own").value(), *kept);
+    EXPECT_NE(keep_leaf(others.at(0).file, folder / "own").value(), *kept);
     auto const tree = our_plant("broadleaf");
-    auto const edits = dressing_edits(tree, tree.state.active, kept->string());
+    auto const edits = dressing_edits(tree, tree.state.active, { .leaves = kept->string() });
     ASSERT_TRUE(edits) << edits.error().message;
     auto const dressed = apply_edits(tree, *edits).value();
     EXPECT_GT(std::ranges::count_if(dressed.in_season->organs,
@@ -144,7 +145,7 @@ TEST(DrawnLeaves, AreKeptAndWorn)
                                             != nullptr;
                                     }),
               100);
-    auto const itself = dressing_edits(scene, scene.state.active, kept->string());
+    auto const itself = dressing_edits(scene, scene.state.active, { .leaves = kept->string() });
     ASSERT_FALSE(itself);
     EXPECT_EQ(itself.error().message,
               "a drawn leaf wears no leaves itself: choose the plant that shall have them");

@@ -1,0 +1,139 @@
+#include "app/window/study_view.h"
+
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+namespace tractus {
+
+namespace {
+
+// The field of pictures is so many units wide and high: the large one is four wide, four details
+// are in a column beside it, and six others in a row below.
+constexpr float kAcross = 5;
+constexpr float kOther = kAcross / 6;
+constexpr float kDown = 4 + kOther;
+constexpr float kGap_px = 6;
+constexpr float kSliders_px = 290;
+constexpr float kLeastUnit_px = 56; // Of a field beside the sliders.
+constexpr float kLeastRow_px = 36;  // Of a slider that has to make room.
+constexpr float kTitle_px = 15;
+
+// ImGui takes the text for a format.
+std::string as_format(std::string const& text)
+{
+    std::string format;
+    for (char const letter : text)
+        format.append(letter == '%' ? 2 : 1, letter);
+    return format;
+}
+
+} // namespace
+
+void StudyView::show(StartPageModel& page, Controls const& controls)
+{
+    auto const study = *page.state().study; // The page may make another one below.
+    auto const corner = ImGui::GetCursorScreenPos();
+    auto const room = ImGui::GetContentRegionAvail();
+    float const gap = 2 * kGap_px * scale_;
+    float const sliders = std::min(kSliders_px * scale_, room.x);
+    float const beside = std::min((room.x - sliders - gap) / kAcross, room.y / kDown);
+    if (beside >= kLeastUnit_px * scale_) {
+        show_pictures(study, corner, beside);
+        ImGui::SetCursorScreenPos({ corner.x + kAcross * beside + gap, corner.y });
+        float const left = room.x - kAcross * beside - gap;
+        show_sliders(page, controls, std::min(left, 1.6f * sliders), room.y);
+        return;
+    }
+    float const unit = std::min(room.x / kAcross, 0.6f * room.y / kDown);
+    show_pictures(study, { corner.x + (room.x - kAcross * unit) / 2, corner.y }, unit);
+    ImGui::SetCursorScreenPos({ corner.x, corner.y + kDown * unit + gap });
+    show_sliders(page, controls, room.x, 0);
+    theme::scroll_by_dragging();
+}
+
+void StudyView::show_pictures(StartStudy const& study, ImVec2 const& corner, float unit)
+{
+    shown_.resize(1 + study.details.size() + study.others.size());
+    std::size_t place = 0;
+    auto const at = [&](float x, float y) {
+        return ImVec2 { corner.x + x * unit, corner.y + y * unit };
+    };
+    show_picture(study.large, place++, corner, 4 * unit);
+    for (std::size_t i = 0; i < study.details.size(); ++i)
+        show_picture(study.details[i], place++, at(4, static_cast<float>(i)), unit);
+    for (std::size_t i = 0; i < study.others.size(); ++i)
+        show_picture(study.others[i], place++, at(kOther * static_cast<float>(i), 4),
+                     kOther * unit);
+}
+
+void StudyView::show_picture(StartStudy::Picture const& picture, std::size_t place,
+                             ImVec2 const& corner, float side)
+{
+    auto* const draw = ImGui::GetWindowDrawList();
+    float const edge = side - kGap_px * scale_;
+    ImVec2 const to { corner.x + edge, corner.y + edge };
+    float const rounding = ImGui::GetStyle().FrameRounding;
+    auto& [known, texture] = shown_[place];
+    if (known != picture.picture) {
+        known = picture.picture;
+        texture.reset();
+        if (known && known->width() > 0)
+            texture.emplace(*known);
+    }
+    if (texture)
+        draw->AddImageRounded(
+            reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture->texture())), corner,
+            to, { 0, 0 }, { 1, 1 }, ImGui::GetColorU32({ 1, 1, 1, 1 }), rounding);
+    else
+        draw->AddRectFilled(corner, to, theme::packed(theme::palette().pad_background), rounding);
+    if (!picture.title.empty()) // On the picture's paper, which is white in either theme.
+        draw->AddText(ImGui::GetFont(), kTitle_px * scale_,
+                      { corner.x + kGap_px * scale_, corner.y + kGap_px * scale_ / 2 },
+                      IM_COL32(90, 90, 90, 255), picture.title.c_str());
+}
+
+// `height`: so high shall they be together, if they can; 0: as high as buttons.
+void StudyView::show_sliders(StartPageModel& page, Controls const& controls, float width,
+                             float height)
+{
+    auto const study = *page.state().study;
+    float const gap = ImGui::GetStyle().ItemSpacing.y;
+    auto const rows = static_cast<float>(study.sliders.size() + 1);
+    float const usual = theme::kButtonHeight_px * scale_;
+    float const row = height > 0
+        ? std::clamp((height - usual) / (rows - 1) - gap, kLeastRow_px * scale_, usual)
+        : usual;
+    ImGui::BeginGroup();
+    for (std::size_t i = 0; i < study.sliders.size(); ++i) {
+        auto slider = study.sliders[i];
+        if (this->slider(i, slider, width, row))
+            page.slide(i, slider.value);
+    }
+    if (!study.accept.empty() && controls.button(study.accept.c_str(), width / scale_))
+        page.accept();
+    ImGui::EndGroup();
+}
+
+// True while it moves.
+bool StudyView::slider(std::size_t number, StartStudy::Slider& slider, float width,
+                       float height) const
+{
+    auto value = static_cast<float>(slider.value);
+    auto const most = static_cast<float>(slider.most);
+    ImGui::PushID(static_cast<int>(number));
+    ImGui::PushStyleVar(
+        ImGuiStyleVar_FramePadding,
+        { ImGui::GetStyle().FramePadding.x, std::max(0.0f, (height - ImGui::GetFontSize()) / 2) });
+    ImGui::SetNextItemWidth(width);
+    bool const moves = ImGui::SliderFloat(
+        "##slider", &value, 0, most, as_format(slider.text).c_str(), ImGuiSliderFlags_AlwaysClamp);
+    ImGui::PopStyleVar();
+    ImGui::PopID();
+    slider.value = static_cast<double>(value);
+    return moves;
+}
+
+} // namespace tractus

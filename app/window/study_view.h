@@ -1,0 +1,46 @@
+#pragma once
+
+#include "app/render/gpu_picture.h"
+#include "app/station/start_page.h"
+#include "app/window/controls.h"
+
+#include <imgui.h>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace tractus {
+
+// A page's study: a large picture with details beside it and others below, and sliders that change
+// them. In a narrow window the sliders are below the pictures.
+class StudyView {
+public:
+    explicit StudyView(float scale)
+        : scale_(scale)
+    {
+    }
+
+    // In the current ImGui window. The page has a study.
+    void show(StartPageModel& page, Controls const& controls);
+
+    // Forgets its pictures.
+    void leave() { shown_.clear(); }
+
+private:
+    // A picture on the graphics card; the same place has another when the page has.
+    struct Shown {
+        std::shared_ptr<Image const> picture; // Shared with the page; nobody changes it.
+        std::optional<GpuPicture> texture;
+    };
+
+    void show_pictures(StartStudy const& study, ImVec2 const& corner, float unit);
+    void show_picture(StartStudy::Picture const& picture, std::size_t place, ImVec2 const& corner,
+                      float side);
+    void show_sliders(StartPageModel& page, Controls const& controls, float width, float height);
+    bool slider(std::size_t number, StartStudy::Slider& slider, float width, float height) const;
+
+    float scale_ = 1;
+    std::vector<Shown> shown_;
+};
+
+} // namespace tractus

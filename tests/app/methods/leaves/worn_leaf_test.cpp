@@ -1,0 +1,217 @@
+#include "app/document/document.h"
+#include "app/methods/all_leaves.h"
+#include "app/methods/leaves/leaf_library.h"
+#include "app/methods/leaves/leaf_line_tool.h"
+#include "app/plants/plant_file.h"
+#include "app/plants/plant_group.h"
+#include "app/plants/plant_season.h"
+#include "drivers/file.h"
+#include "engine/methods/leaves/leaf_sketch_edits.h"
+#include "tests/app/our_plant.h"
+#include "tests/app/small_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+
+Stroke worn_outline(double half_width_mm)
+{
+    std::vector<Vec3> places;
+    for (int i = 0; i <= 80; ++i) {
+        double const t = i <= 40 ? i / 40.0 : (80 - i) / 40.0;
+        double const side = i <= 40 ? 1 : -1;
+        places.emplace_back(side * half_width_mm * std::sin(t * kPi), -40 + 80 * t, 120);
+    }
+    return stroke_through(places);
+}
+
+// A tree, and beside it a leaf of which the outline is drawn.
+class WornLeaf : public testing::Test {
+protected:
+    WornLeaf()
+        : document_(our_plant("broadleaf"), Document::Working::AtOnce, following_edits)
+        , tree_(scene().state.active)
+    {
+        draw(worn_outline(20));
+        leaf_ = scene().state.active;
+    }
+
+    Scene const& scene()
+    {
+        snapshot_ = document_.newest();
+        return snapshot_->scene;
+    }
+
+    void draw(Stroke const& stroke)
+    {
+        document_.draw({ stroke, LeafLineTool {} });
+        for (auto const& drawn : document_.take_drawn())
+            EXPECT_EQ(drawn.refusal, "");
+    }
+
+    void draw_vein(double side = 1)
+    {
+        draw(stroke_through({ { 0, -5, 120 }, { side * 12, 8, 120 } }));
+    }
+
+    void make(std::vector<Edit> edits)
+    {
+        document_.make({ [edits = std::move(edits)](Scene const&) -> Result<WantedStep::Change> {
+            return WantedStep::Change { edits, "made" };
+        } });
+    }
+
+    void put_on(Dressing const& dressing)
+    {
+        auto edits = dressing_edits(scene(), tree_, dressing);
+        ASSERT_TRUE(edits) << edits.error().message;
+        make(*std::move(edits));
+    }
+
+    // The tree alone, as a file.
+    std::string tree()
+    {
+        auto shown = scene();
+        std::erase_if(shown.plants, [&](auto const& plant) { return plant->drawn->id != tree_; });
+        auto const path = fs::temp_directory_path() / fmt::format("worn-{}.glb", ::getpid());
+        EXPECT_TRUE(write_plant_file(shown_plants(shown).value(), "tree", path));
+        auto const bytes = read_text_file(path, std::size_t { 1 } << 30);
+        fs::remove(path);
+        return bytes.value();
+    }
+
+    std::shared_ptr<Snapshot const> snapshot_;
+    Document document_;
+    ItemId tree_ = 0;
+    ItemId leaf_ = 0;
+};
+
+TEST_F(WornLeaf, FollowsItsDrawingAsIfItWerePutOnAfterwards)
+{
+    put_on({ .drawn = leaf_ });
+    auto const before = tree();
+    draw_vein();
+    auto const followed = tree();
+    EXPECT_NE(followed, before);
+    document_.undo();
+    EXPECT_EQ(tree(), before) << "one step";
+    document_.redo();
+    EXPECT_EQ(tree(), followed);
+
+    Document other(our_plant("broadleaf"), Document::Working::AtOnce);
+    other.draw({ worn_outline(20), LeafLineTool {} });
+    other.draw({ stroke_through({ { 0, -5, 120 }, { 12, 8, 120 } }), LeafLineTool {} });
+    auto const drawn = other.newest()->scene;
+    auto const edits = dressing_edits(drawn, tree_, { .drawn = leaf_ });
+    ASSERT_TRUE(edits) << edits.error().message;
+    auto const afterwards = apply_edits(drawn, *edits).value();
+    auto const& name = afterwards.state.plants[0]->leaves;
+    ASSERT_EQ(scene().state.plants[0]->leaves, name);
+    EXPECT_EQ(print_leaf_sheet(*scene().state.leaf_sheets.at(name)),
+              print_leaf_sheet(*afterwards.state.leaf_sheets.at(name)));
+    EXPECT_EQ(scene().state.leaf_sheets.size(), 1u) << "that of the earlier drawing is gone";
+}
+
+TEST_F(WornLeaf, FollowsItsNumbersAndKeepsHowItIsWorn)
+{
+    put_on({ .drawn = leaf_, .age = 0.6, .damage = { .spots = 0.25, .larvae = 2 } });
+    auto const before = tree();
+    make({ leaf::FormLeaf { leaf_, { .teeth = 9 } } });
+    EXPECT_NE(tree(), before);
+    auto const worn = worn_leaves(scene().state, tree_);
+    ASSERT_TRUE(worn);
+    EXPECT_EQ(worn->drawn, leaf_);
+    EXPECT_EQ(worn->age, 0.6);
+    EXPECT_EQ(worn->damage, (LeafDamage { .spots = 0.25, .larvae = 2 }));
+}
+
+TEST_F(WornLeaf, StaysWhenItsDrawingIsRemoved)
+{
+    put_on({ .drawn = leaf_ });
+    auto const before = tree();
+    make({ RemovePlant { leaf_ } });
+    EXPECT_EQ(tree(), before);
+    auto const worn = worn_leaves(scene().state, tree_);
+    ASSERT_TRUE(worn);
+    EXPECT_EQ(worn->drawn, 0u);
+    EXPECT_TRUE(grammar_of(scene().state, *worn)) << "its text is kept";
+    document_.undo();
+    make({ ActivatePlant { leaf_ } });
+    draw_vein();
+    EXPECT_NE(tree(), before) << "it follows again";
+}
+
+TEST_F(WornLeaf, FollowsInTheSeason)
+{
+    put_on({ .drawn = leaf_ });
+    make(season_edits(scene(), Season { .month = 10.5 }).value());
+    auto const before = tree();
+    draw_vein();
+    EXPECT_NE(tree(), before);
+    auto const missing = missing_leaves(*scene().plants[0]->dressed, *scene().state.season,
+                                        scene().state.leaf_sheets);
+    EXPECT_TRUE(missing.empty());
+    EXPECT_EQ(scene().state.leaf_sheets.size(), 2u) << "grown-up and old ones, of this drawing";
+}
+
+// As those of sessions from before that plants wear by their text.
+TEST_F(WornLeaf, StaysAsItIsWhereItIsWornFromAFile)
+{
+    auto const file = fs::temp_directory_path() / fmt::format("drawn-leaf{}.leaf", ::getpid());
+    ASSERT_TRUE(write_file(file, drawn_leaves(scene().state).at(0).text));
+    put_on({ .leaves = file.string() });
+    fs::remove(file);
+    auto const before = tree();
+    draw_vein();
+    EXPECT_EQ(tree(), before);
+}
+
+TEST_F(WornLeaf, WearsNoLeavesItself)
+{
+    auto const edits = dressing_edits(scene(), leaf_, { .drawn = leaf_ });
+    ASSERT_FALSE(edits);
+    EXPECT_EQ(edits.error().message,
+              "a drawn leaf wears no leaves itself: choose the plant that shall have them");
+}
+
+TEST(LeafWord, SaysWhatIsDoneToLeaves)
+{
+    LeafWord const wanted { "my+own.leaf", { .spots = 0.25, .mines = 2, .withered = 1 } };
+    EXPECT_EQ(leaf_word(wanted), "my+own.leaf+spots=0.25+mines=2+withered=1");
+    EXPECT_EQ(parse_leaf_word(leaf_word(wanted)), wanted);
+    EXPECT_EQ(leaf_word({ "oak", {} }), "oak");
+    for (auto const* const name : { "a+b", "a+spots=2", "a+spots=x", "a+spots=", "oak+rust=1" })
+        EXPECT_EQ(parse_leaf_word(name).grammar, name);
+}
+
+double share_of_paper(Image const& image, Color const& paper)
+{
+    return static_cast<double>(std::ranges::count(image.pixels(), paper))
+        / static_cast<double>(image.pixels().size());
+}
+
+TEST(LeafStudy, ShowsALeafWithItsDamage)
+{
+    Color const paper { 250, 250, 248, 255 };
+    auto const grammar = load_own_leaf_grammar("oak").value();
+    auto const whole = study_leaf(grammar, {}, paper).value();
+    auto const eaten = study_leaf(grammar, { .damage = { .larvae = 8 } }, paper).value();
+    EXPECT_EQ(whole.others.size(), 6u);
+    EXPECT_GT(share_of_paper(eaten.leaf, paper), share_of_paper(whole.leaf, paper) + 0.01);
+    auto const white = study_leaf(grammar, { .damage = { .mildew = 1 } }, paper).value();
+    EXPECT_NE(white.leaf, whole.leaf);
+    EXPECT_EQ(share_of_paper(white.leaf, paper), share_of_paper(whole.leaf, paper));
+    EXPECT_NE(whole.others[0], whole.others[1]);
+    EXPECT_EQ(study_leaf(grammar, {}, paper).value().leaf, whole.leaf);
+}
+
+} // namespace
+} // namespace tractus
