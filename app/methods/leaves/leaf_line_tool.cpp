@@ -1,6 +1,7 @@
 #include "app/methods/leaves/leaf_line_tool.h"
 
 #include "app/methods/leaves/erase_leaf_tool.h"
+#include "app/methods/leaves/leaf_previewer.h"
 #include "engine/methods/leaves/leaf_sketch_edits.h"
 #include "engine/scene/paper.h"
 
@@ -141,6 +142,7 @@ constexpr ToolKind LeafLineTool::kKind {
     .follow = follow,
     .like_drawn = like_drawn,
     .said = said_of_leaf,
+    .previewer = leaf_previewer,
     .other_end = { &EraseLeafTool::kKind },
 };
 

@@ -1,6 +1,7 @@
 #include "app/methods/silhouettes/outline_previewer.h"
 
 #include "app/methods/silhouettes/outline_tool.h"
+#include "app/tools/coming_back.h"
 #include "engine/scene/paper.h"
 
 #include <cmath>
@@ -21,16 +22,6 @@ Stroke closed(std::span<TipSample const> ink)
     return { std::move(tips) };
 }
 
-// Whether so much of a crown is drawn that branches say something: the pen is on its way back.
-bool turns_back(std::span<TipSample const> ink)
-{
-    Vec2 const begin = ink.front().position_mm.head<2>();
-    double farthest = 0;
-    for (auto const& tip : ink)
-        farthest = std::max(farthest, (tip.position_mm.head<2>() - begin).norm());
-    return (ink.back().position_mm.head<2>() - begin).norm() < 0.7 * farthest;
-}
-
 class OutlinePreviewer final : public StrokePreviewer {
 public:
     std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override
@@ -38,7 +29,7 @@ public:
         if (stroke.ink.size() < 2)
             return {};
         auto const& scene = *stroke.scene;
-        auto const ink = turns_back(stroke.ink)
+        auto const ink = is_coming_back(stroke.ink)
             ? closed(stroke.ink)
             : Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) };
         auto const edit = drawn_tree(*stroke.tool.get<OutlineTool>(), ink, scene);

@@ -1,4 +1,5 @@
 #include "engine/methods/leaves/leaf.h"
+#include "engine/methods/leaves/leaf_lines.h"
 #include "engine/methods/leaves/leaf_sketch.h"
 #include "engine/methods/leaves/leaf_triangles.h"
 #include "engine/methods/leaves/print_grammar.h"
@@ -11,6 +12,8 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
+#include <optional>
 #include <utility>
 
 // A sketch's plant: polygons on a stalk, or stems along lines that are no leaf yet.
@@ -73,17 +76,27 @@ std::vector<Material> materials()
                .translucency = 0.4f } };
 }
 
-Result<LeafTriangles> grown_triangles(LeafSketch const& sketch, DrawnLeaf const& drawn)
+struct DerivedLeaf {
+    Grammar grammar;
+    std::optional<Leaf> leaf {}; // Set; it refers to the grammar.
+    LeafTriangles triangles {};
+};
+
+Result<std::unique_ptr<DerivedLeaf const>> derived(LeafSketch const& sketch, DrawnLeaf const& drawn)
 {
-    auto const grammar = TRY(parse_grammar(print_grammar(drawn, "drawn"), "the drawn leaf"));
-    auto leaf = TRY(Leaf::begin(grammar,
-                                { .final_step = grammar.steps,
-                                  .seed = sketch.seed.value_or(1),
-                                  .variation = sketch.seed ? sketch.spread : 0 }));
-    while (leaf.step() < grammar.steps)
-        TRY(leaf.derive());
-    TRY(leaf.fill());
-    return triangles_of(leaf);
+    auto made = std::make_unique<DerivedLeaf>(
+        DerivedLeaf { TRY(parse_grammar(print_grammar(drawn, "drawn"), "the drawn leaf")) });
+    auto const& grammar = made->grammar;
+    auto& leaf = made->leaf;
+    leaf = TRY(Leaf::begin(grammar,
+                           { .final_step = grammar.steps,
+                             .seed = sketch.seed.value_or(1),
+                             .variation = sketch.seed ? sketch.spread : 0 }));
+    while (leaf->step() < grammar.steps)
+        TRY(leaf->derive());
+    TRY(leaf->fill());
+    made->triangles = triangles_of(*leaf);
+    return made;
 }
 
 // The vertex that is nearest to a place of the flat leaf.
@@ -122,23 +135,44 @@ void add_triangles(Plant& plant, std::span<Triangle const> triangles,
     }
 }
 
-// The grown leaf lies in its drawing: its blade reaches from base to tip there.
+// Lays a grown leaf into its drawing: its blade reaches from base to tip there.
+class LeafToPaper {
+public:
+    LeafToPaper(BladePlace const& place, DrawnLeaf const& drawn, LeafTriangles const& leaf)
+        : place_(place)
+        , size_mm_(drawn.size_mm)
+        , base_(vertex_at(leaf, { 0, drawn.stalk }))
+    {
+        Vec3 const tip = vertex_at(leaf, { 0, drawn.stalk + 1 });
+        turn_ = frame_of(place.tip_mm - place.base_mm, place.normal)
+            * frame_of(tip - base_, Vec3::UnitZ()).transpose();
+    }
+
+    Vec3 const& base() const { return base_; }
+
+    Vec3 operator()(Vec3 const& at) const
+    {
+        return place_.base_mm + size_mm_ * (turn_ * (at - base_));
+    }
+
+private:
+    BladePlace place_;
+    double size_mm_;
+    Vec3 base_;
+    Eigen::Matrix3d turn_;
+};
+
 Result<BuiltSource> leaf_plant(LeafSketch const& sketch, DrawnLeaf const& drawn)
 {
-    auto const leaf = TRY(grown_triangles(sketch, drawn));
-    auto const& place = sketch.seen->fit.place;
-    Vec3 const base = vertex_at(leaf, { 0, drawn.stalk });
-    Vec3 const tip = vertex_at(leaf, { 0, drawn.stalk + 1 });
-    Eigen::Matrix3d const turn = frame_of(place.tip_mm - place.base_mm, place.normal)
-        * frame_of(tip - base, Vec3::UnitZ()).transpose();
+    auto const made = TRY(derived(sketch, drawn));
+    auto const& leaf = made->triangles;
+    LeafToPaper const to_paper(sketch.seen->fit.place, drawn, leaf);
     PaperToPlant const to_plant(TRY(foot_of(sketch)), sketch.scale);
-    auto const placed = [&](Vec3 const& at) {
-        return to_plant(place.base_mm + drawn.size_mm * (turn * (at - base)));
-    };
+    auto const placed = [&](Vec3 const& at) { return to_plant(to_paper(at)); };
     BuiltSource built;
     built.plant.materials = materials();
     double const radius_mm = 0.5 * drawn.width * drawn.size_mm / sketch.scale;
-    std::array const stalk { placed(vertex_at(leaf, Vec2::Zero())), placed(base) };
+    std::array const stalk { placed(vertex_at(leaf, Vec2::Zero())), placed(to_paper.base()) };
     add_axis(built, stalk, radius_mm, "stalk");
     std::vector<Vec3> positions_mm;
     for (auto const& at : leaf.positions)
@@ -178,6 +212,27 @@ Result<BuiltSource> build_leaf(LeafSketch const& sketch, LoadOptions const&)
     if (auto const drawn = formed_leaf(sketch))
         return leaf_plant(sketch, *drawn);
     return stems_along(sketch);
+}
+
+Result<std::vector<std::vector<Vec3>>> lines_of_leaf(LeafSketch const& sketch)
+{
+    TRY(check_form(sketch.form));
+    auto const drawn = formed_leaf(sketch);
+    if (!drawn)
+        return fail(Fault::User, "the lines are no leaf yet");
+    auto const made = TRY(derived(sketch, *drawn));
+    auto const& leaf = *made->leaf;
+    auto const& triangles = made->triangles;
+    LeafToPaper const to_paper(sketch.seen->fit.place, *drawn, triangles);
+    std::vector<std::vector<Vec3>> lines(1);
+    Dart const start = 0; // The first face is the stalk, whose first edge is free.
+    for (auto const dart : leaf.map().border(start))
+        lines[0].push_back(to_paper(leaf.map().position_of(dart)));
+    lines[0].push_back(lines[0].front());
+    for (auto const& vein : leaf.veins())
+        lines.push_back(
+            { to_paper(vertex_at(triangles, vein.from)), to_paper(vertex_at(triangles, vein.to)) });
+    return lines;
 }
 
 } // namespace tractus::leaf
