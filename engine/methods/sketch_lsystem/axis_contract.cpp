@@ -77,11 +77,12 @@ struct Reading {
         at = before;
         return false;
     }
-    // Up to the closing sign, with it; what lies before it.
+    // Up to the closing sign, with it; what lies before it, in which no other sign of brackets and
+    // definitions may be.
     std::optional<std::string_view> up_to(char closing)
     {
-        auto const end = text.find(closing, at);
-        if (end == std::string_view::npos)
+        auto const end = text.find_first_of("[]{}=;", at);
+        if (end == std::string_view::npos || text[end] != closing)
             return std::nullopt;
         auto const inside = text.substr(at, end - at);
         at = end + 1;

@@ -80,7 +80,7 @@ TEST_P(OurModel, KeepsTheContract)
 // Within 1e-4 of a segment, on any stroke.
 TEST_P(OurModel, HasItsAxisWhereAnyStrokeWas)
 {
-    rc::check([&] {
+    EXPECT_TRUE(rc::check([&] {
         auto edit = grown(model_, random_walk());
         edit.scale = *rc::gen::element(0.1, 0.06, 0.2);
         auto const nodes_mm = drawn_nodes_mm(edit);
@@ -94,7 +94,7 @@ TEST_P(OurModel, HasItsAxisWhereAnyStrokeWas)
             Vec3 const at_mm = edit.scale * axis[i] + nodes_mm->front();
             RC_ASSERT((at_mm - (*nodes_mm)[i]).norm() < 1e-4 * segment_mm);
         }
-    });
+    }));
 }
 
 TEST_P(OurModel, HasOtherLateralsAndTheSameAxisForAnotherSeed)
