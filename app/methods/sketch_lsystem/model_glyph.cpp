@@ -57,7 +57,10 @@ Glyph draw_model(sketch::ModelRule const& model)
     constexpr std::size_t kMostLines = 200;
     Glyph glyph;
     glyph.hint = "A plant of this model";
-    auto const built = sketch::build_sketch({ .stroke = short_stroke(), .model = model }, {});
+    sketch::GrowAlongStroke edit;
+    edit.stroke = short_stroke();
+    edit.model = model;
+    auto const built = sketch::build_sketch(edit, {});
     if (!built)
         return glyph;
     auto const& plant = built->plant;
