@@ -1,6 +1,7 @@
 #include "app/methods/leaves/leaf_previewer.h"
 
 #include "app/methods/leaves/leaf_line_tool.h"
+#include "engine/scene/paper.h"
 #include "tests/app/small_model.h"
 
 #include <algorithm>
@@ -40,12 +41,18 @@ std::vector<SkeletonLine> preview_of(Scene const& scene, Stroke const& stroke)
     return leaf_previewer()->show({ shared, tool, ink, 9 });
 }
 
-// How far a place is from the nearest corner of the plant's polygons.
-double from_corners_mm(Vec3 const& world_mm, Scene const& scene)
+// The paper lies elsewhere when the plant's foot has moved on it.
+Vec2 on_paper_mm(Vec3 const& plant_mm, Scene const& scene)
+{
+    return paper_of(scene.state).sheet_of_world(scene.placement.world_of_plant(plant_mm));
+}
+
+// How far a place on the paper is from the nearest corner of the plant's polygons.
+double from_corners_mm(Vec2 const& sheet_mm, Scene const& scene)
 {
     double least = std::numeric_limits<double>::infinity();
     for (auto const& corner : scene.base->polygon_vertices_mm)
-        least = std::min(least, (scene.placement.world_of_plant(corner) - world_mm).norm());
+        least = std::min(least, (on_paper_mm(corner, scene) - sheet_mm).norm());
     return least;
 }
 
@@ -57,8 +64,7 @@ void expect_as_drawn(Scene const& before, Stroke const& stroke)
     ASSERT_GT(lines.size(), 2u);
     ASSERT_GT(lines[0].points_mm.size(), 10u);
     for (auto const& point : lines[0].points_mm)
-        EXPECT_LT(from_corners_mm(before.placement.world_of_plant(point.cast<double>()), after),
-                  0.05);
+        EXPECT_LT(from_corners_mm(on_paper_mm(point.cast<double>(), before), after), 0.05);
 }
 
 TEST(LeafPreviewer, ShowsTheLeafBeforeThePenIsLifted)

@@ -208,7 +208,8 @@ TEST(LeafStudy, ShowsALeafWithItsDamage)
     EXPECT_GT(share_of_paper(eaten.leaf, paper), share_of_paper(whole.leaf, paper) + 0.01);
     auto const white = study_leaf(grammar, { .damage = { .mildew = 1 } }, paper).value();
     EXPECT_NE(white.leaf, whole.leaf);
-    EXPECT_EQ(share_of_paper(white.leaf, paper), share_of_paper(whole.leaf, paper));
+    // Mildew at the edge may be as white as paper.
+    EXPECT_NEAR(share_of_paper(white.leaf, paper), share_of_paper(whole.leaf, paper), 0.002);
     EXPECT_NE(whole.others[0], whole.others[1]);
     EXPECT_EQ(study_leaf(grammar, {}, paper).value().leaf, whole.leaf);
 }
