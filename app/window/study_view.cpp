@@ -17,8 +17,9 @@ constexpr float kOther = kAcross / 6;
 constexpr float kDown = 4 + kOther;
 constexpr float kGap_px = 6;
 constexpr float kSliders_px = 290;
-constexpr float kLeastUnit_px = 56; // Of a field beside the sliders.
-constexpr float kLeastRow_px = 36;  // Of a slider that has to make room.
+constexpr float kLeastSliders_px = 210; // Beside pictures that need the room,
+constexpr float kLeastUnit_px = 52;     // whose field has units of this at least.
+constexpr float kLeastRow_px = 24;      // Of a slider that has to make room.
 constexpr float kTitle_px = 15;
 
 // ImGui takes the text for a format.
@@ -38,9 +39,10 @@ void StudyView::show(StartPageModel& page, Controls const& controls)
     auto const corner = ImGui::GetCursorScreenPos();
     auto const room = ImGui::GetContentRegionAvail();
     float const gap = 2 * kGap_px * scale_;
-    float const sliders = std::min(kSliders_px * scale_, room.x);
+    float const sliders = std::clamp(room.x - gap - kAcross * kLeastUnit_px * scale_,
+                                     kLeastSliders_px * scale_, kSliders_px * scale_);
     float const beside = std::min((room.x - sliders - gap) / kAcross, room.y / kDown);
-    if (beside >= kLeastUnit_px * scale_) {
+    if (beside >= 0.99f * kLeastUnit_px * scale_) {
         show_pictures(study, corner, beside);
         ImGui::SetCursorScreenPos({ corner.x + kAcross * beside + gap, corner.y });
         float const left = room.x - kAcross * beside - gap;

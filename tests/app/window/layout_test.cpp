@@ -547,7 +547,7 @@ TEST_F(LayoutTest, TakesACardIntoTheHand)
     model.perform(ChooseTool { tool });
     auto const second = ready_cards(tool)[1].tool;
     std::vector<Moment> moments { { { 0, 0 } }, { { 0, 0 } } };
-    for (float y = 300; y < 560; y += 20) { // Wherever the second card is above the bar.
+    for (float y = 300; y < 420; y += 20) { // Wherever the second card of the first row is.
         moments.push_back({ { 230, y } });
         moments.push_back({ { 230, y }, true });
         moments.push_back({ { 230, y } });

@@ -12,7 +12,7 @@ count_lines() { grep -c "^$1" window || true; }
 has_more() { [ "$(count_lines "$1")" -gt "$2" ]; }
 # What it said last of the pen, and of what is wrong: it tells of either as soon as it sees it.
 touches() { [ "$(grep '^the pen' window | tail -n 1)" = 'the pen touches' ]; }
-last_trouble_is() { grep -v -e '^the pen' -e '^stroke' window | tail -n 1 | grep -q "$1"; }
+last_trouble_is() { grep -v -e '^the pen' -e '^stroke' -e '^kept' window | tail -n 1 | grep -q "$1"; }
 
 unplug_in_a_stroke() {
     local strokes
