@@ -167,7 +167,22 @@ TEST_F(DeriveVerb, TellsWhatAModelUses)
                     "   2           13            3\n\n"
                     "Draws 2 segments on 2 axes, 0 organs, 0 polygons\n\n"
                     "Warnings\n  "
-                  + path + ": the turtle symbol @Q is not supported; it draws nothing\n");
+                  + path
+                  + ": the turtle symbol @Q is not supported; it draws nothing\n\n"
+                    "Cannot be grown along a stroke\n  "
+                  + path
+                  + ": it has no line #define SEGMENTS 0, the number of segments that a stroke "
+                    "has\n  "
+                  + path
+                  + ": it has no array length with values: give it define: { array length[1] = "
+                    "{10}; }\n  "
+                  + path
+                  + ": it has no array plane with values: give it define: { array plane[1] = "
+                    "{0}; }\n  "
+                  + path
+                  + ": it has no array bend with values: give it define: { array bend[1] = {0}; "
+                    "}\n  "
+                  + path + ": no rule turns the drawn axis by /(plane[i])+(bend[i])\\(plane[i])\n");
     EXPECT_EQ(outcome.err, "");
 }
 
