@@ -86,7 +86,7 @@ bool is_of_model(SketchTool const& tool)
     return static_cast<std::size_t>(tool.card) >= kCards.size();
 }
 
-// Of a model: the usual one.
+// The usual card where the tool is a model.
 RuleCard const& ready_rule_of(SketchTool const& tool)
 {
     return is_of_model(tool) ? kCards.front() : kCards[static_cast<std::size_t>(tool.card)];

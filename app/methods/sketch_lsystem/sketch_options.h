@@ -25,7 +25,8 @@ sketch::Rule with_options(sketch::Rule const& rule, SketchTool const& tool);
 // Whether all that the tool says of a rule is so in this one, but for how thick it is.
 bool says_rule(SketchTool const& tool, sketch::Rule const& rule);
 
-// The same of what has grown by a rule, or a model; chance does not count.
+// Whether all that the tool says is so in what has grown by a rule, or a model; chance does not
+// count.
 bool says_grown(SketchTool const& tool, sketch::GrowAlongStroke const& grown);
 
 // The tool with the options that say this rule.

@@ -68,7 +68,7 @@ public:
         angles_.emplace(angles_of(*below_), angles_of(*above_));
     }
 
-    // Of both, by how near they are.
+    // The mean of both, weighted by how near they are.
     template<typename Number> double mean(Number const& number) const
     {
         double const low = number(*below_);
