@@ -256,14 +256,23 @@ Result<Skeleton> skeleton_of(OutlinedTree const& tree)
     return skeleton;
 }
 
-Result<std::optional<std::string>> branch_outlined_by(OutlinedTree const& tree,
-                                                      Stroke const& stroke)
+// Asks of which branch a stroke is; no value: of none, or the tree has no outline.
+using BranchFinder = Result<std::optional<std::string>>(Drawing const&, std::span<Vec2 const>,
+                                                        SkeletonOptions const&);
+static Result<std::optional<std::string>> branch_under(OutlinedTree const& tree,
+                                                       Stroke const& stroke, BranchFinder& find)
 {
     if (tree.outline.tips.empty())
         return std::nullopt;
     auto const drawing = TRY(drawing_of(tree));
     auto const line = TRY(line_of(stroke));
-    return branch_outlined_by(drawing, line, options_of(tree));
+    return find(drawing, line, options_of(tree));
+}
+
+Result<std::optional<std::string>> branch_outlined_by(OutlinedTree const& tree,
+                                                      Stroke const& stroke)
+{
+    return branch_under(tree, stroke, branch_outlined_by);
 }
 
 Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke, ItemId id,
@@ -281,11 +290,7 @@ Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke, I
 
 Result<std::optional<std::string>> branch_borne_by(OutlinedTree const& tree, Stroke const& stroke)
 {
-    if (tree.outline.tips.empty())
-        return std::nullopt;
-    auto const drawing = TRY(drawing_of(tree));
-    auto const line = TRY(line_of(stroke));
-    return branch_borne_by(drawing, line, options_of(tree));
+    return branch_under(tree, stroke, branch_borne_by);
 }
 
 Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke, ItemId id,

@@ -106,7 +106,8 @@ void infer_level(Skeleton& skeleton, std::size_t first_system, LevelInference co
                 skeleton.system_of[s][copy] = skeleton.system_of[s][b];
 }
 
-// Of the branches that somebody drew on for their siblings, too; by their places on the trunk.
+// The styles of the branches that somebody drew on for their siblings, too, by their places on the
+// trunk.
 std::vector<BearerStyle> styles_for_siblings(Skeleton const& skeleton)
 {
     std::vector<BearerStyle> styles;

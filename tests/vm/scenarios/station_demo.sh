@@ -92,8 +92,8 @@ without_torn_stroke() {
 }
 
 judge() {
-    # The emulated processor is so busy with growing that reports come late: at 220 mm/s, 5 mm are 23 ms.
-    local torn=$(cat torn) limits='--rms-mm 0.5 --max-mm 5 --path-mm 1'
+    # The emulated processor is so busy with growing that reports come late: at 220 mm/s, 3 mm are 14 ms.
+    local torn=$(cat torn) limits='--rms-mm 0.5 --max-mm 3 --path-mm 1'
     vm_check strokes station.hand.toml station.tractus-log got1.tractus-log birch.l --torn --strokes $torn $limits
     vm_check strokes station.hand.toml rest.tractus-log got2.tractus-log birch.l --strokes $((14 - torn)) $limits
     without_torn_stroke got1.tractus-log >whole.tractus-log

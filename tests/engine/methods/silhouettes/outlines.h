@@ -3,6 +3,7 @@
 #include "engine/base/random.h"
 #include "engine/methods/silhouettes/bumps.h"
 #include "engine/methods/silhouettes/outline.h"
+#include "engine/stroke/stroke.h"
 #include "tests/corpus.h"
 
 #include <algorithm>
@@ -17,6 +18,18 @@
 #include <vector>
 
 namespace tractus::silhouette {
+
+// Drawn at 200 Hz with the surface at 140 mm.
+inline Stroke stroke_of(std::vector<Vec2> const& points)
+{
+    Stroke stroke;
+    std::int64_t time_ns = 0;
+    for (auto const& point : points)
+        stroke.tips.push_back({ .time = timestamp_ns(time_ns += 5'000'000),
+                                .position_mm = { point.x(), point.y(), 140 },
+                                .touching = true });
+    return stroke;
+}
 
 inline std::vector<Vec2> upright(double low, double high)
 {

@@ -12,23 +12,12 @@ class OwnBranchEdits : public ::testing::Test {
 protected:
     using Part = DrawTree::Part;
 
-    static Stroke ink(std::vector<Vec2> const& points)
-    {
-        Stroke stroke;
-        std::int64_t time_ns = 0;
-        for (auto const& point : points)
-            stroke.tips.push_back({ .time = timestamp_ns(time_ns += 5'000'000),
-                                    .position_mm = { point.x(), point.y(), 140 },
-                                    .touching = true });
-        return stroke;
-    }
-
     static Scene draw(Scene const& before, Part part, std::vector<Vec2> const& points,
                       StyleTo style_to = StyleTo::None)
     {
         auto after = apply_edit(before,
                                 DrawTree { .part = part,
-                                           .stroke = ink(points),
+                                           .stroke = stroke_of(points),
                                            .style_to = style_to,
                                            .plant = before.state.active });
         EXPECT_TRUE(after) << after.error().message;
@@ -55,7 +44,7 @@ protected:
         return { from, from + 0.5 * turned(way, 0.6), from + turned(way, 0.9) };
     }
 
-    // Of the branches that end in bumps, the one whose end is nearest.
+    // The branch that ends in a bump and whose end is nearest.
     static std::size_t nearest_bump(BranchingSystem const& system, Vec2 const& end)
     {
         std::size_t nearest = 0;

@@ -13,17 +13,6 @@ class OwnOutlineEdits : public ::testing::Test {
 protected:
     using Part = DrawTree::Part;
 
-    static Stroke ink(std::vector<Vec2> const& points)
-    {
-        Stroke stroke;
-        std::int64_t time_ns = 0;
-        for (auto const& point : points)
-            stroke.tips.push_back({ .time = timestamp_ns(time_ns += 5'000'000),
-                                    .position_mm = { point.x(), point.y(), 140 },
-                                    .touching = true });
-        return stroke;
-    }
-
     static std::vector<Vec2> disc(Vec2 const& middle, double radius)
     {
         std::vector<Vec2> points;
@@ -42,7 +31,8 @@ protected:
     static Scene draw(Scene const& before, Part part, std::vector<Vec2> const& points)
     {
         auto after = apply_edit(
-            before, DrawTree { .part = part, .stroke = ink(points), .plant = before.state.active });
+            before,
+            DrawTree { .part = part, .stroke = stroke_of(points), .plant = before.state.active });
         EXPECT_TRUE(after) << after.error().message;
         return after.value_or(Scene {});
     }
@@ -164,7 +154,8 @@ TEST_F(OwnOutlineEdits, AreRefusedWhereNoBranchIs)
     auto const scene = tree();
     auto const refusal = [](Scene const& before, std::vector<Vec2> const& points, ItemId plant) {
         auto const after = apply_edit(
-            before, DrawTree { .part = Part::OwnOutline, .stroke = ink(points), .plant = plant });
+            before,
+            DrawTree { .part = Part::OwnOutline, .stroke = stroke_of(points), .plant = plant });
         return after ? std::string() : after.error().message;
     };
     EXPECT_NE(refusal(scene, lobed_crown(5).outline[0], scene.state.active).find("around none"),

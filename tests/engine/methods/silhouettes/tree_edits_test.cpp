@@ -15,17 +15,6 @@
 namespace tractus::silhouette {
 namespace {
 
-Stroke stroke_of(std::vector<Vec2> const& points)
-{
-    Stroke stroke;
-    std::int64_t time_ns = 0;
-    for (auto const& point : points)
-        stroke.tips.push_back({ .time = timestamp_ns(time_ns += 5'000'000),
-                                .position_mm = { point.x(), point.y(), 140 },
-                                .touching = true });
-    return stroke;
-}
-
 // A crown of five lobes, its trunk's foot at (0, -90).
 Drawing crown()
 {
