@@ -66,6 +66,7 @@ Result<leaf::Grammar> load_own_leaf_grammar(std::string const& name)
 
 Result<fs::path> own_leaf_path(std::string const& name)
 {
+    TRY(check_leaf_name(name));
     auto const ours = leaf_names();
     if (std::ranges::find(ours, name) == ours.end())
         return fail(Fault::User,

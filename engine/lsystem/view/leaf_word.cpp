@@ -64,4 +64,17 @@ LeafWord parse_leaf_word(std::string_view word)
     return wanted;
 }
 
+Result<void> check_leaf_name(std::string_view grammar)
+{
+    auto const plus = grammar.rfind('+');
+    if (plus == std::string_view::npos || grammar.find('=', plus) == std::string_view::npos)
+        return {};
+    std::string expected;
+    for (auto const& [name, number, most] : kDamageNumbers)
+        expected += fmt::format("{}{} (0 to {})", expected.empty() ? "" : ", ", name, most);
+    return fail(
+        Fault::User,
+        fmt::format("a leaf's damage: found {}, expected {}", grammar.substr(plus + 1), expected));
+}
+
 } // namespace tractus

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/base/result.h"
+
 #include <string>
 #include <string_view>
 
@@ -30,5 +32,9 @@ std::string leaf_word(LeafWord const& wanted);
 
 // What a word says. What is no number of LeafDamage in its range belongs to the grammar's name.
 LeafWord parse_leaf_word(std::string_view word);
+
+// A grammar's name that ends in what should have been a number of LeafDamage, "oak+spots=3", fails
+// as the user's fault, with the numbers that there are and their ranges.
+Result<void> check_leaf_name(std::string_view grammar);
 
 } // namespace tractus

@@ -1,4 +1,5 @@
 #include "tests/app/command_line/workshop.h"
+#include "tests/file_bytes.h"
 
 #include <array>
 #include <cmath>
@@ -288,8 +289,7 @@ TEST_F(Measured, OptionsOfModelsAreRefused)
 // The page's own tree and commands, as a reader would copy them.
 TEST_F(Measured, TheManualsCommandsWork)
 {
-    std::ifstream in(TRACTUS_MANUAL "/models.md", std::ios::binary);
-    std::string const page { std::istreambuf_iterator<char>(in), {} };
+    std::string const page = file_bytes(TRACTUS_MANUAL "/models.md");
     auto const section = page.find("\n## A measured tree");
     ASSERT_NE(section, std::string::npos);
     auto const block = [&](std::string const& begin, std::size_t from) {

@@ -1,4 +1,5 @@
 #include "tests/app/command_line/workshop.h"
+#include "tests/file_bytes.h"
 
 #include <gtest/gtest.h>
 #include <sstream>
@@ -30,8 +31,7 @@ TEST_F(StreamCommand, GivesASmallLogToTheByte)
     auto const outcome = run("tractus stream " + small("tractus-log"));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
-    std::ifstream expected(small("jsonl"));
-    EXPECT_EQ(outcome.out, std::string(std::istreambuf_iterator<char>(expected), {}));
+    EXPECT_EQ(outcome.out, file_bytes(small("jsonl")));
 }
 
 TEST_F(StreamCommand, PlaysALogAsIfItsDevicesWereThere)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/file_bytes.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -52,7 +54,7 @@ protected:
             + "'";
         int const status = std::system(script.c_str());
         CommandOutcome outcome { WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-                                 contents(outside("out")), contents(outside("err")) };
+                                 file_bytes(outside("out")), file_bytes(outside("err")) };
         std::filesystem::remove(outside("out"));
         std::filesystem::remove(outside("err"));
         return outcome;
@@ -79,7 +81,7 @@ protected:
 
     std::filesystem::path path(std::string const& name) const { return folder_ / name; }
 
-    std::string read(std::string const& name) const { return contents(folder_ / name); }
+    std::string read(std::string const& name) const { return file_bytes(folder_ / name); }
 
     bool exists(std::string const& name) const { return std::filesystem::exists(folder_ / name); }
 
@@ -91,12 +93,6 @@ protected:
     }
 
 private:
-    static std::string contents(std::filesystem::path const& path)
-    {
-        std::ifstream in(path, std::ios::binary);
-        return { std::istreambuf_iterator<char>(in), {} };
-    }
-
     // Beside the folder, so that what commands print is not among their files.
     std::string outside(char const* name) const { return folder_.string() + "." + name; }
 

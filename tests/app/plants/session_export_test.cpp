@@ -7,11 +7,10 @@
 #include "engine/methods/sketch_lsystem/grow_edit.h"
 #include "engine/plant/mtg.h"
 #include "tests/app/small_model.h"
+#include "tests/file_bytes.h"
 
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <string>
 #include <unistd.h>
 
@@ -41,12 +40,6 @@ TEST(SessionExport, WritesNothingOutsideOfItsFolder)
     std::filesystem::remove_all(folder);
 }
 
-std::string text_of(std::filesystem::path const& file)
-{
-    std::ifstream in(file, std::ios::binary);
-    return { std::istreambuf_iterator<char>(in), {} };
-}
-
 // The models of methods and of parts derive to the plants that they are.
 TEST(SessionExport, GivesEachPlantAndPartItsFiles)
 {
@@ -67,15 +60,15 @@ TEST(SessionExport, GivesEachPlantAndPartItsFiles)
     auto const kinds = all_methods().edits;
     ASSERT_TRUE(begin_session(folder / "a.tractus", edits, kinds));
     auto const written = export_session(folder / "a.tractus", folder / "files", kinds).value();
-    EXPECT_EQ(text_of(folder / "files" / "small.l"), small_model().source.text);
+    EXPECT_EQ(file_bytes(folder / "files" / "small.l"), small_model().source.text);
     auto const model = folder / "files" / "sketch-2" / "sketch.l";
     auto const alone
         = apply_edits({}, std::vector<Edit> { load_model_edit(model).value() }).value();
     EXPECT_EQ(alone.base->node_position_mm, before.plants[1]->base->node_position_mm);
     EXPECT_EQ(alone.base->organs.size(), before.plants[1]->base->organs.size());
-    auto const graph = text_of(folder / "files" / "tree-3" / "tree.mtg");
+    auto const graph = file_bytes(folder / "files" / "tree-3" / "tree.mtg");
     EXPECT_EQ(parse_mtg("tree.mtg", graph).value().axes.size(), 1u);
-    EXPECT_EQ(text_of(folder / "files" / "plants.txt"),
+    EXPECT_EQ(file_bytes(folder / "files" / "plants.txt"),
               "plant 1: small.l at 0.0, 0.0, 0.0 mm\n"
               "part 2: sketch on plant 1\n"
               "plant 3: tree at 99.0, 0.0, 0.0 mm, takes what is drawn\n");

@@ -3,6 +3,7 @@
 #include "app/session/session.h"
 #include "tests/app/session/same_edit.h"
 #include "tests/app/small_model.h"
+#include "tests/file_bytes.h"
 
 #include <filesystem>
 #include <fstream>
@@ -90,8 +91,7 @@ protected:
 
     std::string read_bytes(std::string const& name = "a.tractus") const
     {
-        std::ifstream in(path(name), std::ios::binary);
-        return { std::istreambuf_iterator<char>(in), {} };
+        return file_bytes(path(name));
     }
 
     void write_bytes(std::string const& name, std::string const& bytes) const

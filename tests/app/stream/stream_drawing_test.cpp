@@ -5,19 +5,13 @@
 #include "drivers/log.h"
 #include "tests/app/simple_rig.h"
 #include "tests/app/stream/local_reader.h"
+#include "tests/file_bytes.h"
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 
 namespace tractus {
 namespace {
-
-std::string text_of(std::filesystem::path const& path)
-{
-    std::ifstream in(path, std::ios::binary);
-    return { std::istreambuf_iterator<char>(in), {} };
-}
 
 LogReplay small_replay(Log const& log)
 {
@@ -49,7 +43,7 @@ std::string streamed(Log const& log, StreamOutput::What what)
 TEST(StreamDrawing, GivesASmallLogToTheByte)
 {
     EXPECT_EQ(streamed(small_log(), StreamOutput::What::All),
-              text_of(std::filesystem::path(TRACTUS_FIXTURES) / "small.jsonl"));
+              file_bytes(std::filesystem::path(TRACTUS_FIXTURES) / "small.jsonl"));
 }
 
 TEST(StreamDrawing, GivesStrokesAlone)

@@ -1,5 +1,6 @@
 #include "engine/lsystem/text/placed_text.h"
 #include "engine/lsystem/text/source_text.h"
+#include "tests/file_bytes.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -25,12 +26,6 @@ constexpr int kProgramCount = 600;
 bool has_gcc()
 {
     return std::system("gcc --version >/dev/null 2>&1") == 0;
-}
-
-std::string contents(std::filesystem::path const& path)
-{
-    std::ifstream in(path);
-    return { std::istreambuf_iterator<char>(in), {} };
 }
 
 std::string tokens(std::string const& text)
@@ -72,8 +67,8 @@ public:
         auto const command
             = "cd '" + folder.string() + "' && LC_ALL=C gcc -E -P -w -x c model.l >out 2>messages";
         EXPECT_NE(std::system(command.c_str()), -1);
-        auto const wrong = wrong_programs(contents(folder / "messages"));
-        auto const results = contents(folder / "out");
+        auto const wrong = wrong_programs(file_bytes(folder / "messages"));
+        auto const results = file_bytes(folder / "out");
         std::filesystem::remove_all(folder);
         int count = 0;
         for (std::size_t i = 0; i < programs_.size(); ++i)

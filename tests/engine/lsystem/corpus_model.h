@@ -1,19 +1,12 @@
 #pragma once
 
 #include "engine/lsystem/language/model.h"
+#include "tests/file_bytes.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 namespace tractus {
-
-inline std::string read_text(std::filesystem::path const& path)
-{
-    std::ifstream in(path, std::ios::binary);
-    return { std::istreambuf_iterator<char>(in), {} };
-}
 
 // Compiles FOLDER/NAME.l with the view beside it; `view` when that has another name.
 inline Result<Model> compile_file(std::filesystem::path const& path, std::string const& view = {})
@@ -22,13 +15,13 @@ inline Result<Model> compile_file(std::filesystem::path const& path, std::string
                                         : path.parent_path() / view;
     ModelSource source;
     source.name = path.filename().string();
-    source.text = read_text(path);
+    source.text = file_bytes(path);
     source.view_name = view_path.filename().string();
-    source.view_text = read_text(view_path);
+    source.view_text = file_bytes(view_path);
     return compile_model(source, [&](std::string const& name) -> Result<std::string> {
         if (!std::filesystem::exists(path.parent_path() / name))
             return fail(Fault::User, name + " does not exist");
-        return read_text(path.parent_path() / name);
+        return file_bytes(path.parent_path() / name);
     });
 }
 

@@ -5,6 +5,7 @@
 #include "tests/corpus.h"
 #include "tests/engine/lsystem/corpus_model.h"
 #include "tests/engine/lsystem/sha256.h"
+#include "tests/file_bytes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ namespace {
 
 nlohmann::json read_json(std::filesystem::path const& path)
 {
-    return nlohmann::json::parse(read_text(path));
+    return nlohmann::json::parse(file_bytes(path));
 }
 
 std::string without_blanks(std::string text)
@@ -85,7 +86,7 @@ Result<Model> compile_alone(nlohmann::json const& entry)
     auto const folder = corpus() / "lsystems" / entry["saved"].get<std::string>();
     ModelSource source;
     source.text
-        = read_text(folder / std::filesystem::path(entry["path"].get<std::string>()).filename());
+        = file_bytes(folder / std::filesystem::path(entry["path"].get<std::string>()).filename());
     return compile_model(source);
 }
 
@@ -99,7 +100,7 @@ TEST_P(PublishedModel, GivesTheStringThatCpfgGives)
     ASSERT_TRUE(string) << string.error().message;
     auto const name
         = std::filesystem::path(entry["path"].get<std::string>()).stem().string() + ".expected.str";
-    auto const expected = without_blanks(read_text(corpus() / "lsystems" / GetParam() / name));
+    auto const expected = without_blanks(file_bytes(corpus() / "lsystems" / GetParam() / name));
     EXPECT_TRUE(same_strings(to_string(*model, *string), expected));
 }
 

@@ -4,11 +4,10 @@
 #include "engine/lsystem/view/triangle_file.h"
 #include "engine/lsystem/view/view.h"
 #include "tests/corpus.h"
+#include "tests/file_bytes.h"
 
 #include <fmt/format.h>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <sstream>
 
 namespace tractus {
 namespace {
@@ -247,15 +246,16 @@ TEST(PublishedShapes, AreRead)
     REQUIRE_CORPUS();
     int count = 0;
     for (auto const& entry : std::filesystem::recursive_directory_iterator(corpus() / "lsystems")) {
-        std::ostringstream text;
-        text << std::ifstream(entry.path()).rdbuf();
+        if (!entry.is_regular_file())
+            continue;
+        auto const text = file_bytes(entry.path());
         if (entry.path().extension() == ".s") {
-            auto const read = parse_surface(entry.path().string(), text.str(), 1);
+            auto const read = parse_surface(entry.path().string(), text, 1);
             ASSERT_TRUE(read) << read.error().message;
             EXPECT_GE(read->patches.size(), 1u);
             ++count;
         } else if (entry.path().extension() == ".con") {
-            auto const read = parse_contour(entry.path().string(), text.str());
+            auto const read = parse_contour(entry.path().string(), text);
             ASSERT_TRUE(read) << read.error().message;
             ++count;
         }

@@ -3,9 +3,9 @@
 #include "engine/base/random.h"
 #include "tests/corpus.h"
 #include "tests/engine/stroke/corpus_strokes.h"
+#include "tests/file_bytes.h"
 
 #include <cstring>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <zlib.h>
@@ -182,8 +182,7 @@ TEST(ReadTilt, SurvivesAnyDamage)
 
 TEST(ReadTilt, ReadsASketchThatSomebodyDrew)
 {
-    std::ifstream in(shipped("strokes") / "toolkit_sketch1.tilt", std::ios::binary);
-    std::vector<char> const bytes { std::istreambuf_iterator<char>(in), {} };
+    auto const bytes = file_bytes(shipped("strokes") / "toolkit_sketch1.tilt");
     auto const strokes = read_tilt("toolkit_sketch1.tilt", std::as_bytes(std::span(bytes)));
     ASSERT_TRUE(strokes) << strokes.error().message;
     auto const expected = read_strokes(shipped("strokes") / "toolkit_sketch1.strokes.txt");

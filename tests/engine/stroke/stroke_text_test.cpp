@@ -3,10 +3,9 @@
 #include "tests/corpus.h"
 #include "tests/engine/stroke/corpus_strokes.h"
 #include "tests/engine/stroke/strokes.h"
+#include "tests/file_bytes.h"
 
-#include <fstream>
 #include <gtest/gtest.h>
-#include <sstream>
 
 namespace tractus {
 namespace {
@@ -61,10 +60,7 @@ TEST(StrokeText, ReadsWhatPeopleDrewInVirtualReality)
 {
     for (char const* name : { "Wire.strokes.txt", "Blue_Tit.strokes.txt" }) {
         auto const path = shipped("strokes") / name;
-        std::ifstream in(path);
-        std::stringstream text;
-        text << in.rdbuf();
-        auto const strokes = parse_strokes(name, text.str());
+        auto const strokes = parse_strokes(name, file_bytes(path));
         ASSERT_TRUE(strokes) << strokes.error().message;
         auto const expected = read_strokes(path);
         ASSERT_EQ(strokes->size(), expected.size());

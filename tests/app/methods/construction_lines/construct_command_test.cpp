@@ -1,10 +1,10 @@
 #include "tests/app/verbs/outcome.h"
 #include "tests/corpus.h"
+#include "tests/file_bytes.h"
 
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <unistd.h>
@@ -35,12 +35,6 @@ protected:
         EXPECT_FALSE(fs::exists(folder_ / "out"));
         auto const at = outcome.err.find("wrong.json: ");
         return at == std::string::npos ? outcome.err : outcome.err.substr(at + 12);
-    }
-
-    static std::string bytes(fs::path const& file)
-    {
-        std::ifstream stream(file, std::ios::binary);
-        return { std::istreambuf_iterator<char>(stream), {} };
     }
 
     fs::path folder_
@@ -78,9 +72,9 @@ TEST_F(ConstructCommand, TheExportedTextGivesTheSamePlant)
                   0);
         auto const again = run({ "grow", path(name + "/" + name + ".l"), "-o", path("again.glb") });
         ASSERT_EQ(again.exit_code, 0) << again.err;
-        auto const written = bytes(path(name + ".glb"));
+        auto const written = file_bytes(path(name + ".glb"));
         EXPECT_GT(written.size(), 1'000U);
-        EXPECT_TRUE(written == bytes(path("again.glb"))) << name;
+        EXPECT_TRUE(written == file_bytes(path("again.glb"))) << name;
     }
 }
 

@@ -1,8 +1,8 @@
 #include "app/methods/leaves/leaf_atlas.h"
 #include "tests/app/verbs/outcome.h"
+#include "tests/file_bytes.h"
 
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -43,12 +43,6 @@ protected:
         EXPECT_NE(png_image_finish_read(&image, nullptr, made.rgba.data(), 0, nullptr), 0) << path;
         return made;
     }
-    static std::string text(fs::path const& path)
-    {
-        std::ifstream file(path, std::ios::binary);
-        return { std::istreambuf_iterator<char>(file), {} };
-    }
-
     fs::path folder_;
 };
 
@@ -59,7 +53,7 @@ TEST_F(LeafAtlas, HasPagesWithEmptyGutters)
                 "--age", "0.3:0.9", "--larvae", "2", "-o", folder("page") });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("leaves 6, pages 2"), std::string::npos) << outcome.out;
-    auto const page = nlohmann::json::parse(text(folder("page/leaves.json")));
+    auto const page = nlohmann::json::parse(file_bytes(folder("page/leaves.json")));
     EXPECT_EQ(page["gutter"], 8);
     ASSERT_EQ(page["pages"].size(), 2u);
     ASSERT_EQ(page["pages"][1]["cells"].size(), 2u);
@@ -89,7 +83,7 @@ TEST_F(LeafAtlas, CutsShapesOutThatHoldTheirLeaves)
                     folder("shape") })
                   .exit_code,
               0);
-    auto const json = nlohmann::json::parse(text(folder("shape/leaves.json")));
+    auto const json = nlohmann::json::parse(file_bytes(folder("shape/leaves.json")));
     auto const& cell = json["pages"][0]["cells"][0];
     auto const& mesh = cell["mesh"];
     double const pixel_m = cell["size_m"].get<double>() / 128;
@@ -163,7 +157,8 @@ TEST_F(LeafAtlas, IsTheSameHoweverManyLeavesFollow)
     make("many", "4");
     for (auto const* const file : { "page-0-color.png", "page-1-color.png", "page-1-normal.png",
                                     "page-1.glb", "page-1-under-color.png" })
-        EXPECT_EQ(text(folder("few") + "/" + file), text(folder("many") + "/" + file)) << file;
+        EXPECT_EQ(file_bytes(folder("few") + "/" + file), file_bytes(folder("many") + "/" + file))
+            << file;
 }
 
 TEST_F(LeafAtlas, WritesSmallerPicturesInWhichLeavesStay)

@@ -1,6 +1,7 @@
 #include "engine/methods/leaves/leaf.h"
 #include "tests/app/verbs/outcome.h"
 #include "tests/corpus.h"
+#include "tests/file_bytes.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -30,8 +31,7 @@ json read_json(fs::path const& path)
 // The positions of all vertices after the last step, and of no others.
 void expect_positions(fs::path const& path, int steps, int final_step, json const& wanted)
 {
-    std::ifstream file(path);
-    std::string const text { std::istreambuf_iterator<char>(file), {} };
+    std::string const text = file_bytes(path);
     auto const grammar = leaf::parse_grammar(text, path.string());
     ASSERT_TRUE(grammar.has_value());
     auto leaf = leaf::Leaf::begin(*grammar, { .final_step = final_step });
@@ -110,8 +110,7 @@ TEST(LeavesCommand, CheckSaysWhatIsWrongWhere)
 
 TEST(LeavesCommand, TheManualsGrammarIsUnderstood)
 {
-    std::ifstream file(shipped("../../app/manual/leaves.md"));
-    std::string const page { std::istreambuf_iterator<char>(file), {} };
+    std::string const page = file_bytes(shipped("../../app/manual/leaves.md"));
     auto const begin = page.find("\n```\n@");
     ASSERT_NE(begin, std::string::npos);
     auto const grammar = leaf::parse_grammar(

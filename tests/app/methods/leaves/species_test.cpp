@@ -1,5 +1,6 @@
 #include "app/methods/leaves/leaf_library.h"
 #include "tests/app/verbs/outcome.h"
+#include "tests/file_bytes.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -122,8 +123,7 @@ protected:
     // Width and height as a PNG file says, its bytes 16 to 23.
     static std::pair<unsigned, unsigned> png_size(fs::path const& path)
     {
-        std::ifstream file(path, std::ios::binary);
-        std::string const bytes { std::istreambuf_iterator<char>(file), {} };
+        std::string const bytes = file_bytes(path);
         EXPECT_EQ(bytes.substr(1, 3), "PNG") << path;
         auto const number = [&](std::size_t at) {
             unsigned value = 0;
@@ -187,8 +187,7 @@ TEST_F(PaintCommand, PutsItsPicturesOnALeaf)
     auto const outcome
         = run({ "leaves", "draw", "oak", "--paint", "64", "--age", "0.8", "-o", to });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    std::ifstream file(to, std::ios::binary);
-    std::string const bytes { std::istreambuf_iterator<char>(file), {} };
+    std::string const bytes = file_bytes(to);
     std::size_t const length
         = static_cast<unsigned char>(bytes[12]) + 256u * static_cast<unsigned char>(bytes[13]);
     auto const gltf = nlohmann::json::parse(bytes.substr(20, length));

@@ -188,8 +188,14 @@ TEST(LeafWord, SaysWhatIsDoneToLeaves)
     EXPECT_EQ(leaf_word(wanted), "my+own.leaf+spots=0.25+mines=2+withered=1");
     EXPECT_EQ(parse_leaf_word(leaf_word(wanted)), wanted);
     EXPECT_EQ(leaf_word({ "oak", {} }), "oak");
+    EXPECT_TRUE(check_leaf_name("my+own.leaf"));
     for (auto const* const name : { "a+b", "a+spots=2", "a+spots=x", "a+spots=", "oak+rust=1" })
         EXPECT_EQ(parse_leaf_word(name).grammar, name);
+    auto const wrong = own_leaf_path("oak+spots=3");
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().message,
+              "a leaf's damage: found spots=3, expected spots (0 to 1), mildew (0 to 1), "
+              "mines (0 to 20), larvae (0 to 20), withered (0 to 1)");
 }
 
 double share_of_paper(Image const& image, Color const& paper)

@@ -5,6 +5,7 @@
 #include "engine/methods/silhouettes/tree_edits.h"
 #include "tests/app/verbs/outcome.h"
 #include "tests/corpus.h"
+#include "tests/file_bytes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,12 +67,6 @@ protected:
         return outcome.err;
     }
 
-    static std::string bytes(fs::path const& file)
-    {
-        std::ifstream stream(file, std::ios::binary);
-        return { std::istreambuf_iterator<char>(stream), {} };
-    }
-
     fs::path folder_
         = fs::temp_directory_path() / ("tractus_silhouette_command." + std::to_string(getpid()));
 };
@@ -113,9 +108,9 @@ TEST_F(SilhouetteCommand, TheSameSeedGivesTheSameFile)
                         seed, "--organs", "instanced" })
                       .exit_code,
                   0);
-    EXPECT_GT(bytes(path("a.glb")).size(), 10'000U);
-    EXPECT_TRUE(bytes(path("a.glb")) == bytes(path("b.glb")));
-    EXPECT_FALSE(bytes(path("a.glb")) == bytes(path("c.glb")));
+    EXPECT_GT(file_bytes(path("a.glb")).size(), 10'000U);
+    EXPECT_TRUE(file_bytes(path("a.glb")) == file_bytes(path("b.glb")));
+    EXPECT_FALSE(file_bytes(path("a.glb")) == file_bytes(path("c.glb")));
 }
 
 // Wherever it stands among the options, they change it.
@@ -127,7 +122,7 @@ TEST_F(SilhouetteCommand, AReadyFormIsItsOptions)
                          { "silhouette", path("oak.json"), "-o", file, "--organs", "instanced" });
         auto const outcome = run(arguments);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        return bytes(file);
+        return file_bytes(file);
     };
     auto const fir = written({ "--form", "fir" });
     EXPECT_TRUE(fir
@@ -179,7 +174,7 @@ TEST_F(SilhouetteCommand, TakesTheStyleOfAFile)
         auto const scene
             = load_session_scene(path(again + "/oak.tractus"), all_methods().edits).value();
         ASSERT_TRUE(write_plant_file(*scene.base, "oak", path("again.glb")));
-        EXPECT_TRUE(bytes(path(again + "/oak.glb")) == bytes(path("again.glb"))) << name;
+        EXPECT_TRUE(file_bytes(path(again + "/oak.glb")) == file_bytes(path("again.glb"))) << name;
     }
 }
 
@@ -248,7 +243,7 @@ TEST_F(SilhouetteCommand, WritesASessionOfItsLines)
     auto const scene = load_session_scene(path("out/oak.tractus"), all_methods().edits).value();
     EXPECT_NEAR(bounds(*scene.base).max_mm.z(), 3000, 400);
     ASSERT_TRUE(write_plant_file(*scene.base, "oak", path("again.glb")));
-    EXPECT_TRUE(bytes(path("out/oak.glb")) == bytes(path("again.glb")));
+    EXPECT_TRUE(file_bytes(path("out/oak.glb")) == file_bytes(path("again.glb")));
     auto const flat = run({ "silhouette", path("oak.json"), "-o", path("x.glb"), "--session" });
     EXPECT_NE(flat.err.find("a session needs a folder"), std::string::npos);
 }
@@ -313,7 +308,7 @@ TEST_F(SilhouetteCommand, DrawsBranchesOnBranches)
     ASSERT_EQ(written.exit_code, 0) << written.err;
     auto const scene = load_session_scene(path("out/twig.tractus"), all_methods().edits).value();
     ASSERT_TRUE(write_plant_file(*scene.base, "twig", path("again.glb")));
-    EXPECT_TRUE(bytes(path("out/twig.glb")) == bytes(path("again.glb"))) << "as by a pen";
+    EXPECT_TRUE(file_bytes(path("out/twig.glb")) == file_bytes(path("again.glb"))) << "as by a pen";
 }
 
 TEST_F(SilhouetteCommand, SaysWhatIsWrong)

@@ -4,6 +4,7 @@
 #include "engine/methods/sketch_lsystem/grow_edit.h"
 #include "engine/scene/scene.h"
 #include "tests/app/verbs/outcome.h"
+#include "tests/file_bytes.h"
 
 #include <cmath>
 #include <filesystem>
@@ -95,8 +96,7 @@ protected:
     // The first block without a language of the manual's page, the model that it shows.
     static std::string model_of_manual()
     {
-        std::ifstream page(find_resource("manual/models.md").value());
-        std::string const text { std::istreambuf_iterator<char>(page), {} };
+        std::string const text = file_bytes(find_resource("manual/models.md").value());
         auto const begin = text.find("#define SEGMENTS 0");
         return text.substr(begin, text.find("```", begin) - begin);
     }

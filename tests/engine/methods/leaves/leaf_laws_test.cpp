@@ -2,9 +2,9 @@
 #include "engine/methods/leaves/leaf.h"
 #include "engine/methods/leaves/leaf_paint.h"
 #include "tests/corpus.h"
+#include "tests/file_bytes.h"
 
 #include <algorithm>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <oneapi/tbb/global_control.h>
@@ -62,9 +62,7 @@ TEST(LeafLaws, AMirroredGrammarGrowsTheMirrorImage)
 
 TEST(LeafLaws, PicturesAreTheSameOnAnyNumberOfThreads)
 {
-    std::ifstream file(shipped("leaves") / "feather.leaf");
-    auto const grammar
-        = parse_grammar(std::string { std::istreambuf_iterator<char>(file), {} }, "feather");
+    auto const grammar = parse_grammar(file_bytes(shipped("leaves") / "feather.leaf"), "feather");
     ASSERT_TRUE(grammar.has_value());
     auto leaf = Leaf::begin(*grammar, { .final_step = 6 });
     while (leaf->step() < 6)

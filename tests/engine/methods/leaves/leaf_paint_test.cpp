@@ -1,10 +1,10 @@
 #include "engine/methods/leaves/leaf_paint.h"
 #include "tests/corpus.h"
+#include "tests/file_bytes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <optional>
@@ -18,9 +18,7 @@ class LeafPaint : public ::testing::Test {
 protected:
     void SetUp() override
     {
-        std::ifstream file(shipped("leaves") / "feather.leaf");
-        auto grammar
-            = parse_grammar(std::string { std::istreambuf_iterator<char>(file), {} }, "feather");
+        auto grammar = parse_grammar(file_bytes(shipped("leaves") / "feather.leaf"), "feather");
         ASSERT_TRUE(grammar.has_value());
         grammar_ = *std::move(grammar);
         auto leaf = Leaf::begin(grammar_, { .final_step = 6 });

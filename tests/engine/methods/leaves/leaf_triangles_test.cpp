@@ -1,11 +1,11 @@
 #include "engine/methods/leaves/leaf_triangles.h"
 #include "tests/corpus.h"
+#include "tests/file_bytes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <map>
@@ -18,8 +18,7 @@ namespace {
 Grammar load(std::string const& name)
 {
     auto const path = shipped("leaves") / (name + ".leaf");
-    std::ifstream file(path);
-    auto grammar = parse_grammar(std::string { std::istreambuf_iterator<char>(file), {} }, name);
+    auto grammar = parse_grammar(file_bytes(path), name);
     EXPECT_TRUE(grammar.has_value()) << name;
     return *std::move(grammar);
 }

@@ -2,9 +2,9 @@
 
 #include "engine/scene/scene.h"
 #include "tests/engine/methods/silhouettes/outlines.h"
+#include "tests/file_bytes.h"
 
 #include <cmath>
-#include <fstream>
 #include <iterator>
 
 namespace tractus::silhouette {
@@ -216,10 +216,7 @@ TEST(SilhouetteStyle, TheSameSeedGivesTheSameTree)
 Plant grown(std::string const& name)
 {
     auto const folder = std::filesystem::path(__FILE__).parent_path() / "../../../../app/models";
-    auto const text = [&](std::string const& file) {
-        std::ifstream stream(folder / file);
-        return std::string { std::istreambuf_iterator<char>(stream), {} };
-    };
+    auto const text = [&](std::string const& file) { return file_bytes(folder / file); };
     ModelSource const source { .name = name + ".l",
                                .text = text(name + ".l"),
                                .view_name = name + ".v",

@@ -8,11 +8,11 @@
 #include "engine/methods/sketch_lsystem/stroke_resampler.h"
 #include "engine/scene/scene.h"
 #include "tests/engine/methods/sketch_lsystem/strokes.h"
+#include "tests/file_bytes.h"
 
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <rapidcheck.h>
@@ -22,18 +22,12 @@
 namespace tractus::sketch {
 namespace {
 
-std::string text_of(std::string const& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return { std::istreambuf_iterator<char>(file), {} };
-}
-
 // One of ours, its leaves as plain blades.
 ModelRule model_named(std::string const& name)
 {
     auto const path = std::string(TRACTUS_OUR_MODELS "/") + name;
     ModelRule model;
-    model.source = { name + ".l", text_of(path + ".l"), name + ".v", text_of(path + ".v") };
+    model.source = { name + ".l", file_bytes(path + ".l"), name + ".v", file_bytes(path + ".v") };
     auto& view = model.source.view_text;
     if (auto const at = view.find("\nleaf:"); at != std::string::npos)
         view.erase(at, view.find('\n', at + 1) - at);
