@@ -57,6 +57,8 @@ struct WindowArguments {
     double scale = 0;
     int frames = 0;
     std::string screenshot;
+    std::string film;
+    int film_rate = WindowOptions().film_rate;
 };
 
 std::string window_title(std::string const& hand, std::string const& drawing)
@@ -81,6 +83,8 @@ WindowOptions window_options(WindowArguments const& arguments, std::string title
     options.frames = arguments.frames;
     options.should_close = ClosingSignals::have_come;
     options.screenshot = arguments.screenshot;
+    options.film = arguments.film;
+    options.film_rate = arguments.film_rate;
     return options;
 }
 
@@ -241,6 +245,24 @@ Result<WindowArguments> sort_out(WindowArguments arguments)
     return arguments;
 }
 
+// A film has an end, and a folder of its own: its pictures are numbered, and those of a longer one
+// before it would be taken for its end.
+Result<void> prepare_film(WindowArguments const& arguments)
+{
+    if (arguments.log.empty() && arguments.frames == 0)
+        return fail(Fault::User,
+                    "a film has an end: give the recording to replay, or --frames with how many "
+                    "frames it lasts");
+    TRY(make_folder(arguments.film));
+    std::error_code error;
+    bool const is_empty = std::filesystem::is_empty(arguments.film, error);
+    if (error || !is_empty)
+        return fail(
+            Fault::User,
+            fmt::format("{} holds files already: a film begins an empty folder", arguments.film));
+    return check_writable(std::filesystem::path(arguments.film) / "00001.png");
+}
+
 // Opens what was asked for; else the devices that are there; else a mouse.
 Result<void> open_window(WindowArguments const& arguments)
 {
@@ -249,6 +271,8 @@ Result<void> open_window(WindowArguments const& arguments)
         TRY(load_back_picture(arguments.picture, Vec2(1, 1)));
     if (!arguments.screenshot.empty())
         TRY(check_writable(arguments.screenshot));
+    if (!arguments.film.empty())
+        TRY(prepare_film(arguments));
     if (!arguments.log.empty())
         return show_replay(arguments);
     auto const clock = clock_for(arguments);
@@ -284,6 +308,16 @@ void add_look_options(CLI::App& verb, WindowArguments& arguments)
     verb.add_option("--screenshot", arguments.screenshot, "Write the last frame as a PNG")
         ->type_name("FILE.png")
         ->check(picture_name());
+    verb.add_option("--film", arguments.film,
+                    "Write the window as pictures, 00001.png and on, into this new or empty "
+                    "folder: while a "
+                    "recording is replayed, or for --frames; the same pictures at each run")
+        ->type_name("FOLDER");
+    verb.add_option("--film-rate", arguments.film_rate, "Pictures for a second of --film")
+        ->type_name("N")
+        ->check(whole_number(1, 60))
+        ->capture_default_str()
+        ->needs("--film");
 }
 
 } // namespace

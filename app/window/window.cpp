@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <filesystem>
+#include <fmt/core.h>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,18 +20,49 @@ namespace tractus {
 
 namespace {
 
-constexpr Duration kTestStep { 1'000'000'000 / 60 };
+constexpr int kFramesPerSecond = 60; // Where time goes by frames.
+constexpr Duration kFrameStep { 1'000'000'000 / kFramesPerSecond };
 constexpr int kSettlingFrames = 3; // ImGui and the views answer an event within so many frames.
 constexpr double kIdleWait_s = 1;  // Longest sleep, should an event have come with the last one.
 constexpr double kLiveWait_s = 1.0 / 120; // The same while devices may send.
 constexpr double kLongestStep_s = 0.25;   // After a pause of the whole machine, time does not jump.
 
-Duration step_since(double& last_s, int frames)
+// Whether the model's time goes by frames, and not by the clock.
+bool counts_frames(WindowOptions const& options)
+{
+    return options.frames > 0 || !options.film.empty();
+}
+
+Duration step_since(double& last_s, WindowOptions const& options)
 {
     double const now_s = glfwGetTime();
     double const step_s = std::clamp(now_s - last_s, 0.0, kLongestStep_s);
     last_s = now_s;
-    return frames > 0 ? kTestStep : from_seconds(step_s);
+    return counts_frames(options) ? kFrameStep : from_seconds(step_s);
+}
+
+// Whether the window closes by itself before a frame.
+bool is_over(int frame, WindowModel const& model, WindowOptions const& options)
+{
+    if (options.frames > 0)
+        return frame >= options.frames;
+    return !options.film.empty() && frame > 0 && !model.state().playing;
+}
+
+Result<void> write_picture(Host const& host, std::filesystem::path const& path)
+{
+    auto const picture = host.back_buffer();
+    return write_file(path, [&](std::ostream& out) { return write_png(out, picture); });
+}
+
+// The file of the picture that a film has of a frame, if it has one.
+std::optional<std::filesystem::path> picture_of_film(std::int64_t frame,
+                                                     WindowOptions const& options)
+{
+    auto const number = (frame + 1) * options.film_rate / kFramesPerSecond;
+    if (options.film.empty() || number == frame * options.film_rate / kFramesPerSecond)
+        return std::nullopt;
+    return options.film / fmt::format("{:05}.png", number);
 }
 
 bool mouse_is_used()
@@ -45,7 +78,7 @@ public:
     // True if the window may look different now, whatever its model says.
     bool take(Host& host, WindowModel const& model, WindowOptions const& options)
     {
-        bool const stirs = options.frames > 0 || model.state().playing || mouse_is_used();
+        bool const stirs = counts_frames(options) || model.state().playing || mouse_is_used();
         if (stirs || still_frames_ < kSettlingFrames) {
             still_frames_ = host.take_events() || stirs ? 0 : still_frames_ + 1;
             return true;
@@ -124,7 +157,7 @@ void fill_as_wished(Host& host, WindowState const& state, Workbench& bench)
 
 } // namespace
 
-// Shows the model until the window closes, and writes the picture that was asked for.
+// Shows the model until the window closes, and writes the pictures that were asked for.
 static Result<void> show_window(Host& host, WindowModel& model, WindowOptions const& options)
 {
     TRY(host.open(options));
@@ -133,8 +166,8 @@ static Result<void> show_window(Host& host, WindowModel& model, WindowOptions co
     Layout layout(host.title_font(), host.scale());
     PenPointer pen;
     auto const draw_frame = [&] {
-        auto const step_s = options.frames > 0
-            ? std::optional(static_cast<float>(to_seconds(kTestStep)))
+        auto const step_s = counts_frames(options)
+            ? std::optional(static_cast<float>(to_seconds(kFrameStep)))
             : std::nullopt;
         fill_as_wished(host, model.state(), layout.bench());
         host.set_title(model.state().title);
@@ -152,22 +185,22 @@ static Result<void> show_window(Host& host, WindowModel& model, WindowOptions co
         bool const of_person = layout.take_wish_to_close() || of_desktop;
         return (options.should_close && options.should_close()) || (of_person && model.may_close());
     };
-    for (int frame = 0; !closes() && (options.frames == 0 || frame < options.frames); ++frame) {
+    for (int frame = 0; !closes() && !is_over(frame, model, options); ++frame) {
         bool const may_differ = events.take(host, model, options);
-        model.advance(step_since(last_s, options.frames));
-        if (options.frames > 0)
+        model.advance(step_since(last_s, options));
+        if (counts_frames(options))
             model.settle();
         if (!changes.any(model) && !may_differ && !pen.has_more())
             continue;
         draw_frame();
+        if (auto const path = picture_of_film(frame, options))
+            TRY(write_picture(host, *path));
         host.show_frame();
     }
     if (options.screenshot.empty())
         return {};
     draw_frame(); // Once more, since what a swap leaves behind is not defined.
-    auto const picture = host.back_buffer();
-    return write_file(options.screenshot,
-                      [&](std::ostream& out) { return write_png(out, picture); });
+    return write_picture(host, options.screenshot);
 }
 
 Result<void> run_window(WindowModel& model, WindowOptions const& options)

@@ -35,6 +35,12 @@ struct WindowOptions {
 
     // Where a PNG of the last frame is written; empty: nowhere.
     std::filesystem::path screenshot {};
+
+    // A folder into which the window is written as pictures, 00001.png and on, `film_rate` for a
+    // second of the model's time, which goes by frames as with `frames`. Without `frames` the
+    // window closes when what it plays has ended. Empty: no film.
+    std::filesystem::path film {};
+    int film_rate = 12; // 1 to 60.
 };
 
 // Opens the station's window, with the drawing pad, the skeleton and the plant side by side (Streit
