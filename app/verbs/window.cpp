@@ -54,6 +54,7 @@ struct WindowArguments {
     bool fills_display = false;
     std::string display; // The one to fill; empty: as `fills_display` says.
     bool is_light = false;
+    bool is_left_handed = false;
     double scale = 0;
     int frames = 0;
     std::string screenshot;
@@ -79,6 +80,7 @@ WindowOptions window_options(WindowArguments const& arguments, std::string title
     if (arguments.fills_display || !arguments.display.empty())
         options.full_screen = arguments.display;
     options.is_light = arguments.is_light;
+    options.is_left_handed = arguments.is_left_handed;
     options.scale = arguments.scale;
     options.frames = arguments.frames;
     options.should_close = ClosingSignals::have_come;
@@ -296,6 +298,8 @@ void add_look_options(CLI::App& verb, WindowArguments& arguments)
                     "Fill this display: its number, or a part of its name")
         ->type_name("DISPLAY");
     verb.add_flag("--light", arguments.is_light, "Light colours, for a bright room");
+    verb.add_flag("--left-handed", arguments.is_left_handed,
+                  "The menu on the left and the scale of heights on the right");
     verb.add_option("--scale", arguments.scale,
                     "How large letters and buttons are; 0 takes the display's own scale")
         ->type_name("X")

@@ -57,8 +57,9 @@ std::optional<WindowPart> GlyphPanel::show(WindowModel& model, Workbench& bench,
     float const air = kPanelAir_px * scale_;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { air, air });
     ImGui::SetNextWindowBgAlpha(kOpacity);
-    ImGui::SetNextWindowPos({ pad.left + pad.width - air, pad.top + kTitle_px * scale_ },
-                            ImGuiCond_Always, { 1, 0 });
+    float const edge = bench.is_left_handed ? pad.left + air : pad.left + pad.width - air;
+    ImGui::SetNextWindowPos({ edge, pad.top + kTitle_px * scale_ }, ImGuiCond_Always,
+                            { bench.is_left_handed ? 0.0f : 1.0f, 0 });
     ImGui::Begin("glyph", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
                      | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);

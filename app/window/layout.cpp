@@ -45,8 +45,12 @@ WindowPart Layout::above_controls() const
 WindowPart Layout::beside_menu() const
 {
     auto part = above_controls();
-    if (bench_.menu_is_open())
-        part.width -= menu_.width_px(part.width);
+    if (!bench_.menu_is_open())
+        return part;
+    float const menu_px = menu_.width_px(part.width);
+    part.width -= menu_px;
+    if (bench_.is_left_handed)
+        part.left += menu_px;
     return part;
 }
 
@@ -226,7 +230,7 @@ void Layout::show_views(WindowModel& model, Renderer& renderer, HandInput const&
     auto const room = beside_menu();
     float const gap = ImGui::GetStyle().ItemSpacing.x;
     float const width = std::max(room.width - 2 * gap, 192.0f);
-    WindowPart part { 0, 0, width * 0.37f, room.height };
+    WindowPart part { room.left, 0, width * 0.37f, room.height };
     auto const whole = whole_window(); // What the pen points at unless it draws.
     pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
     if (bench_.menu_is_open() && room.width < kLeastForAll_px * scale_) {
@@ -275,13 +279,24 @@ void Layout::show_pad(WindowModel& model, Renderer& renderer, WindowPart const& 
     pad_part_->height = std::min(part.height, above_controls().height);
     pad_is_pointed_at_ = ImGui::IsItemHovered();
     move_surface_as_wished(model, input, pad_is_pointed_at_);
-    float const gauge_px = kGaugeWidth_px * scale_;
-    float const gauge_left = fills_window ? std::max(part.left, area.left_px()) : part.left;
-    draw_height_gauge(state, { gauge_left, part.top + 40 * scale_ },
-                      { gauge_px, above_controls().height - 40 * scale_ });
+    show_gauge(state, part, area);
     if (draws_here)
         draw_refusal(state, area, { part.left, part.top }, { part.width, above_controls().height });
     show_title(part, "Drawing pad", state.tool.c_str());
+}
+
+// Within what is seen of the pad.
+void Layout::show_gauge(WindowState const& state, WindowPart const& part, PenArea const& area) const
+{
+    float const width = kGaugeWidth_px * scale_;
+    bool const fills_window = bench_.shown == Shown::Pad;
+    float const right = part.left + part.width;
+    float left = fills_window ? std::max(part.left, area.left_px()) : part.left;
+    if (bench_.is_left_handed)
+        left = (fills_window ? std::min(right, area.right_px()) : right) - width;
+    draw_height_gauge(state, { left, part.top + 40 * scale_ },
+                      { width, above_controls().height - 40 * scale_ },
+                      bench_.is_left_handed ? Side::Right : Side::Left);
 }
 
 // Where it shares the window only the plant need be seen, not all of the tablet.
@@ -346,8 +361,13 @@ void Layout::show_collection(WindowModel& model, Renderer& renderer, WindowPart 
 WindowPart Layout::room_for_menu() const
 {
     auto room = above_controls();
-    if (bench_.shown != Shown::All)
-        room.width = std::min(room.width, pen_area_.right_px());
+    if (bench_.shown == Shown::All)
+        return room;
+    room.width = std::min(room.width, pen_area_.right_px());
+    if (bench_.is_left_handed) {
+        room.left = std::max(0.0f, pen_area_.left_px());
+        room.width -= room.left;
+    }
     return room;
 }
 

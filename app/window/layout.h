@@ -59,6 +59,7 @@ private:
     void show_views(WindowModel& model, Renderer& renderer, HandInput const& input);
     void show_pad(WindowModel& model, Renderer& renderer, WindowPart const& part,
                   HandInput const& input);
+    void show_gauge(WindowState const& state, WindowPart const& part, PenArea const& area) const;
     void show_skeleton(WindowModel& model, Renderer& renderer, WindowPart const& part,
                        HandInput const& input);
     void show_plant(WindowState const& state, Renderer& renderer, WindowPart const& part);

@@ -38,7 +38,8 @@ WindowPart Menu::show(WindowModel& model, Workbench& bench, Controls const& cont
 {
     using Page = Workbench::MenuPage;
     float const width = width_px(room.width);
-    WindowPart const part { room.left + room.width - width, room.top, width, room.height };
+    float const left = bench.is_left_handed ? room.left : room.left + room.width - width;
+    WindowPart const part { left, room.top, width, room.height };
     ImGui::SetNextWindowPos({ part.left, part.top });
     ImGui::SetNextWindowSize({ part.width, part.height });
     ImGui::Begin("menu", nullptr,
@@ -171,10 +172,13 @@ void Menu::show_displays(WindowState const& state, Workbench& bench, Controls co
 void Menu::show_window(WindowState const& state, Workbench& bench, Controls const& controls) const
 {
     show_displays(state, bench, controls);
-    if (controls.button(theme::palette().is_light ? "Dark" : "Light", item_px(2)))
+    if (controls.button(theme::palette().is_light ? "Dark" : "Light", item_px(3)))
         theme::set_light(!theme::palette().is_light);
     ImGui::SameLine();
-    if (controls.button("Keys", item_px(2), bench.keys_are_listed))
+    if (controls.button("Left hand", item_px(3), bench.is_left_handed))
+        bench.is_left_handed = !bench.is_left_handed;
+    ImGui::SameLine();
+    if (controls.button("Keys", item_px(3), bench.keys_are_listed))
         bench.keys_are_listed = !bench.keys_are_listed;
     if (controls.button("Close", item_px()))
         bench.wants_to_close = true;

@@ -23,8 +23,8 @@ public:
     // In a room of that width: a narrow one is left some for the plant that it changes.
     float width_px(float room_px) const;
 
-    // Shows it at the right edge of `room`; returns where it is. `picture`: of the plant as it is
-    // seen, for a file.
+    // Shows it at the right edge of `room`, or the left one for a left hand; returns where it is.
+    // `picture`: of the plant as it is seen, for a file.
     WindowPart show(WindowModel& model, Workbench& bench, Controls const& controls,
                     WindowPart const& room, std::function<Image()> const& picture);
 

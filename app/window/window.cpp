@@ -164,6 +164,7 @@ static Result<void> show_window(Host& host, WindowModel& model, WindowOptions co
     auto renderer = TRY(Renderer::create());
     TRY(fill_at_first(host, model.state(), options));
     Layout layout(host.title_font(), host.scale());
+    layout.bench().is_left_handed = options.is_left_handed;
     PenPointer pen;
     auto const draw_frame = [&] {
         auto const step_s = counts_frames(options)

@@ -23,8 +23,9 @@ struct WindowOptions {
     // tablet's own, else the one that the window is on. No value: a window among others.
     std::optional<std::string> full_screen {};
 
-    bool is_light = false; // For a bright room.
-    double scale = 0;      // Of letters and buttons; 0: the display's.
+    bool is_light = false;       // For a bright room.
+    bool is_left_handed = false; // As of Workbench.
+    double scale = 0;            // Of letters and buttons; 0: the display's.
 
     // Asked before each frame: true closes the window.
     std::function<bool()> should_close {};

@@ -56,6 +56,9 @@ struct Workbench {
     };
     std::optional<FullScreen> full_screen_wished {};
     bool keys_are_listed = false;
+    // The menu and the drawing of the tool in hand lie on the left, where a left hand reaches them
+    // without hiding the views; the scale of heights, which is only read, on the right.
+    bool is_left_handed = false;
     // The number, among those of the tool in hand, that its panel is open for.
     std::optional<std::size_t> asked_number {};
     bool cards_are_shown = false; // Of the kind in hand.

@@ -33,8 +33,8 @@ TEST_F(Organs, AreInstancedOrNodesInEveryVerbThatIsAskedForIt)
     record();
     auto const verbs = {
         std::pair<std::string, std::string> { "grow broadleaf -n 9 -o ", "" },
-        { "vary broadleaf --count 2 -o ", "" },
-        { "replay hand.tractus-log --plant broadleaf --count 2 -o folder --organs ", "folder" },
+        { "vary daisy --count 2 -o ", "" },
+        { "replay hand.tractus-log --plant daisy --count 2 -o folder --organs ", "folder" },
         { "demo --plant daisy -o demo --organs ", "demo" },
     };
     for (auto const& [verb, folder] : verbs)

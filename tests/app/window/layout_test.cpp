@@ -389,6 +389,31 @@ TEST_F(LayoutTest, ShowsThePlantBesideTheMenuThatChangesIt)
         }
 }
 
+// For a left hand the menu is on the other side of the plant.
+TEST_F(LayoutTest, ShowsThePlantBesideTheMenuOfALeftHand)
+{
+    for (auto const& size : sizes()) {
+        SCOPED_TRACE(text_of(size));
+        show(
+            { size.width, size.height }, size.scale,
+            [&](Layout& layout, DrawingModel&) {
+                layout.bench().is_left_handed = true;
+                layout.bench().open_menu(Workbench::MenuPage::Window);
+            },
+            [&](DrawnFrame const& drawn, ImVec2 const& size_px) {
+                check_buttons(drawn, size_px);
+                auto const* const menu = ImGui::FindWindowByName("menu");
+                ASSERT_NE(menu, nullptr);
+                EXPECT_EQ(menu->Pos.x, 0);
+                ASSERT_FALSE(drawn.pictures.empty());
+                auto const& plant = drawn.pictures.back();
+                EXPECT_GE(plant.left, menu->Size.x - 1) << text_of(plant);
+                EXPECT_LE(plant.right, size_px.x + 1) << text_of(plant);
+                EXPECT_GE(plant.width(), 100 * size.scale) << text_of(plant);
+            });
+    }
+}
+
 TEST_F(LayoutTest, ShowsEveryCardOfTheStartPageWhole)
 {
     for (auto const& size : sizes())
