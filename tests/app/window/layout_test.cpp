@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <epoxy/gl.h>
 #include <fmt/core.h>
 #include <functional>
 #include <gtest/gtest.h>
@@ -214,6 +215,7 @@ protected:
         ASSERT_TRUE(context) << context.error().message;
         context_.emplace(std::move(*context));
         renderer_.emplace(Renderer::create().value());
+        glEnable(GL_RASTERIZER_DISCARD); // Where things lie is looked at, not their pixels.
     }
 
     using Prepare = std::function<void(Layout&, DrawingModel&)>;
