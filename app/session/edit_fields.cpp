@@ -358,7 +358,7 @@ void FieldWriter::field(char const* name, FieldRef value)
 void FieldWriter::sparse_field(char const* name, FieldRef value)
 {
     auto const json = std::visit([](auto const* typed) { return written(*typed); }, value);
-    bool const is_zero = json.is_number() && json == 0;
+    bool const is_zero = (json.is_number() && json == 0) || json == false;
     bool const is_empty = json.is_string() ? json == "" : json.is_structured() && json.empty();
     if (!is_zero && !is_empty)
         json_[name] = json;

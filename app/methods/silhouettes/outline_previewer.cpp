@@ -2,6 +2,7 @@
 
 #include "app/methods/silhouettes/outline_tool.h"
 #include "app/tools/coming_back.h"
+#include "engine/methods/silhouettes/chosen_style.h"
 #include "engine/scene/paper.h"
 
 #include <cmath>
@@ -29,6 +30,8 @@ public:
         if (stroke.ink.size() < 2)
             return {};
         auto const& scene = *stroke.scene;
+        if (stroke.tool.get<OutlineTool>()->what == OutlineTool::What::Carry)
+            return carried(stroke.ink, scene);
         auto const ink = is_coming_back(stroke.ink)
             ? closed(stroke.ink)
             : Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) };
@@ -53,6 +56,29 @@ public:
     }
 
 private:
+    // Branches that the line carries a style between.
+    static std::vector<SkeletonLine> carried(std::span<TipSample const> ink, Scene const& scene)
+    {
+        auto const* const tree = silhouette::outlined_tree(*scene.drawn);
+        if (!tree)
+            return {};
+        std::vector<Vec2> points;
+        for (auto const& tip : ink)
+            points.emplace_back(tip.position_mm.head<2>());
+        auto const skeleton = silhouette::skeleton_of(*tree);
+        if (!skeleton)
+            return {};
+        auto const styles = silhouette::carried_by(*skeleton, points);
+        if (!styles)
+            return {};
+        std::vector<SkeletonLine> lines;
+        for (auto const& path : silhouette::paths_in(*styles))
+            if (auto const at = skeleton->at(path))
+                lines.push_back(
+                    line_of(skeleton->systems[at->system].branches[at->branch].line(17), scene));
+        return lines;
+    }
+
     // An outline that is small so far, over a crown that is there: the outline of a branch begins
     // so, and the crown's, too.
     static bool may_become_a_branchs(DrawTree const& edit, Scene const& scene)

@@ -21,9 +21,10 @@ using Part = silhouette::DrawTree::Part;
 using What = OutlineTool::What;
 
 // In the order of What.
-constexpr std::array<OptionWord, 4> kWords { {
+constexpr std::array<OptionWord, 5> kWords { {
     { "go_on", "Go on" },
     { "new", "New tree" },
+    { "carry", "Carry a style" },
     { "form", "To this tree", nullptr, true },
     { "reseed", "Another one", nullptr, true },
 } };
@@ -39,15 +40,17 @@ constexpr std::array<OptionWord, 6> kFormWords { {
 } };
 
 // In the order of OutlineTool::Branches.
-constexpr std::array<OptionWord, 2> kBranchesWords { {
+constexpr std::array<OptionWord, 3> kBranchesWords { {
     { "of_trunk", "of the trunk" },
-    { "of_nearest", "of what they begin on" },
+    { "of_nearest", "of its branches" },
+    { "of_any", "of what they begin on" },
 } };
 
 // In the order of silhouette::StyleTo.
-constexpr std::array<OptionWord, 2> kStyleWords { {
+constexpr std::array<OptionWord, 3> kStyleWords { {
     { "none", "of one branch" },
     { "siblings", "to its siblings" },
+    { "deeper", "to siblings and below" },
 } };
 
 silhouette::TreeForm ready_form(OutlineTool const& tool)
@@ -129,20 +132,26 @@ std::optional<Part> part_on(silhouette::Drawing const& tree, Vec2 const& foot,
     return std::nullopt;
 }
 
+silhouette::Search search_of(OutlineTool::Branches branches)
+{
+    return branches == OutlineTool::Branches::OfAny ? silhouette::Search::AnyLevel
+                                                    : silhouette::Search::OnTrunk;
+}
+
 Result<std::optional<Part>> part_of_tree(OutlinedTree const& tree, Stroke const& stroke,
                                          OutlineTool::Branches branches)
 {
+    auto const search = search_of(branches);
     auto const points = points_of(stroke);
     auto const drawing = TRY(silhouette::drawing_of(tree));
     if (!silhouette::comes_back(points)) {
         auto const part = part_on(drawing, TRY(silhouette::foot_of(tree)), points);
-        bool const may_be_borne
-            = branches == OutlineTool::Branches::OfNearest && part != Part::Trunk;
-        if (may_be_borne && TRY(silhouette::branch_borne_by(tree, stroke)))
+        bool const may_be_borne = branches != OutlineTool::Branches::OfTrunk && part != Part::Trunk;
+        if (may_be_borne && TRY(silhouette::branch_borne_by(tree, stroke, search)))
             return Part::OwnBranch;
         return part;
     }
-    if (TRY(silhouette::branch_outlined_by(tree, stroke)))
+    if (TRY(silhouette::branch_outlined_by(tree, stroke, search)))
         return Part::OwnOutline;
     return is_around(points, drawing) ? std::optional(Part::Outline) : std::nullopt;
 }
@@ -161,13 +170,20 @@ silhouette::TreeForm form_of(OutlineTool const& tool, silhouette::TreeForm form)
     return form;
 }
 
-Result<std::vector<Edit>> form_active(OutlineTool const& tool, Scene const& scene)
+// The tree that takes what is drawn.
+Result<OutlinedTree const*> active_tree(Scene const& scene)
 {
     auto const* const tree = silhouette::outlined_tree(*scene.drawn);
     if (!tree)
         return fail(Fault::User,
                     "the plant that takes what is drawn has no outline: choose a tree that was "
                     "drawn by its outline, or draw one");
+    return tree;
+}
+
+Result<std::vector<Edit>> form_active(OutlineTool const& tool, Scene const& scene)
+{
+    auto const* const tree = TRY(active_tree(scene));
     auto form = tree->form;
     if (tool.what == What::Reseed)
         ++form.seed;
@@ -191,14 +207,14 @@ silhouette::DrawnOnBranch const* drawn_by(std::vector<silhouette::DrawnOnBranch>
     return found == drawn.end() ? nullptr : &*found;
 }
 
-// How many branches the branch of this name bears; no value: there is none.
-std::optional<std::size_t> count_on(OutlinedTree on_trunk, std::string const& name)
+// How many branches the branch of this path bears; no value: there is none.
+std::optional<std::size_t> count_on(OutlinedTree on_trunk, std::string const& path)
 {
     on_trunk.form.levels = 1;
     auto const skeleton = silhouette::skeleton_of(on_trunk);
     if (!skeleton)
         return std::nullopt;
-    auto const bearer = silhouette::number_of(skeleton->systems[0], name);
+    auto const bearer = skeleton->at(path);
     return bearer ? std::optional(skeleton->branches_on(*bearer)) : std::nullopt;
 }
 
@@ -209,8 +225,9 @@ std::string said_of_branch(OutlinedTree const& tree, std::uint64_t last_edit)
     auto const* const drawn = own ? own : drawn_by(tree.own_branches, last_edit);
     if (!drawn)
         return {};
-    auto const* const follow
-        = drawn->style_to == silhouette::StyleTo::Siblings ? "; its siblings follow" : "";
+    constexpr std::array kFollow { "", "; its siblings follow",
+                                   "; its siblings follow, and what is below" };
+    auto const* const follow = kFollow[static_cast<std::size_t>(drawn->style_to)];
     if (!own)
         return fmt::format("The branch bears {} that you drew{}",
                            counted_branches(static_cast<std::size_t>(std::count_if(
@@ -234,14 +251,27 @@ std::string said_of_waiting(OutlinedTree const& tree)
         : fmt::format("; {} lines that were drawn on branches wait for them", *waiting);
 }
 
+// How many branches have a style that somebody chose.
+std::string said_of_styles(OutlinedTree const& tree)
+{
+    return tree.styles.empty()
+        ? std::string("Each branch has its own style, or that of all")
+        : fmt::format("{} the style of another one{}",
+                      tree.styles.size() == 1 ? "1 branch has"
+                                              : fmt::format("{} branches have", tree.styles.size()),
+                      said_of_waiting(tree));
+}
+
 // What the tree has now, and what it still wants.
-std::string said_of_tree(Tool const&, Scene const& after)
+std::string said_of_tree(Tool const& tool, Scene const& after)
 {
     auto const* const tree = silhouette::outlined_tree(*after.drawn);
     if (!tree)
         return {};
     if (tree->outline.tips.empty())
         return "A trunk stands: draw the outline of its crown around it, back to where you began";
+    if (tool.get<OutlineTool>()->what == What::Carry)
+        return said_of_styles(*tree);
     if (auto said = said_of_branch(*tree, after.state.last_edit); !said.empty())
         return said;
     auto const& axes = after.base->axes;
@@ -256,6 +286,8 @@ Result<std::vector<Edit>> draw(Tool const& tool, Stroke const& stroke, Scene con
     auto const& options = *tool.get<OutlineTool>();
     if (options.what == What::Form || options.what == What::Reseed)
         return form_active(options, scene);
+    if (options.what == What::Carry)
+        return std::vector<Edit> { TRY(carried_styles(stroke, scene)) };
     return std::vector<Edit> { TRY(drawn_tree(options, stroke, scene)) };
 }
 
@@ -272,8 +304,10 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke, Scene
     if (tree && tool.what != What::New)
         if (auto const part = TRY(part_of_tree(*tree, stroke, tool.branches))) {
             edit.part = *part;
-            if (*part == Part::OwnOutline || *part == Part::OwnBranch)
+            if (*part == Part::OwnOutline || *part == Part::OwnBranch) {
                 edit.style_to = tool.style;
+                edit.search = search_of(tool.branches);
+            }
             edit.plant = scene.drawn->id;
             return edit;
         }
@@ -286,6 +320,13 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke, Scene
     edit.stands_at_mm = paper_of(scene.state).world_of_sheet(foot_mm);
     edit.stands_at_mm.z() = 0;
     return edit;
+}
+
+Result<silhouette::ChooseStyles> carried_styles(Stroke const& stroke, Scene const& scene)
+{
+    auto const* const tree = TRY(active_tree(scene));
+    return silhouette::ChooseStyles { scene.drawn->id,
+                                      TRY(silhouette::styles_carried_by(*tree, stroke)) };
 }
 
 Result<OutlinedTree> tree_with(DrawTree const& edit, Scene const& scene)
@@ -304,7 +345,8 @@ constexpr ToolKind OutlineTool::kKind {
             "its beginning the outline of a crown, a smaller one around a branch that branch's "
             "own outline, a line from a trunk inside it a branch, and one from a branch a branch "
             "of that if lines are of what they begin on; what is drawn on a branch may be a style "
-            "for its siblings; in a ready form, or with so many levels of branches, so many times "
+            "for its siblings, or a line carries a branch's style to those that it runs over; in a "
+            "ready form, or with so many levels of branches, so many times "
             "as many as usual that nobody draws, so many leaves on a twig; a new tree at each "
             "line, or at once these numbers, or other chance, for the tree that is there",
     .group = "Sketch",

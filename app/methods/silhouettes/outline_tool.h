@@ -20,15 +20,16 @@ struct OutlineTool {
     enum class What {
         GoOn,   // What is drawn is the active tree's where it lies on that, else a new tree's.
         New,    // It is a new tree's.
+        Carry,  // A line carries the style of a branch of the active tree to others.
         Form,   // At once: the active tree gets the numbers.
         Reseed, // At once: what the active tree's drawing leaves open is decided anew.
     } what
         = What::GoOn;
 
-    // What a line is that begins on one of the trunk's branches, and whom the style of a branch
-    // goes to that is drawn on from now on. A person begins with these; without their words, as
-    // logs from before there were any, lines are the trunk's, and no style goes anywhere.
-    enum class Branches { OfTrunk, OfNearest } branches = Branches::OfNearest;
+    // What a line is that begins on a branch, of the trunk's branches or of any, and whom the style
+    // of a branch goes to that is drawn on from now on. A person begins with these; without their
+    // words, as logs from before there were any, lines are the trunk's, and no style goes anywhere.
+    enum class Branches { OfTrunk, OfNearest, OfAny } branches = Branches::OfAny;
     silhouette::StyleTo style = silhouette::StyleTo::Siblings;
 };
 
@@ -38,6 +39,10 @@ struct OutlineTool {
 // (own_branch.h).
 Result<silhouette::DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
                                         Scene const& scene);
+
+// The styles that a stroke with the tool carries, in the active tree (carried_by(),
+// chosen_style.h). Fails, as the user's fault, where there is no such tree, and like that.
+Result<silhouette::ChooseStyles> carried_styles(Stroke const& stroke, Scene const& scene);
 
 // The tree that the edit would make, with all its lines.
 Result<silhouette::OutlinedTree> tree_with(silhouette::DrawTree const& edit, Scene const& scene);

@@ -1,5 +1,6 @@
 #include "app/methods/silhouettes/silhouette_command.h"
 
+#include "app/methods/silhouettes/outline_tool.h"
 #include "app/methods/silhouettes/silhouette_file.h"
 #include "app/methods/silhouettes/silhouette_report.h"
 #include "app/plants/model_file.h"
@@ -11,6 +12,7 @@
 #include "app/verbs/checks.h"
 #include "app/verbs/glb_options.h"
 #include "drivers/file.h"
+#include "engine/methods/silhouettes/chosen_style.h"
 #include "engine/methods/silhouettes/measured_style.h"
 #include "engine/methods/silhouettes/own_branch.h"
 #include "engine/methods/silhouettes/own_outline.h"
@@ -171,9 +173,14 @@ Result<std::vector<Edit>> edits_of(SilhouetteArguments const& arguments,
     for (auto const& branch : drawing.branches)
         draw(DrawTree::Part::Branch, branch);
     edit.style_to = arguments.style_to;
+    edit.search = silhouette::Search::AnyLevel;
     for (auto const& part : file.parts)
         draw(silhouette::comes_back(part) ? DrawTree::Part::OwnOutline : DrawTree::Part::OwnBranch,
              part);
+    for (auto const& line : file.styles) {
+        auto const scene = TRY(apply_edits({}, edits));
+        edits.push_back(TRY(carried_styles(stroke_along(line), scene)));
+    }
     return edits;
 }
 
@@ -190,20 +197,37 @@ Result<std::string> write_session(SilhouetteArguments const& arguments, fs::path
     return path.filename().string();
 }
 
+tl::unexpected<Error> about_line(char const* what, std::size_t number, Error const& error)
+{
+    return fail(error.fault, fmt::format("{} {}: {}", what, number + 1, error.message));
+}
+
+// Gives branches the style that a line of the file carries to them.
+Result<void> carry_style(silhouette::SilhouetteFile& file, std::vector<Vec2> const& line,
+                         silhouette::SkeletonOptions const& options)
+{
+    auto const skeleton = TRY(silhouette::infer_skeleton(file.drawing, options));
+    auto const carried = TRY(silhouette::carried_by(skeleton, line));
+    return silhouette::choose_styles(file.drawing.styles, carried, skeleton);
+}
+
 // Each of the file's parts goes to the branch that it lies around or begins on, as by a pen.
 Result<silhouette::Skeleton> inferred(silhouette::SilhouetteFile& file,
                                       silhouette::SkeletonOptions const& options,
                                       silhouette::StyleTo style_to)
 {
+    constexpr auto kSearch = silhouette::Search::AnyLevel;
     for (std::size_t i = 0; i < file.parts.size(); ++i) {
         auto const& part = file.parts[i];
         auto const added = silhouette::comes_back(part)
-            ? silhouette::add_own_outline(file.drawing, part, options, style_to)
-            : silhouette::add_own_branch(file.drawing, part, style_to, options);
+            ? silhouette::add_own_outline(file.drawing, part, options, style_to, kSearch)
+            : silhouette::add_own_branch(file.drawing, part, style_to, options, kSearch);
         if (!added)
-            return fail(added.error().fault,
-                        fmt::format("part {}: {}", i + 1, added.error().message));
+            return about_line("part", i, added.error());
     }
+    for (std::size_t i = 0; i < file.styles.size(); ++i)
+        if (auto const carried = carry_style(file, file.styles[i], options); !carried)
+            return about_line("style", i, carried.error());
     return silhouette::infer_skeleton(file.drawing, options);
 }
 
@@ -296,13 +320,14 @@ void add_form_options(CLI::App& verb, SilhouetteArguments& arguments)
             "--style-to",
             [&style_to = arguments.style_to](std::string const& word) {
                 style_to = word == "siblings" ? silhouette::StyleTo::Siblings
+                    : word == "deeper"        ? silhouette::StyleTo::Deeper
                                               : silhouette::StyleTo::None;
             },
-            "Whom the style of a branch with parts of the drawing goes to: siblings, the trunk's "
-            "other branches, or none")
+            "Whom the style of a branch with parts of the drawing goes to: siblings, the branches "
+            "beside it, deeper, those and the ones below, or none")
         ->type_name("WHOM")
         ->default_str("none")
-        ->check(one_of({ "siblings", "none" }));
+        ->check(one_of({ "siblings", "deeper", "none" }));
     verb.add_option("--levels", arguments.form.levels,
                     "How often branches branch before twigs come")
         ->type_name("N")
@@ -378,7 +403,9 @@ void add_silhouette_command(CLI::App& root, Action& action, Methods const& metho
         "which\n"
         "may be missing. \"parts\", strokes around parts of the crown, are outlines of single "
         "branches,\n"
-        "or, from a branch on, branches of that branch.");
+        "or, from a branch on, branches of that branch. \"styles\" are strokes from a branch over "
+        "others,\n"
+        "which branch as that one does.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return make_trees(*arguments); }; });
 }

@@ -20,7 +20,7 @@ constexpr std::string_view kExample = "write [[x, y], [x, y], …] in millimetre
 // Those that say nothing of the drawing are for other readers.
 bool is_known(std::string const& key)
 {
-    constexpr std::array kKeys { "outline", "trunk",  "branches", "parts",     "what",
+    constexpr std::array kKeys { "outline", "trunk",  "branches", "parts",     "styles", "what",
                                  "unit",    "closed", "expected", "tolerance", "name" };
     return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
 }
@@ -86,6 +86,7 @@ Result<SilhouetteFile> read_drawing(json const& file)
     }
     result.drawing.branches = TRY(read_strokes(file, "branches", "branch"));
     result.parts = TRY(read_strokes(file, "parts", "part"));
+    result.styles = TRY(read_strokes(file, "styles", "style"));
     if (file.contains("trunk") && !file["trunk"].is_null())
         result.drawing.trunk = TRY(read_stroke(file["trunk"], "trunk"));
     for (auto const& [key, value] : file.items())
@@ -111,7 +112,8 @@ double straightness(std::vector<Vec2> const& line)
 
 Result<SilhouetteFile> read_svg(std::string_view text)
 {
-    auto lines = TRY(lines::read_svg_lines(text, { "trunk", "outline", "branch", "part" }));
+    auto lines
+        = TRY(lines::read_svg_lines(text, { "trunk", "outline", "branch", "part", "style" }));
     SilhouetteFile result;
     bool const said = std::any_of(lines.begin(), lines.end(),
                                   [](auto const& line) { return !line.role.empty(); });
@@ -134,6 +136,8 @@ Result<SilhouetteFile> read_svg(std::string_view text)
             result.drawing.branches.push_back(std::move(line.points_mm));
         else if (line.role == "part")
             result.parts.push_back(std::move(line.points_mm));
+        else if (line.role == "style")
+            result.styles.push_back(std::move(line.points_mm));
     }
     return result;
 }

@@ -15,6 +15,8 @@ struct SilhouetteFile {
     Drawing drawing;
     // Outlines of branches, around which they lie, and branches on branches, on which they begin.
     std::vector<std::vector<Vec2>> parts {};
+    // Lines from a branch over others, to which its style goes (chosen_style.h).
+    std::vector<std::vector<Vec2>> styles {};
     std::vector<std::string> unknown_keys; // What else the file says.
 };
 
@@ -24,16 +26,16 @@ struct SilhouetteFile {
 //   trunk     [[x, y], …]: base first; may be missing
 //   branches  [[[x, y], …], …]: from the trunk on; may be missing
 //   parts     [[[x, y], …], …]: each once around a branch's own crown, or from a branch on, of
-//   which
-//             it is a branch; may be missing
+//             which it is a branch; may be missing
+//   styles    [[[x, y], …], …]: each from a branch over others; may be missing
 //
 // Fails, as the user's fault, with file, place and what to write.
 Result<SilhouetteFile> parse_silhouette(std::string_view text, std::string const& name);
 
 // The same from a file of at most 2 MiB, which may also be an SVG drawing (.svg): lines whose id,
-// class or label, or that of a group around them, begins with "trunk", "outline", "branch" or
-// "part". Where none does, the straightest is the trunk, if its ends are farther apart than half of
-// its length, and the others are the outline.
+// class or label, or that of a group around them, begins with "trunk", "outline", "branch",
+// "part" or "style". Where none does, the straightest is the trunk, if its ends are farther apart
+// than half of its length, and the others are the outline.
 Result<SilhouetteFile> load_silhouette(std::filesystem::path const& path);
 
 } // namespace tractus::silhouette

@@ -75,7 +75,7 @@ static Report branch_json(Skeleton const& skeleton, std::size_t i)
                     { "cone_deg", branch.cone_deg } };
     if (branch.is_outlined()) {
         report["outlined"] = true;
-        report["bears"] = skeleton.branches_on(i);
+        report["bears"] = skeleton.branches_on({ 0, i });
     }
     auto const below = skeleton.system_of[0][i];
     if (below == kNoSystem)
@@ -83,9 +83,32 @@ static Report branch_json(Skeleton const& skeleton, std::size_t i)
     auto const& system = skeleton.systems[below];
     if (branch.is_refined() || system.is_in_siblings_style)
         report["bearing"] = bearing_json(branch, system);
-    if (!branch.is_refined() && system.is_in_siblings_style)
+    if (!branch.style_from.empty())
+        report["style_from"] = branch.style_from;
+    else if (!branch.is_refined() && system.is_in_siblings_style)
         report["follows"] = true;
     return report;
+}
+
+// Branches of branches that somebody drew on, at any level.
+static Report refined_json(Skeleton const& skeleton)
+{
+    Report refined = Report::array();
+    for (auto const s : skeleton.drawn_systems())
+        for (std::size_t b = 0; b < skeleton.systems[s].branches.size(); ++b) {
+            auto const& branch = skeleton.systems[s].branches[b];
+            auto const below = skeleton.system_of[s][b];
+            if (s == 0 || below == kNoSystem || !branch.is_refined())
+                continue;
+            Report report { { "path", skeleton.path_of({ s, b }) },
+                            { "base", point_json(branch.path.curve.base) },
+                            { "end", point_json(branch.path.curve.end) } };
+            if (branch.is_outlined())
+                report["outlined"] = true;
+            report["bearing"] = bearing_json(branch, skeleton.systems[below]);
+            refined.push_back(std::move(report));
+        }
+    return refined;
 }
 
 static Report place_json(Place const& place)
@@ -166,6 +189,8 @@ std::string print_report(Skeleton const& skeleton, Tree const& tree,
         { "branches", tree.plant.axes.size() - 1 + tree.sprays },
         { "notes", system.notes }
     };
+    if (auto refined = refined_json(skeleton); !refined.empty())
+        report["refined"] = std::move(refined);
     if (style) {
         auto const again = measure_style(tree.plant);
         report["style"] = { { "measured", levels_json(*style) },

@@ -38,6 +38,7 @@ struct Branch {
     // The branches that somebody drew on it (own_branch.h), and whom what it bears is a style for.
     std::vector<std::vector<Vec2>> own_branches {};
     StyleTo style_to = StyleTo::None;
+    std::string style_from {}; // Of a chosen style the source's path (chosen_style.h).
     // The stroke that it is on another branch; none: it runs along its curve.
     std::vector<Vec2> stroke {};
 

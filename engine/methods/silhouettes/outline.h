@@ -3,6 +3,7 @@
 #include "engine/base/result.h"
 #include "engine/methods/silhouettes/plane.h"
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,22 +13,26 @@ namespace tractus::silhouette {
 // Whom the style of a branch that somebody drew on goes to (sibling_style.h).
 enum class StyleTo {
     None,
-    Siblings, // The trunk's branches that nobody drew on.
+    Siblings, // The branches beside it that nobody drew on,
+    Deeper,   // and those that stand on these and on it, as far down as branches branch.
 };
 
 // The outline of one branch's crown, as it was drawn.
 struct OwnOutline {
-    std::string branch; // What the branch is called that has it (name_of(), skeleton.h).
+    std::string branch; // The path of the branch that has it (Skeleton::at(), skeleton.h).
     std::vector<Vec2> outline;
     StyleTo style_to = StyleTo::None; // Of the branch.
 };
 
-// A branch that was drawn on one of the trunk's branches (own_branch.h).
+// A branch that was drawn on a branch (own_branch.h).
 struct OwnBranch {
-    std::string branch; // What its bearer is called.
+    std::string branch; // The path of its bearer.
     std::vector<Vec2> line;
     StyleTo style_to = StyleTo::None; // Of its bearer.
 };
+
+// Branches that somebody gave the style of another one (chosen_style.h): their paths, and its.
+using ChosenStyles = std::map<std::string, std::string>;
 
 // What is drawn for one branching system (Wither, Boudon, Cani, Godin, "Structure from
 // silhouettes", 2009), millimetres in the plane that it was drawn in (plane.h).
@@ -35,9 +40,12 @@ struct Drawing {
     std::vector<std::vector<Vec2>> outline;     // Of the crown: one stroke or more, in any order.
     std::vector<Vec2> trunk;                    // Base first; empty: not drawn.
     std::vector<std::vector<Vec2>> branches {}; // On the trunk, which they begin near.
-    // The crowns of branches of the trunk, one for each (own_outline.h).
+    // The crowns of branches, one for each (own_outline.h).
     std::vector<OwnOutline> own_outlines {};
-    std::vector<OwnBranch> own_branches {}; // On branches of the trunk.
+    std::vector<OwnBranch> own_branches {}; // On branches.
+    ChosenStyles styles {};
+
+    bool is_refined() const { return !own_outlines.empty() || !own_branches.empty(); }
 };
 
 // Whether a stroke ends near its beginning, by a quarter of its length: it is an outline then, and

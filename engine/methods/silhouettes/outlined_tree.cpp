@@ -1,7 +1,8 @@
 #include "engine/methods/silhouettes/outlined_tree.h"
 
 #include "engine/base/random.h"
-#include "engine/methods/silhouettes/match.h"
+#include "engine/methods/silhouettes/chosen_style.h"
+#include "engine/methods/silhouettes/kept_names.h"
 #include "engine/methods/silhouettes/own_branch.h"
 #include "engine/methods/silhouettes/own_outline.h"
 
@@ -41,7 +42,7 @@ bool same(OutlinedTree const& one, OutlinedTree const& other)
                       })
         && one.names == other.names && one.form == other.form && one.scale == other.scale
         && same_on_branches(one.own_outlines, other.own_outlines)
-        && same_on_branches(one.own_branches, other.own_branches);
+        && same_on_branches(one.own_branches, other.own_branches) && one.styles == other.styles;
 }
 
 Result<std::vector<Vec2>> points_of(Stroke const& stroke)
@@ -73,8 +74,7 @@ Result<void> check_scale(double scale)
 SkeletonOptions options_of(OutlinedTree const& tree)
 {
     auto options = skeleton_options(tree.form);
-    if (!tree.names.empty())
-        options.names = tree.names[0];
+    options.names = tree.names;
     return options;
 }
 
@@ -102,123 +102,6 @@ Result<Plant> bare_stem(std::vector<Vec2> const& trunk, double scale)
     return plant;
 }
 
-// Two drawings of a tree.
-struct Redrawn {
-    Skeleton const& earlier;
-    Skeleton const& later;
-    std::string const& fresh;
-};
-
-// An earlier system laid on a later one, trunk on trunk: what is compared is where branches stand
-// on what bears them, wherever that has gone.
-BranchingSystem laid_on(BranchingSystem system, BranchingSystem const& later)
-{
-    Vec2 const from = system.trunk.back() - system.trunk.front();
-    Vec2 const to = later.trunk.back() - later.trunk.front();
-    if (from.squaredNorm() <= 0)
-        return system;
-    Similarity const way { .from = system.trunk.front(),
-                           .to = later.trunk.front(),
-                           .turn = Vec2(from.dot(to), cross(from, to)) / from.squaredNorm() };
-    system.outline = way.points(system.outline);
-    for (auto& branch : system.branches)
-        branch.crown = way.points(branch.crown);
-    return system;
-}
-
-using Partners = std::vector<std::optional<std::size_t>>;
-
-// What branches of a later system are called whose partners in an earlier one are known.
-std::vector<std::string> names_after(BranchingSystem const& before, BranchingSystem const& after,
-                                     Partners const& partners, std::string const& fresh)
-{
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < partners.size(); ++i)
-        names.push_back(partners[i] ? name_of(before.branches[*partners[i]])
-                                    : fresh + name_of(after.branches[i]));
-    return names;
-}
-
-// Names what stands on the branches of a later system that have partners in an earlier one.
-void name_below(Redrawn const& redrawn, std::size_t earlier, std::size_t later,
-                Partners const& partners, std::vector<std::vector<std::string>>& names)
-{
-    for (std::size_t i = 0; i < partners.size(); ++i) {
-        if (!partners[i])
-            continue;
-        auto const below_before = redrawn.earlier.system_of[earlier][*partners[i]];
-        auto const below_after = redrawn.later.system_of[later][i];
-        if (below_before == kNoSystem || below_after == kNoSystem || !names[below_after].empty())
-            continue;
-        auto const& before = redrawn.earlier.systems[below_before];
-        auto const& after = redrawn.later.systems[below_after];
-        auto const below = match_branches(laid_on(before, after), after);
-        names[below_after] = names_after(before, after, below, redrawn.fresh);
-        name_below(redrawn, below_before, below_after, below, names);
-    }
-}
-
-// The trunk's branches alone, without what was drawn on them: whose that is does not depend on it.
-Result<BranchingSystem> inferred_on_trunk(OutlinedTree tree)
-{
-    tree.own_outlines.clear();
-    tree.own_branches.clear();
-    return infer_on_trunk(TRY(drawing_of(tree)), options_of(tree));
-}
-
-// Where nothing was drawn on them they are those of the tree's skeleton, which is there already.
-Result<BranchingSystem> inferred_on_trunk(OutlinedTree const& tree, Skeleton const& skeleton)
-{
-    return tree.is_refined() ? inferred_on_trunk(tree) : skeleton.systems[0];
-}
-
-bool is_outlined(OutlinedTree const& tree, std::string const& branch)
-{
-    return std::any_of(tree.own_outlines.begin(), tree.own_outlines.end(),
-                       [&](DrawnOnBranch const& own) { return own.branch == branch; });
-}
-
-// Outlines whose branches are gone go to the ones that they lie around.
-Result<void> settle_outlines(OutlinedTree& tree, BranchingSystem const& inferred)
-{
-    auto const& branches = inferred.branches;
-    for (auto& own : tree.own_outlines) {
-        if (number_of(inferred, own.branch))
-            continue;
-        auto const around = branch_in(inferred, TRY(line_of(own.stroke)));
-        if (around && !is_outlined(tree, name_of(branches[*around])))
-            own.branch = name_of(branches[*around]);
-    }
-    return {};
-}
-
-// Branches whose bearers are gone go to the new ones that they begin on.
-Result<void> settle_branches(OutlinedTree& tree, BranchingSystem const& inferred,
-                             Partners const& partners)
-{
-    for (auto& own : tree.own_branches) {
-        if (number_of(inferred, own.branch))
-            continue;
-        auto const bearer = bearer_of(inferred, TRY(line_of(own.stroke)));
-        if (bearer && !partners[*bearer])
-            own.branch = name_of(inferred.branches[*bearer]);
-    }
-    return {};
-}
-
-// For a tree that had no crown for a while: its branches say nothing of those before.
-Result<void> find_branches_again(OutlinedTree& tree)
-{
-    if (!tree.is_refined())
-        return {};
-    for (auto* const drawn : { &tree.own_outlines, &tree.own_branches })
-        for (auto& own : *drawn)
-            own.branch.clear();
-    auto const inferred = TRY(inferred_on_trunk(tree));
-    TRY(settle_outlines(tree, inferred));
-    return settle_branches(tree, inferred, Partners(inferred.branches.size()));
-}
-
 } // namespace
 
 Result<Drawing> drawing_of(OutlinedTree const& tree)
@@ -233,6 +116,7 @@ Result<Drawing> drawing_of(OutlinedTree const& tree)
         drawing.own_outlines.push_back({ own.branch, TRY(line_of(own.stroke)), own.style_to });
     for (auto const& own : tree.own_branches)
         drawing.own_branches.push_back({ own.branch, TRY(line_of(own.stroke)), own.style_to });
+    drawing.styles = tree.styles;
     return drawing;
 }
 
@@ -248,95 +132,118 @@ Result<Vec2> foot_of(OutlinedTree const& tree)
 Result<Skeleton> skeleton_of(OutlinedTree const& tree)
 {
     auto const drawing = TRY(drawing_of(tree));
-    auto skeleton = TRY(infer_skeleton(drawing, options_of(tree)));
-    for (std::size_t s = 1; s < std::min(tree.names.size(), skeleton.systems.size()); ++s)
-        for (std::size_t i = 0;
-             i < std::min(tree.names[s].size(), skeleton.systems[s].branches.size()); ++i)
-            skeleton.systems[s].branches[i].name = tree.names[s][i];
-    return skeleton;
+    return infer_skeleton(drawing, options_of(tree));
 }
 
 // Asks of which branch a stroke is; no value: of none, or the tree has no outline.
 using BranchFinder = Result<std::optional<std::string>>(Drawing const&, std::span<Vec2 const>,
-                                                        SkeletonOptions const&);
-static Result<std::optional<std::string>> branch_under(OutlinedTree const& tree,
-                                                       Stroke const& stroke, BranchFinder& find)
+                                                        SkeletonOptions const&, Search);
+static Result<std::optional<std::string>>
+branch_under(OutlinedTree const& tree, Stroke const& stroke, Search search, BranchFinder& find)
 {
     if (tree.outline.tips.empty())
         return std::nullopt;
     auto const drawing = TRY(drawing_of(tree));
     auto const line = TRY(line_of(stroke));
-    return find(drawing, line, options_of(tree));
+    return find(drawing, line, options_of(tree), search);
 }
 
 Result<std::optional<std::string>> branch_outlined_by(OutlinedTree const& tree,
-                                                      Stroke const& stroke)
+                                                      Stroke const& stroke, Search search)
 {
-    return branch_under(tree, stroke, branch_outlined_by);
+    return branch_under(tree, stroke, search, branch_outlined_by);
 }
 
-Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke, ItemId id,
-                                      StyleTo style_to)
+Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke,
+                                      LineOnBranch const& line)
 {
     auto drawing = TRY(drawing_of(tree));
-    auto line = TRY(line_of(stroke));
-    TRY(add_own_outline(drawing, std::move(line), options_of(tree)));
+    auto points = TRY(line_of(stroke));
+    TRY(add_own_outline(drawing, std::move(points), options_of(tree), line.style_to, line.search));
     auto const& branch = drawing.own_outlines.back().branch;
     std::erase_if(tree.own_outlines,
                   [&](DrawnOnBranch const& own) { return own.branch == branch; });
-    tree.own_outlines.push_back({ id, stroke, branch, style_to });
+    tree.own_outlines.push_back({ line.id, stroke, branch, line.style_to });
     return tree;
 }
 
-Result<std::optional<std::string>> branch_borne_by(OutlinedTree const& tree, Stroke const& stroke)
+Result<std::optional<std::string>> branch_borne_by(OutlinedTree const& tree, Stroke const& stroke,
+                                                   Search search)
 {
-    return branch_under(tree, stroke, branch_borne_by);
+    return branch_under(tree, stroke, search, branch_borne_by);
 }
 
-Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke, ItemId id,
-                                     StyleTo style_to)
+Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke,
+                                     LineOnBranch const& line)
 {
     auto drawing = TRY(drawing_of(tree));
-    auto line = TRY(line_of(stroke));
-    TRY(add_own_branch(drawing, std::move(line), style_to, options_of(tree)));
-    tree.own_branches.push_back({ id, stroke, drawing.own_branches.back().branch, style_to });
+    auto points = TRY(line_of(stroke));
+    TRY(add_own_branch(drawing, std::move(points), line.style_to, options_of(tree), line.search));
+    tree.own_branches.push_back(
+        { line.id, stroke, drawing.own_branches.back().branch, line.style_to });
+    return tree;
+}
+
+Result<ChosenStyles> styles_carried_by(OutlinedTree const& tree, Stroke const& stroke)
+{
+    auto const line = TRY(line_of(stroke));
+    auto const skeleton = TRY(skeleton_of(tree));
+    return carried_by(skeleton, line);
+}
+
+Result<OutlinedTree> with_styles(OutlinedTree tree, ChosenStyles const& chosen)
+{
+    auto const skeleton = TRY(skeleton_of(tree));
+    TRY(choose_styles(tree.styles, chosen, skeleton));
     return tree;
 }
 
 Result<std::size_t> count_waiting(OutlinedTree const& tree)
 {
-    if (!tree.is_refined() || tree.outline.tips.empty())
-        return tree.own_outlines.size() + tree.own_branches.size();
-    auto const inferred = TRY(inferred_on_trunk(tree));
+    if (!tree.is_refined() && tree.styles.empty())
+        return 0;
+    if (tree.outline.tips.empty())
+        return tree.own_outlines.size() + tree.own_branches.size() + tree.styles.size();
+    auto const skeleton = TRY(skeleton_of(tree));
     std::size_t count = 0;
     for (auto const* const drawn : { &tree.own_outlines, &tree.own_branches })
         for (auto const& own : *drawn)
-            count += !number_of(inferred, own.branch);
+            count += !skeleton.at(own.branch);
+    for (auto const& [target, source] : tree.styles)
+        count += !skeleton.at(target) || !skeleton.at(source);
     return count;
+}
+
+// Infers a tree whose lines are of the branches then that the namer says.
+static Result<void> place_lines(OutlinedTree& tree, BranchNamer& namer)
+{
+    auto drawing = TRY(drawing_of(tree));
+    TRY(infer_skeleton(drawing, options_of(tree), namer));
+    for (std::size_t i = 0; i < tree.own_outlines.size(); ++i)
+        tree.own_outlines[i].branch = drawing.own_outlines[i].branch;
+    for (std::size_t i = 0; i < tree.own_branches.size(); ++i)
+        tree.own_branches[i].branch = drawing.own_branches[i].branch;
+    tree.styles = drawing.styles;
+    return {};
 }
 
 Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::string const& fresh)
 {
     if (after.outline.tips.empty())
         return {};
-    if (before.outline.tips.empty())
-        return find_branches_again(after);
-    after.names.clear();
-    auto const earlier = TRY(skeleton_of(before));
-    auto const had = TRY(inferred_on_trunk(before, earlier));
-    auto later = TRY(skeleton_of(after));
-    auto has = TRY(inferred_on_trunk(after, later));
-    auto const partners = match_branches(had, has);
-    after.names.push_back(names_after(had, has, partners, fresh));
-    if (after.is_refined()) {
-        for (std::size_t i = 0; i < partners.size(); ++i)
-            has.branches[i].name = after.names[0][i];
-        TRY(settle_outlines(after, has));
-        TRY(settle_branches(after, has, partners));
-        later = TRY(skeleton_of(after));
+    if (before.outline.tips.empty()) {
+        if (!after.is_refined())
+            return {};
+        FoundAgain again;
+        return place_lines(after, again);
     }
-    after.names.resize(later.systems.size());
-    name_below({ earlier, later, fresh }, 0, 0, partners, after.names);
+    auto drawing = TRY(drawing_of(before));
+    SystemRecord record;
+    auto const earlier = TRY(infer_skeleton(drawing, options_of(before), record));
+    KeptNames kept(earlier, record, fresh);
+    after.names.clear();
+    TRY(place_lines(after, kept));
+    after.names = kept.names();
     return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "engine/methods/silhouettes/outline.h"
+#include "engine/methods/silhouettes/own_branch.h"
 #include "engine/methods/silhouettes/skeleton.h"
 #include "engine/methods/silhouettes/tree_form.h"
 #include "engine/scene/anchored.h"
@@ -20,9 +21,9 @@ struct DrawnBranch {
     Stroke stroke {};
 };
 
-// What was drawn on one of the trunk's branches, the outline of its own crown or a branch that it
-// bears, by the edit that brought it. What the branch is called is decided when it is drawn
-// (own_outline.h, own_branch.h); where the tree has no such branch any more, it waits.
+// What was drawn on a branch, the outline of its own crown or a branch that it bears, by the edit
+// that brought it. The path of the branch is found when it is drawn (own_outline.h, own_branch.h);
+// where the tree has no such branch any more, it waits.
 struct DrawnOnBranch {
     ItemId id = 0;
     Stroke stroke {};
@@ -38,13 +39,12 @@ struct OutlinedTree {
     Stroke trunk {};   // From the foot upwards; without tips: not drawn.
     Stroke outline {}; // Once around the crown; likewise.
     std::vector<DrawnBranch> branches {};
-    // What the branches of each of the skeleton's systems are called, so that names outlast other
-    // lines; none: see name_of().
-    std::vector<std::vector<std::string>> names {};
+    BranchNames names {}; // So that they outlast other lines; none: see name_of().
     TreeForm form {};
     double scale = 0.1;                         // World millimetres per plant millimetre.
-    std::vector<DrawnOnBranch> own_outlines {}; // Of branches of the trunk, one for each.
+    std::vector<DrawnOnBranch> own_outlines {}; // Of branches, one for each.
     std::vector<DrawnOnBranch> own_branches {}; // On them, as many as were drawn.
+    ChosenStyles styles {};                     // Where branches are gone, styles wait.
 
     bool is_refined() const { return !own_outlines.empty() || !own_branches.empty(); }
 };
@@ -58,29 +58,40 @@ Result<Vec2> foot_of(OutlinedTree const& tree);
 // outline, and like infer_skeleton().
 Result<Skeleton> skeleton_of(OutlinedTree const& tree);
 
-// What the branch of the trunk is called that a stroke is the own outline of (own_outline.h); no
-// value: it is of none, or the tree has no outline. Fails like skeleton_of().
-Result<std::optional<std::string>> branch_outlined_by(OutlinedTree const& tree,
-                                                      Stroke const& stroke);
+// The path of the branch that a stroke is the own outline of (own_outline.h); no value: it is of
+// none, or the tree has no outline. Fails like skeleton_of().
+Result<std::optional<std::string>>
+branch_outlined_by(OutlinedTree const& tree, Stroke const& stroke, Search search = Search::OnTrunk);
+
+// A line on a branch that is looked for.
+struct LineOnBranch {
+    ItemId id = 0;
+    StyleTo style_to = StyleTo::None;
+    Search search = Search::OnTrunk;
+};
 
 // The tree with the outline as a branch's own, in place of the one that it had. Fails, as the
 // user's fault, where it lies around no branch, and like clean_drawing().
-Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke, ItemId id,
-                                      StyleTo style_to = StyleTo::None);
+Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke,
+                                      LineOnBranch const& line);
 
-// Like these two, for a stroke that is a branch of one of the trunk's branches (own_branch.h).
-Result<std::optional<std::string>> branch_borne_by(OutlinedTree const& tree, Stroke const& stroke);
-Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke, ItemId id,
-                                     StyleTo style_to = StyleTo::None);
+// Like these two, for a stroke that is a branch of a branch (own_branch.h).
+Result<std::optional<std::string>> branch_borne_by(OutlinedTree const& tree, Stroke const& stroke,
+                                                   Search search = Search::OnTrunk);
+Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke,
+                                     LineOnBranch const& line);
 
-// How many lines that were drawn on branches wait for theirs. Fails like infer_system().
+// The styles that a stroke chooses (carried_by(), chosen_style.h), and a tree with these. Fail like
+// carried_by(), choose_styles() and skeleton_of().
+Result<ChosenStyles> styles_carried_by(OutlinedTree const& tree, Stroke const& stroke);
+Result<OutlinedTree> with_styles(OutlinedTree tree, ChosenStyles const& chosen);
+
+// How many lines that were drawn on branches, and chosen styles, wait for theirs. Fails like
+// infer_system().
 Result<std::size_t> count_waiting(OutlinedTree const& tree);
 
-// Gives the branches of a tree whose lines have changed the names that they had in the one before
-// (match.h); those that are new get names that begin with `fresh`. What was drawn on branches goes
-// with the names. An outline whose branch is gone goes to the branch that it lies around, if that
-// has none, and a branch whose bearer is gone to a new one that it begins on. Nothing of this
-// without an outline.
+// Keeps the names of a tree's branches where its lines have changed, and of which branches lines
+// are (kept_names.h). Nothing of this without an outline.
 Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::string const& fresh);
 
 // The plant: as large as drawn when it is shown at its scale, its foot at the origin. Without an

@@ -11,31 +11,56 @@ constexpr double kNear = 0.025;    // Of the outline's diagonal, to a branch.
 constexpr double kOffTrunk = 0.02; // And at least so far from the trunk.
 constexpr double kShortest = 0.02; // Of the bearer's length.
 
+bool is_long_enough(std::span<Vec2 const> stroke, Branch const& bearer)
+{
+    return length_of(stroke) >= kShortest * bearer.path.length;
+}
+
 } // namespace
 
-std::optional<std::size_t> bearer_of(BranchingSystem const& system, std::span<Vec2 const> stroke)
+std::optional<NearBranch> branch_near(BranchingSystem const& system, Vec2 const& place)
 {
-    if (stroke.size() < 2 || comes_back(stroke))
-        return std::nullopt;
     double const diagonal = box_of(system.outline).diagonal();
-    double const to_trunk = distance_to_line(stroke.front(), system.whole_trunk());
+    double const to_trunk = distance_to_line(place, system.whole_trunk());
     if (to_trunk < kOffTrunk * diagonal)
         return std::nullopt;
-    std::optional<std::size_t> bearer;
+    std::optional<NearBranch> nearest;
     double least = std::min(to_trunk, kNear * diagonal);
     for (std::size_t i = 0; i < system.branches.size(); ++i) {
         auto const& branch = system.branches[i];
         if (branch.origin == Branch::Origin::Apex)
             continue;
-        double const far = distance_to_line(stroke.front(), branch.path.curve.points(17));
+        double const far = distance_to_line(place, branch.line(17));
         if (far >= least)
             continue;
         least = far;
-        bearer = i;
+        nearest = { i, far };
     }
-    if (bearer && length_of(stroke) < kShortest * system.branches[*bearer].path.length)
+    return nearest;
+}
+
+std::optional<BranchAt> branch_near(Skeleton const& skeleton, Vec2 const& place)
+{
+    std::optional<BranchAt> nearest;
+    double least = 1e300;
+    for (auto const s : skeleton.drawn_systems()) {
+        auto const near = branch_near(skeleton.systems[s], place);
+        if (!near || near->distance >= least)
+            continue;
+        least = near->distance;
+        nearest = { s, near->branch };
+    }
+    return nearest;
+}
+
+std::optional<std::size_t> bearer_of(BranchingSystem const& system, std::span<Vec2 const> stroke)
+{
+    if (stroke.size() < 2 || comes_back(stroke))
         return std::nullopt;
-    return bearer;
+    auto const near = branch_near(system, stroke.front());
+    if (!near || !is_long_enough(stroke, system.branches[near->branch]))
+        return std::nullopt;
+    return near->branch;
 }
 
 void take_own_branches(BranchingSystem& system, std::span<OwnBranch const> branches)
@@ -55,17 +80,27 @@ void take_own_branches(BranchingSystem& system, std::span<OwnBranch const> branc
 
 Result<std::optional<std::string>> branch_borne_by(Drawing const& drawing,
                                                    std::span<Vec2 const> stroke,
-                                                   SkeletonOptions const& options)
+                                                   SkeletonOptions const& options, Search search)
 {
-    auto const system = TRY(infer_on_trunk(drawing, options));
-    auto const bearer = bearer_of(system, stroke);
-    return bearer ? std::optional(name_of(system.branches[*bearer])) : std::nullopt;
+    if (search == Search::OnTrunk || !drawing.is_refined()) {
+        auto const system = TRY(infer_on_trunk(drawing, options));
+        auto const bearer = bearer_of(system, stroke);
+        return bearer ? std::optional(name_of(system.branches[*bearer])) : std::nullopt;
+    }
+    if (stroke.size() < 2 || comes_back(stroke))
+        return std::nullopt;
+    auto const skeleton = TRY(infer_skeleton(drawing, options));
+    auto const bearer = branch_near(skeleton, stroke.front());
+    if (!bearer
+        || !is_long_enough(stroke, skeleton.systems[bearer->system].branches[bearer->branch]))
+        return std::nullopt;
+    return skeleton.path_of(*bearer);
 }
 
 Result<void> add_own_branch(Drawing& drawing, std::vector<Vec2> stroke, StyleTo style_to,
-                            SkeletonOptions const& options)
+                            SkeletonOptions const& options, Search search)
 {
-    auto const bearer = TRY(branch_borne_by(drawing, stroke, options));
+    auto const bearer = TRY(branch_borne_by(drawing, stroke, options, search));
     if (!bearer)
         return fail(Fault::User,
                     "the line begins on none of the tree's branches: draw it from one on, not "

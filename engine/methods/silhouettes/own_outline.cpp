@@ -43,7 +43,7 @@ std::vector<Vec2> crown_in(std::vector<Vec2> const& drawn, Branch const& branch)
 {
     constexpr std::size_t kPoints = 96;
     OutlineOptions const options { .least_area_mm2 = 0 };
-    Drawing const drawing { { drawn }, branch.path.curve.points(17) };
+    Drawing const drawing { { drawn }, branch.line(17) };
     auto const clean = clean_drawing(drawing, options);
     if (!clean || !inside_run(clean->outline, clean->trunk))
         return {};
@@ -79,7 +79,8 @@ void follow_model(BranchingSystem const& system, Branch& copy, double area_befor
 
 } // namespace
 
-std::optional<std::size_t> branch_in(BranchingSystem const& system, std::span<Vec2 const> stroke)
+std::optional<OutlinedBranch> outlined_in(BranchingSystem const& system,
+                                          std::span<Vec2 const> stroke)
 {
     auto const loop = enclosed(stroke);
     if (loop.size() < 3 || std::fabs(signed_area(loop)) > kMostOfCrown * signed_area(system.outline)
@@ -90,7 +91,7 @@ std::optional<std::size_t> branch_in(BranchingSystem const& system, std::span<Ve
     CoverageGrid grid(both);
     auto const own = grid.cells_of(loop);
     grid.cover(own);
-    std::optional<std::size_t> best;
+    std::optional<OutlinedBranch> best;
     double most = kLeastShared;
     for (std::size_t i = 0; i < system.branches.size(); ++i) {
         auto const& branch = system.branches[i];
@@ -102,9 +103,15 @@ std::optional<std::size_t> branch_in(BranchingSystem const& system, std::span<Ve
         if (shared < kLeastOfBranch * static_cast<double>(crown.count) || shared < most * all)
             continue;
         most = shared / all;
-        best = i;
+        best = { i, most };
     }
     return best;
+}
+
+std::optional<std::size_t> branch_in(BranchingSystem const& system, std::span<Vec2 const> stroke)
+{
+    auto const found = outlined_in(system, stroke);
+    return found ? std::optional(found->branch) : std::nullopt;
 }
 
 void take_own_outlines(BranchingSystem& system, std::span<OwnOutline const> outlines)
@@ -133,27 +140,43 @@ void take_own_outlines(BranchingSystem& system, std::span<OwnOutline const> outl
         system.coverage_after = coverage_of(system);
 }
 
-Result<std::optional<std::string>> branch_outlined_by(Drawing const& drawing,
-                                                      std::span<Vec2 const> stroke,
-                                                      SkeletonOptions const& options)
+// As it was inferred, and then as it was drawn: that need not lie in the same place.
+static Result<std::optional<std::pair<std::string, double>>>
+outlined_on_trunk(Drawing const& drawing, std::span<Vec2 const> stroke,
+                  SkeletonOptions const& options)
 {
     auto inferred = drawing;
     inferred.own_outlines.clear();
-    // As it was inferred, and then as it was drawn: that need not lie in the same place.
     for (auto const* const lines : { &std::as_const(inferred), &drawing }) {
         auto const system = TRY(infer_on_trunk(*lines, options));
-        if (auto const branch = branch_in(system, stroke))
-            return name_of(system.branches[*branch]);
+        if (auto const found = outlined_in(system, stroke))
+            return std::pair(name_of(system.branches[found->branch]), found->shared);
         if (drawing.own_outlines.empty())
             break;
     }
     return std::nullopt;
 }
 
-Result<void> add_own_outline(Drawing& drawing, std::vector<Vec2> stroke,
-                             SkeletonOptions const& options, StyleTo style_to)
+Result<std::optional<std::string>> branch_outlined_by(Drawing const& drawing,
+                                                      std::span<Vec2 const> stroke,
+                                                      SkeletonOptions const& options, Search search)
 {
-    auto const branch = TRY(branch_outlined_by(drawing, stroke, options));
+    auto best = TRY(outlined_on_trunk(drawing, stroke, options));
+    if (search == Search::AnyLevel && drawing.is_refined()) {
+        auto const skeleton = TRY(infer_skeleton(drawing, options));
+        for (auto const s : skeleton.drawn_systems()) {
+            auto const found = outlined_in(skeleton.systems[s], stroke);
+            if (found && (!best || found->shared > best->second))
+                best = { skeleton.path_of({ s, found->branch }), found->shared };
+        }
+    }
+    return best ? std::optional(best->first) : std::nullopt;
+}
+
+Result<void> add_own_outline(Drawing& drawing, std::vector<Vec2> stroke,
+                             SkeletonOptions const& options, StyleTo style_to, Search search)
+{
+    auto const branch = TRY(branch_outlined_by(drawing, stroke, options, search));
     if (!branch)
         return fail(Fault::User,
                     "the outline lies around none of the tree's branches: draw it around one, "

@@ -25,6 +25,7 @@ struct BearerStyle {
     double spacing = 0;             // From one to the next on average, in that unit; 0 for one.
     double deviation = 0;           // Of that.
     bool is_of_own_outline = false;
+    bool goes_deeper = false; // StyleTo::Deeper.
 
     // Shares of the bearer's length below which, and above which it bears none.
     double unbranched() const { return children.front().u; }

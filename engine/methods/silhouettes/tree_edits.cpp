@@ -76,8 +76,13 @@ void list(Fields& fields, DrawTree& edit)
 {
     fields.word("part", edit.part, kParts);
     bool to_siblings = edit.style_to == StyleTo::Siblings;
+    bool to_deeper = edit.style_to == StyleTo::Deeper;
     fields.sparse_field("style_to_siblings", &to_siblings);
-    edit.style_to = to_siblings ? StyleTo::Siblings : StyleTo::None;
+    fields.sparse_field("style_to_deeper", &to_deeper);
+    edit.style_to = to_deeper ? StyleTo::Deeper : to_siblings ? StyleTo::Siblings : StyleTo::None;
+    bool at_any_level = edit.search == Search::AnyLevel;
+    fields.sparse_field("at_any_level", &at_any_level);
+    edit.search = at_any_level ? Search::AnyLevel : Search::OnTrunk;
     fields.sparse_field("plant", &edit.plant);
     fields.field("stands_at_mm", &edit.stands_at_mm);
     list(fields, edit.form);
@@ -91,6 +96,12 @@ void list(Fields& fields, EraseTreePart& edit)
     fields.field("plant", &edit.plant);
     fields.word("part", edit.part, kParts);
     fields.sparse_field("branch", &edit.branch);
+}
+
+void list(Fields& fields, ChooseStyles& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.field("styles", &edit.styles);
 }
 
 void list(Fields& fields, FormTree& edit)
@@ -210,12 +221,20 @@ Result<DocumentState> applied(DocumentState state, EraseTreePart const& edit, Sc
     return with_lines(std::move(state), edit.plant, before, std::move(after), id);
 }
 
+Result<DocumentState> applied(DocumentState state, ChooseStyles const& edit, SceneBuilder&)
+{
+    auto const before = TRY(tree_of(state, edit.plant));
+    auto after = TRY(with_styles(before, edit.styles));
+    auto const id = item_id(state.last_edit, 0);
+    return with_lines(std::move(state), edit.plant, before, std::move(after), id);
+}
+
 Result<DocumentState> applied(DocumentState state, FormTree const& edit, SceneBuilder&)
 {
     auto const before = TRY(tree_of(state, edit.plant));
     auto tree = before;
     tree.form = edit.form;
-    if (!tree.is_refined())
+    if (!tree.is_refined() && tree.styles.empty())
         return with_tree(std::move(state), edit.plant, std::move(tree));
     // Their branches have to be found again.
     auto const id = item_id(state.last_edit, 0);
@@ -229,8 +248,9 @@ std::string described(DrawTree const& edit)
     auto const* const what = kWhat[static_cast<std::size_t>(edit.part)];
     auto const whose = edit.plant == 0 ? std::string("a new tree")
                                        : fmt::format("plant {}", tractus::name_of(edit.plant));
-    auto const* const style
-        = edit.style_to == StyleTo::Siblings ? ", in whose style its siblings are" : "";
+    constexpr std::array kStyles { "", ", in whose style its siblings are",
+                                   ", in whose style its siblings and those below are" };
+    auto const* const style = kStyles[static_cast<std::size_t>(edit.style_to)];
     return fmt::format("draws {} for {}{}: {}", what, whose, style, describe_stroke(edit.stroke));
 }
 
@@ -240,6 +260,15 @@ std::string described(EraseTreePart const& edit)
                                  "a branch's own outline", "a branch on a branch" };
     return fmt::format("takes {} of plant {} away", kWhat[static_cast<std::size_t>(edit.part)],
                        tractus::name_of(edit.plant));
+}
+
+std::string described(ChooseStyles const& edit)
+{
+    std::string said;
+    for (auto const& [target, source] : edit.styles)
+        said += fmt::format("{}{}", said.empty() ? "" : ", ",
+                            source.empty() ? target + " its own" : target + " that of " + source);
+    return fmt::format("gives branches of plant {} styles: {}", tractus::name_of(edit.plant), said);
 }
 
 std::string described(FormTree const& edit)
@@ -267,9 +296,9 @@ Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, ItemId i
         tree.branches.push_back({ id, edit.stroke });
         break;
     case DrawTree::Part::OwnOutline:
-        return with_own_outline(std::move(tree), edit.stroke, id, edit.style_to);
+        return with_own_outline(std::move(tree), edit.stroke, { id, edit.style_to, edit.search });
     case DrawTree::Part::OwnBranch:
-        return with_own_branch(std::move(tree), edit.stroke, id, edit.style_to);
+        return with_own_branch(std::move(tree), edit.stroke, { id, edit.style_to, edit.search });
     }
     return tree;
 }
@@ -283,6 +312,8 @@ constexpr EditKind DrawTree::kKind
     = make_edit_kind<DrawTree, list, applied, described>("draw_tree", true);
 constexpr EditKind EraseTreePart::kKind
     = make_edit_kind<EraseTreePart, list, applied, described>("erase_tree_part");
+constexpr EditKind ChooseStyles::kKind
+    = make_edit_kind<ChooseStyles, list, applied, described>("choose_branch_styles");
 constexpr EditKind FormTree::kKind
     = make_edit_kind<FormTree, list, applied, described>("form_tree", true);
 

@@ -19,7 +19,8 @@ struct DrawTree {
     } part
         = Part::Outline;
     Stroke stroke {};
-    StyleTo style_to = StyleTo::None; // Of the branch that is drawn on (sibling_style.h).
+    StyleTo style_to = StyleTo::None; // Of the branch that is drawn on (sibling_style.h),
+    Search search = Search::OnTrunk;  // and among which ones that is looked for.
     // A tree that there is; 0: a new plant, which becomes the active one. What follows is a new
     // one's.
     ItemId plant = 0;
@@ -41,6 +42,14 @@ struct EraseTreePart {
     ItemId plant = 0;
     DrawTree::Part part = DrawTree::Part::Branch;
     ItemId branch = 0; // Which one it is, of a branch or what was drawn on one.
+};
+
+// Gives branches of a tree the styles of others (chosen_style.h).
+struct ChooseStyles {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    ChosenStyles styles {}; // To paths, from paths; from "": the branch has its own again.
 };
 
 // Sets another form for a tree. What was drawn on branches stays where their names stay.

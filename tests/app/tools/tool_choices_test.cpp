@@ -46,11 +46,11 @@ TEST(ToolChoices, LeadBackToTheMethodThatWasInHandLast)
 TEST(ToolChoices, OfferTheMethodsOfAGroupAndTheToolsOfOne)
 {
     auto const tools = all_methods().tools;
-    EXPECT_EQ(
-        buttons(Tool(*find_tool_kind(tools, "arrange"))),
-        "Along a stroke, From an outline*, From lines, A leaf, | Go on, New tree, | To this tree!, "
-        "Another one!, | Around the trunk*, Around branches, | Next!, Even!, Spiral!, "
-        "Decussate!, Whorls!, Two rows!, Horizontal!, Erase, ");
+    EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "arrange"))),
+              "Along a stroke, From an outline*, From lines, A leaf, | Go on, New tree, "
+              "Carry a style, | To this tree!, Another one!, | Around the trunk*, Around branches, "
+              "| Next!, Even!, Spiral!, "
+              "Decussate!, Whorls!, Two rows!, Horizontal!, Erase, ");
     EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "line_role"))),
               "Along a stroke, From an outline, From lines*, A leaf, | Line, Another stem, | Next "
               "pattern!, | Nodes of a layer, | It is an inclination*, Half of one, Left, Right, "

@@ -6,6 +6,7 @@
 #include "app/methods/silhouettes/erase_outline_tool.h"
 #include "app/methods/silhouettes/outline_layer.h"
 #include "app/methods/silhouettes/outline_previewer.h"
+#include "app/session/edit_record.h"
 #include "engine/methods/silhouettes/ready_form.h"
 #include "tests/app/small_model.h"
 
@@ -63,9 +64,29 @@ TEST(OutlineTool, SaysItsNumbersInLogs)
 {
     OutlineTool const tool { .levels = 1, .leaves = 8, .what = OutlineTool::What::New };
     auto const words = words_for(tool);
-    EXPECT_EQ(words.name + " " + words.arguments,
-              "outline levels=1 leaves=8 new of_nearest siblings");
+    EXPECT_EQ(words.name + " " + words.arguments, "outline levels=1 leaves=8 new of_any siblings");
     EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), Tool(tool));
+}
+
+// From the middle of the branch that ends in the lobe at the right above.
+Stroke line_from_branch(silhouette::OutlinedTree const& tree)
+{
+    auto const skeleton = silhouette::skeleton_of(tree).value();
+    auto const& branches = skeleton.systems[0].branches;
+    auto const lobe = std::min_element(branches.begin(), branches.end(), [](auto& a, auto& b) {
+        Vec2 const middle(19, 29);
+        return (a.path.curve.end - middle).norm() < (b.path.curve.end - middle).norm();
+    });
+    Vec2 const from = lobe->path.curve.at(0.6);
+    std::vector<Vec3> places;
+    for (int i = 0; i <= 8; ++i)
+        places.emplace_back(from.x() + 0.5 * i, from.y() + 1.2 * i, 150);
+    return stroke_through(places);
+}
+
+Scene crowned()
+{
+    return after(after({}, trunk_at(0)), crown_around(0, 10));
 }
 
 // The tool as logs have it from before lines could be branches of branches.
@@ -79,10 +100,18 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     auto const tools = all_methods().tools;
     EXPECT_EQ(parse_tool(tools, "outline", "").value(), Tool(tool_of_old_logs()));
     EXPECT_EQ(words_for(tool_of_old_logs()).arguments, "");
+    // Lines were of the trunk's branches then, and of none of theirs.
+    auto const of_branches = parse_tool(tools, "outline", "of_nearest siblings").value();
+    EXPECT_EQ(of_branches, Tool(OutlineTool { .branches = OutlineTool::Branches::OfNearest }));
+    auto const tree = crowned();
+    auto const line = line_from_branch(*silhouette::outlined_tree(*tree.drawn));
+    EXPECT_EQ(meant(line, tree, *of_branches.get<OutlineTool>()).search,
+              silhouette::Search::OnTrunk);
     // No other kind begins with more than what its logs mean without arguments.
-    for (auto const* const kind : tools)
-        if (kind != &OutlineTool::kKind)
-            EXPECT_EQ(parse_tool(tools, kind->word, "").value(), Tool(*kind)) << kind->word;
+    for (auto const* const kind : tools) {
+        auto const begun = kind == &OutlineTool::kKind ? Tool(tool_of_old_logs()) : Tool(*kind);
+        EXPECT_EQ(parse_tool(tools, kind->word, "").value(), begun) << kind->word;
+    }
 }
 
 // The words of the tool are the names of the forms.
@@ -164,27 +193,6 @@ TEST(OutlineTool, TellsABranchsOwnOutlineByWhatItLiesAround)
     EXPECT_EQ(meant(lobe_of_crown(), tree, another).part, DrawTree::Part::Outline);
 }
 
-// From the middle of the branch that ends in the lobe at the right above.
-Stroke line_from_branch(silhouette::OutlinedTree const& tree)
-{
-    auto const skeleton = silhouette::skeleton_of(tree).value();
-    auto const& branches = skeleton.systems[0].branches;
-    auto const lobe = std::min_element(branches.begin(), branches.end(), [](auto& a, auto& b) {
-        Vec2 const middle(19, 29);
-        return (a.path.curve.end - middle).norm() < (b.path.curve.end - middle).norm();
-    });
-    Vec2 const from = lobe->path.curve.at(0.6);
-    std::vector<Vec3> places;
-    for (int i = 0; i <= 8; ++i)
-        places.emplace_back(from.x() + 0.5 * i, from.y() + 1.2 * i, 150);
-    return stroke_through(places);
-}
-
-Scene crowned()
-{
-    return after(after({}, trunk_at(0)), crown_around(0, 10));
-}
-
 TEST(OutlineTool, TellsABranchOnABranchByWhereItBegins)
 {
     auto const tree = crowned();
@@ -227,6 +235,79 @@ TEST(OutlineTool, DrawsABranchOnABranch)
           EraseOutlineTool {} });
     EXPECT_TRUE(tree().own_branches.empty());
     EXPECT_EQ(nodes(), before);
+}
+
+// From the outlined lobe to the one at the left above, and back: what is drawn is undone, and the
+// edit is written and read as it is.
+TEST(OutlineTool, CarriesAStyle)
+{
+    Document document({}, Document::Working::AtOnce);
+    for (auto const& stroke : { trunk_at(0), crown_around(0, 10), lobe_of_crown() })
+        document.draw({ stroke, OutlineTool { .style = silhouette::StyleTo::None } });
+    OutlineTool const carrying { .what = OutlineTool::What::Carry };
+    auto const words = words_for(carrying);
+    EXPECT_EQ(words.arguments, "carry of_any siblings");
+    EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), Tool(carrying));
+    auto const tree = [&] { return *silhouette::outlined_tree(*document.newest()->scene.drawn); };
+    auto const nodes = [&] { return document.newest()->scene.base->node_position_mm; };
+    auto const before = nodes();
+    auto const source = tree().own_outlines[0].branch;
+    auto const skeleton = silhouette::skeleton_of(tree()).value();
+    Vec2 const from = skeleton.systems[0].branches[skeleton.at(source)->branch].path.curve.at(0.8);
+    auto const line = stroke_through({ { from.x(), from.y(), 0 }, { -19, 29, 0 } });
+    auto const edits = Tool(carrying).mean(line, document.newest()->scene).value();
+    ASSERT_EQ(edits.size(), 1u);
+    auto const& styles = edits[0].get<silhouette::ChooseStyles>()->styles;
+    ASSERT_GE(styles.size(), 1u);
+    EXPECT_EQ(styles.begin()->second, source);
+    auto const again = edit_of(record_of(edits[0]), all_methods().edits).value();
+    EXPECT_EQ(again.get<silhouette::ChooseStyles>()->styles, styles);
+    auto const scene = std::make_shared<Scene const>(document.newest()->scene);
+    Tool const tool = carrying;
+    EXPECT_EQ(outline_previewer()->show({ scene, tool, line.tips.vector(), 99 }).size(),
+              styles.size() + 1)
+        << "the source and its targets";
+    document.draw({ line, carrying });
+    EXPECT_EQ(tree().styles, styles);
+    auto const carried = nodes();
+    EXPECT_NE(carried, before);
+    EXPECT_NE(OutlineTool::kKind.said(carrying, document.newest()->scene).find("the style of"),
+              std::string::npos);
+    document.undo();
+    EXPECT_EQ(nodes(), before);
+    document.redo();
+    EXPECT_EQ(nodes(), carried);
+    EXPECT_FALSE(Tool(carrying).mean(trunk_at(0), small_scene())) << "no tree with an outline";
+}
+
+// On a branch that was drawn on a branch: a log says so, and old ones do not look for it.
+TEST(OutlineTool, DrawsOnBranchesOfBranches)
+{
+    OutlineTool const alone { .style = silhouette::StyleTo::None };
+    auto tree = crowned();
+    Vec3 const base = line_from_branch(*silhouette::outlined_tree(*tree.drawn)).tips[0].position_mm;
+    std::vector<Vec3> places; // Across the branch, which rises to the right.
+    for (int i = 0; i <= 8; ++i)
+        places.push_back(base + i * Vec3(-0.7, 1, 0));
+    tree = after(tree, stroke_through(places), alone);
+    auto const& bearer = silhouette::outlined_tree(*tree.drawn)->own_branches[0].branch;
+    Vec3 const from = places[6];
+    auto const twig = stroke_through({ from, from + Vec3(2, 2, 0), from + Vec3(3, 5, 0) });
+    auto const own = meant(twig, tree, alone);
+    EXPECT_EQ(own.part, DrawTree::Part::OwnBranch);
+    EXPECT_EQ(own.search, silhouette::Search::AnyLevel);
+    auto const again = edit_of(record_of(own), all_methods().edits).value();
+    EXPECT_EQ(again.get<DrawTree>()->search, silhouette::Search::AnyLevel);
+    auto const deeper = apply_edit(tree, own).value();
+    auto const& drawn = silhouette::outlined_tree(*deeper.drawn)->own_branches;
+    ASSERT_EQ(drawn.size(), 2u);
+    EXPECT_TRUE(drawn[1].branch.starts_with(bearer + "/")) << drawn[1].branch;
+    auto const said = OutlineTool::kKind.said(Tool(alone), deeper);
+    EXPECT_EQ(said, "The branch bears 1 branch that you drew");
+    OutlineTool const of_trunks { .branches = OutlineTool::Branches::OfNearest };
+    EXPECT_EQ(meant(twig, tree, of_trunks).search, silhouette::Search::OnTrunk);
+    auto const record = record_of(meant(twig, tree, of_trunks));
+    EXPECT_EQ(record.fields.find("at_any_level"), std::string::npos);
 }
 
 TEST(OutlineTool, SaysWhatWaitsForItsBranch)

@@ -94,8 +94,8 @@ TEST(OwnOutlineLog, GivesTheTreeOfItsLines)
         if (!branches[i].is_outlined())
             continue;
         ++outlined;
-        EXPECT_EQ(given["bears"], skeleton.branches_on(i));
-        EXPECT_GE(skeleton.branches_on(i), 5U);
+        EXPECT_EQ(given["bears"], skeleton.branches_on({ 0, i }));
+        EXPECT_GE(skeleton.branches_on({ 0, i }), 5U);
     }
     EXPECT_EQ(outlined, 1);
     EXPECT_EQ(replayed(log, {}, Scene {}).scene.base->node_position_mm,

@@ -311,6 +311,76 @@ TEST_F(SilhouetteCommand, DrawsBranchesOnBranches)
     EXPECT_TRUE(file_bytes(path("out/twig.glb")) == file_bytes(path("again.glb"))) << "as by a pen";
 }
 
+// A line on a branch in a part is of a deeper level, with the pen as in a file.
+TEST_F(SilhouetteCommand, DrawsOnBranchesOfParts)
+{
+    auto drawing = crown();
+    drawing["parts"] = json::array({ part() });
+    std::ofstream(folder_ / "part.json") << drawing;
+    auto const plain = json::parse(run({ "silhouette", path("part.json"), "--report" }).out);
+    EXPECT_FALSE(plain.contains("refined"));
+    // From the end of the branch in the part's lobe above.
+    json const twig = { { 62, 34 }, { 58, 36 }, { 56, 40 } };
+    drawing["parts"].push_back(twig);
+    std::ofstream(folder_ / "deep.json") << drawing;
+    auto const outcome = run({ "silhouette", path("deep.json"), "--report", "-o", path("out"),
+                               "--session", "--style-to", "deeper" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const report = json::parse(outcome.out);
+    ASSERT_EQ(report["refined"].size(), 1u);
+    auto const& refined = report["refined"][0];
+    EXPECT_NE(refined["path"].get<std::string>().find('/'), std::string::npos);
+    ASSERT_EQ(refined["bearing"]["drawn"].size(), 1u);
+    EXPECT_NEAR(refined["bearing"]["drawn"][0]["end"][0].get<double>(), 56, 1e-9);
+    auto const scene = load_session_scene(path("out/deep.tractus"), all_methods().edits).value();
+    ASSERT_TRUE(write_plant_file(*scene.base, "deep", path("again.glb")));
+    EXPECT_TRUE(file_bytes(path("out/deep.glb")) == file_bytes(path("again.glb"))) << "as by a pen";
+}
+
+// From the branch with an outline of its own over the next ones: those follow it, as by a pen.
+TEST_F(SilhouetteCommand, CarriesAStyleToTheChosen)
+{
+    auto drawing = crown();
+    drawing["parts"] = json::array({ part() });
+    std::ofstream(folder_ / "plain.json") << drawing;
+    auto const plain = json::parse(run({ "silhouette", path("plain.json"), "--report" }).out);
+    auto const source
+        = std::find_if(plain["branch"].begin(), plain["branch"].end(),
+                       [](json const& branch) { return branch.contains("outlined"); });
+    ASSERT_NE(source, plain["branch"].end());
+    auto const place = [&](json const& branch, double share, std::size_t axis) {
+        return (1 - share) * branch["base"][axis].get<double>()
+            + share * branch["end"][axis].get<double>();
+    };
+    auto const& target = plain["branch"][source == plain["branch"].begin() ? 1 : 0];
+    drawing["styles"] = json::array(
+        { json::array({ source->at("end"), { place(target, 0.9, 0), place(target, 0.9, 1) } }) });
+    std::ofstream(folder_ / "styled.json") << drawing;
+    auto const outcome
+        = run({ "silhouette", path("styled.json"), "--report", "-o", path("out"), "--session" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const report = json::parse(outcome.out);
+    std::size_t styled = 0;
+    for (auto const& branch : report["branch"]) {
+        if (!branch.contains("style_from"))
+            continue;
+        ++styled;
+        EXPECT_EQ(branch["style_from"], source->at("name"));
+        EXPECT_TRUE(branch.contains("bearing"));
+    }
+    EXPECT_GE(styled, 1u);
+    EXPECT_LT(styled, report["branch"].size() - 1);
+    auto const scene = load_session_scene(path("out/styled.tractus"), all_methods().edits).value();
+    ASSERT_TRUE(write_plant_file(*scene.base, "styled", path("again.glb")));
+    EXPECT_TRUE(file_bytes(path("out/styled.glb")) == file_bytes(path("again.glb")))
+        << "as by a pen";
+    drawing["styles"] = json::array({ json::array({ { 900, 900 }, { 901, 900 } }) });
+    std::ofstream(folder_ / "beside.json") << drawing;
+    EXPECT_NE(refusal({ "silhouette", path("beside.json"), "--report" })
+                  .find("beside.json: style 1: the line begins on none of the tree's branches"),
+              std::string::npos);
+}
+
 TEST_F(SilhouetteCommand, SaysWhatIsWrong)
 {
     auto large = crown();

@@ -46,7 +46,10 @@ TEST(SilhouetteFile, ReadsSeveralStrokesAndTellsWhatItDoesNotKnow)
 TEST(SilhouetteFile, ReadsPartsOfTheCrown)
 {
     auto const file
-        = read_from(R"({"outline":[[0,0],[9,0]],"parts":[[[1,1],[2,1]],[[3,1],[4,2],[5,6]]]})");
+        = read_from(R"({"outline":[[0,0],[9,0]],"parts":[[[1,1],[2,1]],[[3,1],[4,2],[5,6]]],
+                       "styles":[[[7,1],[8,2]]]})");
+    ASSERT_EQ(file.styles.size(), 1U);
+    EXPECT_EQ(file.styles[0], (std::vector<Vec2> { Vec2(7, 1), Vec2(8, 2) }));
     ASSERT_EQ(file.parts.size(), 2U);
     EXPECT_EQ(file.parts[1], (std::vector<Vec2> { Vec2(3, 1), Vec2(4, 2), Vec2(5, 6) }));
     EXPECT_TRUE(file.unknown_keys.empty());

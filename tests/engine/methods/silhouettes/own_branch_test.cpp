@@ -149,9 +149,9 @@ TEST(OwnBranch, StandsWhereNoOthersDo)
     auto const bearer = *number_of(system, "b2");
     auto const one = with_twig(drawing, twig_on(system.branches[bearer], 0.5));
     auto const two = with_twig(one, twig_on(system.branches[bearer], 0.7));
-    EXPECT_EQ(refined(one, { .levels = 1 }).branches_on(bearer), 1U);
-    EXPECT_EQ(refined(two, { .levels = 1 }).branches_on(bearer), 2U);
-    EXPECT_GT(refined(two).branches_on(bearer), 2U) << "others stand beside them";
+    EXPECT_EQ(refined(one, { .levels = 1 }).branches_on({ 0, bearer }), 1U);
+    EXPECT_EQ(refined(two, { .levels = 1 }).branches_on({ 0, bearer }), 2U);
+    EXPECT_GT(refined(two).branches_on({ 0, bearer }), 2U) << "others stand beside them";
     auto waiting = drawing;
     waiting.own_branches.push_back({ "b99", twig_on(system.branches[bearer], 0.5) });
     EXPECT_EQ(refined(waiting).branch_count(), refined(drawing).branch_count());

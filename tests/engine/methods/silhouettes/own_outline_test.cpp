@@ -226,7 +226,7 @@ TEST(OwnOutline, BearsBranchesWhereNoOthersDo)
     auto const part = with_part(drawing, lobe_around(system.branches[i], 5));
     auto const skeleton = grown(part, { .levels = 1 });
     EXPECT_EQ(skeleton.systems.size(), 2U);
-    EXPECT_GE(skeleton.branches_on(i), 5U);
+    EXPECT_GE(skeleton.branches_on({ 0, i }), 5U);
     check_plant(make_tree(skeleton).plant);
 }
 

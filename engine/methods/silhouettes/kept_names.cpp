@@ -1,0 +1,169 @@
+#include "engine/methods/silhouettes/kept_names.h"
+
+#include "engine/methods/silhouettes/match.h"
+#include "engine/methods/silhouettes/own_branch.h"
+#include "engine/methods/silhouettes/own_outline.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+// An earlier system laid on a later one, trunk on trunk: what is compared is where branches stand
+// on what bears them, wherever that has gone.
+BranchingSystem laid_on(BranchingSystem system, BranchingSystem const& later)
+{
+    Vec2 const from = system.trunk.back() - system.trunk.front();
+    Vec2 const to = later.trunk.back() - later.trunk.front();
+    if (from.squaredNorm() <= 0)
+        return system;
+    Similarity const way { .from = system.trunk.front(),
+                           .to = later.trunk.front(),
+                           .turn = Vec2(from.dot(to), cross(from, to)) / from.squaredNorm() };
+    system.outline = way.points(system.outline);
+    for (auto& branch : system.branches)
+        branch.crown = way.points(branch.crown);
+    return system;
+}
+
+// What a path is called when the branch has another one: its own, or of what stands on it.
+std::string moved_path(std::string const& path, std::string const& from, std::string const& to)
+{
+    if (path == from)
+        return to;
+    bool const is_below = path.starts_with(from) && path[from.size()] == kPathSeparator;
+    return is_below ? to + path.substr(from.size()) : path;
+}
+
+// What stands on a branch that has another path, and its style, go with it.
+void move_below(Drawing& drawing, std::string const& from, std::string const& to)
+{
+    if (from.empty())
+        return;
+    for (auto& own : drawing.own_outlines)
+        if (own.branch != from)
+            own.branch = moved_path(own.branch, from, to);
+    for (auto& own : drawing.own_branches)
+        if (own.branch != from)
+            own.branch = moved_path(own.branch, from, to);
+    ChosenStyles styles;
+    for (auto const& [target, source] : drawing.styles)
+        styles.emplace(moved_path(target, from, to), moved_path(source, from, to));
+    drawing.styles = std::move(styles);
+}
+
+// Gives branches of the trunk that were drawn on a name that none has.
+void forget_trunk_branches(Drawing& drawing)
+{
+    std::set<std::string> drawn_on;
+    for (auto const& own : drawing.own_outlines)
+        drawn_on.insert(own.branch.substr(0, own.branch.find(kPathSeparator)));
+    for (auto const& own : drawing.own_branches)
+        drawn_on.insert(own.branch.substr(0, own.branch.find(kPathSeparator)));
+    for (auto const& name : drawn_on) {
+        auto const lost = "?" + name;
+        move_below(drawing, name, lost);
+        for (auto& own : drawing.own_outlines)
+            own.branch = moved_path(own.branch, name, lost);
+        for (auto& own : drawing.own_branches)
+            own.branch = moved_path(own.branch, name, lost);
+    }
+}
+
+bool is_lost(std::string const& path, BranchNamer::NewSystem const& made)
+{
+    return bearer_in(path) == made.bearer
+        && !number_of(made.system, std::string(last_name_in(path)));
+}
+
+std::string path_in(BranchNamer::NewSystem const& made, std::size_t branch)
+{
+    auto const name = name_of(made.system.branches[branch]);
+    return made.bearer.empty() ? name : made.bearer + kPathSeparator + name;
+}
+
+// Outlines whose branches are gone go to the ones that they lie around.
+void settle_outlines(Drawing& drawing, BranchNamer::NewSystem const& made)
+{
+    auto const is_outlined = [&](std::string const& path) {
+        return std::any_of(drawing.own_outlines.begin(), drawing.own_outlines.end(),
+                           [&](OwnOutline const& own) { return own.branch == path; });
+    };
+    for (auto& own : drawing.own_outlines) {
+        if (!is_lost(own.branch, made))
+            continue;
+        auto const around = branch_in(made.system, own.outline);
+        if (!around || is_outlined(path_in(made, *around)))
+            continue;
+        auto const from = std::exchange(own.branch, path_in(made, *around));
+        move_below(drawing, from, own.branch);
+    }
+}
+
+// Branches whose bearers are gone go to the new ones that they begin on.
+void settle_branches(Drawing& drawing, BranchNamer::NewSystem const& made,
+                     std::vector<std::optional<std::size_t>> const& partners)
+{
+    for (auto& own : drawing.own_branches) {
+        if (!is_lost(own.branch, made))
+            continue;
+        auto const bearer = bearer_of(made.system, own.line);
+        if (!bearer || (*bearer < partners.size() && partners[*bearer]))
+            continue;
+        auto const from = std::exchange(own.branch, path_in(made, *bearer));
+        move_below(drawing, from, own.branch);
+    }
+}
+
+} // namespace
+
+// What bore it before. Copies bear what their model does.
+std::optional<std::size_t> KeptNames::earlier_system(NewSystem const& made) const
+{
+    if (made.bearer_system == kNoSystem)
+        return 0;
+    auto const before = earlier_of_[made.bearer_system];
+    if (!before)
+        return std::nullopt;
+    for (auto const bearer : made.bearers)
+        if (auto const partner = partners_[made.bearer_system][bearer])
+            if (auto const below = earlier_.system_of[*before][*partner]; below != kNoSystem)
+                return below;
+    return std::nullopt;
+}
+
+void KeptNames::name(NewSystem const& made, Drawing& drawing)
+{
+    auto const before = earlier_system(made);
+    auto& partners = partners_.emplace_back();
+    earlier_of_.push_back(before);
+    if (before) {
+        auto const& earlier = record_.system(*before);
+        bool const is_on_trunk = made.bearer_system == kNoSystem;
+        partners
+            = match_branches(is_on_trunk ? earlier : laid_on(earlier, made.system), made.system);
+        auto& names = names_[made.bearer];
+        for (std::size_t i = 0; i < partners.size(); ++i)
+            names.push_back(partners[i] ? name_of(earlier.branches[*partners[i]])
+                                        : fresh_ + name_of(made.system.branches[i]));
+        for (std::size_t i = 0; i < partners.size(); ++i)
+            made.system.branches[i].name = names[i];
+    } else {
+        partners.resize(made.system.branches.size());
+    }
+    settle_outlines(drawing, made);
+    settle_branches(drawing, made, partners);
+}
+
+void FoundAgain::name(NewSystem const& made, Drawing& drawing)
+{
+    if (made.bearer_system == kNoSystem)
+        forget_trunk_branches(drawing);
+    settle_outlines(drawing, made);
+    settle_branches(drawing, made, {});
+}
+
+} // namespace tractus::silhouette

@@ -1,0 +1,63 @@
+#include "engine/methods/silhouettes/level_inference.h"
+
+#include <utility>
+
+namespace tractus::silhouette {
+
+// With the branches that were drawn on the bearer, as they were drawn. Where its crown is too small
+// for any, a lens around it is its crown.
+static Result<BranchingSystem> system_with_strokes(Branch const& bearer, InferenceOptions options)
+{
+    options.drawn_bases = InferenceOptions::DrawnBases::Anywhere;
+    auto const trunk = bearer.line(17);
+    auto const& crown = bearer.is_outlined() ? bearer.own_outline : bearer.crown;
+    auto system = infer_system({ { crown }, trunk, bearer.own_branches }, options);
+    if (!system)
+        system = infer_system({ { lens_around(bearer.path.curve) }, trunk, bearer.own_branches },
+                              options);
+    if (system)
+        for (auto& branch : system->branches)
+            if (branch.origin == Branch::Origin::Drawn) {
+                branch.stroke = bearer.own_branches[branch.number];
+                branch.path.curve.end = branch.stroke.back(); // Which the frame has rounded.
+            }
+    return system;
+}
+
+static void keep_drawn(BranchingSystem& system)
+{
+    std::erase_if(system.branches, [](Branch const& branch) {
+        return branch.origin != Branch::Origin::Drawn && branch.origin != Branch::Origin::Apex;
+    });
+    system.coverage_after = coverage_of(system);
+}
+
+Result<BranchingSystem> system_below(Branch const& branch, LevelInference const& how)
+{
+    auto const& options = branch.is_outlined() ? how.outlined : how.usual;
+    auto const& crown = branch.is_outlined() ? branch.own_outline : branch.crown;
+    bool const has_strokes = !branch.own_branches.empty();
+    auto system = has_strokes ? TRY(system_with_strokes(branch, options))
+                              : TRY(infer_system({ { crown }, branch.line(17), {} }, options));
+    system.is_of_own_outline = branch.is_outlined();
+    system.is_in_siblings_style = branch.style_to != StyleTo::None;
+    if (has_strokes && !branch.is_outlined() && how.besides == LevelInference::Besides::Nothing)
+        keep_drawn(system);
+    return system;
+}
+
+InferenceOptions styled(InferenceOptions options, std::vector<BranchStyle> const& styles, int level)
+{
+    auto const i = static_cast<std::size_t>(level);
+    if (i >= styles.size() || !styles[i].is_set())
+        return options;
+    auto const& style = styles[i];
+    options.angles
+        = BranchingAngles({ { style.unbranched, style.first_angle_deg },
+                            { style.unbranched + style.extent(), style.last_angle_deg } },
+                          kAngleOver);
+    options.unbranched = style.unbranched;
+    return options;
+}
+
+} // namespace tractus::silhouette

@@ -1,0 +1,353 @@
+#include "engine/base/parallel.h"
+#include "engine/methods/silhouettes/chosen_style.h"
+#include "engine/methods/silhouettes/level_inference.h"
+#include "engine/methods/silhouettes/own_branch.h"
+#include "engine/methods/silhouettes/own_outline.h"
+#include "engine/methods/silhouettes/sibling_style.h"
+#include "engine/methods/silhouettes/skeleton.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+// Lines of a drawing that are of branches of one system, by those branches' names.
+template<typename Drawn>
+std::vector<Drawn> drawn_on(std::vector<Drawn> const& lines, std::string_view bearer)
+{
+    std::vector<Drawn> result;
+    for (auto const& own : lines)
+        if (bearer_in(own.branch) == bearer) {
+            result.push_back(own);
+            result.back().branch = last_name_in(own.branch);
+        }
+    return result;
+}
+
+void name_branches(BranchingSystem& system, BranchNames const& names, std::string const& bearer)
+{
+    auto const found = names.find(bearer);
+    if (found == names.end())
+        return;
+    auto const count = std::min(found->second.size(), system.branches.size());
+    for (std::size_t i = 0; i < count; ++i)
+        system.branches[i].name = found->second[i];
+}
+
+void take_lines(BranchingSystem& system, Drawing const& drawing, std::string const& bearer)
+{
+    take_own_outlines(system, drawn_on(drawing.own_outlines, bearer));
+    take_own_branches(system, drawn_on(drawing.own_branches, bearer));
+}
+
+class Inference {
+public:
+    Inference(Drawing& drawing, SkeletonOptions const& options, BranchNamer* namer)
+        : drawing_(drawing)
+        , options_(options)
+        , namer_(namer)
+    {
+    }
+
+    Result<Skeleton> run()
+    {
+        add(TRY(infer_system(drawing_, styled(options_.tree, options_.styles, 0))), kNoBearer, {});
+        auto below = options_.below;
+        auto outlined = options_.outlined;
+        below.outline.least_area_mm2 = 0;
+        outlined.outline.least_area_mm2 = 0;
+        std::size_t first = 0;
+        // Below the usual levels only what was drawn on bears branches, or follows it.
+        for (int level = 1; first < skeleton_.systems.size(); ++level) {
+            bool const is_usual = level < options_.levels;
+            LevelInference const how { .usual = styled(below, options_.styles, level),
+                                       .outlined = styled(outlined, options_.styles, level),
+                                       .which = is_usual ? Which::All : Which::Refined,
+                                       .besides = is_usual ? LevelInference::Besides::Inferred
+                                                           : LevelInference::Besides::Nothing };
+            Level const systems { first, skeleton_.systems.size() };
+            find_targets(systems);
+            infer_level(systems, how);
+            for (auto s = systems.first; s < systems.last; ++s)
+                follow_styles(s, how);
+            follow_chosen(how);
+            for (auto s = systems.first; s < systems.last; ++s)
+                hand_down(s);
+            first = systems.last;
+        }
+        return std::move(skeleton_);
+    }
+
+private:
+    static constexpr BranchAt kNoBearer { kNoSystem, 0 };
+
+    // Systems whose branches are looked into together.
+    struct Level {
+        std::size_t first;
+        std::size_t last; // Behind them.
+    };
+
+    // A branch that has the style of another one.
+    struct Target {
+        BranchAt at;
+        BranchAt source;
+    };
+
+    Branch& branch(BranchAt const& at) { return skeleton_.systems[at.system].branches[at.branch]; }
+
+    void add(BranchingSystem system, BranchAt const& bearer,
+             std::vector<std::size_t> const& bearers)
+    {
+        auto const path = bearer.system == kNoSystem ? std::string() : skeleton_.path_of(bearer);
+        name_branches(system, options_.names, path);
+        if (namer_)
+            namer_->name({ .system = system,
+                           .index = skeleton_.systems.size(),
+                           .bearer = path,
+                           .bearer_system = bearer.system,
+                           .bearers = bearers },
+                         drawing_);
+        take_lines(system, drawing_, path);
+        skeleton_.system_of.emplace_back(system.branches.size(), kNoSystem);
+        skeleton_.bearers.push_back(path);
+        from_above_.emplace_back();
+        skeleton_.systems.push_back(std::move(system));
+    }
+
+    // It bears what was made from now on; nothing if that has no branches.
+    void bear(BranchAt const& bearer, std::optional<BranchingSystem> made,
+              std::vector<std::size_t> const& bearers)
+    {
+        auto& below = skeleton_.system_of[bearer.system][bearer.branch];
+        below = kNoSystem;
+        if (!made || made->branches.empty())
+            return;
+        below = skeleton_.systems.size();
+        add(*std::move(made), bearer, bearers);
+    }
+
+    // Chosen styles are for branches on which nobody drew others, and need a source that is there.
+    void find_targets(Level const& level)
+    {
+        targets_.clear();
+        for (auto const& [path, from] : drawing_.styles) {
+            auto const at = skeleton_.at(path);
+            auto const source = skeleton_.at(source_of(drawing_.styles, path));
+            if (!at || !source || at->system < level.first || at->system >= level.last
+                || skeleton_.bearers[at->system] != bearer_in(path)
+                || !branch(*at).own_branches.empty())
+                continue;
+            targets_.push_back({ *at, *source });
+        }
+    }
+
+    bool is_target(BranchAt const& at) const
+    {
+        return std::any_of(targets_.begin(), targets_.end(), [&](Target const& target) {
+            return target.at.system == at.system && target.at.branch == at.branch;
+        });
+    }
+
+    // A branch and its copies.
+    std::vector<std::size_t> with_copies(BranchAt const& of) const
+    {
+        std::vector<std::size_t> numbers;
+        auto const& branches = skeleton_.systems[of.system].branches;
+        for (std::size_t i = 0; i < branches.size(); ++i)
+            if (i == of.branch || branches[i].model == of.branch)
+                numbers.push_back(i);
+        return numbers;
+    }
+
+    // Whether the system's branches follow a style: of those that somebody drew on, or from above.
+    bool has_style(std::size_t system, Which usual) const
+    {
+        if (usual == Which::All && !from_above_[system].empty())
+            return true;
+        auto const& branches = skeleton_.systems[system].branches;
+        return std::any_of(branches.begin(), branches.end(),
+                           [](Branch const& branch) { return branch.style_to != StyleTo::None; });
+    }
+
+    // Copies of a target keep what they have from it as it was inferred.
+    bool is_wanted(BranchAt const& at, Which which) const
+    {
+        auto const& branch = skeleton_.systems[at.system].branches[at.branch];
+        if (branch.model)
+            return false;
+        if (is_target(at))
+            return which == Which::All && with_copies(at).size() > 1;
+        return which == Which::All || branch.is_refined();
+    }
+
+    // Gives the branches of a level systems of their own. What cannot be inferred bears nothing.
+    void infer_level(Level const& level, LevelInference const& how)
+    {
+        std::vector<BranchAt> wanted;
+        for (auto s = level.first; s < level.last; ++s) {
+            auto const which = has_style(s, how.which) ? Which::Refined : how.which;
+            for (std::size_t b = 0; b < skeleton_.systems[s].branches.size(); ++b)
+                if (is_wanted({ s, b }, which))
+                    wanted.push_back({ s, b });
+        }
+        std::vector<std::optional<BranchingSystem>> made(wanted.size());
+        parallel_for(wanted.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (auto i = begin; i < end; ++i)
+                if (auto system = system_below(branch(wanted[i]), how))
+                    made[i] = *std::move(system);
+        });
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            auto const& [s, b] = wanted[i];
+            auto const bearers
+                = has_style(s, how.which) ? std::vector<std::size_t> { b } : with_copies(wanted[i]);
+            bear(wanted[i], std::move(made[i]), bearers);
+            for (auto const copy : with_copies(wanted[i]))
+                skeleton_.system_of[s][copy] = skeleton_.system_of[s][b];
+        }
+    }
+
+    // The style of a branch as its siblings may have it; without children: it bears nothing.
+    BearerStyle style_of(BranchAt const& at)
+    {
+        auto const below = skeleton_.system_of[at.system][at.branch];
+        if (below == kNoSystem)
+            return {};
+        auto const& source = branch(at);
+        if (!source.model)
+            return bearer_style(source, skeleton_.systems[below]);
+        // What a copy bears is its model's, in the model's place.
+        auto style = bearer_style(branch({ at.system, *source.model }), skeleton_.systems[below]);
+        double const size = source.from_model.turn.norm();
+        style.spacing *= size;
+        style.deviation *= size;
+        return style;
+    }
+
+    // The styles of the branches that somebody drew on for their siblings, too, by their places.
+    std::vector<BearerStyle> styles_for_siblings(std::size_t system)
+    {
+        std::vector<BearerStyle> styles;
+        for (std::size_t i = 0; i < skeleton_.systems[system].branches.size(); ++i) {
+            if (branch({ system, i }).style_to == StyleTo::None)
+                continue;
+            auto style = style_of({ system, i });
+            style.goes_deeper = branch({ system, i }).style_to == StyleTo::Deeper;
+            if (!style.children.empty())
+                styles.push_back(std::move(style));
+        }
+        std::stable_sort(styles.begin(), styles.end(),
+                         [](BearerStyle const& a, BearerStyle const& b) { return a.t < b.t; });
+        return styles;
+    }
+
+    // What a branch bears in a style; no value: nothing can be inferred in its crown.
+    std::optional<BranchingSystem> in_style(Branch const& bearer,
+                                            std::span<BearerStyle const> styles,
+                                            LevelInference const& how) const
+    {
+        if (styles.empty() || styles.front().children.empty())
+            return std::nullopt;
+        auto options = bearer.is_outlined() ? how.outlined : how.usual;
+        options.fill.most_branches = 0;
+        auto const& crown = bearer.is_outlined() ? bearer.own_outline : bearer.crown;
+        auto system = infer_system({ { crown }, bearer.line(17), {} }, options);
+        if (!system)
+            return std::nullopt;
+        take_style(*system, bearer, styles, options_.seed);
+        return *std::move(system);
+    }
+
+    // Gives the branches of a system that nobody drew on systems in the style of those that
+    // somebody did, there or else above.
+    void follow_styles(std::size_t s, LevelInference const& how)
+    {
+        auto styles = styles_for_siblings(s);
+        if (styles.empty() && how.which == Which::All)
+            styles = from_above_[s];
+        if (styles.empty())
+            return;
+        auto const count = skeleton_.systems[s].branches.size();
+        std::vector<std::optional<BranchingSystem>> made(count);
+        auto const follows = [&](std::size_t i) {
+            return !branch({ s, i }).is_refined() && !is_target({ s, i });
+        };
+        parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
+            for (auto i = begin; i < end; ++i)
+                if (follows(i))
+                    made[i] = in_style(branch({ s, i }), styles, how);
+        });
+        for (std::size_t i = 0; i < count; ++i)
+            if (follows(i))
+                stand_alone({ s, i }, std::move(made[i]));
+    }
+
+    // Gives what stands on a system's branches the styles that go on below them.
+    void hand_down(std::size_t s)
+    {
+        auto styles = styles_for_siblings(s);
+        std::erase_if(styles, [](BearerStyle const& style) { return !style.goes_deeper; });
+        auto const& handed = styles.empty() ? from_above_[s] : styles;
+        if (handed.empty())
+            return;
+        for (auto const below : skeleton_.system_of[s])
+            if (below != kNoSystem)
+                from_above_[below] = handed;
+    }
+
+    // Gives branches the styles that somebody chose for them.
+    void follow_chosen(LevelInference const& how)
+    {
+        std::vector<std::optional<BranchingSystem>> made;
+        for (auto const& target : targets_)
+            made.push_back(
+                in_style(branch(target.at), std::array { style_of(target.source) }, how));
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            branch(targets_[i].at).style_from = skeleton_.path_of(targets_[i].source);
+            stand_alone(targets_[i].at, std::move(made[i]));
+        }
+    }
+
+    // A branch that bears its own system is no copy any more.
+    void stand_alone(BranchAt const& at, std::optional<BranchingSystem> made)
+    {
+        branch(at).model.reset();
+        branch(at).from_model = {};
+        bear(at, std::move(made), { at.branch });
+    }
+
+    Drawing& drawing_;
+    SkeletonOptions const& options_;
+    BranchNamer* namer_;
+    Skeleton skeleton_;
+    std::vector<Target> targets_;                      // Of the level.
+    std::vector<std::vector<BearerStyle>> from_above_; // Of each system, for its branches.
+};
+
+} // namespace
+
+Result<BranchingSystem> infer_on_trunk(Drawing const& drawing, SkeletonOptions const& options)
+{
+    auto tree = TRY(infer_system(drawing, styled(options.tree, options.styles, 0)));
+    name_branches(tree, options.names, "");
+    take_lines(tree, drawing, "");
+    return tree;
+}
+
+Result<Skeleton> infer_skeleton(Drawing const& drawing, SkeletonOptions const& options)
+{
+    auto lines = drawing;
+    return Inference(lines, options, nullptr).run();
+}
+
+Result<Skeleton> infer_skeleton(Drawing& drawing, SkeletonOptions const& options,
+                                BranchNamer& namer)
+{
+    return Inference(drawing, options, &namer).run();
+}
+
+} // namespace tractus::silhouette
